@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+
+// Time is injected, so that tests turn it by hand. Ages and control use steady time, orbits and logs use UTC.
+// Any thread may read a SystemClock.
+namespace boresight {
+
+using Seconds = std::chrono::duration<double>;
+using SteadyTime = std::chrono::steady_clock::time_point;
+using UtcTime = std::chrono::system_clock::time_point;
+
+class Clock
+{
+public:
+    virtual ~Clock() = default;
+    [[nodiscard]] virtual SteadyTime now() const = 0;
+    [[nodiscard]] virtual UtcTime utc() const = 0;
+
+protected:
+    Clock() = default;
+    Clock(const Clock&) = default;
+    Clock& operator=(const Clock&) = default;
+};
+
+class SystemClock final : public Clock
+{
+public:
+    [[nodiscard]] SteadyTime now() const override;
+    [[nodiscard]] UtcTime utc() const override;
+};
+
+}  // namespace boresight

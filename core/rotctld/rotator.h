@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/units/sky.h"
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+// What the rotctld server asks of the mount. The station implements it; the server knows nothing else of the station.
+// All calls come on the station thread and return at once. An Error's code becomes the RPRT code (README.md), its text
+// goes to the log: InvalidInput and OutOfRange -1, NoAnswer, NoDevice and Io -6, Refused and Busy -9,
+// NotAvailable -11, Protocol -8.
+namespace boresight::rotctld {
+
+struct Client
+{
+    std::uint64_t id = 0;  // never reused while the program runs
+    std::string address;   // "127.0.0.1:51234"
+};
+
+// As the client wrote it: a finite azimuth of any turn, elevation -90°…180°.
+struct PointRequest
+{
+    Angle azimuth;
+    Angle elevation;
+};
+
+enum class MoveDirection
+{
+    Up,
+    Down,
+    Left,
+    Right
+};  // left = counter-clockwise
+
+// What dump_state and dump_caps advertise.
+struct Limits
+{
+    Angle minAzimuth;
+    Angle maxAzimuth;
+    Angle minElevation;
+    Angle maxElevation;
+};
+
+// One answer to get_status: what moves which way, and which limits are reached.
+struct MotionFlags
+{
+    bool movingLeft = false;
+    bool movingRight = false;
+    bool movingUp = false;
+    bool movingDown = false;
+    bool limitLeft = false;
+    bool limitRight = false;
+    bool limitUp = false;
+    bool limitDown = false;
+};
+
+class Rotator
+{
+public:
+    virtual ~Rotator() = default;
+
+    [[nodiscard]] virtual std::string info() const = 0;  // one line, e.g. "Boresight 0.1.0, my mount"
+    [[nodiscard]] virtual Limits limits() const = 0;
+    // Measured, in the client's azimuth convention; an error when older than 1 s or unknown.
+    [[nodiscard]] virtual Result<SkyPointing> position() const = 0;
+    [[nodiscard]] virtual MotionFlags motion() const = 0;
+
+    virtual Result<> pointTo(const Client& client, const PointRequest& request) = 0;
+    // Runs until stop, a limit or the end of that client's connection. Speed in percent of the fastest jog rate as
+    // the client wrote it, -1 for "default".
+    virtual Result<> move(const Client& client, MoveDirection direction, int speed) = 0;
+    virtual Result<> stop(const Client& client) = 0;
+    virtual Result<> park(const Client& client) = 0;
+    virtual Result<> reset(const Client& client, int kind) = 0;
+
+    // SPEED level 1…4 of Hamlib's dummy: scales the jog rate of `move`.
+    [[nodiscard]] virtual int speedLevel() const = 0;
+    virtual Result<> setSpeedLevel(const Client& client, int level) = 0;
+
+    virtual void clientConnected(const Client& client) = 0;
+    virtual void clientGone(const Client& client, const std::string& reason) = 0;  // its motion must end: hold
+    // For the log: a client did something worth a line (stranger, flood, dropped, refused).
+    virtual void clientRemark(const Client& client, const std::string& text) = 0;
+};
+
+}  // namespace boresight::rotctld

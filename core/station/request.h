@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/units/sky.h"
+
+#include <QMetaType>
+
+#include <chrono>
+#include <cstdint>
+#include <variant>
+
+// Everything anybody may ask of the station, as values: they cross threads by queued signals. The station accepts or
+// refuses each with a reason; the effect is seen in the next status.
+namespace boresight::request {
+
+struct PointSky  // go to a direction, the nearest permitted turn
+{
+    SkyPointing direction;
+};
+struct PointAxes  // go to mechanical angles: chooses the turn
+{
+    AxisPosition position;
+};
+struct Jog  // dead-man: must be repeated within kJogKeepAlive, else the axes stop; zero rates end it
+{
+    AxisRates rates;
+};
+struct Step  // move by a fixed amount from the present target
+{
+    Angle azimuth;
+    Angle elevation;
+};
+struct Hold  // decelerate and hold; not latched
+{};
+struct Stop  // decelerate and hold, latched until ResetStop
+{};
+struct ResetStop
+{};
+struct Park
+{};
+struct Home  // azimuth 0°, elevation at its lower limit or 0°
+{};
+struct Rearm  // clears a drive fault or time-out; the mount then stands in STANDBY
+{};
+struct TakeAuthority  // clients' motion is refused until GiveAuthority
+{};
+struct GiveAuthority
+{};
+struct AcknowledgeAlarms
+{};
+
+}  // namespace boresight::request
+
+namespace boresight {
+
+using Request = std::variant<request::PointSky, request::PointAxes, request::Jog, request::Step, request::Hold,
+                             request::Stop, request::ResetStop, request::Park, request::Home, request::Rearm,
+                             request::TakeAuthority, request::GiveAuthority, request::AcknowledgeAlarms>;
+
+// A request of the screen, numbered so that the answer finds the control that sent it.
+struct NumberedRequest
+{
+    std::uint64_t id = 0;
+    Request request;
+};
+
+// A held jog control repeats Jog every kJogRepeat; the station stops the axes kJogKeepAlive after the last one.
+inline constexpr std::chrono::milliseconds kJogRepeat{50};
+inline constexpr std::chrono::milliseconds kJogKeepAlive{200};
+
+}  // namespace boresight
+
+Q_DECLARE_METATYPE(boresight::NumberedRequest)

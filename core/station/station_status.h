@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/base/result.h"
+#include "core/can/can_link.h"
+#include "core/units/sky.h"
+
+#include <QMetaType>
+#include <QString>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+// What the station tells the world: plain values, made on the station thread once per update, read by the screen, the
+// clients and the tests. Nothing is computed from them about pointing; unknown is an empty optional. Angles of an axis
+// are mechanical (unwrapped); `SkyPointing` values are directions.
+namespace boresight {
+
+enum class StationState
+{
+    Disconnected,  // no bus, or a drive does not answer
+    Standby,       // connected; nothing commanded since start, reconnect, fault or reset of STOP
+    Hold,          // holding a position
+    Slew,          // on the way to a fixed target
+    Track,         // following a stream of targets
+    Jog,           // moving while a key, button or `M` command is held
+    Parked,        // holding the park position
+    Calibrate,     // a calibration run moves the mount
+    Stopped,       // STOP is latched
+    Fault,         // a drive is in fault, timed out or silent: explicit re-arm needed
+};
+
+enum class AxisState
+{
+    NoData,
+    Holding,
+    Moving,
+    Limit,
+    Stopped,
+    Fault,
+    Off
+};
+
+enum class Severity
+{
+    Advisory,
+    Warning,
+    Alarm
+};
+
+// Who may move the mount.
+enum class Authority
+{
+    Clients,
+    Operator
+};
+
+enum class SourceKind
+{
+    Operator,
+    Client,
+    Station
+};
+
+// Who asked. `name` is what the log and the screen show: "operator", "rotctld 127.0.0.1:51234".
+struct Source
+{
+    SourceKind kind = SourceKind::Station;
+    std::uint64_t clientId = 0;
+    QString name;
+
+    bool operator==(const Source&) const = default;
+};
+
+struct AxisStatus
+{
+    AxisState state = AxisState::NoData;
+    std::optional<Angle> actual;                   // last measured, whatever its age
+    std::optional<AngularRate> rate;               // last measured
+    std::optional<std::chrono::milliseconds> age;  // of the last reply; empty if there never was one
+    std::optional<Angle> commanded;                // the set-point sent now
+    std::optional<Angle> target;                   // where the set-point is heading
+    TravelRange travel;
+    std::optional<double> busVoltage;        // V
+    std::optional<double> boardTemperature;  // °C
+    std::optional<double> motorTemperature;  // °C, empty without a sensor
+    std::optional<double> torque;            // Nm
+    std::optional<double> current;           // A, q axis
+    int mode = 0;                            // moteus mode register
+    int faultCode = 0;                       // moteus fault register: fault in mode 1, active limit else
+    QString stateText;                       // e.g. "at travel limit 450.0°"; may be empty
+};
+
+struct ClientStatus
+{
+    std::uint64_t id = 0;
+    QString address;
+    QString program;  // recognised, or empty
+    QString lastCommand;
+    bool driving = false;
+};
+
+struct Alarm
+{
+    std::uint64_t id = 0;
+    Severity severity = Severity::Warning;
+    QString what;    // what happened
+    QString action;  // what Boresight did
+    QString remedy;  // what to do
+    UtcTime since;
+    bool active = true;
+    bool acknowledged = false;
+};
+
+struct StationStatus
+{
+    StationState state = StationState::Disconnected;
+    QString stateReason;  // one line: why this state, for the tool tip and the log
+    AxisStatus azimuth;
+    AxisStatus elevation;
+    std::optional<SkyPointing> actual;
+    std::optional<SkyPointing> commanded;
+    std::optional<SkyPointing> target;
+    QString targetText;    // "P 339.50 57.00", "go to 113.0° 10.0°", "park"; empty without a target
+    Source commander;      // whose target it is
+    bool limited = false;  // the target was outside the limits; the nearest permitted point is driven
+    Authority authority = Authority::Clients;
+    LinkStatus bus;
+    QString busName;
+    bool simulated = false;
+    QString listening;  // "127.0.0.1:4533", empty when the server could not listen
+    std::vector<ClientStatus> clients;
+    std::vector<Alarm> alarms;  // active or unacknowledged, worst first
+    UtcTime utc;
+    std::uint64_t tick = 0;
+};
+
+struct LogEntry
+{
+    std::uint64_t number = 0;  // counts up by one
+    UtcTime utc;
+    Severity severity = Severity::Advisory;
+    QString source;  // "operator", "rotctld 127.0.0.1:51234", "station", "azimuth drive", "bus"
+    QString text;
+};
+
+// The answer to one request of the screen; `error` empty means accepted.
+struct Answer
+{
+    std::uint64_t requestId = 0;
+    std::optional<Error> error;
+};
+
+// One parcel to the screen. The station sends the next only after the last was taken, so a stalled screen gets the
+// newest status and a bounded tail of the log, never a queue.
+struct StationUpdate
+{
+    StationStatus status;
+    std::vector<LogEntry> log;
+    std::vector<Answer> answers;
+};
+
+// The words of ui.md and of every log line: "TRACK", "NO DATA".
+[[nodiscard]] QString word(StationState state);
+[[nodiscard]] QString word(AxisState state);
+
+}  // namespace boresight
+
+Q_DECLARE_METATYPE(boresight::StationStatus)
+Q_DECLARE_METATYPE(boresight::StationUpdate)

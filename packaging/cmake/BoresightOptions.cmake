@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What every target of ours is compiled with: C++20, warnings as errors, the sanitizers of the preset.
+
+set(BORESIGHT_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined or thread")
+
+add_library(boresight_options INTERFACE)
+target_compile_features(boresight_options INTERFACE cxx_std_20)
+target_compile_options(boresight_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Werror)
+target_compile_definitions(boresight_options INTERFACE
+  QT_NO_CAST_FROM_ASCII QT_NO_CAST_TO_ASCII QT_NO_FOREACH QT_NO_KEYWORDS QT_DISABLE_DEPRECATED_BEFORE=0x060400)
+target_include_directories(boresight_options INTERFACE "${CMAKE_SOURCE_DIR}")
+if(BORESIGHT_SANITIZE)
+  target_compile_options(boresight_options INTERFACE
+    -fsanitize=${BORESIGHT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(boresight_options INTERFACE -fsanitize=${BORESIGHT_SANITIZE})
+  if(BORESIGHT_SANITIZE MATCHES "thread")
+    # GCC 12 says atomic_thread_fence is unsupported under TSan inside Qt's own headers.
+    target_compile_options(boresight_options INTERFACE -Wno-error=tsan)
+  endif()
+endif()
+
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+set(CMAKE_AUTOMOC ON)
+set(CMAKE_AUTORCC ON)
+
+# One cache for every checkout: paths below the source folder are made relative before hashing.
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+    "${CMAKE_COMMAND};-E;env;CCACHE_BASEDIR=${CMAKE_SOURCE_DIR};CCACHE_NOHASHDIR=1;${CCACHE_PROGRAM}")
+endif()

@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+include(GoogleTest)
+
+# boresight_add_test(NAME LABEL unit|ui|system SOURCES … LIBRARIES …)
+# One GoogleTest executable per module. LIBRARIES is what is tested (boresight_core or boresight_ui); NO_MAIN leaves
+# out GTest's main for tests that bring their own (a QCoreApplication or QApplication).
+function(boresight_add_test name)
+  cmake_parse_arguments(T "NO_MAIN" "LABEL;TIMEOUT" "SOURCES;LIBRARIES" ${ARGN})
+  if(NOT T_TIMEOUT)
+    set(T_TIMEOUT 120)
+  endif()
+  add_executable(${name} ${T_SOURCES})
+  set_target_properties(${name} PROPERTIES AUTOMOC OFF)
+  if(T_NO_MAIN)
+    target_link_libraries(${name} PRIVATE ${T_LIBRARIES} GTest::gmock)
+  else()
+    target_link_libraries(${name} PRIVATE ${T_LIBRARIES} GTest::gmock_main)
+  endif()
+  target_compile_definitions(${name} PRIVATE BORESIGHT_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${T_LABEL}" TIMEOUT ${T_TIMEOUT})
+endfunction()

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/units/quantity.h"
+
+#include "core/units/sky.h"
+
+#include <gtest/gtest.h>
+
+#include <type_traits>
+
+namespace boresight {
+namespace {
+
+static_assert(sizeof(Angle) == sizeof(double));
+static_assert(!std::is_convertible_v<double, Angle>);
+static_assert(!std::is_constructible_v<Angle, double>);
+static_assert(!std::is_convertible_v<Angle, MotorTurns>);
+static_assert(!std::is_convertible_v<SkyPointing, AxisPosition>);
+static_assert(!std::is_convertible_v<AngularRate, Angle>);
+
+TEST(Quantity, UnitsAgree)
+{
+    EXPECT_DOUBLE_EQ(Angle::fromTurns(0.25).degrees(), 90.0);
+    EXPECT_DOUBLE_EQ((180_deg).radians(), std::numbers::pi);
+    EXPECT_DOUBLE_EQ((90_deg).turns(), 0.25);
+    EXPECT_DOUBLE_EQ(MotorTurns::fromTurns(1.5).turns(), 1.5);
+}
+
+TEST(Quantity, RateIsAngleDividedByTime)
+{
+    const AngularRate rate = 10_deg / Seconds(2.0);
+    EXPECT_DOUBLE_EQ(rate.degrees(), 5.0);
+    EXPECT_DOUBLE_EQ((rate * Seconds(3.0)).degrees(), 15.0);
+    EXPECT_DOUBLE_EQ((rate / Seconds(0.5)).degrees(), 10.0);
+}
+
+TEST(Quantity, WrappingIsExplicit)
+{
+    EXPECT_NEAR((370_deg).wrapped360().degrees(), 10.0, 1e-12);
+    EXPECT_NEAR((-10_deg).wrapped360().degrees(), 350.0, 1e-12);
+    EXPECT_NEAR((190_deg).wrapped180().degrees(), -170.0, 1e-12);
+    EXPECT_NEAR((180_deg).wrapped180().degrees(), -180.0, 1e-12);
+    EXPECT_LT(Angle::fromRadians(-1e-20).wrapped360(), 360_deg);
+    EXPECT_NEAR((10_deg).nearestTo(365_deg).degrees(), 370.0, 1e-12);
+    EXPECT_NEAR((350_deg).nearestTo(5_deg).degrees(), -10.0, 1e-12);
+}
+
+TEST(Quantity, TravelRangeIncludesItsEnds)
+{
+    const TravelRange range{.min = -90_deg, .max = 450_deg};
+    EXPECT_TRUE(range.contains(450_deg));
+    EXPECT_FALSE(range.contains(450.001_deg));
+    EXPECT_EQ(range.clamped(-100_deg), -90_deg);
+    EXPECT_EQ(range.clamped(500_deg), 450_deg);
+    EXPECT_EQ(range.clamped(10_deg), 10_deg);
+}
+
+}  // namespace
+}  // namespace boresight
