@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Bytes as hexadecimal text, two digits a byte and nothing between them.
+namespace boresight {
+
+enum class HexCase
+{
+    Lower,
+    Upper,
+};
+
+[[nodiscard]] std::string toHex(std::span<const std::uint8_t> bytes, HexCase letters = HexCase::Lower);
+
+// Both cases are read. Nothing for an odd number of digits or for any character that is not a digit; empty is empty.
+[[nodiscard]] std::optional<std::vector<std::uint8_t>> parseHex(std::string_view digits);
+
+}  // namespace boresight

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+// Cuts a byte stream into lines, however the bytes are split on their way. LF, CR and CR LF end a line; empty lines
+// are skipped. A line longer than the protocol allows is thrown away up to its end and counted. Holds at most one line.
+namespace boresight::fdcanusb {
+
+// The adapter's own limit for one line, without its end.
+inline constexpr std::size_t kMaxLineLength = 300;
+
+class LineSplitter
+{
+public:
+    // Calls `onLine` for each line that is now complete. The view is valid during the call only.
+    void add(std::string_view bytes, const std::function<void(std::string_view)>& onLine);
+    // Forgets a half line: after a re-open it belongs to nothing.
+    void clear();
+    [[nodiscard]] std::uint64_t overlongLines() const { return m_overlongLines; }
+
+private:
+    std::string m_line;
+    bool m_overlong = false;
+    std::uint64_t m_overlongLines = 0;
+};
+
+}  // namespace boresight::fdcanusb
