@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/units/sky.h"
+
+#include <optional>
+#include <string>
+
+// The one place where a direction in the sky, the mechanical angles of the axes and the turns of the motors become one
+// another. Pure values, any thread. Requirements and their tests: README.md.
+namespace boresight::pointing {
+
+// Where the gearbox between motor and axis is reckoned with. When the drive knows the ratio it already reports turns of
+// the axis, and the factor on our side is 1.
+enum class GearIn
+{
+    Drive,
+    Host
+};
+
+// motor turns = sign × (angle + offset) / 360° × ratio
+struct AxisGeometry
+{
+    int sign = 1;  // +1 or -1: does the motor count up when the axis angle grows?
+    Angle offset;
+    double gearRatio = 1.0;  // motor turns per turn of the axis
+    GearIn gearIn = GearIn::Drive;
+    TravelRange travel;
+
+    [[nodiscard]] MotorTurns toMotor(Angle angle) const;
+    [[nodiscard]] MotorRate toMotor(AngularRate rate) const;
+    [[nodiscard]] MotorAcceleration toMotor(AngularAcceleration acceleration) const;
+    [[nodiscard]] Angle toAxis(MotorTurns turns) const;
+    [[nodiscard]] AngularRate toAxis(MotorRate rate) const;
+
+    bool operator==(const AxisGeometry&) const = default;
+
+private:
+    [[nodiscard]] double turnsPerTurn() const;  // signed factor from turns of the axis to turns as the drive counts
+};
+
+// How the axes reach a direction. `limited` says that they cannot reach it exactly, and why: the caller decides whether
+// the nearest permitted point will do or the command is refused.
+struct Resolved
+{
+    AxisPosition position;  // always inside both travel ranges
+    bool limited = false;
+    std::string reason;  // "elevation 95.0° above limit 90.0°"; empty unless limited
+};
+
+class MountModel
+{
+public:
+    MountModel(const AxisGeometry& azimuth, const AxisGeometry& elevation);
+
+    [[nodiscard]] const AxisGeometry& azimuth() const { return m_azimuth; }
+    [[nodiscard]] const AxisGeometry& elevation() const { return m_elevation; }
+    [[nodiscard]] const AxisGeometry& axis(Axis which) const;
+
+    // The axis angles for a direction: of all turns inside the travel the one nearest to `now`, so that a path through
+    // north goes on as long as the cable allows. `now` is where the axes are heading (the last target), or where they
+    // stand if there is none. Elevation above 90° is taken over the top if the travel allows it, else as the equal
+    // direction (azimuth + 180°, 180° - elevation). A direction out of reach gives the permitted point nearest to it.
+    [[nodiscard]] Resolved resolve(const SkyPointing& direction, const AxisPosition& now) const;
+
+    // Mechanical angles taken as they are: out-of-travel angles are brought to the end of the travel and `limited`.
+    [[nodiscard]] Resolved resolve(const AxisPosition& position) const;
+
+    // Where the beam points: azimuth in [0°, 360°), elevation -90…90° (over the top is turned to its sky place).
+    [[nodiscard]] static SkyPointing toSky(const AxisPosition& position);
+
+private:
+    AxisGeometry m_azimuth;
+    AxisGeometry m_elevation;
+};
+
+}  // namespace boresight::pointing

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/profile/profile.h"
+
+#include <QString>
+
+#include <string>
+#include <string_view>
+
+// The profile as a TOML file. Reading is strict: an unknown key, a wrong type or a value out of range is an error, and
+// all errors of a file come at once, one "FILE:LINE: KEY: reason" per line of the error's text. A key that is absent
+// has its default. Blocking file access: at start and when the operator saves, not while moving.
+namespace boresight::profile {
+
+[[nodiscard]] Result<Profile> parseProfile(std::string_view toml, const std::string& fileName);
+[[nodiscard]] Result<Profile> loadProfile(const QString& path);
+
+// The whole profile with a comment above every key: text, unit, range, default.
+[[nodiscard]] std::string toToml(const Profile& profile);
+// All or nothing: a failure leaves the old file untouched.
+[[nodiscard]] Result<> saveProfile(const Profile& profile, const QString& path);
+
+}  // namespace boresight::profile
