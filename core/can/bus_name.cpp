@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/can/bus_name.h"
+
+namespace boresight {
+namespace {
+
+constexpr std::string_view kSimulated = "simulated";
+constexpr std::string_view kSocketCan = "socketcan:";
+constexpr std::string_view kFdcanusb = "fdcanusb:";
+
+Result<BusName> parseInterface(std::string_view name)
+{
+    constexpr std::size_t kMaxLength = 15;  // IFNAMSIZ without its end mark
+    if (name.empty()) {
+        return failure(ErrorCode::InvalidInput,
+                       "bus 'socketcan:' names no interface; write for example socketcan:can0");
+    }
+    if (name.size() > kMaxLength || name.find_first_of("/ \t") != std::string_view::npos) {
+        return failure(ErrorCode::InvalidInput, "'" + std::string(name) +
+                                                    "' cannot be an interface name: at most 15 characters, no space "
+                                                    "and no '/'");
+    }
+    return BusName{BusKind::SocketCan, std::string(name)};
+}
+
+}  // namespace
+
+Result<BusName> parseBusName(std::string_view text)
+{
+    if (text == kSimulated) {
+        return BusName{BusKind::Simulated, {}};
+    }
+    if (text.starts_with(kSocketCan)) {
+        return parseInterface(text.substr(kSocketCan.size()));
+    }
+    if (text.starts_with(kFdcanusb)) {
+        const std::string_view path = text.substr(kFdcanusb.size());
+        if (path.empty()) {
+            return failure(ErrorCode::InvalidInput,
+                           "bus 'fdcanusb:' names no port; write for example fdcanusb:/dev/boresight/fdcanusb");
+        }
+        return BusName{BusKind::Fdcanusb, std::string(path)};
+    }
+    return failure(ErrorCode::InvalidInput,
+                   "unknown bus '" + std::string(text) + "'; write simulated, socketcan:INTERFACE or fdcanusb:PATH");
+}
+
+std::string toString(const BusName& bus)
+{
+    switch (bus.kind) {
+        case BusKind::SocketCan:
+            return std::string(kSocketCan) + bus.target;
+        case BusKind::Fdcanusb:
+            return std::string(kFdcanusb) + bus.target;
+        case BusKind::Simulated:
+            break;
+    }
+    return std::string(kSimulated);
+}
+
+}  // namespace boresight

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/can/fdcanusb_protocol.h"
+
+#include "core/base/hex.h"
+#include "core/base/numbers.h"
+#include "core/can/line_checksum.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <optional>
+#include <vector>
+
+namespace boresight::fdcanusb {
+namespace {
+
+constexpr std::uint32_t kMaxExtendedId = 0x1fff'ffff;
+constexpr std::size_t kMaxClassicPayload = 8;
+constexpr std::uint8_t kNop = 0x50;
+
+// The adapter writes exactly one space between fields, so two in a row enclose an empty field.
+std::vector<std::string_view> splitAtSpaces(std::string_view line)
+{
+    std::vector<std::string_view> words;
+    for (;;) {
+        const std::size_t space = line.find(' ');
+        words.push_back(line.substr(0, space));
+        if (space == std::string_view::npos) {
+            return words;
+        }
+        line.remove_prefix(space + 1);
+    }
+}
+
+std::optional<std::uint32_t> parseId(std::string_view digits)
+{
+    constexpr std::size_t kMaxDigits = 8;
+    const bool hex = std::ranges::all_of(digits, [](unsigned char c) { return std::isxdigit(c) != 0; });
+    const auto value = hex && digits.size() <= kMaxDigits ? parseInteger(digits, 16) : std::nullopt;
+    return value && *value <= kMaxExtendedId ? std::optional(static_cast<std::uint32_t>(*value)) : std::nullopt;
+}
+
+struct Flags
+{
+    std::optional<bool> extended, bitRateSwitch, flexibleData, remote;
+};
+
+// Only single letters are flags; older firmware adds words such as "t1234" and "f00", all add "x-1".
+Flags parseFlags(std::span<const std::string_view> words)
+{
+    Flags flags;
+    for (const std::string_view word : words) {
+        if (word == "E" || word == "e") {
+            flags.extended = word == "E";
+        } else if (word == "B" || word == "b") {
+            flags.bitRateSwitch = word == "B";
+        } else if (word == "F" || word == "f") {
+            flags.flexibleData = word == "F";
+        } else if (word == "R" || word == "r") {
+            flags.remote = word == "R";
+        }
+    }
+    return flags;
+}
+
+// "rcv ID DATA FLAGS…", split. Flags that are not there (a moteus UART sends none) have the adapter's defaults.
+Answer parseReceived(std::span<const std::string_view> words)
+{
+    if (words.size() < 3) {
+        return Unreadable{};
+    }
+    const auto id = parseId(words[1]);
+    const auto data = parseHex(words[2]);
+    const Flags flags = parseFlags(words.subspan(3));
+    if (flags.remote.value_or(false)) {
+        return RemoteFrame{};
+    }
+    // A length that no frame can have betrays a damaged line.
+    if (!id || !data || data->size() > kMaxCanPayload || legalCanLength(data->size()) != data->size()) {
+        return Unreadable{};
+    }
+    CanFrame frame;
+    frame.id = *id;
+    frame.extended = flags.extended.value_or(*id > kMaxStandardId);
+    frame.flexibleData = flags.flexibleData.value_or(true);
+    frame.bitRateSwitch = frame.flexibleData && flags.bitRateSwitch.value_or(true);
+    frame.setPayload(*data);
+    const bool idTooLong = !frame.extended && frame.id > kMaxStandardId;
+    const bool dataTooLong = !frame.flexibleData && frame.size > kMaxClassicPayload;
+    return idTooLong || dataTooLong ? Answer(Unreadable{}) : Answer(frame);
+}
+
+Answer parseBusStatus(std::span<const std::string_view> words)
+{
+    const auto holds = [words](std::string_view word) { return std::ranges::find(words, word) != words.end(); };
+    if (holds("busoff=1") == holds("busoff=0")) {
+        return Unreadable{};
+    }
+    return BusStatus{.busOff = holds("busoff=1"), .errorPassive = holds("err=1")};
+}
+
+}  // namespace
+
+Result<std::string> sendLine(const CanFrame& frame)
+{
+    if (frame.id > kMaxExtendedId) {
+        return failure(ErrorCode::InvalidInput, "CAN identifier of more than 29 bits: " + toString(frame));
+    }
+    if (!frame.flexibleData && frame.size > kMaxClassicPayload) {
+        return failure(ErrorCode::InvalidInput, "classic CAN frame of more than 8 bytes: " + toString(frame));
+    }
+    std::vector<std::uint8_t> payload(frame.payload().begin(), frame.payload().end());
+    payload.resize(std::max<std::size_t>(1, legalCanLength(payload.size())), kNop);
+
+    // "send" picks the identifier's type by its value; only a short extended one must be forced.
+    const char* const command = frame.extended && frame.id <= kMaxStandardId ? "ext" : "send";
+    std::array<char, 32> head{};
+    std::snprintf(head.data(), head.size(), "can %s %04x ", command, static_cast<unsigned>(frame.id));
+    const bool bitRateSwitch = frame.flexibleData && frame.bitRateSwitch;
+    return head.data() + toHex(payload) + (bitRateSwitch ? " B" : " b") + (frame.flexibleData ? "F" : "f");
+}
+
+Answer parseAnswer(std::string_view line, ChecksumRule rule)
+{
+    const CheckedLine checked = splitChecksum(line);
+    const bool missing = checked.checksum == Checksum::Absent && rule == ChecksumRule::Require;
+    if (missing || checked.checksum == Checksum::Wrong) {
+        return Unreadable{};
+    }
+    if (checked.text == "OK") {
+        return Accepted{};
+    }
+    const std::vector<std::string_view> words = splitAtSpaces(checked.text);
+    if (words.front() == "rcv") {
+        return parseReceived(words);
+    }
+    if (words.front() == "ERR") {
+        const std::size_t textStart = std::min(checked.text.size(), words.front().size() + 1);
+        return Refusal{std::string(checked.text.substr(textStart))};
+    }
+    if (words.front().starts_with("lec=")) {
+        return parseBusStatus(words);
+    }
+    return Unreadable{};
+}
+
+}  // namespace boresight::fdcanusb

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/can/bus_name.h"
+
+#include <gmock/gmock.h>
+
+namespace boresight {
+namespace {
+
+TEST(BusName, ReadsTheThreeKindsAndWritesThemBack)
+{
+    EXPECT_EQ(parseBusName("simulated"), (BusName{BusKind::Simulated, {}}));
+    EXPECT_EQ(parseBusName("socketcan:can0"), (BusName{BusKind::SocketCan, "can0"}));
+    EXPECT_EQ(parseBusName("fdcanusb:/dev/ttyACM0"), (BusName{BusKind::Fdcanusb, "/dev/ttyACM0"}));
+    EXPECT_EQ(parseBusName("fdcanusb:C:odd"), (BusName{BusKind::Fdcanusb, "C:odd"}));
+    for (const char* const name : {"simulated", "socketcan:vcan12", "fdcanusb:/dev/boresight/fdcanusb"}) {
+        EXPECT_EQ(toString(parseBusName(name).value()), name);
+    }
+}
+
+TEST(BusName, RefusesWithWhatToWrite)
+{
+    EXPECT_THAT(parseBusName("can0").error().text, testing::HasSubstr("'can0'"));
+    EXPECT_THAT(parseBusName("can0").error().text, testing::HasSubstr("socketcan:INTERFACE"));
+    EXPECT_THAT(parseBusName("socketcan:").error().text, testing::HasSubstr("names no interface"));
+    EXPECT_THAT(parseBusName("fdcanusb:").error().text, testing::HasSubstr("names no port"));
+    for (const char* const bad : {"", "simulated ", "Simulated", "simulated:x", "socketcan:can 0", "socketcan:a/b",
+                                  "socketcan:sixteen-letters0", "socketcan"}) {
+        const auto result = parseBusName(bad);
+        ASSERT_FALSE(result.has_value()) << bad;
+        EXPECT_EQ(result.error().code, ErrorCode::InvalidInput) << bad;
+    }
+}
+
+}  // namespace
+}  // namespace boresight
