@@ -17,6 +17,12 @@ if(BORESIGHT_SANITIZE)
   if(BORESIGHT_SANITIZE MATCHES "thread")
     # GCC 12 says atomic_thread_fence is unsupported under TSan inside Qt's own headers.
     target_compile_options(boresight_options INTERFACE -Wno-error=tsan)
+    # Qt's own library is not instrumented: this object tells ThreadSanitizer what Qt's event queue orders.
+    add_library(boresight_qt_event_order OBJECT "${CMAKE_SOURCE_DIR}/tests/sanitizers/qt_event_order.cpp")
+    target_compile_features(boresight_qt_event_order PRIVATE cxx_std_20)
+    target_compile_options(boresight_qt_event_order PRIVATE -fsanitize=${BORESIGHT_SANITIZE})
+    target_link_libraries(boresight_qt_event_order PRIVATE Qt6::Core)
+    target_link_libraries(boresight_options INTERFACE $<TARGET_OBJECTS:boresight_qt_event_order>)
   endif()
 endif()
 

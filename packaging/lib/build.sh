@@ -1,0 +1,29 @@
+# shellcheck shell=bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Configuring and building a preset of CMakePresets.json. Sourced after qwt.sh.
+
+# One job per core, but no more than memory allows: a compiler on Qt code takes up to 1 GB, with sanitizers 1.5 GB.
+parallel_jobs() {
+    local cores memory
+    cores=$(nproc)
+    memory=$(awk '$1 == "MemAvailable:" { print int($2 / 1500000) }' /proc/meminfo)
+    [[ $memory -ge 1 ]] || memory=1
+    echo $((cores < memory ? cores : memory))
+}
+
+# Ninja decides what there is to do, and runs CMake again by itself when a CMakeLists.txt has changed.
+build_preset() {  # PRESET [TARGET…]
+    local preset=$1 folder=$BORESIGHT_TOP/build/$1
+    shift
+    mkdir -p "$folder"
+    if [[ ! -f $folder/build.ninja || $(cat "$folder/configured-with" 2>/dev/null) != "${QWT_ARGUMENTS[*]}" ]]; then
+        say "configuring build/$preset"
+        (cd "$BORESIGHT_TOP" &&
+            quietly "$folder/configure.log" cmake --preset "$preset" -U 'Qwt_*' "${QWT_ARGUMENTS[@]}") ||
+            fail "could not configure the preset $preset (build/$preset/configure.log)"
+        printf '%s\n' "${QWT_ARGUMENTS[*]}" >"$folder/configured-with"
+    fi
+    say "building build/$preset"
+    (cd "$BORESIGHT_TOP" && cmake --build --preset "$preset" --parallel "$(parallel_jobs)" ${1:+--target "$@"}) >&2 ||
+        fail "could not build the preset $preset"
+}

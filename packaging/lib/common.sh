@@ -1,0 +1,30 @@
+# shellcheck shell=bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What every script in packaging/ starts from: strict mode, the top folder, messages. Sourced, never run.
+
+set -euo pipefail
+
+BORESIGHT_TOP=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+BORESIGHT_COMMAND=packaging/$(basename "$0")
+# shellcheck disable=SC2034  # used by the scripts that source this file
+readonly BORESIGHT_TOP BORESIGHT_COMMAND
+
+say() {
+    printf '%s: %s\n' "$BORESIGHT_COMMAND" "$*" >&2
+}
+
+# Ends the script with one line that says why.
+fail() {
+    say "$*"
+    exit 1
+}
+
+# Runs a command with its output kept in FILE, and shows the end of that file only if the command fails.
+quietly() {  # FILE COMMAND ARG…
+    local log=$1
+    shift
+    if ! "$@" >"$log" 2>&1; then
+        tail -n 40 "$log" >&2
+        return 1
+    fi
+}

@@ -1,0 +1,86 @@
+# shellcheck shell=bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The Debian packages Boresight needs, by purpose, and need_packages which installs what is missing. Sourced.
+#
+# Names as in Debian 12. A name with alternatives, "a|b", means the first one this machine knows.
+# shellcheck disable=SC2034  # the lists are used by the scripts that source this file
+
+# Compiler, build tools and every library that is linked. Google Test and Benchmark are here because one configured
+# folder serves both packaging/run and packaging/test.
+readonly build_packages=(
+    g++ cmake ninja-build ca-certificates
+    qt6-base-dev 'qt6-svg-dev|libqt6svg6-dev' 'qt6-serialport-dev|libqt6serialport6-dev'
+    libgl-dev libexpected-dev libtomlplusplus-dev libgtest-dev libgmock-dev libbenchmark-dev
+)
+
+# What building Qwt from Debian's source package needs on top.
+readonly qwt_source_packages=(bzip2 debian-archive-keyring)
+
+# What the tests run: User-Mode Linux for a real SocketCAN interface, Hamlib's rotctl and rotctld as peers, one font so
+# that screens look alike, the formatter and the checker of shell scripts.
+readonly test_packages=(
+    user-mode-linux kmod iproute2 libhamlib-utils fonts-dejavu-core clang-format-14 shellcheck
+)
+
+# What showing the window on a real display needs beyond the libraries that are linked.
+readonly display_packages=(qt6-wayland libqt6svg6 fonts-dejavu-core)
+
+# What tests/bench/run needs.
+readonly bench_packages=(libhamlib-utils xvfb xauth)
+
+package_is_installed() {
+    [[ $(dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null) == *installed* ]]
+}
+
+package_is_known() {
+    apt-cache show --no-all-versions "$1" >/dev/null 2>&1
+}
+
+# Prints one name for each missing entry; of alternatives the first known one.
+missing_packages() {
+    local entry name names found
+    for entry in "$@"; do
+        IFS='|' read -ra names <<<"$entry"
+        found=
+        for name in "${names[@]}"; do
+            package_is_installed "$name" && found=yes
+        done
+        [[ -n $found ]] && continue
+        for name in "${names[@]}"; do
+            package_is_known "$name" && break
+            name=${names[0]}
+        done
+        printf '%s\n' "$name"
+    done
+}
+
+as_root() {
+    if [[ $EUID -eq 0 ]]; then
+        "$@"
+    elif command -v sudo >/dev/null; then
+        sudo "$@"
+    else
+        return 1
+    fi
+}
+
+apt_get() {
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300 "$@"
+}
+
+need_packages() {  # PACKAGE…
+    if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+        fail "needs Debian or a relative of it (dpkg and apt); elsewhere see README.md, Building by hand"
+    fi
+    local -a missing
+    mapfile -t missing < <(missing_packages "$@")
+    [[ ${#missing[@]} -gt 0 ]] || return 0
+    [[ $EUID -eq 0 ]] || command -v sudo >/dev/null ||
+        fail "missing packages and neither root nor sudo; run as root: apt-get install ${missing[*]}"
+    say "installing ${missing[*]}"
+    # An update that fails for one of several archives is no reason to give up: the installation decides.
+    apt_get update >/dev/null || say "apt-get update reported a problem; going on with the lists at hand"
+    mapfile -t missing < <(missing_packages "$@")
+    apt_get install -y --no-install-recommends "${missing[@]}" >/dev/null ||
+        fail "could not install ${missing[*]} (see the lines above)"
+}
