@@ -46,7 +46,8 @@ public:
     [[nodiscard]] virtual QString name() const = 0;
     [[nodiscard]] virtual LinkStatus status() const = 0;
 
-    // Opens or re-opens. An error text names the interface or port and the remedy.
+    // Opens or re-opens. An error text names the interface or port and the remedy. An interface that is there but down
+    // opens too: state Down, the status text names the remedy, and it comes up by itself.
     virtual Result<> open() = 0;
     virtual void close() = 0;
 
@@ -55,6 +56,7 @@ public:
 
 Q_SIGNALS:
     void frameReceived(const boresight::CanFrame& frame);
+    // State or text changed. Counters alone do not cause it: a bad bus makes thousands of errors a second.
     void statusChanged(const boresight::LinkStatus& status);
 };
 

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/can/fdcanusb_link.h"
+
+#include "core/can/line_checksum.h"
+#include "core/can/serial_port_check.h"
+
+#include <QLoggingCategory>
+
+#include <poll.h>
+#include <sys/ioctl.h>
+
+#include <utility>
+
+namespace boresight {
+namespace {
+
+Q_LOGGING_CATEGORY(lcFdcanusb, "boresight.can.fdcanusb")
+
+// Meaningless on USB; what the UART of a moteus speaks.
+constexpr qint32 kBaudRate = 921600;
+// Some twenty exchanges of two axes. An adapter that takes no data for so long is stuck.
+constexpr qint64 kMaxUnwritten = 8192;
+
+// QSerialPort::flush() takes a full device for a broken one (EAGAIN becomes ResourceError), so look first.
+bool isWritable(int descriptor)
+{
+    pollfd request{.fd = descriptor, .events = POLLOUT, .revents = 0};
+    return poll(&request, 1, 0) == 1 && (request.revents & POLLOUT) != 0;
+}
+
+}  // namespace
+
+FdcanusbLink::FdcanusbLink(QString path, const Clock& clock, LineChecksum checksum, QObject* parent)
+    : CanLink(parent), m_path(std::move(path)), m_clock(clock), m_checksum(checksum)
+{
+    m_deadlineTimer.setSingleShot(true);
+    connect(&m_deadlineTimer, &QTimer::timeout, this, &FdcanusbLink::checkDeadlines);
+    connect(&m_port, &QSerialPort::readyRead, this, &FdcanusbLink::readPort);
+    connect(&m_port, &QSerialPort::errorOccurred, this, &FdcanusbLink::handlePortError);
+}
+
+FdcanusbLink::~FdcanusbLink()
+{
+    m_port.disconnect(this);
+}
+
+QString FdcanusbLink::name() const
+{
+    return QStringLiteral("fdcanusb:") + m_path;
+}
+
+Result<> FdcanusbLink::open()
+{
+    close();
+    if (const auto check = checkSerialPort(m_path); !check) {
+        return check;
+    }
+    m_port.setPortName(canonicalPort(m_path));
+    if (!m_port.open(QIODevice::ReadWrite)) {
+        const std::string reason = m_port.errorString().toStdString();
+        if (m_port.error() == QSerialPort::PermissionError) {
+            return failure(ErrorCode::Busy, m_path.toStdString() + " is in use by another program (" + reason + ")");
+        }
+        return failure(ErrorCode::Io, m_path.toStdString() + " cannot be opened: " + reason);
+    }
+    // QSerialPort's lock file keeps others out. The kernel's own lock would outlive a killed program on a
+    // pseudo-terminal, whose other end stays open.
+    ioctl(m_port.handle(), TIOCNXCL);
+    if (!m_port.setBaudRate(kBaudRate)) {
+        qCDebug(lcFdcanusb) << m_path << "keeps its speed:" << m_port.errorString();
+        m_port.clearError();
+    }
+    m_port.clear();  // what was said before we came is not for us
+    m_lastCheck = m_clock.now();
+    m_lastRestart = m_lastCheck - kCheckPeriod;
+    updateStatus(LinkState::Up);
+    return {};
+}
+
+void FdcanusbLink::close()
+{
+    m_deadlineTimer.stop();
+    m_pending.clear();
+    m_splitter.clear();
+    if (m_port.isOpen()) {
+        m_port.close();
+    }
+    m_port.clearError();
+    m_adapterTrouble.clear();
+    reportBus(LinkState::Closed, {});
+}
+
+Result<> FdcanusbLink::send(std::span<const CanFrame> frames)
+{
+    if (m_status.state == LinkState::Closed || m_status.state == LinkState::Lost) {
+        const QString text = m_status.text.isEmpty() ? name() + QStringLiteral(" is not open") : m_status.text;
+        return failure(ErrorCode::NoDevice, text.toStdString());
+    }
+    checkDeadlines();
+    if (m_port.bytesToWrite() > kMaxUnwritten) {
+        return failure(ErrorCode::NoAnswer, name().toStdString() + ": the adapter takes no more data");
+    }
+    std::vector<std::string> sendLines;
+    for (const CanFrame& frame : frames) {
+        auto line = fdcanusb::sendLine(frame);
+        if (!line) {
+            return tl::unexpected(line.error());
+        }
+        sendLines.push_back(*std::move(line));
+    }
+    QByteArray lines;
+    for (const std::string& line : sendLines) {
+        appendLine(lines, line, Command::Frame);
+    }
+    checkBus(lines);
+    const auto written = writeLines(lines);
+    m_status.sent += written ? frames.size() : 0;
+    return written;
+}
+
+void FdcanusbLink::appendLine(QByteArray& lines, std::string_view line, Command command)
+{
+    lines += m_checksum == LineChecksum::On ? fdcanusb::withChecksum(line) : std::string(line);
+    lines += '\n';
+    m_pending.push_back({command, m_clock.now() + kOkDeadline});
+}
+
+// One write for all lines, tried at once: both axes' frames leave in the same USB frame.
+Result<> FdcanusbLink::writeLines(const QByteArray& lines)
+{
+    const bool written = m_port.write(lines) == lines.size();
+    if (isWritable(m_port.handle())) {
+        m_port.flush();
+    }
+    if (!written || m_status.state == LinkState::Lost) {
+        return failure(ErrorCode::Io, name().toStdString() + ": " + m_port.errorString().toStdString());
+    }
+    if (!m_deadlineTimer.isActive()) {
+        m_deadlineTimer.start(kOkDeadline);
+    }
+    return {};
+}
+
+void FdcanusbLink::readPort()
+{
+    const QByteArray bytes = m_port.readAll();
+    m_splitter.add({bytes.constData(), static_cast<std::size_t>(bytes.size())},
+                   [this](std::string_view line) { handleLine(line); });
+    m_status.dropped = m_unreadableLines + m_splitter.overlongLines();
+}
+
+void FdcanusbLink::handleLine(std::string_view line)
+{
+    if (!m_port.isOpen()) {
+        return;  // closed by the receiver of an earlier line
+    }
+    const auto rule =
+        m_checksum == LineChecksum::On ? fdcanusb::ChecksumRule::Require : fdcanusb::ChecksumRule::VerifyIfPresent;
+    std::visit([this](const auto& answer) { handle(answer); }, fdcanusb::parseAnswer(line, rule));
+}
+
+void FdcanusbLink::handle(const CanFrame& frame)
+{
+    CanFrame stamped = frame;
+    stamped.received = m_clock.now();
+    m_lastCheck = stamped.received;
+    ++m_status.received;
+    reportBus(LinkState::Up, {});
+    Q_EMIT frameReceived(stamped);
+}
+
+FdcanusbLink::Command FdcanusbLink::takePending()
+{
+    if (m_pending.empty()) {
+        return Command::Frame;
+    }
+    const Command command = m_pending.front().command;
+    m_pending.pop_front();
+    return command;
+}
+
+void FdcanusbLink::handle(const fdcanusb::Accepted&)
+{
+    if (takePending() == Command::Frame) {
+        m_adapterTrouble.clear();
+        updateStatus(m_status.state);
+    }
+}
+
+void FdcanusbLink::handle(const fdcanusb::Refusal& refusal)
+{
+    const Command command = takePending();
+    if (refusal.notOnBus()) {
+        ++m_status.busErrors;
+        reportBus(LinkState::Down, QStringLiteral("the adapter is not on the bus (\"not in BusOn state\")"));
+        restartController();
+    } else if (command == Command::Frame) {
+        ++m_status.busErrors;
+        constexpr int kShown = 80;
+        m_adapterTrouble =
+            QStringLiteral("the adapter refuses a frame: ") + QString::fromStdString(refusal.text).left(kShown);
+        updateStatus(m_status.state);
+    }  // else: "can status" is unknown to a moteus UART, "can off" is refused when already off
+}
+
+void FdcanusbLink::handle(const fdcanusb::BusStatus& bus)
+{
+    takePending();
+    if (bus.busOff) {
+        ++m_status.busErrors;
+        reportBus(LinkState::Down, QStringLiteral("bus-off after too many errors: check wiring, the 120 ohm at both "
+                                                  "ends and that the drives are powered"));
+        restartController();
+    } else if (bus.errorPassive) {
+        reportBus(LinkState::Up, QStringLiteral("nothing acknowledges our frames: are the drives powered and "
+                                                "connected?"));
+    } else {
+        reportBus(LinkState::Up, {});
+    }
+}
+
+// Runs at every send and when the timer says so; the clock decides.
+void FdcanusbLink::checkDeadlines()
+{
+    const SteadyTime now = m_clock.now();
+    std::uint64_t missing = 0;
+    while (!m_pending.empty() && m_pending.front().deadline <= now) {
+        missing += takePending() == Command::Frame ? 1 : 0;
+    }
+    if (missing > 0) {
+        m_status.busErrors += missing;
+        m_adapterTrouble =
+            QStringLiteral("the adapter does not confirm our frames (no OK within %1 ms)").arg(kOkDeadline.count());
+        updateStatus(m_status.state);
+    }
+    if (!m_pending.empty()) {
+        m_deadlineTimer.start(kOkDeadline);
+    }
+}
+
+// Asks for the bus status when no frame came for a while; a healthy bus is never asked.
+void FdcanusbLink::checkBus(QByteArray& lines)
+{
+    const SteadyTime now = m_clock.now();
+    if (now - m_lastCheck >= kCheckPeriod) {
+        m_lastCheck = now;
+        appendLine(lines, fdcanusb::kBusStatusLine, Command::Status);
+    }
+}
+
+void FdcanusbLink::restartController()
+{
+    const SteadyTime now = m_clock.now();
+    if (now - m_lastRestart < kCheckPeriod) {
+        return;
+    }
+    m_lastRestart = now;
+    m_lastCheck = now;
+    QByteArray lines;
+    appendLine(lines, fdcanusb::kBusOffLine, Command::Restart);
+    appendLine(lines, fdcanusb::kBusOnLine, Command::Restart);
+    if (const auto written = writeLines(lines); !written) {
+        qCWarning(lcFdcanusb) << written.error().text.c_str();
+    }
+}
+
+void FdcanusbLink::reportBus(LinkState state, const QString& trouble)
+{
+    m_busTrouble = trouble;
+    updateStatus(state);
+}
+
+void FdcanusbLink::updateStatus(LinkState state)
+{
+    const QString& trouble = m_busTrouble.isEmpty() ? m_adapterTrouble : m_busTrouble;
+    const QString text = trouble.isEmpty() ? QString() : name() + QStringLiteral(": ") + trouble;
+    if (m_status.state != state || m_status.text != text) {
+        m_status.state = state;
+        m_status.text = text;
+        Q_EMIT statusChanged(m_status);
+    }
+}
+
+void FdcanusbLink::handlePortError(QSerialPort::SerialPortError error)
+{
+    const bool gone = error == QSerialPort::ResourceError || error == QSerialPort::ReadError ||
+                      error == QSerialPort::WriteError || error == QSerialPort::DeviceNotFoundError;
+    if (gone && m_status.state != LinkState::Closed && m_status.state != LinkState::Lost) {
+        lose(m_port.errorString());
+    }
+}
+
+// Called from inside the port's own functions, so the port is closed when they have returned.
+void FdcanusbLink::lose(const QString& reason)
+{
+    m_deadlineTimer.stop();
+    m_pending.clear();
+    const auto closeLostPort = [this] {
+        if (m_status.state == LinkState::Lost) {
+            m_port.close();
+        }
+    };
+    QMetaObject::invokeMethod(this, closeLostPort, Qt::QueuedConnection);
+    reportBus(LinkState::Lost, QStringLiteral("the adapter is gone (%1): plug it in again").arg(reason));
+}
+
+}  // namespace boresight

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/can/serial_port_check.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace boresight {
+
+Result<> checkSerialPort(const QString& path)
+{
+    const QByteArray file = QFile::encodeName(path);
+    const std::string name = path.toStdString();
+    struct stat info = {};
+    if (stat(file.constData(), &info) != 0) {
+        if (errno == EACCES) {
+            return failure(ErrorCode::Denied, name + ": no permission to enter its folder");
+        }
+        return failure(ErrorCode::NoDevice,
+                       name + " is not there: is the adapter plugged in? (ls /dev/serial/by-id shows what is)");
+    }
+    if (!S_ISCHR(info.st_mode)) {
+        return failure(ErrorCode::InvalidInput, name + " is not a serial port");
+    }
+    if (faccessat(AT_FDCWD, file.constData(), R_OK | W_OK, AT_EACCESS) != 0) {
+        if (errno == EACCES) {
+            return failure(ErrorCode::Denied,
+                           name +
+                               ": no permission: install packaging/udev/70-boresight-fdcanusb.rules to "
+                               "/etc/udev/rules.d and plug the adapter in again, or add yourself to the group dialout");
+        }
+        return failure(ErrorCode::Io, name + ": " + std::strerror(errno));
+    }
+    return {};
+}
+
+QString canonicalPort(const QString& path)
+{
+    const QString canonical = QFileInfo(path).canonicalFilePath();
+    return canonical.isEmpty() ? path : canonical;
+}
+
+}  // namespace boresight

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/can/fdcanusb_link.h"
+
+#include "core/can/line_checksum.h"
+#include "tests/fakes/manual_clock.h"
+#include "tests/fakes/pseudo_terminal.h"
+#include "tests/fakes/wait_until.h"
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+
+namespace boresight {
+namespace {
+
+using namespace std::chrono_literals;
+using fakes::waitUntil;
+using testing::HasSubstr;
+
+CanFrame frameTo(std::uint32_t id, std::initializer_list<std::uint8_t> bytes)
+{
+    CanFrame frame;
+    frame.id = id;
+    frame.extended = id > kMaxStandardId;
+    frame.setPayload(std::vector<std::uint8_t>(bytes));
+    return frame;
+}
+
+class FdcanusbLinkTest : public testing::Test
+{
+protected:
+    FdcanusbLinkTest()
+    {
+        qRegisterMetaType<CanFrame>();
+        qRegisterMetaType<LinkStatus>();
+    }
+
+    void SetUp() override { open(link); }
+    static void open(FdcanusbLink& opened)
+    {
+        const auto result = opened.open();
+        ASSERT_TRUE(result.has_value()) << result.error().text;
+    }
+
+    [[nodiscard]] CanFrame received(qsizetype index) const { return qvariant_cast<CanFrame>(frames.at(index).at(0)); }
+    [[nodiscard]] std::string text() const { return link.status().text.toStdString(); }
+    [[nodiscard]] bool written(const QByteArray& bytes) const
+    {
+        return waitUntil([this, &bytes] { return adapter.written == bytes; });
+    }
+    void sendOne() { ASSERT_TRUE(link.send(std::array{frameTo(0x8001, {0x50})}).has_value()); }
+
+    fakes::ManualClock clock;
+    fakes::PseudoTerminal adapter;
+    FdcanusbLink link{adapter.path(), clock};
+    QSignalSpy frames{&link, &CanLink::frameReceived};
+    QSignalSpy changes{&link, &CanLink::statusChanged};
+};
+
+TEST_F(FdcanusbLinkTest, BothAxesGoOutInOneWriteAndRepliesComeIn)
+{
+    ASSERT_TRUE(link.send(std::array{frameTo(0x8001, {0x11, 0x00}), frameTo(0x8002, {0x11, 0x00})}).has_value());
+    ASSERT_TRUE(written("can send 8001 1100 BF\ncan send 8002 1100 BF\n"));
+    clock.advance(1ms);
+    adapter.write("OK\r\nrcv 0100 210000 e B F r x-1\r\nOK\r\nrcv 0200 21000A e B F r x-1\r\n");
+    ASSERT_TRUE(waitUntil([this] { return frames.size() == 2; }));
+    EXPECT_EQ(received(0), frameTo(0x100, {0x21, 0x00, 0x00}));
+    EXPECT_EQ(received(1), frameTo(0x200, {0x21, 0x00, 0x0a}));
+    EXPECT_EQ(received(0).received, clock.now());
+    EXPECT_EQ(link.status(), (LinkStatus{.state = LinkState::Up, .text = {}, .sent = 2, .received = 2}));
+}
+
+TEST_F(FdcanusbLinkTest, HalfALineWaitsForItsRestWhereverItIsCut)
+{
+    const QByteArray line = "rcv 0100 210000 e B F r x-1\r\n";
+    for (qsizetype cut = 0; cut < line.indexOf('\r'); ++cut) {
+        frames.clear();
+        adapter.write(line + line.left(cut));
+        ASSERT_TRUE(waitUntil([this] { return frames.size() == 1; })) << "cut at " << cut;
+        adapter.write(line.mid(cut));
+        ASSERT_TRUE(waitUntil([this] { return frames.size() == 2; })) << "cut at " << cut;
+        EXPECT_EQ(received(1), frameTo(0x100, {0x21, 0x00, 0x00}));
+    }
+    EXPECT_EQ(link.status().dropped, 0U);
+}
+
+TEST_F(FdcanusbLinkTest, GarbageIsCountedAndNeverUsed)
+{
+    adapter.write("rcv 0100 21 e B F r x-1 *00\r\n\x01\xff\xfe nonsense\nrcv 0100 2\n" + QByteArray(1000, 'x') +
+                  "\nrcv 0200 21000A e B F r x-1\n");
+    ASSERT_TRUE(waitUntil([this] { return frames.size() == 1; }));
+    EXPECT_EQ(received(0).id, 0x200U);
+    EXPECT_EQ(link.status().dropped, 4U);
+    EXPECT_EQ(link.status().state, LinkState::Up);
+}
+
+TEST_F(FdcanusbLinkTest, MissingOkIsCountedAndSaidUntilTheNextOk)
+{
+    ASSERT_TRUE(link.send(std::array{frameTo(0x8001, {0x50}), frameTo(0x8002, {0x50})}).has_value());
+    clock.advance(49ms);
+    sendOne();
+    EXPECT_EQ(link.status().busErrors, 0U);
+    clock.advance(1ms);  // the first two are due; the timer notices by itself
+    ASSERT_TRUE(waitUntil([this] { return link.status().busErrors == 2; }));
+    EXPECT_THAT(text(), HasSubstr("no OK within 50 ms"));
+    EXPECT_EQ(link.status().state, LinkState::Up);
+    adapter.write("OK\n");
+    ASSERT_TRUE(waitUntil([this] { return text().empty(); }));
+    clock.advance(1s);
+    sendOne();
+    EXPECT_EQ(link.status().busErrors, 2U);  // the third was confirmed
+}
+
+TEST_F(FdcanusbLinkTest, ErrIsShownWithTheAdaptersWords)
+{
+    sendOne();
+    adapter.write("ERR invalid data\r\n");
+    ASSERT_TRUE(waitUntil([this] { return !text().empty(); }));
+    EXPECT_EQ(text(), link.name().toStdString() + ": the adapter refuses a frame: invalid data");
+    EXPECT_EQ(link.status().busErrors, 1U);
+    EXPECT_EQ(link.status().state, LinkState::Up);
+    clock.advance(1s);
+    sendOne();
+    EXPECT_EQ(link.status().busErrors, 1U);  // the ERR was the answer: nothing is missing
+}
+
+TEST_F(FdcanusbLinkTest, AdapterOffTheBusIsDownAndIsSwitchedOn)
+{
+    sendOne();
+    ASSERT_TRUE(written("can send 8001 50 BF\n"));
+    adapter.takeWritten();
+    adapter.write("ERR not in BusOn state\r\n");
+    ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Down; }));
+    EXPECT_THAT(text(), HasSubstr("not in BusOn state"));
+    ASSERT_TRUE(written("can off\ncan on\n"));
+    adapter.takeWritten();
+    adapter.write("ERR already in BusOff\r\nOK\r\nend of answers\r\n");
+    ASSERT_TRUE(waitUntil([this] { return link.status().dropped == 1; }));
+
+    clock.advance(500ms);
+    sendOne();  // refused again, but one restart a second is enough
+    adapter.write("ERR not in BusOn state\r\n");
+    ASSERT_TRUE(waitUntil([this] { return link.status().busErrors == 2; }));
+    EXPECT_TRUE(written("can send 8001 50 BF\n"));
+
+    adapter.write("rcv 0100 210000 e B F r x-1\r\n");
+    ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Up; }));
+    EXPECT_EQ(text(), "");
+}
+
+// The firmware confirms frames with OK although its controller is bus-off: only "can status" tells.
+TEST_F(FdcanusbLinkTest, SilentBusIsAskedForItsStatusAndRestarted)
+{
+    clock.advance(1s);
+    sendOne();
+    ASSERT_TRUE(written("can send 8001 50 BF\ncan status\n"));
+    adapter.takeWritten();
+    adapter.write("OK\r\nlec=3 dlec=7 err=1 warn=1 busoff=1 pexc=0 tdc=0\r\n");
+    ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Down; }));
+    EXPECT_THAT(text(), HasSubstr("bus-off"));
+    EXPECT_TRUE(written("can off\ncan on\n"));
+    adapter.takeWritten();
+    adapter.write("OK\nOK\n");
+
+    clock.advance(1s);
+    sendOne();
+    ASSERT_TRUE(written("can send 8001 50 BF\ncan status\n"));
+    adapter.write("OK\r\nlec=3 dlec=7 err=1 warn=1 busoff=0 pexc=0 tdc=0\r\n");
+    ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Up; }));
+    EXPECT_THAT(text(), HasSubstr("nothing acknowledges"));
+    adapter.write("rcv 0100 210000 e B F r x-1\r\n");
+    ASSERT_TRUE(waitUntil([this] { return text().empty(); }));
+}
+
+TEST_F(FdcanusbLinkTest, AnsweringBusIsNotAsked)
+{
+    for (int i = 0; i < 3; ++i) {
+        clock.advance(900ms);
+        adapter.write("OK\nrcv 0100 210000 e B F r x-1\r\n");
+        ASSERT_TRUE(waitUntil([this, i] { return frames.size() == i + 1; }));
+        sendOne();
+    }
+    EXPECT_TRUE(written("can send 8001 50 BF\ncan send 8001 50 BF\ncan send 8001 50 BF\n"));
+}
+
+TEST_F(FdcanusbLinkTest, StatusThatIsNotKnownToTheAdapterIsNoTrouble)
+{
+    clock.advance(1s);
+    sendOne();
+    adapter.write("OK\nERR unknown subcommand\n");
+    adapter.write("rcv 0100 210000 e B F r x-1\r\n");
+    ASSERT_TRUE(waitUntil([this] { return frames.size() == 1; }));
+    EXPECT_EQ(link.status().busErrors, 0U);
+    EXPECT_EQ(text(), "");
+}
+
+TEST_F(FdcanusbLinkTest, UnpluggedAdapterIsLostAtOnceAndOpensAgain)
+{
+    adapter.unplug();
+    ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Lost; }));
+    EXPECT_THAT(text(), HasSubstr("is gone"));
+    const auto sent = link.send(std::array{frameTo(0x8001, {0x50})});
+    ASSERT_FALSE(sent.has_value());
+    EXPECT_EQ(sent.error().text, text());
+    ASSERT_FALSE(link.open().has_value());
+
+    const QTemporaryDir folder;
+    const fakes::PseudoTerminal other;
+    ASSERT_TRUE(QFile::link(other.path(), folder.filePath(QStringLiteral("adapter"))));
+    FdcanusbLink linkByAlias{folder.filePath(QStringLiteral("adapter")), clock};
+    open(linkByAlias);
+    EXPECT_EQ(linkByAlias.status().state, LinkState::Up);
+}
+
+TEST_F(FdcanusbLinkTest, AdapterGoneBetweenTwoSendsIsLost)
+{
+    sendOne();
+    adapter.unplug();
+    static_cast<void>(link.send(std::array{frameTo(0x8001, {0x50})}));
+    ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Lost; }));
+}
+
+TEST_F(FdcanusbLinkTest, ReopenForgetsHalfLinesAndUnconfirmedFrames)
+{
+    sendOne();
+    adapter.write("rcv 0100 2100");
+    ASSERT_TRUE(written("can send 8001 50 BF\n"));
+    open(link);
+    adapter.write("rcv 0200 21000A e B F r x-1\n");
+    ASSERT_TRUE(waitUntil([this] { return frames.size() == 1; }));
+    EXPECT_EQ(received(0).id, 0x200U);
+    clock.advance(100ms);
+    sendOne();
+    EXPECT_EQ(link.status().busErrors, 0U);
+}
+
+TEST_F(FdcanusbLinkTest, ReceiverMayCloseTheLink)
+{
+    QObject::connect(&link, &CanLink::frameReceived, &link, &CanLink::close);
+    adapter.write("rcv 0100 210000 e B F r x-1\nrcv 0200 210000 e B F r x-1\n");
+    ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Closed; }));
+    EXPECT_EQ(frames.size(), 1);
+    EXPECT_FALSE(link.send(std::array{frameTo(0x8001, {0x50})}).has_value());
+}
+
+TEST_F(FdcanusbLinkTest, AdapterThatTakesNoDataIsReported)
+{
+    Result<> result;
+    // Nobody reads the pseudo-terminal here: its buffer fills up, then ours.
+    for (int i = 0; i < 10000 && result; ++i) {
+        result = link.send(std::array{frameTo(0x8001, {0x50})});
+    }
+    ASSERT_FALSE(result.has_value());
+    EXPECT_EQ(result.error().code, ErrorCode::NoAnswer);
+    EXPECT_THAT(result.error().text, HasSubstr("takes no more data"));
+}
+
+TEST_F(FdcanusbLinkTest, ImpossibleFrameIsRefusedAndNothingOfTheBatchIsSent)
+{
+    const auto result = link.send(std::array{frameTo(0x8001, {0x50}), frameTo(0x2000'0000, {0x50})});
+    EXPECT_EQ(result.error().code, ErrorCode::InvalidInput);
+    EXPECT_EQ(link.status().sent, 0U);
+    sendOne();
+    EXPECT_TRUE(written("can send 8001 50 BF\n"));
+}
+
+TEST_F(FdcanusbLinkTest, ChecksumModeAddsAndDemandsChecksums)
+{
+    link.close();
+    FdcanusbLink uart{adapter.path(), clock, LineChecksum::On};
+    open(uart);
+    QSignalSpy uartFrames(&uart, &CanLink::frameReceived);
+    ASSERT_TRUE(uart.send(std::array{frameTo(0x8001, {0x50})}).has_value());
+    ASSERT_TRUE(written(QByteArray::fromStdString(fdcanusb::withChecksum("can send 8001 50 BF")) + "\n"));
+    adapter.write("OK *BD\nrcv 0100 210000 e B F r x-1\nrcv 1E00 D8DE0CA303606A95393B5917 *6D\n");
+    ASSERT_TRUE(waitUntil([&uartFrames] { return uartFrames.size() == 1; }));
+    EXPECT_EQ(qvariant_cast<CanFrame>(uartFrames.at(0).at(0)).id, 0x1e00U);
+    EXPECT_EQ(uart.status().dropped, 1U);
+    EXPECT_EQ(uart.status().busErrors, 0U);
+}
+
+TEST_F(FdcanusbLinkTest, OpenErrorsNameTheRemedy)
+{
+    FdcanusbLink second{adapter.path(), clock};
+    const auto busy = second.open();
+    ASSERT_FALSE(busy.has_value());
+    EXPECT_EQ(busy.error().code, ErrorCode::Busy);
+    EXPECT_THAT(busy.error().text, HasSubstr("in use by another program"));
+
+    FdcanusbLink absent{QStringLiteral("/dev/boresight/absent"), clock};
+    EXPECT_EQ(absent.open().error().code, ErrorCode::NoDevice);
+    EXPECT_THAT(absent.open().error().text, HasSubstr("plugged in"));
+
+    FdcanusbLink file{QFile::decodeName(BORESIGHT_TEST_DATA "/moteus_golden.json"), clock};
+    EXPECT_THAT(file.open().error().text, HasSubstr("not a serial port"));
+}
+
+TEST_F(FdcanusbLinkTest, MissingPermissionNamesTheUdevRule)
+{
+    link.close();
+    ASSERT_EQ(chmod(adapter.path().toLocal8Bit().constData(), 0), 0);
+    const bool root = geteuid() == 0;
+    constexpr uid_t kNobody = 65534;
+    ASSERT_TRUE(!root || seteuid(kNobody) == 0);  // root may open anything
+    const auto result = link.open();
+    ASSERT_TRUE(!root || seteuid(0) == 0);
+    ASSERT_FALSE(result.has_value());
+    EXPECT_EQ(result.error().code, ErrorCode::Denied);
+    EXPECT_THAT(result.error().text, HasSubstr("70-boresight-fdcanusb.rules"));
+}
+
+}  // namespace
+}  // namespace boresight
