@@ -3,7 +3,6 @@
 
 #include "core/units/sky.h"
 
-#include <optional>
 #include <string>
 
 // The one place where a direction in the sky, the mechanical angles of the axes and the turns of the motors become one
@@ -22,10 +21,10 @@ enum class GearIn
 struct AxisGeometry
 {
     int sign = 1;  // +1 or -1: does the motor count up when the axis angle grows?
-    Angle offset;
+    Angle offset{};
     double gearRatio = 1.0;  // motor turns per turn of the axis
     GearIn gearIn = GearIn::Drive;
-    TravelRange travel;
+    TravelRange travel{};
 
     [[nodiscard]] MotorTurns toMotor(Angle angle) const;
     [[nodiscard]] MotorRate toMotor(AngularRate rate) const;
@@ -43,9 +42,9 @@ private:
 // the nearest permitted point will do or the command is refused.
 struct Resolved
 {
-    AxisPosition position;  // always inside both travel ranges
+    AxisPosition position{};  // always inside both travel ranges
     bool limited = false;
-    std::string reason;  // "elevation 95.0° above limit 90.0°"; empty unless limited
+    std::string reason{};  // "elevation 95.0° above limit 90.0°"; empty unless limited
 };
 
 class MountModel
@@ -70,6 +69,8 @@ public:
     [[nodiscard]] static SkyPointing toSky(const AxisPosition& position);
 
 private:
+    [[nodiscard]] AxisPosition nearestAcrossGap(const SkyPointing& direction, const AxisPosition& now) const;
+
     AxisGeometry m_azimuth;
     AxisGeometry m_elevation;
 };

@@ -18,8 +18,8 @@ inline constexpr int kVersion = 1;
 struct AxisSettings
 {
     int id = 1;  // of the moteus controller on the bus
-    pointing::AxisGeometry geometry;
-    tracking::MotionLimits limits;
+    pointing::AxisGeometry geometry{};
+    tracking::MotionLimits limits{};
     double maxTorque = 0.0;  // Nm at the axis
 
     bool operator==(const AxisSettings&) const = default;

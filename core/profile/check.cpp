@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The checks of a profile that are more than type and range.
+#include "core/base/numbers.h"
+#include "core/profile/setting.h"
+
+#include <algorithm>
+
+namespace boresight::profile {
+
+namespace {
+
+std::string degrees(Angle angle)
+{
+    return formatFixed(angle.degrees(), 2) + "°";
+}
+
+void checkAxis(std::vector<Problem>& problems, const std::string& table, const AxisSettings& axis, Angle park)
+{
+    const TravelRange& travel = axis.geometry.travel;
+    if (axis.geometry.sign == 0) {
+        problems.push_back({table + ".sign", "1 or -1 is expected"});
+    }
+    if (travel.min >= travel.max) {
+        problems.push_back({table + ".travel_min_deg", degrees(travel.min) + " is not below " + table +
+                                                           ".travel_max_deg (" + degrees(travel.max) + ")"});
+    } else if (!travel.contains(park)) {
+        problems.push_back({"park." + table + "_deg", degrees(park) + " is outside the travel " + degrees(travel.min) +
+                                                          "…" + degrees(travel.max)});
+    }
+    // A slower build-up would make the stop distance longer than anybody standing at the mast expects.
+    const Seconds filterLength{2.0 * (axis.limits.acceleration.radians() / axis.limits.jerk.radians())};
+    if (filterLength > Seconds(2.0)) {
+        problems.push_back({table + ".max_jerk_deg_s3", "must be at least max_acceleration_deg_s2 per second, here " +
+                                                            formatFixed(axis.limits.acceleration.degrees(), 2)});
+    }
+}
+
+}  // namespace
+
+std::vector<Problem> crossCheck(const Profile& profile)
+{
+    std::vector<Problem> problems;
+    checkAxis(problems, "azimuth", profile.azimuth, profile.park.azimuth);
+    checkAxis(problems, "elevation", profile.elevation, profile.park.elevation);
+    if (profile.azimuth.id == profile.elevation.id) {
+        problems.push_back({"elevation.id", "is the same as azimuth.id; each controller needs its own"});
+    }
+    // Two lost frames in a row must not stop the mount; the tiny slack forgives rounding (0.05 s at 60 Hz).
+    if (3.0 * profile.control.tickPeriod() > profile.control.watchdog + Seconds(1e-9)) {
+        problems.push_back({"control.watchdog_s", "is shorter than 3 ticks of control.tick_hz (" +
+                                                      formatFixed(3.0 * profile.control.tickPeriod().count(), 3) +
+                                                      " s)"});
+    }
+    if (profile.jog.slow > profile.jog.normal || profile.jog.normal > profile.jog.fast) {
+        problems.push_back({"jog.normal_deg_s", "must lie between jog.slow_deg_s and jog.fast_deg_s"});
+    }
+    return problems;
+}
+
+Result<ListenAddress> parseListenAddress(std::string_view text)
+{
+    const auto colon = text.rfind(':');
+    const auto port = colon == std::string_view::npos ? std::nullopt : parseInteger(text.substr(colon + 1));
+    if (!port || *port < 0 || *port > 65535) {
+        return failure(ErrorCode::InvalidInput, "HOST:PORT with a port of 0…65535 is expected");
+    }
+    std::string_view host = text.substr(0, colon);
+    const bool bracketed = host.size() > 2 && host.front() == '[' && host.back() == ']';
+    if (bracketed) {
+        host = host.substr(1, host.size() - 2);
+    }
+    const bool isIpv6 = host.find(':') != std::string_view::npos;
+    const bool odd =
+        std::any_of(host.begin(), host.end(), [](unsigned char c) { return c <= ' ' || c == '[' || c == ']'; });
+    if (host.empty() || odd || isIpv6 != bracketed) {
+        return failure(ErrorCode::InvalidInput, "a host name or address is expected before the port, IPv6 in brackets");
+    }
+    return ListenAddress{.host = std::string(host), .port = static_cast<std::uint16_t>(*port)};
+}
+
+std::string toText(const ListenAddress& address)
+{
+    const bool isIpv6 = address.host.find(':') != std::string::npos;
+    return (isIpv6 ? "[" + address.host + "]" : address.host) + ":" + std::to_string(address.port);
+}
+
+Result<> checkBusName(std::string_view name)
+{
+    const auto colon = name.find(':');
+    const std::string_view kind = name.substr(0, colon);
+    const bool named = colon != std::string_view::npos && colon + 1 < name.size() &&
+                       std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < ' '; });
+    if (name == "simulated" || (named && (kind == "fdcanusb" || kind == "socketcan"))) {
+        return {};
+    }
+    return failure(
+        ErrorCode::InvalidInput,
+        "\"" + std::string(name) + "\" is none of \"fdcanusb:PATH\", \"socketcan:INTERFACE\" and \"simulated\"");
+}
+
+}  // namespace boresight::profile

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/profile/profile.h"
+
+namespace boresight::profile {
+
+namespace {
+
+// Jerk is ten times the acceleration (per second): the averaging then takes 0.2 s, so an axis that follows a satellite
+// at 1 °/s rests 0.3 s after a stop.
+tracking::MotionLimits limitsOf(double degreesPerSecond, double degreesPerSecond2)
+{
+    return {.speed = AngularRate::fromDegrees(degreesPerSecond),
+            .acceleration = AngularAcceleration::fromDegrees(degreesPerSecond2),
+            .jerk = AngularJerk::fromDegrees(10.0 * degreesPerSecond2)};
+}
+
+}  // namespace
+
+AxisSettings referenceAzimuth()
+{
+    return {.id = 1,
+            .geometry = {.travel = {.min = -90_deg, .max = 450_deg}},
+            .limits = limitsOf(10.0, 10.0),
+            .maxTorque = 5.0};
+}
+
+AxisSettings referenceElevation()
+{
+    return {.id = 2,
+            .geometry = {.sign = -1, .offset = 90_deg, .travel = {.min = 0_deg, .max = 90_deg}},
+            .limits = limitsOf(8.0, 8.0),
+            .maxTorque = 5.0};
+}
+
+}  // namespace boresight::profile

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/profile/setting.h"
+
+#include "core/base/numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+namespace boresight::profile {
+
+namespace {
+
+struct Range
+{
+    double min;
+    double max;
+};
+
+// Between a typed field and the number in the file, in the unit that the setting names.
+double toNumber(Angle value)
+{
+    return value.degrees();
+}
+double toNumber(AngularRate value)
+{
+    return value.degrees();
+}
+double toNumber(AngularAcceleration value)
+{
+    return value.degrees();
+}
+double toNumber(AngularJerk value)
+{
+    return value.degrees();
+}
+double toNumber(Seconds value)
+{
+    return value.count();
+}
+double toNumber(double value)
+{
+    return value;
+}
+
+template <class Kind, int PerSecond>
+void assign(Quantity<Kind, PerSecond>& field, double value)
+{
+    field = Quantity<Kind, PerSecond>::fromDegrees(value);
+}
+void assign(Seconds& field, double value)
+{
+    field = Seconds(value);
+}
+void assign(double& field, double value)
+{
+    field = value;
+}
+
+std::string plain(double value)
+{
+    std::string text = formatFixed(value, 6);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.')) {
+        text.pop_back();
+    }
+    return text;
+}
+
+Result<> checkRange(double value, Range range)
+{
+    if (!std::isfinite(value)) {
+        return failure(ErrorCode::InvalidInput, "a finite number is expected");
+    }
+    if (value < range.min || value > range.max) {
+        return failure(ErrorCode::OutOfRange,
+                       plain(value) + " is outside " + plain(range.min) + "…" + plain(range.max));
+    }
+    return {};
+}
+
+std::string listed(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (const std::string& name : names) {
+        text += (text.empty() ? "\"" : ", \"") + name + "\"";
+    }
+    return text;
+}
+
+// The makers take an `access` that gives the field of a profile, constant or not: [](auto& p) -> auto& { return …; }.
+template <class Access>
+Setting number(std::string key, std::string unit, Range range, Applies applies, std::string text, Access access)
+{
+    auto get = [access](const Profile& profile) -> SettingValue { return toNumber(access(profile)); };
+    auto set = [access, range](Profile& profile, const SettingValue& value) -> Result<> {
+        const auto* whole = std::get_if<std::int64_t>(&value);
+        const auto* real = std::get_if<double>(&value);
+        if (whole == nullptr && real == nullptr) {
+            return failure(ErrorCode::InvalidInput, "a number is expected");
+        }
+        const double wanted = real != nullptr ? *real : static_cast<double>(*whole);
+        return checkRange(wanted, range).map([&] { assign(access(profile), wanted); });
+    };
+    return {.key = std::move(key),
+            .type = SettingType::Number,
+            .unit = std::move(unit),
+            .min = range.min,
+            .max = range.max,
+            .choices = {},
+            .text = std::move(text),
+            .applies = applies,
+            .get = get,
+            .set = set};
+}
+
+template <class Access>
+Setting integer(std::string key, std::string unit, Range range, Applies applies, std::string text, Access access)
+{
+    auto get = [access](const Profile& profile) -> SettingValue { return std::int64_t{access(profile)}; };
+    auto set = [access, range](Profile& profile, const SettingValue& value) -> Result<> {
+        const auto* whole = std::get_if<std::int64_t>(&value);
+        if (whole == nullptr) {
+            return failure(ErrorCode::InvalidInput, "a whole number is expected");
+        }
+        return checkRange(static_cast<double>(*whole), range).map([&] { access(profile) = static_cast<int>(*whole); });
+    };
+    return {.key = std::move(key),
+            .type = SettingType::Integer,
+            .unit = std::move(unit),
+            .min = range.min,
+            .max = range.max,
+            .choices = {},
+            .text = std::move(text),
+            .applies = applies,
+            .get = get,
+            .set = set};
+}
+
+// `names` in the order of the enumerators.
+template <class Access>
+Setting choice(std::string key, std::vector<std::string> names, Applies applies, std::string text, Access access)
+{
+    auto get = [access, names](const Profile& profile) -> SettingValue {
+        return names.at(static_cast<std::size_t>(access(profile)));
+    };
+    auto set = [access, names](Profile& profile, const SettingValue& value) -> Result<> {
+        const auto* wanted = std::get_if<std::string>(&value);
+        if (wanted == nullptr) {
+            return failure(ErrorCode::InvalidInput, "a text in quotes is expected");
+        }
+        const auto found = std::find(names.begin(), names.end(), *wanted);
+        if (found == names.end()) {
+            return failure(ErrorCode::InvalidInput, "\"" + *wanted + "\" is none of " + listed(names));
+        }
+        auto& field = access(profile);
+        field = static_cast<std::remove_reference_t<decltype(field)>>(found - names.begin());
+        return {};
+    };
+    return {.key = std::move(key),
+            .type = SettingType::Choice,
+            .unit = {},
+            .choices = std::move(names),
+            .text = std::move(text),
+            .applies = applies,
+            .get = get,
+            .set = set};
+}
+
+// `read` turns the profile into the text; `write` takes a text, or says what is wrong with it.
+Setting textual(std::string key, Applies applies, std::string text, std::function<std::string(const Profile&)> read,
+                std::function<Result<>(Profile&, const std::string&)> write)
+{
+    auto set = [write = std::move(write)](Profile& profile, const SettingValue& value) -> Result<> {
+        const auto* wanted = std::get_if<std::string>(&value);
+        return wanted != nullptr ? write(profile, *wanted)
+                                 : failure(ErrorCode::InvalidInput, "a text in quotes is expected");
+    };
+    return {.key = std::move(key),
+            .type = SettingType::Text,
+            .unit = {},
+            .choices = {},
+            .text = std::move(text),
+            .applies = applies,
+            .get = std::move(read),
+            .set = std::move(set)};
+}
+
+void addMount(std::vector<Setting>& list)
+{
+    list.push_back(textual(
+        "mount.name", Applies::Now, "What clients and the window call this mount.",
+        [](const Profile& p) { return p.mount.name; },
+        [](Profile& p, const std::string& text) -> Result<> {
+            const bool printable = std::none_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20; });
+            if (text.empty() || text.size() > 60 || !printable) {
+                return failure(ErrorCode::InvalidInput, "one line of 1 to 60 bytes is expected");
+            }
+            p.mount.name = text;
+            return {};
+        }));
+    list.push_back(number(
+        "mount.beam_width_deg", "°", {0.01, 180.0}, Applies::Now,
+        "Half-power beam width of the antenna, drawn in the polar plot.",
+        [](auto& p) -> auto& { return p.mount.beamWidth; }));
+    list.push_back(textual(
+        "bus.name", Applies::OnReconnect,
+        "How the drives are reached: \"fdcanusb:PATH\", \"socketcan:INTERFACE\" or \"simulated\".",
+        [](const Profile& p) { return p.bus; },
+        [](Profile& p, const std::string& text) { return checkBusName(text).map([&] { p.bus = text; }); }));
+}
+
+void addGeometry(std::vector<Setting>& list, const std::string& table, AxisSettings Profile::*axis)
+{
+    constexpr auto kOnReconnect = Applies::OnReconnect;
+    constexpr Range kTravel{-3600.0, 3600.0};
+    list.push_back(integer(
+        table + ".id", "", {1, 126}, kOnReconnect,
+        "CAN id of the axis's moteus controller.", [axis](auto& p) -> auto& { return (p.*axis).id; }));
+    list.push_back(integer(
+        table + ".sign", "", {-1, 1}, kOnReconnect,
+        "1, or -1 when the motor counts down while the axis angle grows.", [axis](auto& p) -> auto& {
+            return (p.*axis).geometry.sign;
+        }));
+    list.push_back(number(
+        table + ".offset_deg", "°", {-3600.0, 3600.0}, kOnReconnect,
+        "motor turns = sign × (angle + offset) / 360 × gear ratio.", [axis](auto& p) -> auto& {
+            return (p.*axis).geometry.offset;
+        }));
+    list.push_back(number(
+        table + ".gear_ratio", "", {0.001, 10000.0}, kOnReconnect,
+        "Turns of the motor per turn of the axis.", [axis](auto& p) -> auto& { return (p.*axis).geometry.gearRatio; }));
+    list.push_back(choice(
+        table + ".gear_in", {"drive", "host"}, kOnReconnect,
+        "Who applies the gear ratio: with \"drive\" the controller already counts turns of the axis.",
+        [axis](auto& p) -> auto& { return (p.*axis).geometry.gearIn; }));
+    list.push_back(number(
+        table + ".travel_min_deg", "°", kTravel, kOnReconnect,
+        "Lower end of the permitted travel, as a mechanical angle.", [axis](auto& p) -> auto& {
+            return (p.*axis).geometry.travel.min;
+        }));
+    list.push_back(number(
+        table + ".travel_max_deg", "°", kTravel, kOnReconnect,
+        "Upper end of the permitted travel; 370° is not 10°.", [axis](auto& p) -> auto& {
+            return (p.*axis).geometry.travel.max;
+        }));
+}
+
+void addLimits(std::vector<Setting>& list, const std::string& table, AxisSettings Profile::*axis)
+{
+    list.push_back(number(
+        table + ".max_speed_deg_s", "°/s", {0.01, 360.0}, Applies::Now,
+        "Fastest motion of the axis.", [axis](auto& p) -> auto& { return (p.*axis).limits.speed; }));
+    list.push_back(number(
+        table + ".max_acceleration_deg_s2", "°/s²", {0.01, 3600.0}, Applies::Now,
+        "Fastest change of speed, also when stopping.", [axis](auto& p) -> auto& {
+            return (p.*axis).limits.acceleration;
+        }));
+    list.push_back(number(
+        table + ".max_jerk_deg_s3", "°/s³", {0.01, 360000.0}, Applies::Now,
+        "Fastest change of acceleration; 2 × acceleration / jerk seconds are lost in every stop.",
+        [axis](auto& p) -> auto& { return (p.*axis).limits.jerk; }));
+    list.push_back(number(
+        table + ".max_torque_nm", "Nm", {0.01, 10000.0}, Applies::Now,
+        "Torque the drive may use, as the controller counts it.", [axis](auto& p) -> auto& {
+            return (p.*axis).maxTorque;
+        }));
+}
+
+void addControl(std::vector<Setting>& list)
+{
+    list.push_back(integer(
+        "control.tick_hz", "Hz", {20, 200}, Applies::OnReconnect, "Set-points per second.",
+        [](auto& p) -> auto& { return p.control.tickHz; }));
+    list.push_back(number(
+        "control.watchdog_s", "s", {0.05, 0.2}, Applies::OnReconnect,
+        "The drives stop by themselves after this time without a command.",
+        [](auto& p) -> auto& { return p.control.watchdog; }));
+    list.push_back(choice(
+        "control.on_exit", {"hold", "brake", "off"}, Applies::Now,
+        "What the drives are left doing when the program ends.", [](auto& p) -> auto& { return p.control.onExit; }));
+    list.push_back(number(
+        "park.azimuth_deg", "°", {-3600.0, 3600.0}, Applies::Now, "Park position, as a mechanical angle.",
+        [](auto& p) -> auto& { return p.park.azimuth; }));
+    list.push_back(number(
+        "park.elevation_deg", "°", {-3600.0, 3600.0}, Applies::Now, "Park position, as a mechanical angle.",
+        [](auto& p) -> auto& { return p.park.elevation; }));
+}
+
+void addOperation(std::vector<Setting>& list)
+{
+    constexpr Range kJogRate{0.001, 360.0};
+    list.push_back(number(
+        "jog.slow_deg_s", "°/s", kJogRate, Applies::Now, "Slow jog rate.",
+        [](auto& p) -> auto& { return p.jog.slow; }));
+    list.push_back(number(
+        "jog.normal_deg_s", "°/s", kJogRate, Applies::Now, "Normal jog rate.",
+        [](auto& p) -> auto& { return p.jog.normal; }));
+    list.push_back(number(
+        "jog.fast_deg_s", "°/s", kJogRate, Applies::Now, "Fast jog rate.",
+        [](auto& p) -> auto& { return p.jog.fast; }));
+    list.push_back(textual(
+        "rotctld.listen", Applies::OnReconnect,
+        "HOST:PORT for rotctld clients; port 0 takes any free one. 127.0.0.1 keeps other machines out.",
+        [](const Profile& p) { return toText(p.rotctld.listen); },
+        [](Profile& p, const std::string& text) {
+            return parseListenAddress(text).map([&](const ListenAddress& listen) { p.rotctld.listen = listen; });
+        }));
+    list.push_back(choice(
+        "rotctld.outside_limits", {"nearest", "refuse"}, Applies::Now,
+        "A direction outside the travel: drive to the nearest permitted point, or refuse it.",
+        [](auto& p) -> auto& { return p.rotctld.outsideLimits; }));
+    list.push_back(choice(
+        "rotctld.azimuth", {"0..360", "-180..180", "continuous"}, Applies::Now,
+        "How clients are told the azimuth; \"continuous\" is the mechanical angle.",
+        [](auto& p) -> auto& { return p.rotctld.azimuth; }));
+    list.push_back(integer(
+        "rotctld.max_clients", "", {1, 5000}, Applies::Now, "Connections served at the same time.",
+        [](auto& p) -> auto& { return p.rotctld.maxClients; }));
+}
+
+std::vector<Setting> makeSettings()
+{
+    std::vector<Setting> list;
+    addMount(list);
+    for (const auto& [table, axis] :
+         {std::pair{"azimuth", &Profile::azimuth}, std::pair{"elevation", &Profile::elevation}}) {
+        addGeometry(list, table, axis);
+        addLimits(list, table, axis);
+    }
+    addControl(list);
+    addOperation(list);
+    return list;
+}
+
+}  // namespace
+
+std::span<const Setting> settings()
+{
+    static const std::vector<Setting> list = makeSettings();
+    return list;
+}
+
+const Setting* findSetting(std::string_view key)
+{
+    const auto all = settings();
+    const auto found = std::find_if(all.begin(), all.end(), [key](const Setting& s) { return s.key == key; });
+    return found != all.end() ? &*found : nullptr;
+}
+
+}  // namespace boresight::profile

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/profile/profile_file.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+using namespace boresight;
+using namespace boresight::profile;
+
+namespace {
+
+std::string errorsOf(std::string_view toml)
+{
+    const auto profile = parseProfile(toml, "m.toml");
+    return profile ? "accepted" : profile.error().text;
+}
+
+QByteArray contentOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("unreadable");
+}
+
+}  // namespace
+
+TEST(ProfileFile, NothingButTheVersionIsTheReferenceMount)
+{
+    const auto profile = parseProfile("version = 1\n", "m.toml");
+    ASSERT_TRUE(profile) << profile.error().text;
+    EXPECT_EQ(*profile, Profile{});
+    EXPECT_EQ(profile->azimuth.geometry.toMotor(360_deg).turns(), 1.0);
+    EXPECT_EQ(profile->azimuth.geometry.travel, (TravelRange{-90_deg, 450_deg}));
+    EXPECT_EQ(profile->elevation.geometry.toMotor(0_deg).turns(), -0.25);
+    EXPECT_EQ(profile->elevation.geometry.toMotor(90_deg).turns(), -0.5);
+    EXPECT_EQ(profile->elevation.geometry.travel, (TravelRange{0_deg, 90_deg}));
+    EXPECT_EQ(profile->rotctld.listen, (ListenAddress{"127.0.0.1", 4533}));
+}
+
+TEST(ProfileFile, TheDefaultFileReadsBackAsTheDefault)
+{
+    const std::string text = toToml(Profile{});
+    const auto profile = parseProfile(text, "m.toml");
+    ASSERT_TRUE(profile) << profile.error().text;
+    EXPECT_EQ(*profile, Profile{});
+    EXPECT_NE(text.find("# Upper end of the permitted travel; 370° is not 10°.\n"
+                        "# -3600.0…3600.0 °; default 450.0; applies on reconnect\n"
+                        "travel_max_deg = 450.0\n"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("# one of \"hold\" \"brake\" \"off\"; default \"hold\"; applies at once\n"), std::string::npos);
+}
+
+TEST(ProfileFile, EveryValueSurvivesTheRoundTrip)
+{
+    Profile changed;
+    changed.mount.name = "8\" mast, C:\\shed, Ω";
+    changed.bus = "fdcanusb:/dev/serial/by-id/usb-mjbots_fdcanusb";
+    changed.azimuth.id = 126;
+    changed.azimuth.geometry = {.sign = -1,
+                                .offset = Angle::fromDegrees(-12.345678912),
+                                .gearRatio = 60.25,
+                                .gearIn = pointing::GearIn::Host,
+                                .travel = {-180.1_deg, 179.9_deg}};
+    changed.azimuth.limits = {AngularRate::fromDegrees(0.1), AngularAcceleration::fromDegrees(0.3),
+                              AngularJerk::fromDegrees(0.7)};
+    changed.park = {.azimuth = -33.3_deg, .elevation = 89.99_deg};
+    changed.control = {.tickHz = 200, .watchdog = Seconds(0.123), .onExit = OnExit::Brake};
+    changed.rotctld = {.listen = {"::", 0},
+                       .outsideLimits = OutsideLimits::Refuse,
+                       .azimuth = AzimuthConvention::Continuous,
+                       .maxClients = 7};
+    const auto again = parseProfile(toToml(changed), "m.toml");
+    ASSERT_TRUE(again) << again.error().text;
+    EXPECT_EQ(*again, changed);
+}
+
+TEST(ProfileFile, TellsAllErrorsAtOnceInTheOrderOfTheirLines)
+{
+    EXPECT_EQ(errorsOf("version = 1\n"                          // 1
+                       "colour = \"red\"\n"                     // 2
+                       "[azimuth]\n"                            // 3
+                       "id = 127\n"                             // 4
+                       "travel_min_deg = \"none\"\n"            // 5
+                       "max_sped_deg_s = 3\n"                   // 6
+                       "travel_max_deg = -100\n"                // 7
+                       "[elevation]\n"                          // 8
+                       "id = 1\n"                               // 9
+                       "sign = 1.0\n"                           // 10
+                       "gear_in = \"motor\"\n"                  // 11
+                       "[weather]\n"                            // 12
+                       "rain = true\n"                          // 13
+                       "[control]\n"                            // 14
+                       "watchdog_s = nan\n"                     // 15
+                       "tick_hz = true\n"                       // 16
+                       "[park]\n"                               // 17
+                       "elevation_deg = -5\n"                   // 18
+                       "[rotctld]\n"                            // 19
+                       "listen = \"4533\"\n"                    // 20
+                       "max_clients = 9223372036854775807\n"),  // 21
+              "m.toml:2: colour: unknown key\n"
+              "m.toml:4: azimuth.id: 127 is outside 1…126\n"
+              "m.toml:5: azimuth.travel_min_deg: a number is expected\n"
+              "m.toml:5: azimuth.travel_min_deg: -90.00° is not below azimuth.travel_max_deg (-100.00°)\n"
+              "m.toml:6: azimuth.max_sped_deg_s: unknown key\n"
+              "m.toml:9: elevation.id: is the same as azimuth.id; each controller needs its own\n"
+              "m.toml:10: elevation.sign: a whole number is expected\n"
+              "m.toml:11: elevation.gear_in: \"motor\" is none of \"drive\", \"host\"\n"
+              "m.toml:12: weather: unknown table\n"
+              "m.toml:15: control.watchdog_s: a finite number is expected\n"
+              "m.toml:16: control.tick_hz: a number or a text in quotes is expected\n"
+              "m.toml:18: park.elevation_deg: -5.00° is outside the travel 0.00°…90.00°\n"
+              "m.toml:20: rotctld.listen: HOST:PORT with a port of 0…65535 is expected\n"
+              "m.toml:21: rotctld.max_clients: 9223372036854775808 is outside 1…5000");
+}
+
+TEST(ProfileFile, IsVersioned)
+{
+    EXPECT_EQ(errorsOf(""), "m.toml:1: version: \"version = 1\" is expected");
+    EXPECT_EQ(errorsOf("\nversion = \"1\"\n"), "m.toml:2: version: \"version = 1\" is expected");
+    EXPECT_EQ(errorsOf("version = 2\n"), "m.toml:1: version: 2 is not known to this program, which reads version 1");
+}
+
+TEST(ProfileFile, ASettingInTheWrongPlaceIsUnknown)
+{
+    EXPECT_EQ(errorsOf("version = 1\nid = 1\n"), "m.toml:2: id: unknown key");
+    EXPECT_EQ(errorsOf("version = 1\nazimuth = 3\n"), "m.toml:2: azimuth: unknown key");
+    EXPECT_EQ(errorsOf("version = 1\n[azimuth.id]\nx = 1\n"),
+              "m.toml:2: azimuth.id: a number or a text in quotes is expected");
+    EXPECT_EQ(errorsOf("version = 1\n[[bus]]\nname = \"simulated\"\n"), "m.toml:2: bus: unknown key");
+}
+
+TEST(ProfileFile, BrokenSyntaxNamesItsLine)
+{
+    const std::string text = errorsOf("version = 1\n[azimuth\nid = 1\n");
+    EXPECT_TRUE(text.starts_with("m.toml:2: ")) << text;
+    EXPECT_TRUE(errorsOf("version = 1\nversion = 1\n").starts_with("m.toml:2: "));
+    EXPECT_TRUE(errorsOf("version = 1\n[mount]\nname = \"\xff\"\n").starts_with("m.toml:3: "));
+}
+
+TEST(ProfileFile, TheDummyLikeProfileOfTheTestsIsValid)
+{
+    const auto profile = loadProfile(QStringLiteral(BORESIGHT_TEST_DATA "/dummy-like.toml"));
+    ASSERT_TRUE(profile) << profile.error().text;
+    EXPECT_EQ(profile->azimuth.geometry.travel, (TravelRange{-180_deg, 450_deg}));
+    EXPECT_EQ(profile->rotctld.outsideLimits, OutsideLimits::Refuse);
+    EXPECT_EQ(profile->park, AxisPosition{});
+}
+
+TEST(ProfileFile, SavesAllOrNothing)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("mount.toml"));
+    Profile profile;
+    profile.mount.name = "first";
+    ASSERT_TRUE(saveProfile(profile, path));
+    const QByteArray first = contentOf(path);
+    const auto loaded = loadProfile(path);
+    ASSERT_TRUE(loaded);
+    EXPECT_EQ(loaded->mount.name, "first");
+
+    const auto refused = saveProfile(profile, folder.filePath(QStringLiteral("absent/mount.toml")));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::Io);
+    EXPECT_NE(refused.error().text.find("absent/mount.toml: "), std::string::npos);
+    EXPECT_EQ(contentOf(path), first);
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1);  // no temporary file is left behind
+}
+
+TEST(ProfileFile, AnAbsentFileIsNoDevice)
+{
+    const auto profile = loadProfile(QStringLiteral("/nowhere/mount.toml"));
+    ASSERT_FALSE(profile);
+    EXPECT_EQ(profile.error().code, ErrorCode::NoDevice);
+}
