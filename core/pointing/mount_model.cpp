@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pointing/mount_model.h"
+
+#include "core/base/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace boresight::pointing {
+
+double AxisGeometry::turnsPerTurn() const
+{
+    return sign * (gearIn == GearIn::Host ? gearRatio : 1.0);
+}
+
+MotorTurns AxisGeometry::toMotor(Angle angle) const
+{
+    return MotorTurns::fromTurns((angle + offset).turns() * turnsPerTurn());
+}
+
+MotorRate AxisGeometry::toMotor(AngularRate rate) const
+{
+    return MotorRate::fromTurns(rate.turns() * turnsPerTurn());
+}
+
+MotorAcceleration AxisGeometry::toMotor(AngularAcceleration acceleration) const
+{
+    return MotorAcceleration::fromTurns(acceleration.turns() * turnsPerTurn());
+}
+
+Angle AxisGeometry::toAxis(MotorTurns turns) const
+{
+    return Angle::fromTurns(turns.turns() / turnsPerTurn()) - offset;
+}
+
+AngularRate AxisGeometry::toAxis(MotorRate rate) const
+{
+    return AngularRate::fromTurns(rate.turns() / turnsPerTurn());
+}
+
+namespace {
+
+const Angle kFullTurn = Angle::fromTurns(1.0);
+
+// Rounding between degrees and radians must not put the end of a travel outside of itself.
+const Angle kRounding = Angle::fromDegrees(1e-9);
+
+// A target that jitters across an end of the travel (359.9°, 0.1° on a 0…360° mount) must not send the mount round for
+// each of its points: this much beyond the end, the end itself will do. A small beam is still several times wider.
+const Angle kEndTolerance = Angle::fromDegrees(0.25);
+
+// In the middle of a gap both ends are equally near: the other one must be better by this much to be worth the way.
+const Angle kEndPreference = Angle::fromDegrees(1.0);
+
+std::string degrees(Angle angle)
+{
+    return formatFixed(angle.degrees(), 1) + "°";
+}
+
+std::string outsideReason(const char* axis, Angle angle, const TravelRange& travel)
+{
+    const std::string what = std::string(axis) + " " + degrees(angle);
+    return angle < travel.min ? what + " below limit " + degrees(travel.min)
+                              : what + " above limit " + degrees(travel.max);
+}
+
+void addReason(Resolved& resolved, const std::string& reason)
+{
+    resolved.limited = true;
+    resolved.reason += (resolved.reason.empty() ? "" : ", ") + reason;
+}
+
+bool reaches(const TravelRange& travel, Angle angle)
+{
+    return angle >= travel.min - kRounding && angle <= travel.max + kRounding;
+}
+
+// Of the turns of `azimuth` inside the travel the one nearest to `now`; none if it lies in a gap.
+std::optional<Angle> turnInside(const TravelRange& travel, Angle azimuth, Angle now)
+{
+    const Angle near = azimuth.nearestTo(now);
+    if (reaches(travel, near)) {
+        return travel.clamped(near);
+    }
+    const Angle beyond = abs(near - travel.clamped(near));
+    if (beyond <= kEndTolerance && abs(near - now) <= 2.0 * kEndTolerance) {
+        return travel.clamped(near);
+    }
+    const double turns = std::ceil((beyond - kRounding) / kFullTurn);
+    const Angle back = near + (near > travel.max ? -turns : turns) * kFullTurn;
+    return reaches(travel, back) ? std::optional(travel.clamped(back)) : std::nullopt;
+}
+
+// Angle on the sky between two pointings, as its cosine: larger is nearer.
+double nearness(const AxisPosition& axes, const SkyPointing& direction)
+{
+    const double e = axes.elevation.radians();
+    const double s = direction.elevation.radians();
+    return std::sin(e) * std::sin(s) +
+           std::cos(e) * std::cos(s) * std::cos((axes.azimuth - direction.azimuth).radians());
+}
+
+// The nearest permitted point when azimuth has to stay at `end`: there the sky distance to the direction is least at
+// atan2(sin E, cos E cos D), D being the azimuth that is missing.
+AxisPosition nearestAtEnd(const TravelRange& travel, Angle end, const SkyPointing& direction)
+{
+    const double missing = (direction.azimuth - end).radians();
+    const double e = direction.elevation.radians();
+    const Angle best = Angle::fromRadians(std::atan2(std::sin(e), std::cos(e) * std::cos(missing)));
+    AxisPosition chosen{.azimuth = end, .elevation = travel.clamped(best)};
+    for (const Angle elevation : {travel.min, travel.max}) {
+        const AxisPosition other{.azimuth = end, .elevation = elevation};
+        if (nearness(other, direction) > nearness(chosen, direction)) {
+            chosen = other;
+        }
+    }
+    return chosen;
+}
+
+}  // namespace
+
+MountModel::MountModel(const AxisGeometry& azimuth, const AxisGeometry& elevation)
+    : m_azimuth(azimuth), m_elevation(elevation)
+{}
+
+const AxisGeometry& MountModel::axis(Axis which) const
+{
+    return which == Axis::Azimuth ? m_azimuth : m_elevation;
+}
+
+Resolved MountModel::resolve(const SkyPointing& direction, const AxisPosition& now) const
+{
+    const TravelRange& elevations = m_elevation.travel;
+    if (direction.elevation > 90_deg && reaches(elevations, direction.elevation)) {
+        if (const auto azimuth = turnInside(m_azimuth.travel, direction.azimuth, now.azimuth)) {
+            return {.position = {*azimuth, elevations.clamped(direction.elevation)}};
+        }
+    }
+    const SkyPointing upright = toSky({direction.azimuth, direction.elevation});
+    Resolved resolved;
+    if (const auto azimuth = turnInside(m_azimuth.travel, upright.azimuth, now.azimuth)) {
+        resolved.position = {*azimuth, elevations.clamped(upright.elevation)};
+    } else {
+        resolved.position = nearestAcrossGap(upright, now);
+        addReason(resolved, "azimuth " + degrees(upright.azimuth) + " outside travel " + degrees(m_azimuth.travel.min) +
+                                "…" + degrees(m_azimuth.travel.max));
+    }
+    if (!reaches(elevations, upright.elevation)) {
+        addReason(resolved, outsideReason("elevation", upright.elevation, elevations));
+    }
+    return resolved;
+}
+
+AxisPosition MountModel::nearestAcrossGap(const SkyPointing& direction, const AxisPosition& now) const
+{
+    const TravelRange& azimuths = m_azimuth.travel;
+    const bool nearMin = abs(now.azimuth - azimuths.min) < abs(now.azimuth - azimuths.max);
+    const Angle here = nearMin ? azimuths.min : azimuths.max;
+    const Angle there = nearMin ? azimuths.max : azimuths.min;
+    const AxisPosition stay = nearestAtEnd(m_elevation.travel, here, direction);
+    const AxisPosition change = nearestAtEnd(m_elevation.travel, there, direction);
+    const auto distance = [&](const AxisPosition& axes) {
+        return Angle::fromRadians(std::acos(std::clamp(nearness(axes, direction), -1.0, 1.0)));
+    };
+    return distance(change) + kEndPreference < distance(stay) ? change : stay;
+}
+
+Resolved MountModel::resolve(const AxisPosition& position) const
+{
+    Resolved resolved{
+        .position = {m_azimuth.travel.clamped(position.azimuth), m_elevation.travel.clamped(position.elevation)}};
+    if (!reaches(m_azimuth.travel, position.azimuth)) {
+        addReason(resolved, outsideReason("azimuth", position.azimuth, m_azimuth.travel));
+    }
+    if (!reaches(m_elevation.travel, position.elevation)) {
+        addReason(resolved, outsideReason("elevation", position.elevation, m_elevation.travel));
+    }
+    return resolved;
+}
+
+SkyPointing MountModel::toSky(const AxisPosition& position)
+{
+    if (position.elevation > 90_deg) {
+        return {.azimuth = (position.azimuth + 180_deg).wrapped360(), .elevation = 180_deg - position.elevation};
+    }
+    return {.azimuth = position.azimuth.wrapped360(), .elevation = position.elevation};
+}
+
+}  // namespace boresight::pointing
