@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/can_frame.h"
+#include "core/moteus/registers.h"
+#include "core/moteus/scaling.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+// The layer both sides share: a payload is a row of subframes. SubframeReader walks one, SubframeWriter builds one;
+// writing what was read gives the same bytes. The spans inside a subframe point into the payload that was read: they
+// live as long as it does. Pure, any thread.
+namespace boresight::moteus {
+
+// One register with its value, in units of its kind, and how it travels. NaN is "unset".
+struct RegisterValue
+{
+    Register reg = Register::Mode;
+    Resolution resolution = Resolution::Float;
+    double value = 0.0;
+};
+
+struct RegisterRead
+{
+    Register reg = Register::Mode;
+    Resolution resolution = Resolution::Float;
+
+    bool operator==(const RegisterRead&) const = default;
+};
+
+// Consecutive registers in one resolution. `longCount` keeps the form in which the count was written: a drive answers
+// in the form it was asked in.
+struct BlockHeader
+{
+    Resolution resolution = Resolution::Float;
+    std::uint32_t count = 0;
+    Register first = Register::Mode;
+    bool longCount = false;
+};
+
+struct ReadBlock : BlockHeader
+{};
+
+struct ValueBlock : BlockHeader
+{
+    std::span<const std::uint8_t> bytes;  // count * sizeInBytes(resolution)
+
+    [[nodiscard]] std::uint32_t bits(std::uint32_t index) const;  // of register first + index, for fromWire()
+    [[nodiscard]] RegisterValue value(std::uint32_t index, Side side = Side::Client) const;
+};
+
+struct WriteBlock : ValueBlock
+{};
+
+struct ReplyBlock : ValueBlock
+{};
+
+// Codes of both errors: 1 unknown, not accessible or not in that resolution; 2 not writable, or no room in the reply.
+inline constexpr std::uint32_t kUnknownRegister = 1;
+inline constexpr std::uint32_t kNotWritable = 2;
+inline constexpr std::uint32_t kNoRoom = 2;
+
+struct WriteError
+{
+    Register reg = Register::Mode;
+    std::uint32_t code = 0;
+};
+
+struct ReadError
+{
+    Register reg = Register::Mode;
+    std::uint32_t code = 0;
+};
+
+struct TunnelToDevice
+{
+    std::uint32_t channel = 0;
+    std::span<const std::uint8_t> bytes;
+};
+
+struct TunnelFromDevice
+{
+    std::uint32_t channel = 0;
+    std::span<const std::uint8_t> bytes;
+};
+
+struct TunnelPoll
+{
+    std::uint32_t channel = 0;
+    std::uint32_t maximum = 0;
+};
+
+struct TunnelPacket
+{
+    std::uint32_t channel = 0;
+    std::uint8_t number = 0;
+    std::span<const std::uint8_t> bytes;
+};
+
+struct TunnelPollFlow
+{
+    std::uint32_t channel = 0;
+    std::uint8_t lastNumber = 0;  // of the last packet the host has seen
+    std::uint32_t maximum = 0;
+};
+
+struct Nop
+{};
+
+using Subframe = std::variant<ReadBlock, WriteBlock, ReplyBlock, WriteError, ReadError, TunnelToDevice,
+                              TunnelFromDevice, TunnelPoll, TunnelPacket, TunnelPollFlow, Nop>;
+
+enum class ParseEnd : std::uint8_t
+{
+    Complete,   // every byte was understood
+    Truncated,  // the last subframe is cut off; its complete values were still given
+    Unknown,    // an unknown subframe type: the rest cannot be read
+};
+
+class SubframeReader
+{
+public:
+    explicit SubframeReader(std::span<const std::uint8_t> payload) : m_rest(payload) {}
+
+    // The next subframe; empty at the end, and then end() says which.
+    [[nodiscard]] std::optional<Subframe> next();
+    [[nodiscard]] ParseEnd end() const { return m_end; }
+
+private:
+    [[nodiscard]] std::optional<Subframe> stop(ParseEnd end);
+    [[nodiscard]] std::optional<std::uint8_t> byte();
+    [[nodiscard]] std::optional<std::uint32_t> varuint();
+    [[nodiscard]] std::optional<std::span<const std::uint8_t>> counted();
+    [[nodiscard]] std::optional<Subframe> block(std::uint8_t type);
+    [[nodiscard]] std::optional<Subframe> error(std::uint8_t type);
+    [[nodiscard]] std::optional<Subframe> tunnel(std::uint8_t type);
+    template <class Block>
+    [[nodiscard]] std::optional<Subframe> values(const BlockHeader& header);
+
+    std::span<const std::uint8_t> m_rest;
+    ParseEnd m_end = ParseEnd::Complete;
+};
+
+// Bytes needed on the wire for a number: 7 bits each.
+[[nodiscard]] std::size_t varuintSize(std::uint32_t value);
+
+// Registers as the writer groups them, and the bytes a block brings back.
+[[nodiscard]] std::vector<ReadBlock> grouped(std::span<const RegisterRead> reads);
+[[nodiscard]] std::size_t replySize(const ReadBlock& block);
+
+// Greedy grouping: consecutive registers in equal resolution share one subframe. The writer never overruns: past
+// 64 bytes it only counts, and overflowed() tells.
+class SubframeWriter
+{
+public:
+    void append(const Subframe& subframe);
+    void appendWrites(std::span<const RegisterValue> writes, Side side = Side::Client);
+    void appendReplies(std::span<const RegisterValue> values, Side side = Side::Device);
+    void appendReads(std::span<const RegisterRead> reads);
+
+    [[nodiscard]] std::size_t needed() const { return m_needed; }  // may exceed 64
+    [[nodiscard]] std::size_t room() const { return overflowed() ? 0 : m_bytes.size() - m_needed; }
+    [[nodiscard]] bool overflowed() const { return m_needed > m_bytes.size(); }
+    [[nodiscard]] std::span<const std::uint8_t> bytes() const;
+
+private:
+    void put(std::uint8_t byte);
+    void putVaruint(std::uint32_t value);
+    void putBytes(std::span<const std::uint8_t> bytes);
+    void putHeader(std::uint8_t base, const BlockHeader& header);
+    void putValues(std::uint8_t base, std::span<const RegisterValue> values, Side side);
+
+    std::array<std::uint8_t, kMaxCanPayload> m_bytes{};
+    std::size_t m_needed = 0;
+};
+
+}  // namespace boresight::moteus
