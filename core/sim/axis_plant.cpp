@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sim/axis_plant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace boresight::sim {
+namespace {
+
+constexpr double kRadiansPerTurn = 2.0 * std::numbers::pi;
+
+// A load pushed by its own weight or the wind crosses the gap in about this time.
+constexpr double kBacklashCrossing = 0.05;  // s
+
+}  // namespace
+
+AxisPlant::AxisPlant(const PlantSettings& settings, double position) : m_settings(settings), m_position(position) {}
+
+void AxisPlant::step(double dt, const PlantLoads& loads)
+{
+    const double angle = kRadiansPerTurn * (m_position - m_settings.levelAt);
+    const double loadTorque = m_settings.gravityTorque * std::cos(angle) + loads.windTorque;
+    const double before = m_position;
+    const double velocity = m_stalled ? 0.0 : nextVelocity(dt, loads, loadTorque);
+    const double target = m_position + 0.5 * (m_velocity + velocity) * dt;
+    m_velocity = velocity;
+    if (!m_stalled) {
+        move(target);
+    }
+    followLoad(dt, m_position - before, loadTorque);
+}
+
+void AxisPlant::place(double position)
+{
+    m_position = position;
+    m_velocity = 0.0;
+}
+
+double AxisPlant::nextVelocity(double dt, const PlantLoads& loads, double loadTorque) const
+{
+    const double perInertia = dt / (m_settings.inertia * kRadiansPerTurn);  // Nm -> change of turns/s
+    const double damping = (m_settings.viscousFriction + loads.brakeDamping) * kRadiansPerTurn;
+    const double pushed = (m_velocity + (loads.driveTorque + loadTorque) * perInertia) / (1.0 + damping * perInertia);
+    const double friction = m_velocity == 0.0 ? m_settings.staticFriction : m_settings.coulombFriction;
+    const double stopped = friction * perInertia;
+    return std::abs(pushed) <= stopped ? 0.0 : pushed - std::copysign(m_settings.coulombFriction * perInertia, pushed);
+}
+
+void AxisPlant::move(double to)
+{
+    const bool blocked = m_jam && (m_position - *m_jam) * (to - *m_jam) <= 0.0 && m_position != to;
+    if (blocked) {
+        m_velocity = 0.0;
+        return;
+    }
+    m_position = std::clamp(to, m_settings.stopMin, m_settings.stopMax);
+    if (m_position != to) {
+        m_velocity = 0.0;  // inelastic stop
+    }
+}
+
+// A load that is pushed rests on one flank of the gear; otherwise it is taken along when the gap closes.
+void AxisPlant::followLoad(double dt, double moved, double loadTorque)
+{
+    const double half = 0.5 * m_settings.backlash;
+    m_lag -= moved;
+    if (std::abs(loadTorque) > 0.25 * m_settings.staticFriction) {
+        m_lag += moved + std::copysign(m_settings.backlash * std::min(dt / kBacklashCrossing, 1.0), loadTorque);
+    }
+    m_lag = std::clamp(m_lag, -half, half);
+}
+
+}  // namespace boresight::sim

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <optional>
+
+// The mechanics of one axis: what the drive turns. Inertia, static, Coulomb and viscous friction, the weight of an
+// unbalanced antenna, wind, backlash, end stops and blockage. Pure; turns of the gearbox output in the drive's sense,
+// seconds, Nm at the output. Friction is integrated as an impulse that may stop the axis but never reverse it, so an
+// axis at rest stays at rest at any step.
+namespace boresight::sim {
+
+struct PlantSettings
+{
+    double inertia = 20.0;         // kg·m² at the output, rotor through the gearbox included
+    double coulombFriction = 3.0;  // Nm while moving
+    double staticFriction = 4.0;   // Nm to break away
+    double viscousFriction = 5.0;  // Nm/(rad/s)
+    double gravityTorque = 0.0;    // Nm towards positive turns when the antenna is level
+    double levelAt = 0.0;          // turns where it is level
+    double backlash = 0.0;         // turns, whole gap between gearbox and load
+    double stopMin = -std::numeric_limits<double>::infinity();  // hard end stops
+    double stopMax = std::numeric_limits<double>::infinity();
+};
+
+struct PlantLoads
+{
+    double driveTorque = 0.0;   // Nm
+    double brakeDamping = 0.0;  // Nm/(rad/s): shorted motor phases
+    double windTorque = 0.0;    // Nm
+};
+
+class AxisPlant
+{
+public:
+    AxisPlant(const PlantSettings& settings, double position);
+
+    void step(double dt, const PlantLoads& loads);
+
+    // Turned by somebody's hand, at rest afterwards.
+    void place(double position);
+    // Something in the way: at a place of the travel, or wherever the axis stands now.
+    void setJam(std::optional<double> position) { m_jam = position; }
+    void setStalled(bool stalled) { m_stalled = stalled; }
+    [[nodiscard]] PlantSettings& settings() { return m_settings; }
+
+    [[nodiscard]] double position() const { return m_position; }  // of the gearbox output
+    [[nodiscard]] double velocity() const { return m_velocity; }
+    // Of the antenna behind the backlash.
+    [[nodiscard]] double loadPosition() const { return m_position + m_lag; }
+
+private:
+    [[nodiscard]] double nextVelocity(double dt, const PlantLoads& loads, double loadTorque) const;
+    void move(double to);
+    void followLoad(double dt, double moved, double loadTorque);
+
+    PlantSettings m_settings;
+    double m_position = 0.0;
+    double m_velocity = 0.0;
+    double m_lag = 0.0;  // load minus gearbox output, within half the backlash
+    std::optional<double> m_jam;
+    bool m_stalled = false;
+};
+
+}  // namespace boresight::sim

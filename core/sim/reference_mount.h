@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/sim/axis_plant.h"
+#include "core/sim/drive_config.h"
+#include "core/units/sky.h"
+
+// The mount that the simulated pair drives unless told otherwise: a dish of about 2 m on an azimuth-elevation
+// positioner, each axis through a 100:1 gearbox. Azimuth 0…360° is 0…1 turn; the elevation drive is mounted inverted:
+// 0° is -0.25 turn, 90° is -0.5 turn.
+namespace boresight::sim {
+
+struct ReferenceAxis
+{
+    double sign;  // turns of the drive = sign · (angle + offset) / 360°
+    Angle offset;
+    TravelRange travel;
+    double gearRatio;  // turns of the rotor per turn of the output
+    PlantSettings plant;
+    ServoGains gains;
+
+    [[nodiscard]] double toTurns(Angle angle) const { return sign * (angle + offset).turns(); }
+    [[nodiscard]] Angle toAngle(double turns) const { return Angle::fromTurns(turns / sign) - offset; }
+};
+
+[[nodiscard]] const ReferenceAxis& referenceAxis(Axis axis);
+
+}  // namespace boresight::sim
