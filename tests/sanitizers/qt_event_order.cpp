@@ -5,10 +5,14 @@
 // The distribution's Qt is not instrumented, and its mutexes are futexes which ThreadSanitizer cannot see. Without help
 // each queued call between two threads is reported as a race: 54 reports in a clean program of two threads and 1000
 // queued signals. Here each event is ordered on its own address: Qt releases it when it is allocated by the sender and
-// acquires it when it is delivered by, or freed in, the receiver. Nothing else is ordered, so a value shared outside of
-// events is still reported. Arguments of queued signals are copied after the allocation: tsan.supp names those.
+// acquires it when it is delivered by, or freed in, the receiver; and what a thread did before it ended is ordered
+// before the return of QThread::wait(). Nothing else is, so a value shared outside of events is still reported.
+// Arguments of queued signals are copied after the allocation: tsan.supp names those.
 
 #include <QtCore/QCoreApplication>
+#include <QtCore/QDeadlineTimer>
+#include <QtCore/QThread>
+#include <QtCore/QThreadStorage>
 #include <QtCore/qnamespace.h>
 
 #include <link.h>
@@ -48,10 +52,27 @@ int findQtCore(dl_phdr_info* library, std::size_t /*size*/, void* found)
     return 1;
 }
 
+// Lives in each thread that has received an event. Qt destroys it when the thread ends, after the deferred deletions
+// and before it wakes whoever waits for the thread.
+struct ThreadEnd
+{
+    static inline char s_order = 0;
+
+    ThreadEnd() = default;
+    ThreadEnd(const ThreadEnd&) = delete;
+    ThreadEnd& operator=(const ThreadEnd&) = delete;
+    ~ThreadEnd() { __tsan_release(&s_order); }
+};
+
+QThreadStorage<ThreadEnd*> g_threadEnds;
+
 // Qt calls this in the receiver's thread before it delivers an event. data: receiver, event, result.
 bool eventDelivered(void** data)
 {
     __tsan_acquire(data[1]);
+    if (!g_threadEnds.hasLocalData()) {
+        g_threadEnds.setLocalData(new ThreadEnd);
+    }
     return false;
 }
 
@@ -71,6 +92,18 @@ void freeBlock(void* block, const void* caller)
 }
 
 }  // namespace
+
+// The linker sends our calls of QThread::wait() here (--wrap, BoresightOptions.cmake). When the thread has already
+// ended Qt returns after a look at its state, which ThreadSanitizer cannot see.
+extern "C" bool __real__ZN7QThread4waitE14QDeadlineTimer(QThread* thread, QDeadlineTimer deadline);
+extern "C" bool __wrap__ZN7QThread4waitE14QDeadlineTimer(QThread* thread, QDeadlineTimer deadline)
+{
+    const bool ended = __real__ZN7QThread4waitE14QDeadlineTimer(thread, deadline);
+    if (ended) {
+        __tsan_acquire(&ThreadEnd::s_order);
+    }
+    return ended;
+}
 
 void* operator new(std::size_t size)
 {
