@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/tracking/moving_average.h"
 #include "core/units/sky.h"
 
-#include <deque>
+#include <optional>
+#include <vector>
 
 // The set-point of one axis, moved each control tick towards its goal within speed, acceleration, jerk and travel.
 // A time-optimal second-order profile (bang-bang, exact inside the tick) is averaged over the last 2 × acceleration /
@@ -63,18 +65,14 @@ public:
     [[nodiscard]] Seconds filterLength() const;
 
 private:
-    // Motion with constant acceleration; radians and seconds.
-    struct Segment
-    {
-        double duration = 0.0;
-        double position = 0.0;
-        double rate = 0.0;
-        double acceleration = 0.0;
-    };
+    [[nodiscard]] double acceleration() const;
+    [[nodiscard]] std::optional<double> endInTheWay(const std::vector<Segment>& path) const;
+    [[nodiscard]] std::vector<Segment> stopAt(double end, double speed, double duration) const;
+    Setpoint advance(const std::vector<Segment>& path);
 
     MotionLimits m_limits;
     TravelRange m_travel;
-    std::deque<Segment> m_history;  // the time-optimal profile over the last filter length
+    MovingAverage m_motion;
     Setpoint m_setpoint;
 };
 

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/axis_profile.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight::tracking {
+
+namespace {
+
+// Below the resolution of any encoder and far above rounding: 6e-11°.
+constexpr double kRounding = 1e-12;
+
+double filterLengthFor(const MotionLimits& limits)
+{
+    return 2.0 * limits.acceleration.radians() / limits.jerk.radians();
+}
+
+}  // namespace
+
+AxisProfile::AxisProfile(const MotionLimits& limits, const TravelRange& travel, Angle position)
+    : m_limits(limits), m_travel(travel)
+{
+    reset(position);
+}
+
+void AxisProfile::reset(Angle position)
+{
+    m_motion.reset(position.radians(), filterLengthFor(m_limits));
+    m_setpoint = {.position = position, .rate = {}, .acceleration = {}};
+}
+
+void AxisProfile::setLimits(const MotionLimits& limits)
+{
+    m_limits = limits;
+    if (atRest()) {
+        reset(m_setpoint.position);
+    }
+}
+
+void AxisProfile::setTravel(const TravelRange& travel)
+{
+    m_travel = travel;
+}
+
+// The averaging turns a jump from full braking to full acceleration into a jerk of 2 × acceleration / length.
+double AxisProfile::acceleration() const
+{
+    return std::min(m_limits.acceleration.radians(), 0.5 * m_limits.jerk.radians() * m_motion.length());
+}
+
+Setpoint AxisProfile::follow(Seconds dt, Angle target, AngularRate targetRate)
+{
+    const double duration = dt.count();
+    if (duration <= 0.0) {
+        return m_setpoint;
+    }
+    // The average of a steady motion is late by half the filter length: aim that much ahead.
+    const double speed = m_limits.speed.radians();
+    double rate = std::clamp(targetRate.radians(), -speed, speed);
+    const Angle lead = target + Angle::fromRadians(0.5 * m_motion.length() * rate);
+    const double end = m_travel.clamped(lead).radians();
+    if (!m_travel.contains(lead)) {
+        rate = 0.0;
+    }
+    const MotionState goal{.position = end - rate * duration, .rate = rate};
+    const auto path = approach(m_motion.latest(), goal, {.speed = speed, .acceleration = acceleration()}, duration);
+    const auto obstacle = endInTheWay(path);
+    return advance(obstacle ? stopAt(*obstacle, speed, duration) : path);
+}
+
+Setpoint AxisProfile::run(Seconds dt, AngularRate rate)
+{
+    const double duration = dt.count();
+    if (duration <= 0.0) {
+        return m_setpoint;
+    }
+    const double speed = m_limits.speed.radians();
+    const double wanted = std::clamp(rate.radians(), -speed, speed);
+    const MotionState now = m_motion.latest();
+    const auto path = changeRate(now, wanted, acceleration(), duration);
+    const double fastest = std::max(std::abs(now.rate), std::abs(wanted));
+    const auto obstacle = endInTheWay(path);
+    return advance(obstacle ? stopAt(*obstacle, fastest, duration) : path);
+}
+
+// The end of the travel that the axis could no longer stop at after the path. It is enough to look at the end of each
+// segment: between them the place of a stop moves outwards only while the axis does. Motion back inside is always fine.
+std::optional<double> AxisProfile::endInTheWay(const std::vector<Segment>& path) const
+{
+    for (const Segment& segment : path) {
+        const MotionState state = segment.end();
+        const double stop = stopPosition(state, acceleration());
+        if (state.rate > 0.0 && stop > m_travel.max.radians() + kRounding) {
+            return m_travel.max.radians();
+        }
+        if (state.rate < 0.0 && stop < m_travel.min.radians() - kRounding) {
+            return m_travel.min.radians();
+        }
+    }
+    return std::nullopt;
+}
+
+// As far towards the end as goes, and to rest there. After limits or travel were narrowed in flight the braking may
+// have to be harder than the limit; an axis already beyond the end only comes to rest.
+std::vector<Segment> AxisProfile::stopAt(double end, double speed, double duration) const
+{
+    const MotionState now = m_motion.latest();
+    const double outside = end == m_travel.max.radians() ? now.position - end : end - now.position;
+    if (outside > kRounding) {
+        return changeRate(now, 0.0, acceleration(), duration);
+    }
+    const double distance = std::max(-outside, kRounding);
+    const bool outwards = now.rate * (end - now.position) > 0.0;
+    const double needed = outwards ? now.rate * now.rate / (2.0 * distance) : 0.0;
+    const double braking = std::max(acceleration(), needed);
+    return approach(now, {.position = end, .rate = 0.0}, {.speed = speed, .acceleration = braking}, duration);
+}
+
+Setpoint AxisProfile::advance(const std::vector<Segment>& path)
+{
+    m_motion.append(path);
+    const MovingAverage::Sample sample = m_motion.sample();
+    m_setpoint = {.position = Angle::fromRadians(sample.position),
+                  .rate = AngularRate::fromRadians(sample.rate),
+                  .acceleration = AngularAcceleration::fromRadians(sample.acceleration)};
+    return m_setpoint;
+}
+
+bool AxisProfile::atRest() const
+{
+    return m_motion.atRest();
+}
+
+Seconds AxisProfile::filterLength() const
+{
+    return Seconds(m_motion.length());
+}
+
+}  // namespace boresight::tracking

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/axis_profile.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace boresight;
+using namespace boresight::tracking;
+
+namespace {
+
+constexpr Seconds kTick{0.02};
+const TravelRange kTravel{-90_deg, 450_deg};
+
+MotionLimits limits(double speed, double acceleration, double jerk)
+{
+    return {AngularRate::fromDegrees(speed), AngularAcceleration::fromDegrees(acceleration),
+            AngularJerk::fromDegrees(jerk)};
+}
+
+const MotionLimits kLimits = limits(10, 10, 100);
+
+// Watches the set-points that are sent. Divided differences of position are averages of rate, acceleration and jerk
+// over the ticks they span, whatever the lengths of these, so they must keep to the limits without any allowance.
+class Watch
+{
+public:
+    explicit Watch(const AxisProfile& profile) { m_points.push_back({0.0, profile.setpoint().position.degrees()}); }
+
+    void add(Seconds dt, const Setpoint& setpoint)
+    {
+        m_points.push_back({m_points.back().time + dt.count(), setpoint.position.degrees()});
+        lowest = std::min(lowest, m_points.back().value);
+        highest = std::max(highest, m_points.back().value);
+        const auto rates = differences(last(4), 1.0);
+        if (m_points.size() >= 4) {
+            const auto accelerations = differences(rates, 2.0);
+            const auto jerks = differences(accelerations, 3.0);
+            speed = std::max(speed, std::abs(rates.back().value));
+            acceleration = std::max(acceleration, std::abs(accelerations.back().value));
+            jerk = std::max(jerk, std::abs(jerks.back().value));
+        }
+    }
+
+    double lowest = 1e9;
+    double highest = -1e9;
+    double speed = 0.0;
+    double acceleration = 0.0;
+    double jerk = 0.0;
+
+private:
+    struct Point
+    {
+        double time;  // first of the times it spans
+        double value;
+        double until = time;
+    };
+
+    [[nodiscard]] std::vector<Point> last(std::size_t count) const
+    {
+        return {m_points.end() - static_cast<std::ptrdiff_t>(std::min(count, m_points.size())), m_points.end()};
+    }
+    // `factor` turns divided differences of order n into derivatives, step by step: 1·2·3 = 3!.
+    static std::vector<Point> differences(const std::vector<Point>& points, double factor)
+    {
+        std::vector<Point> result;
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const double span = points[i].until - points[i - 1].time;
+            result.push_back(
+                {points[i - 1].time, factor * (points[i].value - points[i - 1].value) / span, points[i].until});
+        }
+        return result;
+    }
+
+    std::vector<Point> m_points;
+};
+
+void expectWithin(const Watch& watch, const MotionLimits& bound)
+{
+    EXPECT_LE(watch.speed, bound.speed.degrees() * (1 + 1e-6));
+    EXPECT_LE(watch.acceleration, bound.acceleration.degrees() * (1 + 1e-5));
+    EXPECT_LE(watch.jerk, bound.jerk.degrees() * (1 + 1e-3));
+}
+
+}  // namespace
+
+TEST(AxisProfile, GoesThereInTheExpectedTimeAndRests)
+{
+    AxisProfile profile(kLimits, kTravel, 0_deg);
+    EXPECT_TRUE(profile.atRest());
+    EXPECT_NEAR(profile.filterLength().count(), 0.2, 1e-12);
+    Watch watch(profile);
+    double time = 0.0;
+    do {
+        watch.add(kTick, profile.follow(kTick, 50_deg));
+        time += kTick.count();
+        ASSERT_LT(time, 10.0);
+    } while (!profile.atRest());
+    EXPECT_EQ(profile.setpoint(), (Setpoint{50_deg, {}, {}}));
+    // Distance / speed + speed / acceleration + filter: 5 + 1 + 0.2 s.
+    EXPECT_NEAR(time, 6.2, 2.1 * kTick.count());
+    EXPECT_LE(watch.highest, 50.0 + 1e-9);
+    EXPECT_GE(watch.lowest, 0.0);
+    expectWithin(watch, kLimits);
+    for (int i = 0; i < 100; ++i) {
+        EXPECT_EQ(profile.follow(kTick, 50_deg), (Setpoint{50_deg, {}, {}}));
+    }
+}
+
+TEST(AxisProfile, UsesWhatTheLimitsAllow)
+{
+    AxisProfile profile(kLimits, kTravel, 0_deg);
+    Watch watch(profile);
+    for (int i = 0; i < 400; ++i) {
+        watch.add(kTick, profile.follow(kTick, 50_deg));
+    }
+    EXPECT_GT(watch.speed, 9.99);
+    EXPECT_GT(watch.acceleration, 9.5);
+    EXPECT_GT(watch.jerk, 45.0);  // a ramp from rest takes the filter length: half the limit
+}
+
+TEST(AxisProfile, TheRateSentIsThatOfTheSetpoints)
+{
+    AxisProfile profile(kLimits, kTravel, 0_deg);
+    double before = 0.0;
+    double rateBefore = 0.0;
+    for (int i = 0; i < 400; ++i) {
+        const Setpoint setpoint = profile.follow(kTick, 30_deg);
+        const double moved = (setpoint.position.degrees() - before) / kTick.count();
+        EXPECT_NEAR(moved, 0.5 * (rateBefore + setpoint.rate.degrees()), 0.01);  // jerk × tick² / 12 is 0.003
+        before = setpoint.position.degrees();
+        rateBefore = setpoint.rate.degrees();
+    }
+}
+
+TEST(AxisProfile, FollowsASteadyTargetWithoutLag)
+{
+    AxisProfile profile(kLimits, kTravel, 0_deg);
+    double target = 20.0;
+    for (int i = 0; i < 400; ++i) {
+        target += 1.3 * kTick.count();
+        profile.follow(kTick, Angle::fromDegrees(target), 1.3_deg_s);
+    }
+    for (int i = 0; i < 100; ++i) {
+        target += 1.3 * kTick.count();
+        const Setpoint setpoint = profile.follow(kTick, Angle::fromDegrees(target), 1.3_deg_s);
+        EXPECT_NEAR(setpoint.position.degrees(), target, 1e-9);
+        EXPECT_NEAR(setpoint.rate.degrees(), 1.3, 1e-9);
+    }
+}
+
+// Azimuth of a straight fly-by at 7.4 km/s: 80° maximum elevation, 420 km up. Its peak rate is 5.8 °/s.
+TEST(AxisProfile, FollowsALeoPassWithinAHundredthOfADegree)
+{
+    const double perSecond = 7.4 / (420.0 * std::tan(10.0 * std::numbers::pi / 180.0));
+    AxisProfile profile(kLimits, kTravel, 90_deg);
+    for (double time = -300.0; time < 300.0; time += kTick.count()) {
+        const Angle target = 180_deg + Angle::fromRadians(std::atan(perSecond * time));
+        const AngularRate rate = AngularRate::fromRadians(perSecond / (1.0 + std::pow(perSecond * time, 2)));
+        const Setpoint setpoint = profile.follow(kTick, target, rate);
+        if (time > -290.0) {
+            ASSERT_NEAR(setpoint.position.degrees(), target.degrees(), 0.01) << time;
+            ASSERT_NEAR(setpoint.rate.degrees(), rate.degrees(), 0.05) << time;
+        }
+    }
+}
+
+TEST(AxisProfile, BrakesToRestAsFastAsTheLimitsAllow)
+{
+    AxisProfile profile(kLimits, kTravel, 0_deg);
+    Watch watch(profile);
+    for (int i = 0; i < 100; ++i) {
+        watch.add(kTick, profile.run(kTick, 1_deg_s));
+    }
+    EXPECT_NEAR(profile.setpoint().rate.degrees(), 1.0, 1e-9);
+    double time = 0.0;
+    while (!profile.atRest()) {
+        watch.add(kTick, profile.brake(kTick));
+        time += kTick.count();
+        ASSERT_LT(time, 1.0);
+    }
+    EXPECT_LE(time, 0.3 + kTick.count());  // 1 °/s / 10 °/s² + 0.2 s
+    expectWithin(watch, kLimits);
+    const Angle rest = profile.setpoint().position;
+    profile.brake(kTick);
+    EXPECT_EQ(profile.setpoint().position, rest);
+}
+
+TEST(AxisProfile, RunsIntoTheEndOfTheTravelAndRestsExactlyThere)
+{
+    for (const double rate : {-25.0, -10.0, -0.3, 0.3, 10.0, 25.0}) {
+        AxisProfile profile(kLimits, {-20_deg, 20_deg}, 0_deg);
+        Watch watch(profile);
+        for (int i = 0; i < 5000; ++i) {
+            watch.add(kTick, profile.run(kTick, AngularRate::fromDegrees(rate)));
+        }
+        EXPECT_TRUE(profile.atRest());
+        EXPECT_NEAR(profile.setpoint().position.degrees(), rate > 0 ? 20 : -20, 1e-9);
+        EXPECT_LE(watch.highest, 20 + 1e-9);
+        EXPECT_GE(watch.lowest, -20 - 1e-9);
+        EXPECT_LE(watch.speed, std::min(10.0, std::abs(rate)) + 1e-6);
+        expectWithin(watch, kLimits);
+    }
+}
+
+TEST(AxisProfile, AMovingTargetDoesNotPullItBeyondTheTravel)
+{
+    AxisProfile profile(kLimits, {-20_deg, 20_deg}, 0_deg);
+    Watch watch(profile);
+    for (int i = 0; i < 1000; ++i) {
+        const double target = -30.0 + 9.0 * i * kTick.count();
+        watch.add(kTick, profile.follow(kTick, Angle::fromDegrees(target), 9_deg_s));
+    }
+    EXPECT_LE(watch.highest, 20 + 1e-9);
+    EXPECT_NEAR(profile.setpoint().position.degrees(), 20, 1e-9);
+    expectWithin(watch, kLimits);
+}
+
+TEST(AxisProfile, OutsideTheTravelItIsHeldAndComesBackOnlyWhenTold)
+{
+    AxisProfile profile(kLimits, {-20_deg, 20_deg}, 25_deg);
+    for (int i = 0; i < 100; ++i) {
+        EXPECT_EQ(profile.brake(kTick).position, 25_deg);
+        EXPECT_EQ(profile.run(kTick, 5_deg_s).position, 25_deg);
+    }
+    Watch watch(profile);
+    for (int i = 0; i < 100; ++i) {
+        watch.add(kTick, profile.run(kTick, -1_deg_s));
+    }
+    EXPECT_NEAR(profile.setpoint().position.degrees(), 25 - 1.0 * (2.0 - 0.05 - 0.1), 1e-6);
+    for (int i = 0; i < 500; ++i) {
+        watch.add(kTick, profile.follow(kTick, 30_deg));
+    }
+    EXPECT_NEAR(profile.setpoint().position.degrees(), 20, 1e-9);
+    expectWithin(watch, kLimits);
+}
+
+// Everything at once: targets, moving targets, jogs and stops at random moments, ticks of 10…100 ms.
+TEST(AxisProfile, KeepsEveryLimitWhateverIsAsked)
+{
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> unit(0.0, 1.0);
+        const MotionLimits bound = limits(1 + 20 * unit(random), 2 + 30 * unit(random), 20 + 600 * unit(random));
+        AxisProfile profile(bound, {-20_deg, 60_deg}, 10_deg);
+        Watch watch(profile);
+        double target = 0.0;
+        double rate = 0.0;
+        int kind = 0;
+        for (int i = 0; i < 5000; ++i) {
+            const Seconds dt(seed % 2 == 0 ? 0.02 : 0.01 + 0.09 * unit(random));
+            if (unit(random) < 0.03) {
+                kind = static_cast<int>(3 * unit(random));
+                target = -60 + 160 * unit(random);
+                rate = -15 + 30 * unit(random);
+            }
+            target += kind == 1 ? rate * dt.count() : 0.0;
+            const AngularRate wanted = AngularRate::fromDegrees(kind == 0 ? 0.0 : rate);
+            watch.add(dt, kind < 2 ? profile.follow(dt, Angle::fromDegrees(target), wanted) : profile.run(dt, wanted));
+        }
+        EXPECT_LE(watch.highest, 60 + 1e-9) << seed;
+        EXPECT_GE(watch.lowest, -20 - 1e-9) << seed;
+        expectWithin(watch, bound);
+    }
+}
+
+TEST(AxisProfile, NeverOvershootsAConstantTarget)
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    for (int k = 0; k < 300; ++k) {
+        AxisProfile profile(limits(0.5 + 15 * unit(random), 1 + 20 * unit(random), 30 + 300 * unit(random)), kTravel,
+                            100_deg);
+        const double target = 100 + 20 * (unit(random) - 0.5) * unit(random);
+        Watch watch(profile);
+        for (int i = 0; i < 100000 && (i == 0 || !profile.atRest()); ++i) {
+            const Seconds dt(0.01 + 0.09 * unit(random));
+            watch.add(dt, profile.follow(dt, Angle::fromDegrees(target)));
+        }
+        ASSERT_EQ(profile.setpoint().position, Angle::fromDegrees(target));
+        ASSERT_LE(watch.highest, std::max(100.0, target) + 1e-9);
+        ASSERT_GE(watch.lowest, std::min(100.0, target) - 1e-9);
+    }
+}
+
+// The length of the ticks only decides where the motion is looked at, not where it goes.
+TEST(AxisProfile, DoesNotDependOnTheTicks)
+{
+    AxisProfile even(kLimits, kTravel, 0_deg);
+    AxisProfile uneven(kLimits, kTravel, 0_deg);
+    std::mt19937 random(8);
+    std::uniform_int_distribution<int> ticks(1, 9);
+    for (int done = 0; done < 400;) {
+        const int count = ticks(random);
+        for (int i = 0; i < count; ++i) {
+            even.follow(kTick, 37_deg);
+        }
+        uneven.follow(count * kTick, 37_deg);
+        done += count;
+        ASSERT_NEAR(even.setpoint().position.degrees(), uneven.setpoint().position.degrees(), 1e-9);
+    }
+    const Setpoint before = even.setpoint();
+    EXPECT_EQ(even.follow(Seconds(0.0), 10_deg), before);
+    EXPECT_EQ(even.run(Seconds(-0.1), 10_deg_s), before);
+}
+
+TEST(AxisProfile, NewLimitsInFlight)
+{
+    AxisProfile profile(limits(10, 10, 100), kTravel, 0_deg);
+    Watch before(profile);
+    for (int i = 0; i < 150; ++i) {
+        before.add(kTick, profile.follow(kTick, 400_deg));
+    }
+    profile.setLimits(limits(4, 5, 25));  // filter of 0.4 s wanted, 0.2 s in use: acceleration 2.5 until at rest
+    EXPECT_NEAR(profile.filterLength().count(), 0.2, 1e-12);
+    for (int i = 0; i < 200; ++i) {
+        before.add(kTick, profile.follow(kTick, 400_deg));
+    }
+    expectWithin(before, limits(10, 10, 100));
+    Watch after(profile);
+    for (int i = 0; i < 200; ++i) {
+        after.add(kTick, profile.follow(kTick, i < 50 ? 400_deg : 0_deg));
+    }
+    expectWithin(after, limits(4, 2.5, 25));
+    while (!profile.atRest()) {
+        profile.brake(kTick);
+    }
+    profile.setLimits(limits(4, 5, 25));
+    EXPECT_NEAR(profile.filterLength().count(), 0.4, 1e-12);
+}
+
+// Story: half the acceleration doubles the way to stop, and the end of the travel does not move away.
+TEST(AxisProfile, TheTravelHoldsWhenLimitsOrTravelAreNarrowedInFlight)
+{
+    AxisProfile profile(kLimits, {-20_deg, 20_deg}, -20_deg);
+    Watch watch(profile);
+    while (profile.setpoint().position < 13_deg) {
+        watch.add(kTick, profile.run(kTick, 10_deg_s));
+    }
+    profile.setLimits(limits(10, 2, 100));
+    for (int i = 0; i < 1000; ++i) {
+        watch.add(kTick, profile.run(kTick, 10_deg_s));
+    }
+    EXPECT_LE(watch.highest, 20 + 1e-9);
+    EXPECT_NEAR(profile.setpoint().position.degrees(), 20, 1e-6);
+
+    while (profile.setpoint().position > 0_deg) {
+        profile.run(kTick, -10_deg_s);
+    }
+    profile.setTravel({-3_deg, 20_deg});
+    for (int i = 0; i < 1000; ++i) {
+        ASSERT_GE(profile.brake(kTick).position, -3_deg - 1e-9_deg);
+    }
+    EXPECT_TRUE(profile.atRest());
+}
+
+TEST(AxisProfile, ResetForgetsTheMotion)
+{
+    AxisProfile profile(kLimits, kTravel, 0_deg);
+    for (int i = 0; i < 100; ++i) {
+        profile.run(kTick, 10_deg_s);
+    }
+    profile.reset(33_deg);
+    EXPECT_TRUE(profile.atRest());
+    EXPECT_EQ(profile.setpoint(), (Setpoint{33_deg, {}, {}}));
+    EXPECT_EQ(profile.brake(kTick), (Setpoint{33_deg, {}, {}}));
+}
