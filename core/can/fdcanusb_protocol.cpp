@@ -3,9 +3,11 @@
 
 #include "core/base/hex.h"
 #include "core/base/numbers.h"
+#include "core/can/bus_frame.h"
 #include "core/can/line_checksum.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdio>
 #include <optional>
@@ -13,10 +15,6 @@
 
 namespace boresight::fdcanusb {
 namespace {
-
-constexpr std::uint32_t kMaxExtendedId = 0x1fff'ffff;
-constexpr std::size_t kMaxClassicPayload = 8;
-constexpr std::uint8_t kNop = 0x50;
 
 // The adapter writes exactly one space between fields, so two in a row enclose an empty field.
 std::vector<std::string_view> splitAtSpaces(std::string_view line)
@@ -103,21 +101,19 @@ Answer parseBusStatus(std::span<const std::string_view> words)
 
 Result<std::string> sendLine(const CanFrame& frame)
 {
-    if (frame.id > kMaxExtendedId) {
-        return failure(ErrorCode::InvalidInput, "CAN identifier of more than 29 bits: " + toString(frame));
+    Result<CanFrame> ready = readyForBus(frame);
+    if (!ready) {
+        return tl::unexpected(ready.error());
     }
-    if (!frame.flexibleData && frame.size > kMaxClassicPayload) {
-        return failure(ErrorCode::InvalidInput, "classic CAN frame of more than 8 bytes: " + toString(frame));
+    if (ready->size == 0) {
+        ready->setPayload(std::array{kPaddingByte});
     }
-    std::vector<std::uint8_t> payload(frame.payload().begin(), frame.payload().end());
-    payload.resize(std::max<std::size_t>(1, legalCanLength(payload.size())), kNop);
-
     // "send" picks the identifier's type by its value; only a short extended one must be forced.
-    const char* const command = frame.extended && frame.id <= kMaxStandardId ? "ext" : "send";
+    const char* const command = ready->extended && ready->id <= kMaxStandardId ? "ext" : "send";
     std::array<char, 32> head{};
-    std::snprintf(head.data(), head.size(), "can %s %04x ", command, static_cast<unsigned>(frame.id));
-    const bool bitRateSwitch = frame.flexibleData && frame.bitRateSwitch;
-    return head.data() + toHex(payload) + (bitRateSwitch ? " B" : " b") + (frame.flexibleData ? "F" : "f");
+    std::snprintf(head.data(), head.size(), "can %s %04x ", command, static_cast<unsigned>(ready->id));
+    return head.data() + toHex(ready->payload()) + (ready->bitRateSwitch ? " B" : " b") +
+           (ready->flexibleData ? "F" : "f");
 }
 
 Answer parseAnswer(std::string_view line, ChecksumRule rule)

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/can/can_interface.h"
+
+#include <QFile>
+#include <QLoggingCategory>
+
+#include <linux/can.h>
+#include <linux/can/error.h>
+#include <linux/can/raw.h>
+#include <linux/rtnetlink.h>
+#include <net/if.h>
+#include <net/if_arp.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+namespace boresight::socketcan {
+namespace {
+
+Q_LOGGING_CATEGORY(lcInterface, "boresight.can.socketcan")
+
+// Room for some thousand frames (the kernel charges about 800 bytes each), a second of a full bus.
+constexpr int kReceiveBuffer = 1 << 20;
+
+template <class Value>
+bool setOption(const FileDescriptor& socket, int level, int name, const Value& value)
+{
+    return setsockopt(socket.number(), level, name, &value, sizeof value) == 0;
+}
+
+Result<> configure(const FileDescriptor& socket)
+{
+    constexpr int kOn = 1;
+    constexpr can_err_mask_t kAllErrors = CAN_ERR_MASK;
+    if (!setOption(socket, SOL_CAN_RAW, CAN_RAW_FD_FRAMES, kOn)) {
+        return failure(ErrorCode::NotAvailable, "this kernel's SocketCAN has no CAN-FD");
+    }
+    // The rest makes diagnosis better; the bus works without it.
+    setOption(socket, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, kAllErrors);
+    setOption(socket, SOL_SOCKET, SO_RXQ_OVFL, kOn);
+    if (!setOption(socket, SOL_SOCKET, SO_RCVBUFFORCE, kReceiveBuffer)) {
+        setOption(socket, SOL_SOCKET, SO_RCVBUF, kReceiveBuffer);
+    }
+    return {};
+}
+
+ifreq requestFor(const QString& name)
+{
+    ifreq request{};
+    const QByteArray bytes = QFile::encodeName(name);
+    std::strncpy(request.ifr_name, bytes.constData(), IFNAMSIZ - 1);
+    return request;
+}
+
+std::string systemError(const std::string& name)
+{
+    return name + ": " + std::strerror(errno);
+}
+
+}  // namespace
+
+QString bringUpCommand(const QString& interface)
+{
+    if (interface.startsWith(QLatin1String("vcan"))) {
+        return QStringLiteral("ip link set %1 mtu 72 up").arg(interface);
+    }
+    return QStringLiteral(
+               "ip link set %1 up type can bitrate 1000000 dbitrate 5000000 sample-point 0.666 "
+               "dsample-point 0.666 restart-ms 1000 fd on")
+        .arg(interface);
+}
+
+Result<FileDescriptor> KernelCanInterface::openSocket()
+{
+    FileDescriptor socket(::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW));
+    if (!socket.isOpen()) {
+        if (errno == EAFNOSUPPORT || errno == EPROTONOSUPPORT) {
+            return failure(ErrorCode::NotAvailable,
+                           "this kernel has no SocketCAN: load it with `modprobe can-raw`, or use the adapter as a "
+                           "serial port with --bus fdcanusb:PATH");
+        }
+        return failure(ErrorCode::Io, systemError("CAN socket"));
+    }
+    if (const auto found = findInterface(socket.number()); !found) {
+        return tl::unexpected(found.error());
+    }
+    if (const auto configured = configure(socket); !configured) {
+        return tl::unexpected(configured.error());
+    }
+    watchChanges();  // before bind, so that no change is missed
+    sockaddr_can address{};
+    address.can_family = AF_CAN;
+    address.can_ifindex = m_index;
+    if (bind(socket.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+        return failure(ErrorCode::NoDevice, systemError(m_name.toStdString()));
+    }
+    return socket;
+}
+
+Result<> KernelCanInterface::findInterface(int socket)
+{
+    const std::string name = m_name.toStdString();
+    ifreq request = requestFor(m_name);
+    if (ioctl(socket, SIOCGIFINDEX, &request) != 0) {
+        return failure(ErrorCode::NoDevice, "there is no interface " + name +
+                                                ": is the adapter plugged in and its driver loaded? (`ip -brief link` "
+                                                "shows what is there)");
+    }
+    m_index = request.ifr_ifindex;
+    if (ioctl(socket, SIOCGIFHWADDR, &request) != 0 || request.ifr_hwaddr.sa_family != ARPHRD_CAN) {
+        return failure(ErrorCode::InvalidInput, name + " is not a CAN interface");
+    }
+    if (ioctl(socket, SIOCGIFMTU, &request) != 0 || request.ifr_mtu < static_cast<int>(CANFD_MTU)) {
+        return failure(ErrorCode::NotAvailable, name + " is not a CAN-FD interface (mtu " +
+                                                    std::to_string(request.ifr_mtu) + "): `ip link set " + name +
+                                                    " down`, then `" + bringUpCommand(m_name).toStdString() + "`");
+    }
+    return {};
+}
+
+InterfaceState KernelCanInterface::state() const
+{
+    const FileDescriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+    ifreq request = requestFor(m_name);
+    if (ioctl(socket.number(), SIOCGIFINDEX, &request) != 0 || request.ifr_ifindex != m_index) {
+        return InterfaceState::Absent;
+    }
+    if (ioctl(socket.number(), SIOCGIFFLAGS, &request) != 0) {
+        return InterfaceState::Absent;
+    }
+    return (request.ifr_flags & IFF_UP) != 0 ? InterfaceState::Up : InterfaceState::Down;
+}
+
+void KernelCanInterface::watchChanges()
+{
+    if (m_changes.isOpen()) {
+        return;
+    }
+    FileDescriptor changes(::socket(AF_NETLINK, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, NETLINK_ROUTE));
+    sockaddr_nl address{};
+    address.nl_family = AF_NETLINK;
+    address.nl_groups = RTMGRP_LINK;
+    if (bind(changes.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+        qCWarning(lcInterface) << "changes of" << m_name << "are noticed only when sending:" << std::strerror(errno);
+        return;
+    }
+    m_changes = std::move(changes);
+    m_changesNotifier = std::make_unique<QSocketNotifier>(m_changes.number(), QSocketNotifier::Read);
+    connect(m_changesNotifier.get(), &QSocketNotifier::activated, this, &KernelCanInterface::readChanges);
+}
+
+// What changed is not read from the messages: asking for the state afterwards cannot be out of date or lost.
+void KernelCanInterface::readChanges()
+{
+    std::array<char, 8192> message{};
+    ssize_t size = 0;
+    do {
+        size = recv(m_changes.number(), message.data(), message.size(), 0);
+    } while (size > 0 || (size < 0 && (errno == EINTR || errno == ENOBUFS)));
+    Q_EMIT changed();
+}
+
+}  // namespace boresight::socketcan

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/can/socketcan_link.h"
+
+#include <sys/socket.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace boresight {
+namespace {
+
+// Frames read in one go; the event loop then has its turn, however full the bus is.
+constexpr int kFramesPerTurn = 64;
+
+QString systemText(int error)
+{
+    return QString::fromLocal8Bit(std::strerror(error));
+}
+
+}  // namespace
+
+SocketCanLink::SocketCanLink(QString interface, const Clock& clock, QObject* parent)
+    : SocketCanLink(interface, std::make_unique<socketcan::KernelCanInterface>(interface), clock, parent)
+{}
+
+SocketCanLink::SocketCanLink(QString interface, std::unique_ptr<socketcan::CanInterface> access, const Clock& clock,
+                             QObject* parent)
+    : CanLink(parent), m_interface(std::move(interface)), m_access(access.release()), m_clock(clock)
+{
+    m_access->setParent(this);
+    connect(m_access, &socketcan::CanInterface::changed, this, &SocketCanLink::checkInterface);
+}
+
+SocketCanLink::~SocketCanLink() = default;
+
+QString SocketCanLink::name() const
+{
+    return QStringLiteral("socketcan:") + m_interface;
+}
+
+Result<> SocketCanLink::open()
+{
+    close();
+    auto socket = m_access->openSocket();
+    if (!socket) {
+        return tl::unexpected(socket.error());
+    }
+    m_socket = *std::move(socket);
+    m_socketDrops = 0;
+    m_trouble = {};
+    m_notifier = std::make_unique<QSocketNotifier>(m_socket.number(), QSocketNotifier::Read);
+    connect(m_notifier.get(), &QSocketNotifier::activated, this, &SocketCanLink::readSocket);
+    checkInterface();
+    if (!m_socket.isOpen()) {  // removed meanwhile
+        return failure(ErrorCode::NoDevice, m_status.text.toStdString());
+    }
+    return {};
+}
+
+void SocketCanLink::close()
+{
+    closeSocket();
+    setStatus(LinkState::Closed, {});
+}
+
+// May run inside the notifier's own signal; the number of the socket may come back with the next open().
+void SocketCanLink::closeSocket()
+{
+    if (m_notifier) {
+        m_notifier->setEnabled(false);
+        m_notifier.release()->deleteLater();
+    }
+    m_socket.reset();
+}
+
+Result<> SocketCanLink::send(std::span<const CanFrame> frames)
+{
+    if (!m_socket.isOpen()) {
+        const QString text = m_status.text.isEmpty() ? name() + QStringLiteral(" is not open") : m_status.text;
+        return failure(ErrorCode::NoDevice, text.toStdString());
+    }
+    std::vector<socketcan::RawFrame> rawFrames;
+    for (const CanFrame& frame : frames) {
+        const auto raw = socketcan::toRaw(frame);
+        if (!raw) {
+            return tl::unexpected(raw.error());
+        }
+        rawFrames.push_back(*raw);
+    }
+    for (const auto& raw : rawFrames) {
+        if (::send(m_socket.number(), &raw.frame, raw.size, MSG_NOSIGNAL) < 0) {
+            const int error = errno;
+            handleSocketError(error);
+            const QString reason = m_status.text.isEmpty() ? systemText(error) : m_status.text;
+            const auto done = std::to_string(&raw - rawFrames.data());
+            return failure(ErrorCode::Io, reason.toStdString() + " (" + done + " of " + std::to_string(frames.size()) +
+                                              " frames sent)");
+        }
+        ++m_status.sent;
+    }
+    m_trouble.transmitQueueFull = false;
+    m_trouble.interfaceDown = false;
+    updateStatus();
+    return {};
+}
+
+void SocketCanLink::readSocket()
+{
+    for (int i = 0; i < kFramesPerTurn && m_socket.isOpen(); ++i) {
+        socketcan::RawFrame raw;
+        const ssize_t size = readFrame(raw);
+        if (size < 0 && (errno == EAGAIN || errno == EINTR)) {
+            return;
+        }
+        if (size <= 0) {
+            handleSocketError(size == 0 ? ENODEV : errno);
+            return;
+        }
+        raw.size = static_cast<std::size_t>(size);
+        if (socketcan::isErrorFrame(raw)) {
+            handleErrorFrame(raw);
+        } else if (const auto frame = socketcan::fromRaw(raw)) {
+            handleFrame(*frame);
+        }
+    }
+}
+
+// One frame, and the kernel's count of frames it had no room for (SO_RXQ_OVFL).
+ssize_t SocketCanLink::readFrame(socketcan::RawFrame& raw)
+{
+    iovec buffer{.iov_base = &raw.frame, .iov_len = sizeof raw.frame};
+    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(std::uint32_t))> control{};
+    msghdr message{};
+    message.msg_iov = &buffer;
+    message.msg_iovlen = 1;
+    message.msg_control = control.data();
+    message.msg_controllen = control.size();
+    const ssize_t size = recvmsg(m_socket.number(), &message, 0);
+    if (size < 0) {
+        return size;
+    }
+    for (cmsghdr* item = CMSG_FIRSTHDR(&message); item != nullptr; item = CMSG_NXTHDR(&message, item)) {
+        if (item->cmsg_level == SOL_SOCKET && item->cmsg_type == SO_RXQ_OVFL) {
+            std::uint32_t drops = 0;
+            std::memcpy(&drops, CMSG_DATA(item), sizeof drops);
+            m_status.dropped += drops - std::exchange(m_socketDrops, drops);
+        }
+    }
+    return size;
+}
+
+// A frame that came through shows that the bus is well again; the kernel does not always say so.
+void SocketCanLink::handleFrame(const CanFrame& frame)
+{
+    CanFrame stamped = frame;
+    stamped.received = m_clock.now();
+    ++m_status.received;
+    m_trouble.busOff = false;
+    m_trouble.errorPassive = false;
+    m_trouble.noAcknowledge = false;
+    updateStatus();
+    Q_EMIT frameReceived(stamped);
+}
+
+void SocketCanLink::handleErrorFrame(const socketcan::RawFrame& raw)
+{
+    const socketcan::ErrorReport report = socketcan::readErrorFrame(raw);
+    m_status.dropped += report.receiveOverflow ? 1 : 0;
+    if (report.restarted || report.errorActive) {
+        m_trouble.busOff = false;
+        m_trouble.errorPassive = false;
+    } else {
+        ++m_status.busErrors;
+    }
+    m_trouble.busOff = m_trouble.busOff || report.busOff;
+    m_trouble.errorPassive = m_trouble.errorPassive || report.errorPassive;
+    m_trouble.noAcknowledge = m_trouble.noAcknowledge || report.noAcknowledge;
+    updateStatus();
+}
+
+void SocketCanLink::handleSocketError(int error)
+{
+    switch (error) {
+        case ENETDOWN:  // may be an old story: a socket keeps it until asked, though the interface is up again
+            checkInterface();
+            break;
+        case ENOBUFS:
+        case EAGAIN:
+            m_trouble.transmitQueueFull = true;
+            updateStatus();
+            break;
+        case ENODEV:
+        case ENXIO:
+            lose(QStringLiteral("the interface has been removed; is the adapter still plugged in?"));
+            break;
+        default:
+            lose(systemText(error));
+            break;
+    }
+}
+
+void SocketCanLink::checkInterface()
+{
+    if (!m_socket.isOpen()) {
+        return;
+    }
+    const socketcan::InterfaceState state = m_access->state();
+    if (state == socketcan::InterfaceState::Absent) {
+        handleSocketError(ENODEV);
+        return;
+    }
+    if (state == socketcan::InterfaceState::Down) {
+        m_trouble = {};  // of the controller, which starts anew with the interface
+    }
+    m_trouble.interfaceDown = state == socketcan::InterfaceState::Down;
+    updateStatus();
+}
+
+void SocketCanLink::lose(const QString& reason)
+{
+    closeSocket();
+    setStatus(LinkState::Lost, reason);
+}
+
+QString SocketCanLink::troubleText() const
+{
+    if (m_trouble.interfaceDown) {
+        return QStringLiteral("the interface is down; bring it up with `%1`")
+            .arg(socketcan::bringUpCommand(m_interface));
+    }
+    if (m_trouble.busOff) {
+        return QStringLiteral(
+                   "bus-off after too many errors: check wiring, termination and bit rates; with restart-ms "
+                   "set it comes back by itself, else `ip link set %1 type can restart`")
+            .arg(m_interface);
+    }
+    if (m_trouble.transmitQueueFull) {
+        return QStringLiteral(
+            "the transmit queue is full: nothing acknowledges our frames; are the drives powered and "
+            "connected?");
+    }
+    if (m_trouble.noAcknowledge) {
+        return QStringLiteral("nothing acknowledges our frames; are the drives powered and connected?");
+    }
+    if (m_trouble.errorPassive) {
+        return QStringLiteral("many errors on the bus (error-passive): check wiring, termination and sample points");
+    }
+    return {};
+}
+
+void SocketCanLink::updateStatus()
+{
+    const bool down = m_trouble.interfaceDown || m_trouble.busOff;
+    setStatus(down ? LinkState::Down : LinkState::Up, troubleText());
+}
+
+void SocketCanLink::setStatus(LinkState state, const QString& trouble)
+{
+    const QString text = trouble.isEmpty() ? QString() : name() + QStringLiteral(": ") + trouble;
+    if (m_status.state != state || m_status.text != text) {
+        m_status.state = state;
+        m_status.text = text;
+        Q_EMIT statusChanged(m_status);
+    }
+}
+
+}  // namespace boresight

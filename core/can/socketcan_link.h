@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/base/file_descriptor.h"
+#include "core/can/can_interface.h"
+#include "core/can/can_link.h"
+#include "core/can/socketcan_frame.h"
+
+#include <QSocketNotifier>
+
+#include <memory>
+
+// A CAN-FD bus behind a Linux network interface, by a raw AF_CAN socket. Lives on the thread of its owner's event loop.
+// Bit rates and sample points belong to the interface and are set with `ip link`. Error frames are read, so a bus that
+// nobody acknowledges, error-passive and bus-off are told apart; frames that the kernel dropped are counted.
+namespace boresight {
+
+class SocketCanLink final : public CanLink
+{
+    Q_OBJECT
+
+public:
+    // `clock` outlives the link.
+    SocketCanLink(QString interface, const Clock& clock, QObject* parent = nullptr);
+    SocketCanLink(QString interface, std::unique_ptr<socketcan::CanInterface> access, const Clock& clock,
+                  QObject* parent = nullptr);
+    ~SocketCanLink() override;
+
+    [[nodiscard]] QString name() const override;
+    [[nodiscard]] LinkStatus status() const override { return m_status; }
+    Result<> open() override;
+    void close() override;
+    Result<> send(std::span<const CanFrame> frames) override;
+
+private:
+    // All that can be wrong while the socket is open; each is shown until it is known to be over.
+    struct Trouble
+    {
+        bool interfaceDown = false;
+        bool busOff = false;
+        bool transmitQueueFull = false;
+        bool noAcknowledge = false;
+        bool errorPassive = false;
+    };
+
+    void readSocket();
+    [[nodiscard]] ssize_t readFrame(socketcan::RawFrame& raw);
+    void handleFrame(const CanFrame& frame);
+    void handleErrorFrame(const socketcan::RawFrame& raw);
+    void handleSocketError(int error);
+    void checkInterface();
+    void lose(const QString& reason);
+    void closeSocket();
+    void updateStatus();
+    void setStatus(LinkState state, const QString& trouble);
+    [[nodiscard]] QString troubleText() const;
+
+    QString m_interface;
+    socketcan::CanInterface* m_access;  // our child: moves to another thread with us
+    const Clock& m_clock;
+    FileDescriptor m_socket;
+    std::unique_ptr<QSocketNotifier> m_notifier;
+    LinkStatus m_status;
+    Trouble m_trouble;
+    std::uint32_t m_socketDrops = 0;  // what the kernel says of this socket since it was opened
+};
+
+}  // namespace boresight

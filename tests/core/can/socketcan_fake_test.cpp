@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SocketCanLink over a socket pair in place of AF_CAN: runs on any kernel and under the sanitizers. What only a real
+// interface shows is in socketcan_link_test.cpp, which runs in User-Mode Linux.
+#include "core/can/socketcan_link.h"
+#include "tests/fakes/manual_clock.h"
+#include "tests/fakes/wait_until.h"
+
+#include <QSignalSpy>
+
+#include <gmock/gmock.h>
+#include <linux/can/error.h>
+#include <sys/socket.h>
+
+#include <array>
+
+namespace boresight {
+namespace {
+
+using fakes::waitUntil;
+using socketcan::InterfaceState;
+using socketcan::RawFrame;
+using testing::HasSubstr;
+
+class FakeInterface final : public socketcan::CanInterface
+{
+public:
+    Result<FileDescriptor> openSocket() override
+    {
+        if (refusal) {
+            return tl::unexpected(*refusal);
+        }
+        std::array<int, 2> ends{};
+        EXPECT_EQ(socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK | SOCK_CLOEXEC, 0, ends.data()), 0);
+        bus = FileDescriptor(ends[1]);
+        return FileDescriptor(ends[0]);
+    }
+    [[nodiscard]] InterfaceState state() const override { return current; }
+    void become(InterfaceState state)
+    {
+        current = state;
+        Q_EMIT changed();
+    }
+    void put(const RawFrame& raw) const
+    {
+        EXPECT_EQ(::send(bus.number(), &raw.frame, raw.size, MSG_NOSIGNAL), static_cast<ssize_t>(raw.size));
+    }
+
+    std::optional<Error> refusal;
+    InterfaceState current = InterfaceState::Up;
+    FileDescriptor bus;
+};
+
+CanFrame frameTo(std::uint32_t id)
+{
+    CanFrame frame;
+    frame.id = id;
+    frame.extended = id > kMaxStandardId;
+    frame.setPayload(std::array<std::uint8_t, 1>{0x50});
+    return frame;
+}
+
+class SocketCanFakeTest : public testing::Test
+{
+protected:
+    SocketCanFakeTest() : SocketCanFakeTest(std::make_unique<FakeInterface>()) {}
+    explicit SocketCanFakeTest(std::unique_ptr<FakeInterface> access)
+        : can(*access), link(QStringLiteral("can0"), std::move(access), clock)
+    {}
+    void SetUp() override
+    {
+        ASSERT_TRUE(link.open().has_value());
+        changes.clear();
+    }
+
+    [[nodiscard]] std::string text() const { return link.status().text.toStdString(); }
+    [[nodiscard]] bool becomes(LinkState state) const
+    {
+        return waitUntil([this, state] { return link.status().state == state; });
+    }
+    void putError(canid_t errorClass, std::uint8_t controller = 0) const
+    {
+        RawFrame raw;
+        raw.size = CAN_MTU;
+        raw.frame.can_id = CAN_ERR_FLAG | errorClass;
+        raw.frame.len = CAN_ERR_DLC;
+        raw.frame.data[1] = controller;
+        can.put(raw);
+    }
+
+    fakes::ManualClock clock;
+    FakeInterface& can;
+    SocketCanLink link;
+    QSignalSpy frames{&link, &CanLink::frameReceived};
+    QSignalSpy changes{&link, &CanLink::statusChanged};
+};
+
+TEST_F(SocketCanFakeTest, FramesGoOutAndComeInStamped)
+{
+    ASSERT_TRUE(link.send(std::array{frameTo(0x8001), frameTo(0x8002)}).has_value());
+    for (const std::uint32_t id : {0x8001U, 0x8002U}) {
+        RawFrame raw;
+        raw.size = static_cast<std::size_t>(recv(can.bus.number(), &raw.frame, sizeof raw.frame, 0));
+        EXPECT_EQ(socketcan::fromRaw(raw), frameTo(id));
+    }
+    can.put(socketcan::toRaw(frameTo(0x100)).value());
+    ASSERT_TRUE(waitUntil([this] { return frames.size() == 1; }));
+    const auto frame = qvariant_cast<CanFrame>(frames.at(0).at(0));
+    EXPECT_EQ(frame, frameTo(0x100));
+    EXPECT_EQ(frame.received, clock.now());
+    EXPECT_EQ(link.status(), (LinkStatus{.state = LinkState::Up, .text = {}, .sent = 2, .received = 1}));
+}
+
+TEST_F(SocketCanFakeTest, InterfaceDownAndUpAgainIsFollowed)
+{
+    can.become(InterfaceState::Down);
+    EXPECT_EQ(link.status().state, LinkState::Down);
+    EXPECT_THAT(text(), HasSubstr("`ip link set can0 up type can bitrate 1000000 dbitrate 5000000 sample-point 0.666"));
+    can.become(InterfaceState::Up);
+    EXPECT_EQ(link.status().state, LinkState::Up);
+    EXPECT_EQ(text(), "");
+    EXPECT_EQ(changes.size(), 2);
+}
+
+TEST_F(SocketCanFakeTest, OpensAnInterfaceThatIsDown)
+{
+    can.current = InterfaceState::Down;
+    ASSERT_TRUE(link.open().has_value());
+    EXPECT_EQ(link.status().state, LinkState::Down);
+    EXPECT_THAT(text(), HasSubstr("is down"));
+}
+
+TEST_F(SocketCanFakeTest, RemovedInterfaceIsLostUntilOpenedAgain)
+{
+    can.become(InterfaceState::Absent);
+    EXPECT_EQ(link.status().state, LinkState::Lost);
+    EXPECT_THAT(text(), HasSubstr("removed"));
+    EXPECT_EQ(link.send(std::array{frameTo(0x8001)}).error().text, text());
+    can.become(InterfaceState::Up);
+    EXPECT_EQ(link.status().state, LinkState::Lost);
+    ASSERT_TRUE(link.open().has_value());
+    EXPECT_EQ(link.status().state, LinkState::Up);
+}
+
+TEST_F(SocketCanFakeTest, BusOffIsDownUntilTheControllerRestarts)
+{
+    putError(CAN_ERR_BUSOFF);
+    ASSERT_TRUE(becomes(LinkState::Down));
+    EXPECT_THAT(text(), HasSubstr("bus-off"));
+    EXPECT_EQ(link.status().busErrors, 1U);
+    can.become(InterfaceState::Up);  // the interface reports a change, but not a restart
+    EXPECT_EQ(link.status().state, LinkState::Down);
+    putError(CAN_ERR_RESTARTED);
+    ASSERT_TRUE(becomes(LinkState::Up));
+    EXPECT_EQ(text(), "");
+    EXPECT_EQ(link.status().busErrors, 1U);
+}
+
+TEST_F(SocketCanFakeTest, ErrorPassiveAndMissingAcknowledgeAreSaidUntilAFrameComesThrough)
+{
+    putError(CAN_ERR_CRTL, CAN_ERR_CRTL_TX_PASSIVE);
+    ASSERT_TRUE(waitUntil([this] { return link.status().busErrors == 1; }));
+    EXPECT_THAT(text(), HasSubstr("error-passive"));
+    putError(CAN_ERR_ACK);
+    ASSERT_TRUE(waitUntil([this] { return link.status().busErrors == 2; }));
+    EXPECT_THAT(text(), HasSubstr("nothing acknowledges"));
+    EXPECT_EQ(link.status().state, LinkState::Up);
+    can.put(socketcan::toRaw(frameTo(0x100)).value());
+    ASSERT_TRUE(waitUntil([this] { return frames.size() == 1; }));
+    EXPECT_EQ(text(), "");
+}
+
+TEST_F(SocketCanFakeTest, FloodOfErrorFramesIsCountedWithoutASignalForEach)
+{
+    for (int i = 0; i < 50; ++i) {
+        putError(CAN_ERR_PROT | CAN_ERR_BUSERROR);
+        putError(CAN_ERR_CRTL, CAN_ERR_CRTL_RX_OVERFLOW);
+    }
+    ASSERT_TRUE(waitUntil([this] { return link.status().busErrors == 100; }));
+    EXPECT_EQ(link.status().dropped, 50U);
+    EXPECT_EQ(changes.size(), 0);
+}
+
+TEST_F(SocketCanFakeTest, FullTransmitQueueTellsHowManyFramesLeft)
+{
+    std::vector<CanFrame> batch(100000, frameTo(0x8001));  // far more than a socket buffer holds; nobody reads
+    const auto result = link.send(batch);
+    ASSERT_FALSE(result.has_value());
+    const auto sent = link.status().sent;
+    EXPECT_GT(sent, 0U);
+    EXPECT_THAT(result.error().text, HasSubstr("transmit queue is full"));
+    EXPECT_THAT(result.error().text, HasSubstr("(" + std::to_string(sent) + " of 100000 frames sent)"));
+    EXPECT_EQ(link.status().state, LinkState::Up);
+
+    RawFrame raw;
+    while (recv(can.bus.number(), &raw.frame, sizeof raw.frame, 0) > 0) {
+    }
+    ASSERT_TRUE(link.send(std::array{frameTo(0x8001)}).has_value());
+    EXPECT_EQ(text(), "");
+}
+
+TEST_F(SocketCanFakeTest, ImpossibleFrameIsRefusedAndNothingOfTheBatchIsSent)
+{
+    EXPECT_EQ(link.send(std::array{frameTo(0x8001), frameTo(0x20000000)}).error().code, ErrorCode::InvalidInput);
+    EXPECT_EQ(link.status().sent, 0U);
+}
+
+TEST_F(SocketCanFakeTest, BrokenSocketIsLostNotIgnored)
+{
+    can.bus.reset();
+    EXPECT_TRUE(becomes(LinkState::Lost));
+}
+
+TEST_F(SocketCanFakeTest, ReceiverMayCloseTheLink)
+{
+    QObject::connect(&link, &CanLink::frameReceived, &link, &CanLink::close);
+    can.put(socketcan::toRaw(frameTo(0x100)).value());
+    can.put(socketcan::toRaw(frameTo(0x200)).value());
+    ASSERT_TRUE(becomes(LinkState::Closed));
+    EXPECT_EQ(frames.size(), 1);
+    EXPECT_THAT(link.send(std::array{frameTo(0x8001)}).error().text, HasSubstr("not open"));
+}
+
+TEST_F(SocketCanFakeTest, OpenErrorIsPassedOn)
+{
+    can.refusal = Error{ErrorCode::NoDevice, "there is no interface can0"};
+    EXPECT_EQ(link.open().error(), *can.refusal);
+    EXPECT_EQ(link.status().state, LinkState::Closed);
+}
+
+}  // namespace
+}  // namespace boresight

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SocketCanLink on the kernel's own CAN stack. Needs vcan interfaces and the right to change them, so ctest runs it in
+// User-Mode Linux (tests/system/uml_can_run.sh). can-utils are the independent witness.
+#include "core/can/socketcan_link.h"
+
+#include "tests/fakes/wait_until.h"
+
+#include <QProcess>
+#include <QSignalSpy>
+#include <QStandardPaths>
+
+#include <gmock/gmock.h>
+#include <linux/can.h>
+#include <sys/socket.h>
+
+#include <array>
+#include <cstdlib>
+
+namespace boresight {
+namespace {
+
+using fakes::waitUntil;
+using testing::HasSubstr;
+
+bool run(const std::string& command)
+{
+    return std::system(command.c_str()) == 0;
+}
+
+CanFrame frameTo(std::uint32_t id, std::size_t size = 1)
+{
+    CanFrame frame;
+    frame.id = id;
+    frame.extended = id > kMaxStandardId;
+    frame.setPayload(std::vector<std::uint8_t>(size, 0x11));
+    return frame;
+}
+
+class SocketCanLinkTest : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        const bool inUml = qEnvironmentVariableIsSet("BORESIGHT_UML");
+        const FileDescriptor probe(socket(PF_CAN, SOCK_RAW, 0));
+        const bool usable = (probe.isOpen() || errno == EPROTONOSUPPORT) &&
+                            run("ip link add boresight0 type vcan && ip link set boresight0 mtu 72 up");
+        if (!usable && !inUml) {
+            GTEST_SKIP() << "this kernel has no AF_CAN, or vcan interfaces may not be made here";
+        }
+        ASSERT_TRUE(usable);
+        const auto opened = link.open();
+        ASSERT_TRUE(opened.has_value()) << opened.error().text;
+    }
+    void TearDown() override { static_cast<void>(run("ip link del boresight0 2>/dev/null")); }
+
+    [[nodiscard]] std::string text() const { return link.status().text.toStdString(); }
+    [[nodiscard]] bool becomes(LinkState state) const
+    {
+        return waitUntil([this, state] { return link.status().state == state; });
+    }
+    [[nodiscard]] CanFrame received(qsizetype index) const { return qvariant_cast<CanFrame>(frames.at(index).at(0)); }
+
+    SystemClock clock;
+    SocketCanLink link{QStringLiteral("boresight0"), clock};
+    QSignalSpy frames{&link, &CanLink::frameReceived};
+};
+
+TEST_F(SocketCanLinkTest, TwoLinksOnOneBusHearEachOtherAndNotThemselves)
+{
+    SocketCanLink other(QStringLiteral("boresight0"), clock);
+    QSignalSpy heard(&other, &CanLink::frameReceived);
+    ASSERT_TRUE(other.open().has_value());
+    ASSERT_TRUE(link.send(std::array{frameTo(0x8001, 64), frameTo(0x7ff, 8), frameTo(0x1fffffff, 0)}).has_value());
+    ASSERT_TRUE(waitUntil([&heard] { return heard.size() == 3; }));
+    EXPECT_EQ(qvariant_cast<CanFrame>(heard.at(0).at(0)), frameTo(0x8001, 64));
+    EXPECT_EQ(qvariant_cast<CanFrame>(heard.at(1).at(0)), frameTo(0x7ff, 8));
+    EXPECT_EQ(qvariant_cast<CanFrame>(heard.at(2).at(0)), frameTo(0x1fffffff, 0));
+    ASSERT_TRUE(other.send(std::array{frameTo(0x100)}).has_value());
+    ASSERT_TRUE(waitUntil([this] { return frames.size() == 1; }));
+    EXPECT_EQ(received(0), frameTo(0x100));
+    EXPECT_EQ(link.status().sent, 3U);
+    EXPECT_EQ(link.status().received, 1U);
+}
+
+TEST_F(SocketCanLinkTest, CandumpSeesFlagsIdentifiersAndPadding)
+{
+    if (QStandardPaths::findExecutable(QStringLiteral("candump")).isEmpty()) {
+        GTEST_SKIP() << "no candump (can-utils)";
+    }
+    QProcess candump;
+    candump.start(QStringLiteral("candump"), {QStringLiteral("-L"), QStringLiteral("boresight0")});
+    QByteArray seen;
+    const auto sawAll = [&candump, &seen] {
+        seen += candump.readAllStandardOutput();
+        return seen.contains("101##");
+    };
+    CanFrame slow = frameTo(0x101, 2);
+    slow.bitRateSwitch = false;
+    CanFrame classic = frameTo(0x102, 2);
+    classic.flexibleData = false;
+    QTimer again;  // candump does not say when it listens, so the batch is repeated until it does
+    QObject::connect(&again, &QTimer::timeout, &again, [this, &slow, &classic] {
+        EXPECT_TRUE(link.send(std::array{frameTo(0x8001, 9), frameTo(0x100, 3), classic, slow}).has_value());
+    });
+    again.start(20);
+    const bool saw = waitUntil(sawAll);
+    again.stop();
+    candump.kill();
+    candump.waitForFinished();
+    ASSERT_TRUE(saw) << seen.toStdString();
+    // "##": CAN-FD; the digit after it: the flags, of which 1 is the bit-rate switch and 4 only says CAN-FD again.
+    const std::string lines = seen.toStdString();
+    EXPECT_THAT(lines, testing::ContainsRegex("boresight0 00008001##[15]111111111111111111505050\n"));
+    EXPECT_THAT(lines, testing::ContainsRegex("boresight0 100##[15]111111\n"));
+    EXPECT_THAT(lines, testing::ContainsRegex("boresight0 101##[04]1111\n"));
+    EXPECT_THAT(lines, testing::ContainsRegex("boresight0 102#1111\n"));
+}
+
+TEST_F(SocketCanLinkTest, FramesOfCansendAreRead)
+{
+    if (QStandardPaths::findExecutable(QStringLiteral("cansend")).isEmpty()) {
+        GTEST_SKIP() << "no cansend (can-utils)";
+    }
+    ASSERT_TRUE(
+        run("cansend boresight0 100##1.210000 && cansend boresight0 00001E00##0.50 && "
+            "cansend boresight0 123#1122 && cansend boresight0 124#R"));
+    ASSERT_TRUE(waitUntil([this] { return frames.size() == 3; }));
+    EXPECT_EQ(toString(received(0)), "100 [3] 21 00 00");
+    EXPECT_TRUE(received(0).flexibleData && received(0).bitRateSwitch && !received(0).extended);
+    EXPECT_EQ(toString(received(1)), "1e00 [1] 50");
+    EXPECT_TRUE(received(1).flexibleData && !received(1).bitRateSwitch && received(1).extended);
+    EXPECT_EQ(toString(received(2)), "123 [2] 11 22");
+    EXPECT_TRUE(!received(2).flexibleData && !received(2).bitRateSwitch && !received(2).extended);
+}
+
+TEST_F(SocketCanLinkTest, ErrorFramesOfTheKernelAreUnderstood)
+{
+    if (QStandardPaths::findExecutable(QStringLiteral("cansend")).isEmpty()) {
+        GTEST_SKIP() << "no cansend (can-utils)";
+    }
+    ASSERT_TRUE(run("cansend boresight0 20000040#0000000000000000"));
+    ASSERT_TRUE(becomes(LinkState::Down));
+    EXPECT_THAT(text(), HasSubstr("bus-off"));
+    ASSERT_TRUE(run("cansend boresight0 20000100#0000000000000000"));
+    ASSERT_TRUE(becomes(LinkState::Up));
+    ASSERT_TRUE(run("cansend boresight0 20000004#0020000000000000"));
+    ASSERT_TRUE(waitUntil([this] { return !text().empty(); }));
+    EXPECT_THAT(text(), HasSubstr("error-passive"));
+    EXPECT_EQ(link.status().received, 0U);
+}
+
+TEST_F(SocketCanLinkTest, DownAndUpAreNoticedWithoutSending)
+{
+    ASSERT_TRUE(run("ip link set boresight0 down"));
+    ASSERT_TRUE(becomes(LinkState::Down));
+    EXPECT_THAT(text(), HasSubstr("is down; bring it up with `ip link set boresight0 up"));
+    const auto sent = link.send(std::array{frameTo(0x8001)});
+    ASSERT_FALSE(sent.has_value());
+    EXPECT_THAT(sent.error().text, HasSubstr("is down"));
+    ASSERT_TRUE(run("ip link set boresight0 up"));
+    ASSERT_TRUE(becomes(LinkState::Up));
+    EXPECT_EQ(text(), "");
+    EXPECT_TRUE(link.send(std::array{frameTo(0x8001)}).has_value());
+}
+
+TEST_F(SocketCanLinkTest, SendIntoAnInterfaceThatWentDownFailsBeforeAnyEvent)
+{
+    ASSERT_TRUE(run("ip link set boresight0 down"));
+    EXPECT_FALSE(link.send(std::array{frameTo(0x8001)}).has_value());
+    EXPECT_EQ(link.status().state, LinkState::Down);
+}
+
+TEST_F(SocketCanLinkTest, OpensAnInterfaceThatIsDownAndComesUpWithIt)
+{
+    link.close();
+    ASSERT_TRUE(run("ip link set boresight0 down"));
+    ASSERT_TRUE(link.open().has_value());
+    EXPECT_EQ(link.status().state, LinkState::Down);
+    ASSERT_TRUE(run("ip link set boresight0 up"));
+    ASSERT_TRUE(becomes(LinkState::Up));
+    EXPECT_TRUE(link.send(std::array{frameTo(0x8001)}).has_value());
+}
+
+TEST_F(SocketCanLinkTest, RemovedInterfaceIsLostAndOpensAgainWhenItIsBack)
+{
+    ASSERT_TRUE(run("ip link del boresight0"));
+    ASSERT_TRUE(becomes(LinkState::Lost));
+    EXPECT_THAT(text(), HasSubstr("removed"));
+    EXPECT_THAT(link.open().error().text, HasSubstr("there is no interface boresight0"));
+    ASSERT_TRUE(run("ip link add boresight0 type vcan && ip link set boresight0 mtu 72 up"));
+    ASSERT_TRUE(link.open().has_value());
+    EXPECT_TRUE(link.send(std::array{frameTo(0x8001)}).has_value());
+}
+
+TEST_F(SocketCanLinkTest, SendIntoARemovedInterfaceIsLost)
+{
+    ASSERT_TRUE(run("ip link del boresight0"));
+    EXPECT_FALSE(link.send(std::array{frameTo(0x8001)}).has_value());
+    EXPECT_EQ(link.status().state, LinkState::Lost);
+}
+
+// An interface of the same name is another one: the old socket hears nothing of it.
+TEST_F(SocketCanLinkTest, ReplacedInterfaceIsLost)
+{
+    ASSERT_TRUE(run("ip link del boresight0 && ip link add boresight0 type vcan && ip link set boresight0 mtu 72 up"));
+    EXPECT_TRUE(becomes(LinkState::Lost));
+}
+
+TEST_F(SocketCanLinkTest, OpenErrorsNameTheRemedy)
+{
+    SocketCanLink loopback(QStringLiteral("lo"), clock);
+    EXPECT_THAT(loopback.open().error().text, HasSubstr("lo is not a CAN interface"));
+    link.close();
+    ASSERT_TRUE(run("ip link set boresight0 down && ip link set boresight0 mtu 16 up"));
+    EXPECT_THAT(link.open().error().text, HasSubstr("boresight0 is not a CAN-FD interface (mtu 16): `ip link set"));
+}
+
+TEST_F(SocketCanLinkTest, FramesThatTheKernelDropsAreCounted)
+{
+    SocketCanLink talker(QStringLiteral("boresight0"), clock);
+    ASSERT_TRUE(talker.open().has_value());
+    constexpr std::uint64_t kFrames = 20000;  // the receive buffer holds about 1,300 while nobody reads
+    const std::vector<CanFrame> burst(kFrames, frameTo(0x8001, 64));
+    ASSERT_TRUE(talker.send(burst).has_value());
+    const auto allAccounted = [this, &talker] {
+        // The count of lost frames comes with the next frame that is received.
+        static_cast<void>(talker.send(std::array{frameTo(0x8002)}));
+        return link.status().received + link.status().dropped >= kFrames;
+    };
+    ASSERT_TRUE(waitUntil(allAccounted));
+    EXPECT_GT(link.status().dropped, 0U);
+    EXPECT_GT(link.status().received, 500U);
+    EXPECT_EQ(link.status().received, static_cast<std::uint64_t>(frames.size()));
+}
+
+// A token bucket of one small frame in front of the interface: the kernel answers ENOBUFS, as a real adapter does when
+// nothing on the bus acknowledges.
+TEST_F(SocketCanLinkTest, FullTransmitQueueStopsTheBatchAndIsSaid)
+{
+    if (!run("modprobe -d /run/uml sch_tbf 2>/dev/null && "
+             "tc qdisc add dev boresight0 root tbf rate 8bit burst 80 limit 160")) {
+        GTEST_SKIP() << "no token bucket filter here";
+    }
+    const std::vector<CanFrame> batch(20, frameTo(0x8001));
+    const auto result = link.send(batch);
+    ASSERT_FALSE(result.has_value());
+    EXPECT_THAT(result.error().text, HasSubstr("transmit queue is full"));
+    EXPECT_THAT(result.error().text, HasSubstr("of 20 frames sent"));
+    EXPECT_LT(link.status().sent, 20U);
+    EXPECT_EQ(link.status().state, LinkState::Up);
+    ASSERT_TRUE(run("tc qdisc del dev boresight0 root"));
+    ASSERT_TRUE(link.send(std::array{frameTo(0x8001)}).has_value());
+    EXPECT_EQ(text(), "");
+}
+
+}  // namespace
+}  // namespace boresight

@@ -1,0 +1,108 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Runs a command where real SocketCAN exists: inside User-Mode Linux (Debian package user-mode-linux), a kernel that
+# runs as an ordinary process in about 2 s, without root. The guest's root is this machine's file tree, read-write, so
+# what was built here runs there as it is, in the same folder and environment (plus BORESIGHT_UML=1).
+#
+#   uml_can_run.sh [-m MEMORY] [-t SECONDS] [-n INTERFACES] [-l KERNEL_LOG] [--] COMMAND [ARGUMENT…]
+#     -m 512M   guest memory          -t 120  time limit
+#     -n 2      vcan0 … vcan(n-1), CAN-FD, up          -l FILE keeps the kernel's log
+#
+# Status: the command's own; 77 where UML or CAN in it is not to be had (ctest: skipped), with the reason on stderr;
+# 124 after the time limit; 125 if UML died under the command. stdout and stderr stay apart.
+set -u
+
+memory=512M limit=120 interfaces=2 keep_log=
+while [ $# -gt 0 ]; do
+  case $1 in
+    -m) memory=$2; shift 2 ;;
+    -t) limit=$2; shift 2 ;;
+    -n) interfaces=$2; shift 2 ;;
+    -l) keep_log=$2; shift 2 ;;
+    --) shift; break ;;
+    -*) echo "uml_can_run: unknown option $1" >&2; exit 2 ;;
+    *) break ;;
+  esac
+done
+if [ $# -eq 0 ]; then
+  echo "usage: uml_can_run.sh [-m MEMORY] [-t SECONDS] [-n INTERFACES] [-l KERNEL_LOG] [--] COMMAND [ARGUMENT…]" >&2
+  exit 2
+fi
+
+skip() { echo "uml_can_run: skipped: $1" >&2; exit 77; }
+
+PATH=$PATH:/usr/sbin:/sbin
+for need in linux.uml:user-mode-linux modprobe:kmod ip:iproute2; do
+  command -v "${need%:*}" >/dev/null || skip "no ${need%:*} (apt install ${need#*:})"
+done
+
+dir=$(mktemp -d "${TMPDIR:-/tmp}/uml_can.XXXXXX")
+trap 'rm -rf "$dir"' EXIT
+
+# Command and environment travel as shell text on the shared file tree: nothing has to be quoted for the kernel line.
+{
+  export -p | grep -vE '^declare -[a-z]*r?x[a-z]* (BASHOPTS|SHELLOPTS|EUID|PPID|UID)='
+  printf 'cd %q\n' "$PWD"
+} >"$dir/environment"
+printf '%q ' "$@" >"$dir/command"
+
+# The guest's first process. It ends by writing the status and switching the machine off.
+{
+  printf '#!/bin/bash\ndir=%q interfaces=%q\n' "$dir" "$interfaces"
+  cat <<'INIT'
+export PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin
+power_off() { sync; echo o >/proc/sysrq-trigger; exec sleep 10; }  # the kernel ends while we wait
+no_can() { echo "$1" >"$dir/no_can"; power_off; }
+
+mount -t proc proc /proc
+mount -t sysfs sys /sys
+grep -q ' /dev devtmpfs' /proc/mounts || mount -t devtmpfs dev /dev
+mkdir -p /dev/pts /dev/shm
+mount -t devpts pts /dev/pts
+mount -t tmpfs -o mode=1777 shm /dev/shm
+mount -t tmpfs -o mode=755 run /run
+stty -F /dev/tty1 raw -echo
+stty -F /dev/tty2 raw -echo
+
+# Debian keeps UML's modules outside /lib/modules, where modprobe would look.
+version=$(uname -r)
+mkdir -p "/run/uml/lib/modules/$version"
+mount --bind "/usr/lib/uml/modules/$version" "/run/uml/lib/modules/$version"
+for module in can can-raw vcan; do
+  modprobe -d /run/uml "$module" || no_can "the guest kernel $version has no module $module"
+done
+ip link set lo up
+for ((i = 0; i < interfaces; i++)); do
+  ip link add "vcan$i" type vcan && ip link set "vcan$i" mtu 72 up || no_can "vcan$i could not be made"
+done
+: >"$dir/ready"
+(
+  . "$dir/environment"
+  export BORESIGHT_UML=1
+  eval "exec $(cat "$dir/command")"
+) </dev/null >/dev/tty1 2>/dev/tty2
+echo $? >"$dir/status"
+stty -F /dev/tty1 sane
+power_off
+INIT
+} >"$dir/init"
+chmod +x "$dir/init"
+
+# Console 1 is our stdout, console 2 our stderr; console 0 and the kernel's messages go to the log.
+exec 3>&1 4>&2
+timeout -k 5 "$limit" linux.uml mem="$memory" root=/dev/root rootfstype=hostfs rootflags=/ rw init="$dir/init" \
+  con=null ssl=null con0=null,fd:1 con1=null,fd:3 con2=null,fd:4 uml_dir="$dir/" umid=guest quiet \
+  random.trust_cpu=on </dev/null >"$dir/log" 2>&1
+uml_status=$?
+[ -z "$keep_log" ] || cp "$dir/log" "$keep_log"
+
+[ -s "$dir/status" ] && exit "$(cat "$dir/status")"
+[ -s "$dir/no_can" ] && skip "$(cat "$dir/no_can")"
+if [ $uml_status = 124 ] || [ $uml_status = 137 ]; then
+  echo "uml_can_run: stopped after $limit s" >&2
+  exit 124
+fi
+tail -n 20 "$dir/log" >&2
+[ -e "$dir/ready" ] || skip "User-Mode Linux does not boot here (status $uml_status, its log is above)"
+echo "uml_can_run: User-Mode Linux died under the command (status $uml_status, its log is above)" >&2
+exit 125
