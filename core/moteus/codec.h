@@ -43,9 +43,9 @@ struct Request
     std::uint8_t destination = 1;
     std::uint16_t prefix = 0;
     std::uint8_t source = kHostId;
-    std::optional<UuidMask> uuid;    // usually with destination = kBroadcastId
-    std::optional<Command> command;  // nothing: a plain query
-    Query query;
+    std::optional<UuidMask> uuid{};    // usually with destination = kBroadcastId
+    std::optional<Command> command{};  // nothing: a plain query
+    Query query{};
     bool replyWanted = true;  // a drive asked without it stays silent
 };
 
@@ -71,8 +71,8 @@ struct RegisterError
 struct TunnelText
 {
     std::uint32_t channel = 0;
-    std::optional<std::uint8_t> number;
-    std::string text;
+    std::optional<std::uint8_t> number{};
+    std::string text{};
 
     bool operator==(const TunnelText&) const = default;
 };
@@ -82,9 +82,9 @@ struct Reply
     std::uint8_t source = 0;
     std::uint8_t destination = 0;
     std::uint16_t prefix = 0;
-    std::vector<RegisterValue> values;  // in order of appearance; NaN is "unset"
-    std::vector<RegisterError> errors;
-    std::vector<TunnelText> texts;
+    std::vector<RegisterValue> values{};  // in order of appearance; NaN is "unset"
+    std::vector<RegisterError> errors{};
+    std::vector<TunnelText> texts{};
     ParseEnd end = ParseEnd::Complete;  // anything else: the tail is missing or unreadable
 
     // Empty if the reply does not have the register or its value is unset.

@@ -42,67 +42,67 @@ struct Brake  // phases shorted: passive damping, no holding torque, no watchdog
 
 struct ZeroVelocity  // damping only, no watchdog
 {
-    std::optional<Field> kdScale;
+    std::optional<Field> kdScale{};
 };
 
 // The drive follows position + velocity·t from the arrival of the command, within the limits.
 struct PositionCommand
 {
-    std::optional<Field> position;
-    std::optional<Field> velocity;
-    std::optional<Field> feedforwardTorque;
-    std::optional<Field> kpScale;
-    std::optional<Field> kdScale;
-    std::optional<Field> maximumTorque;
-    std::optional<Field> stopPosition;  // deprecated: fault 45 with any limit in force
-    std::optional<Field> watchdogTimeout;
-    std::optional<Field> velocityLimit;
-    std::optional<Field> accelerationLimit;
-    std::optional<Field> fixedVoltage;
-    std::optional<Field> integralLimitScale;
-    std::optional<Field> fixedCurrent;
-    std::optional<Field> ignorePositionBounds;
+    std::optional<Field> position{};
+    std::optional<Field> velocity{};
+    std::optional<Field> feedforwardTorque{};
+    std::optional<Field> kpScale{};
+    std::optional<Field> kdScale{};
+    std::optional<Field> maximumTorque{};
+    std::optional<Field> stopPosition{};  // deprecated: fault 45 with any limit in force
+    std::optional<Field> watchdogTimeout{};
+    std::optional<Field> velocityLimit{};
+    std::optional<Field> accelerationLimit{};
+    std::optional<Field> fixedVoltage{};
+    std::optional<Field> integralLimitScale{};
+    std::optional<Field> fixedCurrent{};
+    std::optional<Field> ignorePositionBounds{};
 };
 
 struct StayWithin
 {
-    std::optional<Field> lower;
-    std::optional<Field> upper;
-    std::optional<Field> feedforwardTorque;
-    std::optional<Field> kpScale;
-    std::optional<Field> kdScale;
-    std::optional<Field> maximumTorque;
-    std::optional<Field> watchdogTimeout;
-    std::optional<Field> integralLimitScale;
-    std::optional<Field> ignorePositionBounds;
+    std::optional<Field> lower{};
+    std::optional<Field> upper{};
+    std::optional<Field> feedforwardTorque{};
+    std::optional<Field> kpScale{};
+    std::optional<Field> kdScale{};
+    std::optional<Field> maximumTorque{};
+    std::optional<Field> watchdogTimeout{};
+    std::optional<Field> integralLimitScale{};
+    std::optional<Field> ignorePositionBounds{};
 };
 
 // The five bench modes have no watchdog: never leave one running.
 struct PwmCommand
 {
-    std::optional<Field> a, b, c;
+    std::optional<Field> a{}, b{}, c{};
 };
 
 struct VoltageCommand
 {
-    std::optional<Field> a, b, c;
+    std::optional<Field> a{}, b{}, c{};
 };
 
 struct VoltageFocCommand
 {
-    std::optional<Field> theta;  // rad, electrical
-    std::optional<Field> voltage;
-    std::optional<Field> thetaRate;  // rad/s
+    std::optional<Field> theta{};  // rad, electrical
+    std::optional<Field> voltage{};
+    std::optional<Field> thetaRate{};  // rad/s
 };
 
 struct VoltageDqCommand
 {
-    std::optional<Field> d, q;
+    std::optional<Field> d{}, q{};
 };
 
 struct CurrentCommand
 {
-    std::optional<Field> q, d;
+    std::optional<Field> q{}, d{};
 };
 
 // The following four write a register without a mode: no motion command, they do not feed the watchdog.

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/moteus/diagnostic.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace boresight::moteus {
+namespace {
+
+constexpr std::size_t kMaxPart = 61;        // 64 bytes less type, channel and length
+constexpr std::uint32_t kMaxPoll = 48;      // the drive caps it further, at 38 or 39
+constexpr std::size_t kMaxAnswer = 262144;  // a whole `conf enumerate` is about 30 kB
+
+bool isLineEnd(char c)
+{
+    return c == '\r' || c == '\n';
+}
+
+bool hasBinaryAnswer(std::string_view command)
+{
+    static constexpr std::array<std::string_view, 3> kBinary{"conf schema", "conf data", "tel schema"};
+    return std::ranges::any_of(kBinary, [&](std::string_view start) { return command.starts_with(start); });
+}
+
+Result<> checkCommand(std::string_view command)
+{
+    if (command.empty() || command.size() > kMaxDiagnosticCommand) {
+        return failure(ErrorCode::OutOfRange, "a diagnostic command has 1 to 100 characters");
+    }
+    if (std::ranges::any_of(command, isLineEnd)) {
+        return failure(ErrorCode::InvalidInput, "a diagnostic command is one line");
+    }
+    if (hasBinaryAnswer(command)) {
+        return failure(ErrorCode::NotAvailable, "the answer to \"" + std::string(command) + "\" is not text");
+    }
+    return {};
+}
+
+std::span<const std::uint8_t> bytesOf(std::string_view text, std::array<std::uint8_t, kMaxPart>& storage)
+{
+    std::ranges::copy(text, storage.begin());
+    return std::span(storage).first(text.size());
+}
+
+}  // namespace
+
+Result<> DiagnosticClient::start(std::string_view command)
+{
+    if (isBusy()) {
+        return failure(ErrorCode::Busy, "the drive's console still works on the previous command");
+    }
+    if (auto checked = checkCommand(command); !checked) {
+        return checked;
+    }
+    // With telemetry running the channel never falls silent; this is the command that ends it.
+    m_state = command == "tel stop" ? State::Sending : State::Draining;
+    m_awaitingReply = false;
+    m_answerIsOneLine = command.starts_with("conf get ");
+    m_unsent = std::string(command) + '\n';
+    m_text.clear();
+    m_lines.clear();
+    m_received = 0;
+    m_silences = 0;
+    m_emptyAnswers = 0;
+    return {};
+}
+
+std::optional<CanFrame> DiagnosticClient::nextFrame()
+{
+    if (!isBusy() || m_awaitingReply) {
+        return std::nullopt;
+    }
+    if (m_state == State::Sending) {
+        return sendPart();
+    }
+    m_awaitingReply = true;
+    return poll();
+}
+
+CanFrame DiagnosticClient::frame(const Subframe& subframe, bool replyWanted) const
+{
+    SubframeWriter writer;
+    writer.append(subframe);
+    return makeFrame({.prefix = m_settings.prefix,
+                      .replyWanted = replyWanted,
+                      .source = m_settings.source,
+                      .destination = m_settings.destination},
+                     writer.bytes());
+}
+
+CanFrame DiagnosticClient::sendPart()
+{
+    const std::string part = m_unsent.substr(0, kMaxPart);
+    m_unsent.erase(0, part.size());
+    if (m_unsent.empty()) {
+        m_state = State::Polling;
+    }
+    std::array<std::uint8_t, kMaxPart> storage{};
+    return frame(TunnelToDevice{kDiagnosticChannel, bytesOf(part, storage)}, false);
+}
+
+CanFrame DiagnosticClient::poll() const
+{
+    if (m_flowControl) {
+        return frame(TunnelPollFlow{kDiagnosticChannel, m_lastPacket, kMaxPoll}, true);
+    }
+    return frame(TunnelPoll{kDiagnosticChannel, kMaxPoll}, true);
+}
+
+void DiagnosticClient::handleReply(const Reply& reply)
+{
+    if (!m_awaitingReply || reply.source != m_settings.destination || reply.destination != m_settings.source ||
+        reply.prefix != m_settings.prefix) {
+        return;
+    }
+    const auto found = std::ranges::find(reply.texts, kDiagnosticChannel, &TunnelText::channel);
+    if (found != reply.texts.end()) {
+        m_awaitingReply = false;
+        m_silences = 0;
+        handleText(isNews(*found) ? found->text : std::string());
+    } else if (m_flowControl && reply.values.empty() && reply.errors.empty() && reply.texts.empty()) {
+        m_awaitingReply = false;  // old firmware answers 0x44 with an empty frame: ask again the old way
+        m_flowControl = false;
+    }
+}
+
+// With flow control the same number again is a late copy of a packet already taken. Not while draining: the drive may
+// have been restarted and count from zero.
+bool DiagnosticClient::isNews(const TunnelText& text)
+{
+    if (!text.number) {
+        return !m_flowControl;
+    }
+    const bool news = m_flowControl && (*text.number != m_lastPacket || m_state == State::Draining);
+    m_lastPacket = *text.number;
+    return news;
+}
+
+void DiagnosticClient::handleText(const std::string& text)
+{
+    m_received += text.size();
+    m_emptyAnswers = text.empty() ? m_emptyAnswers + 1 : 0;
+    if (m_received > kMaxAnswer) {
+        finish(failure(ErrorCode::Protocol, "the drive's console does not stop talking; send \"tel stop\""));
+    } else if (m_state == State::Draining && text.empty()) {
+        m_state = State::Sending;
+        m_received = 0;
+    } else if (m_emptyAnswers > m_settings.maxEmptyAnswers) {
+        finish(failure(ErrorCode::NoAnswer, "the drive's console did not answer the command"));
+    } else if (m_state == State::Polling) {
+        m_text += text;
+        for (auto end = m_text.find('\n'); end != std::string::npos && isBusy(); end = m_text.find('\n')) {
+            std::string line = m_text.substr(0, end);
+            m_text.erase(0, end + 1);
+            std::erase(line, '\r');
+            handleLine(line);
+        }
+    }
+}
+
+void DiagnosticClient::handleLine(const std::string& line)
+{
+    if (line.empty()) {
+        return;
+    }
+    if (line.starts_with("ERR")) {
+        finish(failure(ErrorCode::Refused, "the drive says: " + line));
+    } else if (m_answerIsOneLine) {
+        finish(Lines{line});
+    } else if (line == "OK") {
+        finish(std::exchange(m_lines, {}));
+    } else {
+        m_lines.push_back(line);
+    }
+}
+
+void DiagnosticClient::handleSilence()
+{
+    if (!m_awaitingReply) {
+        return;
+    }
+    m_awaitingReply = false;
+    ++m_silences;
+    if (m_silences >= m_settings.maxSilences) {
+        finish(failure(ErrorCode::NoAnswer,
+                       "drive " + std::to_string(m_settings.destination) + " does not answer on its console"));
+    } else if (!m_flowControl && m_state == State::Polling) {
+        finish(failure(ErrorCode::NoAnswer, "a part of the answer was lost; repeat the command"));
+    }
+}
+
+void DiagnosticClient::finish(Result<Lines> answer)
+{
+    m_answer = std::move(answer);
+    m_state = State::Finished;
+    m_awaitingReply = false;
+}
+
+Result<DiagnosticClient::Lines> DiagnosticClient::takeAnswer()
+{
+    if (m_state != State::Finished) {
+        return failure(ErrorCode::NoAnswer, "the drive's console has no answer ready");
+    }
+    m_state = State::Idle;
+    return std::exchange(m_answer, Lines{});
+}
+
+}  // namespace boresight::moteus
