@@ -151,8 +151,8 @@ void FdcanusbLink::readPort()
 
 void FdcanusbLink::handleLine(std::string_view line)
 {
-    if (!m_port.isOpen()) {
-        return;  // closed by the receiver of an earlier line
+    if (m_status.state == LinkState::Closed || m_status.state == LinkState::Lost) {
+        return;  // closed by the receiver of an earlier line, or the last words of an adapter that is gone
     }
     const auto rule =
         m_checksum == LineChecksum::On ? fdcanusb::ChecksumRule::Require : fdcanusb::ChecksumRule::VerifyIfPresent;
