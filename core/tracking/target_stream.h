@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/units/sky.h"
 
+#include <array>
 #include <deque>
 #include <optional>
 
@@ -24,22 +25,40 @@ struct MovingTarget
 class TargetStream
 {
 public:
-    // A new target: forgets everything before it.
-    void restart(SteadyTime now, const AxisPosition& point);
-    // The next point of a client, already resolved to the turn of the axes it means.
+    // The next point of a client, already resolved to the turn of the axes it means. Times do not run backwards.
     void add(SteadyTime now, const AxisPosition& point);
-    void clear() { m_points.clear(); }
+    // A new target: whatever came before says nothing about it.
+    void restart(SteadyTime now, const AxisPosition& point);
+    void clear();
 
     [[nodiscard]] std::optional<AxisPosition> lastPoint() const;  // empty before the first point
     [[nodiscard]] std::optional<MovingTarget> target(SteadyTime now) const;
 
 private:
+    using Vector = std::array<double, 3>;
+
     struct Point
     {
         SteadyTime time;
         AxisPosition position;
+        Vector direction;
     };
-    std::deque<Point> m_points;
+
+    // Straight through space, as a satellite flies by: direction = base + rate × (time since the last point).
+    struct Path
+    {
+        Vector base;
+        Vector rate;
+        Seconds validFor;  // after the last point
+    };
+
+    [[nodiscard]] std::optional<Path> fittedPath() const;
+    [[nodiscard]] double worstDeviation(const Path& path) const;
+    void updatePath();
+
+    std::deque<Point> m_points;  // oldest first
+    std::optional<Path> m_path;
+    AxisPosition m_correction;  // from the present path to the one before, at the time of the last point
 };
 
 }  // namespace boresight::tracking

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tracking/target_stream.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight::tracking {
+
+namespace {
+
+// How many points make a path. Eight is the best of 4…14 for Gpredict's stream at its finest threshold (README.md).
+constexpr std::size_t kMostPoints = 8;
+constexpr std::size_t kFewestPoints = 4;
+
+// Gpredict at its finest threshold sends every 0.8…4 s; with longer pauses there is no stream. Clients that send faster
+// are thinned, or the path would be drawn through a moment's rounding.
+constexpr Seconds kLongestPause{5.0};
+constexpr Seconds kSpacing{0.5};
+
+// Points further off the straight path than this belong to another target. Satellites pass at up to 2.3 °/s
+// (200 km); what is faster is a slew.
+constexpr double kMostDeviation = 1.0 * std::numbers::pi / 180.0;
+constexpr double kFastest = 3.0 * std::numbers::pi / 180.0;
+
+// Slower than this is a point sent again and again; the stars move at 0.004 °/s.
+constexpr double kSlowest = 0.001 * std::numbers::pi / 180.0;
+
+// Never further ahead of the last point than this, in the sky and in azimuth (which runs away near the zenith), and no
+// longer than two average pauses.
+constexpr double kFurthestAhead = 2.0 * std::numbers::pi / 180.0;
+const Angle kFurthestAzimuth = Angle::fromDegrees(45.0);
+constexpr double kPausesAhead = 2.0;
+
+// Each point bends the path a little. The target goes over from the old path to the new one in this time, so that the
+// antenna is not jerked with every point.
+constexpr Seconds kCorrectionTime{1.0};
+
+using Vector = std::array<double, 3>;
+
+Vector directionOf(const AxisPosition& position)
+{
+    const double horizontal = std::cos(position.elevation.radians());
+    return {horizontal * std::cos(position.azimuth.radians()), horizontal * std::sin(position.azimuth.radians()),
+            std::sin(position.elevation.radians())};
+}
+
+Vector along(const Vector& base, const Vector& rate, double time)
+{
+    return {base[0] + rate[0] * time, base[1] + rate[1] * time, base[2] + rate[2] * time};
+}
+
+// Between directions of about unit length and a few degrees apart: the chord is the angle.
+double distance(const Vector& a, const Vector& b)
+{
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+// The axes that point along `direction` as it moves, on the turn and the side of the zenith of `near`.
+MovingTarget axesFor(const Vector& direction, const Vector& rate, const AxisPosition& near)
+{
+    const double horizontal = std::max(std::hypot(direction[0], direction[1]), 1e-9);  // the zenith has no azimuth
+    const double outwards = (direction[0] * rate[0] + direction[1] * rate[1]) / horizontal;
+    const double length2 = horizontal * horizontal + direction[2] * direction[2];
+    const Angle azimuth = Angle::fromRadians(std::atan2(direction[1], direction[0]));
+    const Angle elevation = Angle::fromRadians(std::atan2(direction[2], horizontal));
+    const double turning = (direction[0] * rate[1] - direction[1] * rate[0]) / (horizontal * horizontal);
+    const double rising = (rate[2] * horizontal - direction[2] * outwards) / length2;
+    const bool overTheTop = near.elevation > 90_deg;
+    return {.position = {.azimuth = (overTheTop ? azimuth + 180_deg : azimuth).nearestTo(near.azimuth),
+                         .elevation = overTheTop ? 180_deg - elevation : elevation},
+            .rates = {.azimuth = AngularRate::fromRadians(turning),
+                      .elevation = AngularRate::fromRadians(overTheTop ? -rising : rising)},
+            .streaming = true};
+}
+
+}  // namespace
+
+void TargetStream::restart(SteadyTime now, const AxisPosition& point)
+{
+    clear();
+    add(now, point);
+}
+
+void TargetStream::clear()
+{
+    m_points.clear();
+    m_path.reset();
+}
+
+void TargetStream::add(SteadyTime now, const AxisPosition& point)
+{
+    if (!m_points.empty() && now - m_points.back().time > kLongestPause) {
+        clear();
+    }
+    const auto before = target(now);
+    if (m_points.size() >= 2 && now - m_points[m_points.size() - 2].time < kSpacing) {
+        m_points.pop_back();
+    }
+    m_points.push_back({.time = now, .position = point, .direction = directionOf(point)});
+    if (m_points.size() > kMostPoints) {
+        m_points.pop_front();
+    }
+    updatePath();
+    m_correction = {};
+    if (const auto after = target(now); before && before->streaming && after->streaming) {
+        m_correction = {.azimuth = before->position.azimuth - after->position.azimuth,
+                        .elevation = before->position.elevation - after->position.elevation};
+    }
+}
+
+// Drops points from the front until the rest lies along one path, or is too little for one.
+void TargetStream::updatePath()
+{
+    m_path = fittedPath();
+    while (m_path && worstDeviation(*m_path) > kMostDeviation) {
+        m_points.pop_front();
+        m_path = fittedPath();
+    }
+    if (m_path && (distance(m_path->rate, {}) > kFastest || distance(m_path->rate, {}) < kSlowest)) {
+        m_path.reset();
+    }
+}
+
+// Least squares through the last points, each component by itself.
+std::optional<TargetStream::Path> TargetStream::fittedPath() const
+{
+    if (m_points.size() < kFewestPoints) {
+        return std::nullopt;
+    }
+    const SteadyTime last = m_points.back().time;
+    const auto count = static_cast<double>(m_points.size());
+    double meanTime = 0.0;
+    Vector mean{};
+    for (const Point& point : m_points) {
+        meanTime += Seconds(point.time - last).count() / count;
+        mean = along(mean, point.direction, 1.0 / count);
+    }
+    double spread = 0.0;
+    Vector rate{};
+    for (const Point& point : m_points) {
+        const double time = Seconds(point.time - last).count() - meanTime;
+        spread += time * time;
+        rate = along(rate, point.direction, time);  // the mean drops out: the times add up to zero
+    }
+    rate = along({}, rate, 1.0 / spread);
+    const Seconds pause = Seconds(last - m_points.front().time) / (count - 1.0);
+    return Path{.base = along(mean, rate, -meanTime), .rate = rate, .validFor = kPausesAhead * pause};
+}
+
+double TargetStream::worstDeviation(const Path& path) const
+{
+    double worst = 0.0;
+    for (const Point& point : m_points) {
+        const double time = Seconds(point.time - m_points.back().time).count();
+        worst = std::max(worst, distance(along(path.base, path.rate, time), point.direction));
+    }
+    return worst;
+}
+
+std::optional<AxisPosition> TargetStream::lastPoint() const
+{
+    return m_points.empty() ? std::nullopt : std::optional(m_points.back().position);
+}
+
+std::optional<MovingTarget> TargetStream::target(SteadyTime now) const
+{
+    if (m_points.empty()) {
+        return std::nullopt;
+    }
+    const Point& last = m_points.back();
+    const MovingTarget fixed{.position = last.position, .rates = {}, .streaming = false};
+    const Seconds ahead = now - last.time;
+    if (!m_path || ahead > m_path->validFor) {
+        return fixed;
+    }
+    const Vector direction = along(m_path->base, m_path->rate, ahead.count());
+    MovingTarget moving = axesFor(direction, m_path->rate, last.position);
+    if (const double left = 1.0 - ahead / kCorrectionTime; left > 0.0) {
+        moving.position.azimuth += left * m_correction.azimuth;
+        moving.position.elevation += left * m_correction.elevation;
+        moving.rates.azimuth -= m_correction.azimuth / kCorrectionTime;
+        moving.rates.elevation -= m_correction.elevation / kCorrectionTime;
+    }
+    const bool tooFar = distance(directionOf(moving.position), last.direction) > kFurthestAhead ||
+                        abs(moving.position.azimuth - last.position.azimuth) > kFurthestAzimuth;
+    return tooFar ? fixed : moving;
+}
+
+}  // namespace boresight::tracking
