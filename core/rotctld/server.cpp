@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/rotctld/server.h"
+
+#include <QSocketNotifier>
+
+#include <sys/epoll.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+namespace boresight::rotctld {
+namespace {
+
+using namespace std::chrono_literals;
+
+// One turn: at most so many clients with so many commands each. A command costs about 5 µs with its system calls, so
+// a turn stays near 1 ms when everybody floods, and far below with clients that wait for their answers.
+constexpr int kClientsPerTurn = 32;
+constexpr std::size_t kBacklogPerTurn = 16;
+constexpr int kCommandsPerClient = 4;
+constexpr int kAcceptsPerTurn = 32;
+constexpr std::size_t kReadSize = 1024;
+
+constexpr std::size_t kMaxUnsent = 16384;  // then its commands wait
+constexpr auto kUnsentTime = 10s;          // without taking a byte of its replies
+constexpr auto kFloodTime = 10s;           // never once waiting for an answer
+constexpr auto kHalfCommandTime = 60s;
+constexpr auto kLingerTime = 2s;  // after our last byte, so that it is not destroyed by a reset
+constexpr auto kHousekeepingPeriod = 100ms;
+
+constexpr std::uint64_t kListenerId = 0;
+
+}  // namespace
+
+struct Server::Connection
+{
+    Connection(std::uint64_t number, Accepted accepted, Rotator& rotator, const Clock& clock, DumpStateForm form)
+        : id(number),
+          socket(std::move(accepted.socket)),
+          session({.id = number, .address = std::move(accepted.address)}, rotator, clock, form)
+    {}
+
+    std::uint64_t id;
+    Descriptor socket;
+    Session session;
+    std::string unsent;
+    SteadyTime lastReceived;
+    SteadyTime lastSent;                  // the last time the socket took a byte
+    std::optional<SteadyTime> busySince;  // since when commands have been waiting without a break
+    SteadyTime leftAt;
+    bool waiting = false;    // commands wait for the next turn
+    bool inputFull = false;  // the last read filled the buffer: more is probably there
+    bool atEnd = false;      // the client sends no more
+    bool left = false;       // the session is over; only its last bytes are delivered
+    bool sendingEnded = false;
+    bool broken = false;  // the socket is of no more use
+    std::uint32_t watched = 0;
+};
+
+Server::Server(ServerSettings settings, Rotator& rotator, const Clock& clock, QObject* parent)
+    : QObject(parent),
+      m_settings(std::move(settings)),
+      m_rotator(rotator),
+      m_clock(clock),
+      m_nextTurn(this),
+      m_housekeeping(this)
+{
+    m_nextTurn.setSingleShot(true);
+    m_nextTurn.setInterval(0ms);
+    m_housekeeping.setInterval(kHousekeepingPeriod);
+    connect(&m_nextTurn, &QTimer::timeout, this, &Server::serveBacklog);
+    connect(&m_housekeeping, &QTimer::timeout, this, &Server::housekeep);
+}
+
+Server::~Server()
+{
+    close();
+}
+
+Result<> Server::listen()
+{
+    auto listener = listenOn(m_settings.host, m_settings.port);
+    if (!listener) {
+        return tl::unexpected(listener.error());
+    }
+    m_epoll = Descriptor(::epoll_create1(EPOLL_CLOEXEC));
+    if (!m_epoll.valid()) {
+        return failure(ErrorCode::Io, std::string("cannot watch sockets: ") + std::strerror(errno));
+    }
+    m_listener = std::move(*listener);
+    watchListener(true);
+    m_readiness = std::make_unique<QSocketNotifier>(m_epoll.get(), QSocketNotifier::Read);
+    connect(m_readiness.get(), &QSocketNotifier::activated, this, &Server::serveTurn);
+    m_housekeeping.start();
+    return {};
+}
+
+void Server::close()
+{
+    for (auto& [id, connection] : m_connections) {
+        farewell(*connection, "the server was closed");
+    }
+    m_connections.clear();
+    m_backlog.clear();
+    m_nextTurn.stop();
+    m_housekeeping.stop();
+    m_readiness.reset();
+    m_listener = Descriptor();
+    m_epoll = Descriptor();
+    m_listenerWatched = false;
+}
+
+std::string Server::address() const
+{
+    return m_listener.valid() ? localAddress(m_listener) : std::string();
+}
+
+std::uint16_t Server::port() const
+{
+    return m_listener.valid() ? localPort(m_listener) : std::uint16_t{0};
+}
+
+std::vector<ClientInfo> Server::clients() const
+{
+    std::vector<ClientInfo> list;
+    list.reserve(m_connections.size());
+    for (const auto& [id, connection] : m_connections) {
+        const Session& session = connection->session;
+        if (!connection->left) {
+            list.push_back({.id = id,
+                            .address = session.client().address,
+                            .program = std::string(session.program()),
+                            .lastCommand = session.lastCommand(),
+                            .oddCommands = session.oddCommands()});
+        }
+    }
+    std::ranges::sort(list, {}, &ClientInfo::id);
+    return list;
+}
+
+void Server::serveTurn()
+{
+    std::array<epoll_event, kClientsPerTurn> events{};
+    const int count = ::epoll_wait(m_epoll.get(), events.data(), kClientsPerTurn, 0);
+    for (int i = 0; i < count; ++i) {
+        const epoll_event& event = events[static_cast<std::size_t>(i)];
+        if (event.data.u64 == kListenerId) {
+            acceptWaiting();
+        } else {
+            serve(event.data.u64, event.events);
+        }
+    }
+    serveBacklog();
+}
+
+void Server::acceptWaiting()
+{
+    for (int i = 0; i < kAcceptsPerTurn; ++i) {
+        auto accepted = acceptOne(m_listener);
+        if (!accepted) {
+            if (accepted.error() == AcceptFailure::Shortage) {
+                watchListener(false);  // housekeeping tries again; who is connected is served meanwhile
+            }
+            return;
+        }
+        const Client client{.id = ++m_lastId, .address = accepted->address};
+        if (m_served >= m_settings.maxClients) {
+            refuse(client);
+            continue;
+        }
+        auto connection =
+            std::make_unique<Connection>(m_lastId, std::move(*accepted), m_rotator, m_clock, m_settings.dumpState);
+        connection->lastReceived = m_clock.now();
+        control(*connection, EPOLL_CTL_ADD, EPOLLIN);
+        ++m_served;
+        m_connections.emplace(m_lastId, std::move(connection));
+        m_rotator.clientConnected(client);
+    }
+}
+
+void Server::refuse(const Client& client)
+{
+    if (!m_refusalTold) {
+        m_rotator.clientRemark(client, "refused: " + std::to_string(m_served) + " clients are connected");
+    }
+    m_refusalTold = true;
+}
+
+void Server::watchListener(bool on)
+{
+    if (on == m_listenerWatched) {
+        return;
+    }
+    epoll_event event{};
+    event.events = EPOLLIN;
+    event.data.u64 = kListenerId;
+    ::epoll_ctl(m_epoll.get(), on ? EPOLL_CTL_ADD : EPOLL_CTL_DEL, m_listener.get(), &event);
+    m_listenerWatched = on;
+    if (!on && !m_shortageTold) {
+        m_rotator.clientRemark({}, "no descriptor left: new clients wait");
+        m_shortageTold = true;
+    }
+}
+
+// Tells epoll what the connection can use now: input while none of its commands wait and its replies go out, room for
+// output while some is unsent. A broken connection is reported in any case.
+void Server::watch(Connection& connection)
+{
+    const bool served = connection.left || (!connection.waiting && connection.unsent.size() <= kMaxUnsent);
+    const bool wantsInput = served && !connection.atEnd;
+    const std::uint32_t wanted = (wantsInput ? EPOLLIN : 0U) | (connection.unsent.empty() ? 0U : EPOLLOUT);
+    if (wanted != connection.watched) {
+        control(connection, EPOLL_CTL_MOD, wanted);
+    }
+}
+
+void Server::control(Connection& connection, int operation, std::uint32_t events)
+{
+    epoll_event event{};
+    event.events = events;
+    event.data.u64 = connection.id;
+    if (::epoll_ctl(m_epoll.get(), operation, connection.socket.get(), &event) != 0) {
+        connection.broken = true;
+    }
+    connection.watched = events;
+}
+
+void Server::serve(std::uint64_t id, std::uint32_t events)
+{
+    const auto found = m_connections.find(id);
+    if (found == m_connections.end()) {
+        return;
+    }
+    Connection& connection = *found->second;
+    if ((events & EPOLLOUT) != 0U) {
+        flush(connection);
+    }
+    if ((events & ~static_cast<std::uint32_t>(EPOLLOUT)) != 0U) {
+        receive(connection);
+    }
+    if (!connection.waiting) {
+        runCommands(connection);
+    }
+    settle(connection);
+}
+
+void Server::receive(Connection& connection)
+{
+    std::array<char, kReadSize> buffer;
+    const Received received = receiveSome(connection.socket, buffer.data(), buffer.size());
+    connection.atEnd = received.atEnd;
+    connection.broken = !received.failure.empty();
+    connection.inputFull = received.bytes.size() == buffer.size();
+    if (connection.left) {
+        return;  // after `q` only the end counts
+    }
+    if (connection.broken) {
+        farewell(connection, "lost: " + received.failure);
+    } else if (connection.atEnd) {
+        connection.session.endOfInput();
+    } else {
+        connection.lastReceived = m_clock.now();
+        connection.session.receive(received.bytes);
+    }
+}
+
+void Server::runCommands(Connection& connection)
+{
+    connection.waiting = false;
+    bool more = !connection.left;
+    for (int i = 0; more && i < kCommandsPerClient && connection.unsent.size() <= kMaxUnsent; ++i) {
+        m_reply.clear();
+        more = connection.session.step(m_reply);
+        if (!m_reply.empty()) {
+            send(connection, m_reply);
+        }
+    }
+    const bool blocked = connection.unsent.size() > kMaxUnsent;
+    if (more && !blocked && connection.session.ending().empty() && !connection.broken) {
+        if (!connection.busySince) {
+            connection.busySince = m_clock.now();
+        }
+        connection.waiting = true;
+        m_backlog.push_back(connection.id);
+        m_nextTurn.start();
+    } else if (!connection.inputFull) {
+        connection.busySince.reset();
+    }
+}
+
+void Server::serveBacklog()
+{
+    const std::size_t count = std::min(m_backlog.size(), kBacklogPerTurn);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto found = m_connections.find(m_backlog.front());
+        m_backlog.pop_front();
+        if (found != m_connections.end()) {
+            runCommands(*found->second);
+            settle(*found->second);
+        }
+    }
+    if (!m_backlog.empty()) {
+        m_nextTurn.start();
+    }
+}
+
+// One call per reply: several clients take one segment for one reply.
+void Server::send(Connection& connection, std::string_view reply)
+{
+    if (connection.unsent.empty()) {
+        const auto sent = sendSome(connection.socket, reply);
+        connection.broken = connection.broken || !sent;
+        reply.remove_prefix(sent.value_or(reply.size()));
+        connection.lastSent = m_clock.now();
+    }
+    connection.unsent.append(reply);
+}
+
+void Server::flush(Connection& connection)
+{
+    const auto sent = sendSome(connection.socket, connection.unsent);
+    if (!sent) {
+        connection.broken = true;
+        connection.unsent.clear();
+        return;
+    }
+    connection.unsent.erase(0, *sent);
+    connection.lastSent = m_clock.now();
+}
+
+// Brings a connection to its next state after it was served; it may be gone afterwards.
+void Server::settle(Connection& connection)
+{
+    if (!connection.left && !connection.session.ending().empty()) {
+        farewell(connection, connection.session.ending());
+    }
+    if (!connection.left && connection.broken) {
+        farewell(connection, "lost: its answers cannot be sent");
+    }
+    if (connection.left && connection.unsent.empty() && !connection.sendingEnded) {
+        endSending(connection.socket);
+        connection.sendingEnded = true;
+    }
+    if (connection.broken || (connection.sendingEnded && connection.atEnd)) {
+        m_connections.erase(connection.id);
+        return;
+    }
+    watch(connection);
+}
+
+void Server::farewell(Connection& connection, const std::string& reason)
+{
+    if (connection.left) {
+        return;
+    }
+    connection.left = true;
+    connection.leftAt = m_clock.now();
+    --m_served;
+    m_refusalTold = false;
+    m_rotator.clientGone(connection.session.client(), reason);
+}
+
+std::string Server::overdue(const Connection& connection) const
+{
+    const SteadyTime now = m_clock.now();
+    if (!connection.unsent.empty() && now - connection.lastSent > kUnsentTime) {
+        return "dropped: does not read its answers";
+    }
+    if (connection.busySince && now - *connection.busySince > kFloodTime) {
+        return "dropped: floods without waiting for answers";
+    }
+    if (connection.session.midCommand() && now - connection.lastReceived > kHalfCommandTime) {
+        return "dropped: left a command unfinished";
+    }
+    return {};
+}
+
+void Server::housekeep()
+{
+    m_shortageTold = m_shortageTold && !m_listenerWatched;
+    watchListener(true);
+    std::vector<std::uint64_t> ids;
+    ids.reserve(m_connections.size());
+    for (const auto& [id, connection] : m_connections) {
+        ids.push_back(id);
+    }
+    for (const std::uint64_t id : ids) {
+        Connection& connection = *m_connections.at(id);
+        if (connection.left) {
+            connection.broken = connection.broken || m_clock.now() - connection.leftAt > kLingerTime;
+        } else if (const std::string reason = overdue(connection); !reason.empty()) {
+            connection.broken = true;
+            farewell(connection, reason);
+        } else if (connection.session.paused()) {
+            runCommands(connection);
+        }
+        settle(connection);
+    }
+}
+
+}  // namespace boresight::rotctld

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/rotctld/handlers.h"
+#include "core/rotctld/rotator.h"
+#include "core/rotctld/session.h"
+#include "core/rotctld/sockets.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+class QSocketNotifier;
+
+// The rotctld server: listens, reads, lets each client's Session run a few commands per turn, writes each reply with
+// one call, and hangs up on those who misbehave. Lives on the station thread beside the control tick; one turn is
+// bounded, so that no client delays the tick. All sockets sit in one epoll set, which is all the event loop sees:
+// the cost of a turn does not grow with the number of idle clients.
+namespace boresight::rotctld {
+
+struct ServerSettings
+{
+    std::string host = "127.0.0.1";  // an address; "0.0.0.0" or "::" opens the port to the network
+    std::uint16_t port = 4533;       // 0 picks a free one
+    std::size_t maxClients = 900;    // below the usual limit of 1024 descriptors
+    DumpStateForm dumpState = DumpStateForm::OldAndNew;
+};
+
+struct ClientInfo
+{
+    std::uint64_t id = 0;
+    std::string address;
+    std::string program;  // recognised, or empty
+    std::string lastCommand;
+    std::uint64_t oddCommands = 0;
+};
+
+class Server : public QObject
+{
+    Q_OBJECT
+
+public:
+    // The rotator and the clock must outlive the server. Nothing is opened before listen().
+    Server(ServerSettings settings, Rotator& rotator, const Clock& clock, QObject* parent = nullptr);
+    ~Server() override;
+
+    Result<> listen();
+    void close();  // hangs up on everybody and gives the port back
+
+    [[nodiscard]] std::string address() const;  // "127.0.0.1:4533"
+    [[nodiscard]] std::uint16_t port() const;
+    [[nodiscard]] std::vector<ClientInfo> clients() const;
+
+    // Ends pauses and drops clients that outlived a time limit. Its own timer calls it; tests turn the clock first.
+    void housekeep();
+
+private:
+    struct Connection;
+    using Connections = std::unordered_map<std::uint64_t, std::unique_ptr<Connection>>;
+
+    void serveTurn();
+    void acceptWaiting();
+    void refuse(const Client& client);
+    void watchListener(bool on);
+    void control(Connection& connection, int operation, std::uint32_t events);
+    void watch(Connection& connection);
+    void serve(std::uint64_t id, std::uint32_t events);
+    void receive(Connection& connection);
+    void runCommands(Connection& connection);
+    void send(Connection& connection, std::string_view reply);
+    void flush(Connection& connection);
+    void serveBacklog();
+    void settle(Connection& connection);
+    void farewell(Connection& connection, const std::string& reason);
+    [[nodiscard]] std::string overdue(const Connection& connection) const;
+
+    ServerSettings m_settings;
+    Rotator& m_rotator;
+    const Clock& m_clock;
+    Descriptor m_listener;
+    Descriptor m_epoll;
+    std::unique_ptr<QSocketNotifier> m_readiness;
+    QTimer m_nextTurn;  // serves clients whose budget ran out, after everything else in the event loop had its turn
+    QTimer m_housekeeping;
+    Connections m_connections;
+    std::deque<std::uint64_t> m_backlog;
+    std::uint64_t m_lastId = 0;
+    std::size_t m_served = 0;  // connections with a living session
+    bool m_listenerWatched = false;
+    bool m_shortageTold = false;
+    bool m_refusalTold = false;
+    std::string m_reply;
+};
+
+}  // namespace boresight::rotctld

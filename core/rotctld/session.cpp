@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/rotctld/session.h"
+
+#include "core/rotctld/c_number.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace boresight::rotctld {
+namespace {
+
+using Event = CommandParser::Event;
+
+constexpr int kMaxOddInARow = 8;                  // lines without sense before we hang up
+constexpr std::uint64_t kOddRemarks = 3;          // of them are logged word for word
+constexpr std::size_t kMaxWaitingInPause = 4096;  // bytes
+constexpr std::size_t kShownBytes = 40;
+
+std::string printable(std::string_view bytes)
+{
+    std::string text(bytes.substr(0, kShownBytes));
+    std::ranges::replace_if(
+        text, [](char byte) { return byte < ' ' || byte > '~'; }, '.');
+    return text;
+}
+
+}  // namespace
+
+Session::Session(Client client, Rotator& rotator, const Clock& clock, DumpStateForm dumpState)
+    : m_client(std::move(client)), m_rotator(rotator), m_clock(clock), m_dumpState(dumpState)
+{}
+
+void Session::receive(std::string_view bytes)
+{
+    m_input.append(bytes);
+    if (paused() && m_input.size() - m_taken > kMaxWaitingInPause) {
+        m_ending = "sent more than " + std::to_string(kMaxWaitingInPause) + " bytes during its own pause";
+    }
+}
+
+void Session::endOfInput()
+{
+    m_inputEnded = true;
+    if (paused()) {
+        // Whether it half-closed or left for good cannot be told, and nobody wants a park command of somebody who
+        // left to run minutes later.
+        m_ending = "closed the connection during its own pause";
+    }
+}
+
+bool Session::step(std::string& reply)
+{
+    if (!m_ending.empty()) {
+        return false;
+    }
+    if (m_pausedUntil) {
+        if (m_clock.now() < *m_pausedUntil) {
+            return false;
+        }
+        m_pausedUntil.reset();
+        reply += m_pauseReply;
+        return true;
+    }
+    std::string_view rest = std::string_view(m_input).substr(m_taken);
+    const Event event = m_parser.next(rest);
+    m_taken = m_input.size() - rest.size();
+    switch (event) {
+        case Event::NeedMore:
+            return inputTaken(reply);
+        case Event::Command:
+            run(reply);
+            break;
+        case Event::Odd:
+            unknown(rest);
+            break;
+        case Event::Stranger:
+            m_ending = "is no rotctld client (" + std::string(m_parser.stranger()) + ")";
+            break;
+        case Event::TooLong:
+            m_ending = "sent " + std::to_string(kMaxLineLength) + " bytes without a line end";
+            break;
+    }
+    return true;
+}
+
+bool Session::inputTaken(std::string& reply)
+{
+    m_input.clear();
+    m_taken = 0;
+    if (!m_inputEnded) {
+        return false;
+    }
+    if (m_parser.finish() == Event::Command) {
+        run(reply);
+    } else {
+        m_ending = "closed the connection";
+    }
+    return true;
+}
+
+void Session::run(std::string& reply)
+{
+    const Command& command = m_parser.command();
+    rememberCommand(command);
+    if (command.spec->id == CommandId::Quit) {
+        m_ending = "said goodbye";
+        return;
+    }
+    const std::size_t before = reply.size();
+    ReplyWriter writer(command, reply);
+    const Result<> outcome = execute(command, writer);
+    writer.finish(outcome);
+    if (outcome) {
+        m_oddInARow = 0;
+        m_program.observe(command);
+        if (paused()) {
+            m_pauseReply = reply.substr(before);
+            reply.resize(before);
+        }
+        return;
+    }
+    if (outcome.error().code == ErrorCode::InvalidInput || outcome.error().code == ErrorCode::NotAvailable) {
+        odd("\"" + lastCommand() + "\" refused: " + printable(outcome.error().text));
+    }
+    if (m_parser.skipLine() == Event::Stranger) {
+        reply.resize(before);
+        m_ending = "is no rotctld client (" + std::string(m_parser.stranger()) + ")";
+    }
+}
+
+Result<> Session::execute(const Command& command, ReplyWriter& writer)
+{
+    if (command.spec->id == CommandId::Pause) {
+        return pause(command);
+    }
+    return runCommand(command, {.rotator = m_rotator, .client = m_client, .dumpState = m_dumpState}, writer);
+}
+
+// Only this client waits. Hamlib sleeps with its lock held, so that nobody can stop the mount meanwhile.
+Result<> Session::pause(const Command& command)
+{
+    const auto seconds = leadingInteger(command.arguments[0]);
+    if (!seconds || *seconds < 0) {
+        return badArgument(command, 0);
+    }
+    if (*seconds > 0) {
+        m_pausedUntil = m_clock.now() + std::chrono::seconds(*seconds);
+    }
+    return {};
+}
+
+void Session::unknown(std::string_view restOfLine)
+{
+    std::string line(m_parser.lineHead());
+    line.append(restOfLine.substr(0, std::min(restOfLine.find('\n'), kShownBytes)));
+    odd("unknown command \"" + printable(line) + "\"");
+    if (++m_oddInARow >= kMaxOddInARow) {
+        m_ending = "sent " + std::to_string(kMaxOddInARow) + " unknown commands in a row";
+    }
+}
+
+void Session::odd(const std::string& text)
+{
+    ++m_oddCommands;
+    if (m_oddCommands <= kOddRemarks) {
+        m_rotator.clientRemark(m_client, text);
+    }
+}
+
+std::string Session::lastCommand() const
+{
+    return printable(m_lastCommand);
+}
+
+void Session::rememberCommand(const Command& command)
+{
+    m_lastCommand.clear();
+    if (command.spec->letter < 0x80) {
+        m_lastCommand += static_cast<char>(command.spec->letter);
+    } else {
+        m_lastCommand.append(command.spec->name);
+    }
+    for (std::size_t i = 0; i < command.argumentCount; ++i) {
+        m_lastCommand.append(" ").append(command.arguments[i]);
+    }
+}
+
+}  // namespace boresight::rotctld

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/rotctld/sockets.h"
+
+#include <arpa/inet.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+
+namespace boresight::rotctld {
+namespace {
+
+constexpr int kBacklog = 512;  // connects back to back; Hamlib has 4, the system may cut it
+
+void setOption(int fd, int level, int name, int value)
+{
+    // Failing costs comfort, never correctness.
+    ::setsockopt(fd, level, name, &value, sizeof value);
+}
+
+// A client whose computer vanished is noticed within ten seconds: 4 s of silence, then three probes 2 s apart; the same
+// limit holds for bytes it does not acknowledge or has no room for.
+void prepareClient(int fd)
+{
+    constexpr int kGiveUpMilliseconds = 10'000;
+    setOption(fd, IPPROTO_TCP, TCP_NODELAY, 1);
+    setOption(fd, SOL_SOCKET, SO_KEEPALIVE, 1);
+    setOption(fd, IPPROTO_TCP, TCP_KEEPIDLE, 4);
+    setOption(fd, IPPROTO_TCP, TCP_KEEPINTVL, 2);
+    setOption(fd, IPPROTO_TCP, TCP_KEEPCNT, 3);
+    setOption(fd, IPPROTO_TCP, TCP_USER_TIMEOUT, kGiveUpMilliseconds);
+}
+
+std::string addressText(const sockaddr_storage& address, socklen_t length)
+{
+    std::array<char, NI_MAXHOST> host{};
+    std::array<char, NI_MAXSERV> service{};
+    const void* const untyped = &address;
+    if (::getnameinfo(static_cast<const sockaddr*>(untyped), length, host.data(), host.size(), service.data(),
+                      service.size(), NI_NUMERICHOST | NI_NUMERICSERV) != 0) {
+        return "unknown";
+    }
+    const std::string name = host.data();
+    const bool sixth = name.find(':') != std::string::npos;
+    return (sixth ? "[" + name + "]" : name) + ":" + service.data();
+}
+
+template <class Query>
+std::pair<sockaddr_storage, socklen_t> socketName(int fd, Query query)
+{
+    sockaddr_storage address{};
+    socklen_t length = sizeof address;
+    void* const untyped = &address;
+    query(fd, static_cast<sockaddr*>(untyped), &length);
+    return {address, length};
+}
+
+std::string reason()
+{
+    return std::strerror(errno);
+}
+
+struct FreeAddressInfo
+{
+    void operator()(addrinfo* info) const { ::freeaddrinfo(info); }
+};
+
+}  // namespace
+
+Descriptor::~Descriptor()
+{
+    if (valid()) {
+        ::close(m_fd);
+    }
+}
+
+Result<Descriptor> listenOn(const std::string& host, std::uint16_t port)
+{
+    const std::string where = host + ":" + std::to_string(port);
+    addrinfo hints{};
+    hints.ai_flags = AI_NUMERICHOST | AI_NUMERICSERV | AI_PASSIVE;
+    hints.ai_socktype = SOCK_STREAM;
+    addrinfo* found = nullptr;
+    const std::string numeric = host == "localhost" ? "127.0.0.1" : host;
+    if (::getaddrinfo(numeric.c_str(), std::to_string(port).c_str(), &hints, &found) != 0) {
+        return failure(ErrorCode::InvalidInput, "cannot listen on " + where + ": not an IP address");
+    }
+    const std::unique_ptr<addrinfo, FreeAddressInfo> info(found);
+    Descriptor socket(::socket(info->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+    if (!socket.valid()) {
+        return failure(ErrorCode::Io, "cannot listen on " + where + ": " + reason());
+    }
+    setOption(socket.get(), SOL_SOCKET, SO_REUSEADDR, 1);
+    if (info->ai_family == AF_INET6) {
+        setOption(socket.get(), IPPROTO_IPV6, IPV6_V6ONLY, 0);  // "::" serves IPv4 as well
+    }
+    if (::bind(socket.get(), info->ai_addr, info->ai_addrlen) != 0 || ::listen(socket.get(), kBacklog) != 0) {
+        const ErrorCode code = errno == EADDRINUSE ? ErrorCode::Busy
+                               : errno == EACCES   ? ErrorCode::Denied
+                                                   : ErrorCode::Io;
+        return failure(code, "cannot listen on " + where + ": " + reason());
+    }
+    return socket;
+}
+
+std::string localAddress(const Descriptor& socket)
+{
+    const auto [address, length] = socketName(socket.get(), ::getsockname);
+    return addressText(address, length);
+}
+
+std::uint16_t localPort(const Descriptor& socket)
+{
+    const std::string address = localAddress(socket);
+    return static_cast<std::uint16_t>(std::stoi("0" + address.substr(address.rfind(':') + 1)));
+}
+
+tl::expected<Accepted, AcceptFailure> acceptOne(const Descriptor& listener)
+{
+    sockaddr_storage address{};
+    socklen_t length = sizeof address;
+    void* const untyped = &address;
+    Descriptor socket(
+        ::accept4(listener.get(), static_cast<sockaddr*>(untyped), &length, SOCK_NONBLOCK | SOCK_CLOEXEC));
+    if (!socket.valid()) {
+        const bool shortage = errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM;
+        return tl::unexpected(shortage ? AcceptFailure::Shortage : AcceptFailure::NoneWaiting);
+    }
+    prepareClient(socket.get());
+    return Accepted{.socket = std::move(socket), .address = addressText(address, length)};
+}
+
+Received receiveSome(const Descriptor& socket, char* buffer, std::size_t size)
+{
+    const ssize_t count = ::recv(socket.get(), buffer, size, 0);
+    if (count > 0) {
+        return {.bytes = {buffer, static_cast<std::size_t>(count)}, .atEnd = false, .failure = {}};
+    }
+    if (count == 0) {
+        return {.bytes = {}, .atEnd = true, .failure = {}};
+    }
+    if (errno == EAGAIN || errno == EINTR) {
+        return {};
+    }
+    return {.bytes = {}, .atEnd = true, .failure = reason()};
+}
+
+std::optional<std::size_t> sendSome(const Descriptor& socket, std::string_view bytes)
+{
+    const ssize_t count = ::send(socket.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (count >= 0) {
+        return static_cast<std::size_t>(count);
+    }
+    return errno == EAGAIN || errno == EINTR ? std::optional<std::size_t>(0) : std::nullopt;
+}
+
+void endSending(const Descriptor& socket)
+{
+    ::shutdown(socket.get(), SHUT_WR);
+}
+
+}  // namespace boresight::rotctld
