@@ -33,6 +33,7 @@ struct ServoCommand
     double qCurrent = 0.0;
     double dCurrent = 0.0;
     double qVoltage = 0.0;
+    double dVoltage = 0.0;
 };
 
 // What the board measures, and conditions that are not as they should be.

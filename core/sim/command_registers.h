@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/moteus/registers.h"
+#include "core/sim/servo.h"
+
+#include <optional>
+
+// The command registers 0x01a…0x01d, 0x020…0x02d and 0x040…0x048 as fields of one ServoCommand. Pure.
+namespace boresight::sim {
+
+// Empty for a register that is no command register.
+[[nodiscard]] std::optional<double> readCommand(const ServoCommand& command, moteus::Register reg);
+// False for a register that is no command register.
+bool writeCommand(ServoCommand& command, moteus::Register reg, double value);
+
+}  // namespace boresight::sim

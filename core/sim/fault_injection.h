@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/base/result.h"
+#include "core/units/sky.h"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+// What the simulated pair does wrong on request. Plain values: each injection has a start on the pair's own clock and
+// a duration; it can be planned before a run or added and removed while it runs.
+namespace boresight::sim {
+
+enum class FaultKind
+{
+    Silence,        // the drive receives and acts, and never answers
+    LateReply,      // value: seconds
+    LostReply,      // value: probability that a reply is lost, 0…1
+    LostCommand,    // value: probability that the drive does not hear a frame, 0…1 (1 is a cut cable)
+    CorruptLine,    // value: probability that the adapter damages the line of a reply, 0…1
+    MissingOk,      // the adapter does not acknowledge
+    AdapterError,   // the adapter answers ERR and sends nothing
+    BusOff,         // the adapter is off the bus
+    DuplicateId,    // the drive answers under the other's id
+    DriveFault,     // value: fault code, at once; comes back on enabling for as long as it lasts
+    PowerLoss,      // of the whole mount; value: mount angle in degrees that a hand turns this axis to
+    SupplyVoltage,  // value: V
+    Wind,           // value: Nm towards larger angles
+    Jam,            // value: mount angle in degrees where something is in the way
+    Stall,          // the axis is blocked where it is
+    RegisterMap,    // value: another register map version
+};
+
+struct Injection
+{
+    FaultKind kind = FaultKind::Silence;
+    std::optional<Axis> axis{};  // empty: both
+    Seconds at{0.0};             // on the clock of the pair
+    Seconds duration{std::numeric_limits<double>::infinity()};
+    std::optional<double> value{};
+};
+
+// "silence", "wind,axis=az,at=5,for=3,value=40", "drive-fault,axis=el,value=33". Refused with what is permitted.
+[[nodiscard]] Result<Injection> parseInjection(std::string_view text);
+
+class FaultSchedule
+{
+public:
+    using Handle = std::uint64_t;
+
+    Handle add(const Injection& injection);
+    void remove(Handle handle);
+    void clear() { m_entries.clear(); }
+    [[nodiscard]] bool isEmpty() const { return m_entries.empty(); }
+
+    // The value of the latest active injection of that kind; 0 if it was given none.
+    [[nodiscard]] std::optional<double> active(FaultKind kind, Axis axis, Seconds now) const;
+    [[nodiscard]] bool isActive(FaultKind kind, Axis axis, Seconds now) const
+    {
+        return active(kind, axis, now).has_value();
+    }
+    // The injection itself, to tell "no value" from 0.
+    [[nodiscard]] const Injection* find(FaultKind kind, Axis axis, Seconds now) const;
+
+private:
+    struct Entry
+    {
+        Handle handle = 0;
+        Injection injection;
+    };
+    std::vector<Entry> m_entries;
+    Handle m_next = 1;
+};
+
+}  // namespace boresight::sim

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sim/rotor_encoder.h"
+
+#include <cmath>
+
+namespace boresight::sim {
+namespace {
+
+constexpr double kCountsPerTurn = 16384.0;  // 14 bits
+constexpr double kPositionNoise = 1.0;      // counts
+constexpr double kVelocityNoise = 0.01;     // rotor turns/s after the filter
+
+double fraction(double turns)
+{
+    return turns - std::floor(turns);
+}
+
+}  // namespace
+
+void RotorEncoder::sample(double rotorTurns, double rotorVelocity, double outputTurns)
+{
+    m_raw = std::floor(rotorTurns * kCountsPerTurn + noise(kPositionNoise) + 0.5) / kCountsPerTurn;
+    const double velocity = rotorVelocity + noise(kVelocityNoise);
+    m_velocity = velocity * m_config.motorPosition.rotorToOutputRatio * m_config.motorPosition.outputSign;
+    m_output = outputTurns;
+}
+
+void RotorEncoder::latchAtPowerUp()
+{
+    m_turnOffset = -std::round(m_raw);
+    m_home = moteus::HomeState::Rotor;
+    if (m_config.motorPosition.referenceSource == 1) {
+        setNearest(m_output - std::round(m_output));
+    }
+}
+
+void RotorEncoder::requireReindex()
+{
+    m_turnOffset = -std::round(m_raw);
+    m_home = moteus::HomeState::Relative;
+}
+
+double RotorEncoder::setNearest(double position)
+{
+    const double before = this->position();
+    m_turnOffset = std::round(toCounted(position) - m_raw);
+    m_home = moteus::HomeState::Output;
+    return this->position() - before;
+}
+
+double RotorEncoder::setExact(double position)
+{
+    const double before = this->position();
+    m_turnOffset = toCounted(position) - m_raw;
+    m_home = moteus::HomeState::Output;
+    return this->position() - before;
+}
+
+// The configured offset makes up for what is left after choosing the whole turn: permanent once it is written.
+double RotorEncoder::setConfiguredOffset(DriveConfig& config, double position)
+{
+    const double before = this->position();
+    config.motorPosition.outputOffset = 0.0;
+    setNearest(position);
+    config.motorPosition.outputOffset = (position - this->position()) * config.motorPosition.outputSign;
+    return this->position() - before;
+}
+
+double RotorEncoder::position() const
+{
+    return toOutput(m_raw + m_turnOffset);
+}
+
+double RotorEncoder::fractionOfTurn() const
+{
+    return fraction(m_raw);
+}
+
+double RotorEncoder::outputFractionOfTurn() const
+{
+    return fraction(m_output);
+}
+
+double RotorEncoder::toOutput(double counted) const
+{
+    const MotorPositionConfig& config = m_config.motorPosition;
+    return (counted * config.rotorToOutputRatio + config.outputOffset) * config.outputSign;
+}
+
+double RotorEncoder::toCounted(double position) const
+{
+    const MotorPositionConfig& config = m_config.motorPosition;
+    return (position * config.outputSign - config.outputOffset) / config.rotorToOutputRatio;
+}
+
+double RotorEncoder::noise(double amplitude)
+{
+    return m_noise.enabled ? std::uniform_real_distribution<double>(-amplitude, amplitude)(m_random) : 0.0;
+}
+
+}  // namespace boresight::sim

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/can/can_link.h"
+#include "core/sim/simulated_pair.h"
+
+#include <QTimer>
+
+#include <deque>
+
+// The bus "simulated": the pair inside the program. Lives on the station thread. The pair's time follows the injected
+// clock and catches up whenever frames arrive or its truth is asked. Replies come through the event loop; with a clock
+// turned by hand, deliver() hands over those that are due.
+namespace boresight {
+
+class SimulatedLink final : public CanLink
+{
+    Q_OBJECT
+
+public:
+    // The clock must outlive the link. The mount exists from now on, open or not.
+    explicit SimulatedLink(const Clock& clock, const sim::PairSettings& settings = sim::commissionedPair(),
+                           QObject* parent = nullptr);
+
+    [[nodiscard]] QString name() const override;
+    [[nodiscard]] LinkStatus status() const override { return m_status; }
+    Result<> open() override;
+    void close() override;
+    Result<> send(std::span<const CanFrame> frames) override;
+
+    void deliver();
+
+    // Both bring the pair up to the present first.
+    [[nodiscard]] sim::AxisTruth truth(Axis axis);
+    [[nodiscard]] sim::SimulatedPair& pair();
+    // From now on, for `duration` (for ever without one); for planned ones see pair().faults().
+    sim::FaultSchedule::Handle inject(sim::Injection injection);
+
+private:
+    [[nodiscard]] Seconds pairTime() const { return m_clock.now() - m_epoch; }
+    void setState(LinkState state, const QString& text);
+    void schedule();
+
+    const Clock& m_clock;
+    SteadyTime m_epoch;
+    sim::SimulatedPair m_pair;
+    std::deque<sim::PairReply> m_replies;  // in the order of their due times
+    LinkStatus m_status;
+    QTimer m_timer{this};
+};
+
+}  // namespace boresight

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Power, physics and frames of SimulatedMoteus; its registers are in moteus_registers.cpp.
+#include "core/sim/simulated_moteus.h"
+
+#include "core/sim/command_registers.h"
+
+#include <cmath>
+
+namespace boresight::sim {
+namespace {
+
+using moteus::Register;
+
+constexpr int kConfigurationChanged = 41;
+constexpr double kPositionCount = 1.0 / 65536.0;
+
+}  // namespace
+
+SimulatedMoteus::SimulatedMoteus(const MoteusSettings& settings)
+    : m_settings(settings),
+      m_stored(settings.config),
+      m_config(settings.config),
+      m_plant(settings.plant, settings.position)
+{
+    powerUp();
+    if (settings.referenced) {
+        m_encoder->setNearest(settings.position);
+    }
+}
+
+void SimulatedMoteus::powerUp()
+{
+    m_config = m_stored;
+    m_encoder.emplace(m_config, m_settings.noise);
+    m_servo.emplace(m_config);
+    m_console.reset();
+    m_server = {};
+    m_accepted = {};
+    m_uptime = 0.0;
+    sampleEncoder();
+    m_encoder->latchAtPowerUp();
+    m_inputs = {.position = m_encoder->position()};
+}
+
+void SimulatedMoteus::setPowered(bool powered)
+{
+    if (powered && !m_powered) {
+        powerUp();
+    }
+    m_powered = powered;
+}
+
+void SimulatedMoteus::place(double position)
+{
+    m_plant.place(position);
+    sampleEncoder();
+}
+
+void SimulatedMoteus::step(double dt, const Surroundings& surroundings)
+{
+    PlantLoads loads{.windTorque = surroundings.windTorque};
+    if (m_powered) {
+        m_uptime += dt;
+        m_inputs.position = m_encoder->position();
+        m_inputs.velocity = m_encoder->velocity();
+        m_inputs.busVoltage = surroundings.busVoltage;
+        m_inputs.fetTemperature = m_board.celsius();
+        m_inputs.persistentFault = surroundings.persistentFault;
+        const ServoOutput& output = m_servo->step(dt, m_inputs);
+        loads.driveTorque = outputTorque();
+        loads.brakeDamping = output.brakeDamping * outputPerAxis() * outputPerAxis();
+        m_console.advance(dt);
+    }
+    m_board.step(dt, m_powered ? m_servo->output().loss : 0.0);
+    m_plant.step(dt, loads);
+    sampleEncoder();
+}
+
+void SimulatedMoteus::sampleEncoder()
+{
+    m_encoder->sample(m_plant.position() * m_settings.gearRatio, m_plant.velocity() * m_settings.gearRatio,
+                      m_plant.loadPosition());
+}
+
+std::optional<CanFrame> SimulatedMoteus::exchange(const CanFrame& request, double age, std::optional<int> answerAs)
+{
+    if (!m_powered) {
+        return std::nullopt;
+    }
+    m_writes = m_accepted;
+    m_writes.hasMode = false;
+    m_writes.actions.clear();
+    m_age = age;
+    const moteus::DeviceAddress address{.id = static_cast<std::uint8_t>(answerAs.value_or(m_config.id)),
+                                        .prefix = static_cast<std::uint16_t>(m_config.canPrefix)};
+    return m_server.serve(request, address, *this);
+}
+
+// A frame counts as a whole: after a UUID mask that does not match nothing of it happened.
+void SimulatedMoteus::completeFrame(FrameEnd end)
+{
+    if (end == FrameEnd::Discarded) {
+        return;
+    }
+    m_accepted = m_writes;
+    for (const moteus::RegisterValue& action : m_writes.actions) {
+        if (action.reg == Register::SetOutputNearest) {
+            setOutputNearest(action.value);
+        } else if (action.reg == Register::SetOutputExact) {
+            setOutputExact(action.value);
+        } else if (action.reg == Register::RequireReindex) {
+            requireReindex();
+        } else {
+            recapture();
+        }
+    }
+    if (m_writes.hasMode) {
+        m_servo->command(m_writes.command, m_age);
+    }
+}
+
+void SimulatedMoteus::receiveText(std::uint32_t, std::span<const std::uint8_t> text)
+{
+    m_console.receive(text);
+}
+
+std::span<const std::uint8_t> SimulatedMoteus::pendingText(std::uint32_t)
+{
+    return m_console.pending();
+}
+
+void SimulatedMoteus::dropText(std::uint32_t, std::size_t count)
+{
+    m_console.drop(count);
+}
+
+// How the encoder counts may not change under a running servo; a new frame begins as at power-up.
+void SimulatedMoteus::configChanged(std::string_view group)
+{
+    if (group != "motor_position") {
+        return;
+    }
+    sampleEncoder();
+    m_encoder->latchAtPowerUp();
+    if (m_servo->isActive()) {
+        m_servo->raiseFault(kConfigurationChanged);
+    }
+}
+
+void SimulatedMoteus::loadConfig()
+{
+    m_config = m_stored;
+    configChanged("motor_position");
+}
+
+void SimulatedMoteus::defaultConfig()
+{
+    DriveConfig factory;
+    factory.uuid = m_config.uuid;
+    m_config = factory;
+    configChanged("motor_position");
+}
+
+void SimulatedMoteus::configureOutput(double position)
+{
+    m_servo->shiftFrame(m_encoder->setConfiguredOffset(m_config, position));
+}
+
+void SimulatedMoteus::requireReindex()
+{
+    const double before = m_encoder->position();
+    m_encoder->requireReindex();
+    m_servo->shiftFrame(m_encoder->position() - before);
+}
+
+double SimulatedMoteus::outputPerAxis() const
+{
+    return m_config.motorPosition.rotorToOutputRatio * m_settings.gearRatio * m_config.motorPosition.outputSign;
+}
+
+double SimulatedMoteus::reportedPosition() const
+{
+    return std::floor(m_encoder->position() / kPositionCount) * kPositionCount;
+}
+
+double SimulatedMoteus::outputTorque() const
+{
+    return m_powered ? m_servo->output().torque * outputPerAxis() : 0.0;
+}
+
+double SimulatedMoteus::supplyPower() const
+{
+    return m_powered ? m_servo->output().power + m_servo->output().loss : 0.0;
+}
+
+}  // namespace boresight::sim

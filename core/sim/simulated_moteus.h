@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/moteus/frame_server.h"
+#include "core/sim/axis_plant.h"
+#include "core/sim/diagnostic_console.h"
+#include "core/sim/power_supply.h"
+#include "core/sim/rotor_encoder.h"
+#include "core/sim/servo.h"
+
+#include <array>
+#include <map>
+#include <optional>
+
+// One simulated moteus r4.11 with its motor, gearbox and axis: registers, diagnostic console, configuration memory,
+// power-up. Pure, stepped by its owner, answers frames at once; the reply shows the state before the command.
+namespace boresight::sim {
+
+struct MoteusSettings
+{
+    DriveConfig config;  // as written in its memory
+    PlantSettings plant;
+    double position = 0.0;     // of the axis, turns of the gearbox output
+    double gearRatio = 100.0;  // turns of the rotor per turn of the output
+    bool referenced = false;   // somebody has told the drive its output position since power-up
+    EncoderNoise noise;
+};
+
+class SimulatedMoteus final : public moteus::ServedDevice, private ConsoleDevice
+{
+public:
+    explicit SimulatedMoteus(const MoteusSettings& settings);
+    SimulatedMoteus(const SimulatedMoteus&) = delete;
+    SimulatedMoteus& operator=(const SimulatedMoteus&) = delete;
+
+    // Conditions for the next step, set by whoever injects faults.
+    struct Surroundings
+    {
+        double busVoltage = 24.0;
+        double windTorque = 0.0;  // Nm in the drive's sense
+        int persistentFault = 0;
+    };
+    void step(double dt, const Surroundings& surroundings);
+
+    // `age`: seconds between the arrival of the frame and the beginning of the next step. `answerAs`: another id.
+    [[nodiscard]] std::optional<CanFrame> exchange(const CanFrame& request, double age,
+                                                   std::optional<int> answerAs = std::nullopt);
+
+    void setPowered(bool powered);
+    // Turned by hand without power, which the drive does not see.
+    void place(double position);
+    void raiseFault(int code) { m_servo->raiseFault(code); }
+    void setRegisterMapVersion(int version) { m_registerMapVersion = version; }
+    [[nodiscard]] bool isPowered() const { return m_powered; }
+
+    [[nodiscard]] AxisPlant& plant() { return m_plant; }
+    [[nodiscard]] const AxisPlant& plant() const { return m_plant; }
+    [[nodiscard]] const Servo& servo() const { return *m_servo; }
+    [[nodiscard]] const DriveConfig& driveConfig() const { return m_config; }
+    [[nodiscard]] double reportedPosition() const;  // turns as register 0x001 shows them
+    [[nodiscard]] double outputTorque() const;      // Nm at the gearbox output
+    [[nodiscard]] double supplyPower() const;       // W drawn from the supply, negative while braking
+
+    // What the frame server asks.
+    [[nodiscard]] double readRegister(moteus::Register reg) override;
+    [[nodiscard]] std::uint32_t writeRegister(moteus::Register reg, double value) override;
+    void completeFrame(FrameEnd end) override;
+    [[nodiscard]] bool hasChannel(std::uint32_t channel) override { return channel == 1; }
+    void receiveText(std::uint32_t channel, std::span<const std::uint8_t> text) override;
+    [[nodiscard]] std::span<const std::uint8_t> pendingText(std::uint32_t channel) override;
+    void dropText(std::uint32_t channel, std::size_t count) override;
+
+private:
+    // What the console asks.
+    DriveConfig& config() override { return m_config; }
+    void configChanged(std::string_view group) override;
+    void storeConfig() override { m_stored = m_config; }
+    void loadConfig() override;
+    void defaultConfig() override;
+    void consoleCommand(const ServoCommand& command) override { m_servo->command(command); }
+    void setOutputExact(double position) override { m_servo->shiftFrame(m_encoder->setExact(position)); }
+    void setOutputNearest(double position) override { m_servo->shiftFrame(m_encoder->setNearest(position)); }
+    void configureOutput(double position) override;
+    void requireReindex() override;
+    void recapture() override { m_servo->recapture(m_inputs); }
+    [[nodiscard]] std::vector<std::string> telemetryChannels() const override;
+    [[nodiscard]] std::vector<ArchiveField> telemetry(std::string_view channel) override;
+
+    void powerUp();
+    void sampleEncoder();
+    [[nodiscard]] double outputPerAxis() const;  // turns the drive counts per turn of the gearbox output
+    [[nodiscard]] std::optional<double> readMeasured(moteus::Register reg) const;
+    [[nodiscard]] std::optional<double> readControl(moteus::Register reg) const;
+    [[nodiscard]] std::optional<double> readIdentity(moteus::Register reg) const;
+    [[nodiscard]] double readSensor(moteus::Register reg) const;
+    [[nodiscard]] std::vector<ArchiveField> servoStats() const;
+
+    MoteusSettings m_settings;
+    DriveConfig m_stored;  // survives without power
+    DriveConfig m_config;
+    AxisPlant m_plant;
+    BoardTemperature m_board;
+    std::optional<RotorEncoder> m_encoder;  // renewed at power-up, like the servo
+    std::optional<Servo> m_servo;
+    ServoInputs m_inputs;
+    DiagnosticConsole m_console{*this};
+    moteus::FrameServer m_server;
+    bool m_powered = true;
+    double m_uptime = 0.0;
+    int m_registerMapVersion = moteus::kRegisterMapVersion;
+
+    // One frame's writes, until its end.
+    struct Writes
+    {
+        ServoCommand command;
+        bool hasMode = false;
+        std::vector<moteus::RegisterValue> actions;
+        std::map<moteus::Register, double> unused;  // registers that can be written and read and do nothing here
+    };
+    Writes m_writes;
+    Writes m_accepted;
+    double m_age = 0.0;
+};
+
+}  // namespace boresight::sim

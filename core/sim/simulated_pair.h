@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/sim/fault_injection.h"
+#include "core/sim/power_supply.h"
+#include "core/sim/simulated_moteus.h"
+#include "core/units/sky.h"
+
+#include <array>
+#include <memory>
+#include <random>
+#include <vector>
+
+// The simulated mount: two moteus with their axes on one supply and one bus. Pure, without a clock of its own: its time
+// is in seconds since it was made, and only goes on when somebody says so. Steps of fixed length, so that the same
+// calls give the same run whoever asks in between.
+namespace boresight::sim {
+
+struct PairSettings
+{
+    MoteusSettings azimuth;
+    MoteusSettings elevation;
+    SupplySettings supply{};
+    std::uint32_t seed = 1;  // of lost frames
+};
+
+// The reference mount (reference_mount.h), referenced and protected, standing at `start`.
+[[nodiscard]] PairSettings commissionedPair(const AxisPosition& start = {.azimuth = 0.0_deg, .elevation = 10.0_deg});
+// The same mechanics with boards fresh from the box: both with id 1, ratio 1, bounds ±0.01, nothing referenced.
+[[nodiscard]] PairSettings factoryPair(const AxisPosition& start = {.azimuth = 0.0_deg, .elevation = 10.0_deg});
+
+// How it really is, whatever the drives report.
+struct AxisTruth
+{
+    Angle angle;  // of the antenna, behind the backlash
+    AngularRate rate;
+    double torque = 0.0;   // Nm the drive puts on the axis, towards larger angles
+    double current = 0.0;  // A
+    moteus::Mode mode = moteus::Mode::Stopped;
+    int faultCode = 0;
+    bool powered = true;
+};
+
+// What comes back on the bus for one frame.
+struct PairReply
+{
+    CanFrame frame;
+    Seconds due{0.0};      // when it is to arrive
+    bool damaged = false;  // an adapter shall garble it
+};
+
+class SimulatedPair
+{
+public:
+    explicit SimulatedPair(const PairSettings& settings);
+
+    void advanceTo(Seconds now);
+    [[nodiscard]] Seconds now() const { return m_now; }
+
+    // One frame on the bus at `now`, to which the time goes on. Replies in the order of arbitration.
+    [[nodiscard]] std::vector<PairReply> exchange(const CanFrame& frame, Seconds now);
+
+    [[nodiscard]] AxisTruth truth(Axis axis) const;
+    [[nodiscard]] FaultSchedule& faults() { return m_faults; }
+    [[nodiscard]] const FaultSchedule& faults() const { return m_faults; }
+    [[nodiscard]] SimulatedMoteus& drive(Axis axis) { return *m_sides[side(axis)].drive; }
+    [[nodiscard]] double busVoltage() const { return m_supply.voltage(); }
+
+private:
+    struct Side
+    {
+        Axis axis;
+        std::unique_ptr<SimulatedMoteus> drive;
+        int injectedFault = 0;
+        std::optional<double> handAngle{};  // degrees, while the power is off
+    };
+
+    static std::size_t side(Axis axis) { return axis == Axis::Azimuth ? 0 : 1; }
+    void step(double dt);
+    void applyFaults();
+    void applyFaults(Side& side);
+    void applyPower();
+    [[nodiscard]] double faultValue(FaultKind kind, Axis axis, double otherwise) const;
+    [[nodiscard]] bool happens(FaultKind kind, Axis axis);
+    [[nodiscard]] std::optional<PairReply> askOne(Side& side, const CanFrame& frame);
+
+    PowerSupply m_supply;
+    double m_supplyVoltage;
+    std::array<Side, 2> m_sides;
+    FaultSchedule m_faults;
+    std::minstd_rand m_random;
+    Seconds m_now{0.0};
+    Seconds m_stepped{0.0};        // end of the last step, at most one step behind
+    bool m_faultsApplied = false;  // something has to be undone
+};
+
+}  // namespace boresight::sim
