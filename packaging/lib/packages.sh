@@ -29,7 +29,7 @@ readonly display_packages=(qt6-wayland libqt6svg6 fonts-dejavu-core)
 readonly bench_packages=(libhamlib-utils xvfb xauth)
 
 package_is_installed() {
-    [[ $(dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null) == *installed* ]]
+    dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed
 }
 
 package_is_known() {

@@ -93,7 +93,8 @@ debian_archive() {
 
 # Fetches the upstream tarball of Debian's source package into FOLDER. apt gets its own list, index and cache there, so
 # the machine's apt state stays as it is. Only the tarball is asked for: Debian's patches are not needed, and a mirror
-# whose index lags its pool has already dropped the files that name the Debian revision.
+# whose index lags its pool has already dropped the files that name the Debian revision. An index that is out of date is
+# taken too: what matters is the tarball, and its sum is known.
 fetch_qwt() {  # FOLDER
     local folder=$1 archive suite private version
     archive=$(debian_archive)
@@ -108,7 +109,8 @@ fetch_qwt() {  # FOLDER
             "$archive" "$suite" >"$folder/$suite/sources.list"
         private=(-q -o "Dir::Etc::SourceList=$folder/$suite/sources.list" -o Dir::Etc::SourceParts=-
             -o "Dir::State::Lists=$folder/$suite/lists" -o "Dir::Cache=$folder/$suite/cache"
-            -o "APT::Sandbox::User=$(id -un)" -o Acquire::Languages=none -o Acquire::Retries=3)
+            -o "APT::Sandbox::User=$(id -un)" -o Acquire::Languages=none -o Acquire::Retries=3
+            -o Acquire::Check-Valid-Until=false -o Acquire::Check-Date=false)
         quietly "$folder/$suite/log" apt-get "${private[@]}" update || continue
         version=$(apt-cache "${private[@]}" showsrc --only-source qwt 2>/dev/null |
             awk -v wanted="$qwt_version-" '$1 == "Version:" && index($2, wanted) == 1 { found = $2 } END { print found }')
