@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What belongs to an installed Boresight beside the programs: service, adapter rules, menu entry, icon.
+include(GNUInstallDirs)
+
+configure_file("${CMAKE_SOURCE_DIR}/packaging/systemd/boresightd.service.in" boresightd.service @ONLY)
+install(FILES "${CMAKE_BINARY_DIR}/boresightd.service" DESTINATION lib/systemd/system)
+# Before 73-seat-late.rules, which acts on the tag uaccess.
+install(FILES packaging/udev/70-boresight.rules DESTINATION lib/udev/rules.d)
+if(BORESIGHT_UI)
+  install(FILES packaging/boresight.desktop DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
+  install(FILES resources/icons/boresight.svg DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps"
+    OPTIONAL)
+endif()
