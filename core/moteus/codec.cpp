@@ -236,10 +236,10 @@ std::optional<Uuid> Reply::uuid() const
     Uuid uuid{};
     for (std::uint32_t i = 0; i < uuid.size(); ++i) {
         const auto word = value(Register::Uuid + i);
-        if (!word || std::abs(*word) > 4294967295.0) {
+        if (!word) {
             return std::nullopt;
         }
-        uuid[i] = static_cast<std::uint32_t>(static_cast<std::int64_t>(*word));
+        uuid[i] = toWire(*word, Kind::Identity, Resolution::Int32);
     }
     return uuid;
 }

@@ -83,8 +83,8 @@ std::string valueText(const RegisterValue& item)
     if (std::isnan(item.value)) {
         return "unset";
     }
-    if (kind == Kind::Identity) {
-        return hexNumber(static_cast<std::uint32_t>(static_cast<std::int64_t>(item.value)), 8);
+    if (kind == Kind::Identity && item.resolution == Resolution::Int32) {
+        return hexNumber(toWire(item.value, Kind::Identity, Resolution::Int32), 8);
     }
     const std::string note = meaning(item);
     const std::string_view unit = kind ? unitText(*kind) : std::string_view();

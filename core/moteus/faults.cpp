@@ -9,7 +9,7 @@ namespace {
 
 struct Row
 {
-    int code;
+    int code = 0;
     FaultText text;
 };
 

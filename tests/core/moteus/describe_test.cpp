@@ -54,6 +54,12 @@ TEST(MoteusDescribe, ShowsIdentityAsBitsAndTextAsText)
               "padding 2\n");
 }
 
+// Found by the fuzzer: identity registers exist as i32 only, but a damaged frame may claim anything.
+TEST(MoteusDescribe, IdentityAsAnythingElseIsAPlainNumber)
+{
+    EXPECT_EQ(words(0x100, "2dd00200003b7c"), "reply of drive 1 to 0\nreply 0x150 UUID 1 3.88383805e+36 (f32)\n");
+}
+
 TEST(MoteusDescribe, SaysWhoSpeaksToWhom)
 {
     EXPECT_EQ(words(0x1002, "400100"), "request from 16 to drive 2, no reply wanted\ntunnel 1 to drive: \"\"\n");

@@ -73,7 +73,9 @@ private:
 TEST(GoldenMutation, SeededMutationsAreSurvived)
 {
     constexpr int kTries = 20'000;
-    Mutator mutator(golden::allFrames());
+    auto frames = golden::allFrames();
+    ASSERT_FALSE(frames.empty());
+    Mutator mutator(std::move(frames));
     for (int i = 0; i < kTries; ++i) {
         exercise(mutator.next());
     }

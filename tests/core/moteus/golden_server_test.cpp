@@ -23,19 +23,33 @@ RecordingDevice deviceOf(const QJsonObject& vector)
     return device;
 }
 
-// The recording does not say what text was waiting in the drive; the response does. A full chunk left some behind.
-void provideText(const QJsonObject& vector, RecordingDevice& device)
+// The console text waiting in the recorded drive: the recording does not say, but the response does. A packet with
+// flow control stays until the next one is asked for; a full chunk left some text behind.
+class RecordedConsole
 {
-    device.text.clear();
-    const auto reply = decodeReply(golden::frame(0x100, golden::bytes(vector, "response")));
-    ASSERT_TRUE(reply);
-    for (const TunnelText& part : reply->texts) {
-        device.text += part.text;
+public:
+    [[nodiscard]] std::string waitingBefore(const QJsonObject& vector)
+    {
+        const auto reply = decodeReply(golden::frame(0x100, golden::bytes(vector, "response")));
+        if (!reply || reply->texts.empty()) {
+            return m_held;
+        }
+        const TunnelText& answer = reply->texts.front();
+        const bool repeated = answer.number && answer.number == m_lastNumber;
+        const std::string more = answer.text.size() >= kFullChunk ? "and more than one chunk can hold" : "";
+        const std::string waiting = (repeated || !answer.number ? "" : m_held) + answer.text + more;
+        if (answer.number) {
+            m_lastNumber = answer.number;
+        }
+        m_held = answer.number ? answer.text : "";
+        return waiting;
     }
-    if (device.text.size() >= 38) {
-        device.text += "and more than one chunk can hold";
-    }
-}
+
+private:
+    static constexpr std::size_t kFullChunk = 38;
+    std::string m_held;
+    std::optional<std::uint8_t> m_lastNumber;
+};
 
 void expectWrites(const QJsonObject& vector, const RecordingDevice& device)
 {
@@ -65,27 +79,28 @@ void expectResponse(const QJsonObject& vector, const std::optional<CanFrame>& re
     EXPECT_EQ(reply->extended, reply->id > kMaxStandardId);
 }
 
+bool isTunnel(const QJsonObject& vector)
+{
+    return golden::bytes(vector, "request").front() >> 4 == 4;
+}
+
 // The tunnel cases at the end are one conversation, so one server plays them all.
 TEST(GoldenServer, AnswersAsRecorded)
 {
     FrameServer server;
-    RecordingDevice tunnel;
+    RecordedConsole console;
     for (const QJsonValue& value : golden::vectors("server")) {
         const QJsonObject vector = value.toObject();
         SCOPED_TRACE(golden::text(vector, "name") + ' ' + golden::text(vector, "note"));
-        const bool isTunnel = golden::bytes(vector, "request").front() >> 4 == 4;
         RecordingDevice device = deviceOf(vector);
-        RecordingDevice& served = isTunnel ? tunnel : device;
-        // A repeated packet must come from what is still waiting, not from a fresh supply.
-        if (isTunnel && !golden::text(vector, "note").ends_with("retransmission")) {
-            provideText(vector, tunnel);
+        if (isTunnel(vector)) {
+            device.text = console.waitingBefore(vector);
         }
         const DeviceAddress address{.id = static_cast<std::uint8_t>(vector[QLatin1String("device_id")].toInt()),
                                     .prefix = 0};
         const std::uint32_t id = golden::hexNumber(vector[QLatin1String("arbitration_id")]);
-        const auto reply = server.serve(golden::frame(id, golden::bytes(vector, "request")), address, served);
-        expectResponse(vector, reply);
-        expectWrites(vector, served);
+        expectResponse(vector, server.serve(golden::frame(id, golden::bytes(vector, "request")), address, device));
+        expectWrites(vector, device);
     }
 }
 
