@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <set>
+#include <string>
+#include <vector>
 
 using namespace boresight;
 using namespace boresight::profile;

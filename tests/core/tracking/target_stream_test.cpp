@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -248,6 +249,10 @@ TEST(TargetStream, AFloodOfPointsIsThinned)
         const auto target = stream.target(at(time));
         ASSERT_LE(skyDistance(target->position, axes(100, 10 + 0.5 * time)), 0.2) << time;
         ASSERT_EQ(stream.lastPoint(), point);
+        if (time > 5.0) {
+            ASSERT_TRUE(target->streaming);
+            ASSERT_NEAR(target->rates.elevation.degrees(), 0.5, 0.1) << time;
+        }
     }
 }
 
