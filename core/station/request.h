@@ -25,6 +25,10 @@ struct Jog  // dead-man: must be repeated within kJogKeepAlive, else the axes st
 {
     AxisRates rates;
 };
+struct Move  // runs until Hold, a limit, or the end of the client that asked
+{
+    AxisRates rates;
+};
 struct Step  // move by a fixed amount from the present target
 {
     Angle azimuth;
@@ -53,9 +57,10 @@ struct AcknowledgeAlarms
 
 namespace boresight {
 
-using Request = std::variant<request::PointSky, request::PointAxes, request::Jog, request::Step, request::Hold,
-                             request::Stop, request::ResetStop, request::Park, request::Home, request::Rearm,
-                             request::TakeAuthority, request::GiveAuthority, request::AcknowledgeAlarms>;
+using Request =
+    std::variant<request::PointSky, request::PointAxes, request::Jog, request::Move, request::Step, request::Hold,
+                 request::Stop, request::ResetStop, request::Park, request::Home, request::Rearm,
+                 request::TakeAuthority, request::GiveAuthority, request::AcknowledgeAlarms>;
 
 // A request of the screen, numbered so that the answer finds the control that sent it.
 struct NumberedRequest

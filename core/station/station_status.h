@@ -82,6 +82,7 @@ struct AxisStatus
     std::optional<AngularRate> rate;               // last measured
     std::optional<std::chrono::milliseconds> age;  // of the last reply; empty if there never was one
     std::optional<Angle> commanded;                // the set-point sent now
+    std::optional<AngularRate> commandedRate;      // of the set-point
     std::optional<Angle> target;                   // where the set-point is heading
     TravelRange travel;
     std::optional<double> busVoltage;        // V

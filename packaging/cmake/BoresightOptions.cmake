@@ -6,8 +6,10 @@ set(BORESIGHT_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,u
 add_library(boresight_options INTERFACE)
 target_compile_features(boresight_options INTERFACE cxx_std_20)
 target_compile_options(boresight_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Werror)
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Werror
+  -Wno-missing-field-initializers)  # designated initialisers leave the rest at its default on purpose
 target_compile_definitions(boresight_options INTERFACE
+  BORESIGHT_VERSION="${PROJECT_VERSION}"
   QT_NO_CAST_FROM_ASCII QT_NO_CAST_TO_ASCII QT_NO_FOREACH QT_NO_KEYWORDS QT_DISABLE_DEPRECATED_BEFORE=0x060400)
 target_include_directories(boresight_options INTERFACE "${CMAKE_SOURCE_DIR}")
 if(BORESIGHT_SANITIZE)

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/alarm_list.h"
+
+#include <algorithm>
+
+namespace boresight {
+
+std::vector<AlarmList::Entry>::iterator AlarmList::find(const QString& cause)
+{
+    return std::ranges::find(m_entries, cause, &Entry::cause);
+}
+
+bool AlarmList::raise(const QString& cause, Severity severity, const AlarmText& text, UtcTime now)
+{
+    auto entry = find(cause);
+    if (entry == m_entries.end()) {
+        m_entries.push_back({.cause = cause, .alarm = {}});
+        entry = std::prev(m_entries.end());
+        entry->alarm.active = false;
+    }
+    Alarm& alarm = entry->alarm;
+    const bool isNew = !alarm.active;
+    if (isNew) {
+        alarm = Alarm{.id = m_nextId++, .since = now};
+    }
+    alarm.severity = severity;
+    alarm.what = text.what;
+    alarm.action = text.action;
+    alarm.remedy = text.remedy;
+    return isNew;
+}
+
+bool AlarmList::clear(const QString& cause)
+{
+    const auto entry = find(cause);
+    if (entry == m_entries.end() || !entry->alarm.active) {
+        return false;
+    }
+    entry->alarm.active = false;
+    forgetFinished();
+    return true;
+}
+
+void AlarmList::acknowledgeAll()
+{
+    for (Entry& entry : m_entries) {
+        entry.alarm.acknowledged = true;
+    }
+    forgetFinished();
+}
+
+bool AlarmList::active(const QString& cause) const
+{
+    const auto entry = std::ranges::find(m_entries, cause, &Entry::cause);
+    return entry != m_entries.end() && entry->alarm.active;
+}
+
+std::vector<Alarm> AlarmList::list() const
+{
+    std::vector<Alarm> alarms;
+    alarms.reserve(m_entries.size());
+    std::ranges::transform(m_entries, std::back_inserter(alarms), &Entry::alarm);
+    std::ranges::sort(alarms, [](const Alarm& a, const Alarm& b) {
+        return a.severity != b.severity ? a.severity > b.severity : a.id > b.id;
+    });
+    return alarms;
+}
+
+void AlarmList::forgetFinished()
+{
+    std::erase_if(m_entries, [](const Entry& entry) {
+        const Alarm& alarm = entry.alarm;
+        return !alarm.active && (alarm.acknowledged || alarm.severity == Severity::Advisory);
+    });
+}
+
+}  // namespace boresight

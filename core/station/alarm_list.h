@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+// The alarms of the station, one per cause. An alarm stays until its cause is gone and, above an advisory, somebody
+// has acknowledged it. Station thread only.
+namespace boresight {
+
+// What the operator reads: what happened, what Boresight did, what to do.
+struct AlarmText
+{
+    QString what;
+    QString action;
+    QString remedy;
+};
+
+class AlarmList
+{
+public:
+    // Raises the alarm named `cause`, or renews its text. True if it was not active before: worth a log line.
+    bool raise(const QString& cause, Severity severity, const AlarmText& text, UtcTime now);
+    // The cause is gone. True if it was active.
+    bool clear(const QString& cause);
+    void acknowledgeAll();
+
+    [[nodiscard]] bool active(const QString& cause) const;
+    // Active or not yet acknowledged, worst first, newest first among equals.
+    [[nodiscard]] std::vector<Alarm> list() const;
+
+private:
+    struct Entry
+    {
+        QString cause;
+        Alarm alarm;
+    };
+
+    [[nodiscard]] std::vector<Entry>::iterator find(const QString& cause);
+    void forgetFinished();
+
+    std::vector<Entry> m_entries;
+    std::uint64_t m_nextId = 1;
+};
+
+}  // namespace boresight

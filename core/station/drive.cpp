@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/drive.h"
+
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace boresight {
+namespace {
+
+// Slower than this the drive does not turn by velocity (moteus manual); a fresh position each tick moves it instead.
+constexpr MotorRate kSmallestVelocity = MotorRate::fromTurns(0.0001);
+
+// A reply shows the state before the command in the same exchange, so the first one of a phase says nothing about it.
+constexpr int kFirstTellingReply = 2;
+
+DriveReport toReport(const moteus::Reply& reply, SteadyTime received)
+{
+    using moteus::Register;
+    const auto number = [&](Register reg) { return reply.value(reg).value_or(0.0); };
+    return {.received = received,
+            .mode = *reply.mode(),
+            .fault = reply.fault().value_or(0),
+            .homeState = reply.homeState().value_or(moteus::HomeState::Relative),
+            .position = MotorTurns::fromTurns(*reply.value(Register::Position)),
+            .rate = MotorRate::fromTurns(number(Register::Velocity)),
+            .torque = number(Register::Torque),
+            .current = number(Register::QCurrent),
+            .voltage = number(Register::Voltage),
+            .boardTemperature = number(Register::Temperature),
+            .motorTemperature = number(Register::MotorTemperature)};
+}
+
+}  // namespace
+
+Drive::Drive(const DriveSettings& settings, std::string name) : m_settings(settings), m_name(std::move(name)) {}
+
+void Drive::enter(Phase phase)
+{
+    m_phase = phase;
+    m_repliesInPhase = 0;
+    m_phaseSince.reset();
+}
+
+void Drive::engage()
+{
+    if (m_phase == Phase::Capturing || m_phase == Phase::Engaged) {
+        return;
+    }
+    m_captureAfterRecovery = true;
+    if (m_phase != Phase::Recovering) {
+        enter(latched() ? Phase::Recovering : Phase::Capturing);
+    }
+}
+
+void Drive::listen()
+{
+    enter(Phase::Listening);
+}
+
+void Drive::recover()
+{
+    m_captureAfterRecovery = false;
+    enter(Phase::Recovering);
+}
+
+void Drive::brake()
+{
+    enter(Phase::Braking);
+}
+
+void Drive::release()
+{
+    enter(Phase::Releasing);
+}
+
+void Drive::setSetpoint(MotorTurns position, MotorRate rate)
+{
+    m_setpoint = position;
+    m_setpointRate = rate;
+}
+
+bool Drive::answering(SteadyTime now) const
+{
+    return m_report && now - m_report->received < kSilence;
+}
+
+bool Drive::latched() const
+{
+    return m_report && (m_report->mode == moteus::Mode::Fault || m_report->mode == moteus::Mode::PositionTimeout);
+}
+
+bool Drive::referenced() const
+{
+    return m_report && m_report->homeState == moteus::HomeState::Output;
+}
+
+bool Drive::take(const CanFrame& frame)
+{
+    const auto reply = moteus::decodeReply(frame);
+    if (!reply || reply->prefix != 0 || reply->source != m_settings.id || reply->destination != moteus::kHostId) {
+        return false;
+    }
+    if (reply->mode() && reply->value(moteus::Register::Position)) {
+        m_report = toReport(*reply, frame.received);
+        ++m_repliesInPhase;
+    }
+    return true;
+}
+
+void Drive::lose(DriveLoss loss)
+{
+    m_loss = loss;
+    enter(Phase::Listening);
+}
+
+void Drive::judge(SteadyTime now)
+{
+    const bool underOrders = m_phase == Phase::Capturing || m_phase == Phase::Engaged || m_phase == Phase::Recovering;
+    if (!underOrders) {
+        return;
+    }
+    if (!m_phaseSince) {
+        m_phaseSince = now;
+    }
+    if (!answering(now)) {
+        lose(DriveLoss::Silent);
+    } else if (m_phase != Phase::Engaged && now - *m_phaseSince > kObedience) {
+        lose(DriveLoss::Disobeys);
+    } else if (m_repliesInPhase >= kFirstTellingReply) {
+        judgeMode(m_report->mode);
+    }
+}
+
+void Drive::judgeMode(moteus::Mode mode)
+{
+    if (m_phase == Phase::Recovering) {
+        if (mode == moteus::Mode::Stopped) {
+            enter(m_captureAfterRecovery ? Phase::Capturing : Phase::Listening);
+        }
+    } else if (mode == moteus::Mode::Fault) {
+        lose(DriveLoss::Fault);
+    } else if (mode == moteus::Mode::PositionTimeout) {
+        lose(DriveLoss::TimedOut);
+    } else if (m_phase == Phase::Capturing && mode == moteus::Mode::Position) {
+        enter(Phase::Engaged);
+        m_justEngaged = true;
+    } else if (m_phase == Phase::Engaged && mode != moteus::Mode::Position) {
+        lose(DriveLoss::Released);
+    }
+}
+
+moteus::PositionCommand Drive::positionCommand(double position, double velocity) const
+{
+    return {.position = position,
+            .velocity = velocity,
+            .maximumTorque = m_settings.maxTorque,
+            .watchdogTimeout = m_settings.watchdog.count(),
+            .velocityLimit = m_settings.velocityLimit.turns(),
+            .accelerationLimit = m_settings.accelerationLimit.turns()};
+}
+
+std::optional<moteus::Command> Drive::command() const
+{
+    switch (m_phase) {
+        case Phase::Listening:
+            return std::nullopt;
+        case Phase::Capturing:
+            return positionCommand(moteus::kKeepControlPosition, 0.0);
+        case Phase::Engaged: {
+            const bool tooSlow = abs(m_setpointRate) < kSmallestVelocity;
+            return positionCommand(m_setpoint.turns(), tooSlow ? 0.0 : m_setpointRate.turns());
+        }
+        case Phase::Recovering:
+        case Phase::Releasing:
+            return moteus::Stop{};
+        case Phase::Braking:
+            return moteus::Brake{};
+    }
+    return std::nullopt;
+}
+
+CanFrame Drive::frame() const
+{
+    const moteus::Request request{
+        .destination = static_cast<std::uint8_t>(m_settings.id), .command = command(), .query = moteus::rotatorQuery()};
+    const auto frame = moteus::encode(request);
+    assert(frame);  // a fixed set of fields and a fixed query: tests prove that it fits
+    return *frame;
+}
+
+}  // namespace boresight

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/can_frame.h"
+#include "core/base/result.h"
+#include "core/moteus/codec.h"
+#include "core/units/quantity.h"
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <utility>
+
+// One moteus controller as the station uses it: turns what the axis shall do into the one frame of this tick (command
+// and query together) and replies into a report. Knows the drive's rules: a hold at the measured position comes before
+// any set-point, a drive in fault or time-out is never commanded before it has shown mode 0, and every motion frame
+// carries the watchdog time. Pure: time is passed in. Units are the drive's: output turns, Nm, A, V, °C.
+namespace boresight {
+
+// The last reply, and when it came.
+struct DriveReport
+{
+    SteadyTime received{};
+    moteus::Mode mode = moteus::Mode::Stopped;
+    int fault = 0;  // a fault in mode 1, an active limit (96…105) else
+    moteus::HomeState homeState = moteus::HomeState::Relative;
+    MotorTurns position;
+    MotorRate rate;
+    double torque = 0.0;
+    double current = 0.0;  // q axis
+    double voltage = 0.0;
+    double boardTemperature = 0.0;
+    double motorTemperature = 0.0;
+};
+
+struct DriveSettings
+{
+    int id = 1;
+    Seconds watchdog{0.1};
+    double maxTorque = 0.0;
+    MotorRate velocityLimit;  // above the host's own limits: the host leads, the drive guards
+    MotorAcceleration accelerationLimit;
+};
+
+// Why a drive that was engaged is not any more.
+enum class DriveLoss
+{
+    Silent,    // no reply for kSilence
+    Fault,     // mode 1
+    TimedOut,  // mode 11: its own watchdog stopped it
+    Released,  // another mode without our command: power cycle, or another program
+    Disobeys,  // answers, but does not do what it is told for kObedience
+};
+
+class Drive
+{
+public:
+    enum class Phase
+    {
+        Listening,   // only queries are sent
+        Capturing,   // "hold where you are" is sent until the drive reports position mode
+        Engaged,     // set-points are sent
+        Recovering,  // stop is sent until the drive reports mode 0
+        Braking,     // phases shorted, for the end of the program
+        Releasing,   // driver off, for the end of the program
+    };
+
+    static constexpr std::chrono::milliseconds kSilence{250};
+    static constexpr std::chrono::milliseconds kObedience{1000};  // enabling takes a drive some 13 ms
+
+    Drive(const DriveSettings& settings, std::string name);
+
+    // Orders of the station; they take effect in the next frame.
+    void engage();   // Listening -> (Recovering, if latched ->) Capturing -> Engaged
+    void listen();   // stop commanding; the drive's watchdog then ends what it did
+    void recover();  // clear a fault or time-out: mode 0, then listening
+    void brake();
+    void release();
+    void setSetpoint(MotorTurns position, MotorRate rate);  // sent while Engaged
+
+    // Takes a frame from the bus; false if it is not a reply of this drive to us.
+    bool take(const CanFrame& frame);
+
+    // Once per tick: draws the conclusions from the replies (see takeLoss() and takeEngaged()), then the frame to send.
+    void judge(SteadyTime now);
+    [[nodiscard]] CanFrame frame() const;
+
+    // True once after the drive has become Engaged: the first set-point must be where it stands.
+    [[nodiscard]] bool takeEngaged() { return std::exchange(m_justEngaged, false); }
+    // Given once when an engaged or capturing drive was lost; it is Listening then.
+    [[nodiscard]] std::optional<DriveLoss> takeLoss() { return std::exchange(m_loss, std::nullopt); }
+
+    [[nodiscard]] Phase phase() const { return m_phase; }
+    [[nodiscard]] const std::string& name() const { return m_name; }
+    [[nodiscard]] const std::optional<DriveReport>& report() const { return m_report; }
+    [[nodiscard]] bool answering(SteadyTime now) const;
+    // In fault or time-out: takes no command but stop.
+    [[nodiscard]] bool latched() const;
+    // The output position is known absolutely, not only within one turn of the rotor.
+    [[nodiscard]] bool referenced() const;
+
+private:
+    void enter(Phase phase);
+    void lose(DriveLoss loss);
+    void judgeMode(moteus::Mode mode);
+    [[nodiscard]] std::optional<moteus::Command> command() const;
+    [[nodiscard]] moteus::PositionCommand positionCommand(double position, double velocity) const;
+
+    DriveSettings m_settings;
+    std::string m_name;
+    Phase m_phase = Phase::Listening;
+    bool m_captureAfterRecovery = false;
+    bool m_justEngaged = false;
+    int m_repliesInPhase = 0;
+    std::optional<SteadyTime> m_phaseSince;  // of Capturing and Recovering
+    MotorTurns m_setpoint;
+    MotorRate m_setpointRate;
+    std::optional<DriveReport> m_report;
+    std::optional<DriveLoss> m_loss;
+};
+
+}  // namespace boresight

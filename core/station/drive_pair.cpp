@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/drive_pair.h"
+
+namespace boresight {
+namespace {
+
+// The drive's own planner must never be the slower one: it gets room above what the host's profile asks for.
+constexpr double kGuardFactor = 1.5;
+
+DriveSettings driveSettings(const profile::AxisSettings& axis, const profile::ControlSettings& control)
+{
+    const bool gearInHost = axis.geometry.gearIn == pointing::GearIn::Host;
+    return {.id = axis.id,
+            .watchdog = control.watchdog,
+            .maxTorque = axis.maxTorque / (gearInHost ? axis.geometry.gearRatio : 1.0),
+            .velocityLimit = abs(axis.geometry.toMotor(axis.limits.speed)) * kGuardFactor,
+            .accelerationLimit = abs(axis.geometry.toMotor(axis.limits.acceleration)) * kGuardFactor};
+}
+
+}  // namespace
+
+DrivePair::DrivePair(const profile::Profile& profile)
+    : m_azimuthGeometry(profile.azimuth.geometry),
+      m_elevationGeometry(profile.elevation.geometry),
+      m_azimuth(driveSettings(profile.azimuth, profile.control), "azimuth drive"),
+      m_elevation(driveSettings(profile.elevation, profile.control), "elevation drive")
+{}
+
+const pointing::AxisGeometry& DrivePair::geometry(Axis axis) const
+{
+    return axis == Axis::Azimuth ? m_azimuthGeometry : m_elevationGeometry;
+}
+
+void DrivePair::take(const CanFrame& frame)
+{
+    if (!m_azimuth.take(frame)) {
+        m_elevation.take(frame);
+    }
+}
+
+void DrivePair::judge(SteadyTime now)
+{
+    m_azimuth.judge(now);
+    m_elevation.judge(now);
+}
+
+std::array<CanFrame, 2> DrivePair::frames() const
+{
+    return {m_azimuth.frame(), m_elevation.frame()};
+}
+
+void DrivePair::engage()
+{
+    m_azimuth.engage();
+    m_elevation.engage();
+}
+
+void DrivePair::leave(profile::OnExit how)
+{
+    for (const Axis axis : kAxes) {
+        if (drive(axis).phase() != Drive::Phase::Engaged) {
+            continue;
+        }
+        switch (how) {
+            case profile::OnExit::Hold:
+                drive(axis).listen();  // standing still, it holds by its own time-out mode
+                break;
+            case profile::OnExit::Brake:
+                drive(axis).brake();
+                break;
+            case profile::OnExit::Off:
+                drive(axis).release();
+                break;
+        }
+    }
+}
+
+bool DrivePair::engaged() const
+{
+    return m_azimuth.phase() == Drive::Phase::Engaged && m_elevation.phase() == Drive::Phase::Engaged;
+}
+
+bool DrivePair::answering(SteadyTime now) const
+{
+    return m_azimuth.answering(now) && m_elevation.answering(now);
+}
+
+void DrivePair::setSetpoint(Axis axis, Angle angle, AngularRate rate)
+{
+    drive(axis).setSetpoint(geometry(axis).toMotor(angle), geometry(axis).toMotor(rate));
+}
+
+std::optional<Angle> DrivePair::measured(Axis axis) const
+{
+    const auto& report = drive(axis).report();
+    return report ? std::optional(geometry(axis).toAxis(report->position)) : std::nullopt;
+}
+
+std::optional<AngularRate> DrivePair::measuredRate(Axis axis) const
+{
+    const auto& report = drive(axis).report();
+    return report ? std::optional(geometry(axis).toAxis(report->rate)) : std::nullopt;
+}
+
+std::optional<AxisPosition> DrivePair::measured() const
+{
+    const auto azimuth = measured(Axis::Azimuth);
+    const auto elevation = measured(Axis::Elevation);
+    return azimuth && elevation ? std::optional(AxisPosition{*azimuth, *elevation}) : std::nullopt;
+}
+
+std::optional<std::chrono::milliseconds> DrivePair::age(Axis axis, SteadyTime now) const
+{
+    const auto& report = drive(axis).report();
+    return report ? std::optional(std::chrono::duration_cast<std::chrono::milliseconds>(now - report->received))
+                  : std::nullopt;
+}
+
+}  // namespace boresight

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/profile/profile.h"
+#include "core/station/drive.h"
+#include "core/units/sky.h"
+
+#include <array>
+
+// The two drives of the mount in the units of the axes: mechanical angles go in and come out, the geometry of the
+// profile lies between. Pure, like Drive.
+namespace boresight {
+
+inline constexpr std::array<Axis, 2> kAxes{Axis::Azimuth, Axis::Elevation};
+
+class DrivePair
+{
+public:
+    explicit DrivePair(const profile::Profile& profile);
+
+    [[nodiscard]] Drive& drive(Axis axis) { return axis == Axis::Azimuth ? m_azimuth : m_elevation; }
+    [[nodiscard]] const Drive& drive(Axis axis) const { return axis == Axis::Azimuth ? m_azimuth : m_elevation; }
+
+    void take(const CanFrame& frame);
+    void judge(SteadyTime now);
+    [[nodiscard]] std::array<CanFrame, 2> frames() const;  // azimuth, elevation
+
+    void engage();
+    [[nodiscard]] bool engaged() const;  // both take set-points
+    [[nodiscard]] bool answering(SteadyTime now) const;
+    void leave(profile::OnExit how);  // drives that were never engaged stay as they are
+    void setSetpoint(Axis axis, Angle angle, AngularRate rate);
+
+    // As last reported, whatever its age.
+    [[nodiscard]] std::optional<Angle> measured(Axis axis) const;
+    [[nodiscard]] std::optional<AngularRate> measuredRate(Axis axis) const;
+    [[nodiscard]] std::optional<AxisPosition> measured() const;
+    [[nodiscard]] std::optional<std::chrono::milliseconds> age(Axis axis, SteadyTime now) const;
+
+private:
+    [[nodiscard]] const pointing::AxisGeometry& geometry(Axis axis) const;
+
+    pointing::AxisGeometry m_azimuthGeometry;
+    pointing::AxisGeometry m_elevationGeometry;
+    Drive m_azimuth;
+    Drive m_elevation;
+};
+
+}  // namespace boresight

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/station/event_log.h"
+
+#include <QString>
+
+// Lines that somebody outside can cause at will - connections, refused commands - must not flood the log: each source's
+// repeated line is written once in kRepeat, and no more than kBurst lines a second in all; what was left out is counted
+// in the next line. Station thread only.
+namespace boresight {
+
+class LogThrottle
+{
+public:
+    static constexpr std::chrono::seconds kRepeat{10};
+    static constexpr int kBurst = 10;
+
+    LogThrottle(EventLog& log, const Clock& clock) : m_log(log), m_clock(clock) {}
+
+    void add(Severity severity, const QString& source, const QString& text);
+
+private:
+    EventLog& m_log;
+    const Clock& m_clock;
+    QString m_lastLine;
+    SteadyTime m_lastTime{};
+    SteadyTime m_second{};
+    int m_inSecond = 0;
+    int m_leftOut = 0;
+};
+
+}  // namespace boresight

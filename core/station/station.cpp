@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/station.h"
+
+#include <QLoggingCategory>
+
+#include <algorithm>
+
+Q_LOGGING_CATEGORY(lcTick, "boresight.tick", QtInfoMsg)
+
+namespace boresight {
+namespace {
+
+const QString kBusCause = QStringLiteral("bus");
+const QString kServerCause = QStringLiteral("rotctld");
+constexpr std::chrono::seconds kReopenPeriod{1};
+// More than this is not read by anybody at once; the log file has it all.
+constexpr std::size_t kMostLogLines = 500;
+
+rotctld::ServerSettings serverSettings(const profile::RotctldSettings& settings)
+{
+    return {.host = settings.listen.host,
+            .port = settings.listen.port,
+            .maxClients = static_cast<std::size_t>(settings.maxClients)};
+}
+
+}  // namespace
+
+Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link, const QString& stateDir,
+                 const Clock& clock)
+    : m_profile(profile),
+      m_clock(clock),
+      m_log(clock),
+      m_control(profile, clock, m_log),
+      m_rotator(m_control, profile, m_log, clock),
+      m_link(std::move(link)),
+      m_server(serverSettings(profile.rotctld), m_rotator, clock, this),
+      m_eventFile(stateDir),
+      m_tickTimer(this),
+      m_updateTimer(this),
+      m_reopenTimer(this),
+      m_lateness(profile.control.tickPeriod())
+{
+    m_link->setParent(this);  // so that it moves to the station thread with us
+    m_tickTimer.setTimerType(Qt::PreciseTimer);
+    m_tickTimer.setInterval(std::chrono::round<std::chrono::milliseconds>(profile.control.tickPeriod()));
+    m_updateTimer.setInterval(kUpdatePeriod);
+    m_reopenTimer.setInterval(kReopenPeriod);
+    connect(&m_tickTimer, &QTimer::timeout, this, [this] {
+        m_lateness.tick(m_clock.now());
+        tick();
+    });
+    connect(&m_updateTimer, &QTimer::timeout, this, &Station::publish);
+    connect(&m_reopenTimer, &QTimer::timeout, this, &Station::openBus);
+    connect(m_link.get(), &CanLink::frameReceived, this, [this](const CanFrame& frame) { m_control.take(frame); });
+    connect(m_link.get(), &CanLink::statusChanged, this, &Station::showBus);
+}
+
+Station::~Station()
+{
+    m_server.close();  // while the rotator still lives
+    m_link->setParent(nullptr);
+}
+
+void Station::start()
+{
+    openAll();
+    m_tickTimer.start();
+    m_updateTimer.start();
+    m_reopenTimer.start();
+}
+
+void Station::openAll()
+{
+    openBus();
+    openServer();
+    writeEvents();
+}
+
+void Station::openBus()
+{
+    const LinkState state = m_link->status().state;
+    if (state == LinkState::Up || state == LinkState::Down || m_finished) {
+        return;
+    }
+    if (const Result<> opened = m_link->open(); !opened) {
+        LinkStatus status = m_link->status();
+        status.text = QString::fromStdString(opened.error().text);
+        showBus(status);
+    } else {
+        showBus(m_link->status());
+    }
+}
+
+void Station::showBus(const LinkStatus& status)
+{
+    if (status.state == LinkState::Up && status.text.isEmpty()) {
+        m_control.clearAlarm(kBusCause);
+        return;
+    }
+    if (m_finished) {
+        return;
+    }
+    const Severity severity = status.state == LinkState::Up ? Severity::Warning : Severity::Alarm;
+    m_control.raiseAlarm(kBusCause, severity,
+                         {.what = QStringLiteral("%1: %2").arg(m_link->name(), status.text),
+                          .action = QStringLiteral("The bus is tried again each second"),
+                          .remedy = QStringLiteral("Check adapter, cable and the bus name in the profile")});
+}
+
+void Station::openServer()
+{
+    const Result<> listening = m_server.listen();
+    if (listening) {
+        const QString address = QString::fromStdString(m_server.address());
+        m_log.add(Severity::Advisory, kServerCause, QStringLiteral("listening on ") + address);
+        Q_EMIT started(address, {});
+        return;
+    }
+    const QString problem = QString::fromStdString(listening.error().text);
+    m_control.raiseAlarm(kServerCause, Severity::Alarm,
+                         {.what = problem,
+                          .action = QStringLiteral("No client can connect; everything else works"),
+                          .remedy = QStringLiteral("End the other program, or choose another port with --listen or in "
+                                                   "the profile, and start again")});
+    Q_EMIT started({}, problem);
+}
+
+void Station::tick()
+{
+    const auto frames = m_control.tick();
+    if (m_link->status().state == LinkState::Up) {
+        // A frame that could not be sent shows as a missing reply and in the status of the link.
+        [[maybe_unused]] const Result<> sent = m_link->send(frames);
+    }
+    writeEvents();
+    if (m_control.shutDownDone() && !m_finished) {
+        m_finished = true;
+        m_tickTimer.stop();
+        m_updateTimer.stop();
+        m_reopenTimer.stop();
+        m_server.close();
+        m_link->close();
+        qCInfo(lcTick, "ticks %llu, late p50 %.1f ms, p99 %.1f ms, max %.1f ms",
+               static_cast<unsigned long long>(m_lateness.count()), m_lateness.percentile(0.5).count() * 1e3,
+               m_lateness.percentile(0.99).count() * 1e3, m_lateness.percentile(1.0).count() * 1e3);
+        Q_EMIT finished();
+    }
+}
+
+void Station::request(const NumberedRequest& numbered)
+{
+    static const Source kOperator{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
+    const Result<> answer = m_control.request(numbered.request, kOperator);
+    if (!answer) {
+        m_log.add(Severity::Warning, kOperator.name,
+                  QStringLiteral("refused: ") + QString::fromStdString(answer.error().text));
+    }
+    m_answers.push_back(
+        {.requestId = numbered.id, .error = answer ? std::optional<Error>() : std::optional(answer.error())});
+    if (std::holds_alternative<request::Stop>(numbered.request)) {
+        tick();  // STOP does not wait for the next tick
+    }
+}
+
+void Station::updateTaken()
+{
+    m_updateWanted = true;
+}
+
+void Station::publish()
+{
+    if (!m_updateWanted) {
+        return;
+    }
+    m_updateWanted = false;
+    StationUpdate update{
+        .status = status(), .log = m_log.since(m_lastLogSent, kMostLogLines), .answers = std::exchange(m_answers, {})};
+    m_lastLogSent = m_log.lastNumber();
+    Q_EMIT updated(update);
+}
+
+void Station::shutDown()
+{
+    m_control.shutDown();
+}
+
+StationStatus Station::status() const
+{
+    StationStatus status = m_control.status();
+    status.bus = m_link->status();
+    status.busName = m_link->name();
+    status.simulated = m_profile.bus == "simulated";
+    status.listening = QString::fromStdString(m_server.address());
+    status.clients = clients(status);
+    return status;
+}
+
+std::vector<ClientStatus> Station::clients(const StationStatus& status) const
+{
+    std::vector<ClientStatus> list;
+    for (const rotctld::ClientInfo& client : m_server.clients()) {
+        list.push_back({.id = client.id,
+                        .address = QString::fromStdString(client.address),
+                        .program = QString::fromStdString(client.program),
+                        .lastCommand = QString::fromStdString(client.lastCommand),
+                        .driving = status.commander.kind == SourceKind::Client &&
+                                   status.commander.clientId == client.id && !status.targetText.isEmpty()});
+    }
+    return list;
+}
+
+void Station::writeEvents()
+{
+    for (const LogEntry& entry : m_log.since(m_lastLogWritten, EventLog::kCapacity)) {
+        if (const Result<> written = m_eventFile.add(entry); !written) {
+            m_control.raiseAlarm(
+                QStringLiteral("log"), Severity::Warning,
+                {.what = QString::fromStdString(written.error().text),
+                 .action = QStringLiteral("The log is kept in memory only"),
+                 .remedy = QStringLiteral("Check the disk, or choose another folder with --state-dir")});
+        }
+        m_lastLogWritten = entry.number;
+    }
+}
+
+}  // namespace boresight

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/can/can_link.h"
+#include "core/profile/profile.h"
+#include "core/rotctld/server.h"
+#include "core/station/event_file.h"
+#include "core/station/event_log.h"
+#include "core/station/request.h"
+#include "core/station/station_control.h"
+#include "core/station/station_rotator.h"
+#include "core/station/station_status.h"
+#include "core/station/tick_lateness.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+#include <vector>
+
+// The station as a running thing: StationControl with a bus, a timer, the rotctld server, a log file and a feed of
+// updates. Built on the main thread, then moved to the station thread before start(); from there on all is called
+// there, from other threads by queued signals. It decides nothing about motion itself.
+namespace boresight {
+
+class Station : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr std::chrono::milliseconds kUpdatePeriod{50};
+
+    // `clock` must outlive the station.
+    Station(const profile::Profile& profile, std::unique_ptr<CanLink> link, const QString& stateDir,
+            const Clock& clock);
+    ~Station() override;
+
+    [[nodiscard]] StationStatus status() const;
+    [[nodiscard]] const TickLateness& lateness() const { return m_lateness; }
+
+public Q_SLOTS:
+    // Opens bus and server and begins to tick; started() tells how that went. A bus that does not open is an alarm and
+    // is tried again each second.
+    void start();
+    void request(const boresight::NumberedRequest& request);
+    // The screen has taken the last update: the next may come.
+    void updateTaken();
+    // Decelerates, leaves the drives as the profile says, then finished().
+    void shutDown();
+
+    // What the timers call; tests with a hand-turned clock call them themselves after openAll().
+    void tick();
+    void publish();
+    void openAll();
+
+Q_SIGNALS:
+    // `listening` is the address of the rotctld server, empty when it could not listen, and then `problem` says why.
+    void started(const QString& listening, const QString& problem);
+    void updated(const boresight::StationUpdate& update);
+    void finished();
+
+private:
+    void openBus();
+    void showBus(const LinkStatus& status);
+    void openServer();
+    void writeEvents();
+    [[nodiscard]] std::vector<ClientStatus> clients(const StationStatus& status) const;
+
+    profile::Profile m_profile;
+    const Clock& m_clock;
+    EventLog m_log;
+    StationControl m_control;
+    StationRotator m_rotator;
+    std::unique_ptr<CanLink> m_link;
+    rotctld::Server m_server;
+    EventFile m_eventFile;
+    QTimer m_tickTimer;
+    QTimer m_updateTimer;
+    QTimer m_reopenTimer;
+    TickLateness m_lateness;
+    std::vector<Answer> m_answers;
+    std::uint64_t m_lastLogSent = 0;
+    std::uint64_t m_lastLogWritten = 0;
+    bool m_updateWanted = true;
+    bool m_finished = false;
+};
+
+}  // namespace boresight

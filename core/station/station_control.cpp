@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/station_control.h"
+
+#include "core/base/numbers.h"
+
+namespace boresight {
+namespace {
+
+constexpr std::chrono::seconds kOldestPosition{1};
+
+QString degreesText(Angle angle)
+{
+    return QString::fromStdString(formatFixed(angle.degrees(), 2)) + QStringLiteral("°");
+}
+
+QString text(const AxisPosition& place)
+{
+    return degreesText(place.azimuth) + QStringLiteral(" ") + degreesText(place.elevation);
+}
+
+QString text(const SkyPointing& direction)
+{
+    return degreesText(direction.azimuth) + QStringLiteral(" ") + degreesText(direction.elevation);
+}
+
+bool isZero(const AxisRates& rates)
+{
+    return rates == AxisRates{};
+}
+
+}  // namespace
+
+StationControl::StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log)
+    : m_profile(profile),
+      m_clock(clock),
+      m_log(log),
+      m_model(profile.azimuth.geometry, profile.elevation.geometry),
+      m_drives(profile),
+      m_motion(profile),
+      m_started(clock.now()),
+      m_now(m_started)
+{}
+
+Result<> StationControl::request(const Request& request, const Source& source)
+{
+    return std::visit([&](const auto& wanted) { return handle(wanted, source); }, request);
+}
+
+Result<> StationControl::mayMove(const Source& source) const
+{
+    if (!m_connected) {
+        const Axis silent = m_drives.drive(Axis::Azimuth).answering(m_now) ? Axis::Elevation : Axis::Azimuth;
+        return failure(ErrorCode::NoAnswer, "no reply from the " + m_drives.drive(silent).name());
+    }
+    if (m_shutDown != ShutDown::No) {
+        return failure(ErrorCode::Refused, "Boresight is closing");
+    }
+    if (m_now < m_quietUntil) {
+        return failure(ErrorCode::Refused, "the drives have only just come back: wait a second");
+    }
+    return m_interlock.admits(source);
+}
+
+Result<> StationControl::mayPoint(const Source& source) const
+{
+    return mayMove(source).and_then([&]() -> Result<> {
+        for (const Axis axis : kAxes) {
+            if (!m_drives.drive(axis).referenced()) {
+                return failure(ErrorCode::Refused,
+                               "the " + m_drives.drive(axis).name() +
+                                   " does not know which turn it is on since its power-up: jog only, "
+                                   "until its output position is set");
+            }
+        }
+        return {};
+    });
+}
+
+AxisPosition StationControl::heading() const
+{
+    if (!m_drives.engaged()) {
+        return m_drives.measured().value_or(AxisPosition{});
+    }
+    return m_motion.target(m_now).value_or(m_motion.place());
+}
+
+void StationControl::begin(Activity activity, const Source& source, const QString& what)
+{
+    if (source.kind == SourceKind::Operator && m_interlock.authority() == Authority::Clients) {
+        m_interlock.setAuthority(Authority::Operator);
+        m_log.add(Severity::Advisory, source.name,
+                  QStringLiteral("takes over: motion commands of clients are refused"));
+    }
+    const bool continues = m_activity == activity && m_commander == source &&
+                           (activity == Activity::Streaming || activity == Activity::Jogging);
+    if (!continues) {
+        m_log.add(Severity::Advisory, source.name,
+                  QStringLiteral("moves the mount from ") + text(heading()) + QStringLiteral(": ") + what);
+    }
+    m_activity = activity;
+    m_commander = source;
+    m_commandText = what;
+    m_limited = false;
+    m_wantedDirection.reset();
+    m_jogDeadline.reset();
+    m_drives.engage();
+}
+
+void StationControl::holdHere(Activity activity)
+{
+    m_activity = activity;
+    m_limited = false;
+    m_wantedDirection.reset();
+    m_jogDeadline.reset();
+    m_commandText.clear();
+    m_motion.rest();
+}
+
+Result<> StationControl::goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& what)
+{
+    return mayPoint(source).and_then([&]() -> Result<> {
+        const pointing::Resolved resolved = m_model.resolve(place);
+        if (resolved.limited) {
+            return failure(ErrorCode::OutOfRange, resolved.reason);
+        }
+        begin(activity, source, what);
+        m_motion.goTo(resolved.position);
+        return {};
+    });
+}
+
+Result<> StationControl::streamTo(const pointing::Resolved& resolved, const SkyPointing& direction,
+                                  const Source& source)
+{
+    begin(Activity::Streaming, source, QStringLiteral("P ") + text(direction));
+    if (resolved.limited && !m_limited) {
+        m_limited = true;
+        m_wantedDirection = direction;
+    }
+    m_motion.follow(resolved.position, m_now);
+    return {};
+}
+
+Result<> StationControl::handle(const request::PointSky& wanted, const Source& source)
+{
+    return mayPoint(source).and_then([&]() -> Result<> {
+        const pointing::Resolved resolved = m_model.resolve(wanted.direction, heading());
+        const bool nearestWillDo =
+            source.kind == SourceKind::Client && m_profile.rotctld.outsideLimits == profile::OutsideLimits::Nearest;
+        if (resolved.limited && !nearestWillDo) {
+            return failure(ErrorCode::OutOfRange, resolved.reason);
+        }
+        if (source.kind == SourceKind::Client) {
+            return streamTo(resolved, wanted.direction, source);
+        }
+        return goTo(resolved.position, Activity::Pointing, source, QStringLiteral("go to ") + text(wanted.direction));
+    });
+}
+
+Result<> StationControl::handle(const request::PointAxes& wanted, const Source& source)
+{
+    return goTo(wanted.position, Activity::Pointing, source, QStringLiteral("go to axes ") + text(wanted.position));
+}
+
+Result<> StationControl::handle(const request::Step& wanted, const Source& source)
+{
+    const AxisPosition from = heading();
+    const AxisPosition place{.azimuth = from.azimuth + wanted.azimuth, .elevation = from.elevation + wanted.elevation};
+    return goTo(place, Activity::Pointing, source, QStringLiteral("step to ") + text(place));
+}
+
+Result<> StationControl::handle(const request::Park&, const Source& source)
+{
+    return goTo(m_profile.park, Activity::Parking, source, QStringLiteral("park at ") + text(m_profile.park));
+}
+
+Result<> StationControl::handle(const request::Home&, const Source& source)
+{
+    const AxisPosition home{.azimuth = m_model.azimuth().travel.clamped(0_deg),
+                            .elevation = m_model.elevation().travel.clamped(0_deg)};
+    return goTo(home, Activity::Pointing, source, QStringLiteral("home to ") + text(home));
+}
+
+Result<> StationControl::runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& what)
+{
+    return mayMove(source).map([&] {
+        begin(activity, source, what);
+        m_motion.run(rates);
+    });
+}
+
+Result<> StationControl::handle(const request::Jog& wanted, const Source& source)
+{
+    if (isZero(wanted.rates)) {
+        if (m_activity == Activity::Jogging && m_commander == source) {
+            holdHere(Activity::Holding);
+        }
+        return {};
+    }
+    return runAt(wanted.rates, Activity::Jogging, source, QStringLiteral("jog")).map([&] {
+        m_jogDeadline = m_now + kJogKeepAlive;
+    });
+}
+
+Result<> StationControl::handle(const request::Move& wanted, const Source& source)
+{
+    return runAt(wanted.rates, Activity::Running, source, QStringLiteral("move"));
+}
+
+Result<> StationControl::handle(const request::Hold&, const Source& source)
+{
+    if (m_activity != Activity::None && m_activity != Activity::Holding) {
+        m_log.add(Severity::Advisory, source.name, QStringLiteral("ends the motion: hold"));
+        holdHere(Activity::Holding);
+    }
+    return {};
+}
+
+Result<> StationControl::handle(const request::Stop&, const Source& source)
+{
+    if (!m_interlock.stopLatched()) {
+        m_log.add(Severity::Warning, source.name, QStringLiteral("STOP: both axes decelerate and hold; latched"));
+    }
+    m_interlock.latchStop();
+    holdHere(Activity::None);
+    return {};
+}
+
+Result<> StationControl::handle(const request::ResetStop&, const Source& source)
+{
+    return m_interlock.resetStop().map([&] {
+        m_log.add(Severity::Advisory, source.name, QStringLiteral("resets STOP: nothing moves until the next command"));
+    });
+}
+
+Result<> StationControl::handle(const request::Rearm&, const Source& source)
+{
+    if (!m_interlock.fault()) {
+        return failure(ErrorCode::Refused, "there is no fault to re-arm from");
+    }
+    if (!m_connected) {
+        return failure(ErrorCode::NoAnswer, "both drives must answer before re-arming");
+    }
+    m_log.add(Severity::Advisory, source.name,
+              QStringLiteral("re-arms: drives in fault or time-out are stopped first"));
+    for (const Axis axis : kAxes) {
+        if (m_drives.drive(axis).latched()) {
+            m_drives.drive(axis).recover();
+        }
+    }
+    if (source.kind == SourceKind::Operator) {
+        m_interlock.setAuthority(Authority::Operator);  // clients still sending must not move the mount at once
+    }
+    m_rearming = true;
+    return {};
+}
+
+Result<> StationControl::handle(const request::TakeAuthority&, const Source& source)
+{
+    m_interlock.setAuthority(Authority::Operator);
+    m_log.add(Severity::Advisory, source.name, QStringLiteral("takes over: motion commands of clients are refused"));
+    if (m_commander.kind == SourceKind::Client && m_activity != Activity::None) {
+        holdHere(Activity::Holding);
+    }
+    return {};
+}
+
+Result<> StationControl::handle(const request::GiveAuthority&, const Source& source)
+{
+    if (m_interlock.stopLatched()) {
+        return failure(ErrorCode::Refused, "STOP is latched: reset STOP first");
+    }
+    m_interlock.setAuthority(Authority::Clients);
+    m_log.add(Severity::Advisory, source.name, QStringLiteral("gives control back to the clients"));
+    return {};
+}
+
+Result<> StationControl::handle(const request::AcknowledgeAlarms&, const Source&)
+{
+    m_alarms.acknowledgeAll();
+    return {};
+}
+
+void StationControl::sourceGone(const Source& source)
+{
+    if (m_commander != source) {
+        return;
+    }
+    if (m_activity == Activity::Running) {
+        m_log.add(Severity::Advisory, source.name, QStringLiteral("is gone: its motion ends"));
+        holdHere(Activity::Holding);
+    } else if (m_activity == Activity::Streaming) {
+        m_motion.settleStream();
+        m_activity = Activity::Pointing;
+    }
+}
+
+Result<AxisPosition> StationControl::measured() const
+{
+    for (const Axis axis : kAxes) {
+        const auto& report = m_drives.drive(axis).report();
+        if (!report || m_clock.now() - report->received > kOldestPosition) {
+            return failure(ErrorCode::NoAnswer, "no fresh position from the " + m_drives.drive(axis).name());
+        }
+    }
+    return *m_drives.measured();
+}
+
+void StationControl::raiseAlarm(const QString& cause, Severity severity, const AlarmText& text)
+{
+    if (m_alarms.raise(cause, severity, text, m_clock.utc())) {
+        m_log.add(severity, cause, text.what + QStringLiteral(". ") + text.action + QStringLiteral(". ") + text.remedy);
+    }
+}
+
+void StationControl::clearAlarm(const QString& cause)
+{
+    if (m_alarms.clear(cause)) {
+        m_log.add(Severity::Advisory, cause, QStringLiteral("is over"));
+    }
+}
+
+}  // namespace boresight

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/can_frame.h"
+#include "core/base/clock.h"
+#include "core/base/result.h"
+#include "core/pointing/mount_model.h"
+#include "core/profile/profile.h"
+#include "core/station/alarm_list.h"
+#include "core/station/drive_pair.h"
+#include "core/station/event_log.h"
+#include "core/station/interlock.h"
+#include "core/station/motion.h"
+#include "core/station/request.h"
+#include "core/station/station_status.h"
+
+#include <QString>
+
+#include <array>
+#include <optional>
+
+// The only place that decides about motion: accepts or refuses every request, whoever sends it, and once per tick
+// turns the decision into one frame for each drive. Holds the rules: nothing moves before an explicit request, STOP
+// latches, a fault or silence needs an explicit re-arm, the operator goes before the clients. Pure: frames in, frames
+// out, time from the injected clock; the Station gives it a bus and a timer. States and rules: README.md.
+namespace boresight {
+
+class StationControl
+{
+public:
+    StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log);
+
+    // Accepted, or the reason in words. Takes effect in the next tick.
+    Result<> request(const Request& request, const Source& source);
+    // The source is gone for good: a `Move` of its own ends, a stream comes to rest at its last point.
+    void sourceGone(const Source& source);
+
+    void take(const CanFrame& frame) { m_drives.take(frame); }
+    // Judges the replies, moves the set-points on and returns the frames to send: azimuth, elevation.
+    [[nodiscard]] std::array<CanFrame, 2> tick();
+
+    // The end of the program: decelerate, then bring the drives into the profile's `on_exit` state. Keep ticking until
+    // shutDownDone().
+    void shutDown();
+    [[nodiscard]] bool shutDownDone() const { return m_shutDown == ShutDown::Done; }
+
+    [[nodiscard]] StationState state() const;
+    // Everything this class knows; bus, clients and server are left to the Station.
+    [[nodiscard]] StationStatus status() const;
+    // The axes as measured; an error when unknown or older than 1 s.
+    [[nodiscard]] Result<AxisPosition> measured() const;
+    // An alarm from outside the drives: the bus, the server.
+    void raiseAlarm(const QString& cause, Severity severity, const AlarmText& text);
+    void clearAlarm(const QString& cause);
+
+private:
+    enum class Activity
+    {
+        None,
+        Holding,
+        Pointing,
+        Parking,
+        Streaming,
+        Jogging,
+        Running
+    };
+    enum class ShutDown
+    {
+        No,
+        Slowing,
+        Leaving,
+        Done
+    };
+
+    Result<> handle(const request::PointSky& wanted, const Source& source);
+    Result<> handle(const request::PointAxes& wanted, const Source& source);
+    Result<> handle(const request::Jog& wanted, const Source& source);
+    Result<> handle(const request::Move& wanted, const Source& source);
+    Result<> handle(const request::Step& wanted, const Source& source);
+    Result<> handle(const request::Hold& wanted, const Source& source);
+    Result<> handle(const request::Stop& wanted, const Source& source);
+    Result<> handle(const request::ResetStop& wanted, const Source& source);
+    Result<> handle(const request::Park& wanted, const Source& source);
+    Result<> handle(const request::Home& wanted, const Source& source);
+    Result<> handle(const request::Rearm& wanted, const Source& source);
+    Result<> handle(const request::TakeAuthority& wanted, const Source& source);
+    Result<> handle(const request::GiveAuthority& wanted, const Source& source);
+    Result<> handle(const request::AcknowledgeAlarms& wanted, const Source& source);
+
+    [[nodiscard]] Result<> mayMove(const Source& source) const;   // at a rate
+    [[nodiscard]] Result<> mayPoint(const Source& source) const;  // to a place: the axes must know where they are
+    Result<> goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& text);
+    Result<> streamTo(const pointing::Resolved& resolved, const SkyPointing& direction, const Source& source);
+    Result<> runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& text);
+    void begin(Activity activity, const Source& source, const QString& text);
+    void holdHere(Activity activity);
+    [[nodiscard]] AxisPosition heading() const;  // where the axes are going, else where they stand
+
+    void watchConnection();
+    void watchLoss(Axis axis);
+    void watchSilence(Axis axis);
+    void watchActiveLimit(Axis axis);
+    void watchJog();
+    void finishRearm();
+    void moveOn(Seconds step);
+    void shutDownFurther();
+
+    [[nodiscard]] AxisStatus axisStatus(Axis axis) const;
+    [[nodiscard]] AxisState axisState(Axis axis) const;
+    [[nodiscard]] bool atTravelEnd(Axis axis) const;
+
+    profile::Profile m_profile;
+    const Clock& m_clock;
+    EventLog& m_log;
+    pointing::MountModel m_model;
+    DrivePair m_drives;
+    Motion m_motion;
+    Interlock m_interlock;
+    AlarmList m_alarms;
+
+    Activity m_activity = Activity::None;
+    Source m_commander;
+    QString m_commandText;
+    std::optional<SkyPointing> m_wantedDirection;  // as asked, before limits
+    bool m_limited = false;
+    std::optional<SteadyTime> m_jogDeadline;
+    bool m_connected = false;
+    bool m_wasConnected = false;
+    SteadyTime m_quietUntil{};  // no motion right after a connection came back
+    bool m_rearming = false;
+    ShutDown m_shutDown = ShutDown::No;
+    SteadyTime m_shutDownDeadline{};
+    SteadyTime m_started{};
+    SteadyTime m_now{};  // of the running or last tick
+    std::uint64_t m_tick = 0;
+};
+
+}  // namespace boresight

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of StationControl that tells the world what it knows.
+#include "core/moteus/registers.h"
+#include "core/station/station_control.h"
+
+namespace boresight {
+namespace {
+
+// Slower than this counts as standing: below the noise of the drive's velocity, far below any jog rate.
+constexpr AngularRate kStanding = AngularRate::fromDegrees(0.02);
+constexpr Angle kAtTravelEnd = Angle::fromDegrees(0.05);
+// A target within this of the measured direction counts as tracked, not as slewed to.
+constexpr Angle kOnTarget = Angle::fromDegrees(1.0);
+constexpr std::chrono::seconds kNoData{2};
+
+bool near(const AxisPosition& a, const AxisPosition& b)
+{
+    return abs(a.azimuth - b.azimuth) < kOnTarget && abs(a.elevation - b.elevation) < kOnTarget;
+}
+
+}  // namespace
+
+StationState StationControl::state() const
+{
+    if (!m_connected) {
+        return StationState::Disconnected;
+    }
+    if (m_interlock.fault()) {
+        return StationState::Fault;
+    }
+    if (m_interlock.stopLatched()) {
+        return StationState::Stopped;
+    }
+    const auto target = m_motion.target(m_now);
+    const bool onTarget = target && near(*target, m_drives.measured().value_or(AxisPosition{}));
+    switch (m_activity) {
+        case Activity::None:
+            return StationState::Standby;
+        case Activity::Holding:
+            return StationState::Hold;
+        case Activity::Pointing:
+            return onTarget && m_motion.atRest() ? StationState::Hold : StationState::Slew;
+        case Activity::Parking:
+            return onTarget && m_motion.atRest() ? StationState::Parked : StationState::Slew;
+        case Activity::Streaming:
+            if (m_motion.streaming(m_now)) {
+                return onTarget ? StationState::Track : StationState::Slew;
+            }
+            return onTarget && m_motion.atRest() ? StationState::Hold : StationState::Slew;
+        case Activity::Jogging:
+        case Activity::Running:
+            return StationState::Jog;
+    }
+    return StationState::Fault;
+}
+
+bool StationControl::atTravelEnd(Axis axis) const
+{
+    const TravelRange& travel = m_model.axis(axis).travel;
+    const Angle place = m_motion.setpoint(axis).position;
+    return place - travel.min < kAtTravelEnd || travel.max - place < kAtTravelEnd;
+}
+
+AxisState StationControl::axisState(Axis axis) const
+{
+    const Drive& drive = m_drives.drive(axis);
+    const auto age = m_drives.age(axis, m_now);
+    if (!age || *age > kNoData) {
+        return AxisState::NoData;
+    }
+    if (drive.latched()) {
+        return AxisState::Fault;
+    }
+    if (m_interlock.stopLatched()) {
+        return AxisState::Stopped;
+    }
+    const bool moving = abs(m_motion.setpoint(axis).rate) > kStanding;
+    if (drive.phase() != Drive::Phase::Engaged) {
+        return AxisState::Off;
+    }
+    if (moving) {
+        return AxisState::Moving;
+    }
+    const bool pressed = m_limited || m_activity == Activity::Jogging || m_activity == Activity::Running;
+    return pressed && atTravelEnd(axis) ? AxisState::Limit : AxisState::Holding;
+}
+
+AxisStatus StationControl::axisStatus(Axis axis) const
+{
+    AxisStatus status{.state = axisState(axis),
+                      .actual = m_drives.measured(axis),
+                      .rate = m_drives.measuredRate(axis),
+                      .age = m_drives.age(axis, m_now),
+                      .travel = m_model.axis(axis).travel};
+    if (m_drives.drive(axis).phase() == Drive::Phase::Engaged) {
+        status.commanded = m_motion.setpoint(axis).position;
+        status.commandedRate = m_motion.setpoint(axis).rate;
+    }
+    if (const auto target = m_motion.target(m_now)) {
+        status.target = axis == Axis::Azimuth ? target->azimuth : target->elevation;
+    }
+    if (const auto& report = m_drives.drive(axis).report()) {
+        status.busVoltage = report->voltage;
+        status.boardTemperature = report->boardTemperature;
+        status.torque = report->torque;
+        status.current = report->current;
+        status.mode = static_cast<int>(report->mode);
+        status.faultCode = report->fault;
+        if (report->motorTemperature != 0.0) {  // reads 0 without a sensor
+            status.motorTemperature = report->motorTemperature;
+        }
+    }
+    if (status.state == AxisState::Limit) {
+        status.stateText = QStringLiteral("at the end of the travel");
+    }
+    return status;
+}
+
+StationStatus StationControl::status() const
+{
+    StationStatus status{.state = state(),
+                         .azimuth = axisStatus(Axis::Azimuth),
+                         .elevation = axisStatus(Axis::Elevation),
+                         .targetText = m_commandText,
+                         .commander = m_commander,
+                         .limited = m_limited,
+                         .authority = m_interlock.authority(),
+                         .alarms = m_alarms.list(),
+                         .utc = m_clock.utc(),
+                         .tick = m_tick};
+    status.stateReason = m_interlock.fault().value_or(m_commandText);
+    if (const auto measured = m_drives.measured()) {
+        status.actual = pointing::MountModel::toSky(*measured);
+    }
+    if (m_drives.engaged()) {
+        status.commanded = pointing::MountModel::toSky(m_motion.place());
+    }
+    if (m_wantedDirection) {
+        status.target = m_wantedDirection;
+    } else if (const auto target = m_motion.target(m_now)) {
+        status.target = pointing::MountModel::toSky(*target);
+    }
+    return status;
+}
+
+}  // namespace boresight

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/station_rotator.h"
+
+#include "core/base/numbers.h"
+#include "core/base/version.h"
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+// Hamlib compares in single precision, so that 450.00001 still passes as 450; this much it forgives at most.
+constexpr Angle kLimitTolerance = Angle::fromDegrees(1e-4);
+constexpr int kFastestSpeed = 100;
+constexpr int kFastestLevel = 4;
+
+std::string degreesText(Angle angle)
+{
+    return formatFixed(angle.degrees(), 2) + "°";
+}
+
+Result<> inside(const char* what, Angle value, Angle min, Angle max)
+{
+    if (value < min - kLimitTolerance) {
+        return failure(ErrorCode::OutOfRange,
+                       std::string(what) + ' ' + degreesText(value) + " below limit " + degreesText(min));
+    }
+    if (value > max + kLimitTolerance) {
+        return failure(ErrorCode::OutOfRange,
+                       std::string(what) + ' ' + degreesText(value) + " above limit " + degreesText(max));
+    }
+    return {};
+}
+
+}  // namespace
+
+Source clientSource(const rotctld::Client& client)
+{
+    return {.kind = SourceKind::Client,
+            .clientId = client.id,
+            .name = QStringLiteral("rotctld ") + QString::fromStdString(client.address)};
+}
+
+StationRotator::StationRotator(StationControl& control, const profile::Profile& profile, EventLog& log,
+                               const Clock& clock)
+    : m_control(control), m_profile(profile), m_remarks(log, clock)
+{}
+
+std::string StationRotator::info() const
+{
+    return "Boresight " + std::string(kVersion) + ", " + m_profile.mount.name;
+}
+
+rotctld::Limits StationRotator::limits() const
+{
+    const TravelRange azimuth = m_profile.azimuth.geometry.travel;
+    const TravelRange elevation = m_profile.elevation.geometry.travel;
+    rotctld::Limits limits{.minAzimuth = azimuth.min,
+                           .maxAzimuth = azimuth.max,
+                           .minElevation = elevation.min,
+                           .maxElevation = elevation.max};
+    // Clients check a target against these numbers before they send it, and any azimuth of their own convention is a
+    // direction here: it must not be withheld because the cable is counted differently.
+    if (m_profile.rotctld.azimuth == profile::AzimuthConvention::ZeroTo360) {
+        limits.minAzimuth = std::min(limits.minAzimuth, 0_deg);
+        limits.maxAzimuth = std::max(limits.maxAzimuth, 360_deg);
+    } else if (m_profile.rotctld.azimuth == profile::AzimuthConvention::PlusMinus180) {
+        limits.minAzimuth = std::min(limits.minAzimuth, -180_deg);
+        limits.maxAzimuth = std::max(limits.maxAzimuth, 180_deg);
+    }
+    return limits;
+}
+
+Result<SkyPointing> StationRotator::position() const
+{
+    return m_control.measured().map([&](const AxisPosition& axes) {
+        switch (m_profile.rotctld.azimuth) {
+            case profile::AzimuthConvention::ZeroTo360:
+                return SkyPointing{.azimuth = axes.azimuth.wrapped360(), .elevation = axes.elevation};
+            case profile::AzimuthConvention::PlusMinus180:
+                return SkyPointing{.azimuth = axes.azimuth.wrapped180(), .elevation = axes.elevation};
+            case profile::AzimuthConvention::Continuous:
+                break;
+        }
+        return SkyPointing{.azimuth = axes.azimuth, .elevation = axes.elevation};
+    });
+}
+
+rotctld::MotionFlags StationRotator::motion() const
+{
+    const StationStatus status = m_control.status();
+    const auto moves = [](const AxisStatus& axis, double sign) {
+        return axis.state == AxisState::Moving && axis.commandedRate && *axis.commandedRate * sign > AngularRate{};
+    };
+    const auto atEnd = [](const AxisStatus& axis, Angle end) {
+        return axis.state == AxisState::Limit && axis.actual && abs(*axis.actual - end) < 1_deg;
+    };
+    return {.movingLeft = moves(status.azimuth, -1.0),
+            .movingRight = moves(status.azimuth, 1.0),
+            .movingUp = moves(status.elevation, 1.0),
+            .movingDown = moves(status.elevation, -1.0),
+            .limitLeft = atEnd(status.azimuth, status.azimuth.travel.min),
+            .limitRight = atEnd(status.azimuth, status.azimuth.travel.max),
+            .limitUp = atEnd(status.elevation, status.elevation.travel.max),
+            .limitDown = atEnd(status.elevation, status.elevation.travel.min)};
+}
+
+Result<> StationRotator::permitted(const rotctld::PointRequest& request) const
+{
+    if (m_profile.rotctld.outsideLimits != profile::OutsideLimits::Refuse) {
+        return {};
+    }
+    const rotctld::Limits range = limits();
+    return inside("azimuth", request.azimuth, range.minAzimuth, range.maxAzimuth).and_then([&] {
+        return inside("elevation", request.elevation, range.minElevation, range.maxElevation);
+    });
+}
+
+Result<> StationRotator::pointTo(const rotctld::Client& client, const rotctld::PointRequest& request)
+{
+    const QString command =
+        QStringLiteral("P %1 %2").arg(request.azimuth.degrees(), 0, 'f', 2).arg(request.elevation.degrees(), 0, 'f', 2);
+    const request::PointSky wanted{{.azimuth = request.azimuth, .elevation = request.elevation}};
+    const Result<> allowed = permitted(request);
+    if (!allowed) {
+        logRefusal(client, command, allowed.error());
+        return allowed;
+    }
+    return ask(client, wanted, command);
+}
+
+Result<> StationRotator::move(const rotctld::Client& client, rotctld::MoveDirection direction, int speed)
+{
+    const AngularRate fastest = m_profile.jog.fast;
+    const AngularRate rate = speed > 0 ? fastest * (std::min(speed, kFastestSpeed) / double{kFastestSpeed})
+                                       : fastest * (m_speedLevel / double{kFastestLevel});
+    AxisRates rates;
+    switch (direction) {
+        case rotctld::MoveDirection::Up:
+            rates.elevation = rate;
+            break;
+        case rotctld::MoveDirection::Down:
+            rates.elevation = -rate;
+            break;
+        case rotctld::MoveDirection::Left:
+            rates.azimuth = -rate;
+            break;
+        case rotctld::MoveDirection::Right:
+            rates.azimuth = rate;
+            break;
+    }
+    return ask(client, request::Move{rates}, QStringLiteral("M"));
+}
+
+Result<> StationRotator::stop(const rotctld::Client& client)
+{
+    return ask(client, request::Hold{}, QStringLiteral("S"));
+}
+
+Result<> StationRotator::park(const rotctld::Client& client)
+{
+    return ask(client, request::Park{}, QStringLiteral("K"));
+}
+
+Result<> StationRotator::reset(const rotctld::Client& client, int)
+{
+    return m_control.state() == StationState::Fault ? ask(client, request::Rearm{}, QStringLiteral("R")) : Result<>{};
+}
+
+Result<> StationRotator::setSpeedLevel(const rotctld::Client&, int level)
+{
+    if (level < 1 || level > kFastestLevel) {
+        return failure(ErrorCode::InvalidInput, "SPEED is 1 to 4");
+    }
+    m_speedLevel = level;
+    return {};
+}
+
+Result<> StationRotator::ask(const rotctld::Client& client, const Request& request, const QString& command)
+{
+    Result<> answer = m_control.request(request, clientSource(client));
+    if (!answer) {
+        logRefusal(client, command, answer.error());
+    }
+    return answer;
+}
+
+void StationRotator::logRefusal(const rotctld::Client& client, const QString& command, const Error& error)
+{
+    m_remarks.add(Severity::Warning, clientSource(client).name,
+                  command + QStringLiteral(" refused: ") + QString::fromStdString(error.text));
+}
+
+void StationRotator::clientConnected(const rotctld::Client& client)
+{
+    m_remarks.add(Severity::Advisory, clientSource(client).name, QStringLiteral("connected"));
+}
+
+void StationRotator::clientGone(const rotctld::Client& client, const std::string& reason)
+{
+    m_remarks.add(Severity::Advisory, clientSource(client).name,
+                  QStringLiteral("gone: ") + QString::fromStdString(reason));
+    m_control.sourceGone(clientSource(client));
+}
+
+void StationRotator::clientRemark(const rotctld::Client& client, const std::string& text)
+{
+    m_remarks.add(Severity::Warning, clientSource(client).name, QString::fromStdString(text));
+}
+
+}  // namespace boresight

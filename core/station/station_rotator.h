@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/profile/profile.h"
+#include "core/rotctld/rotator.h"
+#include "core/station/log_throttle.h"
+#include "core/station/station_control.h"
+
+// The mount as the rotctld server sees it: translates the clients' commands into requests to StationControl and its
+// measured position into the azimuth convention of the profile. Station thread only.
+namespace boresight {
+
+class StationRotator final : public rotctld::Rotator
+{
+public:
+    StationRotator(StationControl& control, const profile::Profile& profile, EventLog& log, const Clock& clock);
+
+    [[nodiscard]] std::string info() const override;
+    [[nodiscard]] rotctld::Limits limits() const override;
+    [[nodiscard]] Result<SkyPointing> position() const override;
+    [[nodiscard]] rotctld::MotionFlags motion() const override;
+
+    Result<> pointTo(const rotctld::Client& client, const rotctld::PointRequest& request) override;
+    Result<> move(const rotctld::Client& client, rotctld::MoveDirection direction, int speed) override;
+    Result<> stop(const rotctld::Client& client) override;
+    Result<> park(const rotctld::Client& client) override;
+    Result<> reset(const rotctld::Client& client, int kind) override;
+
+    [[nodiscard]] int speedLevel() const override { return m_speedLevel; }
+    Result<> setSpeedLevel(const rotctld::Client& client, int level) override;
+
+    void clientConnected(const rotctld::Client& client) override;
+    void clientGone(const rotctld::Client& client, const std::string& reason) override;
+    void clientRemark(const rotctld::Client& client, const std::string& text) override;
+
+private:
+    Result<> ask(const rotctld::Client& client, const Request& request, const QString& command);
+    [[nodiscard]] Result<> permitted(const rotctld::PointRequest& request) const;
+    void logRefusal(const rotctld::Client& client, const QString& command, const Error& error);
+
+    StationControl& m_control;
+    profile::Profile m_profile;
+    int m_speedLevel = 2;   // of 1…4, as Hamlib's dummy starts
+    LogThrottle m_remarks;  // lines that clients can cause at will
+};
+
+// How a client is named in the log and as a commander.
+[[nodiscard]] Source clientSource(const rotctld::Client& client);
+
+}  // namespace boresight

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_control.h"
+#include "tests/fakes/ideal_drive.h"
+#include "tests/fakes/manual_clock.h"
+
+// StationControl with two ideal drives and a hand-turned clock: one tick is 20 ms.
+namespace boresight {
+
+inline const Source kOperator{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
+inline const Source kClient{.kind = SourceKind::Client, .clientId = 1, .name = QStringLiteral("rotctld 1")};
+inline const Source kOtherClient{.kind = SourceKind::Client, .clientId = 2, .name = QStringLiteral("rotctld 2")};
+
+struct StationRig
+{
+    static constexpr Seconds kTick{0.02};
+
+    explicit StationRig(const profile::Profile& settings = {}) : profile(settings), control(profile, clock, log) {}
+
+    void tick()
+    {
+        clock.advance(kTick);
+        const SteadyTime now = clock.now();
+        for (const CanFrame& frame : control.tick()) {
+            for (fakes::IdealDrive* const drive : {&azimuth, &elevation}) {
+                if (const auto reply = drive->answer(frame, now)) {
+                    control.take(*reply);
+                }
+            }
+        }
+    }
+
+    void run(Seconds time)
+    {
+        for (int i = 0; i < static_cast<int>(time / kTick); ++i) {
+            tick();
+        }
+    }
+
+    // Until nothing moves any more, at most `time`.
+    void settle(Seconds time = Seconds(120.0))
+    {
+        run(Seconds(0.2));
+        for (Seconds left = time; left > Seconds(0.0) && moving(); left -= kTick) {
+            tick();
+        }
+    }
+
+    [[nodiscard]] bool moving() const
+    {
+        const StationStatus status = control.status();
+        return status.azimuth.state == AxisState::Moving || status.elevation.state == AxisState::Moving ||
+               status.state == StationState::Slew;
+    }
+
+    Result<> ask(const Request& request, const Source& source = kOperator) { return control.request(request, source); }
+
+    Result<> point(double azimuthDegrees, double elevationDegrees, const Source& source = kClient)
+    {
+        return ask(request::PointSky{{.azimuth = Angle::fromDegrees(azimuthDegrees),
+                                      .elevation = Angle::fromDegrees(elevationDegrees)}},
+                   source);
+    }
+
+    [[nodiscard]] StationState state() const { return control.state(); }
+    [[nodiscard]] double azimuthDegrees() const { return control.status().azimuth.actual->degrees(); }
+    [[nodiscard]] double elevationDegrees() const { return control.status().elevation.actual->degrees(); }
+    [[nodiscard]] std::size_t commands() const { return azimuth.seen.size() + elevation.seen.size(); }
+
+    [[nodiscard]] std::string lastLog() const
+    {
+        const auto lines = log.since(0, 1);
+        return lines.empty() ? std::string() : lines.back().text.toStdString();
+    }
+
+    profile::Profile profile;
+    fakes::ManualClock clock;
+    EventLog log{clock};
+    StationControl control;
+    fakes::IdealDrive azimuth{1, 0.0};
+    fakes::IdealDrive elevation{2, -0.25};
+};
+
+}  // namespace boresight

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/station_rotator.h"
+
+#include "tests/core/station/station_rig.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight {
+namespace {
+
+const rotctld::Client kGpredict{.id = 1, .address = "127.0.0.1:50000"};
+
+struct RotatorRig : StationRig
+{
+    explicit RotatorRig(const profile::Profile& settings = {}) : StationRig(settings) { run(Seconds(0.1)); }
+
+    Result<> pointTo(double azimuthDegrees_, double elevationDegrees_)
+    {
+        return rotator.pointTo(kGpredict, {.azimuth = Angle::fromDegrees(azimuthDegrees_),
+                                           .elevation = Angle::fromDegrees(elevationDegrees_)});
+    }
+
+    StationRotator rotator{control, profile, log, clock};
+};
+
+profile::Profile withConvention(profile::AzimuthConvention convention)
+{
+    profile::Profile profile;
+    profile.rotctld.azimuth = convention;
+    return profile;
+}
+
+TEST(StationRotator, ReportsTheMeasuredAzimuthInTheConventionOfTheProfile)
+{
+    for (const auto& [convention, shown] : {std::pair{profile::AzimuthConvention::ZeroTo360, 5.0},
+                                            std::pair{profile::AzimuthConvention::PlusMinus180, 5.0},
+                                            std::pair{profile::AzimuthConvention::Continuous, 365.0}}) {
+        RotatorRig rig(withConvention(convention));
+        rig.azimuth.position = 365.0 / 360.0;
+        rig.run(Seconds(0.1));
+        EXPECT_NEAR(rig.rotator.position()->azimuth.degrees(), shown, 1e-4);
+    }
+    RotatorRig rig(withConvention(profile::AzimuthConvention::PlusMinus180));
+    rig.azimuth.position = 270.0 / 360.0;
+    rig.run(Seconds(0.1));
+    EXPECT_NEAR(rig.rotator.position()->azimuth.degrees(), -90.0, 1e-4);
+}
+
+TEST(StationRotator, AdvertisesTheTravelAndTheWholeCircleOfTheConvention)
+{
+    const RotatorRig rig;
+    EXPECT_EQ(rig.rotator.limits().minAzimuth, -90_deg);
+    EXPECT_EQ(rig.rotator.limits().maxAzimuth, 450_deg);
+    const RotatorRig half(withConvention(profile::AzimuthConvention::PlusMinus180));
+    EXPECT_EQ(half.rotator.limits().minAzimuth, -180_deg);
+}
+
+TEST(StationRotator, RefuseMeansTheAdvertisedNumbers)
+{
+    profile::Profile profile = withConvention(profile::AzimuthConvention::Continuous);
+    profile.rotctld.outsideLimits = profile::OutsideLimits::Refuse;
+    RotatorRig rig(profile);
+    EXPECT_TRUE(rig.pointTo(450.00001, 0.0));
+    EXPECT_EQ(rig.pointTo(450.1, 0.0).error().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(rig.pointTo(10.0, 90.5).error().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(rig.pointTo(10.0, 90.5).error().text, "elevation 90.50° above limit 90.00°");
+}
+
+TEST(StationRotator, MoveRunsAtAShareOfTheFastestJogRate)
+{
+    RotatorRig rig;
+    ASSERT_TRUE(rig.rotator.move(kGpredict, rotctld::MoveDirection::Right, 50));
+    rig.run(Seconds(5.0));
+    EXPECT_NEAR(rig.control.status().azimuth.commandedRate->degrees(), rig.profile.jog.fast.degrees() / 2.0, 1e-6);
+    EXPECT_TRUE(rig.rotator.motion().movingRight);
+    ASSERT_TRUE(rig.rotator.stop(kGpredict));
+    rig.run(Seconds(5.0));
+    EXPECT_FALSE(rig.rotator.motion().movingRight);
+}
+
+TEST(StationRotator, ResetRearmsAfterAFaultAndIsHarmlessElse)
+{
+    RotatorRig rig;
+    EXPECT_TRUE(rig.rotator.reset(kGpredict, 1));
+    EXPECT_EQ(rig.commands(), 0U);
+    ASSERT_TRUE(rig.pointTo(20.0, 20.0));
+    rig.run(Seconds(0.5));
+    rig.elevation.mode = moteus::Mode::Fault;
+    rig.elevation.fault = 33;
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.state(), StationState::Fault);
+    EXPECT_TRUE(rig.rotator.reset(kGpredict, 1));
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.state(), StationState::Standby);
+}
+
+TEST(StationRotator, StopOfTheOperatorRefusesTheClient)
+{
+    RotatorRig rig;
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    EXPECT_EQ(rig.pointTo(10.0, 10.0).error().code, ErrorCode::Refused);
+    EXPECT_TRUE(rig.rotator.stop(kGpredict));
+    EXPECT_TRUE(rig.rotator.position());
+}
+
+}  // namespace
+}  // namespace boresight

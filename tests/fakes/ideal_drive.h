@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/can_frame.h"
+#include "core/moteus/codec.h"
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <vector>
+
+// A moteus without physics, for tests of the rules above it: obeys mode changes at once, stands where it is told, and
+// answers with the state before the command, as the real one does. Every command frame is kept for inspection.
+namespace boresight::fakes {
+
+class IdealDrive
+{
+public:
+    IdealDrive(std::uint8_t id, double startPosition) : position(startPosition), m_id(id) {}
+
+    struct Seen  // one command frame
+    {
+        moteus::Mode mode;
+        std::map<moteus::Register, double> fields;
+    };
+
+    // The reply to a frame for this drive; empty if it is for another, or if the drive is silent.
+    std::optional<CanFrame> answer(const CanFrame& frame, SteadyTime now)
+    {
+        const moteus::Arbitration to = moteus::fromCanId(frame.id);
+        if (to.destination != m_id || silent) {
+            return std::nullopt;
+        }
+        CanFrame reply = stateFrame(now);
+        obey(frame);
+        return reply;
+    }
+
+    moteus::Mode mode = moteus::Mode::Stopped;
+    int fault = 0;
+    moteus::HomeState home = moteus::HomeState::Output;
+    bool silent = false;
+    bool deaf = false;  // answers, but ignores commands
+    double position;    // output turns
+    std::vector<Seen> seen;
+
+private:
+    [[nodiscard]] CanFrame stateFrame(SteadyTime now) const
+    {
+        using moteus::Register;
+        const std::map<Register, double> state{{Register::Mode, static_cast<double>(mode)},
+                                               {Register::Position, position},
+                                               {Register::HomeState, static_cast<double>(home)},
+                                               {Register::Voltage, 24.0},
+                                               {Register::Temperature, 31.0},
+                                               {Register::Fault, static_cast<double>(fault)}};
+        std::vector<moteus::RegisterValue> values;
+        for (const moteus::RegisterRead& read : moteus::rotatorQuery()) {
+            const auto known = state.find(read.reg);
+            values.push_back({read.reg, read.resolution, known == state.end() ? 0.0 : known->second});
+        }
+        moteus::SubframeWriter writer;
+        writer.appendReplies(values);
+        CanFrame reply =
+            moteus::makeFrame({.replyWanted = false, .source = m_id, .destination = moteus::kHostId}, writer.bytes());
+        reply.received = now;
+        return reply;
+    }
+
+    void obey(const CanFrame& frame)
+    {
+        std::map<moteus::Register, double> fields;
+        moteus::SubframeReader reader(frame.payload());
+        while (const auto subframe = reader.next()) {
+            if (const auto* const write = std::get_if<moteus::WriteBlock>(&*subframe)) {
+                for (std::uint32_t i = 0; i < write->count; ++i) {
+                    const moteus::RegisterValue value = write->value(i);
+                    fields[value.reg] = value.value;
+                }
+            }
+        }
+        const auto commanded = fields.find(moteus::Register::Mode);
+        if (commanded == fields.end()) {
+            return;
+        }
+        const auto wanted = static_cast<moteus::Mode>(static_cast<int>(commanded->second));
+        seen.push_back({wanted, fields});
+        const bool latched = mode == moteus::Mode::Fault || mode == moteus::Mode::PositionTimeout;
+        if (deaf || (latched && wanted != moteus::Mode::Stopped)) {
+            return;
+        }
+        mode = wanted;
+        fault = 0;
+        const auto target = fields.find(moteus::Register::CommandPosition);
+        if (mode == moteus::Mode::Position && target != fields.end() && std::isfinite(target->second)) {
+            position = target->second;
+        }
+    }
+
+    std::uint8_t m_id;
+};
+
+}  // namespace boresight::fakes
