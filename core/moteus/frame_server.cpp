@@ -191,7 +191,8 @@ FrameServer::Next FrameServer::serveFlowPoll(Exchange& exchange, const TunnelPol
     }
     const auto pending = exchange.device.pendingText(poll.channel);
     const std::size_t size = std::min(flow.unacknowledged, pending.size());
-    if (size > exchange.reply.room() - std::min(exchange.reply.room(), 3 + varuintSize(poll.channel))) {
+    const std::size_t header = 3 + varuintSize(poll.channel);
+    if (header + size > exchange.reply.room()) {
         return Next::EndFrame;  // a repeated packet that does not fit behind what is already in this reply
     }
     exchange.reply.append(TunnelPacket{poll.channel, flow.number, pending.first(size)});

@@ -45,6 +45,12 @@ protected:
             EXPECT_FALSE(reply);
             return;
         }
+        if (repeatsReplies && previous) {
+            client.handleReply(*previous);
+        }
+        if (reply) {
+            previous = *decodeReply(*reply);
+        }
         if (reply && !isLost(frames)) {
             client.handleReply(*decodeReply(*reply));
         } else {
@@ -67,6 +73,8 @@ protected:
     FrameServer server;
     DiagnosticClient client{{.destination = 1, .maxEmptyAnswers = 20}};
     bool oldFirmware = false;
+    bool repeatsReplies = false;  // the one before comes once more, late
+    std::optional<Reply> previous;
     std::function<bool(int)> isLost = [](int) { return false; };
     int frames = 0;
     std::string received;
@@ -108,6 +116,14 @@ TEST_F(MoteusDiagnostic, LongAnswersArriveWholeThroughLostReplies)
     }
     isLost = [](int frame) { return frame % 3 == 0 || frame % 7 == 0; };
     EXPECT_EQ(run("conf enumerate", answer + "OK\r\n"), lines);
+}
+
+TEST_F(MoteusDiagnostic, LateCopiesOfRepliesAddNothing)
+{
+    repeatsReplies = true;
+    isLost = [](int frame) { return frame % 5 == 0; };
+    const std::string line(150, 'a');
+    EXPECT_EQ(run("conf list", line + "\r\nb\r\nOK\r\n"), (Lines{line, "b"}));
 }
 
 TEST_F(MoteusDiagnostic, OldTextIsDroppedFirst)

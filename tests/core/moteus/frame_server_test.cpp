@@ -122,6 +122,28 @@ TEST_F(MoteusFrameServer, TextStaysWithinTheRoomOfItsReply)
     EXPECT_EQ(decodeReply(*ask("1c080042013d"))->texts[0].text.size(), 4U);
 }
 
+// 8 x f32 (35 bytes) and one i32 (6): the next block starts at byte 41, the last place where one may.
+TEST_F(MoteusFrameServer, TheLastBlockMayStartAtByte41ButNotLater)
+{
+    Query query;
+    for (std::uint32_t number = 0; number < 8; ++number) {
+        query.push_back({static_cast<Register>(number), Resolution::Float});
+    }
+    query.push_back({Register::MotorTemperature, Resolution::Int32});
+    EXPECT_EQ(replySize(query), 41U);
+    query.push_back({Register::Voltage, Resolution::Int8});
+    const auto request = encode({.query = query});
+    ASSERT_TRUE(request);
+    EXPECT_EQ(decodeReply(*server.serve(*request, {}, device))->values.size(), query.size());
+
+    query.push_back({Register::Fault, Resolution::Int8});
+    EXPECT_FALSE(encode({.query = query}));
+    SubframeWriter unchecked;
+    unchecked.appendReads(query);
+    const auto reply = server.serve(makeFrame({.replyWanted = true}, unchecked.bytes()), {}, device);
+    EXPECT_EQ(decodeReply(*reply)->values.size(), query.size() - 1);
+}
+
 // A query the client thinks answerable is answered in full, with the predicted size.
 TEST_F(MoteusFrameServer, EveryAnswerableQueryIsAnsweredInFull)
 {
