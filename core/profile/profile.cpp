@@ -16,12 +16,13 @@ tracking::MotionLimits limitsOf(double degreesPerSecond, double degreesPerSecond
 
 }  // namespace
 
+// Torque for a dish of some 2 m: 20 kg m² at 10 °/s² are 4 Nm, friction as much, the rest is for wind.
 AxisSettings referenceAzimuth()
 {
     return {.id = 1,
             .geometry = {.travel = {.min = -90_deg, .max = 450_deg}},
             .limits = limitsOf(10.0, 10.0),
-            .maxTorque = 5.0};
+            .maxTorque = 50.0};
 }
 
 AxisSettings referenceElevation()
@@ -29,7 +30,7 @@ AxisSettings referenceElevation()
     return {.id = 2,
             .geometry = {.sign = -1, .offset = 90_deg, .travel = {.min = 0_deg, .max = 90_deg}},
             .limits = limitsOf(8.0, 8.0),
-            .maxTorque = 5.0};
+            .maxTorque = 50.0};
 }
 
 }  // namespace boresight::profile

@@ -15,12 +15,21 @@ namespace boresight::profile {
 
 inline constexpr int kVersion = 1;
 
+// What the position that a drive reports after its power-up is worth. A moteus without an encoder on the output knows
+// it only within one turn of the rotor (home state 1).
+enum class PowerUpPosition
+{
+    Ambiguous,  // no absolute pointing until the drive reports a referenced output (home state 2)
+    Trusted     // it is right: an encoder on the axis, and a travel below one turn of it
+};
+
 struct AxisSettings
 {
     int id = 1;  // of the moteus controller on the bus
     pointing::AxisGeometry geometry{};
     tracking::MotionLimits limits{};
-    double maxTorque = 0.0;  // Nm at the axis
+    double maxTorque = 0.0;  // Nm, as the drive counts it
+    PowerUpPosition powerUpPosition = PowerUpPosition::Ambiguous;
 
     bool operator==(const AxisSettings&) const = default;
 };

@@ -91,6 +91,11 @@ void addLimits(std::vector<Setting>& list, const std::string& table, AxisSetting
         "Torque the drive may use, as the controller counts it.", [axis](auto& p) -> auto& {
             return (p.*axis).maxTorque;
         }));
+    list.push_back(choice(
+        table + ".power_up_position", {"ambiguous", "trusted"}, Applies::OnReconnect,
+        "\"trusted\" if the position after power-up is always right (encoder on the axis, travel below one turn); else "
+        "the axis is only pointed when the drive reports a referenced output.",
+        [axis](auto& p) -> auto& { return (p.*axis).powerUpPosition; }));
 }
 
 void addControl(std::vector<Setting>& list)

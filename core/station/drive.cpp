@@ -92,7 +92,7 @@ bool Drive::latched() const
 
 bool Drive::referenced() const
 {
-    return m_report && m_report->homeState == moteus::HomeState::Output;
+    return m_report && (m_settings.trustPowerUpPosition || m_report->homeState == moteus::HomeState::Output);
 }
 
 bool Drive::take(const CanFrame& frame)

@@ -40,6 +40,7 @@ struct DriveSettings
     double maxTorque = 0.0;
     MotorRate velocityLimit;  // above the host's own limits: the host leads, the drive guards
     MotorAcceleration accelerationLimit;
+    bool trustPowerUpPosition = false;
 };
 
 // Why a drive that was engaged is not any more.

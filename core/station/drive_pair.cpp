@@ -9,12 +9,12 @@ constexpr double kGuardFactor = 1.5;
 
 DriveSettings driveSettings(const profile::AxisSettings& axis, const profile::ControlSettings& control)
 {
-    const bool gearInHost = axis.geometry.gearIn == pointing::GearIn::Host;
     return {.id = axis.id,
             .watchdog = control.watchdog,
-            .maxTorque = axis.maxTorque / (gearInHost ? axis.geometry.gearRatio : 1.0),
+            .maxTorque = axis.maxTorque,
             .velocityLimit = abs(axis.geometry.toMotor(axis.limits.speed)) * kGuardFactor,
-            .accelerationLimit = abs(axis.geometry.toMotor(axis.limits.acceleration)) * kGuardFactor};
+            .accelerationLimit = abs(axis.geometry.toMotor(axis.limits.acceleration)) * kGuardFactor,
+            .trustPowerUpPosition = axis.powerUpPosition == profile::PowerUpPosition::Trusted};
 }
 
 }  // namespace

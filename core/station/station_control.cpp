@@ -129,13 +129,15 @@ Result<> StationControl::goTo(const AxisPosition& place, Activity activity, cons
     });
 }
 
-Result<> StationControl::streamTo(const pointing::Resolved& resolved, const SkyPointing& direction,
-                                  const Source& source)
+Result<> StationControl::streamTo(const pointing::Resolved& resolved, const SkyPointing& asked, const Source& source)
 {
-    begin(Activity::Streaming, source, QStringLiteral("P ") + text(direction));
-    if (resolved.limited && !m_limited) {
+    if (resolved.limited && m_profile.rotctld.outsideLimits == profile::OutsideLimits::Refuse) {
+        return failure(ErrorCode::OutOfRange, resolved.reason);
+    }
+    begin(Activity::Streaming, source, QStringLiteral("P ") + text(asked));
+    if (resolved.limited) {
         m_limited = true;
-        m_wantedDirection = direction;
+        m_wantedDirection = asked;
     }
     m_motion.follow(resolved.position, m_now);
     return {};
@@ -145,13 +147,11 @@ Result<> StationControl::handle(const request::PointSky& wanted, const Source& s
 {
     return mayPoint(source).and_then([&]() -> Result<> {
         const pointing::Resolved resolved = m_model.resolve(wanted.direction, heading());
-        const bool nearestWillDo =
-            source.kind == SourceKind::Client && m_profile.rotctld.outsideLimits == profile::OutsideLimits::Nearest;
-        if (resolved.limited && !nearestWillDo) {
-            return failure(ErrorCode::OutOfRange, resolved.reason);
-        }
         if (source.kind == SourceKind::Client) {
             return streamTo(resolved, wanted.direction, source);
+        }
+        if (resolved.limited) {
+            return failure(ErrorCode::OutOfRange, resolved.reason);
         }
         return goTo(resolved.position, Activity::Pointing, source, QStringLiteral("go to ") + text(wanted.direction));
     });
@@ -159,6 +159,11 @@ Result<> StationControl::handle(const request::PointSky& wanted, const Source& s
 
 Result<> StationControl::handle(const request::PointAxes& wanted, const Source& source)
 {
+    if (source.kind == SourceKind::Client) {
+        return mayPoint(source).and_then([&] {
+            return streamTo(m_model.resolve(wanted.position), pointing::MountModel::toSky(wanted.position), source);
+        });
+    }
     return goTo(wanted.position, Activity::Pointing, source, QStringLiteral("go to axes ") + text(wanted.position));
 }
 

@@ -90,7 +90,7 @@ private:
     [[nodiscard]] Result<> mayMove(const Source& source) const;   // at a rate
     [[nodiscard]] Result<> mayPoint(const Source& source) const;  // to a place: the axes must know where they are
     Result<> goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& text);
-    Result<> streamTo(const pointing::Resolved& resolved, const SkyPointing& direction, const Source& source);
+    Result<> streamTo(const pointing::Resolved& resolved, const SkyPointing& asked, const Source& source);
     Result<> runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& text);
     void begin(Activity activity, const Source& source, const QString& text);
     void holdHere(Activity activity);

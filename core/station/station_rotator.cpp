@@ -32,6 +32,13 @@ Result<> inside(const char* what, Angle value, Angle min, Angle max)
     return {};
 }
 
+// 90.00001° means 90°, not a flip over the top.
+Angle snapped(Angle value, Angle min, Angle max)
+{
+    const Angle inRange = std::clamp(value, min, max);
+    return abs(value - inRange) <= kLimitTolerance ? inRange : value;
+}
+
 }  // namespace
 
 Source clientSource(const rotctld::Client& client)
@@ -120,13 +127,17 @@ Result<> StationRotator::pointTo(const rotctld::Client& client, const rotctld::P
 {
     const QString command =
         QStringLiteral("P %1 %2").arg(request.azimuth.degrees(), 0, 'f', 2).arg(request.elevation.degrees(), 0, 'f', 2);
-    const request::PointSky wanted{{.azimuth = request.azimuth, .elevation = request.elevation}};
-    const Result<> allowed = permitted(request);
-    if (!allowed) {
+    if (const Result<> allowed = permitted(request); !allowed) {
         logRefusal(client, command, allowed.error());
         return allowed;
     }
-    return ask(client, wanted, command);
+    const rotctld::Limits range = limits();
+    const Angle azimuth = snapped(request.azimuth, range.minAzimuth, range.maxAzimuth);
+    const Angle elevation = snapped(request.elevation, range.minElevation, range.maxElevation);
+    if (m_profile.rotctld.azimuth == profile::AzimuthConvention::Continuous) {
+        return ask(client, request::PointAxes{{.azimuth = azimuth, .elevation = elevation}}, command);
+    }
+    return ask(client, request::PointSky{{.azimuth = azimuth, .elevation = elevation}}, command);
 }
 
 Result<> StationRotator::move(const rotctld::Client& client, rotctld::MoveDirection direction, int speed)

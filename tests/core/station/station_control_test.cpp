@@ -95,6 +95,16 @@ TEST(StationControl, AnUnreferencedDriveMayBeJoggedButNotPointed)
     EXPECT_TRUE(rig.ask(request::Jog{{.azimuth = 1_deg_s}}));
 }
 
+TEST(StationControl, ATrustedPowerUpPositionMayBePointed)
+{
+    profile::Profile profile;
+    profile.azimuth.powerUpPosition = profile.elevation.powerUpPosition = profile::PowerUpPosition::Trusted;
+    StationRig rig(profile);
+    rig.azimuth.home = rig.elevation.home = moteus::HomeState::Rotor;
+    rig.run(Seconds(0.1));
+    EXPECT_TRUE(rig.point(10.0, 10.0));
+}
+
 // --- pointing ---------------------------------------------------------------------------------------------------
 
 TEST(StationControl, APointIsReachedAndHeld)

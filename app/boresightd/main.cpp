@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// boresightd: the station without a screen. Its main thread is the station thread.
+#include "app/options.h"
+#include "app/service_notify.h"
+#include "app/unix_signals.h"
+#include "core/base/version.h"
+#include "core/station/link_factory.h"
+#include "core/station/station.h"
+
+#include <QCoreApplication>
+
+#include <cstdio>
+
+namespace {
+
+using namespace boresight;
+
+int complain(const std::string& text)
+{
+    std::fprintf(stderr, "boresightd: %s\n", text.c_str());
+    return 2;
+}
+
+void announce(const QString& listening)
+{
+    std::printf("rotctld listening on %s\n", qPrintable(listening));
+    std::fflush(stdout);
+    app::notifyService("READY=1");
+}
+
+int run(QCoreApplication& application, const app::Options& options)
+{
+    const SystemClock clock;
+    auto link = makeLink(options.profile.bus, clock);
+    if (!link) {
+        return complain(link.error().text);
+    }
+    Station station(options.profile, std::move(*link), options.stateDir, clock);
+    app::UnixSignals signals;
+    QObject::connect(&station, &Station::started, &application, [&](const QString& listening, const QString& problem) {
+        if (listening.isEmpty()) {
+            application.exit(complain(problem.toStdString()));
+        } else {
+            announce(listening);
+        }
+    });
+    QObject::connect(&signals, &app::UnixSignals::endRequested, &station, [&] {
+        app::notifyService("STOPPING=1");
+        station.shutDown();
+    });
+    QObject::connect(&station, &Station::finished, &application, &QCoreApplication::quit);
+    QMetaObject::invokeMethod(&station, &Station::start, Qt::QueuedConnection);
+    return application.exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    QCoreApplication application(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("boresightd"));
+    QCoreApplication::setApplicationVersion(QString::fromUtf8(kVersion.data(), kVersion.size()));
+    const auto options =
+        app::readOptions(application.arguments(),
+                         QStringLiteral("Boresight without a screen: rotctld server for a moteus antenna mount."));
+    return options ? run(application, *options) : complain(options.error().text);
+}

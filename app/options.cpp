@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/options.h"
+
+#include "core/profile/profile_file.h"
+#include "core/profile/setting.h"
+
+#include <QCommandLineParser>
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace boresight::app {
+namespace {
+
+const QString kProfile = QStringLiteral("profile");
+const QString kBus = QStringLiteral("bus");
+const QString kSimulate = QStringLiteral("simulate");
+const QString kListen = QStringLiteral("listen");
+const QString kStateDir = QStringLiteral("state-dir");
+
+void addOptions(QCommandLineParser& parser)
+{
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addOption({kProfile,
+                      QStringLiteral("Settings of the mount; without it the user's own profile, else the "
+                                     "built-in reference mount."),
+                      QStringLiteral("FILE")});
+    parser.addOption({kBus, QStringLiteral("fdcanusb:PATH, socketcan:IFACE or simulated; overrides the profile."),
+                      QStringLiteral("BUS")});
+    parser.addOption({kSimulate, QStringLiteral("Drive the built-in simulated mount: the same as --bus simulated.")});
+    parser.addOption({kListen, QStringLiteral("Address of the rotctld server; port 0 picks a free one."),
+                      QStringLiteral("HOST:PORT")});
+    parser.addOption(
+        {kStateDir, QStringLiteral("Where the log and the window's layout are kept."), QStringLiteral("DIR")});
+}
+
+Result<profile::Profile> readProfile(Options& options, const QCommandLineParser& parser)
+{
+    options.profilePath = parser.value(kProfile);
+    if (options.profilePath.isEmpty()) {
+        const QString own = QStandardPaths::writableLocation(QStandardPaths::ConfigLocation) +
+                            QStringLiteral("/boresight/profile.toml");
+        if (!QFileInfo::exists(own)) {
+            return profile::Profile{};
+        }
+        options.profilePath = own;
+    }
+    return profile::loadProfile(options.profilePath);
+}
+
+Result<> applyBus(profile::Profile& profile, const QCommandLineParser& parser)
+{
+    if (!parser.isSet(kBus) && !parser.isSet(kSimulate)) {
+        return {};
+    }
+    const std::string bus = parser.isSet(kBus) ? parser.value(kBus).toStdString() : "simulated";
+    if (parser.isSet(kSimulate) && bus != "simulated") {
+        return failure(ErrorCode::InvalidInput,
+                       "--simulate and --bus " + bus + " exclude each other: give one of them");
+    }
+    return profile::checkBusName(bus).map([&] { profile.bus = bus; });
+}
+
+Result<> applyListen(profile::Profile& profile, const QCommandLineParser& parser)
+{
+    if (!parser.isSet(kListen)) {
+        return {};
+    }
+    return profile::parseListenAddress(parser.value(kListen).toStdString())
+        .map([&](const profile::ListenAddress& address) { profile.rotctld.listen = address; })
+        .map_error([](Error error) {
+            return Error{error.code, "--listen: " + error.text};
+        });
+}
+
+Result<QString> makeStateDir(const QCommandLineParser& parser)
+{
+    QString path = parser.value(kStateDir);
+    if (path.isEmpty()) {
+        path = qEnvironmentVariable("STATE_DIRECTORY");  // set by systemd
+    }
+    if (path.isEmpty()) {
+        path = qEnvironmentVariable("XDG_STATE_HOME", QDir::homePath() + QStringLiteral("/.local/state")) +
+               QStringLiteral("/boresight");
+    }
+    if (!QDir().mkpath(path)) {
+        return failure(ErrorCode::Io,
+                       "cannot make the state folder " + path.toStdString() + ": choose another with --state-dir");
+    }
+    return QDir(path).absolutePath();
+}
+
+}  // namespace
+
+Result<Options> readOptions(const QStringList& arguments, const QString& description)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(description);
+    addOptions(parser);
+    parser.process(arguments);
+    if (!parser.positionalArguments().isEmpty()) {
+        return failure(ErrorCode::InvalidInput, "what is \"" + parser.positionalArguments().constFirst().toStdString() +
+                                                    "\"? Options begin with --; see --help");
+    }
+    Options options;
+    return readProfile(options, parser)
+        .and_then([&](const profile::Profile& profile) -> Result<> {
+            options.profile = profile;
+            return applyBus(options.profile, parser);
+        })
+        .and_then([&] { return applyListen(options.profile, parser); })
+        .and_then([&] { return makeStateDir(parser); })
+        .map([&](const QString& stateDir) {
+            options.stateDir = stateDir;
+            return options;
+        });
+}
+
+}  // namespace boresight::app

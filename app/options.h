@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/profile/profile.h"
+
+#include <QString>
+#include <QStringList>
+
+// The command line that boresight and boresightd share: which profile, and what overrides it.
+namespace boresight::app {
+
+struct Options
+{
+    profile::Profile profile;  // with the overrides applied
+    QString profilePath;       // empty: built-in defaults
+    QString stateDir;          // created if absent
+};
+
+// `arguments` with the program's name first. Prints help or version and ends the program when asked for them. The
+// error text is ready to print: one or more lines.
+[[nodiscard]] Result<Options> readOptions(const QStringList& arguments, const QString& description);
+
+}  // namespace boresight::app
