@@ -40,12 +40,12 @@ bool isBinary(unsigned char byte)
 Event CommandParser::next(std::string_view& input)
 {
     while (!input.empty()) {
+        if (m_lineLength >= kMaxLineLength) {
+            return Event::TooLong;
+        }
         const Event event = step(input);
         if (event != Event::NeedMore) {
             return event;
-        }
-        if (m_lineLength > kMaxLineLength) {
-            return Event::TooLong;
         }
     }
     return Event::NeedMore;
@@ -186,10 +186,11 @@ Event CommandParser::letter(unsigned char byte, std::string_view rest)
         m_binaryBytes += isBinary(byte) ? 1 : 0;
         return odd();
     }
-    if (spec->start == Start::UnlessGlued && !rest.empty() && isWordByte(rest.front())) {
+    if (spec->start == Start::UnlessGlued && !rest.empty() && !isBlank(rest.front())) {
         return odd();
     }
-    if (spec->start == Start::AfterItsWord) {
+    const bool waits = spec->start == Start::UnlessGlued && rest.empty() && m_doubtful;
+    if (waits || spec->start == Start::AfterItsWord) {
         select(*spec, Spelling::Letter);
         m_state = State::WordEnd;
         return Event::NeedMore;
@@ -290,6 +291,7 @@ Event CommandParser::complete()
 {
     m_state = State::Idle;
     m_binaryBytes = 0;
+    m_doubtful = false;
     return Event::Command;
 }
 
@@ -297,6 +299,7 @@ Event CommandParser::odd()
 {
     m_state = State::Ignore;
     m_comment = false;
+    m_doubtful = true;
     const Event stranger = checkStranger();
     return stranger == Event::Stranger ? stranger : Event::Odd;
 }

@@ -101,6 +101,7 @@ private:
     std::size_t m_lineLength = 0;
     std::size_t m_binaryBytes = 0;  // unprintable ones outside arguments since the last command
     bool m_comment = false;
+    bool m_doubtful = false;  // the last thing it said was unknown
 };
 
 }  // namespace boresight::rotctld

@@ -59,7 +59,7 @@ enum class Ending : std::uint8_t
 enum class Start : std::uint8_t
 {
     AtOnce,        // "pp" are two
-    UnlessGlued,   // not when a further letter or digit has already come; a lone letter runs at once
+    UnlessGlued,   // not when anything but a blank or line end has come right behind it; a lone letter runs at once
     AfterItsWord,  // only when a blank, a line end or the end of input has come
 };
 

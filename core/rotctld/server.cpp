@@ -288,7 +288,7 @@ void Server::runCommands(Connection& connection)
         connection.waiting = true;
         m_backlog.push_back(connection.id);
         m_nextTurn.start();
-    } else if (!connection.inputFull) {
+    } else if (blocked || !connection.inputFull) {
         connection.busySince.reset();
     }
 }

@@ -23,6 +23,7 @@ public:
     [[nodiscard]] rotctld::Limits limits() const override { return m_limits; }
     [[nodiscard]] Result<SkyPointing> position() const override
     {
+        ++questions;
         if (fault) {
             return tl::unexpected(*fault);
         }
@@ -90,7 +91,8 @@ public:
     std::optional<Error> fault;
     std::optional<rotctld::PointRequest> lastRequest;
     int lastSpeed = 0;
-    int actions = 0;  // accepted or refused: calls that would move or stop a mount
+    int actions = 0;            // accepted or refused: calls that would move or stop a mount
+    mutable int questions = 0;  // for the position
     std::uint64_t mover = 0;
     std::map<std::uint64_t, std::string> connected;
     std::map<std::uint64_t, std::string> gone;

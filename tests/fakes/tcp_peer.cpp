@@ -93,9 +93,8 @@ std::string TcpPeer::receive(const Enough& enough, std::chrono::milliseconds qui
     while (!m_closed) {
         m_pump();
         const auto now = SteadyClock::now();
-        if (readSome(bytes)) {
-            last = now;
-        } else if (enough(bytes) ? now - last > quiet : now - begin > patience) {
+        last = readSome(bytes) ? now : last;
+        if (enough(bytes) ? now - last >= quiet : now - begin > patience) {
             break;
         }
     }

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/rotctld/server_fixture.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace boresight::rotctld {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(RotctldServer, AnswersInOneSegmentEach)
+{
+    ServerFixture fixture;
+    const auto peer = fixture.connect();
+    for (int i = 0; i < 100; ++i) {
+        EXPECT_EQ(peer->ask("p\n", 2), "0.00\n0.00\n");
+        EXPECT_EQ(peer->ask("P 0,00 45,00\n"), "RPRT 0\n");
+        fixture.rotator.stop({});
+    }
+    EXPECT_EQ(peer->segments().size(), 200U);
+    EXPECT_LT(std::ranges::max(peer->segments()), 128U);
+}
+
+TEST(RotctldServer, AnswersAtOnceWithoutDrive)
+{
+    ServerFixture fixture;
+    fixture.rotator.fault = Error{.code = ErrorCode::NoAnswer, .text = "no drive answers"};
+    const auto peer = fixture.connect();
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_EQ(peer->ask("p\n"), "RPRT -6\n");
+    EXPECT_EQ(peer->ask("P 10 5\n"), "RPRT -6\n");
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 50ms);
+}
+
+TEST(RotctldServer, LastPositionWins)
+{
+    ServerFixture fixture;
+    const auto one = fixture.connect();
+    const auto other = fixture.connect();
+    EXPECT_EQ(one->ask("P 10 5\n"), "RPRT 0\n");
+    EXPECT_EQ(other->ask("P 20 6\n"), "RPRT 0\n");
+    EXPECT_NEAR(fixture.rotator.lastRequest->azimuth.degrees(), 20.0, 1e-6);
+    EXPECT_EQ(one->ask("S\n"), "RPRT 0\n");
+}
+
+TEST(RotctldServer, PauseDelaysNobodyElse)
+{
+    ServerFixture fixture;
+    const auto sleeper = fixture.connect();
+    const auto other = fixture.connect();
+    sleeper->send("\\pause 600\np\n");
+    ServerFixture::turn();
+    EXPECT_EQ(other->ask("S\n"), "RPRT 0\n");
+    EXPECT_EQ(sleeper->receive([](const auto&) { return true; }, 5ms, 0ms), "");
+    fixture.elapse(600s);
+    EXPECT_EQ(sleeper->receiveLines(3), "RPRT 0\n0.00\n0.00\n");
+}
+
+TEST(RotctldServer, DropsWhoNeverReads)
+{
+    ServerFixture fixture;
+    const auto deaf = fixture.connect();
+    const auto other = fixture.connect();
+    std::string many;
+    for (int i = 0; i < 20'000; ++i) {
+        many += "1\n";  // a good kilobyte each
+    }
+    deaf->send(many, 200ms);
+    for (int i = 0; i < 10'000; ++i) {
+        ServerFixture::turn();  // until the kernel takes no more
+    }
+    EXPECT_EQ(other->ask("p\n", 2), "0.00\n0.00\n");
+    fixture.elapse(9s);
+    EXPECT_TRUE(fixture.rotator.gone.empty());
+    fixture.elapse(2s);
+    EXPECT_EQ(fixture.goneReason(), "dropped: does not read its answers");
+    EXPECT_EQ(fixture.server->clients().size(), 1U);
+    EXPECT_EQ(other->ask("p\n", 2), "0.00\n0.00\n");
+}
+
+TEST(RotctldServer, DropsALineWithoutEnd)
+{
+    for (const char filling : {'x', '1', 'P', ' ', '#', '\\', ';'}) {
+        ServerFixture fixture;
+        const auto peer = fixture.connect();
+        const auto other = fixture.connect();
+        peer->send(filling == 'P' ? "P " + std::string(1'000'000, '7') : std::string(1'000'000, filling));
+        peer->receiveUntilClosed();
+        EXPECT_EQ(fixture.goneReason(), "sent 4096 bytes without a line end") << filling;
+        EXPECT_EQ(fixture.rotator.actions, 0);
+        EXPECT_EQ(other->ask("p\n", 2), "0.00\n0.00\n");
+    }
+}
+
+TEST(RotctldServer, DropsHalfACommandAfterAMinute)
+{
+    ServerFixture fixture;
+    const auto half = fixture.connect();
+    const auto idle = fixture.connect();
+    half->send("P 10");
+    ServerFixture::turn();
+    fixture.elapse(59s);
+    EXPECT_TRUE(fixture.rotator.gone.empty());
+    fixture.elapse(2s);
+    EXPECT_EQ(fixture.goneReason(), "dropped: left a command unfinished");
+    fixture.elapse(1h);
+    EXPECT_EQ(idle->ask("p\n", 2), "0.00\n0.00\n");  // who says nothing may stay
+}
+
+TEST(RotctldServer, DropsAFloodAfterTenSeconds)
+{
+    ServerFixture fixture;
+    const auto flood = fixture.connect();
+    const auto other = fixture.connect();
+    std::string many;
+    for (int i = 0; i < 5'000; ++i) {
+        many += "p\n";
+    }
+    for (int second = 0; second < 12 && fixture.rotator.gone.empty(); ++second) {
+        flood->send(many);  // ahead of the replies all the time
+        EXPECT_EQ(other->ask("p\n", 2), "0.00\n0.00\n");
+        fixture.elapse(1s);
+        flood->receive([](const std::string& bytes) { return bytes.size() > 20'000; }, 0ms, 1s);
+    }
+    EXPECT_EQ(fixture.goneReason(), "dropped: floods without waiting for answers");
+}
+
+// The control tick shares the event loop: one turn must stay short whatever the clients send.
+TEST(RotctldServer, BoundsTheWorkOfOneTurn)
+{
+    ServerFixture fixture;
+    std::vector<std::unique_ptr<fakes::TcpPeer>> floods;
+    for (int i = 0; i < 100; ++i) {
+        floods.push_back(fixture.connect());
+    }
+    std::string many;
+    for (int i = 0; i < 400; ++i) {
+        many += "p\n";
+    }
+    int most = 0;
+    for (const auto& peer : floods) {
+        const int before = fixture.rotator.questions;
+        peer->send(many);  // turns the loop once
+        most = std::max(most, fixture.rotator.questions - before);
+    }
+    for (int i = 0; i < 50; ++i) {
+        const int before = fixture.rotator.questions;
+        ServerFixture::turn();
+        most = std::max(most, fixture.rotator.questions - before);
+    }
+    EXPECT_GT(most, 0);
+    EXPECT_LE(most, 1000);  // of 40,000; a wait turns the loop a few times, each at most 192 commands
+    const auto late = fixture.connect();
+    const int before = fixture.rotator.questions;
+    EXPECT_EQ(late->ask("S\n"), "RPRT 0\n");
+    EXPECT_LT(fixture.rotator.questions - before, 100 * 400 / 4);  // long before the floods are served
+}
+
+TEST(RotctldServer, ServesLongPipelinesCompletely)
+{
+    ServerFixture fixture;
+    const auto peer = fixture.connect();
+    std::string many;
+    for (int i = 0; i < 20'000; ++i) {
+        many += "p\n";
+    }
+    peer->send(many);
+    EXPECT_EQ(peer->receiveLines(40'000).size(), 200'000U);
+}
+
+TEST(RotctldServer, DeliversRepliesBeforeItCloses)
+{
+    ServerFixture fixture;
+    const auto peer = fixture.connect();
+    peer->send("p\nS\nq\nP 10 5\nand much more\n");
+    EXPECT_EQ(peer->receiveUntilClosed(), "0.00\n0.00\nRPRT 0\n");
+    EXPECT_EQ(fixture.goneReason(), "said goodbye");
+    EXPECT_FALSE(fixture.rotator.lastRequest.has_value());
+}
+
+TEST(RotctldServer, TellsWhoLeftAndWhy)
+{
+    ServerFixture fixture;
+    auto closing = fixture.connect();
+    EXPECT_EQ(closing->ask("P 100 5\n"), "RPRT 0\n");
+    closing.reset();
+    ServerFixture::turn();
+    EXPECT_EQ(fixture.goneReason(), "closed the connection");
+    fixture.elapse(1s);
+    EXPECT_TRUE(fixture.rotator.motion().movingRight);  // its last target stands
+
+    const auto resetting = fixture.connect();
+    EXPECT_EQ(resetting->ask("M LEFT 50\n"), "RPRT 0\n");
+    EXPECT_TRUE(fixture.rotator.motion().movingLeft);
+    resetting->reset();
+    ServerFixture::turn();
+    EXPECT_EQ(fixture.goneReason().substr(0, 5), "lost:");
+    EXPECT_FALSE(fixture.rotator.motion().movingLeft);  // but its `M` ends
+    EXPECT_TRUE(fixture.server->clients().empty());
+}
+
+TEST(RotctldServer, ListsItsClients)
+{
+    ServerFixture fixture;
+    const auto gpredict = fixture.connect();
+    const auto unknown = fixture.connect();
+    gpredict->ask("p\n", 2);
+    gpredict->ask("P 12.34 5.60\n");
+    unknown->send("nonsense\n");
+    unknown->ask("_\n");
+    const auto clients = fixture.server->clients();
+    ASSERT_EQ(clients.size(), 2U);
+    EXPECT_EQ(clients[0].program, "Gpredict or SatDump");
+    EXPECT_EQ(clients[0].lastCommand, "P 12.34 5.60");
+    EXPECT_EQ(clients[0].address, fixture.rotator.connected.at(clients[0].id));
+    EXPECT_EQ(clients[1].oddCommands, 1U);
+}
+
+TEST(RotctldServer, RefusesClientsAboveItsLimit)
+{
+    ServerFixture fixture({.maxClients = 2});
+    const auto one = fixture.connect();
+    auto two = fixture.connect();
+    const auto three = fixture.connect();
+    EXPECT_EQ(three->receiveUntilClosed(), "");
+    EXPECT_EQ(fixture.rotator.remarks.at(0), "refused: 2 clients are connected");
+    EXPECT_EQ(one->ask("p\n", 2), "0.00\n0.00\n");
+    two.reset();
+    ServerFixture::turn();
+    EXPECT_EQ(fixture.connect()->ask("p\n", 2), "0.00\n0.00\n");
+}
+
+TEST(RotctldServer, QueuesConnectsBackToBack)
+{
+    ServerFixture fixture;
+    std::vector<std::unique_ptr<fakes::TcpPeer>> peers;
+    bool serving = false;
+    for (int i = 0; i < 128; ++i) {  // while the server is busy with something else
+        peers.push_back(std::make_unique<fakes::TcpPeer>("127.0.0.1", fixture.server->port(), [&serving] {
+            if (serving) {
+                ServerFixture::turn();
+            }
+        }));
+        ASSERT_TRUE(peers.back()->connected());
+    }
+    serving = true;
+    for (const auto& peer : peers) {
+        EXPECT_EQ(peer->ask("p\n", 2), "0.00\n0.00\n");
+    }
+}
+
+TEST(RotctldServer, SurvivesDescriptorShortage)
+{
+    ServerFixture fixture;
+    const auto one = fixture.connect();
+    EXPECT_EQ(one->ask("p\n", 2), "0.00\n0.00\n");
+    std::vector<Descriptor> hoard;
+    do {
+        hoard.emplace_back(::dup(0));
+    } while (hoard.back().valid());
+    hoard.resize(hoard.size() - 2);  // the failed one, and one for the next client's own end
+    const auto waiting = fixture.connect();
+    ASSERT_TRUE(waiting->connected());
+    ServerFixture::turn();
+    EXPECT_EQ(fixture.rotator.remarks, std::vector<std::string>{"no descriptor left: new clients wait"});
+    EXPECT_EQ(one->ask("p\n", 2), "0.00\n0.00\n");
+    fixture.elapse(1s);
+    EXPECT_EQ(fixture.rotator.remarks.size(), 1U);
+    hoard.clear();
+    fixture.elapse(1s);
+    EXPECT_EQ(waiting->ask("p\n", 2), "0.00\n0.00\n");
+}
+
+TEST(RotctldServer, SaysWhyItCannotListen)
+{
+    ServerFixture fixture;
+    Server second({.host = "127.0.0.1", .port = fixture.server->port()}, fixture.rotator, fixture.clock);
+    EXPECT_EQ(second.listen().error().code, ErrorCode::Busy);
+    Server nowhere({.host = "shack.example"}, fixture.rotator, fixture.clock);
+    EXPECT_EQ(nowhere.listen().error().code, ErrorCode::InvalidInput);
+    EXPECT_EQ(nowhere.address(), "");
+    EXPECT_EQ(fixture.server->address(), "127.0.0.1:" + std::to_string(fixture.server->port()));
+}
+
+TEST(RotctldServer, GivesThePortBack)
+{
+    ServerFixture fixture;
+    const auto peer = fixture.connect();
+    const std::uint16_t port = fixture.server->port();
+    fixture.server->close();
+    EXPECT_EQ(fixture.goneReason(), "the server was closed");
+    Server next({.host = "127.0.0.1", .port = port}, fixture.rotator, fixture.clock);
+    EXPECT_TRUE(next.listen().has_value());
+}
+
+}  // namespace
+}  // namespace boresight::rotctld
