@@ -38,7 +38,7 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
       m_tickTimer(this),
       m_updateTimer(this),
       m_reopenTimer(this),
-      m_lateness(profile.control.tickPeriod())
+      m_lateness(std::chrono::round<std::chrono::milliseconds>(profile.control.tickPeriod()))
 {
     m_link->setParent(this);  // so that it moves to the station thread with us
     m_tickTimer.setTimerType(Qt::PreciseTimer);

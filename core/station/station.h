@@ -53,6 +53,7 @@ public Q_SLOTS:
     void tick();
     void publish();
     void openAll();
+    void openBus();
 
 Q_SIGNALS:
     // `listening` is the address of the rotctld server, empty when it could not listen, and then `problem` says why.
@@ -61,7 +62,6 @@ Q_SIGNALS:
     void finished();
 
 private:
-    void openBus();
     void showBus(const LinkStatus& status);
     void openServer();
     void writeEvents();

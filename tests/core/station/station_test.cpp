@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/station.h"
+
+#include "tests/fakes/fake_can_link.h"
+#include "tests/fakes/ideal_drive.h"
+#include "tests/fakes/manual_clock.h"
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTcpServer>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+namespace boresight {
+namespace {
+
+profile::Profile anyPort()
+{
+    profile::Profile profile;
+    profile.rotctld.listen.port = 0;
+    return profile;
+}
+
+struct Rig
+{
+    explicit Rig(const profile::Profile& profile = anyPort())
+    {
+        auto owned = std::make_unique<fakes::FakeCanLink>();
+        link = owned.get();
+        station = std::make_unique<Station>(profile, std::move(owned), stateDir.path(), clock);
+        QObject::connect(station.get(), &Station::updated,
+                         [this](const StationUpdate& update) { updates.push_back(update); });
+    }
+
+    void tick()
+    {
+        clock.advance(Seconds(0.02));
+        link->sent.clear();
+        station->tick();
+        answerAll();
+    }
+
+    void answerAll()
+    {
+        for (const CanFrame& frame : std::exchange(link->sent, {})) {
+            for (fakes::IdealDrive* const drive : {&azimuth, &elevation}) {
+                if (const auto reply = drive->answer(frame, clock.now())) {
+                    Q_EMIT link->frameReceived(*reply);
+                }
+            }
+        }
+    }
+
+    void run(int ticks)
+    {
+        for (int i = 0; i < ticks; ++i) {
+            tick();
+        }
+    }
+
+    QTemporaryDir stateDir;
+    fakes::ManualClock clock;
+    fakes::FakeCanLink* link = nullptr;
+    std::unique_ptr<Station> station;
+    std::vector<StationUpdate> updates;
+    fakes::IdealDrive azimuth{1, 0.0};
+    fakes::IdealDrive elevation{2, -0.25};
+};
+
+const request::PointSky kFarAway{{.azimuth = 200_deg, .elevation = 60_deg}};
+
+TEST(Station, AStalledScreenGetsTheNewestStatusAndNoQueue)
+{
+    Rig rig;
+    rig.station->openAll();
+    rig.run(5);
+    for (int i = 0; i < 100; ++i) {
+        rig.tick();
+        rig.station->publish();
+    }
+    ASSERT_EQ(rig.updates.size(), 1U);
+    rig.station->updateTaken();
+    rig.station->publish();
+    ASSERT_EQ(rig.updates.size(), 2U);
+    EXPECT_EQ(rig.updates.back().status.tick, 105U);
+}
+
+TEST(Station, LogLinesComeOnceAndInOrder)
+{
+    Rig rig;
+    rig.station->openAll();
+    rig.run(5);
+    rig.station->publish();
+    ASSERT_FALSE(rig.updates.back().log.empty());
+    const std::uint64_t last = rig.updates.back().log.back().number;
+    rig.station->request({.id = 1, .request = kFarAway});
+    rig.station->updateTaken();
+    rig.station->publish();
+    ASSERT_FALSE(rig.updates.back().log.empty());
+    EXPECT_EQ(rig.updates.back().log.front().number, last + 1);
+}
+
+TEST(Station, AnswersFindTheControlThatAsked)
+{
+    Rig rig;
+    rig.station->openAll();
+    rig.run(5);
+    rig.station->request({.id = 7, .request = kFarAway});
+    rig.station->request({.id = 8, .request = request::PointSky{{.azimuth = 0_deg, .elevation = -20_deg}}});
+    rig.station->publish();
+    const auto& answers = rig.updates.back().answers;
+    ASSERT_EQ(answers.size(), 2U);
+    EXPECT_EQ(answers[0].requestId, 7U);
+    EXPECT_FALSE(answers[0].error);
+    EXPECT_EQ(answers[1].requestId, 8U);
+    ASSERT_TRUE(answers[1].error);
+    EXPECT_EQ(answers[1].error->code, ErrorCode::OutOfRange);
+}
+
+TEST(Station, StopDoesNotWaitForTheNextTick)
+{
+    Rig rig;
+    rig.station->openAll();
+    rig.run(5);
+    rig.station->request({.id = 1, .request = kFarAway});
+    rig.run(100);
+    rig.link->sent.clear();
+    rig.station->request({.id = 2, .request = request::Stop{}});
+    EXPECT_EQ(rig.link->sent.size(), 2U);
+    EXPECT_EQ(rig.station->status().state, StationState::Stopped);
+}
+
+TEST(Station, ABusThatDoesNotOpenIsAnAlarmAndIsTriedAgain)
+{
+    Rig rig;
+    rig.link->openError = "no such adapter";
+    rig.station->openAll();
+    rig.run(5);
+    auto alarms = rig.station->status().alarms;
+    ASSERT_EQ(alarms.size(), 1U);
+    EXPECT_TRUE(alarms.front().what.contains(QStringLiteral("no such adapter")));
+    EXPECT_TRUE(rig.link->sent.empty());
+    rig.link->openError.clear();
+    rig.station->openBus();
+    EXPECT_EQ(rig.link->openings, 2);
+    rig.station->openBus();
+    EXPECT_EQ(rig.link->openings, 2) << "an open bus is left alone";
+    rig.run(5);
+    EXPECT_FALSE(rig.station->status().alarms.front().active);
+    EXPECT_EQ(rig.station->status().state, StationState::Standby);
+}
+
+TEST(Station, ALostAdapterIsShownAtOnceAndReopened)
+{
+    Rig rig;
+    rig.station->openAll();
+    rig.run(5);
+    rig.link->report({.state = LinkState::Lost, .text = QStringLiteral("the adapter is gone")});
+    ASSERT_FALSE(rig.station->status().alarms.empty());
+    EXPECT_TRUE(rig.station->status().alarms.front().what.contains(QStringLiteral("the adapter is gone")));
+    rig.station->openBus();
+    EXPECT_EQ(rig.link->openings, 2);
+}
+
+TEST(Station, AnOccupiedPortIsSaidAndTheRestWorks)
+{
+    QTcpServer other;
+    ASSERT_TRUE(other.listen(QHostAddress::LocalHost));
+    profile::Profile profile;
+    profile.rotctld.listen.port = other.serverPort();
+    Rig rig(profile);
+    QSignalSpy started(rig.station.get(), &Station::started);
+    rig.station->openAll();
+    ASSERT_EQ(started.size(), 1);
+    EXPECT_TRUE(started[0][0].toString().isEmpty());
+    EXPECT_FALSE(started[0][1].toString().isEmpty());
+    rig.run(5);
+    EXPECT_EQ(rig.station->status().state, StationState::Standby);
+    EXPECT_EQ(rig.station->status().alarms.size(), 1U);
+}
+
+TEST(Station, FinishesAfterTheMountStandsStill)
+{
+    Rig rig;
+    rig.station->openAll();
+    rig.run(5);
+    rig.station->request({.id = 1, .request = kFarAway});
+    rig.run(100);
+    QSignalSpy finished(rig.station.get(), &Station::finished);
+    rig.station->shutDown();
+    rig.run(10);
+    EXPECT_TRUE(finished.isEmpty()) << "it is still decelerating";
+    rig.run(200);
+    EXPECT_EQ(finished.size(), 1);
+    EXPECT_EQ(rig.link->linkStatus.state, LinkState::Closed);
+}
+
+TEST(Station, TheLogIsOnDisk)
+{
+    Rig rig;
+    rig.station->openAll();
+    rig.run(5);
+    QFile file(rig.stateDir.filePath(QStringLiteral("events.log")));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QByteArray text = file.readAll();
+    EXPECT_TRUE(text.contains("Z station: both drives answer; nothing moves\n")) << text.toStdString();
+}
+
+TEST(EventFile, RotatesAndSaysOnceWhenItCannotWrite)
+{
+    const QTemporaryDir dir;
+    EventFile file(dir.path());
+    LogEntry big{.source = QStringLiteral("test"), .text = QString(1'000'000, QLatin1Char('x'))};
+    for (int i = 0; i < 8; ++i) {
+        ASSERT_TRUE(file.add(big));
+    }
+    EXPECT_TRUE(QFile::exists(dir.filePath(QStringLiteral("events.log.1"))));
+    EXPECT_LT(QFile(dir.filePath(QStringLiteral("events.log"))).size(), EventFile::kLargest);
+
+    EventFile nowhere(dir.filePath(QStringLiteral("absent")));
+    EXPECT_FALSE(nowhere.add(big));
+    EXPECT_TRUE(nowhere.add(big));
+}
+
+}  // namespace
+}  // namespace boresight
