@@ -50,8 +50,7 @@ Result<> SimulatedLink::send(std::span<const CanFrame> frames)
     for (const CanFrame& frame : frames) {
         ++m_status.sent;
         for (const sim::PairReply& reply : m_pair.exchange(frame, pairTime())) {
-            const auto later = std::ranges::upper_bound(m_replies, reply.due, {}, &sim::PairReply::due);
-            m_replies.insert(later, reply);
+            m_replies.add(reply.due, reply);
         }
     }
     schedule();
@@ -61,16 +60,14 @@ Result<> SimulatedLink::send(std::span<const CanFrame> frames)
 void SimulatedLink::deliver()
 {
     m_pair.advanceTo(pairTime());
-    while (!m_replies.empty() && m_replies.front().due <= m_pair.now()) {
-        sim::PairReply reply = m_replies.front();
-        m_replies.pop_front();
-        if (reply.damaged) {
+    while (auto reply = m_replies.takeDue(m_pair.now())) {
+        if (reply->damaged) {
             ++m_status.dropped;
             continue;
         }
         ++m_status.received;
-        reply.frame.received = m_clock.now();
-        Q_EMIT frameReceived(reply.frame);
+        reply->frame.received = m_clock.now();
+        Q_EMIT frameReceived(reply->frame);
     }
     schedule();
 }
@@ -104,10 +101,11 @@ void SimulatedLink::setState(LinkState state, const QString& text)
 
 void SimulatedLink::schedule()
 {
-    if (m_replies.empty() || QAbstractEventDispatcher::instance(thread()) == nullptr) {
+    const std::optional<Seconds> due = m_replies.nextDue();
+    if (!due || QAbstractEventDispatcher::instance(thread()) == nullptr) {
         return;  // nothing to do, or no event loop: deliver() is called by hand
     }
-    const double wait = std::max((m_replies.front().due - pairTime()).count(), 0.0);
+    const double wait = std::max((*due - pairTime()).count(), 0.0);
     m_timer.start(static_cast<int>(std::ceil(wait * 1000.0)));
 }
 

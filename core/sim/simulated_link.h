@@ -3,11 +3,10 @@
 
 #include "core/base/clock.h"
 #include "core/can/can_link.h"
+#include "core/sim/due_queue.h"
 #include "core/sim/simulated_pair.h"
 
 #include <QTimer>
-
-#include <deque>
 
 // The bus "simulated": the pair inside the program. Lives on the station thread. The pair's time follows the injected
 // clock and catches up whenever frames arrive or its truth is asked. Replies come through the event loop; with a clock
@@ -45,7 +44,7 @@ private:
     const Clock& m_clock;
     SteadyTime m_epoch;
     sim::SimulatedPair m_pair;
-    std::deque<sim::PairReply> m_replies;  // in the order of their due times
+    sim::DueQueue<sim::PairReply> m_replies;
     LinkStatus m_status;
     QTimer m_timer{this};
 };

@@ -18,12 +18,12 @@ namespace boresight::sim {
 
 struct MoteusSettings
 {
-    DriveConfig config;  // as written in its memory
-    PlantSettings plant;
+    DriveConfig config{};  // as written in its memory
+    PlantSettings plant{};
     double position = 0.0;     // of the axis, turns of the gearbox output
     double gearRatio = 100.0;  // turns of the rotor per turn of the output
     bool referenced = false;   // somebody has told the drive its output position since power-up
-    EncoderNoise noise;
+    EncoderNoise noise{};
 };
 
 class SimulatedMoteus final : public moteus::ServedDevice, private ConsoleDevice

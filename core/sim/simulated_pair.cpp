@@ -8,7 +8,7 @@
 namespace boresight::sim {
 namespace {
 
-constexpr double kStep = 1.0e-3;  // s
+constexpr double kStep = 0.5e-3;  // s: at 12°/s a report is at most 0.006° old
 // After a jump of the clock (a suspended computer) only this much is made up for.
 constexpr Seconds kLongestCatchUp{3600.0};
 

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/can/line_splitter.h"
+#include "core/sim/due_queue.h"
+#include "core/sim/simulated_pair.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+// An fdcanusb adapter with the simulated pair on its bus: bytes of a client in, bytes for the client out. Pure; time
+// is that of the pair. Every line is answered in the style of the request that caused it, with or without checksum, so
+// that clients of both kinds can come one after the other.
+namespace boresight::sim {
+
+class FdcanusbServer
+{
+public:
+    explicit FdcanusbServer(SimulatedPair& pair);
+
+    [[nodiscard]] std::string receive(std::string_view bytes, Seconds now);
+
+    // Replies that were held back.
+    [[nodiscard]] std::string takeDue(Seconds now);
+    [[nodiscard]] std::optional<Seconds> nextDue() const { return m_late.nextDue(); }
+
+    // The client is gone: its half line and what it waited for.
+    void clientGone();
+
+private:
+    enum class Style
+    {
+        Plain,
+        WithChecksum,
+    };
+    struct Late
+    {
+        PairReply reply;
+        Style style = Style::Plain;
+    };
+
+    void handleLine(std::string_view line, Seconds now);
+    void execute(std::string_view text, Style style, Seconds now);
+    void send(std::string_view text, Style style, Seconds now);
+    void can(std::string_view subcommand, std::string_view text, Style style, Seconds now);
+    void configure(std::string_view text, Style style);
+    void followBus(Seconds now);
+    void answer(std::string_view line, Style style);
+    void answer(const PairReply& reply, Style style);
+    [[nodiscard]] bool isInjected(FaultKind kind, Seconds now) const;
+
+    SimulatedPair& m_pair;
+    fdcanusb::LineSplitter m_splitter;
+    std::map<std::string, std::string, std::less<>> m_config;
+    DueQueue<Late> m_late;
+    std::string m_output;
+    bool m_busOn = true;
+};
+
+}  // namespace boresight::sim

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/base/file_descriptor.h"
+#include "core/base/result.h"
+#include "core/sim/fdcanusb_server.h"
+#include "core/sim/simulated_pair.h"
+
+#include <QObject>
+#include <QSocketNotifier>
+#include <QString>
+#include <QTimer>
+
+#include <memory>
+
+// The simulated pair as a device file: an fdcanusb adapter on a pseudo-terminal, reached by a symbolic link of the
+// user's choice. Lives on the thread of its event loop; never blocks. A client may close and come back; the link goes
+// with the server. The pair follows the clock in real time while the server lives.
+namespace boresight::sim {
+
+class PtyServer final : public QObject
+{
+    Q_OBJECT
+
+public:
+    // Clock and pair outlive the server. Refused if `link` exists and is not a symbolic link.
+    [[nodiscard]] static Result<std::unique_ptr<PtyServer>> create(const QString& link, SimulatedPair& pair,
+                                                                   const Clock& clock);
+    ~PtyServer() override;
+
+    [[nodiscard]] QString link() const { return m_link; }
+    [[nodiscard]] QString terminal() const { return m_terminal; }
+    // False from the moment a client was seen to close until the next one is seen.
+    [[nodiscard]] bool hasClient() const { return !m_absent.isActive(); }
+
+private:
+    PtyServer(FileDescriptor master, QString terminal, QString link, SimulatedPair& pair, const Clock& clock);
+
+    void read();
+    void write(const std::string& bytes);
+    void flush();
+    void answerDue();
+    void watchForClient();
+    [[nodiscard]] Seconds now() const { return m_begin + (m_clock.now() - m_epoch); }
+
+    FileDescriptor m_master;
+    QString m_terminal;
+    QString m_link;
+    SimulatedPair& m_pair;
+    const Clock& m_clock;
+    SteadyTime m_epoch;
+    Seconds m_begin;  // the pair's time at the epoch
+    FdcanusbServer m_server;
+    QByteArray m_unsent;
+    QSocketNotifier m_readable;
+    QSocketNotifier m_writable;
+    QTimer m_due;      // of a late reply
+    QTimer m_present;  // keeps the pair up with the clock
+    QTimer m_absent;   // looks for a client while there is none
+};
+
+}  // namespace boresight::sim
