@@ -14,6 +14,7 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <thread>
 #include <utility>
 
 namespace boresight::bench {
@@ -22,6 +23,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kReplyTimeout = 5s;
+constexpr auto kPositionTimeout = 10s;
 const Request kAskPosition{.text = "p\n", .form = ReplyForm::TwoNumbers};
 
 enum class ReplyState
@@ -274,6 +276,21 @@ void Clients::finishOutstanding(Measurement& measurement)
     }
     measurement.errors +=
         static_cast<std::uint64_t>(std::count_if(m_connections.begin(), m_connections.end(), isWaiting));
+}
+
+Result<> awaitPosition(const Endpoint& endpoint)
+{
+    const auto deadline = SteadyClock::now() + kPositionTimeout;
+    while (SteadyClock::now() < deadline) {
+        const int fd = openSocket(0);
+        const bool known = connectTo(fd, endpoint) && exchange(fd, kAskPosition);
+        close(fd);
+        if (known) {
+            return {};
+        }
+        std::this_thread::sleep_for(20ms);
+    }
+    return failure(ErrorCode::NoAnswer, "no position within 10 s of the start");
 }
 
 Measurement connectAtOnce(const Endpoint& endpoint, std::size_t count)

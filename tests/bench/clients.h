@@ -85,6 +85,9 @@ private:
     std::vector<Connection> m_connections;
 };
 
+// Asks until there is a position: a mount that has just been started does not know it yet. Fails after 10 s.
+[[nodiscard]] Result<> awaitPosition(const Endpoint& endpoint);
+
 // `count` clients connect at once and ask for the position: the time until all have been answered (5 s at most).
 [[nodiscard]] Measurement connectAtOnce(const Endpoint& endpoint, std::size_t count);
 

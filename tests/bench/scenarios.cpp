@@ -163,6 +163,15 @@ std::vector<Scenario> scenarios()
             tracking};
 }
 
+Result<Figures> measure(const Scenario& scenario, const std::string& target, std::chrono::seconds duration)
+{
+    const auto server = Server::start(target);
+    if (!server) {
+        return tl::unexpected(server.error());
+    }
+    return awaitPosition(server->endpoint()).and_then([&] { return scenario(*server, duration); });
+}
+
 }  // namespace
 
 Result<std::vector<Figures>> measureServers(const std::vector<std::string>& targets, std::chrono::seconds duration)
@@ -170,8 +179,7 @@ Result<std::vector<Figures>> measureServers(const std::vector<std::string>& targ
     std::vector<Figures> all(targets.size());
     for (const Scenario& scenario : scenarios()) {
         for (std::size_t i = 0; i < targets.size(); ++i) {
-            const auto server = Server::start(targets[i]);
-            const auto measured = server ? scenario(*server, duration) : tl::unexpected(server.error());
+            const auto measured = measure(scenario, targets[i], duration);
             if (!measured) {
                 return failure(measured.error().code, measured.error().text + " (" + targets[i] + ")");
             }
