@@ -13,6 +13,8 @@ namespace {
 const QString kBusCause = QStringLiteral("bus");
 const QString kServerCause = QStringLiteral("rotctld");
 constexpr std::chrono::seconds kReopenPeriod{1};
+// Who starts the program and asks for the position at once shall get one, if there is one to be had.
+constexpr std::chrono::milliseconds kStartPatience{500};
 // More than this is not read by anybody at once; the log file has it all.
 constexpr std::size_t kMostLogLines = 500;
 
@@ -71,6 +73,7 @@ void Station::start()
 
 void Station::openAll()
 {
+    m_opened = m_clock.now();
     openBus();
     openServer();
     writeEvents();
@@ -111,9 +114,8 @@ void Station::openServer()
 {
     const Result<> listening = m_server.listen();
     if (listening) {
-        const QString address = QString::fromStdString(m_server.address());
-        m_log.add(Severity::Advisory, kServerCause, QStringLiteral("listening on ") + address);
-        Q_EMIT started(address, {});
+        m_log.add(Severity::Advisory, kServerCause,
+                  QStringLiteral("listening on ") + QString::fromStdString(m_server.address()));
         return;
     }
     const QString problem = QString::fromStdString(listening.error().text);
@@ -122,7 +124,16 @@ void Station::openServer()
                           .action = QStringLiteral("No client can connect; everything else works"),
                           .remedy = QStringLiteral("End the other program, or choose another port with --listen or in "
                                                    "the profile, and start again")});
+    m_startTold = true;
     Q_EMIT started({}, problem);
+}
+
+void Station::tellStart()
+{
+    if (!m_startTold && (m_control.measured() || m_clock.now() - m_opened > kStartPatience)) {
+        m_startTold = true;
+        Q_EMIT started(QString::fromStdString(m_server.address()), {});
+    }
 }
 
 void Station::tick()
@@ -133,18 +144,24 @@ void Station::tick()
         [[maybe_unused]] const Result<> sent = m_link->send(frames);
     }
     writeEvents();
+    tellStart();
     if (m_control.shutDownDone() && !m_finished) {
-        m_finished = true;
-        m_tickTimer.stop();
-        m_updateTimer.stop();
-        m_reopenTimer.stop();
-        m_server.close();
-        m_link->close();
-        qCInfo(lcTick, "ticks %llu, late p50 %.1f ms, p99 %.1f ms, max %.1f ms",
-               static_cast<unsigned long long>(m_lateness.count()), m_lateness.percentile(0.5).count() * 1e3,
-               m_lateness.percentile(0.99).count() * 1e3, m_lateness.percentile(1.0).count() * 1e3);
-        Q_EMIT finished();
+        finish();
     }
+}
+
+void Station::finish()
+{
+    m_finished = true;
+    m_tickTimer.stop();
+    m_updateTimer.stop();
+    m_reopenTimer.stop();
+    m_server.close();
+    m_link->close();
+    qCInfo(lcTick, "ticks %llu, late p50 %.1f ms, p99 %.1f ms, max %.1f ms",
+           static_cast<unsigned long long>(m_lateness.count()), m_lateness.percentile(0.5).count() * 1e3,
+           m_lateness.percentile(0.99).count() * 1e3, m_lateness.percentile(1.0).count() * 1e3);
+    Q_EMIT finished();
 }
 
 void Station::request(const NumberedRequest& numbered)

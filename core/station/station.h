@@ -40,8 +40,8 @@ public:
     [[nodiscard]] const TickLateness& lateness() const { return m_lateness; }
 
 public Q_SLOTS:
-    // Opens bus and server and begins to tick; started() tells how that went. A bus that does not open is an alarm and
-    // is tried again each second.
+    // Opens bus and server and begins to tick; started() tells how that went, as soon as the drives answer or half a
+    // second has passed. A bus that does not open is an alarm and is tried again each second.
     void start();
     void request(const boresight::NumberedRequest& request);
     // The screen has taken the last update: the next may come.
@@ -64,6 +64,8 @@ Q_SIGNALS:
 private:
     void showBus(const LinkStatus& status);
     void openServer();
+    void tellStart();
+    void finish();
     void writeEvents();
     [[nodiscard]] std::vector<ClientStatus> clients(const StationStatus& status) const;
 
@@ -82,6 +84,8 @@ private:
     std::vector<Answer> m_answers;
     std::uint64_t m_lastLogSent = 0;
     std::uint64_t m_lastLogWritten = 0;
+    SteadyTime m_opened{};
+    bool m_startTold = false;
     bool m_updateWanted = true;
     bool m_finished = false;
 };

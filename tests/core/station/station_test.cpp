@@ -180,6 +180,20 @@ TEST(Station, AnOccupiedPortIsSaidAndTheRestWorks)
     EXPECT_EQ(rig.station->status().alarms.size(), 1U);
 }
 
+TEST(Station, SaysThatItHasStartedWhenThereIsAPositionOrNoneToExpect)
+{
+    for (const bool silent : {false, true}) {
+        Rig rig;
+        rig.azimuth.silent = silent;
+        QSignalSpy started(rig.station.get(), &Station::started);
+        rig.station->openAll();
+        EXPECT_TRUE(started.isEmpty());
+        rig.run(silent ? 30 : 2);
+        ASSERT_EQ(started.size(), 1);
+        EXPECT_EQ(started[0][0].toString(), rig.station->status().listening);
+    }
+}
+
 TEST(Station, FinishesAfterTheMountStandsStill)
 {
     Rig rig;
