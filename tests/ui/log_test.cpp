@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/sample_status.h"
+#include "ui/log_panel.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableView>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace boresight::ui {
+namespace {
+
+class LogTest : public ::testing::Test
+{
+protected:
+    LogTest()
+    {
+        panel.append({samples::logEntry(1, Severity::Advisory, QStringLiteral("operator"), QStringLiteral("park")),
+                      samples::logEntry(2, Severity::Advisory, QStringLiteral("rotctld 10.0.0.7:40112"),
+                                        QStringLiteral("P 339.5 57.0: accepted")),
+                      samples::logEntry(3, Severity::Alarm, QStringLiteral("azimuth drive"),
+                                        QStringLiteral("fault 38: over temperature")),
+                      samples::logEntry(4, Severity::Warning, QStringLiteral("rotctld 10.0.0.8:40113"),
+                                        QStringLiteral("dropped: line longer than 1000 bytes"))});
+        panel.resize(480, 300);
+        panel.show();
+    }
+    int rows() const { return panel.shown().rowCount(); }
+    LogPanel panel;
+};
+
+TEST_F(LogTest, FiltersBySource)
+{
+    auto* const source = panel.findChild<QComboBox*>();
+    EXPECT_EQ(rows(), 4);
+    source->setCurrentIndex(1);
+    EXPECT_EQ(rows(), 1);
+    source->setCurrentIndex(2);
+    EXPECT_EQ(rows(), 2);
+    source->setCurrentIndex(3);
+    EXPECT_EQ(rows(), 1);
+}
+
+TEST_F(LogTest, FiltersBySeverityAndText)
+{
+    panel.findChild<QCheckBox*>()->setChecked(true);
+    EXPECT_EQ(rows(), 2);
+    panel.findChild<QLineEdit*>()->setText(QStringLiteral("TEMPERATURE"));
+    EXPECT_EQ(rows(), 1);
+    EXPECT_TRUE(panel.shown().index(0, LogModel::Text).data().toString().startsWith(QStringLiteral("■")));
+}
+
+TEST_F(LogTest, CopiesTheSelectionElseAllThatIsShownWithDate)
+{
+    auto* const copy = panel.findChild<QPushButton*>();
+    panel.findChild<QComboBox*>()->setCurrentIndex(2);
+    QTest::mouseClick(copy, Qt::LeftButton);
+    EXPECT_EQ(
+        QApplication::clipboard()->text(),
+        QStringLiteral("2026-11-21 17:06:01.000Z  rotctld 10.0.0.7:40112  P 339.5 57.0: accepted\n"
+                       "2026-11-21 17:06:03.000Z  rotctld 10.0.0.8:40113  dropped: line longer than 1000 bytes\n"));
+    panel.findChild<QTableView*>()->selectRow(1);
+    QTest::mouseClick(copy, Qt::LeftButton);
+    EXPECT_EQ(QApplication::clipboard()->text().count(QLatin1Char('\n')), 1);
+}
+
+TEST_F(LogTest, KeepsABoundedTail)
+{
+    std::vector<LogEntry> many;
+    for (std::uint64_t number = 5; number <= 6000; ++number) {
+        many.push_back(
+            samples::logEntry(number, Severity::Advisory, QStringLiteral("operator"), QString::number(number)));
+    }
+    panel.append(many);
+    EXPECT_EQ(rows(), 5000);
+    EXPECT_EQ(panel.shown().index(rows() - 1, LogModel::Text).data().toString(), QStringLiteral("6000"));
+}
+
+}  // namespace
+}  // namespace boresight::ui

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+// Statuses as a station would send them, for the tests of the window and for ui_demo.
+namespace boresight::samples {
+
+// Parked at az 0°, el 0°, both drives answering, one rotctld client, simulated.
+[[nodiscard]] StationStatus idle();
+// A pass crossing north from west to east: `seconds` since its begin, of kPassLength.
+[[nodiscard]] StationStatus tracking(double seconds);
+inline constexpr double kPassLength = 600.0;
+
+[[nodiscard]] StationStatus stopped();
+[[nodiscard]] StationStatus faulted();
+[[nodiscard]] StationStatus disconnected();
+[[nodiscard]] StationStatus limited();         // the target lies below the lowest elevation
+[[nodiscard]] StationStatus operatorMoving();  // slewing to a go-to of the operator, who holds the control
+[[nodiscard]] StationStatus withAge(StationStatus status, std::chrono::milliseconds age);
+[[nodiscard]] StationStatus withClients(StationStatus status, int count);
+
+[[nodiscard]] StationUpdate update(const StationStatus& status);
+[[nodiscard]] StationUpdate refusal(const StationStatus& status, std::uint64_t requestId, const char* reason);
+[[nodiscard]] StationUpdate acceptance(const StationStatus& status, std::uint64_t requestId);
+[[nodiscard]] LogEntry logEntry(std::uint64_t number, Severity severity, const QString& source, const QString& text);
+
+}  // namespace boresight::samples

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window_fixture.h"
+#include "ui/command_button.h"
+#include "ui/help_page.h"
+#include "ui/stop_button.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QTabWidget>
+
+namespace boresight::ui {
+namespace {
+
+class StopTest : public WindowFixture
+{
+protected:
+    StopButton& stop() { return *window.findChild<StopButton*>(); }
+    QTabWidget& panels() { return *window.findChild<QTabWidget*>(); }
+    std::size_t stops() const { return asked<request::Stop>().size(); }
+};
+
+TEST_F(StopTest, ActsOnPressNotOnRelease)
+{
+    QTest::mousePress(&stop(), Qt::LeftButton);
+    EXPECT_EQ(stops(), 1u);
+    QTest::mouseRelease(&stop(), Qt::LeftButton);
+    EXPECT_EQ(stops(), 1u);
+}
+
+TEST_F(StopTest, IsWholeAndUncoveredInEveryPanelAndLargeEnough)
+{
+    for (int panel = 0; panel < panels().count(); ++panel) {
+        panels().setCurrentIndex(panel);
+        QTest::qWait(1);
+        const QRect place(stop().mapTo(&window, QPoint()), stop().size());
+        EXPECT_TRUE(window.rect().contains(place));
+        EXPECT_GE(place.width(), 150);
+        EXPECT_GE(place.height(), 64);
+        EXPECT_EQ(window.childAt(place.center()), &stop());
+        QTest::mousePress(&stop(), Qt::LeftButton);
+        QTest::mouseRelease(&stop(), Qt::LeftButton);
+        EXPECT_EQ(stops(), static_cast<std::size_t>(panel + 1));
+    }
+    EXPECT_EQ(window.size(), QSize(1024, 700)) << "a panel does not fit into the smallest window";
+}
+
+TEST_F(StopTest, WorksInEveryState)
+{
+    for (const StationStatus& status : {samples::tracking(10), samples::stopped(), samples::faulted(),
+                                        samples::disconnected(), samples::operatorMoving()}) {
+        give(samples::update(status));
+        requests.clear();
+        EXPECT_TRUE(stop().isEnabled());
+        QTest::keyClick(&window, Qt::Key_F12);
+        QTest::mouseClick(&stop(), Qt::LeftButton);
+        EXPECT_EQ(stops(), 2u);
+    }
+}
+
+TEST_F(StopTest, PauseAndF12ReachThroughModalDialogsMenusAndFields)
+{
+    QMessageBox modal(&window);
+    modal.setModal(true);
+    modal.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&modal));
+    QTest::keyClick(&modal, Qt::Key_Pause);
+    QTest::keyClick(&modal, Qt::Key_F12);
+    EXPECT_EQ(stops(), 2u);
+    modal.close();
+
+    panels().setCurrentIndex(1);
+    auto* const sources = named<QComboBox>("Filter by source");
+    sources->showPopup();
+    QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_Pause);
+    EXPECT_EQ(stops(), 3u);
+    sources->hidePopup();
+
+    panels().setCurrentIndex(0);
+    auto* const azimuth = named<QLineEdit>("Azimuth");
+    azimuth->setFocus();
+    QTest::keyClick(azimuth, Qt::Key_F12);
+    EXPECT_EQ(stops(), 4u);
+}
+
+TEST_F(StopTest, EscStopsUnlessAMenuOrDialogIsOpen)
+{
+    QTest::keyClick(&window, Qt::Key_Escape);
+    EXPECT_EQ(stops(), 1u);
+    auto* const azimuth = named<QLineEdit>("Azimuth");
+    azimuth->setFocus();
+    QTest::keyClick(azimuth, Qt::Key_Escape);
+    EXPECT_EQ(stops(), 2u);
+
+    QTest::keyClick(&window, Qt::Key_F1);
+    auto* const help = window.findChild<HelpPage*>();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(help));
+    QTest::keyClick(help, Qt::Key_Escape);
+    EXPECT_FALSE(help->isVisible());
+    EXPECT_EQ(stops(), 2u);
+
+    panels().setCurrentIndex(1);
+    auto* const sources = named<QComboBox>("Filter by source");
+    sources->showPopup();
+    QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_Escape);
+    EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
+    EXPECT_EQ(stops(), 2u);
+}
+
+TEST_F(StopTest, AHeldKeyStopsOnce)
+{
+    QKeyEvent repeat(QEvent::KeyPress, Qt::Key_Pause, Qt::NoModifier, QString(), true);
+    QApplication::sendEvent(&window, &repeat);
+    EXPECT_EQ(stops(), 0u);
+}
+
+TEST_F(StopTest, ShowsRequestedUntilTheStatusSaysSoThenLatchedWithReset)
+{
+    QTest::mousePress(&stop(), Qt::LeftButton);
+    EXPECT_EQ(stop().phase(), StopButton::Phase::Requested);
+    give(samples::update(samples::tracking(1)));
+    EXPECT_EQ(stop().phase(), StopButton::Phase::Requested);
+    auto* const reset = named<CommandButton>("Reset stop");
+    EXPECT_FALSE(reset->isVisible());
+    give(samples::acceptance(samples::stopped(), requests.back().id));
+    EXPECT_EQ(stop().phase(), StopButton::Phase::Latched);
+    ASSERT_TRUE(reset->isVisible());
+    EXPECT_TRUE(stop().isVisible());
+
+    QTest::mouseClick(reset, Qt::LeftButton);
+    EXPECT_EQ(asked<request::ResetStop>().size(), 1u);
+    EXPECT_TRUE(reset->isWaiting());
+    give(samples::acceptance(samples::idle(), requests.back().id));
+    EXPECT_FALSE(reset->isVisible());
+    EXPECT_EQ(stop().phase(), StopButton::Phase::Ready);
+}
+
+TEST_F(StopTest, AnUnansweredStopIsAnAlarmAfterASecond)
+{
+    give(samples::update(samples::tracking(1)));
+    QTest::keyClick(&window, Qt::Key_F12);
+    clock.advance(Seconds(1.1));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return text("Worst alarm").contains(QLatin1String("not confirmed")); }, 2000));
+    give(samples::update(samples::stopped()));
+    EXPECT_FALSE(text("Worst alarm").contains(QLatin1String("not confirmed")));
+}
+
+TEST_F(StopTest, ARefusedStopSaysWhy)
+{
+    QTest::keyClick(&window, Qt::Key_F12);
+    give(samples::refusal(samples::tracking(1), requests.back().id, "no drive answers"));
+    EXPECT_EQ(stop().phase(), StopButton::Phase::Ready);
+    bool shown = false;
+    for (const ValueLabel* const label : window.findChildren<ValueLabel*>()) {
+        shown = shown || (label->isVisible() && label->text() == QStringLiteral("STOP: no drive answers"));
+    }
+    EXPECT_TRUE(shown);
+}
+
+}  // namespace
+}  // namespace boresight::ui

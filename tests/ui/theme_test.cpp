@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/theme.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace boresight::ui {
+namespace {
+
+// Relative luminance and contrast ratio of WCAG 2.1.
+double linear(double channel)
+{
+    return channel <= 0.03928 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+}
+
+double luminance(const QColor& colour)
+{
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+}
+
+double contrast(const QColor& a, const QColor& b)
+{
+    const double bright = std::max(luminance(a), luminance(b));
+    const double dark = std::min(luminance(a), luminance(b));
+    return (bright + 0.05) / (dark + 0.05);
+}
+
+class ThemeTest : public ::testing::TestWithParam<ThemeKind>
+{};
+
+TEST(Contrast, OfBlackAndWhiteIs21)
+{
+    EXPECT_NEAR(contrast(Qt::black, Qt::white), 21.0, 1e-6);
+}
+
+TEST_P(ThemeTest, EveryToneIsReadableOnTheGroundsItIsWrittenOn)
+{
+    const Theme& colours = theme(GetParam());
+    for (const Tone tone : {Tone::Normal, Tone::Secondary, Tone::Accent, Tone::Advisory, Tone::Warning, Tone::Alarm}) {
+        for (const QColor& ground : {colours.window, colours.plotGround}) {
+            EXPECT_GE(contrast(colours.colour(tone), ground), 4.5)
+                << colours.colour(tone).name().toStdString() << " on " << ground.name().toStdString();
+        }
+    }
+    EXPECT_GE(contrast(colours.stopText, colours.stop), 4.5);
+    EXPECT_GE(contrast(colours.text, colours.band), 4.5);  // names of the sectors out of reach
+}
+
+TEST_P(ThemeTest, EveryPairOfThePaletteIsReadable)
+{
+    const QPalette palette = theme(GetParam()).palette();
+    const std::pair<QPalette::ColorRole, QPalette::ColorRole> pairs[] = {
+        {QPalette::WindowText, QPalette::Window},    {QPalette::Text, QPalette::Base},
+        {QPalette::Text, QPalette::AlternateBase},   {QPalette::ButtonText, QPalette::Button},
+        {QPalette::ButtonText, QPalette::Light},     {QPalette::ToolTipText, QPalette::ToolTipBase},
+        {QPalette::PlaceholderText, QPalette::Base}, {QPalette::HighlightedText, QPalette::Highlight}};
+    for (const auto& [text, ground] : pairs) {
+        EXPECT_GE(contrast(palette.color(text), palette.color(ground)), 4.5) << int(text) << " on " << int(ground);
+    }
+    // What is disabled may be quieter, but its words must still be legible (3:1, WCAG's limit for large text).
+    EXPECT_GE(contrast(palette.color(QPalette::Disabled, QPalette::ButtonText), palette.color(QPalette::Button)), 3.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ThemeTest, ::testing::Values(ThemeKind::Day, ThemeKind::Night, ThemeKind::Red));
+
+TEST(Theme, NextGoesRound)
+{
+    EXPECT_EQ(next(next(next(ThemeKind::Day))), ThemeKind::Day);
+    EXPECT_NE(next(ThemeKind::Day), next(ThemeKind::Night));
+}
+
+}  // namespace
+}  // namespace boresight::ui

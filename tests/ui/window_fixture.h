@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/fakes/manual_clock.h"
+#include "tests/ui/sample_status.h"
+#include "ui/main_window.h"
+#include "ui/value_label.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+// A shown and active window at 1024×700 with a clock turned by hand, and everything it asks of the station.
+namespace boresight::ui {
+
+class WindowFixture : public ::testing::Test
+{
+protected:
+    WindowFixture() : window(clock, settings())
+    {
+        QObject::connect(&window, &MainWindow::requested, &window,
+                         [this](const NumberedRequest& request) { requests.push_back(request); });
+        window.resize(1024, 700);
+        window.QWidget::show();
+        window.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
+        give(samples::update(samples::idle()));
+    }
+
+    static WindowSettings settings()
+    {
+        WindowSettings settings;
+        settings.slow = 0.5_deg_s;
+        settings.normal = 2_deg_s;
+        settings.fast = 6_deg_s;
+        return settings;
+    }
+
+    void give(const StationUpdate& update) { window.showUpdate(update); }
+
+    // The widget a screen reader would find by this name.
+    template <class T>
+    T* named(const char* name)
+    {
+        for (T* const widget : window.findChildren<T*>()) {
+            if (widget->accessibleName() == QString::fromUtf8(name)) {
+                return widget;
+            }
+        }
+        ADD_FAILURE() << "no widget named " << name;
+        return nullptr;
+    }
+
+    QString text(const char* name) { return named<ValueLabel>(name)->text(); }
+
+    template <class R>
+    std::vector<R> asked() const
+    {
+        std::vector<R> found;
+        for (const NumberedRequest& request : requests) {
+            if (const auto* const one = std::get_if<R>(&request.request)) {
+                found.push_back(*one);
+            }
+        }
+        return found;
+    }
+
+    fakes::ManualClock clock;
+    std::vector<NumberedRequest> requests;
+    MainWindow window;
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window_fixture.h"
+#include "ui/cable_bar.h"
+#include "ui/command_button.h"
+#include "ui/polar_plot.h"
+
+#include <QAbstractButton>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTabWidget>
+
+namespace boresight::ui {
+namespace {
+
+using std::chrono::milliseconds;
+
+class WindowTest : public WindowFixture
+{
+protected:
+    QPushButton* buttonSaying(const char* text)
+    {
+        for (QPushButton* const button : window.findChildren<QPushButton*>()) {
+            if (button->text() == QLatin1String(text) && button->isVisible()) {
+                return button;
+            }
+        }
+        ADD_FAILURE() << "no visible button " << text;
+        return nullptr;
+    }
+    bool somethingSays(const char* words)
+    {
+        for (const ValueLabel* const label : window.findChildren<ValueLabel*>()) {
+            if (label->isVisible() && label->text() == QString::fromUtf8(words)) {
+                return true;
+            }
+        }
+        return false;
+    }
+};
+
+TEST_F(WindowTest, ShowsStateTargetSourceLinksAndTime)
+{
+    give(samples::update(samples::operatorMoving()));
+    EXPECT_EQ(text("Station state"), QStringLiteral("SLEW"));
+    EXPECT_EQ(text("Target and who gave it"), QStringLiteral("go to 113.0° 10.0°  by operator"));
+    EXPECT_EQ(text("rotctld clients"), QStringLiteral("rotctld 1"));
+    EXPECT_EQ(text("Who may move the mount"), QStringLiteral("Control: operator"));
+    EXPECT_EQ(text("UTC"), QStringLiteral("17:06:19Z"));
+    EXPECT_EQ(text("Simulated mount"), QStringLiteral("SIMULATED"));
+    EXPECT_EQ(text("Actual azimuth"), QStringLiteral("62.00°"));
+    EXPECT_EQ(text("Target azimuth"), QStringLiteral("113.00°"));
+    EXPECT_EQ(text("Error of azimuth"), QStringLiteral("+51.00°"));
+    EXPECT_EQ(text("State of azimuth"), QStringLiteral("MOVING"));
+    EXPECT_EQ(window.findChild<CableBar*>()->text(), QStringLiteral("62° of -90° to 450°"));
+    give(samples::update(samples::disconnected()));
+    EXPECT_EQ(text("Simulated mount"), QString());
+    EXPECT_EQ(named<ValueLabel>("CAN bus")->symbol(), Symbol::Alarm);
+}
+
+TEST_F(WindowTest, TheClientListIsInTheTooltip)
+{
+    give(samples::update(samples::withClients(samples::tracking(1), 3)));
+    EXPECT_EQ(text("rotctld clients"), QStringLiteral("rotctld 3"));
+    const QString help = named<ValueLabel>("rotctld clients")->toolTip();
+    EXPECT_TRUE(help.contains(QLatin1String("listens on 127.0.0.1:4533")));
+    EXPECT_TRUE(help.contains(QLatin1String("127.0.0.1:51236")));
+    EXPECT_TRUE(help.contains(QLatin1String("Gpredict")));
+}
+
+TEST_F(WindowTest, TheErrorFollowsTheWayTheAxisGoes)
+{
+    StationStatus status = samples::tracking(1);
+    status.azimuth.actual = 350_deg;
+    status.azimuth.target = 370_deg;  // through north
+    give(samples::update(status));
+    EXPECT_EQ(text("Target azimuth"), QStringLiteral("10.00°"));
+    EXPECT_EQ(text("Error of azimuth"), QStringLiteral("+20.00°"));
+}
+
+TEST_F(WindowTest, OldNumbersAreDimmedWithTheirAgeThenNotShown)
+{
+    const StationStatus status = samples::tracking(100);
+    give(samples::update(status));
+    const QString live = text("Actual azimuth");
+    EXPECT_EQ(named<ValueLabel>("Actual azimuth")->tone(), Tone::Normal);
+
+    give(samples::update(samples::withAge(status, milliseconds(700))));
+    EXPECT_EQ(text("Actual azimuth"), live);
+    EXPECT_EQ(named<ValueLabel>("Actual azimuth")->tone(), Tone::Secondary);
+    EXPECT_EQ(text("Detail of azimuth"), QStringLiteral("age 0.7 s"));
+    EXPECT_EQ(text("State of azimuth"), QStringLiteral("MOVING"));
+
+    give(samples::update(samples::withAge(status, milliseconds(2000))));
+    EXPECT_EQ(text("Actual azimuth"), QStringLiteral("---.--°"));
+    EXPECT_EQ(text("Error of azimuth"), QStringLiteral("---.--°"));
+    EXPECT_EQ(text("State of azimuth"), QStringLiteral("NO DATA"));
+    EXPECT_TRUE(window.findChild<CableBar*>()->text().startsWith(QStringLiteral("---.--°")));
+}
+
+// The station thread itself may hang: then no status says that the numbers are old.
+TEST_F(WindowTest, ASilentStationAgesTheScreenByItself)
+{
+    give(samples::update(samples::tracking(100)));
+    clock.advance(Seconds(1.0));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return text("Detail of azimuth") == QLatin1String("age 1.0 s"); }, 2000));
+    clock.advance(Seconds(1.5));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return text("State of azimuth") == QLatin1String("NO DATA"); }, 2000));
+    EXPECT_TRUE(text("Worst alarm").contains(QLatin1String("No word from the station for 2.5 s")));
+    give(samples::update(samples::tracking(100)));
+    EXPECT_EQ(text("State of azimuth"), QStringLiteral("MOVING"));
+    EXPECT_EQ(text("Worst alarm"), QStringLiteral("No alarm"));
+}
+
+TEST_F(WindowTest, EachUpdateIsCredited)
+{
+    QSignalSpy shown(&window, &MainWindow::updateShown);
+    give(samples::update(samples::idle()));
+    give(samples::update(samples::idle()));
+    EXPECT_EQ(shown.count(), 2);
+}
+
+TEST_F(WindowTest, GoToByKeyboardAlone)
+{
+    QTest::keyClick(&window, Qt::Key_G, Qt::ControlModifier);
+    auto* const azimuth = named<QLineEdit>("Azimuth");
+    ASSERT_TRUE(azimuth->hasFocus());
+    QTest::keyClicks(azimuth, QStringLiteral("113.5"));
+    EXPECT_TRUE(requests.empty()) << "typing moves nothing";
+    auto* const elevation = named<QLineEdit>("Elevation");
+    elevation->setFocus();
+    QTest::keyClicks(elevation, QStringLiteral("10"));
+    QTest::keyClick(elevation, Qt::Key_Return);
+    ASSERT_EQ(asked<request::PointSky>().size(), 1u);
+    EXPECT_NEAR(asked<request::PointSky>().front().direction.azimuth.degrees(), 113.5, 1e-9);
+    EXPECT_NEAR(asked<request::PointSky>().front().direction.elevation.degrees(), 10.0, 1e-9);
+}
+
+TEST_F(WindowTest, ARefusedGoToKeepsTheValueAndShowsTheReason)
+{
+    named<QLineEdit>("Azimuth")->setText(QStringLiteral("10"));
+    named<QLineEdit>("Elevation")->setText(QStringLiteral("95"));
+    auto* const go = named<CommandButton>("Go");
+    QTest::mouseClick(go, Qt::LeftButton);
+    EXPECT_TRUE(go->isWaiting());
+    EXPECT_TRUE(go->text().contains(QLatin1String("requested")));
+    give(samples::refusal(samples::idle(), requests.back().id, "elevation 95.0° above limit 90.0°"));
+    EXPECT_FALSE(go->isWaiting());
+    EXPECT_TRUE(somethingSays("Go: elevation 95.0° above limit 90.0°"));
+    EXPECT_EQ(named<QLineEdit>("Elevation")->text(), QStringLiteral("95"));
+
+    QTest::mouseClick(go, Qt::LeftButton);
+    give(samples::acceptance(samples::operatorMoving(), requests.back().id));
+    EXPECT_FALSE(somethingSays("Go: elevation 95.0° above limit 90.0°"));
+}
+
+TEST_F(WindowTest, AnUnreadableNumberIsNotSent)
+{
+    for (const char* const bad : {"", "abc", "1,5", "nan", "1e999"}) {
+        named<QLineEdit>("Azimuth")->setText(QLatin1String(bad));
+        named<QLineEdit>("Elevation")->setText(QStringLiteral("10"));
+        QTest::mouseClick(named<CommandButton>("Go"), Qt::LeftButton);
+        EXPECT_EQ(named<QLineEdit>("Azimuth")->text(), QLatin1String(bad));
+    }
+    EXPECT_TRUE(requests.empty());
+    EXPECT_TRUE(somethingSays("Go: the azimuth is not a number (decimal point, e.g. 113.5)"));
+}
+
+TEST_F(WindowTest, ParkHomeAndHoldHaveTheirRequests)
+{
+    QTest::keyClick(&window, Qt::Key_P, Qt::ControlModifier);
+    EXPECT_EQ(asked<request::Park>().size(), 1u);
+    QTest::keyClick(&window, Qt::Key_H, Qt::ControlModifier);
+    EXPECT_EQ(asked<request::Hold>().size(), 1u);
+    QTest::mouseClick(named<CommandButton>("Home"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::Home>().size(), 1u);
+    give(samples::update(samples::stopped()));
+    requests.clear();
+    QTest::keyClick(&window, Qt::Key_P, Qt::ControlModifier);
+    EXPECT_TRUE(requests.empty());
+}
+
+TEST_F(WindowTest, LettersAloneNeverMoveTheAntenna)
+{
+    for (int key = Qt::Key_A; key <= Qt::Key_Z; ++key) {
+        QTest::keyClick(&window, static_cast<Qt::Key>(key));
+    }
+    for (const Qt::Key key : {Qt::Key_Left, Qt::Key_Up, Qt::Key_Return, Qt::Key_Space}) {
+        QTest::keyClick(&window, key);
+    }
+    EXPECT_TRUE(requests.empty());
+}
+
+TEST_F(WindowTest, AClickOnThePlotOffersGoHereAsASecondAct)
+{
+    auto* const plot = window.findChild<PolarPlot*>();
+    auto* const sky = plot->findChild<SkyMarkers*>();
+    QTest::mouseClick(sky, Qt::LeftButton, {}, sky->projection().toPixel({90_deg, 45_deg}).toPoint());
+    EXPECT_TRUE(requests.empty());
+    auto* const goHere = named<CommandButton>("Go here");
+    ASSERT_TRUE(goHere->isVisible());
+    QTest::mouseClick(goHere, Qt::LeftButton);
+    ASSERT_EQ(asked<request::PointSky>().size(), 1u);
+    EXPECT_NEAR(asked<request::PointSky>().front().direction.azimuth.degrees(), 90.0, 0.5);
+    give(samples::refusal(samples::idle(), requests.back().id, "masked by the mast"));
+    EXPECT_TRUE(goHere->isVisible());
+    EXPECT_TRUE(somethingSays("Go here: masked by the mast"));
+    QTest::mouseClick(goHere, Qt::LeftButton);
+    give(samples::acceptance(samples::operatorMoving(), requests.back().id));
+    EXPECT_FALSE(goHere->isVisible());
+}
+
+TEST_F(WindowTest, AlarmsAreShownAcknowledgedAndFaultsReArmed)
+{
+    give(samples::update(samples::faulted()));
+    EXPECT_TRUE(text("Worst alarm").contains(QLatin1String("fault 38")));
+    EXPECT_TRUE(text("Worst alarm").contains(QLatin1String("2 unacknowledged")));
+    EXPECT_TRUE(text("What was done and what to do").contains(QLatin1String("press Re-arm")));
+    QTest::keyClick(&window, Qt::Key_F8);
+    EXPECT_EQ(asked<request::AcknowledgeAlarms>().size(), 1u);
+    QTest::mouseClick(named<CommandButton>("Re-arm"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::Rearm>().size(), 1u);
+    EXPECT_TRUE(asked<request::ResetStop>().empty());
+    StationStatus calm = samples::faulted();
+    for (Alarm& alarm : calm.alarms) {
+        alarm.acknowledged = true;
+    }
+    give(samples::acceptance(calm, requests.front().id));
+    EXPECT_FALSE(named<CommandButton>("Acknowledge")->isVisible());
+}
+
+TEST_F(WindowTest, AnOldRefusalNextToAnotherControlStaysThere)
+{
+    QTest::keyClick(&window, Qt::Key_P, Qt::ControlModifier);
+    QTest::mouseClick(named<CommandButton>("Take control"), Qt::LeftButton);
+    StationUpdate both = samples::refusal(samples::idle(), requests[0].id, "no park position");
+    both.answers.push_back({requests[1].id, std::nullopt});
+    give(both);
+    EXPECT_TRUE(somethingSays("Park: no park position"));
+}
+
+TEST_F(WindowTest, ControlGoesBackToTheClientsWithOneClick)
+{
+    QTest::mouseClick(named<CommandButton>("Take control"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::TakeAuthority>().size(), 1u);
+    give(samples::acceptance(samples::operatorMoving(), requests.back().id));
+    QTest::mouseClick(named<CommandButton>("Give to clients"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::GiveAuthority>().size(), 1u);
+}
+
+TEST_F(WindowTest, ClosingAsksOnceOnlyWhileTheMountMoves)
+{
+    QSignalSpy close(&window, &MainWindow::closeRequested);
+    give(samples::update(samples::tracking(10)));
+    window.close();
+    window.close();
+    EXPECT_TRUE(window.isVisible());
+    EXPECT_EQ(close.count(), 0);
+    QTest::mouseClick(buttonSaying("Keep open"), Qt::LeftButton);
+    EXPECT_EQ(close.count(), 0);
+    window.close();
+    QTest::mouseClick(buttonSaying("Stop and close"), Qt::LeftButton);
+    EXPECT_EQ(close.count(), 1);
+    EXPECT_TRUE(window.isVisible()) << "the owner closes it when the mount stands";
+    window.closeNow();
+    EXPECT_FALSE(window.isVisible());
+}
+
+TEST_F(WindowTest, ClosingAStandingMountDoesNotAsk)
+{
+    QSignalSpy close(&window, &MainWindow::closeRequested);
+    window.close();
+    EXPECT_EQ(close.count(), 1);
+}
+
+TEST_F(WindowTest, EveryControlHasANameAndATouchableSize)
+{
+    give(samples::update(samples::tracking(1)));
+    auto* const panels = window.findChild<QTabWidget*>();
+    for (int panel = 0; panel < panels->count(); ++panel) {
+        panels->setCurrentIndex(panel);
+        QTest::qWait(1);
+        for (const QAbstractButton* const button : window.findChildren<QAbstractButton*>()) {
+            if (button->isVisible() && button->inherits("QTabBar") == false &&
+                !button->parentWidget()->inherits("QLineEdit") && !button->parentWidget()->inherits("QTableView")) {
+                EXPECT_FALSE(button->accessibleName().isEmpty()) << button->text().toStdString();
+                EXPECT_GE(button->height(), 44) << button->accessibleName().toStdString();
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace boresight::ui

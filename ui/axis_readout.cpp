@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/axis_readout.h"
+
+#include "ui/format.h"
+#include "ui/value_label.h"
+
+#include <QGridLayout>
+#include <QHelpEvent>
+#include <QLabel>
+#include <QToolTip>
+
+#include <cmath>
+
+namespace boresight::ui {
+
+namespace {
+
+struct Worded
+{
+    AxisState state;
+    Tone tone = Tone::Normal;
+    Symbol symbol = Symbol::None;
+};
+
+Worded worded(const AxisStatus& axis)
+{
+    const AxisState state = freshness(axis.age) == Freshness::NoData ? AxisState::NoData : axis.state;
+    switch (state) {
+        case AxisState::NoData:
+        case AxisState::Fault:
+            return {state, Tone::Alarm, Symbol::Alarm};
+        case AxisState::Limit:
+            return {state, Tone::Warning, Symbol::Warning};
+        default:
+            return {state};
+    }
+}
+
+// Late data names its age, whatever else there is to say.
+QString detailText(const AxisStatus& axis)
+{
+    if (freshness(axis.age) == Freshness::Live || !axis.age) {
+        return axis.stateText;
+    }
+    return AxisReadout::tr("age %1").arg(ageText(*axis.age));
+}
+
+QString line(const QString& what, const std::optional<double>& value, const char* format)
+{
+    return value ? QLatin1Char('\n') + what + QString::asprintf(format, *value) : QString();
+}
+
+// What the drive says of itself: volts, degrees, amperes.
+QString driveHelp(const QString& name, const AxisStatus& axis)
+{
+    QString text =
+        AxisReadout::tr("%1 axis, %2 … %3").arg(name, angleText(axis.travel.min, 1), angleText(axis.travel.max, 1));
+    if (axis.actual) {
+        text += AxisReadout::tr("\nmechanical angle %1").arg(angleText(*axis.actual));
+    }
+    if (axis.rate) {
+        text += AxisReadout::tr("\nrate %1").arg(rateText(*axis.rate));
+    }
+    text += line(AxisReadout::tr("supply "), axis.busVoltage, "%.1f V");
+    text += line(AxisReadout::tr("drive "), axis.boardTemperature, "%.0f °C");
+    text += line(AxisReadout::tr("motor "), axis.motorTemperature, "%.0f °C");
+    text += line(AxisReadout::tr("torque "), axis.torque, "%.2f Nm");
+    text += line(AxisReadout::tr("current "), axis.current, "%.1f A");
+    text += AxisReadout::tr("\nmoteus mode %1, fault %2").arg(axis.mode).arg(axis.faultCode);
+    return axis.stateText.isEmpty() ? text : text + QLatin1Char('\n') + axis.stateText;
+}
+
+QString axisName(Axis axis)
+{
+    return axis == Axis::Azimuth ? AxisReadout::tr("azimuth") : AxisReadout::tr("elevation");
+}
+
+QLabel* heading(const QString& text, QWidget* parent)
+{
+    auto* const label = new QLabel(text, parent);
+    label->setFont(fonts::label());
+    return label;
+}
+
+}  // namespace
+
+AxisReadout::AxisReadout(QWidget* parent) : QWidget(parent)
+{
+    auto* const grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(0);
+    int column = 1;
+    for (const QString& text : {tr("ACTUAL"), tr("TARGET"), tr("ERROR")}) {
+        grid->addWidget(heading(text, this), 0, column++, Qt::AlignRight);
+    }
+    grid->addWidget(heading(tr("STATE"), this), 0, 4);
+    for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
+        const int top = axis == Axis::Azimuth ? 1 : 3;  // numbers, below them a line for the detail
+        auto* const name = new QLabel(axis == Axis::Azimuth ? tr("AZ") : tr("EL"), this);
+        name->setFont(fonts::text());
+        const Row row = makeRow(axis);
+        grid->addWidget(name, top, 0);
+        grid->addWidget(row.actual, top, 1);
+        grid->addWidget(row.target, top, 2);
+        grid->addWidget(row.error, top, 3);
+        grid->addWidget(row.state, top, 4);
+        grid->addWidget(row.detail, top + 1, 1, 1, 4);
+        m_rows[axis == Axis::Azimuth ? 0 : 1] = row;
+    }
+    grid->setColumnStretch(4, 1);
+}
+
+AxisReadout::Row AxisReadout::makeRow(Axis axis)
+{
+    const QString name = axisName(axis);
+    const QString widest = QStringLiteral("-000.00°");
+    Row row{.actual = new ValueLabel(tr("Actual %1").arg(name), fonts::actual(), QStringLiteral("000.00°"), this),
+            .target = new ValueLabel(tr("Target %1").arg(name), fonts::value(), QStringLiteral("000.00°"), this),
+            .error = new ValueLabel(tr("Error of %1").arg(name), fonts::value(), widest, this),
+            .state = new ValueLabel(tr("State of %1").arg(name), fonts::text(), QStringLiteral("__HOLDING"), this),
+            .detail = new ValueLabel(tr("Detail of %1").arg(name), fonts::label(), {}, this)};
+    for (ValueLabel* const number : {row.actual, row.target, row.error}) {
+        number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    }
+    row.state->setStretching(true);
+    row.detail->setStretching(true);
+    row.detail->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    return row;
+}
+
+void AxisReadout::showStatus(const StationStatus& status)
+{
+    m_shown = {status.azimuth, status.elevation};
+    showRow(m_rows[0], status.azimuth, true);
+    showRow(m_rows[1], status.elevation, false);
+}
+
+void AxisReadout::showRow(const Row& row, const AxisStatus& axis, bool wraps)
+{
+    const auto shown = [wraps](Angle angle) { return wraps ? angle.wrapped360() : angle; };
+    const Freshness age = freshness(axis.age);
+    const bool known = axis.actual && age != Freshness::NoData;
+    const Tone tone = age == Freshness::Live ? Tone::Normal : Tone::Secondary;
+    row.actual->setValue(known ? angleText(shown(*axis.actual)) : noValue(), tone);
+    row.target->setValue(axis.target ? angleText(shown(*axis.target)) : noValue(),
+                         axis.target ? Tone::Normal : Tone::Secondary);
+    row.error->setValue(known && axis.target ? signedAngleText(*axis.target - *axis.actual) : noValue(),
+                        known && axis.target ? tone : Tone::Secondary);
+    const Worded state = worded(axis);
+    row.state->setValue(word(state.state), state.tone, state.symbol);
+    row.detail->setValue(detailText(axis), age == Freshness::Live ? Tone::Secondary : Tone::Warning);
+}
+
+bool AxisReadout::event(QEvent* event)
+{
+    if (event->type() == QEvent::ToolTip) {
+        const auto* const help = static_cast<QHelpEvent*>(event);
+        const bool lower = help->pos().y() > m_rows[0].detail->geometry().bottom();
+        QToolTip::showText(help->globalPos(),
+                           driveHelp(axisName(lower ? Axis::Elevation : Axis::Azimuth), m_shown[lower ? 1 : 0]), this);
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+}  // namespace boresight::ui

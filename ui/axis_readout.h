@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+#include <QWidget>
+
+#include <array>
+
+// The numbers of both axes: actual, target, error (target minus actual, along the way the axis really goes) and a
+// word. An old number is dimmed with its age, a very old one is not shown at all.
+namespace boresight::ui {
+
+class ValueLabel;
+
+class AxisReadout : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit AxisReadout(QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+protected:
+    bool event(QEvent* event) override;
+
+private:
+    struct Row
+    {
+        ValueLabel* actual = nullptr;
+        ValueLabel* target = nullptr;
+        ValueLabel* error = nullptr;
+        ValueLabel* state = nullptr;
+        ValueLabel* detail = nullptr;
+    };
+
+    Row makeRow(Axis axis);
+    void showRow(const Row& row, const AxisStatus& axis, bool wraps);
+
+    std::array<Row, 2> m_rows;  // by Axis
+    std::array<AxisStatus, 2> m_shown;
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+#include <QWidget>
+
+#include <optional>
+
+// The azimuth cable: its travel as a bar with a tick each 90°, hatched beyond the ends, a pointer at actual, a mark at
+// commanded, a band from 0° (cable not wound) to actual, and the number in words. Angles are mechanical.
+namespace boresight::ui {
+
+class CableBar : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit CableBar(QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+    [[nodiscard]] const QString& text() const { return m_text; }
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    [[nodiscard]] QRectF bar() const;
+    [[nodiscard]] double pixel(Angle angle) const;
+    void drawScale(QPainter& painter, const QRectF& box) const;
+
+    TravelRange m_travel;
+    std::optional<Angle> m_actual;  // empty as soon as it is too old
+    std::optional<Angle> m_commanded;
+    bool m_late = false;
+    QString m_text;
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dead_man.h"
+
+namespace boresight::ui {
+
+DeadMan::DeadMan(QObject* parent) : QObject(parent)
+{
+    m_repeat.setInterval(kJogRepeat);
+    m_repeat.setTimerType(Qt::PreciseTimer);  // a coarse timer may be 5 % late
+    connect(&m_repeat, &QTimer::timeout, this, &DeadMan::repeat);
+}
+
+void DeadMan::setRate(AngularRate rate)
+{
+    m_rate = rate;
+}
+
+void DeadMan::hold(JogDirection direction)
+{
+    if (m_held.insert(direction).second) {
+        repeat();
+        m_repeat.start();
+    }
+}
+
+void DeadMan::letGo(JogDirection direction)
+{
+    if (m_held.erase(direction) == 0) {
+        return;
+    }
+    if (m_held.empty()) {
+        m_repeat.stop();
+    }
+    repeat();
+}
+
+void DeadMan::letGoAll()
+{
+    if (isHeld()) {
+        m_held.clear();
+        m_repeat.stop();
+        repeat();
+    }
+}
+
+void DeadMan::repeat()
+{
+    const auto sign = [this](JogDirection plus, JogDirection minus) {
+        return (m_held.contains(plus) ? 1.0 : 0.0) - (m_held.contains(minus) ? 1.0 : 0.0);
+    };
+    Q_EMIT jog({.azimuth = m_rate * sign(JogDirection::Right, JogDirection::Left),
+                .elevation = m_rate * sign(JogDirection::Up, JogDirection::Down)});
+}
+
+}  // namespace boresight::ui

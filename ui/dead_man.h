@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/request.h"
+#include "ui/motion_permission.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <set>
+
+// The dead-man of jogging: while at least one direction is held it repeats the wish to move every kJogRepeat, and it
+// says "zero" once when the last is let go. If this program hangs, the repeats stop and the station stops the axes.
+// Gui thread.
+namespace boresight::ui {
+
+class DeadMan : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit DeadMan(QObject* parent = nullptr);
+
+    void setRate(AngularRate rate);  // applies with the next repeat
+    void hold(JogDirection direction);
+    void letGo(JogDirection direction);
+    void letGoAll();
+
+    [[nodiscard]] bool isHeld() const { return !m_held.empty(); }
+
+Q_SIGNALS:
+    void jog(const boresight::AxisRates& rates);
+
+private:
+    void repeat();
+
+    std::set<JogDirection> m_held;
+    AngularRate m_rate;
+    QTimer m_repeat;
+};
+
+}  // namespace boresight::ui

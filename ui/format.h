@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/units/sky.h"
+
+#include <QString>
+
+#include <chrono>
+#include <optional>
+
+// How numbers become text on the screen: fixed decimals, sign, unit, and when a number is too old to be shown.
+namespace boresight::ui {
+
+// A number is live for half a second, dimmed with its age until two seconds, and not shown any more after that.
+enum class Freshness
+{
+    Live,
+    Late,
+    NoData
+};
+
+inline constexpr std::chrono::milliseconds kLateAfter{500};
+inline constexpr std::chrono::milliseconds kNoDataAfter{2000};
+
+[[nodiscard]] Freshness freshness(const std::optional<std::chrono::milliseconds>& age);
+
+[[nodiscard]] QString noValue();                                       // "---.--°"
+[[nodiscard]] QString angleText(Angle angle, int decimals = 2);        // "335.02°"
+[[nodiscard]] QString signedAngleText(Angle angle, int decimals = 2);  // "+4.48°"
+[[nodiscard]] QString rateText(AngularRate rate);                      // "2.0°/s"
+[[nodiscard]] QString directionText(const SkyPointing& direction);     // "az 113.0°  el 10.0°"
+[[nodiscard]] QString axisText(const AxisPosition& position);          // the same, azimuth not wrapped
+[[nodiscard]] QString ageText(std::chrono::milliseconds age);          // "0.7 s"
+[[nodiscard]] QString clockText(UtcTime utc);                          // "17:05:59"
+[[nodiscard]] QString dateText(UtcTime utc);                           // "2026-11-21 17:05:59.120Z"
+
+}  // namespace boresight::ui

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/header_bar.h"
+
+#include "ui/format.h"
+#include "ui/stop_button.h"
+#include "ui/value_label.h"
+
+#include <QGridLayout>
+
+namespace boresight::ui {
+
+namespace {
+
+struct Shown
+{
+    QString text;
+    Tone tone = Tone::Secondary;
+    Symbol symbol = Symbol::Healthy;
+};
+
+Shown busShown(const LinkStatus& bus)
+{
+    switch (bus.state) {
+        case LinkState::Up:
+            return {HeaderBar::tr("CAN")};
+        case LinkState::Down:
+            return {HeaderBar::tr("CAN down"), Tone::Alarm, Symbol::Alarm};
+        case LinkState::Lost:
+            return {HeaderBar::tr("CAN lost"), Tone::Alarm, Symbol::Alarm};
+        case LinkState::Closed:
+            break;
+    }
+    return {HeaderBar::tr("CAN off"), Tone::Warning, Symbol::Warning};
+}
+
+Shown driveShown(const QString& name, const AxisStatus& axis)
+{
+    if (freshness(axis.age) == Freshness::NoData) {
+        return {HeaderBar::tr("%1 silent").arg(name), Tone::Alarm, Symbol::Alarm};
+    }
+    if (axis.state == AxisState::Fault) {
+        return {HeaderBar::tr("%1 fault").arg(name), Tone::Alarm, Symbol::Alarm};
+    }
+    if (freshness(axis.age) == Freshness::Late) {
+        return {HeaderBar::tr("%1 late").arg(name), Tone::Warning, Symbol::Warning};
+    }
+    return {name};
+}
+
+QString busHelp(const StationStatus& status)
+{
+    const LinkStatus& bus = status.bus;
+    QString text = HeaderBar::tr("%1: %2 frames sent, %3 received, %4 dropped, %5 bus errors")
+                       .arg(status.busName)
+                       .arg(bus.sent)
+                       .arg(bus.received)
+                       .arg(bus.dropped)
+                       .arg(bus.busErrors);
+    return bus.text.isEmpty() ? text : bus.text + QLatin1Char('\n') + text;
+}
+
+QString clientsHelp(const StationStatus& status)
+{
+    QString text = status.listening.isEmpty() ? HeaderBar::tr("rotctld does not listen")
+                                              : HeaderBar::tr("rotctld listens on %1").arg(status.listening);
+    for (const ClientStatus& client : status.clients) {
+        text += QLatin1Char('\n') + client.address;
+        if (!client.program.isEmpty()) {
+            text += QLatin1Char(' ') + client.program;
+        }
+        if (client.driving) {
+            text += HeaderBar::tr(", driving");
+        }
+        if (!client.lastCommand.isEmpty()) {
+            text += HeaderBar::tr(", last command %1").arg(client.lastCommand);
+        }
+    }
+    return text;
+}
+
+Tone stateTone(StationState state)
+{
+    switch (state) {
+        case StationState::Disconnected:
+        case StationState::Fault:
+            return Tone::Alarm;
+        case StationState::Stopped:
+            return Tone::Warning;
+        default:
+            return Tone::Normal;
+    }
+}
+
+Symbol stateSymbol(Tone tone)
+{
+    return tone == Tone::Alarm ? Symbol::Alarm : tone == Tone::Warning ? Symbol::Warning : Symbol::None;
+}
+
+void setShown(ValueLabel& label, const Shown& shown)
+{
+    label.setValue(shown.text, shown.tone, shown.symbol);
+}
+
+}  // namespace
+
+HeaderBar::HeaderBar(QWidget* parent)
+    : QWidget(parent),
+      m_state(new ValueLabel(tr("Station state"), fonts::state(), QStringLiteral("__DISCONNECTED"), this)),
+      m_reason(new ValueLabel(tr("Reason of the state"), fonts::label(), {}, this)),
+      m_limited(new ValueLabel(tr("Target limited"), fonts::text(), QStringLiteral("___LIMITED_"), this)),
+      m_target(new ValueLabel(tr("Target and who gave it"), fonts::text(), {}, this)),
+      m_bus(new ValueLabel(tr("CAN bus"), fonts::label(), QStringLiteral("__CAN down"), this)),
+      m_azimuth(new ValueLabel(tr("Azimuth drive"), fonts::label(), QStringLiteral("__AZ silent"), this)),
+      m_elevation(new ValueLabel(tr("Elevation drive"), fonts::label(), QStringLiteral("__EL silent"), this)),
+      m_clients(new ValueLabel(tr("rotctld clients"), fonts::label(), QStringLiteral("__rotctld off"), this)),
+      m_control(new ValueLabel(tr("Who may move the mount"), fonts::label(), {}, this)),
+      m_utc(new ValueLabel(tr("UTC"), fonts::clock(), QStringLiteral("00:00:00Z"), this)),
+      m_simulated(new ValueLabel(tr("Simulated mount"), fonts::label(), tr("SIMULATED"), this)),
+      m_stop(new StopButton(this))
+{
+    build();
+    connect(m_stop, &StopButton::pressed, this, &HeaderBar::stopPressed);
+}
+
+void HeaderBar::build()
+{
+    for (ValueLabel* const wide : {m_reason, m_target, m_control}) {
+        wide->setStretching(true);
+    }
+    m_simulated->setOutlined(true);
+    m_simulated->setAlignment(Qt::AlignCenter);
+    m_utc->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_control->setToolTip(
+        tr("Who may move the mount. While the operator has the control, motion commands of rotctld "
+           "clients are refused."));
+
+    auto* const grid = new QGridLayout(this);
+    auto* const targetRow = new QHBoxLayout;
+    grid->addLayout(targetRow, 0, 1);
+    targetRow->setSpacing(4);
+    targetRow->addWidget(m_limited);
+    targetRow->addWidget(m_target, 1);
+    auto* const linkRow = new QHBoxLayout;
+    grid->addLayout(linkRow, 1, 1);
+    linkRow->setSpacing(4);
+    for (ValueLabel* const link : {m_bus, m_azimuth, m_elevation, m_clients}) {
+        linkRow->addWidget(link);
+    }
+    linkRow->addWidget(m_control, 1);
+
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(2);
+    grid->addWidget(m_state, 0, 0);
+    grid->addWidget(m_reason, 1, 0);
+    grid->addWidget(m_utc, 0, 2, Qt::AlignRight | Qt::AlignVCenter);
+    grid->addWidget(m_simulated, 1, 2, Qt::AlignRight | Qt::AlignVCenter);
+    grid->addWidget(m_stop, 0, 3, 2, 1, Qt::AlignCenter);
+    grid->setColumnStretch(1, 1);
+}
+
+void HeaderBar::showStatus(const StationStatus& status)
+{
+    showState(status);
+    showTarget(status);
+    showLinks(status);
+    m_utc->setValue(clockText(status.utc) + QLatin1Char('Z'));
+    m_simulated->setValue(status.simulated ? tr("SIMULATED") : QString(), Tone::Advisory);
+}
+
+void HeaderBar::showState(const StationStatus& status)
+{
+    const Tone tone = stateTone(status.state);
+    m_state->setValue(word(status.state), tone, stateSymbol(tone));
+    m_reason->setValue(status.stateReason, Tone::Secondary);
+    const bool latched = status.state == StationState::Stopped;
+    m_stopRequested = m_stopRequested && !latched;
+    m_stop->setPhase(latched           ? StopButton::Phase::Latched
+                     : m_stopRequested ? StopButton::Phase::Requested
+                                       : StopButton::Phase::Ready);
+}
+
+void HeaderBar::showTarget(const StationStatus& status)
+{
+    m_limited->setVisible(status.limited);
+    m_limited->setValue(status.limited ? tr("LIMITED") : QString(), Tone::Warning, Symbol::Warning);
+    m_limited->setToolTip(tr("The target is outside the limits: the mount goes to the nearest permitted point"));
+    if (status.targetText.isEmpty()) {
+        m_target->setValue(tr("no target"), Tone::Secondary);
+        return;
+    }
+    m_target->setValue(status.commander.name.isEmpty() ? status.targetText
+                                                       : tr("%1  by %2").arg(status.targetText, status.commander.name));
+}
+
+void HeaderBar::showLinks(const StationStatus& status)
+{
+    setShown(*m_bus, busShown(status.bus));
+    setShown(*m_azimuth, driveShown(tr("AZ"), status.azimuth));
+    setShown(*m_elevation, driveShown(tr("EL"), status.elevation));
+    setShown(*m_clients, status.listening.isEmpty() ? Shown{tr("rotctld off"), Tone::Warning, Symbol::Warning}
+                                                    : Shown{tr("rotctld %1").arg(status.clients.size())});
+    m_bus->setToolTip(busHelp(status));
+    m_azimuth->setToolTip(status.azimuth.stateText);
+    m_elevation->setToolTip(status.elevation.stateText);
+    m_clients->setToolTip(clientsHelp(status));
+    m_control->setValue(status.authority == Authority::Operator ? tr("Control: operator") : tr("Control: clients"),
+                        status.authority == Authority::Operator ? Tone::Normal : Tone::Secondary);
+}
+
+void HeaderBar::setStopRequested()
+{
+    m_stopRequested = true;
+    if (m_stop->phase() != StopButton::Phase::Latched) {
+        m_stop->setPhase(StopButton::Phase::Requested);
+    }
+}
+
+void HeaderBar::setStopRefused()
+{
+    m_stopRequested = false;
+    if (m_stop->phase() == StopButton::Phase::Requested) {
+        m_stop->setPhase(StopButton::Phase::Ready);
+    }
+}
+
+}  // namespace boresight::ui

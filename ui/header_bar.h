@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+#include <QWidget>
+
+// The top row, visible in every panel: the state in a word with its reason, the target and who gave it, the links,
+// UTC, the SIMULATED tag, STOP. Shows what the status says and decides nothing.
+namespace boresight::ui {
+
+class StopButton;
+class ValueLabel;
+
+class HeaderBar : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit HeaderBar(QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+    void setStopRequested();  // until the status says STOPPED
+    void setStopRefused();
+
+Q_SIGNALS:
+    void stopPressed();
+
+private:
+    void build();
+    void showState(const StationStatus& status);
+    void showTarget(const StationStatus& status);
+    void showLinks(const StationStatus& status);
+
+    ValueLabel* m_state;
+    ValueLabel* m_reason;
+    ValueLabel* m_limited;
+    ValueLabel* m_target;
+    ValueLabel* m_bus;
+    ValueLabel* m_azimuth;
+    ValueLabel* m_elevation;
+    ValueLabel* m_clients;
+    ValueLabel* m_control;
+    ValueLabel* m_utc;
+    ValueLabel* m_simulated;
+    StopButton* m_stop;
+    bool m_stopRequested = false;
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPushButton>
+
+// A button that counts only while it is held: sliding off it, disabling or hiding it and switching the window all let
+// go, and then a fresh press is needed. It takes no keyboard focus; keys jog through the armed pad.
+namespace boresight::ui {
+
+class JogButton : public QPushButton
+{
+    Q_OBJECT
+
+public:
+    JogButton(const QString& text, const QString& help, QWidget* parent = nullptr);
+
+    void setBlocked(const QString& reason);  // empty: can act
+    void letGo();
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+Q_SIGNALS:
+    void holdBegan();
+    void holdEnded();
+
+protected:
+    bool event(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+
+private:
+    QString m_help;
+    QString m_reason;
+    bool m_held = false;
+};
+
+}  // namespace boresight::ui

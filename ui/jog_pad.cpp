@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/jog_pad.h"
+
+#include "ui/command_button.h"
+#include "ui/jog_button.h"
+#include "ui/request_desk.h"
+#include "ui/value_label.h"
+
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QPainter>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr std::chrono::minutes kArmedFor{1};
+
+std::optional<JogDirection> directionOf(int key)
+{
+    switch (key) {
+        case Qt::Key_Up:
+            return JogDirection::Up;
+        case Qt::Key_Down:
+            return JogDirection::Down;
+        case Qt::Key_Left:
+            return JogDirection::Left;
+        case Qt::Key_Right:
+            return JogDirection::Right;
+        default:
+            return std::nullopt;
+    }
+}
+
+}  // namespace
+
+JogPad::JogPad(const Clock& clock, RequestDesk& desk, ValueLabel& notice, const WindowSettings& settings,
+               QWidget* parent)
+    : QWidget(parent),
+      m_clock(clock),
+      m_desk(desk),
+      m_notice(notice),
+      m_settings(settings),
+      m_buttons{{JogDirection::Up, new JogButton(tr("EL +"), tr("Elevation up while held"), this)},
+                {JogDirection::Down, new JogButton(tr("EL -"), tr("Elevation down while held"), this)},
+                {JogDirection::Left, new JogButton(tr("AZ -"), tr("Azimuth counter-clockwise while held"), this)},
+                {JogDirection::Right, new JogButton(tr("AZ +"), tr("Azimuth clockwise while held"), this)}},
+      m_hold(new CommandButton(tr("Hold"), tr("Slow down and hold the position (Ctrl+H)"), desk, notice, this)),
+      m_caption(new ValueLabel(tr("Arrow keys"), fonts::label(), {}, this)),
+      m_step(settings.steps.front())
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Jog pad"));
+    setAccessibleDescription(tr("Enter arms the arrow keys; then they move the mount while held"));
+    build();
+    for (const auto& [direction, button] : m_buttons) {
+        connectButton(direction);
+    }
+    connect(&m_deadMan, &DeadMan::jog, this, &JogPad::sendJog);
+    connect(m_hold, &QPushButton::clicked, this, &JogPad::hold);
+    applyRate();
+    disarm();
+}
+
+void JogPad::build()
+{
+    auto* const grid = new QGridLayout(this);
+    grid->setContentsMargins(8, 8, 8, 6);
+    grid->setSpacing(6);
+    grid->addWidget(m_buttons.at(JogDirection::Up), 0, 1);
+    grid->addWidget(m_buttons.at(JogDirection::Left), 1, 0);
+    grid->addWidget(m_hold, 1, 1);
+    grid->addWidget(m_buttons.at(JogDirection::Right), 1, 2);
+    grid->addWidget(m_buttons.at(JogDirection::Down), 2, 1);
+    grid->addWidget(m_caption, 3, 0, 1, 3);
+    m_hold->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    m_hold->setFocusPolicy(Qt::TabFocus);  // a click does not disarm the pad
+    m_caption->setStretching(true);
+    m_caption->setAlignment(Qt::AlignCenter);
+    m_caption->setAttribute(Qt::WA_TransparentForMouseEvents);  // it is part of the pad that a click arms
+}
+
+void JogPad::connectButton(JogDirection direction)
+{
+    JogButton* const button = m_buttons.at(direction);
+    connect(button, &JogButton::holdBegan, this, [this, direction] { press(direction, m_stepMode); });
+    connect(button, &JogButton::holdEnded, this, [this, direction] { m_deadMan.letGo(direction); });
+}
+
+void JogPad::press(JogDirection direction, bool oneStep)
+{
+    if (!whyNoJog(m_status, direction).isEmpty()) {
+        return;
+    }
+    m_notice.setValue({});
+    if (oneStep) {
+        sendStep(direction);
+    } else {
+        m_deadMan.hold(direction);
+    }
+}
+
+void JogPad::sendJog(const AxisRates& rates)
+{
+    const bool ends = rates == AxisRates{};
+    m_desk.send(request::Jog{rates}, this, [this, ends](const std::optional<Error>& error) {
+        if (!ends) {  // after STOP even the wish to end a jog is refused: nothing the operator needs to know
+            refused(error);
+        }
+    });
+}
+
+void JogPad::sendStep(JogDirection direction)
+{
+    request::Step step{};
+    switch (direction) {
+        case JogDirection::Up:
+            step.elevation = m_step;
+            break;
+        case JogDirection::Down:
+            step.elevation = -m_step;
+            break;
+        case JogDirection::Right:
+            step.azimuth = m_step;
+            break;
+        case JogDirection::Left:
+            step.azimuth = -m_step;
+            break;
+    }
+    m_desk.send(step, this, [this](const std::optional<Error>& error) { refused(error); });
+}
+
+void JogPad::refused(const std::optional<Error>& error)
+{
+    if (error) {
+        letGoAll();
+        m_notice.setValue(tr("Jog: %1").arg(QString::fromStdString(error->text)), Tone::Warning, Symbol::Warning);
+    }
+}
+
+void JogPad::hold()
+{
+    if (m_hold->isEnabled()) {
+        letGoAll();
+        m_hold->ask(request::Hold{});
+    }
+}
+
+void JogPad::letGoAll()
+{
+    for (const auto& [direction, button] : m_buttons) {
+        button->letGo();
+    }
+    m_deadMan.letGoAll();
+}
+
+void JogPad::showStatus(const StationStatus& status)
+{
+    m_status = status;
+    for (const auto& [direction, button] : m_buttons) {
+        const QString reason = whyNoJog(status, direction);
+        button->setBlocked(reason);
+        if (!reason.isEmpty()) {
+            m_deadMan.letGo(direction);
+        }
+    }
+    m_hold->setBlocked(whyNoMotion(status));
+}
+
+void JogPad::setRate(JogRate rate)
+{
+    m_rate = rate;
+    applyRate();
+}
+
+void JogPad::setStep(Angle step)
+{
+    m_step = step;
+}
+
+void JogPad::setStepMode(bool on)
+{
+    m_stepMode = on;
+    letGoAll();
+}
+
+void JogPad::applyRate()
+{
+    const JogRate rate = m_shift ? JogRate::Fast : m_rate;
+    m_deadMan.setRate(rate == JogRate::Slow     ? m_settings.slow
+                      : rate == JogRate::Normal ? m_settings.normal
+                                                : m_settings.fast);
+}
+
+void JogPad::arm()
+{
+    m_armedUntil = m_clock.now() + kArmedFor;
+    m_caption->setValue(tr("ARMED: arrow keys move the mount"), Tone::Accent);
+    update();
+}
+
+void JogPad::disarm()
+{
+    m_armedUntil.reset();
+    m_shift = false;
+    applyRate();
+    letGoAll();
+    m_caption->setValue(tr("Click here to arm the arrow keys"), Tone::Secondary);
+    update();
+}
+
+void JogPad::disarmWhenUnused()
+{
+    if (!isArmed()) {
+        return;
+    }
+    if (m_deadMan.isHeld()) {
+        m_armedUntil = m_clock.now() + kArmedFor;
+    } else if (m_clock.now() >= *m_armedUntil) {
+        disarm();
+    }
+}
+
+bool JogPad::event(QEvent* event)
+{
+    if (event->type() == QEvent::WindowDeactivate) {
+        disarm();
+    }
+    if (event->type() == QEvent::ShortcutOverride && isArmed() &&
+        directionOf(static_cast<QKeyEvent*>(event)->key()).has_value()) {
+        event->accept();  // an armed arrow key is ours, not a shortcut's
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void JogPad::mousePressEvent(QMouseEvent*)
+{
+    setFocus(Qt::MouseFocusReason);
+    arm();
+}
+
+void JogPad::keyPressEvent(QKeyEvent* event)
+{
+    const auto direction = directionOf(event->key());
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_Space) {
+        if (!event->isAutoRepeat()) {
+            isArmed() ? disarm() : arm();
+        }
+    } else if (event->key() == Qt::Key_Shift) {
+        m_shift = true;
+        applyRate();
+    } else if (isArmed() && direction) {
+        if (!event->isAutoRepeat()) {
+            m_shift = event->modifiers().testFlag(Qt::ShiftModifier);
+            applyRate();
+            arm();
+            press(*direction, m_stepMode || event->modifiers().testFlag(Qt::ControlModifier));
+        }
+    } else {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void JogPad::keyReleaseEvent(QKeyEvent* event)
+{
+    if (event->isAutoRepeat()) {
+        return;
+    }
+    if (event->key() == Qt::Key_Shift) {
+        m_shift = false;
+        applyRate();
+    }
+    if (const auto direction = directionOf(event->key())) {
+        m_deadMan.letGo(*direction);
+    }
+    QWidget::keyReleaseEvent(event);
+}
+
+void JogPad::focusOutEvent(QFocusEvent* event)
+{
+    disarm();
+    QWidget::focusOutEvent(event);
+    update();
+}
+
+void JogPad::hideEvent(QHideEvent* event)
+{
+    disarm();
+    QWidget::hideEvent(event);
+}
+
+void JogPad::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Theme& colours = currentTheme();
+    const double width = isArmed() ? 3.0 : 1.0;
+    painter.setPen(isArmed()    ? QPen(colours.accent, width)
+                   : hasFocus() ? QPen(colours.accent, width, Qt::DashLine)
+                                : QPen(colours.grid, width));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1.5, 1.5, -1.5, -1.5), 4.0, 4.0);
+}
+
+}  // namespace boresight::ui

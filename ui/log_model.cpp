@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/log_model.h"
+
+#include "ui/format.h"
+#include "ui/symbol.h"
+#include "ui/theme.h"
+
+namespace boresight::ui {
+
+namespace {
+constexpr std::size_t kMaxEntries = 5000;  // a night of commands at one a few seconds; the file keeps the rest
+}  // namespace
+
+void LogModel::append(const std::vector<LogEntry>& entries)
+{
+    if (entries.empty()) {
+        return;
+    }
+    const int first = rowCount();
+    beginInsertRows({}, first, first + static_cast<int>(entries.size()) - 1);
+    m_entries.insert(m_entries.end(), entries.begin(), entries.end());
+    endInsertRows();
+    if (m_entries.size() > kMaxEntries) {
+        dropEldest();
+    }
+}
+
+void LogModel::dropEldest()
+{
+    const auto surplus = static_cast<std::ptrdiff_t>(m_entries.size() - kMaxEntries);
+    beginRemoveRows({}, 0, static_cast<int>(surplus) - 1);
+    m_entries.erase(m_entries.begin(), m_entries.begin() + surplus);
+    endRemoveRows();
+}
+
+int LogModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_entries.size());
+}
+
+int LogModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant LogModel::data(const QModelIndex& index, int role) const
+{
+    const LogEntry& line = entry(index.row());
+    if (role == Qt::ForegroundRole && line.severity != Severity::Advisory) {
+        return currentTheme().colour(toneOf(line.severity));
+    }
+    if (role == Qt::ToolTipRole) {
+        return logLine(line);
+    }
+    if (role != Qt::DisplayRole) {
+        return {};
+    }
+    switch (index.column()) {
+        case Time:
+            return clockText(line.utc);
+        case From:
+            return line.source;
+        default:
+            // Colour never stands alone: the same shapes as everywhere, as characters.
+            return line.severity == Severity::Alarm     ? QStringLiteral("■ ") + line.text
+                   : line.severity == Severity::Warning ? QStringLiteral("▲ ") + line.text
+                                                        : line.text;
+    }
+}
+
+QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
+        return {};
+    }
+    switch (section) {
+        case Time:
+            return tr("UTC");
+        case From:
+            return tr("Source");
+        default:
+            return tr("What");
+    }
+}
+
+void LogFilter::setSource(LogSource source)
+{
+    m_source = source;
+    invalidateFilter();
+}
+
+void LogFilter::setWarningsOnly(bool on)
+{
+    m_warningsOnly = on;
+    invalidateFilter();
+}
+
+void LogFilter::setText(const QString& text)
+{
+    m_text = text;
+    invalidateFilter();
+}
+
+bool LogFilter::filterAcceptsRow(int row, const QModelIndex&) const
+{
+    const LogEntry& line = static_cast<const LogModel*>(sourceModel())->entry(row);
+    return (m_source == LogSource::All || sourceOf(line) == m_source) &&
+           (!m_warningsOnly || line.severity != Severity::Advisory) &&
+           (line.text.contains(m_text, Qt::CaseInsensitive) || line.source.contains(m_text, Qt::CaseInsensitive));
+}
+
+LogSource sourceOf(const LogEntry& entry)
+{
+    if (entry.source.startsWith(QLatin1String("rotctld"))) {
+        return LogSource::Clients;
+    }
+    return entry.source == QLatin1String("operator") ? LogSource::Operator : LogSource::Station;
+}
+
+QString logLine(const LogEntry& entry)
+{
+    return dateText(entry.utc) + QStringLiteral("  ") + entry.source + QStringLiteral("  ") + entry.text;
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+#include <QAbstractTableModel>
+#include <QSortFilterProxyModel>
+
+#include <deque>
+#include <optional>
+
+// The station's log as a table (time, source, text), bounded; and the filter over it. Gui thread.
+namespace boresight::ui {
+
+class LogModel : public QAbstractTableModel
+{
+    Q_OBJECT
+
+public:
+    enum Column
+    {
+        Time,
+        From,
+        Text,
+        ColumnCount
+    };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void append(const std::vector<LogEntry>& entries);
+    [[nodiscard]] const LogEntry& entry(int row) const { return m_entries[static_cast<std::size_t>(row)]; }
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    void dropEldest();
+    std::deque<LogEntry> m_entries;
+};
+
+enum class LogSource
+{
+    All,
+    Operator,
+    Clients,  // rotctld
+    Station   // the station itself, bus and drives
+};
+
+class LogFilter : public QSortFilterProxyModel
+{
+    Q_OBJECT
+
+public:
+    using QSortFilterProxyModel::QSortFilterProxyModel;
+
+    void setSource(LogSource source);
+    void setWarningsOnly(bool on);
+    void setText(const QString& text);  // in source or text, any case
+
+protected:
+    [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+
+private:
+    LogSource m_source = LogSource::All;
+    bool m_warningsOnly = false;
+    QString m_text;
+};
+
+[[nodiscard]] LogSource sourceOf(const LogEntry& entry);
+[[nodiscard]] QString logLine(const LogEntry& entry);  // with date, for copying
+
+}  // namespace boresight::ui

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window.h"
+
+#include "ui/alarm_line.h"
+#include "ui/axis_readout.h"
+#include "ui/cable_bar.h"
+#include "ui/command_button.h"
+#include "ui/format.h"
+#include "ui/header_bar.h"
+#include "ui/help_page.h"
+#include "ui/jog_panel.h"
+#include "ui/log_panel.h"
+#include "ui/motion_permission.h"
+#include "ui/polar_plot.h"
+#include "ui/prompt_bar.h"
+#include "ui/stop_keys.h"
+#include "ui/value_label.h"
+
+#include <QCloseEvent>
+#include <QGridLayout>
+#include <QIcon>
+#include <QShortcut>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr std::chrono::milliseconds kBeat{100};
+constexpr int kBeatsPerSecond = 10;
+constexpr std::chrono::seconds kStopUnanswered{1};
+
+}  // namespace
+
+MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidget* parent)
+    : QMainWindow(parent),
+      m_clock(clock),
+      m_lastUpdate(clock.now()),
+      m_header(new HeaderBar(this)),
+      m_alarms(new AlarmLine(m_desk, this)),
+      m_plot(new PolarPlot(settings.beamWidth, this)),
+      m_readout(new AxisReadout(this)),
+      m_cable(new CableBar(this)),
+      m_jog(new JogPanel(clock, m_desk, settings, this)),
+      m_log(new LogPanel(this)),
+      m_lastCommand(new ValueLabel(tr("Last command"), fonts::label(), {}, this)),
+      m_pickBar(new PromptBar(tr("Direction under the cursor"), this)),
+      m_closeBar(new PromptBar(tr("Close"), this)),
+      m_goHere(new CommandButton(tr("Go here"), tr("Go to this direction by the nearest turn"), m_desk,
+                                 m_pickBar->notice(), m_pickBar)),
+      m_panels(new QTabWidget(this)),
+      m_help(new HelpPage(this)),
+      m_stopKeys(new StopKeys(*this))
+{
+    applyTheme(settings.theme);
+    setWindowTitle(tr("Boresight"));
+    setWindowIcon(QIcon(QStringLiteral(":/boresight/icons/boresight.svg")));
+    build();
+    addKeys();
+    connect(&m_desk, &RequestDesk::requested, this, &MainWindow::requested);
+    connect(m_header, &HeaderBar::stopPressed, this, &MainWindow::stop);
+    connect(m_stopKeys, &StopKeys::stopPressed, this, &MainWindow::stop);
+    connect(m_plot, &PolarPlot::clicked, this, &MainWindow::pick);
+    connect(&m_beat, &QTimer::timeout, this, &MainWindow::beat);
+    m_beat.start(kBeat);
+    showStatus(m_status);
+    resize(1280, 800);
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::build()
+{
+    auto* const ground = new QWidget(this);
+    auto* const grid = new QGridLayout(ground);
+    grid->setContentsMargins(10, 8, 10, 6);
+    grid->setSpacing(8);
+    auto* const plotCell = new QGridLayout;
+    auto* const side = new QWidget(ground);  // as wide as it must be: the plot gets the rest
+    auto* const right = new QVBoxLayout(side);
+    grid->addWidget(m_header, 0, 0, 1, 2);
+    grid->addWidget(m_alarms, 1, 0, 1, 2);
+    grid->addLayout(plotCell, 2, 0);
+    grid->addWidget(side, 2, 1);
+    grid->addWidget(m_cable, 3, 0);
+    grid->addWidget(m_lastCommand, 3, 1);
+    grid->setRowStretch(2, 1);
+    grid->setColumnStretch(0, 1);
+
+    plotCell->addWidget(m_plot, 0, 0);
+    addPrompts(*plotCell);
+    m_panels->setFont(fonts::label());
+    m_panels->addTab(m_jog, tr("Jog"));
+    m_panels->addTab(m_log, tr("Log"));
+    m_panels->setTabToolTip(0, tr("Jog panel (Ctrl+1)"));
+    m_panels->setTabToolTip(1, tr("Log panel (Ctrl+2)"));
+    m_panels->setAccessibleName(tr("Panels"));
+    side->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+    right->setContentsMargins(0, 0, 0, 0);
+    right->addWidget(m_readout);
+    right->addWidget(m_panels, 1);
+    m_lastCommand->setStretching(true);
+    m_lastCommand->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    setCentralWidget(ground);
+}
+
+void MainWindow::addPrompts(QGridLayout& plotCell)
+{
+    plotCell.addWidget(m_pickBar, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
+    plotCell.addWidget(m_closeBar, 0, 0, Qt::AlignHCenter | Qt::AlignTop);
+    const auto addButton = [this](PromptBar& bar, const QString& text, void (MainWindow::*act)()) {
+        auto* const button = new QPushButton(text, &bar);
+        button->setFont(fonts::label());
+        button->setAccessibleName(text);
+        button->setMinimumHeight(kTouchSize);
+        connect(button, &QPushButton::clicked, this, act);
+        bar.addButton(*button);
+    };
+    m_pickBar->addButton(*m_goHere);
+    addButton(*m_pickBar, tr("Dismiss"), &MainWindow::unpick);
+    connect(m_goHere, &QPushButton::clicked, this, &MainWindow::goToPicked);
+    connect(m_goHere, &CommandButton::accepted, this, &MainWindow::unpick);
+    addButton(*m_closeBar, tr("Stop and close"), &MainWindow::confirmClose);
+    addButton(*m_closeBar, tr("Keep open"), &MainWindow::keepOpen);
+}
+
+void MainWindow::addKeys()
+{
+    addKey(Qt::CTRL | Qt::Key_G, &MainWindow::goTo);
+    addKey(Qt::CTRL | Qt::Key_H, &MainWindow::hold);
+    addKey(Qt::CTRL | Qt::Key_P, &MainWindow::park);
+    addKey(Qt::CTRL | Qt::Key_1, &MainWindow::showJog);
+    addKey(Qt::CTRL | Qt::Key_2, &MainWindow::showLog);
+    addKey(Qt::CTRL | Qt::Key_D, &MainWindow::nextTheme);
+    addKey(Qt::Key_F8, &MainWindow::acknowledge);
+    addKey(Qt::Key_F11, &MainWindow::toggleFullScreen);
+    addKey(Qt::Key_F1, &MainWindow::showHelp);
+}
+
+void MainWindow::addKey(const QKeySequence& key, void (MainWindow::*act)())
+{
+    auto* const shortcut = new QShortcut(key, this);
+    shortcut->setAutoRepeat(false);
+    connect(shortcut, &QShortcut::activated, this, act);
+}
+
+void MainWindow::showUpdate(const StationUpdate& update)
+{
+    m_status = update.status;
+    m_lastUpdate = m_clock.now();
+    m_log->append(update.log);
+    if (!update.log.empty()) {
+        const LogEntry& last = update.log.back();
+        m_lastCommand->setValue(
+            clockText(last.utc) + QStringLiteral("  ") + last.source + QStringLiteral("  ") + last.text,
+            Tone::Secondary);
+    }
+    if (m_status.state == StationState::Stopped) {
+        m_stopSince.reset();
+    }
+    m_desk.take(update.answers);
+    showStatus(m_status);
+    Q_EMIT updateShown();
+}
+
+void MainWindow::showStatus(const StationStatus& status)
+{
+    m_header->showStatus(status);
+    m_alarms->showStatus(status);
+    m_plot->showStatus(status);
+    m_readout->showStatus(status);
+    m_cable->showStatus(status);
+    m_jog->showStatus(status);
+    m_goHere->setBlocked(whyNoMotion(status));
+}
+
+// Ten times a second, whether the station speaks or not: old numbers age, alarms flash, the pad disarms.
+void MainWindow::beat()
+{
+    ++m_beats;
+    if (m_clock.now() - m_lastUpdate >= kLateAfter || m_stopSince) {
+        showStatus(aged());
+    }
+    m_alarms->flash(m_beats % kBeatsPerSecond < kBeatsPerSecond / 2);
+    m_jog->beat();
+    if (m_beats % kBeatsPerSecond == 0) {
+        m_plot->describe(m_status);
+    }
+}
+
+// The last status as it looks now, when the station has been silent since.
+StationStatus MainWindow::aged() const
+{
+    StationStatus status = m_status;
+    const auto silent = std::chrono::duration_cast<std::chrono::milliseconds>(m_clock.now() - m_lastUpdate);
+    for (AxisStatus* const axis : {&status.azimuth, &status.elevation}) {
+        if (axis->age) {
+            *axis->age += silent;
+        }
+    }
+    status.utc += silent;
+    const auto complain = [&status](const QString& what, const QString& action) {
+        Alarm alarm;
+        alarm.severity = Severity::Alarm;
+        alarm.what = what;
+        alarm.action = action;
+        alarm.remedy = tr("Use the hard-wired emergency stop if the mount moves");
+        alarm.since = status.utc;
+        alarm.acknowledged = true;  // it goes by itself; there is nothing to acknowledge at the station
+        status.alarms.insert(status.alarms.begin(), alarm);
+    };
+    if (silent >= kNoDataAfter) {
+        complain(tr("No word from the station for %1").arg(ageText(silent)), tr("Old numbers are not shown"));
+    }
+    if (m_stopSince && m_clock.now() - *m_stopSince >= kStopUnanswered) {
+        complain(tr("STOP is not confirmed"), tr("It was sent and is not answered"));
+    }
+    return status;
+}
+
+void MainWindow::stop()
+{
+    m_header->setStopRequested();
+    if (m_status.state != StationState::Stopped && !m_stopSince) {
+        m_stopSince = m_clock.now();
+    }
+    m_desk.send(request::Stop{}, this, [this](const std::optional<Error>& error) {
+        if (error) {
+            m_stopSince.reset();
+            m_header->setStopRefused();
+            m_alarms->notice().setValue(tr("STOP: %1").arg(QString::fromStdString(error->text)), Tone::Alarm,
+                                        Symbol::Alarm);
+        }
+    });
+}
+
+void MainWindow::pick(const SkyPointing& direction)
+{
+    m_picked = direction;
+    m_plot->setPicked(direction);
+    m_pickBar->setText(directionText(direction));
+    m_pickBar->notice().setValue({});
+    m_pickBar->show();
+}
+
+void MainWindow::unpick()
+{
+    m_picked.reset();
+    m_plot->setPicked(std::nullopt);
+    m_pickBar->hide();
+}
+
+void MainWindow::goToPicked()
+{
+    if (m_picked) {
+        m_goHere->ask(request::PointSky{*m_picked});
+    }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (m_mayClose) {
+        event->accept();
+        return;
+    }
+    event->ignore();
+    if (isMoving(m_status)) {
+        m_closeBar->setText(tr("The mount is moving. Stop it and close?"));
+        m_closeBar->show();
+    } else {
+        confirmClose();
+    }
+}
+
+void MainWindow::confirmClose()
+{
+    m_closeBar->setText(tr("Stopping and closing …"));
+    Q_EMIT closeRequested();
+}
+
+void MainWindow::keepOpen()
+{
+    m_closeBar->hide();
+}
+
+void MainWindow::closeNow()
+{
+    m_mayClose = true;
+    m_help->close();
+    close();
+}
+
+void MainWindow::showJog()
+{
+    m_panels->setCurrentWidget(m_jog);
+}
+
+void MainWindow::showLog()
+{
+    m_panels->setCurrentWidget(m_log);
+}
+
+void MainWindow::nextTheme()
+{
+    applyTheme(next(currentTheme().kind));
+    Q_EMIT themeChanged(currentTheme().kind);
+}
+
+void MainWindow::toggleFullScreen()
+{
+    setWindowState(windowState() ^ Qt::WindowFullScreen);
+}
+
+void MainWindow::showHelp()
+{
+    m_help->show();
+    m_help->raise();
+    m_help->activateWindow();
+}
+
+void MainWindow::goTo()
+{
+    showJog();
+    m_jog->focusGoTo();
+}
+
+void MainWindow::hold()
+{
+    m_jog->hold();
+}
+
+void MainWindow::park()
+{
+    m_jog->park();
+}
+
+void MainWindow::acknowledge()
+{
+    m_alarms->acknowledge();
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/station/request.h"
+#include "core/station/station_status.h"
+#include "ui/request_desk.h"
+#include "ui/window_settings.h"
+
+#include <QMainWindow>
+#include <QTimer>
+
+#include <optional>
+
+class QGridLayout;
+class QTabWidget;
+
+// The desktop window: it composes the panels and connects their signals, nothing else. It knows the station by two
+// values only: StationUpdate comes in, NumberedRequest goes out. Gui thread.
+namespace boresight::ui {
+
+class AlarmLine;
+class AxisReadout;
+class CableBar;
+class CommandButton;
+class HeaderBar;
+class HelpPage;
+class JogPanel;
+class LogPanel;
+class PolarPlot;
+class PromptBar;
+class StopKeys;
+class ValueLabel;
+
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    // The clock outlives the window.
+    MainWindow(const Clock& clock, const WindowSettings& settings, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    // What the owner calls when the station has ended: closes without a question.
+    void closeNow();
+
+public Q_SLOTS:
+    void showUpdate(const boresight::StationUpdate& update);
+
+Q_SIGNALS:
+    void requested(const boresight::NumberedRequest& request);
+    void updateShown();  // the station may send the next update
+    // The operator closes the window (and, asked because the mount was moving, said yes): stop, then closeNow().
+    void closeRequested();
+    void themeChanged(boresight::ui::ThemeKind theme);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void build();
+    void addPrompts(QGridLayout& plotCell);
+    void addKeys();
+    void addKey(const QKeySequence& key, void (MainWindow::*act)());
+    void stop();
+    void showStatus(const StationStatus& status);
+    void beat();
+    [[nodiscard]] StationStatus aged() const;
+    void pick(const SkyPointing& direction);
+    void unpick();
+    void goToPicked();
+    void confirmClose();
+    void keepOpen();
+    void showJog();
+    void showLog();
+    void nextTheme();
+    void toggleFullScreen();
+    void showHelp();
+    void goTo();
+    void hold();
+    void park();
+    void acknowledge();
+
+    const Clock& m_clock;
+    RequestDesk m_desk;
+    StationStatus m_status;
+    SteadyTime m_lastUpdate;
+    std::optional<SteadyTime> m_stopSince;  // a STOP the status does not show yet
+    HeaderBar* m_header;
+    AlarmLine* m_alarms;
+    PolarPlot* m_plot;
+    AxisReadout* m_readout;
+    CableBar* m_cable;
+    JogPanel* m_jog;
+    LogPanel* m_log;
+    ValueLabel* m_lastCommand;
+    PromptBar* m_pickBar;
+    PromptBar* m_closeBar;
+    CommandButton* m_goHere;
+    QTabWidget* m_panels;
+    HelpPage* m_help;
+    StopKeys* m_stopKeys;
+    std::optional<SkyPointing> m_picked;
+    QTimer m_beat;
+    int m_beats = 0;
+    bool m_mayClose = false;
+};
+
+}  // namespace boresight::ui

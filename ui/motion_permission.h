@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+#include <QString>
+
+// Why a control of the operator cannot act now, in words for its tooltip; empty when it can. The station decides
+// again: this only keeps the screen from offering what would be refused.
+namespace boresight::ui {
+
+enum class JogDirection
+{
+    Up,
+    Down,
+    Left,  // counter-clockwise: azimuth gets smaller
+    Right
+};
+
+[[nodiscard]] QString whyNoMotion(const StationStatus& status);
+[[nodiscard]] QString whyNoJog(const StationStatus& status, JogDirection direction);  // at a limit: the way on
+[[nodiscard]] bool isMoving(const StationStatus& status);
+
+}  // namespace boresight::ui

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/request.h"
+#include "core/station/station_status.h"
+
+#include <QObject>
+#include <QPointer>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+// Numbers every request of the window and brings the station's answer back to the control that asked. Gui thread.
+namespace boresight::ui {
+
+class RequestDesk : public QObject
+{
+    Q_OBJECT
+
+public:
+    using Reply = std::function<void(const std::optional<Error>&)>;
+
+    using QObject::QObject;
+
+    // `reply` is called once, unless `asker` is gone by then.
+    void send(const Request& request, QObject* asker, Reply reply);
+    void take(const std::vector<Answer>& answers);
+
+Q_SIGNALS:
+    void requested(const boresight::NumberedRequest& request);
+
+private:
+    struct Waiting
+    {
+        QPointer<QObject> asker;
+        Reply reply;
+    };
+
+    void answer(std::map<std::uint64_t, Waiting>::iterator waiting, const std::optional<Error>& error);
+
+    std::map<std::uint64_t, Waiting> m_waiting;
+    std::uint64_t m_last = 0;
+};
+
+}  // namespace boresight::ui

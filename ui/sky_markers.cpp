@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/sky_markers.h"
+
+#include "ui/symbol.h"
+
+#include <QMouseEvent>
+#include <QPaintEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr double kActualSize = 13.0;  // px; inside the diamond, inside the cross, when all is on target
+constexpr double kMarkerSize = 22.0;
+constexpr double kCommandedSize = 32.0;
+constexpr Angle kPathStep = 0.2_deg;       // finer than a pixel of any screen
+constexpr std::size_t kPathLength = 4000;  // 800° of sky: several passes
+constexpr int kTextMargin = 3;
+
+// Good enough for small angles, also near the zenith.
+Angle separation(const SkyPointing& a, const SkyPointing& b)
+{
+    const double east = (a.azimuth - b.azimuth).wrapped180().radians() * std::cos(a.elevation.radians());
+    const double up = (a.elevation - b.elevation).radians();
+    return Angle::fromRadians(std::hypot(east, up));
+}
+
+QRect around(const QPointF& a, const QPointF& b)
+{
+    return QRectF(a, b).normalized().adjusted(-3, -3, 3, 3).toAlignedRect();
+}
+
+}  // namespace
+
+SkyMarkers::SkyMarkers(QWidget* parent) : QWidget(parent)
+{
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setFont(fonts::label());
+    setCursor(Qt::CrossCursor);
+}
+
+void SkyMarkers::setGround(const QPixmap& ground, const SkyProjection& projection)
+{
+    m_ground = ground;
+    m_projection = projection;
+    m_pathPixels.clear();
+    for (const SkyPointing& place : m_path) {
+        m_pathPixels << m_projection.toPixel(place);
+    }
+    update();
+}
+
+void SkyMarkers::setMarkers(const MarkerData& markers)
+{
+    if (markers == m_markers) {
+        return;
+    }
+    const QRegion before = occupied();
+    m_markers = markers;
+    extendPath();
+    update(before + occupied());
+}
+
+void SkyMarkers::extendPath()
+{
+    if (!m_markers.live || !m_markers.actual) {
+        return;
+    }
+    const SkyPointing place = unflipped(*m_markers.actual);
+    if (!m_path.empty() && separation(place, m_path.back()) < kPathStep) {
+        return;
+    }
+    m_path.push_back(place);
+    m_pathPixels << m_projection.toPixel(place);
+    if (m_path.size() > kPathLength) {
+        m_path.pop_front();
+        m_pathPixels.removeFirst();
+        update();  // the eldest piece fades from the plot
+    }
+    if (m_pathPixels.size() > 1) {
+        update(around(m_pathPixels[m_pathPixels.size() - 2], m_pathPixels.last()));
+    }
+}
+
+QRectF SkyMarkers::markerBox(const SkyPointing& direction, double size) const
+{
+    const QPointF centre = m_projection.toPixel(direction);
+    return {centre.x() - size / 2.0, centre.y() - size / 2.0, size, size};
+}
+
+double SkyMarkers::beamRadius() const
+{
+    return std::max(m_markers.beamWidth / 180_deg * m_projection.radius, kActualSize / 2.0 + 2.0);
+}
+
+QRect SkyMarkers::targetLabelBox() const
+{
+    if (!m_markers.target || m_markers.targetLabel.isEmpty()) {
+        return {};
+    }
+    const QRectF marker = markerBox(*m_markers.target, kMarkerSize);
+    QRect box = fontMetrics().boundingRect(m_markers.targetLabel).adjusted(-kTextMargin, 0, kTextMargin, 0);
+    const double gap = std::max(beamRadius() + 4.0, kMarkerSize);
+    box.moveTopLeft(QPoint(int(marker.center().x() + gap), int(marker.center().y() - gap)));
+    if (box.right() > width()) {
+        box.moveRight(int(marker.center().x() - gap));
+    }
+    box.moveTop(std::max(box.top(), 0));
+    return box;
+}
+
+QRegion SkyMarkers::occupied() const
+{
+    QRegion region;
+    const auto add = [&region](const QRectF& box) { region += box.toAlignedRect().adjusted(-2, -2, 2, 2); };
+    if (m_markers.actual) {
+        add(markerBox(*m_markers.actual, 2.0 * beamRadius() + 2.0));
+    }
+    if (m_markers.commanded) {
+        add(markerBox(*m_markers.commanded, kCommandedSize));
+    }
+    if (m_markers.target) {
+        add(markerBox(*m_markers.target, kMarkerSize));
+        add(targetLabelBox());
+    }
+    if (m_markers.picked) {
+        add(markerBox(*m_markers.picked, kCommandedSize));
+    }
+    if (m_markers.offTarget && m_markers.actual && m_markers.target) {
+        region += around(m_projection.toPixel(*m_markers.actual), m_projection.toPixel(*m_markers.target));
+    }
+    return region;
+}
+
+void SkyMarkers::paintEvent(QPaintEvent* event)
+{
+    QPainter painter(this);
+    painter.setClipRegion(event->region());
+    painter.drawPixmap(0, 0, m_ground);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Theme& colours = currentTheme();
+    painter.setPen(QPen(colours.secondary, 1.5));
+    painter.drawPolyline(m_pathPixels);
+    if (m_markers.picked) {
+        painter.setPen(QPen(colours.accent, 1.5, Qt::DashLine));
+        painter.drawEllipse(markerBox(*m_markers.picked, kCommandedSize - 4.0));
+    }
+    if (m_markers.offTarget && m_markers.actual && m_markers.target) {
+        painter.setPen(QPen(colours.warning, 2.0));
+        painter.drawLine(m_projection.toPixel(*m_markers.actual), m_projection.toPixel(*m_markers.target));
+    }
+    drawTarget(painter);
+    if (m_markers.commanded) {
+        drawSymbol(painter, Symbol::Commanded, markerBox(*m_markers.commanded, kCommandedSize), colours.text);
+    }
+    drawActual(painter);
+}
+
+void SkyMarkers::drawTarget(QPainter& painter) const
+{
+    if (!m_markers.target) {
+        return;
+    }
+    const Theme& colours = currentTheme();
+    drawSymbol(painter, Symbol::Target, markerBox(*m_markers.target, kMarkerSize), colours.accent);
+    const QRect box = targetLabelBox();
+    if (!box.isNull()) {
+        painter.fillRect(box, colours.plotGround);
+        painter.setPen(colours.accent);
+        painter.drawText(box, Qt::AlignCenter, m_markers.targetLabel);
+    }
+}
+
+void SkyMarkers::drawActual(QPainter& painter) const
+{
+    if (!m_markers.actual) {
+        return;
+    }
+    const Theme& colours = currentTheme();
+    const QColor colour = m_markers.live ? colours.text : colours.secondary;
+    painter.setPen(QPen(colour, 1.0, m_markers.live ? Qt::SolidLine : Qt::DotLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(m_projection.toPixel(*m_markers.actual), beamRadius(), beamRadius());
+    drawSymbol(painter, m_markers.live ? Symbol::Actual : Symbol::Lost, markerBox(*m_markers.actual, kActualSize),
+               colour);
+}
+
+void SkyMarkers::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton && m_projection.contains(event->position())) {
+        Q_EMIT clicked(m_projection.toSky(event->position()));
+    }
+}
+
+}  // namespace boresight::ui

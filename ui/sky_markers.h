@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/sky_projection.h"
+
+#include <QPixmap>
+#include <QPolygonF>
+#include <QRegion>
+#include <QWidget>
+
+#include <deque>
+#include <optional>
+
+// What moves in the polar plot: the past path and the markers, painted over a ready-made picture of what stands still.
+// A new status repaints only the few hundred pixels a marker leaves and enters. Pixels are the widget's own.
+namespace boresight::ui {
+
+struct MarkerData
+{
+    std::optional<SkyPointing> actual;
+    std::optional<SkyPointing> commanded;
+    std::optional<SkyPointing> target;
+    std::optional<SkyPointing> picked;  // clicked by the operator
+    QString targetLabel;
+    Angle beamWidth;
+    bool live = false;       // the actual place is measured now; else it is where the mount was last seen
+    bool offTarget = false;  // error above half a beam width
+
+    bool operator==(const MarkerData&) const = default;
+};
+
+class SkyMarkers : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit SkyMarkers(QWidget* parent = nullptr);
+
+    void setGround(const QPixmap& ground, const SkyProjection& projection);
+    void setMarkers(const MarkerData& markers);
+
+    [[nodiscard]] const MarkerData& markers() const { return m_markers; }
+    [[nodiscard]] const SkyProjection& projection() const { return m_projection; }
+    [[nodiscard]] std::size_t pathLength() const { return m_path.size(); }
+
+Q_SIGNALS:
+    void clicked(const boresight::SkyPointing& direction);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+
+private:
+    void extendPath();
+    [[nodiscard]] QRectF markerBox(const SkyPointing& direction, double size) const;
+    [[nodiscard]] double beamRadius() const;
+    [[nodiscard]] QRect targetLabelBox() const;
+    [[nodiscard]] QRegion occupied() const;
+    void drawActual(QPainter& painter) const;
+    void drawTarget(QPainter& painter) const;
+
+    QPixmap m_ground;
+    SkyProjection m_projection;
+    MarkerData m_markers;
+    std::deque<SkyPointing> m_path;  // eldest first
+    QPolygonF m_pathPixels;          // the same, for the present projection
+};
+
+}  // namespace boresight::ui

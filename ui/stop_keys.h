@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+class QWidget;
+
+// The keys that stop the mount. Pause and F12 stop from anywhere in the program, a modal dialog or an open menu
+// included, which a QShortcut would not reach. Esc stops while the window itself has the keyboard; with a menu or a
+// dialog open it closes that, as everywhere. Auto-repeat is ignored. Gui thread.
+namespace boresight::ui {
+
+class StopKeys : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit StopKeys(QWidget& window);
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+Q_SIGNALS:
+    void stopPressed();
+
+private:
+    [[nodiscard]] bool isStop(QObject* watched, int key) const;
+
+    QWidget& m_window;
+};
+
+}  // namespace boresight::ui

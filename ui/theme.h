@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <QPalette>
+#include <QString>
+
+// Every colour and every font of the screen, in one place. Grey is normal; colour says "look here" and always comes
+// with a shape and a word. The values keep a text contrast of 4.5:1 (WCAG 2.1, checked by ThemeTest). Gui thread only:
+// like QApplication's palette there is one current theme, and widgets read it while they paint.
+namespace boresight::ui {
+
+enum class ThemeKind
+{
+    Day,
+    Night,
+    Red  // night vision: red on black, shape and word carry the status alone
+};
+
+// What a text or a symbol means; the theme turns it into a colour.
+enum class Tone
+{
+    Normal,
+    Secondary,
+    Accent,
+    Advisory,
+    Warning,
+    Alarm
+};
+
+struct Theme
+{
+    ThemeKind kind = ThemeKind::Day;
+    QColor window;      // ground of panels and rows
+    QColor plotGround;  // sky, lists and fields
+    QColor band;        // sky below the lowest elevation
+    QColor button;
+    QColor text;
+    QColor secondary;
+    QColor grid;
+    QColor accent;
+    QColor advisory;
+    QColor warning;
+    QColor alarm;
+    QColor stop;  // the only filled red area
+    QColor stopText;
+
+    [[nodiscard]] QColor colour(Tone tone) const;
+    [[nodiscard]] QPalette palette() const;
+};
+
+[[nodiscard]] const Theme& theme(ThemeKind kind);
+[[nodiscard]] const Theme& currentTheme();
+[[nodiscard]] ThemeKind next(ThemeKind kind);
+[[nodiscard]] QString name(ThemeKind kind);
+
+// Makes the theme current and gives its palette to the application; every widget repaints.
+void applyTheme(ThemeKind kind);
+
+// Sizes of ui.md: readable from two metres. Numbers are fixed-width, so that digits do not dance.
+namespace fonts {
+[[nodiscard]] QFont label();   // 10 pt, interface font
+[[nodiscard]] QFont text();    // 12 pt, interface font
+[[nodiscard]] QFont state();   // 22 pt, interface font
+[[nodiscard]] QFont actual();  // 28 pt, fixed width
+[[nodiscard]] QFont value();   // 16 pt, fixed width
+[[nodiscard]] QFont clock();   // 14 pt, fixed width
+[[nodiscard]] QFont small();   // 10 pt, fixed width
+}  // namespace fonts
+
+}  // namespace boresight::ui

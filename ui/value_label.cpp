@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/value_label.h"
+
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolTip>
+
+namespace boresight::ui {
+
+namespace {
+constexpr int kMargin = 2;   // px, so that a slanted glyph is not clipped
+constexpr int kOutline = 5;  // px around the text of an outlined tag
+}  // namespace
+
+ValueLabel::ValueLabel(const QString& accessibleName, const QFont& font, const QString& widestText, QWidget* parent)
+    : QWidget(parent), m_widest(widestText)
+{
+    setAccessibleName(accessibleName);
+    setFont(font);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+void ValueLabel::setAlignment(Qt::Alignment alignment)
+{
+    m_alignment = alignment;
+}
+
+void ValueLabel::setLines(int lines)
+{
+    m_lines = lines;
+}
+
+void ValueLabel::setStretching(bool on)
+{
+    m_stretching = on;
+    setSizePolicy(on ? QSizePolicy::Expanding : QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+void ValueLabel::setOutlined(bool on)
+{
+    m_outlined = on;
+}
+
+void ValueLabel::setCollapsing(bool on)
+{
+    m_collapsing = on;
+    setVisible(!on || !m_text.isEmpty());
+}
+
+void ValueLabel::setValue(const QString& text, Tone tone, Symbol symbol)
+{
+    if (text == m_text && tone == m_tone && symbol == m_symbol) {
+        return;
+    }
+    m_text = text;
+    m_tone = tone;
+    m_symbol = symbol;
+    setAccessibleDescription(text);
+    if (m_collapsing) {
+        setVisible(!text.isEmpty());
+    }
+    update();
+}
+
+void ValueLabel::setSymbolShown(bool on)
+{
+    if (on != m_symbolShown) {
+        m_symbolShown = on;
+        update();
+    }
+}
+
+int ValueLabel::symbolWidth() const
+{
+    return m_symbol == Symbol::None ? 0 : fontMetrics().ascent() + fontMetrics().horizontalAdvance(QLatin1Char(' '));
+}
+
+QSize ValueLabel::sizeHint() const
+{
+    const int extra = 2 * (m_outlined ? kOutline : kMargin) + 2;  // advances are rounded
+    return {fontMetrics().horizontalAdvance(m_widest) + extra,
+            m_lines * fontMetrics().lineSpacing() + (m_outlined ? 4 : 0)};
+}
+
+QSize ValueLabel::minimumSizeHint() const
+{
+    return {m_stretching ? 0 : sizeHint().width(), sizeHint().height()};
+}
+
+QRect ValueLabel::textRect() const
+{
+    const int margin = m_outlined ? kOutline : kMargin;
+    return rect().adjusted(margin + symbolWidth(), 0, -margin, 0);
+}
+
+void ValueLabel::paintEvent(QPaintEvent*)
+{
+    if (m_text.isEmpty()) {
+        return;
+    }
+    QPainter painter(this);
+    const QColor colour = currentTheme().colour(m_tone);
+    const QRect room = textRect();
+    const int flags = int(m_alignment) | (m_lines > 1 ? int(Qt::TextWordWrap) : int(Qt::TextSingleLine));
+    const QString shown = m_lines > 1 ? m_text : fontMetrics().elidedText(m_text, Qt::ElideRight, room.width());
+    if (m_symbol != Symbol::None && m_symbolShown) {
+        const QRect used = fontMetrics().boundingRect(room, flags, shown);
+        const double size = fontMetrics().ascent() * 0.8;
+        const double top =
+            m_lines > 1 ? used.top() + 0.5 * (fontMetrics().height() - size) : room.center().y() + 0.5 - 0.5 * size;
+        drawSymbol(painter, m_symbol, QRectF(used.left() - symbolWidth(), top, size, size), colour);
+    }
+    painter.setPen(colour);
+    painter.drawText(room, flags, shown);
+    if (m_outlined) {
+        painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
+}
+
+bool ValueLabel::event(QEvent* event)
+{
+    if (event->type() == QEvent::ToolTip && toolTip().isEmpty() &&
+        fontMetrics().boundingRect(QRect(0, 0, textRect().width(), height() * 9), Qt::TextWordWrap, m_text).height() >
+            height()) {
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), m_text, this);
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/units/sky.h"
+#include "ui/theme.h"
+
+#include <array>
+
+// What the window is told once, by value, when it is built. Rates and angles are those of the axes; everything that
+// can change while the program runs comes with the status.
+namespace boresight::ui {
+
+struct WindowSettings
+{
+    AngularRate slow = 0.5_deg_s;
+    AngularRate normal = 2_deg_s;
+    AngularRate fast = 6_deg_s;
+    std::array<Angle, 3> steps{0.1_deg, 1_deg, 5_deg};
+    AxisPosition park;        // shown in the tooltip of Park
+    Angle beamWidth = 5_deg;  // half-power width of the antenna, drawn around the actual position
+    ThemeKind theme = ThemeKind::Day;
+};
+
+}  // namespace boresight::ui
