@@ -186,16 +186,21 @@ Event CommandParser::letter(unsigned char byte, std::string_view rest)
         m_binaryBytes += isBinary(byte) ? 1 : 0;
         return odd();
     }
-    if (spec->start == Start::UnlessGlued && !rest.empty() && !isBlank(rest.front())) {
+    return byLetter(*spec, rest);
+}
+
+Event CommandParser::byLetter(const CommandSpec& spec, std::string_view rest)
+{
+    if (spec.start == Start::UnlessGlued && !rest.empty() && !isBlank(rest.front())) {
         return odd();
     }
-    const bool waits = spec->start == Start::UnlessGlued && rest.empty() && m_doubtful;
-    if (waits || spec->start == Start::AfterItsWord) {
-        select(*spec, Spelling::Letter);
+    const bool waits = spec.start == Start::UnlessGlued && rest.empty() && m_doubtful;
+    if (waits || spec.start == Start::AfterItsWord) {
+        select(spec, Spelling::Letter);
         m_state = State::WordEnd;
         return Event::NeedMore;
     }
-    return begin(*spec, Spelling::Letter);
+    return begin(spec, Spelling::Letter);
 }
 
 Event CommandParser::name(std::string_view& input)

@@ -80,6 +80,7 @@ private:
     std::optional<Event> openLine(std::string_view& input);
     Event plus(std::string_view& input);
     Event letter(unsigned char byte, std::string_view rest);
+    Event byLetter(const CommandSpec& spec, std::string_view rest);
     Event name(std::string_view& input);
     Event argument(std::string_view& input);
     Event restOfLine(std::string_view& input);

@@ -30,7 +30,7 @@ struct DistanceAzimuth
     double azimuth = 0.0;  // whole degrees
 };
 
-// length 2…12 characters, an odd one rounds down.
+// length 2…13 characters, an odd one rounds down.
 [[nodiscard]] std::optional<std::string> toLocator(LongitudeLatitude place, int length);
 [[nodiscard]] std::optional<LongitudeLatitude> fromLocator(std::string_view locator);  // centre of the square
 

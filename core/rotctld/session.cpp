@@ -54,12 +54,7 @@ bool Session::step(std::string& reply)
         return false;
     }
     if (m_pausedUntil) {
-        if (m_clock.now() < *m_pausedUntil) {
-            return false;
-        }
-        m_pausedUntil.reset();
-        reply += m_pauseReply;
-        return true;
+        return resume(reply);
     }
     std::string_view rest = std::string_view(m_input).substr(m_taken);
     const Event event = m_parser.next(rest);
@@ -74,13 +69,28 @@ bool Session::step(std::string& reply)
             unknown(rest);
             break;
         case Event::Stranger:
-            m_ending = "is no rotctld client (" + std::string(m_parser.stranger()) + ")";
+            endAsStranger();
             break;
         case Event::TooLong:
             m_ending = "sent " + std::to_string(kMaxLineLength) + " bytes without a line end";
             break;
     }
     return true;
+}
+
+bool Session::resume(std::string& reply)
+{
+    if (m_clock.now() < *m_pausedUntil) {
+        return false;
+    }
+    m_pausedUntil.reset();
+    reply += m_pauseReply;
+    return true;
+}
+
+void Session::endAsStranger()
+{
+    m_ending = "is no rotctld client (" + std::string(m_parser.stranger()) + ")";
 }
 
 bool Session::inputTaken(std::string& reply)
@@ -110,21 +120,26 @@ void Session::run(std::string& reply)
     ReplyWriter writer(command, reply);
     const Result<> outcome = execute(command, writer);
     writer.finish(outcome);
-    if (outcome) {
-        m_oddInARow = 0;
-        m_program.observe(command);
-        if (paused()) {
-            m_pauseReply = reply.substr(before);
-            reply.resize(before);
-        }
+    if (!outcome) {
+        failed(outcome.error(), reply, before);
         return;
     }
-    if (outcome.error().code == ErrorCode::InvalidInput || outcome.error().code == ErrorCode::NotAvailable) {
-        odd("\"" + lastCommand() + "\" refused: " + printable(outcome.error().text));
+    m_oddInARow = 0;
+    m_program.observe(command);
+    if (paused()) {
+        m_pauseReply = reply.substr(before);
+        reply.resize(before);
+    }
+}
+
+void Session::failed(const Error& error, std::string& reply, std::size_t replyStart)
+{
+    if (error.code == ErrorCode::InvalidInput || error.code == ErrorCode::NotAvailable) {
+        odd("\"" + lastCommand() + "\" refused: " + printable(error.text));
     }
     if (m_parser.skipLine() == Event::Stranger) {
-        reply.resize(before);
-        m_ending = "is no rotctld client (" + std::string(m_parser.stranger()) + ")";
+        reply.resize(replyStart);
+        endAsStranger();
     }
 }
 

@@ -41,8 +41,11 @@ public:
     [[nodiscard]] std::uint64_t oddCommands() const { return m_oddCommands; }
 
 private:
+    bool resume(std::string& reply);
     bool inputTaken(std::string& reply);
     void run(std::string& reply);
+    void failed(const Error& error, std::string& reply, std::size_t replyStart);
+    void endAsStranger();
     Result<> execute(const Command& command, ReplyWriter& writer);
     Result<> pause(const Command& command);
     void unknown(std::string_view restOfLine);

@@ -13,7 +13,9 @@ TEST(Conversions, LocatorsOfPlacesAndBack)
     EXPECT_EQ(toLocator({.longitude = 500.0, .latitude = 100.0}, 6), "QB00AA");
     EXPECT_EQ(toLocator({.longitude = 180.0, .latitude = 90.0}, 6), "AA00AA");
     EXPECT_EQ(toLocator({.longitude = 9.5, .latitude = 50.1}, 3), "JO");
+    EXPECT_EQ(toLocator({.longitude = -82.6515, .latitude = 52.0}, 13), "EO82QA10TA60");
     EXPECT_EQ(toLocator({.longitude = 9.5, .latitude = 50.1}, 1), std::nullopt);
+    EXPECT_EQ(toLocator({.longitude = 9.5, .latitude = 50.1}, 14), std::nullopt);
     EXPECT_EQ(toLocator({.longitude = 1e9, .latitude = 50.1}, 6), std::nullopt);
     EXPECT_NEAR(fromLocator("JO22ab34")->longitude, 4.029167, 1e-6);
     EXPECT_NEAR(fromLocator("JO2")->longitude, 10.0, 1e-9);
