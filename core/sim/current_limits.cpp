@@ -11,6 +11,7 @@ namespace {
 constexpr double kTorqueTimesKv = 8.27;       // Nm/A · rpm/V, of a three-phase motor counted in peak phase current
 constexpr double kUncalibratedTorque = 0.1;   // Nm/A at the rotor
 constexpr double kUncalibratedCurrent = 5.0;  // A
+constexpr double kBridgeCurrent = 100.0;      // A the board can carry, whatever it is told
 constexpr double kModulation = 0.5;           // phase voltage over bus voltage that the bridge can make
 constexpr double kPowerFactor = 1.5;          // three phases counted in peak values
 
@@ -43,6 +44,7 @@ public:
 
     void toMagnitude(double most, ActiveLimit limit)
     {
+        most = std::max(most, 0.0);
         if (std::abs(m_current.amperes) > most) {
             m_current = {.amperes = std::copysign(most, m_current.amperes), .limit = limit};
         }
@@ -85,6 +87,17 @@ double voltagePerVelocity(const DriveConfig& config)
     return torquePerAmpere(config) * 2.0 * std::numbers::pi / kPowerFactor;
 }
 
+double brakeDamping(const DriveConfig& config)
+{
+    return torquePerAmpere(config) * voltagePerVelocity(config) / (config.motor.resistance * 2.0 * std::numbers::pi);
+}
+
+double motorPower(const DriveConfig& config, double qCurrent, double dCurrent, double velocity)
+{
+    const double mechanical = qCurrent * torquePerAmpere(config) * velocity * 2.0 * std::numbers::pi;
+    return mechanical + kPowerFactor * config.motor.resistance * (qCurrent * qCurrent + dCurrent * dCurrent);
+}
+
 double velocityLimitOfSupply(const DriveConfig& config, double busVoltage)
 {
     // 0.41 of the bus voltage over the back electromotive force, which is 34.6/Kv at the rotor (fact sheet, planner).
@@ -94,7 +107,8 @@ double velocityLimitOfSupply(const DriveConfig& config, double busVoltage)
 LimitedCurrent limitedCurrent(double wanted, const DriveConfig& config, const ElectricalState& state)
 {
     const ServoConfig& servo = config.servo;
-    Limiter limiter(wanted);
+    Limiter limiter(std::isfinite(wanted) ? wanted : 0.0);
+    limiter.toMagnitude(kBridgeCurrent, ActiveLimit::MaxCurrent);
     limitByMotion(limiter, config, state);
     limiter.toMagnitude(config.motor.kv > 0.0 ? servo.maxCurrent : kUncalibratedCurrent, ActiveLimit::MaxCurrent);
     limiter.toMagnitude(servo.maxCurrent * fade(state.fetTemperature, servo.faultTemperature - servo.temperatureMargin,
@@ -119,7 +133,8 @@ double fluxBrakeCurrent(const DriveConfig& config, double busVoltage)
 {
     const ServoConfig& servo = config.servo;
     const double over = busVoltage - (servo.maxVoltage - servo.fluxBrakeMarginVoltage);
-    return std::clamp(over / servo.fluxBrakeResistance, 0.0, servo.maxCurrent);
+    const double most = std::min(kBridgeCurrent, std::max(servo.maxCurrent, 0.0));
+    return over > 0.0 ? std::min(over / std::max(servo.fluxBrakeResistance, 1e-3), most) : 0.0;
 }
 
 }  // namespace boresight::sim

@@ -44,6 +44,12 @@ struct LimitedCurrent
 // Back electromotive force in V per turn/s of the output.
 [[nodiscard]] double voltagePerVelocity(const DriveConfig& config);
 
+// Nm/(rad/s) on the output with the phases shorted: the back electromotive force drives a current through the winding.
+[[nodiscard]] double brakeDamping(const DriveConfig& config);
+
+// W: what the motor turns into motion (negative while braking) and into heat in its winding.
+[[nodiscard]] double motorPower(const DriveConfig& config, double qCurrent, double dCurrent, double velocity);
+
 // The fastest control velocity the bus voltage can drive, turns/s of the output.
 [[nodiscard]] double velocityLimitOfSupply(const DriveConfig& config, double busVoltage);
 

@@ -4,6 +4,7 @@
 #include "core/base/numbers.h"
 #include "core/sim/reference_mount.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -83,9 +84,14 @@ struct FieldWriter
     double value;
 
     void operator()(double* field) const { *field = value; }
-    void operator()(int* field) const { *field = std::isnan(value) ? 0 : static_cast<int>(value); }
+    void operator()(int* field) const { *field = static_cast<int>(whole(-2147483648.0, 2147483647.0)); }
     void operator()(bool* field) const { *field = value != 0.0; }
-    void operator()(std::uint8_t* field) const { *field = static_cast<std::uint8_t>(value); }
+    void operator()(std::uint8_t* field) const { *field = static_cast<std::uint8_t>(whole(0.0, 255.0)); }
+
+    [[nodiscard]] double whole(double least, double most) const
+    {
+        return std::isnan(value) ? 0.0 : std::clamp(value, least, most);
+    }
 };
 
 }  // namespace

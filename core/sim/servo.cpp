@@ -209,17 +209,14 @@ void Servo::driveCurrent(double amperes, const ServoInputs& inputs, bool boundsA
         m_limit = ActiveLimit::FluxBraking;
     }
     const double squared = m_output.qCurrent * m_output.qCurrent + m_output.dCurrent * m_output.dCurrent;
-    const double mechanical = m_output.torque * inputs.velocity * 2.0 * std::numbers::pi;
-    m_output.power += mechanical + kPowerFactor * m_config.motor.resistance * squared;
+    m_output.power = motorPower(m_config, m_output.qCurrent, m_output.dCurrent, inputs.velocity);
     m_output.loss += kPowerFactor * kBoardResistance * squared;
 }
 
-// Shorted phases: the back electromotive force drives a current through the winding.
 void Servo::brake()
 {
     m_terms = {};
-    m_output.brakeDamping =
-        torquePerAmpere(m_config) * voltagePerVelocity(m_config) / (m_config.motor.resistance * 2.0 * std::numbers::pi);
+    m_output.braking = true;
 }
 
 }  // namespace boresight::sim

@@ -62,8 +62,8 @@ struct PidTerms
 
 struct ServoOutput
 {
-    double torque = 0.0;        // on the output
-    double brakeDamping = 0.0;  // Nm/(rad/s)
+    double torque = 0.0;   // on the output
+    bool braking = false;  // phases shorted
     double qCurrent = 0.0;
     double dCurrent = 0.0;
     double power = 0.0;  // electrical, negative while braking

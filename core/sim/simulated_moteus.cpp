@@ -22,6 +22,8 @@ SimulatedMoteus::SimulatedMoteus(const MoteusSettings& settings)
       m_config(settings.config),
       m_plant(settings.plant, settings.position)
 {
+    m_machine.motor = settings.motor;
+    m_machine.motorPosition.rotorToOutputRatio = 1.0 / settings.gearRatio;
     powerUp();
     if (settings.referenced) {
         m_encoder->setNearest(settings.position);
@@ -68,7 +70,7 @@ void SimulatedMoteus::step(double dt, const Surroundings& surroundings)
         m_inputs.persistentFault = surroundings.persistentFault;
         const ServoOutput& output = m_servo->step(dt, m_inputs);
         loads.driveTorque = outputTorque();
-        loads.brakeDamping = output.brakeDamping * outputPerAxis() * outputPerAxis();
+        loads.brakeDamping = output.braking ? brakeDamping(m_machine) : 0.0;
         m_console.advance(dt);
     }
     m_board.step(dt, m_powered ? m_servo->output().loss : 0.0);
@@ -173,9 +175,10 @@ void SimulatedMoteus::requireReindex()
     m_servo->shiftFrame(m_encoder->position() - before);
 }
 
-double SimulatedMoteus::outputPerAxis() const
+// The drive counts and pushes in the sense of its output sign.
+double SimulatedMoteus::motorCurrent() const
 {
-    return m_config.motorPosition.rotorToOutputRatio * m_settings.gearRatio * m_config.motorPosition.outputSign;
+    return m_powered ? m_servo->output().qCurrent * m_config.motorPosition.outputSign : 0.0;
 }
 
 double SimulatedMoteus::reportedPosition() const
@@ -185,12 +188,16 @@ double SimulatedMoteus::reportedPosition() const
 
 double SimulatedMoteus::outputTorque() const
 {
-    return m_powered ? m_servo->output().torque * outputPerAxis() : 0.0;
+    return motorCurrent() * torquePerAmpere(m_machine);
 }
 
 double SimulatedMoteus::supplyPower() const
 {
-    return m_powered ? m_servo->output().power + m_servo->output().loss : 0.0;
+    if (!m_powered) {
+        return 0.0;
+    }
+    const ServoOutput& output = m_servo->output();
+    return motorPower(m_machine, motorCurrent(), output.dCurrent, m_plant.velocity()) + output.loss;
 }
 
 }  // namespace boresight::sim

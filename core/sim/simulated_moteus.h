@@ -19,6 +19,7 @@ namespace boresight::sim {
 struct MoteusSettings
 {
     DriveConfig config{};  // as written in its memory
+    MotorConfig motor{};   // as built, whatever the configuration says of it
     PlantSettings plant{};
     double position = 0.0;     // of the axis, turns of the gearbox output
     double gearRatio = 100.0;  // turns of the rotor per turn of the output
@@ -88,7 +89,7 @@ private:
 
     void powerUp();
     void sampleEncoder();
-    [[nodiscard]] double outputPerAxis() const;  // turns the drive counts per turn of the gearbox output
+    [[nodiscard]] double motorCurrent() const;  // A, towards positive turns of the rotor
     [[nodiscard]] std::optional<double> readMeasured(moteus::Register reg) const;
     [[nodiscard]] std::optional<double> readControl(moteus::Register reg) const;
     [[nodiscard]] std::optional<double> readIdentity(moteus::Register reg) const;
@@ -96,7 +97,8 @@ private:
     [[nodiscard]] std::vector<ArchiveField> servoStats() const;
 
     MoteusSettings m_settings;
-    DriveConfig m_stored;  // survives without power
+    DriveConfig m_machine;  // motor and gear as they are
+    DriveConfig m_stored;   // survives without power
     DriveConfig m_config;
     AxisPlant m_plant;
     BoardTemperature m_board;

@@ -30,7 +30,9 @@ protected:
             inputs.position = plant.position();
             inputs.velocity = plant.velocity();
             const ServoOutput& out = servo.step(kStep, inputs);
-            plant.step(kStep, {.driveTorque = out.torque, .brakeDamping = out.brakeDamping, .windTorque = wind});
+            plant.step(kStep, {.driveTorque = out.torque,
+                               .brakeDamping = out.braking ? brakeDamping(config) : 0.0,
+                               .windTorque = wind});
             lowestPower = std::min(lowestPower, out.power);
         }
     }
@@ -119,7 +121,7 @@ TEST_F(ServoOnPlant, TimeoutModeBrakeDampsButDoesNotHold)
     run(1.0);
     EXPECT_GT(plant.position(), start);
     // Terminal speed: what gravity leaves over friction, divided by the damping of the shorted motor.
-    const double expected = (30.0 * std::cos(std::numbers::pi / 4.0) - 5.5) / (servo.output().brakeDamping + 5.0);
+    const double expected = (30.0 * std::cos(std::numbers::pi / 4.0) - 5.5) / (brakeDamping(config) + 5.0);
     EXPECT_NEAR(plant.velocity() * 2.0 * std::numbers::pi, expected, 0.2 * expected);
 }
 

@@ -7,7 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <random>
+#include <string>
+#include <vector>
 
 namespace boresight::sim {
 namespace {
@@ -182,6 +186,40 @@ TEST_F(SimulatedMoteusTest, OverloadHeatsTheBoard)
     }
     EXPECT_EQ(drive.servo().faultCode(), static_cast<int>(ActiveLimit::FetTemperature));
     EXPECT_GT(drive.readRegister(Register::Temperature), 50.0);
+}
+
+// Whatever somebody writes into its configuration or sends: the drive keeps answering and the mount stays a mount.
+TEST_F(SimulatedMoteusTest, SurvivesAnyConfigurationAndAnyBytes)
+{
+    std::minstd_rand random(7);
+    const auto pick = [&](std::size_t count) { return static_cast<std::size_t>(random()) % count; };
+    std::vector<std::string> keys;
+    DriveConfig listed;
+    visitFields(listed, [&](std::string_view key, const ConfigField&) {
+        if (!key.starts_with("can.")) {  // a drive with another prefix no longer hears us
+            keys.emplace_back(key);
+        }
+    });
+    const std::array<const char*, 10> values{"0",     "-1", "nan", "1e30", "-1e30",
+                                             "1e-30", "12", "0.3", "x",    "4294967296"};
+    for (int round = 0; round < 3000; ++round) {
+        const std::string line = "conf set " + keys[pick(keys.size())] + " " + values[pick(values.size())] + "\n";
+        drive.receiveText(1, {reinterpret_cast<const std::uint8_t*>(line.data()), line.size()});
+        drive.dropText(1, drive.pendingText(1).size());
+        CanFrame frame{.id = 0x807f, .extended = true};
+        frame.size = kMaxCanPayload;
+        for (std::uint8_t& byte : frame.data) {
+            byte = static_cast<std::uint8_t>(random());
+        }
+        (void)drive.exchange(frame, 0.0);
+        ask("0100000b207f80ff", 0x7f);
+        run(0.003);
+        ask(pick(2) == 0 ? "01000a" : "01000a0e207fc00000cdcccc3d", 0x7f);
+        run(0.02);
+        ASSERT_TRUE(std::isfinite(drive.plant().position())) << line;
+        ASSERT_TRUE(std::isfinite(drive.plant().loadPosition())) << line;
+        ASSERT_TRUE(std::isfinite(drive.supplyPower())) << line;
+    }
 }
 
 }  // namespace
