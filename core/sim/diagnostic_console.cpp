@@ -47,7 +47,7 @@ void DiagnosticConsole::advance(double dt)
         channel.elapsed += dt;
         if (channel.elapsed >= channel.period && m_output.size() < kMostPending) {
             channel.elapsed = 0.0;
-            m_output += emit(name);
+            m_output += report(name);
         }
     }
 }
@@ -124,7 +124,7 @@ std::string DiagnosticConsole::telFormat(std::string_view command, std::string_v
         return "schema " + name + "\r\n" + lengthBytes(schema.size()) + schema;
     }
     if (command == "get") {
-        const std::string data = emit(name);
+        const std::string data = report(name);
         return m_channels[name].text ? data + std::string(kOk) : data;
     }
     const double value = parseFinite(takeWord(rest)).value_or(0.0);
@@ -136,7 +136,7 @@ std::string DiagnosticConsole::telFormat(std::string_view command, std::string_v
     return std::string(kOk);
 }
 
-std::string DiagnosticConsole::emit(const std::string& name)
+std::string DiagnosticConsole::report(const std::string& name)
 {
     const std::vector<ArchiveField> fields = m_device.telemetry(name);
     const auto channel = m_channels.find(name);

@@ -36,7 +36,7 @@ private:
     void execute(std::string_view line);
     [[nodiscard]] std::string tel(std::string_view command, std::string_view rest);
     [[nodiscard]] std::string telFormat(std::string_view command, std::string_view rest);
-    [[nodiscard]] std::string emit(const std::string& name);
+    [[nodiscard]] std::string report(const std::string& name);
 
     ConsoleDevice& m_device;
     std::string m_input;
