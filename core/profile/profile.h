@@ -92,11 +92,19 @@ struct ListenAddress
     bool operator==(const ListenAddress&) const = default;
 };
 
+// The answer to \dump_state, which a Hamlib client reads when it connects.
+enum class DumpState
+{
+    OldAndNew,  // read by Hamlib 4.0 to today's
+    AsHamlib    // byte for byte as Hamlib 4.5.1 and later; older clients then refuse every target
+};
+
 struct RotctldSettings
 {
     ListenAddress listen;
     OutsideLimits outsideLimits = OutsideLimits::Nearest;
     AzimuthConvention azimuth = AzimuthConvention::ZeroTo360;
+    DumpState dumpState = DumpState::OldAndNew;
     int maxClients = 600;
 
     bool operator==(const RotctldSettings&) const = default;

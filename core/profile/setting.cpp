@@ -145,6 +145,11 @@ void addOperation(std::vector<Setting>& list)
         "rotctld.azimuth", {"0..360", "-180..180", "continuous"}, Applies::Now,
         "How clients are told the azimuth; \"continuous\" is the mechanical angle.",
         [](auto& p) -> auto& { return p.rotctld.azimuth; }));
+    list.push_back(choice(
+        "rotctld.dump_state", {"old_and_new", "as_hamlib"}, Applies::OnReconnect,
+        "Form of the \\dump_state reply: readable for Hamlib clients of every age, or exactly as Hamlib 4.5.1 and "
+        "later.",
+        [](auto& p) -> auto& { return p.rotctld.dumpState; }));
     list.push_back(integer(
         "rotctld.max_clients", "", {1, 5000}, Applies::Now, "Connections served at the same time.",
         [](auto& p) -> auto& { return p.rotctld.maxClients; }));

@@ -22,7 +22,9 @@ rotctld::ServerSettings serverSettings(const profile::RotctldSettings& settings)
 {
     return {.host = settings.listen.host,
             .port = settings.listen.port,
-            .maxClients = static_cast<std::size_t>(settings.maxClients)};
+            .maxClients = static_cast<std::size_t>(settings.maxClients),
+            .dumpState = settings.dumpState == profile::DumpState::AsHamlib ? rotctld::DumpStateForm::AsHamlib
+                                                                            : rotctld::DumpStateForm::OldAndNew};
 }
 
 }  // namespace

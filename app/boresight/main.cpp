@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// boresight: the desktop program. The window on this thread, the station on its own.
+#include "app/options.h"
+#include "app/station_thread.h"
+#include "app/unix_signals.h"
+#include "core/base/version.h"
+#include "core/station/link_factory.h"
+#include "ui/main_window.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QSettings>
+
+#include <cstdio>
+
+namespace {
+
+using namespace boresight;
+
+const QString kThemeKey = QStringLiteral("theme");
+const QString kGeometryKey = QStringLiteral("geometry");
+
+int complain(const std::string& text)
+{
+    std::fprintf(stderr, "boresight: %s\n", text.c_str());
+    return 2;
+}
+
+ui::WindowSettings windowSettings(const profile::Profile& profile, const QSettings& layout)
+{
+    return {.slow = profile.jog.slow,
+            .normal = profile.jog.normal,
+            .fast = profile.jog.fast,
+            .park = profile.park,
+            .beamWidth = profile.mount.beamWidth,
+            .theme = static_cast<ui::ThemeKind>(layout.value(kThemeKey, 0).toInt())};
+}
+
+// What the start costs, for tests/bench: from main() to the first picture with a live status in it.
+void reportStart(const QElapsedTimer& sinceStart, ui::MainWindow& window)
+{
+    if (!qEnvironmentVariableIsSet("BORESIGHT_STARTUP_TIMING")) {
+        return;
+    }
+    QObject::connect(
+        &window, &ui::MainWindow::updateShown, &window,
+        [sinceStart] {
+            std::fprintf(stderr, "first picture after %lld ms\n", static_cast<long long>(sinceStart.elapsed()));
+        },
+        static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
+}
+
+void connectWindow(ui::MainWindow& window, app::StationThread& station, QSettings& layout)
+{
+    QObject::connect(&window, &ui::MainWindow::requested, &station, &app::StationThread::requested);
+    QObject::connect(&window, &ui::MainWindow::updateShown, &station, &app::StationThread::updateTaken);
+    QObject::connect(&station, &app::StationThread::updated, &window, &ui::MainWindow::showUpdate);
+    QObject::connect(&window, &ui::MainWindow::closeRequested, &station, &app::StationThread::shutDownRequested);
+    QObject::connect(&station, &app::StationThread::finished, &window, [&window, &layout] {
+        layout.setValue(kGeometryKey, window.saveGeometry());
+        window.closeNow();
+    });
+    QObject::connect(&window, &ui::MainWindow::themeChanged, &window,
+                     [&layout](ui::ThemeKind theme) { layout.setValue(kThemeKey, static_cast<int>(theme)); });
+}
+
+int run(QApplication& application, const app::Options& options, const QElapsedTimer& sinceStart)
+{
+    const SystemClock clock;
+    auto link = makeLink(options.profile.bus, clock);
+    if (!link) {
+        return complain(link.error().text);
+    }
+    app::StationThread station(std::make_unique<Station>(options.profile, std::move(*link), options.stateDir, clock));
+    QSettings layout(options.stateDir + QStringLiteral("/window.ini"), QSettings::IniFormat);
+    ui::MainWindow window(clock, windowSettings(options.profile, layout));
+    window.restoreGeometry(layout.value(kGeometryKey).toByteArray());
+    connectWindow(window, station, layout);
+    app::UnixSignals signals;
+    QObject::connect(&signals, &app::UnixSignals::endRequested, &station, &app::StationThread::shutDownRequested);
+    reportStart(sinceStart, window);
+    station.start();
+    window.show();
+    return application.exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    QElapsedTimer sinceStart;
+    sinceStart.start();
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("boresight"));
+    QApplication::setApplicationDisplayName(QStringLiteral("Boresight"));
+    QApplication::setApplicationVersion(QString::fromUtf8(kVersion.data(), kVersion.size()));
+    QApplication::setDesktopFileName(QStringLiteral("boresight"));
+    const auto options =
+        app::readOptions(application.arguments(), QStringLiteral("Controls a ground-station antenna mount."));
+    return options ? run(application, *options, sinceStart) : complain(options.error().text);
+}
