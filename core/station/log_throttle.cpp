@@ -12,7 +12,7 @@ void LogThrottle::add(Severity severity, const QString& source, const QString& t
     }
     const QString line = source + QLatin1Char(' ') + text;
     const bool repeated = line == m_lastLine && now - m_lastTime < kRepeat;
-    if (repeated || m_inSecond >= kBurst) {
+    if (repeated || m_inSecond >= m_burst) {
         ++m_leftOut;
         return;
     }

@@ -7,23 +7,23 @@
 #include <QString>
 
 // Lines that somebody outside can cause at will - connections, refused commands - must not flood the log: each source's
-// repeated line is written once in kRepeat, and no more than kBurst lines a second in all; what was left out is counted
-// in the next line. Station thread only.
+// repeated line is written once in kRepeat, and no more than `burst` lines a second in all; what was left out is
+// counted in the next line. Station thread only.
 namespace boresight {
 
 class LogThrottle
 {
 public:
     static constexpr std::chrono::seconds kRepeat{10};
-    static constexpr int kBurst = 10;
 
-    LogThrottle(EventLog& log, const Clock& clock) : m_log(log), m_clock(clock) {}
+    LogThrottle(EventLog& log, const Clock& clock, int burst) : m_log(log), m_clock(clock), m_burst(burst) {}
 
     void add(Severity severity, const QString& source, const QString& text);
 
 private:
     EventLog& m_log;
     const Clock& m_clock;
+    int m_burst;
     QString m_lastLine;
     SteadyTime m_lastTime{};
     SteadyTime m_second{};

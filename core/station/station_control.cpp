@@ -3,6 +3,8 @@
 
 #include "core/base/numbers.h"
 
+#include <algorithm>
+
 namespace boresight {
 namespace {
 
@@ -152,6 +154,11 @@ Result<> StationControl::handle(const request::PointSky& wanted, const Source& s
         }
         if (resolved.limited) {
             return failure(ErrorCode::OutOfRange, resolved.reason);
+        }
+        if (const Angle top = std::max(90_deg, m_model.elevation().travel.max); wanted.direction.elevation > top) {
+            // To a client 95° is the equal direction behind the zenith; an operator who types it has slipped.
+            return failure(ErrorCode::OutOfRange, "elevation " + degreesText(wanted.direction.elevation).toStdString() +
+                                                      " above limit " + degreesText(top).toStdString());
         }
         return goTo(resolved.position, Activity::Pointing, source, QStringLiteral("go to ") + text(wanted.direction));
     });

@@ -13,6 +13,9 @@ namespace {
 constexpr Angle kLimitTolerance = Angle::fromDegrees(1e-4);
 constexpr int kFastestSpeed = 100;
 constexpr int kFastestLevel = 4;
+// A tracking client sends one target a second; what is more would only push the rest out of the log.
+constexpr int kCommandsPerSecond = 2;
+constexpr int kRemarksPerSecond = 10;
 
 std::string degreesText(Angle angle)
 {
@@ -50,7 +53,10 @@ Source clientSource(const rotctld::Client& client)
 
 StationRotator::StationRotator(StationControl& control, const profile::Profile& profile, EventLog& log,
                                const Clock& clock)
-    : m_control(control), m_profile(profile), m_remarks(log, clock)
+    : m_control(control),
+      m_profile(profile),
+      m_remarks(log, clock, kRemarksPerSecond),
+      m_commands(log, clock, kCommandsPerSecond)
 {}
 
 std::string StationRotator::info() const
@@ -190,7 +196,9 @@ Result<> StationRotator::setSpeedLevel(const rotctld::Client&, int level)
 Result<> StationRotator::ask(const rotctld::Client& client, const Request& request, const QString& command)
 {
     Result<> answer = m_control.request(request, clientSource(client));
-    if (!answer) {
+    if (answer) {
+        m_commands.add(Severity::Advisory, clientSource(client).name, command + QStringLiteral(" accepted"));
+    } else {
         logRefusal(client, command, answer.error());
     }
     return answer;

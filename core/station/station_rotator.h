@@ -40,8 +40,9 @@ private:
 
     StationControl& m_control;
     profile::Profile m_profile;
-    int m_speedLevel = 2;   // of 1…4, as Hamlib's dummy starts
-    LogThrottle m_remarks;  // lines that clients can cause at will
+    int m_speedLevel = 2;    // of 1…4, as Hamlib's dummy starts
+    LogThrottle m_remarks;   // connections, refusals: lines that clients can cause at will
+    LogThrottle m_commands;  // accepted commands
 };
 
 // How a client is named in the log and as a commander.

@@ -151,6 +151,17 @@ TEST(StationControl, TheOperatorIsRefusedWhatIsOutside)
     EXPECT_FALSE(rig.ask(request::PointAxes{{.azimuth = 451_deg, .elevation = 0_deg}}));
 }
 
+// Story: an operator typed 95, meaning 9.5, and the mount turned by 180° to the equal direction at 85°.
+TEST(StationControl, TheOperatorIsNotSentOverTheTop)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    const auto answer = rig.point(10.0, 95.0, kOperator);
+    ASSERT_FALSE(answer);
+    EXPECT_EQ(answer.error().text, "elevation 95.00° above limit 90.00°");
+    EXPECT_TRUE(rig.point(10.0, 95.0, kClient)) << "to a client it is a direction";
+}
+
 TEST(StationControl, AClientGetsTheNearestPermittedPoint)
 {
     StationRig rig;

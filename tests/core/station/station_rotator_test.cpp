@@ -78,6 +78,20 @@ TEST(StationRotator, MoveRunsAtAShareOfTheFastestJogRate)
     EXPECT_FALSE(rig.rotator.motion().movingRight);
 }
 
+TEST(StationRotator, TheLogTellsWhatAClientSentButNotEveryRepetition)
+{
+    RotatorRig rig;
+    for (int i = 0; i < 100; ++i) {
+        ASSERT_TRUE(rig.pointTo(20.0, 20.0));
+    }
+    EXPECT_EQ(rig.lastLog(), "P 20.00 20.00 accepted");
+    const std::uint64_t before = rig.log.lastNumber();
+    for (int i = 0; i < 1000; ++i) {
+        ASSERT_TRUE(rig.pointTo(20.0 + 0.01 * i, 20.0));
+    }
+    EXPECT_LE(rig.log.lastNumber() - before, 3U);
+}
+
 TEST(StationRotator, ResetRearmsAfterAFaultAndIsHarmlessElse)
 {
     RotatorRig rig;
