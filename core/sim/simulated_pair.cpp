@@ -162,7 +162,8 @@ std::vector<PairReply> SimulatedPair::exchange(const CanFrame& frame, Seconds no
         }
     }
     if (replies.size() == 2 && replies[0].frame.id == replies[1].frame.id) {
-        return {};  // two with one id answer together and destroy each other's frames
+        // Two with one id answer together: different bits destroy each other, the same bits are one frame.
+        replies.resize(replies[0].frame == replies[1].frame ? 1 : 0);
     }
     std::ranges::sort(replies, arbitratesBefore);
     return replies;

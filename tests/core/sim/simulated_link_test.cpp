@@ -406,6 +406,11 @@ TEST_F(SimulatedLinkTest, FactoryPairCollidesUntilAddressedByUuid)
     ASSERT_TRUE(other.send(std::span(&plain, 1)));
     other.deliver();
     EXPECT_TRUE(received.empty());
+    const CanFrame isAnybodyThere = encoded({.destination = 1});
+    ASSERT_TRUE(other.send(std::span(&isAnybodyThere, 1)));
+    other.deliver();
+    ASSERT_EQ(received.size(), 1u) << "two empty answers are the same bits";
+    received.clear();
     const moteus::Uuid uuid{0x65726f62, 0x68676973, 0x69732074, 0x3230206d};  // "boresight sim 02"
     const CanFrame masked = encoded(
         {.destination = moteus::kBroadcastId, .uuid = moteus::UuidMask{.uuid = uuid}, .query = moteus::basicQuery()});
