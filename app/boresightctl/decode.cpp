@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/subcommand.h"
+#include "core/base/hex.h"
+#include "core/base/numbers.h"
+#include "core/base/result.h"
+#include "core/can/bus_frame.h"
+#include "core/moteus/describe.h"
+
+#include <algorithm>
+
+namespace boresight::ctl {
+namespace {
+
+Result<std::uint32_t> readId(std::string_view text)
+{
+    const bool prefixed = text.starts_with("0x") || text.starts_with("0X");
+    const std::optional<std::int64_t> id = parseInteger(prefixed ? text.substr(2) : text, 16);
+    if (!id) {
+        return failure(ErrorCode::InvalidInput,
+                       '"' + std::string(text) + "\" is no CAN identifier: expected hexadecimal like 8001 or 0x8001");
+    }
+    if (*id < 0 || *id > kMaxExtendedId) {
+        return failure(ErrorCode::OutOfRange,
+                       "identifier " + std::string(text) + " is outside 0…1fffffff: a CAN identifier has 29 bits");
+    }
+    return static_cast<std::uint32_t>(*id);
+}
+
+Result<std::vector<std::uint8_t>> readBytes(const std::string& digits)
+{
+    const auto* const isDigit = "0123456789abcdefABCDEF";
+    if (const std::size_t bad = digits.find_first_not_of(isDigit); bad != std::string::npos) {
+        return failure(ErrorCode::InvalidInput, "'" + digits.substr(bad, 1) + "' at place " + std::to_string(bad + 1) +
+                                                    " of the data is no hexadecimal digit");
+    }
+    const auto bytes = parseHex(digits);
+    if (!bytes) {
+        return failure(ErrorCode::InvalidInput,
+                       "the data has " + std::to_string(digits.size()) + " digits, an odd number: a byte has two");
+    }
+    if (bytes->size() > kMaxCanPayload) {
+        return failure(ErrorCode::OutOfRange,
+                       "the data has " + std::to_string(bytes->size()) + " bytes: a CAN-FD frame carries 64 at most");
+    }
+    return *bytes;
+}
+
+// The data may come in pieces, as logs show it: "11 00 1f" in one argument or in three.
+Result<CanFrame> readFrame(Arguments arguments)
+{
+    std::string digits;
+    for (const std::string& piece : arguments.subspan(1)) {
+        digits += piece;
+    }
+    std::erase(digits, ' ');
+    return readId(arguments.front()).and_then([&](std::uint32_t id) {
+        return readBytes(digits).map([&](const std::vector<std::uint8_t>& bytes) {
+            CanFrame frame{.id = id, .extended = id > kMaxStandardId};
+            frame.setPayload(bytes);
+            return frame;
+        });
+    });
+}
+
+ExitStatus run(Arguments arguments)
+{
+    if (arguments.empty()) {
+        return usageError(kDecodeCommand, "which frame? Give its identifier and its data");
+    }
+    const Result<CanFrame> frame = readFrame(arguments);
+    if (!frame) {
+        return usageError(kDecodeCommand, frame.error().text);
+    }
+    print(moteus::describe(*frame));
+    return kDone;
+}
+
+}  // namespace
+
+const Subcommand kDecodeCommand{
+    .name = "decode",
+    .arguments = "ID [HEX …]",
+    .summary = "Say in words what a frame of the moteus protocol asks or answers",
+    .details = R"(ID is the CAN identifier in hexadecimal, with or without 0x; HEX the data, with or without blanks.
+The first line tells who speaks to whom, then one line for every register, error, tunnel packet and run of padding.
+
+Example:
+  boresightctl decode 8001 01 00 0a 0e 20 00 00 80 3e 00 00 00 00 11 00 1f 01
+)",
+    .run = run};
+
+}  // namespace boresight::ctl

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/injection_option.h"
+
+#include "core/base/numbers.h"
+#include "core/moteus/faults.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace boresight::ctl {
+namespace {
+
+using sim::FaultKind;
+using sim::Injection;
+
+constexpr auto kNeeded = NeedOfValue::Needed;
+constexpr auto kOptional = NeedOfValue::Optional;
+
+constexpr std::array<InjectionOption, 16> kOptions{{
+    {.name = "silence", .kind = FaultKind::Silence, .text = "receives and acts, but answers nothing"},
+    {.name = "late",
+     .kind = FaultKind::LateReply,
+     .need = kNeeded,
+     .value = "TIME",
+     .unit = "s",
+     .max = 10.0,
+     .text = "answers # late"},
+    {.name = "lose",
+     .kind = FaultKind::LostReply,
+     .need = kNeeded,
+     .value = "P",
+     .max = 1.0,
+     .text = "its answers get lost with probability #"},
+    {.name = "lose-command",
+     .kind = FaultKind::LostCommand,
+     .need = kNeeded,
+     .value = "P",
+     .max = 1.0,
+     .text = "does not hear a frame with probability # (1 is a cut cable)"},
+    {.name = "corrupt",
+     .kind = FaultKind::CorruptLine,
+     .need = kNeeded,
+     .value = "P",
+     .max = 1.0,
+     .text = "its answers are damaged with probability #"},
+    {.name = "duplicate-id", .kind = FaultKind::DuplicateId, .text = "has the id of the other drive"},
+    {.name = "fault",
+     .kind = FaultKind::DriveFault,
+     .need = kNeeded,
+     .value = "CODE",
+     .min = 1.0,
+     .max = 255.0,
+     .whole = true,
+     .text = "drive fault #"},
+    {.name = "wind",
+     .kind = FaultKind::Wind,
+     .need = kNeeded,
+     .value = "TORQUE",
+     .unit = "Nm",
+     .min = -10000.0,
+     .max = 10000.0,
+     .text = "wind of # towards larger angles"},
+    {.name = "jam",
+     .kind = FaultKind::Jam,
+     .need = kNeeded,
+     .value = "DEGREES",
+     .unit = "deg",
+     .min = -720.0,
+     .max = 720.0,
+     .text = "something is in the way at #"},
+    {.name = "stall", .kind = FaultKind::Stall, .text = "blocked where it is"},
+    {.name = "register-map",
+     .kind = FaultKind::RegisterMap,
+     .need = kNeeded,
+     .value = "VERSION",
+     .max = 1000.0,
+     .whole = true,
+     .text = "tells register map version #"},
+    {.name = "power-loss",
+     .kind = FaultKind::PowerLoss,
+     .need = kOptional,
+     .value = "DEGREES",
+     .unit = "deg",
+     .min = -720.0,
+     .max = 720.0,
+     .text = "the mount has no power; by hand it is turned to #"},
+    {.name = "supply",
+     .kind = FaultKind::SupplyVoltage,
+     .need = kNeeded,
+     .value = "VOLTAGE",
+     .unit = "V",
+     .max = 60.0,
+     .takesAxis = false,
+     .text = "the supply has #"},
+    {.name = "missing-ok",
+     .kind = FaultKind::MissingOk,
+     .takesAxis = false,
+     .ofAdapter = true,
+     .text = "the adapter acknowledges nothing"},
+    {.name = "adapter-error",
+     .kind = FaultKind::AdapterError,
+     .takesAxis = false,
+     .ofAdapter = true,
+     .text = "the adapter answers ERR and sends nothing"},
+    {.name = "bus-off",
+     .kind = FaultKind::BusOff,
+     .takesAxis = false,
+     .ofAdapter = true,
+     .text = "the adapter is off the bus"},
+}};
+
+std::string arguments(const InjectionOption& option)
+{
+    const std::string axis = option.takesAxis ? "[AXIS]" : "";
+    const std::string axisBefore = option.takesAxis ? "[AXIS:]" : "";
+    const std::string times = "[@START][+DURATION]";
+    switch (option.need) {
+        case NeedOfValue::None:
+            return axis + times;
+        case NeedOfValue::Optional:
+            return axis + "[:" + std::string(option.value) + ']' + times;
+        case NeedOfValue::Needed:
+            break;
+    }
+    return axisBefore + std::string(option.value) + times;
+}
+
+constexpr double kLongestTime = 86400.0;  // s
+
+// "5", "5s", "500ms", up to a day.
+std::optional<double> readTime(std::string_view text)
+{
+    double factor = 1.0;
+    if (text.ends_with("ms")) {
+        factor = 1.0e-3;
+        text.remove_suffix(2);
+    } else if (text.ends_with('s')) {
+        text.remove_suffix(1);
+    }
+    const std::optional<double> number = parseFinite(text);
+    const bool isTime = number && *number >= 0.0 && *number * factor <= kLongestTime;
+    return isTime ? std::optional(*number * factor) : std::nullopt;
+}
+
+std::optional<double> readNumber(const InjectionOption& option, std::string_view text)
+{
+    if (option.unit == "s") {
+        return readTime(text);
+    }
+    if (!option.unit.empty() && text.ends_with(option.unit)) {
+        text.remove_suffix(option.unit.size());
+    }
+    return parseFinite(text);
+}
+
+std::string numberText(double value)
+{
+    std::string text = formatFixed(value, 3);
+    text.erase(text.find_last_not_of('0') + 1);
+    return text.ends_with('.') ? text.substr(0, text.size() - 1) : text;
+}
+
+// The text in its parts: az : 30 @ 5 + 3.
+struct Parts
+{
+    std::optional<Axis> axis{};
+    std::string_view value;
+    std::optional<std::string_view> start{};
+    std::optional<std::string_view> duration{};
+};
+
+Parts split(std::string_view text)
+{
+    Parts parts;
+    if (const std::size_t plus = text.find('+'); plus != std::string_view::npos) {
+        parts.duration = text.substr(plus + 1);
+        text = text.substr(0, plus);
+    }
+    if (const std::size_t at = text.find('@'); at != std::string_view::npos) {
+        parts.start = text.substr(at + 1);
+        text = text.substr(0, at);
+    }
+    const std::string_view head = text.substr(0, text.find(':'));
+    if (head == "az" || head == "el") {
+        parts.axis = head == "az" ? Axis::Azimuth : Axis::Elevation;
+        text.remove_prefix(std::min(head.size() + 1, text.size()));
+    }
+    parts.value = text;
+    return parts;
+}
+
+// What is wrong with the parts; each check leaves its result in the injection. Empty: nothing.
+std::string takeAxis(const InjectionOption& option, const Parts& parts, Injection& injection)
+{
+    injection.axis = parts.axis;
+    return parts.axis && !option.takesAxis ? "concerns both axes, none can be named" : "";
+}
+
+std::string takeValue(const InjectionOption& option, const Parts& parts, Injection& injection)
+{
+    const std::string text(parts.value);
+    if (text.empty()) {
+        return option.need == kNeeded ? "the value is missing" : "";
+    }
+    if (option.need == NeedOfValue::None) {
+        return '"' + text + "\" is no axis (az or el), and there is no value to give";
+    }
+    injection.value = readNumber(option, text);
+    if (!injection.value) {
+        return '"' + text + "\" is no " + std::string(option.unit == "s" ? "time" : "number");
+    }
+    if (*injection.value < option.min || *injection.value > option.max ||
+        (option.whole && std::trunc(*injection.value) != *injection.value)) {
+        return text + " is outside " + numberText(option.min) + "…" + numberText(option.max) +
+               (option.whole ? " or no whole number" : "");
+    }
+    return "";
+}
+
+std::string takeTimes(const Parts& parts, Injection& injection)
+{
+    if (parts.start) {
+        const std::optional<double> start = readTime(*parts.start);
+        if (!start) {
+            return "the start \"" + std::string(*parts.start) + "\" is no time";
+        }
+        injection.at = Seconds(*start);
+    }
+    if (parts.duration) {
+        const std::optional<double> duration = readTime(*parts.duration);
+        if (!duration || *duration == 0.0) {
+            return "the duration \"" + std::string(*parts.duration) + "\" is no time above 0";
+        }
+        injection.duration = Seconds(*duration);
+    }
+    return "";
+}
+
+// As it stands behind a number.
+std::string unitText(const InjectionOption& option)
+{
+    if (option.unit.empty()) {
+        return "";
+    }
+    return option.unit == "deg" ? "°" : ' ' + std::string(option.unit);
+}
+
+std::string whom(const InjectionOption& option, const Injection& injection)
+{
+    if (!option.takesAxis || option.kind == FaultKind::PowerLoss) {
+        return "";
+    }
+    if (!injection.axis) {
+        return "both axes: ";
+    }
+    return injection.axis == Axis::Azimuth ? "azimuth: " : "elevation: ";
+}
+
+const InjectionOption& optionOf(FaultKind kind)
+{
+    return *std::ranges::find(kOptions, kind, &InjectionOption::kind);
+}
+
+}  // namespace
+
+bool isOfAdapter(FaultKind kind)
+{
+    return optionOf(kind).ofAdapter;
+}
+
+const InjectionOption* findInjectionOption(std::string_view name)
+{
+    const auto* const found = std::ranges::find(kOptions, name, &InjectionOption::name);
+    return found != kOptions.end() ? found : nullptr;
+}
+
+Result<Injection> parseInjection(const InjectionOption& option, std::string_view text)
+{
+    const Parts parts = split(text);
+    Injection injection{.kind = option.kind};
+    std::string problem = takeAxis(option, parts, injection);
+    if (problem.empty()) {
+        problem = takeValue(option, parts, injection);
+    }
+    if (problem.empty()) {
+        problem = takeTimes(parts, injection);
+    }
+    if (!problem.empty()) {
+        return failure(ErrorCode::InvalidInput, "--" + std::string(option.name) + ' ' + std::string(text) + ": " +
+                                                    problem + "; expected " + arguments(option));
+    }
+    if (option.kind == FaultKind::DuplicateId && !injection.axis) {
+        injection.axis = Axis::Elevation;  // both with the other's id would be two different ids again
+    }
+    return injection;
+}
+
+std::string describe(const Injection& injection)
+{
+    const InjectionOption& option = optionOf(injection.kind);
+    std::string text(option.text);
+    if (option.need == kOptional && !injection.value) {
+        text.erase(text.find(';'));
+    } else if (const std::size_t place = text.find('#'); place != std::string::npos) {
+        text.replace(place, 1, numberText(injection.value.value_or(0.0)) + unitText(option));
+    }
+    if (option.kind == FaultKind::DriveFault) {
+        text += ", " + std::string(moteus::faultText(static_cast<int>(injection.value.value_or(0.0))).name);
+    }
+    return whom(option, injection) + text;
+}
+
+std::string injectionHelp()
+{
+    std::string help;
+    for (const InjectionOption& option : kOptions) {
+        std::string text(option.text);
+        if (const std::size_t place = text.find('#'); place != std::string::npos) {
+            text.replace(place, 1, std::string(option.value) + unitText(option));
+        }
+        help += "  --" + std::string(option.name) + ' ' + arguments(option) + "\n        " + text + '\n';
+    }
+    return help;
+}
+
+}  // namespace boresight::ctl

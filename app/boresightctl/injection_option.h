@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/sim/fault_injection.h"
+
+#include <string>
+#include <string_view>
+
+// Injected faults as options of the command line: --NAME [AXIS:]VALUE[@START][+DURATION], for instance --wind
+// az:30Nm@5+3. AXIS is az or el, both without it. START and DURATION are times ("5", "5s", "500ms") on the clock of
+// the simulated pair; without them the fault is there from the beginning and for ever. Pure.
+namespace boresight::ctl {
+
+enum class NeedOfValue
+{
+    None,
+    Optional,
+    Needed,
+};
+
+struct InjectionOption
+{
+    std::string_view name;  // without the dashes
+    sim::FaultKind kind;
+    NeedOfValue need = NeedOfValue::None;
+    std::string_view value;  // what the help calls it: "TORQUE"
+    std::string_view unit;   // may stand behind the number; "s" also allows "ms"
+    double min = 0.0;
+    double max = 0.0;
+    bool whole = false;     // no fractions
+    bool takesAxis = true;  // else of the mount or the adapter
+    bool ofAdapter = false;
+    std::string_view text;  // "wind of # Nm": # is the value
+};
+
+// Nothing if no fault has that name.
+[[nodiscard]] const InjectionOption* findInjectionOption(std::string_view name);
+
+// The error names the option and what it expects.
+[[nodiscard]] Result<sim::Injection> parseInjection(const InjectionOption& option, std::string_view text);
+
+// It spoils what only an adapter does: a CAN interface has none.
+[[nodiscard]] bool isOfAdapter(sim::FaultKind kind);
+
+// "elevation: wind of 30 Nm".
+[[nodiscard]] std::string describe(const sim::Injection& injection);
+
+// One line per option, for the help.
+[[nodiscard]] std::string injectionHelp();
+
+}  // namespace boresight::ctl

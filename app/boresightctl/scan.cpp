@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/bus_scan.h"
+#include "app/boresightctl/subcommand.h"
+#include "app/unix_signals.h"
+#include "core/station/link_factory.h"
+
+#include <QCoreApplication>
+
+namespace boresight::ctl {
+namespace {
+
+ExitStatus fail(const std::string& text)
+{
+    complain(kScanCommand, text);
+    return kFoundWrong;
+}
+
+ExitStatus report(const std::vector<FoundController>& controllers, const CanLink& link)
+{
+    const LinkStatus status = link.status();
+    const std::string trouble = status.text.isEmpty() ? std::string() : "\n" + status.text.toStdString();
+    if (controllers.empty()) {
+        return fail(silenceText(link.name().toStdString()) + trouble);
+    }
+    print(table(controllers));
+    const std::vector<std::string> wrong = problems(controllers);
+    for (const std::string& text : wrong) {
+        complain(kScanCommand, text);
+    }
+    if (!trouble.empty()) {
+        complain(kScanCommand, status.text.toStdString());
+    }
+    return wrong.empty() ? kDone : kFoundWrong;
+}
+
+ExitStatus scan(CanLink& link)
+{
+    if (const Result<> opened = link.open(); !opened) {
+        return fail(opened.error().text);
+    }
+    if (link.status().state != LinkState::Up) {
+        return fail(link.status().text.toStdString());
+    }
+    BusScan scan(link);
+    app::UnixSignals signals;
+    ExitStatus status = kFoundWrong;
+    QObject::connect(&scan, &BusScan::finished, &scan, [&](const QString& problem) {
+        status = problem.isEmpty() ? report(scan.controllers(), link) : fail(problem.toStdString());
+        QCoreApplication::quit();
+    });
+    QObject::connect(&signals, &app::UnixSignals::endRequested, qApp, &QCoreApplication::quit);
+    QMetaObject::invokeMethod(&scan, &BusScan::start, Qt::QueuedConnection);
+    QCoreApplication::exec();
+    return status;
+}
+
+ExitStatus run(Arguments arguments)
+{
+    if (arguments.size() != 1) {
+        return usageError(kScanCommand, "give one bus");
+    }
+    const SystemClock clock;
+    const Result<std::unique_ptr<CanLink>> link = makeLink(arguments.front(), clock);
+    return link ? scan(**link) : usageError(kScanCommand, link.error().text);
+}
+
+}  // namespace
+
+const Subcommand kScanCommand{
+    .name = "scan",
+    .arguments = "BUS",
+    .summary = "List every moteus controller on a bus and what is wrong with it",
+    .details =
+        R"(BUS is fdcanusb:PATH, socketcan:IFACE or simulated. Takes a second or two. Only asks: nothing moves, no watchdog is
+fed, and a running station is not disturbed on a SocketCAN bus.
+
+Columns: id on the bus; UUID of the board; firmware and register map (map) version; mode; fault; supply voltage; temperature
+of the board; position of the output in revolutions as the drive counts them; what that position is worth.
+Exit status: 0 all in order, 1 nothing found, two boards with one id, a fault, an unknown register map or silence.
+
+Example:
+  boresightctl scan fdcanusb:/dev/boresight/fdcanusb
+)",
+    .run = run};
+
+}  // namespace boresight::ctl

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/scan_report.h"
+
+#include "core/base/hex.h"
+#include "core/base/numbers.h"
+#include "core/moteus/faults.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace boresight::ctl {
+namespace {
+
+using moteus::Register;
+
+using Row = std::vector<std::string>;
+
+const Row kHead{"id", "UUID", "firmware", "map", "mode", "fault", "voltage", "temperature", "position", "reference"};
+
+// As the maker writes them: 8-4-4-4-12 digits in the order of the bytes; a word has its lowest byte first.
+std::string uuidText(const moteus::Uuid& uuid)
+{
+    std::vector<std::uint8_t> bytes;
+    for (const std::uint32_t word : uuid) {
+        for (const unsigned shift : {0u, 8u, 16u, 24u}) {
+            bytes.push_back(static_cast<std::uint8_t>(word >> shift));
+        }
+    }
+    std::string text = toHex(bytes);
+    for (const std::size_t place : {20u, 16u, 12u, 8u}) {
+        text.insert(place, 1, '-');
+    }
+    return text;
+}
+
+std::string withUnit(const moteus::Reply& known, Register reg, int decimals, const std::string& unit)
+{
+    const std::optional<double> value = known.value(reg);
+    return value ? formatFixed(*value, decimals) + ' ' + unit : "?";
+}
+
+// 0x010203 is 1.2.3.
+std::string firmwareText(const moteus::Reply& known)
+{
+    const std::optional<double> value = known.value(Register::FirmwareVersion);
+    if (!value) {
+        return "?";
+    }
+    const auto version = static_cast<std::uint32_t>(*value);
+    return std::to_string(version >> 16) + '.' + std::to_string((version >> 8) & 0xff) + '.' +
+           std::to_string(version & 0xff);
+}
+
+std::string wholeText(const moteus::Reply& known, Register reg)
+{
+    const std::optional<double> value = known.value(reg);
+    return value ? formatFixed(*value, 0) : "?";
+}
+
+// The code is a fault in mode 1 only; else it may name the limit that is active.
+std::string faultColumn(const moteus::Reply& known)
+{
+    const std::optional<int> code = known.fault();
+    if (!code) {
+        return "?";
+    }
+    const std::string name(moteus::faultText(*code).name);
+    if (known.mode() == moteus::Mode::Fault) {
+        return std::to_string(*code) + ' ' + name;
+    }
+    return moteus::isLimit(*code) ? "none (limit: " + name + ')' : "none";
+}
+
+Row row(const FoundController& controller)
+{
+    const moteus::Reply& known = controller.known;
+    const auto uuid = known.uuid();
+    const auto mode = known.mode();
+    const auto home = known.homeState();
+    return {std::to_string(controller.id),
+            uuid ? uuidText(*uuid) : "?",
+            firmwareText(known),
+            wholeText(known, Register::RegisterMapVersion),
+            mode ? std::string(moteus::modeText(*mode)) : "?",
+            faultColumn(known),
+            withUnit(known, Register::Voltage, 1, "V"),
+            withUnit(known, Register::Temperature, 1, "°C"),
+            withUnit(known, Register::Position, 4, "rev"),
+            home ? std::string(moteus::homeStateText(*home)) : "?"};
+}
+
+// Characters on the screen: the second and later bytes of a UTF-8 character do not count.
+std::size_t width(const std::string& text)
+{
+    return static_cast<std::size_t>(
+        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+
+std::string aligned(const std::vector<Row>& rows)
+{
+    std::vector<std::size_t> widths(kHead.size(), 0);
+    for (const Row& one : rows) {
+        for (std::size_t i = 0; i < one.size(); ++i) {
+            widths[i] = std::max(widths[i], width(one[i]));
+        }
+    }
+    std::string text;
+    for (const Row& one : rows) {
+        for (std::size_t i = 0; i + 1 < one.size(); ++i) {
+            text += one[i] + std::string(widths[i] - width(one[i]) + 2, ' ');
+        }
+        text += one.back() + '\n';
+    }
+    return text;
+}
+
+const std::string kOneIdEach =
+    "Leave only one of them connected, give it another id (the maker's tool: conf set id.id N, conf write), then "
+    "connect the other again.";
+
+void addOwnProblems(const FoundController& controller, std::vector<std::string>& found)
+{
+    const std::string who = "id " + std::to_string(controller.id) + ": ";
+    const moteus::Reply& known = controller.known;
+    const std::optional<double> map = known.value(Register::RegisterMapVersion);
+    if (map && *map != moteus::kRegisterMapVersion) {
+        found.push_back(who + "register map version " + formatFixed(*map, 0) + " is not known here (" +
+                        std::to_string(moteus::kRegisterMapVersion) +
+                        " is): the values above may be wrong and Boresight will not move this controller. Install "
+                        "firmware with a register map of version " +
+                        std::to_string(moteus::kRegisterMapVersion) + '.');
+    }
+    if (known.mode() == moteus::Mode::Fault) {
+        const int code = known.fault().value_or(0);
+        const moteus::FaultText text = moteus::faultText(code);
+        found.push_back(who + "fault " + std::to_string(code) + ", " + std::string(text.name) + ": " +
+                        std::string(text.meaning) + ". " + std::string(text.remedy) + '.');
+    }
+    if (!map || !known.mode()) {
+        found.push_back(who +
+                        "it did not answer every question, each was put three times. Look at the plugs, the "
+                        "termination and the bit rates of the bus.");
+    }
+}
+
+}  // namespace
+
+bool FoundController::isUnreadable() const
+{
+    const bool refused = std::ranges::any_of(
+        known.errors, [](const moteus::RegisterError& error) { return error.reg == Register::Uuid; });
+    return !known.uuid() && !refused;
+}
+
+std::string table(std::span<const FoundController> controllers)
+{
+    std::vector<Row> rows{kHead};
+    for (const FoundController& controller : controllers) {
+        rows.push_back(row(controller));
+    }
+    return aligned(rows);
+}
+
+std::vector<std::string> problems(std::span<const FoundController> controllers)
+{
+    std::map<int, int> boards;
+    for (const FoundController& controller : controllers) {
+        ++boards[controller.id];
+    }
+    std::vector<std::string> found;
+    for (const auto& [id, count] : boards) {
+        if (count > 1) {
+            found.push_back("id " + std::to_string(id) + ": " + std::to_string(count) + " controllers have this id. " +
+                            kOneIdEach);
+        }
+    }
+    for (const FoundController& controller : controllers) {
+        if (controller.isUnreadable()) {
+            found.push_back("id " + std::to_string(controller.id) +
+                            ": something is there, but its answer to the question for the UUID never arrives whole. "
+                            "Probably two controllers have this id, as all have fresh from the box, and their answers "
+                            "destroy each other. " +
+                            kOneIdEach);
+        } else {
+            addOwnProblems(controller, found);
+        }
+    }
+    return found;
+}
+
+std::string silenceText(const std::string& bus)
+{
+    return "no controller answered on " + bus +
+           ". Check\n"
+           "  - that the controllers have power (10 to 44 V; their light is on),\n"
+           "  - that CAN H and CAN L are not swapped and that both ends of the bus have 120 Ω,\n"
+           "  - that the bus runs at 1 Mbit/s with 5 Mbit/s for the data,\n"
+           "  - with one controller at a time: two with the same id can destroy each other's answers.";
+}
+
+}  // namespace boresight::ctl

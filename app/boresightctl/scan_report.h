@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/moteus/codec.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+// What a scan of a bus found, in words. Pure.
+namespace boresight::ctl {
+
+struct FoundController
+{
+    int id = 0;           // under which it answers
+    moteus::Reply known;  // all it has told, of every answer
+
+    // Neither its UUID nor a reason for not having one.
+    [[nodiscard]] bool isUnreadable() const;
+};
+
+// One line per controller, units with every number; "?" is what it did not tell. Lines end with LF.
+[[nodiscard]] std::string table(std::span<const FoundController> controllers);
+
+// What is wrong and what to do about it, one paragraph each without its LF; empty if all is in order.
+[[nodiscard]] std::vector<std::string> problems(std::span<const FoundController> controllers);
+
+// Nobody answered: what to look at.
+[[nodiscard]] std::string silenceText(const std::string& bus);
+
+}  // namespace boresight::ctl

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/injection_option.h"
+#include "app/boresightctl/simulate_options.h"
+#include "app/unix_signals.h"
+#include "core/base/numbers.h"
+#include "core/can/socketcan_link.h"
+#include "core/sim/can_server.h"
+#include "core/sim/pty_server.h"
+
+#include <QCoreApplication>
+#include <QTimer>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+namespace boresight::ctl {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kTruthPeriod = 100ms;
+
+void remark(Seconds time, const std::string& text)
+{
+    std::fputs(("t=" + formatFixed(time.count(), 3) + " s: " + text + '\n').c_str(), stderr);
+}
+
+std::string truthText(std::string_view name, const sim::AxisTruth& truth)
+{
+    const std::string key = ' ' + std::string(name);
+    return key + '=' + formatFixed(truth.angle.degrees(), 4) + key + "_rate=" + formatFixed(truth.rate.degrees(), 4) +
+           key + "_mode=" + std::to_string(static_cast<int>(truth.mode)) + key +
+           "_fault=" + std::to_string(truth.faultCode);
+}
+
+// The pair, and who makes it a device of its own. The pair's time 0 is when this is made.
+class SimulatedDevice
+{
+public:
+    explicit SimulatedDevice(const SimulateOptions& options) : m_options(options), m_pair(options.pairSettings())
+    {
+        for (const sim::Injection& injection : options.injections) {
+            m_pair.faults().add(injection);
+        }
+    }
+
+    Result<> start();
+    void announceInjections();
+    void printTruth();
+
+private:
+    Result<> startOnPty();
+    Result<> startOnCan();
+    [[nodiscard]] Seconds now() const { return m_clock.now() - m_epoch; }
+
+    const SimulateOptions& m_options;
+    const SystemClock m_clock;
+    sim::SimulatedPair m_pair;
+    const SteadyTime m_epoch = m_clock.now();
+    std::unique_ptr<sim::PtyServer> m_ptyServer;
+    std::unique_ptr<SocketCanLink> m_canLink;
+    std::unique_ptr<sim::CanServer> m_canServer;
+    QTimer m_truthTimer;
+};
+
+Result<> SimulatedDevice::start()
+{
+    return m_options.can.empty() ? startOnPty() : startOnCan();
+}
+
+Result<> SimulatedDevice::startOnPty()
+{
+    return sim::PtyServer::create(QString::fromStdString(m_options.pty), m_pair, m_clock)
+        .map([this](std::unique_ptr<sim::PtyServer> server) { m_ptyServer = std::move(server); });
+}
+
+Result<> SimulatedDevice::startOnCan()
+{
+    m_canLink = std::make_unique<SocketCanLink>(QString::fromStdString(m_options.can), m_clock);
+    QObject::connect(m_canLink.get(), &CanLink::statusChanged, m_canLink.get(), [this](const LinkStatus& status) {
+        remark(now(), status.text.isEmpty() ? "the bus is in order" : status.text.toStdString());
+    });
+    if (const Result<> opened = m_canLink->open(); !opened) {
+        return opened;
+    }
+    m_canServer = std::make_unique<sim::CanServer>(*m_canLink, m_pair, m_clock);
+    return {};
+}
+
+// On the timers of the event loop, which run beside the pair's own clock: within a millisecond or two of it.
+void SimulatedDevice::announceInjections()
+{
+    const auto announceAt = [this](Seconds time, const std::string& text) {
+        const auto wait = std::chrono::ceil<std::chrono::milliseconds>(std::max(time - now(), Seconds(0.0)));
+        QTimer::singleShot(wait, Qt::PreciseTimer, &m_truthTimer, [this, text] { remark(now(), text); });
+    };
+    for (const sim::Injection& injection : m_options.injections) {
+        announceAt(injection.at, "begins: " + describe(injection));
+        if (std::isfinite(injection.duration.count())) {
+            announceAt(injection.at + injection.duration, "ends: " + describe(injection));
+        }
+    }
+}
+
+void SimulatedDevice::printTruth()
+{
+    QObject::connect(&m_truthTimer, &QTimer::timeout, &m_truthTimer, [this] {
+        m_pair.advanceTo(now());
+        print("t=" + formatFixed(m_pair.now().count(), 3) + truthText("az", m_pair.truth(Axis::Azimuth)) +
+              truthText("el", m_pair.truth(Axis::Elevation)) + '\n');
+    });
+    m_truthTimer.setTimerType(Qt::PreciseTimer);
+    m_truthTimer.start(kTruthPeriod);
+}
+
+ExitStatus simulate(const SimulateOptions& options)
+{
+    app::UnixSignals signals;
+    QObject::connect(&signals, &app::UnixSignals::endRequested, qApp, &QCoreApplication::quit);
+    SimulatedDevice device(options);
+    if (const Result<> started = device.start(); !started) {
+        complain(kSimulateCommand, started.error().text);
+        return kFoundWrong;
+    }
+    print("ready\n");
+    device.announceInjections();
+    if (options.printTruth) {
+        device.printTruth();
+    }
+    QCoreApplication::exec();
+    return kDone;
+}
+
+const std::string kDetails =
+    R"(  --pty PATH      be an fdcanusb adapter on a pseudo-terminal that PATH links to; clients may come and go
+  --can IFACE     answer on a CAN interface that is up, for instance vcan0
+  --az-id N       id of the azimuth drive, 1…126; 1 without it
+  --el-id N       id of the elevation drive; 2 without it
+  --factory       boards fresh from the box: both with id 1, not referenced, bounds of ±0.01 turns; else a commissioned
+                  pair that can be driven at once
+  --print-truth   ten times a second how the axes really stand: seconds, degrees, °/s, mode and fault code of the drive
+
+Prints "ready" when it answers and ends at SIGTERM or Ctrl-C. The mount starts at azimuth 0°, elevation 10°.
+
+Faults to inject, each as often as you like. AXIS is az or el, both without it. START and DURATION are times like 5, 5s
+or 500ms on the mount's own clock; without them the fault is there from the beginning and for ever. Each is announced
+on standard error when it begins and ends.
+)" + injectionHelp() +
+    R"(
+Examples:
+  boresightctl simulate --pty /tmp/mount --wind az:30Nm@5+3 --silence el@12s+500ms --fault az:38@20
+  boresightd --bus fdcanusb:/tmp/mount
+)";
+
+ExitStatus run(Arguments arguments)
+{
+    const Result<SimulateOptions> options = parseSimulateOptions(arguments);
+    return options ? simulate(*options) : usageError(kSimulateCommand, options.error().text);
+}
+
+}  // namespace
+
+const Subcommand kSimulateCommand{.name = "simulate",
+                                  .arguments = "--pty PATH | --can IFACE [OPTION …]",
+                                  .summary = "Be a mount: two simulated moteus controllers as a device of their own",
+                                  .details = kDetails,
+                                  .run = run};
+
+}  // namespace boresight::ctl

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/simulate_options.h"
+
+#include "app/boresightctl/injection_option.h"
+#include "core/base/numbers.h"
+
+namespace boresight::ctl {
+namespace {
+
+tl::unexpected<Error> refuse(std::string text)
+{
+    return failure(ErrorCode::InvalidInput, std::move(text));
+}
+
+// Options and their values one after the other: "--name value", "--name=value", "--name".
+class Reader
+{
+public:
+    explicit Reader(Arguments arguments) : m_arguments(arguments) {}
+
+    [[nodiscard]] bool atEnd() const { return m_arguments.empty(); }
+
+    // The option without its dashes; what it may take as a value is then waiting.
+    Result<std::string> takeName()
+    {
+        const std::string argument = m_arguments.front();
+        m_arguments = m_arguments.subspan(1);
+        m_joined.reset();
+        if (!argument.starts_with("--")) {
+            return refuse("what is \"" + argument + "\"? Options begin with --");
+        }
+        const std::size_t equals = argument.find('=');
+        if (equals != std::string::npos) {
+            m_joined = argument.substr(equals + 1);
+        }
+        return argument.substr(2, equals - 2);
+    }
+
+    // Nothing if the next argument is an option itself. A negative number is a value.
+    std::optional<std::string> takeValue()
+    {
+        if (m_joined) {
+            return std::exchange(m_joined, std::nullopt);
+        }
+        if (atEnd() || m_arguments.front().starts_with("--")) {
+            return std::nullopt;
+        }
+        const std::string value = m_arguments.front();
+        m_arguments = m_arguments.subspan(1);
+        return value;
+    }
+
+    [[nodiscard]] bool hasUnusedValue() const { return m_joined.has_value(); }
+
+private:
+    Arguments m_arguments;
+    std::optional<std::string> m_joined;  // behind "="
+};
+
+Result<> takeText(const std::string& name, Reader& reader, std::string& text)
+{
+    text = reader.takeValue().value_or("");
+    return text.empty() ? refuse("--" + name + " needs a value") : Result<>();
+}
+
+Result<> takeId(const std::string& name, Reader& reader, std::optional<int>& id)
+{
+    const std::string text = reader.takeValue().value_or("");
+    const std::optional<std::int64_t> number = parseInteger(text);
+    if (!number || *number < 1 || *number > 126) {
+        return refuse("--" + name + " \"" + text + "\": expected an id, 1…126");
+    }
+    id = static_cast<int>(*number);
+    return {};
+}
+
+Result<> takeInjection(const InjectionOption& option, Reader& reader, SimulateOptions& options)
+{
+    const std::string text = reader.takeValue().value_or("");
+    return parseInjection(option, text).map([&](const sim::Injection& one) { options.injections.push_back(one); });
+}
+
+Result<> takeOption(const std::string& name, Reader& reader, SimulateOptions& options)
+{
+    if (name == "pty") {
+        return takeText(name, reader, options.pty);
+    }
+    if (name == "can") {
+        return takeText(name, reader, options.can);
+    }
+    if (name == "az-id") {
+        return takeId(name, reader, options.azimuthId);
+    }
+    if (name == "el-id") {
+        return takeId(name, reader, options.elevationId);
+    }
+    if (name == "factory" || name == "print-truth") {
+        (name == "factory" ? options.factory : options.printTruth) = true;
+        return reader.hasUnusedValue() ? refuse("--" + name + " takes no value") : Result<>();
+    }
+    if (const InjectionOption* const option = findInjectionOption(name)) {
+        return takeInjection(*option, reader, options);
+    }
+    return refuse("there is no option --" + name);
+}
+
+Result<> check(const SimulateOptions& options)
+{
+    if (options.pty.empty() == options.can.empty()) {
+        return refuse("give either --pty PATH or --can IFACE");
+    }
+    for (const sim::Injection& injection : options.injections) {
+        if (isOfAdapter(injection.kind) && options.pty.empty()) {
+            return refuse("faults of the adapter need --pty: a CAN interface has no adapter (" + describe(injection) +
+                          ')');
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+sim::PairSettings SimulateOptions::pairSettings() const
+{
+    sim::PairSettings settings = factory ? sim::factoryPair() : sim::commissionedPair();
+    settings.azimuth.config.id = azimuthId.value_or(settings.azimuth.config.id);
+    settings.elevation.config.id = elevationId.value_or(settings.elevation.config.id);
+    return settings;
+}
+
+Result<SimulateOptions> parseSimulateOptions(Arguments arguments)
+{
+    SimulateOptions options;
+    Reader reader(arguments);
+    while (!reader.atEnd()) {
+        const Result<> taken =
+            reader.takeName().and_then([&](const std::string& name) { return takeOption(name, reader, options); });
+        if (!taken) {
+            return tl::unexpected(taken.error());
+        }
+    }
+    return check(options).map([&] { return options; });
+}
+
+}  // namespace boresight::ctl

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/boresightctl/subcommand.h"
+#include "core/base/result.h"
+#include "core/sim/simulated_pair.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+// The command line of `boresightctl simulate`, as values. Pure.
+namespace boresight::ctl {
+
+struct SimulateOptions
+{
+    std::string pty;  // exactly one of these two is given
+    std::string can;
+    std::optional<int> azimuthId{};
+    std::optional<int> elevationId{};
+    bool factory = false;
+    bool printTruth = false;
+    std::vector<sim::Injection> injections{};
+
+    [[nodiscard]] sim::PairSettings pairSettings() const;
+};
+
+[[nodiscard]] Result<SimulateOptions> parseSimulateOptions(Arguments arguments);
+
+}  // namespace boresight::ctl

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+// What boresightctl can be asked to do. Each subcommand is one file that offers one entry of the table in main.cpp.
+namespace boresight::ctl {
+
+enum ExitStatus : int
+{
+    kDone = 0,
+    kFoundWrong = 1,  // the work was done, or tried, and something is wrong
+    kUsage = 2,       // the command line makes no sense
+};
+
+using Arguments = std::span<const std::string>;  // behind the subcommand's name
+
+struct Subcommand
+{
+    std::string_view name;
+    std::string_view arguments;  // "BUS"
+    std::string_view summary;    // one line without a full stop
+    std::string details;         // options, exit status, an example; ends with LF
+    ExitStatus (*run)(Arguments arguments);
+};
+
+extern const Subcommand kSimulateCommand;
+extern const Subcommand kScanCommand;
+extern const Subcommand kDecodeCommand;
+extern const Subcommand kCheckCommand;
+extern const Subcommand kProfileCommand;
+
+// Standard output, at once, also into a pipe.
+void print(const std::string& text);
+// "boresightctl scan: TEXT" on standard error.
+void complain(const Subcommand& subcommand, const std::string& text);
+// The same, and where to read how it is used.
+ExitStatus usageError(const Subcommand& subcommand, const std::string& text);
+
+}  // namespace boresight::ctl

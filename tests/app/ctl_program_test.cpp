@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// boresightctl as a shell starts it: what is printed, where, and the exit status.
+#include "tests/fakes/program.h"
+
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+namespace boresight {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+struct Outcome
+{
+    int status = -1;
+    std::string output;
+    std::string errors;
+};
+
+Outcome ctl(const QStringList& arguments)
+{
+    fakes::Program program(QStringLiteral(BORESIGHTCTL), arguments);
+    const int status = program.waitForEnd();
+    return {status, program.output().toStdString(), program.errors().toStdString()};
+}
+
+QStringList words(const char* text)
+{
+    return QString::fromUtf8(text).split(QLatin1Char(' '));
+}
+
+TEST(Boresightctl, ExplainsItselfAndEverySubcommandWithAnExample)
+{
+    const Outcome all = ctl({QStringLiteral("help")});
+    EXPECT_EQ(all.status, 0);
+    for (const char* name : {"simulate", "scan", "decode", "check", "profile"}) {
+        EXPECT_THAT(all.output, HasSubstr(name));
+        const Outcome help = ctl({QStringLiteral("help"), QString::fromUtf8(name)});
+        EXPECT_EQ(help.status, 0);
+        EXPECT_THAT(help.output, HasSubstr("Example"));
+        EXPECT_THAT(help.output, HasSubstr(std::string("\n  boresightctl ") + name));
+        EXPECT_EQ(ctl({QString::fromUtf8(name), QStringLiteral("--help")}).output, help.output);
+    }
+}
+
+TEST(Boresightctl, RefusesWhatMakesNoSense)
+{
+    EXPECT_EQ(ctl({}).status, 2);
+    const Outcome unknown = ctl(words("dance"));
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_THAT(unknown.errors, HasSubstr("there is no subcommand \"dance\""));
+    for (const char* line : {"scan", "scan canbus:7", "check", "profile", "profile --other", "decode", "simulate",
+                             "simulate --pty /tmp/x --wind az:x"}) {
+        const Outcome refused = ctl(words(line));
+        EXPECT_EQ(refused.status, 2) << line;
+        EXPECT_THAT(refused.errors, HasSubstr("usage: boresightctl ")) << line;
+        EXPECT_EQ(refused.output, "") << line;
+    }
+}
+
+// From the golden vectors c001 and their like: a stop with the clients' default query, and a position command.
+TEST(Decode, SaysAFrameInWords)
+{
+    const std::string stop =
+        "request from 0 to drive 1, wants a reply\n"
+        "write 0x000 mode 0 stopped (i8)\n"
+        "read 0x000 mode as i8\n"
+        "read 0x001 position as f32\n"
+        "read 0x002 velocity as f32\n"
+        "read 0x003 torque as f32\n"
+        "read 0x00d voltage as i8\n"
+        "read 0x00e temperature as i8\n"
+        "read 0x00f fault as i8\n"
+        "padding 3\n";
+    EXPECT_EQ(ctl(words("decode 0x8001 01000011001f01130d505050")).output, stop);
+    EXPECT_EQ(ctl(words("decode 8001 01 00 00 11 00 1f 01 13 0d 50 50 50")).output, stop);
+    EXPECT_EQ(
+        ctl({QStringLiteral("decode"), QStringLiteral("8001"), QStringLiteral("010000 11001F01130D 505050")}).output,
+        stop);
+    EXPECT_THAT(ctl(words("decode 100 21000A")).output, HasSubstr("reply of drive 1 to 0\n"));
+}
+
+TEST(Decode, SaysWhatIsWrong)
+{
+    const auto refusal = [](const char* line) {
+        const Outcome outcome = ctl(words(line));
+        EXPECT_EQ(outcome.status, 2) << line;
+        return outcome.errors;
+    };
+    EXPECT_THAT(refusal("decode drive 00"), HasSubstr("\"drive\" is no CAN identifier"));
+    EXPECT_THAT(refusal("decode 20000000 00"), HasSubstr("29 bits"));
+    EXPECT_THAT(refusal("decode 8001 0100x0"), HasSubstr("'x' at place 5"));
+    EXPECT_THAT(refusal("decode 8001 010"), HasSubstr("an odd number"));
+    const QString long65(130, QLatin1Char('0'));
+    EXPECT_THAT(ctl({QStringLiteral("decode"), QStringLiteral("8001"), long65}).errors, HasSubstr("65 bytes"));
+}
+
+class ProfileFile : public testing::Test
+{
+protected:
+    QString write(const std::string& text) const
+    {
+        const QString path = folder.filePath(QStringLiteral("mount.toml"));
+        std::ofstream(path.toStdString()) << text;
+        return path;
+    }
+
+    QTemporaryDir folder;
+};
+
+TEST_F(ProfileFile, CheckTellsAllErrorsAtOnce)
+{
+    const QString path =
+        write("version = 1\n[azimuth]\ncolour = 3\nmax_speed_deg_s = \"fast\"\n[control]\ntick_hz = 100000\n");
+    const Outcome bad = ctl({QStringLiteral("check"), path});
+    EXPECT_EQ(bad.status, 1);
+    EXPECT_EQ(bad.output, "");
+    EXPECT_THAT(bad.errors, HasSubstr("mount.toml:3: azimuth.colour"));
+    EXPECT_THAT(bad.errors, HasSubstr("mount.toml:4: azimuth.max_speed_deg_s"));
+    EXPECT_THAT(bad.errors, HasSubstr("mount.toml:6: control.tick_hz"));
+}
+
+TEST_F(ProfileFile, CheckTellsOfAFileThatIsNotThere)
+{
+    const Outcome absent = ctl({QStringLiteral("check"), folder.filePath(QStringLiteral("absent.toml"))});
+    EXPECT_EQ(absent.status, 1);
+    EXPECT_THAT(absent.errors, HasSubstr("absent.toml"));
+}
+
+TEST_F(ProfileFile, TheDefaultProfileIsCommentedAndInOrder)
+{
+    const Outcome standard = ctl(words("profile --default"));
+    EXPECT_EQ(standard.status, 0);
+    EXPECT_THAT(standard.output, HasSubstr("\n# "));
+    const Outcome checked = ctl({QStringLiteral("check"), write(standard.output)});
+    EXPECT_EQ(checked.status, 0) << checked.errors;
+    EXPECT_THAT(checked.output,
+                HasSubstr("in order: \"Boresight mount\", bus simulated, azimuth id 1, elevation id 2"));
+}
+
+TEST(Scan, ListsTheSimulatedPair)
+{
+    const Outcome scan = ctl(words("scan simulated"));
+    EXPECT_EQ(scan.status, 0) << scan.errors;
+    EXPECT_EQ(scan.errors, "");
+    EXPECT_THAT(scan.output, HasSubstr("\n1   626f7265-7369-6768-7420-73696d203031  1.1.0"));
+    EXPECT_THAT(scan.output, HasSubstr("\n2   626f7265-7369-6768-7420-73696d203032  1.1.0"));
+}
+
+TEST(Scan, NamesTheBusThatIsNotThere)
+{
+    const Outcome scan = ctl(words("scan fdcanusb:/nowhere/adapter"));
+    EXPECT_EQ(scan.status, 1);
+    EXPECT_THAT(scan.errors, HasSubstr("/nowhere/adapter"));
+    EXPECT_THAT(scan.errors, Not(HasSubstr("usage:")));
+}
+
+}  // namespace
+}  // namespace boresight

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The simulated pair as a device of its own, found by `scan` and driven by boresightd. What the axes really do is
+// judged by the device's own --print-truth, not by what the drives report.
+#include "tests/fakes/program.h"
+#include "tests/fakes/wait_until.h"
+
+#include <QFileInfo>
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+using testing::HasSubstr;
+
+struct Truth
+{
+    double time = 0.0;
+    double azimuth = 0.0;
+    double azimuthRate = 0.0;
+    int azimuthMode = -1;
+};
+
+double number(const QString& line, const char* key)
+{
+    const QRegularExpression pattern(QStringLiteral("\\b%1=(\\S+)").arg(QLatin1String(key)));
+    return pattern.match(line).captured(1).toDouble();
+}
+
+class SimulateTest : public testing::Test
+{
+protected:
+    void start(const QStringList& more = {})
+    {
+        QStringList arguments{QStringLiteral("simulate"), QStringLiteral("--pty"), device};
+        m_device = std::make_unique<fakes::Program>(QStringLiteral(BORESIGHTCTL), arguments + more);
+        ASSERT_TRUE(m_device->waitForLine(QStringLiteral("ready"))) << m_device->errors().toStdString();
+    }
+
+    void scan()
+    {
+        fakes::Program program(QStringLiteral(BORESIGHTCTL), {QStringLiteral("scan"), bus()});
+        scanStatus = program.waitForEnd();
+        scanned = (program.output() + program.errors()).toStdString();
+    }
+
+    [[nodiscard]] QString bus() const { return QStringLiteral("fdcanusb:") + device; }
+
+    [[nodiscard]] std::vector<Truth> truths() const
+    {
+        std::vector<Truth> all;
+        for (const QString& line : m_device->lines()) {
+            if (line.startsWith(QStringLiteral("t="))) {
+                all.push_back({.time = number(line, "t"),
+                               .azimuth = number(line, "az"),
+                               .azimuthRate = number(line, "az_rate"),
+                               .azimuthMode = static_cast<int>(number(line, "az_mode"))});
+            }
+        }
+        return all;
+    }
+
+    // Until a line of truth says so; nothing if none does.
+    [[nodiscard]] std::optional<Truth> waitForTruth(const std::function<bool(const Truth&)>& condition) const
+    {
+        const bool came = fakes::waitUntil([&] {
+            const std::vector<Truth> all = truths();
+            return !all.empty() && condition(all.back());
+        });
+        return came ? std::optional(truths().back()) : std::nullopt;
+    }
+
+    QTemporaryDir folder;
+    QString device = folder.filePath(QStringLiteral("mount"));
+    std::unique_ptr<fakes::Program> m_device;
+    int scanStatus = -1;
+    std::string scanned;
+};
+
+TEST_F(SimulateTest, IsFoundByScanAgainAndAgain)
+{
+    start({QStringLiteral("--el-id=9")});
+    for (int round = 0; round < 2; ++round) {
+        scan();
+        EXPECT_EQ(scanStatus, 0) << scanned;
+        EXPECT_THAT(scanned, HasSubstr("\n1   626f7265-7369-6768-7420-73696d203031"));
+        EXPECT_THAT(scanned, HasSubstr("\n9   626f7265-7369-6768-7420-73696d203032"));
+    }
+}
+
+TEST_F(SimulateTest, EndsCleanlyAndTakesItsLinkAway)
+{
+    start();
+    EXPECT_TRUE(QFileInfo(device).isSymLink());
+    m_device->terminate();
+    EXPECT_EQ(m_device->waitForEnd(), 0);
+    EXPECT_FALSE(QFileInfo(device).isSymLink());
+}
+
+TEST_F(SimulateTest, FailsWhereNoLinkCanBeMade)
+{
+    device = folder.filePath(QStringLiteral("absent/mount"));
+    fakes::Program program(QStringLiteral(BORESIGHTCTL), {QStringLiteral("simulate"), QStringLiteral("--pty"), device});
+    EXPECT_EQ(program.waitForEnd(), 1);
+    EXPECT_EQ(program.output(), QString());
+    EXPECT_THAT(program.errors().toStdString(), HasSubstr("absent/mount"));
+}
+
+TEST_F(SimulateTest, BoardsFreshFromTheBoxAreSaidToShareAnId)
+{
+    start({QStringLiteral("--factory")});
+    scan();
+    EXPECT_EQ(scanStatus, 1);
+    EXPECT_THAT(scanned, HasSubstr("id 1: something is there"));
+    EXPECT_THAT(scanned, HasSubstr("Probably two controllers have this id"));
+}
+
+TEST_F(SimulateTest, InjectedFaultsAreAnnouncedAndSeenByScan)
+{
+    start({QStringLiteral("--register-map"), QStringLiteral("az:4"), QStringLiteral("--fault"),
+           QStringLiteral("el:38@50ms"), QStringLiteral("--late"), QStringLiteral("20ms+100ms")});
+    ASSERT_TRUE(fakes::waitUntil([&] { return m_device->errors().contains(QStringLiteral("ends:")); }));
+    EXPECT_THAT(m_device->errors().toStdString(),
+                HasSubstr("s: begins: elevation: drive fault 38, over temperature\n"));
+    EXPECT_THAT(m_device->errors().toStdString(), HasSubstr("s: ends: both axes: answers 0.02 s late\n"));
+    scan();
+    EXPECT_EQ(scanStatus, 1);
+    EXPECT_THAT(scanned, HasSubstr("id 1: register map version 4 is not known here (5 is)"));
+    EXPECT_THAT(scanned, HasSubstr("id 2: fault 38, over temperature"));
+}
+
+TEST_F(SimulateTest, SilenceTellsWhatToCheck)
+{
+    start({QStringLiteral("--silence")});
+    scan();
+    EXPECT_EQ(scanStatus, 1);
+    EXPECT_THAT(scanned, HasSubstr("no controller answered on fdcanusb:"));
+}
+
+TEST_F(SimulateTest, TimeGoesOnWithoutAnybodyAsking)
+{
+    start({QStringLiteral("--print-truth"), QStringLiteral("--wind"), QStringLiteral("az:30+300ms")});
+    EXPECT_TRUE(waitForTruth([](const Truth& now) { return now.azimuth > 0.1; })) << "the wind turns a free axis";
+}
+
+// Everything together: Hamlib's client, the service, the adapter, the drives. Then the service is killed in full
+// motion, and nothing but the drives' own watchdog can stop the axis.
+TEST_F(SimulateTest, AxisStopsWhenTheServiceIsKilledInMotion)
+{
+    const QString rotctl = QStandardPaths::findExecutable(QStringLiteral("rotctl"));
+    if (rotctl.isEmpty()) {
+        GTEST_SKIP() << "rotctl is not installed (Debian: libhamlib-utils)";
+    }
+    start({QStringLiteral("--print-truth")});
+    fakes::Program service(QStringLiteral(BORESIGHTD),
+                           {QStringLiteral("--bus"), bus(), QStringLiteral("--listen"), QStringLiteral("127.0.0.1:0"),
+                            QStringLiteral("--state-dir"), folder.path()});
+    const QString listening = QStringLiteral("rotctld listening on ");
+    ASSERT_TRUE(service.waitForLine(listening)) << service.errors().toStdString();
+    ASSERT_TRUE(fakes::waitUntil([&] { return service.errors().contains(QStringLiteral("both drives answer")); }));
+    const QString address = service.lines().constLast().mid(listening.size());
+
+    fakes::Program client(rotctl, {QStringLiteral("-m"), QStringLiteral("2"), QStringLiteral("-r"), address,
+                                   QStringLiteral("P"), QStringLiteral("90"), QStringLiteral("45")});
+    ASSERT_EQ(client.waitForEnd(), 0) << client.errors().toStdString();
+    const auto moving = waitForTruth([](const Truth& now) { return now.azimuth > 10.0 && now.azimuthRate > 8.0; });
+    ASSERT_TRUE(moving) << "the axis never moved";
+    service.kill();
+    const auto still = waitForTruth([&](const Truth& now) { return now.time > moving->time + 0.25; });
+    ASSERT_TRUE(still);
+    EXPECT_LT(still->azimuth - moving->azimuth, 0.2 * moving->azimuthRate) << "degrees run on";
+    // What is left is the axis settling in its backlash: measured 0.2 °/s and 0.04° back.
+    EXPECT_LT(std::abs(still->azimuthRate), 0.05 * moving->azimuthRate);
+    const auto later = waitForTruth([&](const Truth& now) { return now.time > still->time + 1.0; });
+    ASSERT_TRUE(later);
+    EXPECT_NEAR(later->azimuth, still->azimuth, 0.05);
+    EXPECT_NE(later->azimuthMode, 10);
+}
+
+}  // namespace
+}  // namespace boresight

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/injection_option.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace boresight::ctl {
+namespace {
+
+using sim::FaultKind;
+using testing::HasSubstr;
+
+Result<sim::Injection> parse(std::string_view name, std::string_view text)
+{
+    const InjectionOption* const option = findInjectionOption(name);
+    return option != nullptr ? parseInjection(*option, text) : failure(ErrorCode::NotAvailable, "no such option");
+}
+
+std::string refusal(std::string_view name, std::string_view text)
+{
+    const auto parsed = parse(name, text);
+    return parsed ? "accepted" : parsed.error().text;
+}
+
+TEST(InjectionOption, HasAxisValueStartAndDuration)
+{
+    const auto wind = parse("wind", "az:-30Nm@5s+500ms");
+    ASSERT_TRUE(wind) << wind.error().text;
+    EXPECT_EQ(wind->kind, FaultKind::Wind);
+    EXPECT_EQ(wind->axis, Axis::Azimuth);
+    EXPECT_EQ(wind->value, -30.0);
+    EXPECT_EQ(wind->at, Seconds(5.0));
+    EXPECT_EQ(wind->duration, Seconds(0.5));
+}
+
+TEST(InjectionOption, EveryPartCanBeLeftOut)
+{
+    const auto late = parse("late", "20ms");
+    ASSERT_TRUE(late);
+    EXPECT_FALSE(late->axis);
+    EXPECT_EQ(late->value, 0.02);
+    EXPECT_EQ(late->at, Seconds(0.0));
+    EXPECT_TRUE(std::isinf(late->duration.count()));
+    const auto silence = parse("silence", "el@5+3");
+    ASSERT_TRUE(silence);
+    EXPECT_EQ(silence->axis, Axis::Elevation);
+    EXPECT_FALSE(silence->value);
+    EXPECT_EQ(silence->at, Seconds(5.0));
+    EXPECT_EQ(silence->duration, Seconds(3.0));
+    EXPECT_TRUE(parse("silence", ""));
+    EXPECT_EQ(parse("stall", "+2")->duration, Seconds(2.0));
+    EXPECT_FALSE(parse("power-loss", "@20+2")->value);
+    EXPECT_EQ(parse("power-loss", "el:30@20+2")->value, 30.0);
+    EXPECT_EQ(parse("duplicate-id", "")->axis, Axis::Elevation) << "with both swapped, no id would be there twice";
+}
+
+TEST(InjectionOption, ErrorsNameTheOptionAndWhatItExpects)
+{
+    EXPECT_EQ(refusal("wind", "az:x@5"),
+              "--wind az:x@5: \"x\" is no number; expected [AXIS:]TORQUE[@START][+DURATION]");
+    EXPECT_THAT(refusal("wind", "+30"), HasSubstr("value is missing"));
+    EXPECT_THAT(refusal("wind", "nan"), HasSubstr("is no number"));
+    EXPECT_THAT(refusal("late", "soon"), HasSubstr("\"soon\" is no time"));
+    EXPECT_THAT(refusal("late", "11"), HasSubstr("outside 0…10"));
+    EXPECT_THAT(refusal("lose", "1.5"), HasSubstr("outside 0…1"));
+    EXPECT_THAT(refusal("fault", "az:38.5"), HasSubstr("no whole number"));
+    EXPECT_THAT(refusal("fault", "0"), HasSubstr("outside 1…255"));
+    EXPECT_THAT(refusal("silence", "up"), HasSubstr("\"up\" is no axis (az or el)"));
+    EXPECT_THAT(refusal("silence", "el@"), HasSubstr("the start \"\" is no time"));
+    EXPECT_THAT(refusal("silence", "el@-1"), HasSubstr("the start \"-1\" is no time"));
+    EXPECT_THAT(refusal("silence", "el@1e9"), HasSubstr("the start \"1e9\" is no time"));
+    EXPECT_THAT(refusal("silence", "el+0"), HasSubstr("the duration \"0\" is no time above 0"));
+    EXPECT_THAT(refusal("supply", "az:20"), HasSubstr("concerns both axes"));
+    EXPECT_EQ(findInjectionOption("gremlins"), nullptr);
+}
+
+TEST(InjectionOption, EveryFaultOfTheSimulatorHasOne)
+{
+    for (int kind = 0; kind <= static_cast<int>(FaultKind::RegisterMap); ++kind) {
+        const sim::Injection injection{.kind = static_cast<FaultKind>(kind), .value = 1.0};
+        EXPECT_THAT(describe(injection), testing::Not(HasSubstr("#"))) << kind;
+    }
+    EXPECT_THAT(injectionHelp(), HasSubstr("--power-loss [AXIS][:DEGREES][@START][+DURATION]"));
+}
+
+TEST(InjectionOption, IsDescribedInWordsWithUnits)
+{
+    EXPECT_EQ(describe(*parse("wind", "az:30")), "azimuth: wind of 30 Nm towards larger angles");
+    EXPECT_EQ(describe(*parse("fault", "el:38")), "elevation: drive fault 38, over temperature");
+    EXPECT_EQ(describe(*parse("late", "20ms")), "both axes: answers 0.02 s late");
+    EXPECT_EQ(describe(*parse("power-loss", "")), "the mount has no power");
+    EXPECT_EQ(describe(*parse("power-loss", "el:30")), "the mount has no power; by hand it is turned to 30°");
+    EXPECT_EQ(describe(*parse("bus-off", "")), "the adapter is off the bus");
+}
+
+}  // namespace
+}  // namespace boresight::ctl

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/fakes/program.h"
+
+#include "tests/fakes/wait_until.h"
+
+#include <algorithm>
+
+namespace boresight::fakes {
+
+Program::Program(const QString& path, const QStringList& arguments)
+{
+    QObject::connect(&m_process, &QProcess::readyReadStandardOutput, &m_process,
+                     [this] { m_output += m_process.readAllStandardOutput(); });
+    QObject::connect(&m_process, &QProcess::readyReadStandardError, &m_process,
+                     [this] { m_errors += m_process.readAllStandardError(); });
+    m_process.start(path, arguments);
+}
+
+Program::~Program()
+{
+    m_process.kill();
+    (void)waitForEnd();
+}
+
+bool Program::waitForLine(const QString& text)
+{
+    return waitUntil([&] {
+        const QStringList all = lines();
+        return std::ranges::any_of(all, [&](const QString& line) { return line.startsWith(text); });
+    });
+}
+
+int Program::waitForEnd()
+{
+    const bool ended = waitUntil([this] { return m_process.state() == QProcess::NotRunning; });
+    return ended && m_process.exitStatus() == QProcess::NormalExit ? m_process.exitCode() : -1;
+}
+
+QStringList Program::lines() const
+{
+    QStringList all = output().split(QLatin1Char('\n'));
+    all.removeLast();  // not ended yet, or empty
+    return all;
+}
+
+}  // namespace boresight::fakes
