@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What belongs to an installed Boresight beside the programs: service, adapter rules, menu entry, icon.
+# What belongs to an installed Boresight beside the programs: service, adapter rules, manual pages, menu entry, icon.
 include(GNUInstallDirs)
 
 configure_file("${CMAKE_SOURCE_DIR}/packaging/systemd/boresightd.service.in" boresightd.service @ONLY)
 install(FILES "${CMAKE_BINARY_DIR}/boresightd.service" DESTINATION lib/systemd/system)
 # Before 73-seat-late.rules, which acts on the tag uaccess.
 install(FILES packaging/udev/70-boresight.rules DESTINATION lib/udev/rules.d)
+install(FILES packaging/man/boresightctl.1 packaging/man/boresightd.1 DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
 if(BORESIGHT_UI)
+  install(FILES packaging/man/boresight.1 DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
   install(FILES packaging/boresight.desktop DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
   install(FILES resources/icons/boresight.svg DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps"
     OPTIONAL)
