@@ -2,13 +2,11 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/base/result.h"
 #include "core/units/sky.h"
 
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 // What the simulated pair does wrong on request. Plain values: each injection has a start on the pair's own clock and
@@ -43,9 +41,6 @@ struct Injection
     Seconds duration{std::numeric_limits<double>::infinity()};
     std::optional<double> value{};
 };
-
-// "silence", "wind,axis=az,at=5,for=3,value=40", "drive-fault,axis=el,value=33". Refused with what is permitted.
-[[nodiscard]] Result<Injection> parseInjection(std::string_view text);
 
 class FaultSchedule
 {
