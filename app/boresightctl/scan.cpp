@@ -17,18 +17,16 @@ ExitStatus fail(const std::string& text)
 
 ExitStatus report(const std::vector<FoundController>& controllers, const CanLink& link)
 {
-    const LinkStatus status = link.status();
-    const std::string trouble = status.text.isEmpty() ? std::string() : "\n" + status.text.toStdString();
+    if (const QString trouble = link.status().text; !trouble.isEmpty()) {
+        complain(kScanCommand, trouble.toStdString());
+    }
     if (controllers.empty()) {
-        return fail(silenceText(link.name().toStdString()) + trouble);
+        return fail(silenceText(link.name().toStdString()));
     }
     print(table(controllers));
     const std::vector<std::string> wrong = problems(controllers);
     for (const std::string& text : wrong) {
         complain(kScanCommand, text);
-    }
-    if (!trouble.empty()) {
-        complain(kScanCommand, status.text.toStdString());
     }
     return wrong.empty() ? kDone : kFoundWrong;
 }

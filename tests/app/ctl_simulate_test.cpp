@@ -142,6 +142,14 @@ TEST_F(SimulateTest, SilenceTellsWhatToCheck)
     EXPECT_THAT(scanned, HasSubstr("no controller answered on fdcanusb:"));
 }
 
+TEST_F(SimulateTest, AnAdapterThatRefusesIsNamedAsTheCause)
+{
+    start({QStringLiteral("--adapter-error")});
+    scan();
+    EXPECT_EQ(scanStatus, 1);
+    EXPECT_THAT(scanned, HasSubstr("the adapter refuses a frame: invalid data"));
+}
+
 TEST_F(SimulateTest, TimeGoesOnWithoutAnybodyAsking)
 {
     start({QStringLiteral("--print-truth"), QStringLiteral("--wind"), QStringLiteral("az:30+300ms")});
