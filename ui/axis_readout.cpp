@@ -118,12 +118,12 @@ AxisReadout::Row AxisReadout::makeRow(Axis axis)
     Row row{.actual = new ValueLabel(tr("Actual %1").arg(name), fonts::actual(), QStringLiteral("000.00°"), this),
             .target = new ValueLabel(tr("Target %1").arg(name), fonts::value(), QStringLiteral("000.00°"), this),
             .error = new ValueLabel(tr("Error of %1").arg(name), fonts::value(), widest, this),
-            .state = new ValueLabel(tr("State of %1").arg(name), fonts::text(), QStringLiteral("__HOLDING"), this),
+            .state = new ValueLabel(tr("State of %1").arg(name), fonts::text(), QStringLiteral("HOLDING"), this),
             .detail = new ValueLabel(tr("Detail of %1").arg(name), fonts::label(), {}, this)};
     for (ValueLabel* const number : {row.actual, row.target, row.error}) {
         number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     }
-    row.state->setStretching(true);
+    row.state->setSymbolRoom(true);
     row.detail->setStretching(true);
     row.detail->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     return row;

@@ -105,14 +105,14 @@ void setShown(ValueLabel& label, const Shown& shown)
 
 HeaderBar::HeaderBar(QWidget* parent)
     : QWidget(parent),
-      m_state(new ValueLabel(tr("Station state"), fonts::state(), QStringLiteral("__DISCONNECTED"), this)),
+      m_state(new ValueLabel(tr("Station state"), fonts::state(), QStringLiteral("DISCONNECTED"), this)),
       m_reason(new ValueLabel(tr("Reason of the state"), fonts::label(), {}, this)),
-      m_limited(new ValueLabel(tr("Target limited"), fonts::text(), QStringLiteral("___LIMITED_"), this)),
+      m_limited(new ValueLabel(tr("Target limited"), fonts::text(), QStringLiteral("LIMITED"), this)),
       m_target(new ValueLabel(tr("Target and who gave it"), fonts::text(), {}, this)),
-      m_bus(new ValueLabel(tr("CAN bus"), fonts::label(), QStringLiteral("__CAN down"), this)),
-      m_azimuth(new ValueLabel(tr("Azimuth drive"), fonts::label(), QStringLiteral("__AZ silent"), this)),
-      m_elevation(new ValueLabel(tr("Elevation drive"), fonts::label(), QStringLiteral("__EL silent"), this)),
-      m_clients(new ValueLabel(tr("rotctld clients"), fonts::label(), QStringLiteral("__rotctld off"), this)),
+      m_bus(new ValueLabel(tr("CAN bus"), fonts::label(), QStringLiteral("CAN down"), this)),
+      m_azimuth(new ValueLabel(tr("Azimuth drive"), fonts::label(), QStringLiteral("AZ silent"), this)),
+      m_elevation(new ValueLabel(tr("Elevation drive"), fonts::label(), QStringLiteral("EL silent"), this)),
+      m_clients(new ValueLabel(tr("rotctld clients"), fonts::label(), QStringLiteral("rotctld off"), this)),
       m_control(new ValueLabel(tr("Who may move the mount"), fonts::label(), {}, this)),
       m_utc(new ValueLabel(tr("UTC"), fonts::clock(), QStringLiteral("00:00:00Z"), this)),
       m_simulated(new ValueLabel(tr("Simulated mount"), fonts::label(), tr("SIMULATED"), this)),
@@ -126,6 +126,9 @@ void HeaderBar::build()
 {
     for (ValueLabel* const wide : {m_reason, m_target, m_control}) {
         wide->setStretching(true);
+    }
+    for (ValueLabel* const marked : {m_state, m_limited, m_bus, m_azimuth, m_elevation, m_clients}) {
+        marked->setSymbolRoom(true);
     }
     m_simulated->setOutlined(true);
     m_simulated->setAlignment(Qt::AlignCenter);
@@ -142,14 +145,14 @@ void HeaderBar::build()
     targetRow->addWidget(m_target, 1);
     auto* const linkRow = new QHBoxLayout;
     grid->addLayout(linkRow, 1, 1);
-    linkRow->setSpacing(4);
+    linkRow->setSpacing(1);
     for (ValueLabel* const link : {m_bus, m_azimuth, m_elevation, m_clients}) {
         linkRow->addWidget(link);
     }
     linkRow->addWidget(m_control, 1);
 
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(8);
+    grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(2);
     grid->addWidget(m_state, 0, 0);
     grid->addWidget(m_reason, 1, 0);

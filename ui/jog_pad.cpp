@@ -298,7 +298,7 @@ void JogPad::paintEvent(QPaintEvent*)
     const double width = isArmed() ? 3.0 : 1.0;
     painter.setPen(isArmed()    ? QPen(colours.accent, width)
                    : hasFocus() ? QPen(colours.accent, width, Qt::DashLine)
-                                : QPen(colours.grid, width));
+                                : QPen(colours.secondary, width));
     painter.drawRoundedRect(QRectF(rect()).adjusted(1.5, 1.5, -1.5, -1.5), 4.0, 4.0);
 }
 

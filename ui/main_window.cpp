@@ -44,7 +44,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_cable(new CableBar(this)),
       m_jog(new JogPanel(clock, m_desk, settings, this)),
       m_log(new LogPanel(this)),
-      m_lastCommand(new ValueLabel(tr("Last command"), fonts::label(), {}, this)),
+      m_lastCommand(new ValueLabel(tr("Last line of the log"), fonts::label(), {}, this)),
       m_pickBar(new PromptBar(tr("Direction under the cursor"), this)),
       m_closeBar(new PromptBar(tr("Close"), this)),
       m_goHere(new CommandButton(tr("Go here"), tr("Go to this direction by the nearest turn"), m_desk,
@@ -74,7 +74,7 @@ void MainWindow::build()
 {
     auto* const ground = new QWidget(this);
     auto* const grid = new QGridLayout(ground);
-    grid->setContentsMargins(10, 8, 10, 6);
+    grid->setContentsMargins(8, 8, 8, 6);
     grid->setSpacing(8);
     auto* const plotCell = new QGridLayout;
     auto* const side = new QWidget(ground);  // as wide as it must be: the plot gets the rest

@@ -17,6 +17,7 @@ namespace {
 constexpr double kActualSize = 13.0;  // px; inside the diamond, inside the cross, when all is on target
 constexpr double kMarkerSize = 22.0;
 constexpr double kCommandedSize = 32.0;
+constexpr Angle kPathGap = 6_deg;          // three times what the fastest mount goes in one update
 constexpr Angle kPathStep = 0.2_deg;       // finer than a pixel of any screen
 constexpr std::size_t kPathLength = 4000;  // 800° of sky: several passes
 constexpr int kTextMargin = 3;
@@ -47,10 +48,7 @@ void SkyMarkers::setGround(const QPixmap& ground, const SkyProjection& projectio
 {
     m_ground = ground;
     m_projection = projection;
-    m_pathPixels.clear();
-    for (const SkyPointing& place : m_path) {
-        m_pathPixels << m_projection.toPixel(place);
-    }
+    rebuildPath();
     update();
 }
 
@@ -71,18 +69,38 @@ void SkyMarkers::extendPath()
         return;
     }
     const SkyPointing place = unflipped(*m_markers.actual);
-    if (!m_path.empty() && separation(place, m_path.back()) < kPathStep) {
+    if (m_pathEnd && separation(place, *m_pathEnd) < kPathStep) {
         return;
     }
+    const QPointF before = m_pathPixels.currentPosition();
+    addToPath(place);
     m_path.push_back(place);
-    m_pathPixels << m_projection.toPixel(place);
     if (m_path.size() > kPathLength) {
-        m_path.pop_front();
-        m_pathPixels.removeFirst();
-        update();  // the eldest piece fades from the plot
+        m_path.erase(m_path.begin(), m_path.begin() + kPathLength / 8);
+        rebuildPath();
+        update();
     }
-    if (m_pathPixels.size() > 1) {
-        update(around(m_pathPixels[m_pathPixels.size() - 2], m_pathPixels.last()));
+    update(around(before, m_pathPixels.currentPosition()));
+}
+
+// A line is drawn only where the mount was seen to go: after silence or a new reference the path begins anew.
+void SkyMarkers::addToPath(const SkyPointing& place)
+{
+    const QPointF pixel = m_projection.toPixel(place);
+    if (m_pathEnd && separation(place, *m_pathEnd) < kPathGap) {
+        m_pathPixels.lineTo(pixel);
+    } else {
+        m_pathPixels.moveTo(pixel);
+    }
+    m_pathEnd = place;
+}
+
+void SkyMarkers::rebuildPath()
+{
+    m_pathPixels.clear();
+    m_pathEnd.reset();
+    for (const SkyPointing& place : m_path) {
+        addToPath(place);
     }
 }
 
@@ -144,7 +162,7 @@ void SkyMarkers::paintEvent(QPaintEvent* event)
     painter.setRenderHint(QPainter::Antialiasing);
     const Theme& colours = currentTheme();
     painter.setPen(QPen(colours.secondary, 1.5));
-    painter.drawPolyline(m_pathPixels);
+    painter.drawPath(m_pathPixels);
     if (m_markers.picked) {
         painter.setPen(QPen(colours.accent, 1.5, Qt::DashLine));
         painter.drawEllipse(markerBox(*m_markers.picked, kCommandedSize - 4.0));

@@ -3,8 +3,8 @@
 
 #include "ui/sky_projection.h"
 
+#include <QPainterPath>
 #include <QPixmap>
-#include <QPolygonF>
 #include <QRegion>
 #include <QWidget>
 
@@ -42,6 +42,7 @@ public:
     [[nodiscard]] const MarkerData& markers() const { return m_markers; }
     [[nodiscard]] const SkyProjection& projection() const { return m_projection; }
     [[nodiscard]] std::size_t pathLength() const { return m_path.size(); }
+    [[nodiscard]] const QPainterPath& pathPixels() const { return m_pathPixels; }
 
 Q_SIGNALS:
     void clicked(const boresight::SkyPointing& direction);
@@ -52,6 +53,8 @@ protected:
 
 private:
     void extendPath();
+    void addToPath(const SkyPointing& place);
+    void rebuildPath();
     [[nodiscard]] QRectF markerBox(const SkyPointing& direction, double size) const;
     [[nodiscard]] double beamRadius() const;
     [[nodiscard]] QRect targetLabelBox() const;
@@ -63,7 +66,8 @@ private:
     SkyProjection m_projection;
     MarkerData m_markers;
     std::deque<SkyPointing> m_path;  // eldest first
-    QPolygonF m_pathPixels;          // the same, for the present projection
+    std::optional<SkyPointing> m_pathEnd;
+    QPainterPath m_pathPixels;  // the same, for the present projection
 };
 
 }  // namespace boresight::ui

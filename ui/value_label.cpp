@@ -5,6 +5,8 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include <cmath>
+
 namespace boresight::ui {
 
 namespace {
@@ -41,6 +43,11 @@ void ValueLabel::setOutlined(bool on)
     m_outlined = on;
 }
 
+void ValueLabel::setSymbolRoom(bool on)
+{
+    m_symbolRoom = on;
+}
+
 void ValueLabel::setCollapsing(bool on)
 {
     m_collapsing = on;
@@ -70,14 +77,20 @@ void ValueLabel::setSymbolShown(bool on)
     }
 }
 
-int ValueLabel::symbolWidth() const
+double ValueLabel::symbolSize() const
 {
-    return m_symbol == Symbol::None ? 0 : fontMetrics().ascent() + fontMetrics().horizontalAdvance(QLatin1Char(' '));
+    return fontMetrics().ascent() * 0.8;
+}
+
+int ValueLabel::symbolRoom() const
+{
+    return static_cast<int>(std::ceil(symbolSize() * 1.5));
 }
 
 QSize ValueLabel::sizeHint() const
 {
-    const int extra = 2 * (m_outlined ? kOutline : kMargin) + 2;  // advances are rounded
+    const int extra = 2 * (m_outlined ? kOutline : kMargin) + 2 +  // advances are rounded
+                      (m_symbolRoom ? symbolRoom() : 0);
     return {fontMetrics().horizontalAdvance(m_widest) + extra,
             m_lines * fontMetrics().lineSpacing() + (m_outlined ? 4 : 0)};
 }
@@ -90,7 +103,7 @@ QSize ValueLabel::minimumSizeHint() const
 QRect ValueLabel::textRect() const
 {
     const int margin = m_outlined ? kOutline : kMargin;
-    return rect().adjusted(margin + symbolWidth(), 0, -margin, 0);
+    return rect().adjusted(margin + (m_symbol == Symbol::None ? 0 : symbolRoom()), 0, -margin, 0);
 }
 
 void ValueLabel::paintEvent(QPaintEvent*)
@@ -105,10 +118,10 @@ void ValueLabel::paintEvent(QPaintEvent*)
     const QString shown = m_lines > 1 ? m_text : fontMetrics().elidedText(m_text, Qt::ElideRight, room.width());
     if (m_symbol != Symbol::None && m_symbolShown) {
         const QRect used = fontMetrics().boundingRect(room, flags, shown);
-        const double size = fontMetrics().ascent() * 0.8;
+        const double size = symbolSize();
         const double top =
             m_lines > 1 ? used.top() + 0.5 * (fontMetrics().height() - size) : room.center().y() + 0.5 - 0.5 * size;
-        drawSymbol(painter, m_symbol, QRectF(used.left() - symbolWidth(), top, size, size), colour);
+        drawSymbol(painter, m_symbol, QRectF(used.left() - symbolRoom(), top, size, size), colour);
     }
     painter.setPen(colour);
     painter.drawText(room, flags, shown);
@@ -117,11 +130,18 @@ void ValueLabel::paintEvent(QPaintEvent*)
     }
 }
 
+bool ValueLabel::isElided() const
+{
+    if (m_lines == 1) {
+        return fontMetrics().horizontalAdvance(m_text) > textRect().width();
+    }
+    const QRect room(0, 0, textRect().width(), QWIDGETSIZE_MAX);
+    return fontMetrics().boundingRect(room, Qt::TextWordWrap, m_text).height() > height();
+}
+
 bool ValueLabel::event(QEvent* event)
 {
-    if (event->type() == QEvent::ToolTip && toolTip().isEmpty() &&
-        fontMetrics().boundingRect(QRect(0, 0, textRect().width(), height() * 9), Qt::TextWordWrap, m_text).height() >
-            height()) {
+    if (event->type() == QEvent::ToolTip && toolTip().isEmpty() && isElided()) {
         QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), m_text, this);
         return true;
     }

@@ -22,12 +22,14 @@ public:
     void setLines(int lines);     // more than one: words wrap
     void setStretching(bool on);  // takes the width it is given instead of the template's
     void setOutlined(bool on);
+    void setSymbolRoom(bool on);  // the template's width gets room for a symbol
     void setCollapsing(bool on);  // takes no room while it is empty
 
     void setValue(const QString& text, Tone tone = Tone::Normal, Symbol symbol = Symbol::None);
     void setSymbolShown(bool on);  // the flashing of an alarm
 
     [[nodiscard]] const QString& text() const { return m_text; }
+    [[nodiscard]] bool isElided() const;  // the text does not fit
     [[nodiscard]] Tone tone() const { return m_tone; }
     [[nodiscard]] Symbol symbol() const { return m_symbol; }
 
@@ -40,7 +42,8 @@ protected:
 
 private:
     [[nodiscard]] QRect textRect() const;
-    [[nodiscard]] int symbolWidth() const;
+    [[nodiscard]] double symbolSize() const;
+    [[nodiscard]] int symbolRoom() const;  // symbol and the gap behind it
 
     QString m_text;
     QString m_widest;
@@ -51,6 +54,7 @@ private:
     bool m_stretching = false;
     bool m_outlined = false;
     bool m_collapsing = false;
+    bool m_symbolRoom = false;
     bool m_symbolShown = true;
 };
 

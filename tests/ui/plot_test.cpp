@@ -117,6 +117,20 @@ TEST_F(PlotTest, ThePastPathGrowsWithTheMotionAndNotWithOldData)
     EXPECT_EQ(plot.markers().pathLength(), length);
 }
 
+// A jump after silence is not a way the mount went.
+TEST_F(PlotTest, ThePastPathHasAGapWhereTheMountWasNotSeen)
+{
+    for (const double second : {300.0, 301.0, 302.0, 60.0, 70.0, 80.0}) {
+        plot.showStatus(samples::tracking(second));
+    }
+    int pieces = 0;
+    const QPainterPath& path = plot.markers().pathPixels();
+    for (int i = 0; i < path.elementCount(); ++i) {
+        pieces += path.elementAt(i).isMoveTo() ? 1 : 0;
+    }
+    EXPECT_EQ(pieces, 2);
+}
+
 TEST_F(PlotTest, AClickReadsADirectionAndNothingOutsideTheCircle)
 {
     SkyPointing clicked{};

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window_fixture.h"
+
+#include <QDir>
+#include <QImage>
+#include <QTabWidget>
+
+// Pictures of every scene in every theme at both scales, for the eye; and what a program can judge of them.
+namespace boresight::ui {
+namespace {
+
+struct Scene
+{
+    const char* name;
+    StationStatus (*status)();
+    int panel;
+};
+
+StationStatus midPass()
+{
+    return samples::tracking(330);
+}
+
+StationStatus late()
+{
+    return samples::withAge(samples::tracking(330), std::chrono::milliseconds(900));
+}
+
+constexpr Scene kScenes[] = {{"track", midPass, 0},
+                             {"log", midPass, 1},
+                             {"late", late, 0},
+                             {"stopped", samples::stopped, 0},
+                             {"fault", samples::faulted, 0},
+                             {"disconnected", samples::disconnected, 0},
+                             {"limited", samples::limited, 0},
+                             {"operator", samples::operatorMoving, 0}};
+
+class PicturesTest : public WindowFixture
+{
+protected:
+    void show(const Scene& scene)
+    {
+        window.findChild<QTabWidget*>()->setCurrentIndex(scene.panel);
+        for (int second = 0; second < 330; second += 2) {
+            give(samples::update(samples::tracking(second)));  // the past path
+        }
+        StationUpdate update = samples::update(scene.status());
+        for (std::uint64_t number = 1; number < 12; ++number) {
+            update.log.push_back(samples::logEntry(
+                number, number % 5 == 0 ? Severity::Warning : Severity::Advisory,
+                number % 4 == 0 ? QStringLiteral("operator") : QStringLiteral("rotctld 127.0.0.1:51234"),
+                QStringLiteral("P 339.50 57.00: accepted")));
+        }
+        give(update);
+        QTest::qWait(1);
+    }
+
+    QImage picture(double scale)
+    {
+        QImage image(window.size() * scale, QImage::Format_RGB32);
+        image.setDevicePixelRatio(scale);
+        window.render(&image);
+        return image;
+    }
+};
+
+TEST_F(PicturesTest, AreWrittenForEveryThemeSizeAndScale)
+{
+    const QDir folder(QDir::current().filePath(QStringLiteral("pictures")));
+    ASSERT_TRUE(QDir().mkpath(folder.path()));
+    for (const ThemeKind kind : {ThemeKind::Day, ThemeKind::Night, ThemeKind::Red}) {
+        applyTheme(kind);
+        for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
+            window.resize(size);
+            for (const Scene& scene : kScenes) {
+                show(scene);
+                ASSERT_EQ(window.size(), size) << scene.name;
+                for (const int scale : size.width() == 1024 ? std::vector{1, 2} : std::vector{1}) {
+                    const QImage image = picture(scale);
+                    EXPECT_EQ(image.pixelColor(1, 1), currentTheme().window);
+                    const QString file = QStringLiteral("%1-%2-%3-%4.png")
+                                             .arg(QLatin1String(scene.name), name(kind).toLower())
+                                             .arg(size.width())
+                                             .arg(scale * 100);
+                    EXPECT_TRUE(image.save(folder.filePath(file), "PNG", 80));
+                }
+            }
+        }
+    }
+    applyTheme(ThemeKind::Day);
+}
+
+// Nothing that must always be read may be cut off at the smallest size: every value label shows its whole text.
+TEST_F(PicturesTest, NothingThatMustBeReadIsCutOffAtTheSmallestSize)
+{
+    const char* const always[] = {"Station state",
+                                  "CAN bus",
+                                  "Azimuth drive",
+                                  "Elevation drive",
+                                  "rotctld clients",
+                                  "Who may move the mount",
+                                  "UTC",
+                                  "Simulated mount",
+                                  "Actual azimuth",
+                                  "Target azimuth",
+                                  "Error of azimuth",
+                                  "State of azimuth",
+                                  "Actual elevation",
+                                  "Target elevation",
+                                  "Error of elevation",
+                                  "State of elevation"};
+    for (const Scene& scene : kScenes) {
+        show(scene);
+        for (const char* const label : always) {
+            EXPECT_FALSE(named<ValueLabel>(label)->isElided())
+                << label << " in " << scene.name << ": " << text(label).toStdString();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace boresight::ui
