@@ -160,7 +160,7 @@ void MainWindow::showUpdate(const StationUpdate& update)
         m_stopSince.reset();
     }
     m_desk.take(update.answers);
-    showStatus(m_status);
+    showStatus(aged());
     Q_EMIT updateShown();
 }
 
@@ -214,7 +214,7 @@ StationStatus MainWindow::aged() const
         complain(tr("No word from the station for %1").arg(ageText(silent)), tr("Old numbers are not shown"));
     }
     if (m_stopSince && m_clock.now() - *m_stopSince >= kStopUnanswered) {
-        complain(tr("STOP is not confirmed"), tr("It was sent and is not answered"));
+        complain(tr("STOP is not confirmed"), tr("It was sent, but the status does not show it"));
     }
     return status;
 }
@@ -266,7 +266,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     }
     event->ignore();
     if (isMoving(m_status)) {
-        m_closeBar->setText(tr("The mount is moving. Stop it and close?"));
+        m_closeBar->setText(tr("The mount is moving."));
         m_closeBar->show();
     } else {
         confirmClose();

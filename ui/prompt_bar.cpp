@@ -9,8 +9,7 @@ namespace boresight::ui {
 
 PromptBar::PromptBar(const QString& accessibleName, QWidget* parent)
     : QFrame(parent),
-      m_text(new ValueLabel(accessibleName, fonts::text(), QStringLiteral("The mount is moving. Stop it and close?"),
-                            this)),
+      m_text(new ValueLabel(accessibleName, fonts::text(), QStringLiteral("Stopping and closing …"), this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_buttons(new QHBoxLayout)
 {

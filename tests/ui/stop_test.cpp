@@ -2,6 +2,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/command_button.h"
 #include "ui/help_page.h"
+#include "ui/sky_markers.h"
 #include "ui/stop_button.h"
 
 #include <QApplication>
@@ -44,6 +45,19 @@ TEST_F(StopTest, IsWholeAndUncoveredInEveryPanelAndLargeEnough)
         EXPECT_EQ(stops(), static_cast<std::size_t>(panel + 1));
     }
     EXPECT_EQ(window.size(), QSize(1024, 700)) << "a panel does not fit into the smallest window";
+}
+
+// A prompt wider than the plot once pushed STOP off the screen.
+TEST_F(StopTest, StaysInPlaceWhenQuestionsAppear)
+{
+    give(samples::update(samples::tracking(10)));
+    const QPoint before = stop().mapTo(&window, QPoint());
+    auto* const sky = window.findChild<SkyMarkers*>();
+    QTest::mouseClick(sky, Qt::LeftButton, {}, sky->projection().zenith.toPoint());
+    window.close();
+    QTest::qWait(1);
+    EXPECT_EQ(stop().mapTo(&window, QPoint()), before);
+    EXPECT_EQ(window.size(), QSize(1024, 700));
 }
 
 TEST_F(StopTest, WorksInEveryState)
@@ -142,6 +156,8 @@ TEST_F(StopTest, AnUnansweredStopIsAnAlarmAfterASecond)
     QTest::keyClick(&window, Qt::Key_F12);
     clock.advance(Seconds(1.1));
     EXPECT_TRUE(QTest::qWaitFor([this] { return text("Worst alarm").contains(QLatin1String("not confirmed")); }, 2000));
+    give(samples::update(samples::tracking(2)));  // the station talks, but does not stop
+    EXPECT_TRUE(text("Worst alarm").contains(QLatin1String("not confirmed")));
     give(samples::update(samples::stopped()));
     EXPECT_FALSE(text("Worst alarm").contains(QLatin1String("not confirmed")));
 }
