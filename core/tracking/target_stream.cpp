@@ -12,9 +12,14 @@ namespace {
 constexpr std::size_t kMostPoints = 8;
 constexpr std::size_t kFewestPoints = 4;
 
-// Gpredict at its finest threshold sends every 0.8…4 s; with longer pauses there is no stream. Clients that send faster
-// are thinned, or the path would be drawn through a moment's rounding.
-constexpr Seconds kLongestPause{5.0};
+// A Gpredict that is content with where the antenna points says nothing for this long and more, though its satellite
+// goes on; the target then runs on for kLongestRun and waits. If that is too far or too little, Gpredict says so within
+// some 2 s. Only a longer silence means that the stream has ended. (Story: going back to the last point at once swung
+// the antenna 1.5° backwards in mid-pass each time it had followed well.)
+constexpr Seconds kLongestRun{5.0};
+constexpr Seconds kLongestPause{10.0};
+
+// Clients that send faster are thinned, or the path would be drawn through a moment's rounding.
 constexpr Seconds kSpacing{0.5};
 
 // Points further off the straight path than this belong to another target. Satellites pass at up to 2.3 °/s
@@ -25,11 +30,11 @@ constexpr double kFastest = 3.0 * std::numbers::pi / 180.0;
 // Slower than this is a point sent again and again; the stars move at 0.004 °/s.
 constexpr double kSlowest = 0.001 * std::numbers::pi / 180.0;
 
-// Never further ahead of the last point than this, in the sky and in azimuth (which runs away near the zenith), and no
-// longer than two average pauses.
+// Never further ahead of the last point than this, in the sky and in azimuth (which runs away near the zenith). A path
+// that gets there earlier, by a margin for the bend of the last point, waits there until the pause is too long.
 constexpr double kFurthestAhead = 2.0 * std::numbers::pi / 180.0;
+constexpr double kRunAhead = 0.9 * kFurthestAhead;
 const Angle kFurthestAzimuth = Angle::fromDegrees(45.0);
-constexpr double kPausesAhead = 2.0;
 
 // Each point bends the path a little. The target goes over from the old path to the new one in this time, so that the
 // antenna is not jerked with every point.
@@ -143,8 +148,9 @@ std::optional<TargetStream::Path> TargetStream::fittedPath() const
         rate = along(rate, point.direction, time);  // the mean drops out: the times add up to zero
     }
     rate = along({}, rate, 1.0 / spread);
-    const Seconds pause = Seconds(last - m_points.front().time) / (count - 1.0);
-    return Path{.base = along(mean, rate, -meanTime), .rate = rate, .validFor = kPausesAhead * pause};
+    return Path{.base = along(mean, rate, -meanTime),
+                .rate = rate,
+                .runsFor = std::min(kLongestRun, Seconds(kRunAhead / distance(rate, {})))};
 }
 
 double TargetStream::worstDeviation(const Path& path) const
@@ -169,13 +175,15 @@ std::optional<MovingTarget> TargetStream::target(SteadyTime now) const
     }
     const Point& last = m_points.back();
     const MovingTarget fixed{.position = last.position, .rates = {}, .streaming = false};
-    const Seconds ahead = now - last.time;
-    if (!m_path || ahead > m_path->validFor) {
+    const Seconds silent = now - last.time;
+    if (!m_path || silent > kLongestPause) {
         return fixed;
     }
+    const bool waits = silent > m_path->runsFor;
+    const Seconds ahead = waits ? m_path->runsFor : silent;
     const Vector direction = along(m_path->base, m_path->rate, ahead.count());
-    MovingTarget moving = axesFor(direction, m_path->rate, last.position);
-    if (const double left = 1.0 - ahead / kCorrectionTime; left > 0.0) {
+    MovingTarget moving = axesFor(direction, waits ? Vector{} : m_path->rate, last.position);
+    if (const double left = 1.0 - silent / kCorrectionTime; left > 0.0) {
         moving.position.azimuth += left * m_correction.azimuth;
         moving.position.elevation += left * m_correction.elevation;
         moving.rates.azimuth -= m_correction.azimuth / kCorrectionTime;

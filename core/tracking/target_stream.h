@@ -49,7 +49,7 @@ private:
     {
         Vector base;
         Vector rate;
-        Seconds validFor;  // after the last point
+        Seconds runsFor;  // after the last point; then it waits
     };
 
     [[nodiscard]] std::optional<Path> fittedPath() const;
