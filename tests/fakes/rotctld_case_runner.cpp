@@ -262,7 +262,14 @@ bool RotctldCaseRunner::settle(Position goal)
 {
     TcpPeer driver(m_target.host, m_target.port, m_target.pump);
     const std::string command = "P " + std::to_string(goal.azimuth) + " " + std::to_string(goal.elevation) + "\n";
-    return driver.ask(command) == "RPRT 0\n" && reach(goal) && stays(0.3);
+    if (driver.ask(command) != "RPRT 0\n" || !reach(goal)) {
+        return false;
+    }
+    bool atRest = stays(0.3);
+    for (int i = 0; i < 10 && !atRest; ++i) {
+        atRest = stays(0.3);  // a mount with ramps is still braking when it is near
+    }
+    return atRest;
 }
 
 bool RotctldCaseRunner::moves(const QString& axis, const QString& sign)

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/sim/simulated_link.h"
+#include "core/station/station.h"
+#include "tests/fakes/manual_clock.h"
+#include "tests/fakes/rotctld_case_runner.h"
+#include "tests/fakes/tcp_peer.h"
+
+#include <QTemporaryDir>
+
+#include <functional>
+#include <memory>
+
+// The whole path in one process: TCP → rotctld → station → bus → simulated drives with all their physics. Time is
+// turned by hand in ticks of 20 ms, so a pass of ten minutes takes seconds and each run is the same. Angles are those
+// of the profile's axes; truth is where the antenna really is.
+namespace boresight::system_test {
+
+// The built-in profile on a free port.
+[[nodiscard]] profile::Profile anyPort();
+
+class SimulatedStation
+{
+public:
+    static constexpr Seconds kTick{0.02};
+
+    explicit SimulatedStation(const profile::Profile& profile = anyPort(),
+                              const sim::PairSettings& pair = sim::commissionedPair());
+
+    void tick();
+    void run(Seconds time);
+    // False when the time is over first.
+    [[nodiscard]] bool runUntil(const std::function<bool()>& condition, Seconds limit);
+    [[nodiscard]] bool settle(Seconds limit = Seconds(120.0));  // until the set-points and the antenna rest
+
+    // A client, whose patience costs no mount time: the clock stands still while it waits.
+    [[nodiscard]] std::unique_ptr<fakes::TcpPeer> connect() const;
+    [[nodiscard]] fakes::CaseTarget caseTarget();
+    // As the operator; empty when accepted, else why not.
+    [[nodiscard]] std::string ask(const Request& request);
+
+    [[nodiscard]] StationStatus status() const { return station->status(); }
+    [[nodiscard]] double truth(Axis axis) const { return link->truth(axis).angle.degrees(); }
+    [[nodiscard]] AxisPosition truth() const;
+    [[nodiscard]] Angle farthestFrom(const AxisPosition& place) const;  // of the worse axis
+    // An active or unacknowledged alarm with all three parts whose `what` contains the words.
+    [[nodiscard]] bool alarmSays(const QString& words) const;
+    [[nodiscard]] bool logSays(const QString& words);
+
+    fakes::ManualClock clock;
+    SimulatedLink* link = nullptr;
+    std::unique_ptr<Station> station;
+    std::vector<LogEntry> log;
+    std::function<void()> onTick;  // looks on after each tick
+
+private:
+    void collectLog();
+
+    QTemporaryDir m_stateDir;
+    std::vector<Answer> m_answers;
+    std::uint16_t m_port = 0;
+    std::uint64_t m_lastRequest = 0;
+};
+
+}  // namespace boresight::system_test
