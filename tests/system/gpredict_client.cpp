@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/system/gpredict_client.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace boresight::system_test {
+namespace {
+
+constexpr Seconds kDecisionPeriod{0.5};  // a cycle of 1 s, which a doubled timer of this version halves
+constexpr Seconds kPause{0.7};
+constexpr Seconds kBeforeRead{0.1};
+constexpr Seconds kFinestLead{0.25};    // a quarter of the cycle
+constexpr std::size_t kReadSize = 128;  // of its one recv
+
+bool apart(const SatellitePass::Look& one, const SatellitePass::Look& other)
+{
+    return abs((one.azimuth - other.azimuth).wrapped180()) > GpredictClient::kThreshold ||
+           abs(one.elevation - other.elevation) > GpredictClient::kThreshold;
+}
+
+}  // namespace
+
+GpredictClient::GpredictClient(std::unique_ptr<fakes::TcpPeer> peer, const SatellitePass& pass)
+    : m_peer(std::move(peer)), m_pass(pass)
+{}
+
+void GpredictClient::tick(Seconds now)
+{
+    if (!m_nextRead) {  // just engaged: `p` first
+        m_nextDecision = now;
+        m_nextRead = now + kBeforeRead;
+        m_nextTarget = *m_nextRead + kPause;
+    }
+    if (now >= *m_nextDecision) {
+        decide(now);
+        *m_nextDecision += kDecisionPeriod;
+    }
+    if (now >= *m_nextTarget) {
+        sendTarget();
+        m_nextRead = now + kBeforeRead;
+        m_nextTarget = *m_nextRead + kPause;
+    } else if (now >= *m_nextRead) {
+        readPosition();
+        m_nextRead = *m_nextTarget + kBeforeRead;
+    }
+}
+
+void GpredictClient::decide(Seconds now)
+{
+    SatellitePass::Look wanted = m_pass.at(now);
+    if (wanted.elevation < Angle()) {  // before it rises and after it set: there, on the horizon
+        const Seconds edge = now < Seconds(0.0) ? -m_pass.halfDuration() : m_pass.halfDuration();
+        wanted = {.azimuth = m_pass.at(edge).azimuth, .elevation = Angle()};
+    }
+    if (m_read && apart(wanted, *m_read)) {
+        m_due = wanted.elevation > Angle() ? leading(now) : wanted;
+    }
+}
+
+// Halves its steps until they are finer than it cares for.
+SatellitePass::Look GpredictClient::leading(Seconds now) const
+{
+    const Seconds untilSet = m_pass.halfDuration() - now;
+    Seconds lead = untilSet / 2;
+    for (Seconds step = untilSet / 4; step > kFinestLead; step /= 2) {
+        lead += apart(m_pass.at(now + lead), m_pass.at(now)) ? -step : step;
+    }
+    SatellitePass::Look look = m_pass.at(now + lead);
+    look.elevation = std::max(look.elevation, Angle());
+    return look;
+}
+
+void GpredictClient::sendTarget()
+{
+    if (!m_due) {
+        return;
+    }
+    std::array<char, 40> command{};
+    std::snprintf(command.data(), command.size(), "P %.2f %.2f\n", m_due->azimuth.wrapped360().degrees(),
+                  m_due->elevation.degrees());
+    m_due.reset();
+    const std::string reply = exchange(command.data(), 1);
+    if (reply != "RPRT 0\n") {
+        m_complaints.push_back(std::string(command.data()) + " -> " + reply);
+    }
+}
+
+void GpredictClient::readPosition()
+{
+    const std::string reply = exchange("p\n", 2);
+    double azimuth = 0.0;
+    double elevation = 0.0;
+    if (std::sscanf(reply.c_str(), "%lf\n%lf\n", &azimuth, &elevation) != 2) {
+        m_complaints.push_back("p -> " + reply);
+        return;
+    }
+    m_read = SatellitePass::Look{.azimuth = Angle::fromDegrees(azimuth), .elevation = Angle::fromDegrees(elevation)};
+}
+
+void GpredictClient::disengage()
+{
+    if (exchange("S\n", 1) != "RPRT 0\n") {
+        m_complaints.emplace_back("S");
+    }
+    m_peer->send("q\n");
+    m_peer.reset();
+}
+
+std::string GpredictClient::exchange(const std::string& command, int lines)
+{
+    const std::size_t before = m_peer->segments().size();
+    std::string reply = m_peer->ask(command, lines);
+    ++m_exchanges;
+    m_longestReply = std::max(m_longestReply, reply.size());
+    if (m_peer->segments().size() != before + 1 || reply.size() >= kReadSize) {
+        m_complaints.push_back(command + " was not answered in one piece: " + reply);
+    }
+    return reply;
+}
+
+}  // namespace boresight::system_test

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "tests/fakes/tcp_peer.h"
+#include "tests/system/satellite_pass.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+// Gpredict's antenna control, byte for byte and in its rhythm, as recorded from Debian's 2.3: `p` 0.1 s after an answer
+// to `P` or into a cycle, the next cycle 0.7 s later; a target is due when satellite and last position read differ by
+// more than the threshold, and then leads to the point where the satellite will leave the threshold. It takes each
+// answer with one recv of at most 128 bytes.
+namespace boresight::system_test {
+
+class GpredictClient
+{
+public:
+    static constexpr Angle kThreshold = Angle::fromDegrees(0.1);
+
+    GpredictClient(std::unique_ptr<fakes::TcpPeer> peer, const SatellitePass& pass);
+
+    // Says what is due; time is that of the pass.
+    void tick(Seconds now);
+    void disengage();  // S, then q
+
+    [[nodiscard]] int exchanges() const { return m_exchanges; }
+    [[nodiscard]] const std::vector<std::string>& complaints() const { return m_complaints; }
+    [[nodiscard]] std::size_t longestReply() const { return m_longestReply; }
+
+private:
+    void decide(Seconds now);
+    [[nodiscard]] SatellitePass::Look leading(Seconds now) const;
+    void sendTarget();
+    void readPosition();
+    std::string exchange(const std::string& command, int lines);
+
+    std::unique_ptr<fakes::TcpPeer> m_peer;
+    const SatellitePass& m_pass;
+    std::optional<SatellitePass::Look> m_due;
+    std::optional<SatellitePass::Look> m_read;
+    std::optional<Seconds> m_nextDecision;
+    std::optional<Seconds> m_nextTarget;
+    std::optional<Seconds> m_nextRead;
+    int m_exchanges = 0;
+    std::size_t m_longestReply = 0;
+    std::vector<std::string> m_complaints;
+};
+
+}  // namespace boresight::system_test
