@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/moteus/faults.h"
+#include "tests/system/simulated_station.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+// What goes wrong beside the mast, with a client that goes on asking: the antenna stops, the operator is told what
+// happened, what Boresight did and what to do, and nothing moves by itself afterwards. Judged by where the antenna
+// really is. The clock is turned by hand.
+namespace boresight::system_test {
+namespace {
+
+constexpr Angle kStill = Angle::fromDegrees(0.03);  // backlash, and the drive coming to rest on the other side of it
+
+const char* const kFar = "P 200 60\n";
+const char* const kFarther = "P 230 40\n";
+
+// A mount that is on its way, and its client.
+class FaultTest : public ::testing::Test
+{
+protected:
+    FaultTest() : client(rig.connect())
+    {
+        EXPECT_EQ(client->ask(kFar), "RPRT 0\n");
+        rig.run(Seconds(3.0));
+        EXPECT_GT(abs(rig.link->truth(Axis::Azimuth).rate), 5_deg_s);
+    }
+
+    // The client asks on, as Gpredict would; the antenna must stay.
+    void expectNothingMovesFor(Seconds time, const std::string& answer)
+    {
+        const AxisPosition here = rig.truth();
+        Angle worst;
+        for (Seconds passed{0.0}; passed < time; passed += Seconds(0.8)) {
+            EXPECT_EQ(client->ask(kFarther), answer);
+            rig.run(Seconds(0.8));
+            worst = std::max(worst, rig.farthestFrom(here));
+        }
+        EXPECT_LT(worst, kStill);
+    }
+    void expectMotionAgain()
+    {
+        EXPECT_EQ(client->ask(kFarther), "RPRT 0\n");
+        EXPECT_TRUE(rig.settle());
+        EXPECT_LT(rig.farthestFrom({.azimuth = (230_deg).nearestTo(rig.truth().azimuth), .elevation = 40_deg}),
+                  0.1_deg);
+    }
+    sim::FaultSchedule::Handle inject(sim::FaultKind kind, std::optional<Axis> axis, std::optional<double> value = {})
+    {
+        return rig.link->inject({.kind = kind, .axis = axis, .value = value});
+    }
+    void end(sim::FaultSchedule::Handle handle) { rig.link->pair().faults().remove(handle); }
+
+    SimulatedStation rig;
+    std::unique_ptr<fakes::TcpPeer> client;
+};
+
+TEST_F(FaultTest, ASilentBusStopsTheMountAndNothingMovesWhenItIsBack)
+{
+    const auto cut = inject(sim::FaultKind::LostCommand, {}, 1.0);
+    rig.run(Seconds(0.2));  // the watchdog of 0.1 s, and the drive's own ramp
+    const AxisPosition stopped = rig.truth();
+    rig.run(Seconds(0.2));
+    EXPECT_TRUE(rig.alarmSays(QStringLiteral("No reply from the azimuth drive")));
+    EXPECT_TRUE(rig.alarmSays(QStringLiteral("No reply from the elevation drive")));
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(client->ask("p\n", 2).substr(0, 4) == "RPRT", false) << "0.9 s old is still a position";
+    rig.run(Seconds(0.2));
+    EXPECT_EQ(client->ask("p\n"), "RPRT -6\n");
+    EXPECT_EQ(client->ask(kFarther), "RPRT -6\n");
+    rig.run(Seconds(1.9));
+    EXPECT_LT(rig.farthestFrom(stopped), 0.1_deg);
+
+    end(cut);
+    rig.run(Seconds(0.2));
+    EXPECT_EQ(client->ask("p\n", 2).find("RPRT"), std::string::npos) << "the connection has outlived the silence";
+    expectNothingMovesFor(Seconds(10.0), "RPRT -9\n");
+    EXPECT_EQ(rig.status().state, StationState::Fault);
+    EXPECT_EQ(client->ask("R 1\n"), "RPRT 0\n");
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.status().state, StationState::Standby);
+    EXPECT_LT(rig.farthestFrom(stopped), 0.1_deg) << "re-arming moves nothing";
+    expectMotionAgain();
+}
+
+TEST_F(FaultTest, ADriveThatTimedOutHoldsAndIsReArmedByTheOperator)
+{
+    const auto deaf = inject(sim::FaultKind::LostCommand, Axis::Elevation, 1.0);
+    rig.run(Seconds(0.2));  // shorter than what counts as silence: the drive comes back in its time-out mode
+    end(deaf);
+    rig.run(Seconds(2.0));
+    EXPECT_TRUE(rig.alarmSays(QStringLiteral("elevation drive timed out")));
+    expectNothingMovesFor(Seconds(5.0), "RPRT -9\n");
+    EXPECT_EQ(rig.link->truth(Axis::Azimuth).mode, moteus::Mode::Position) << "the healthy axis is held";
+    EXPECT_EQ(rig.ask(request::Rearm{}), "");
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(client->ask(kFarther), "RPRT -9\n") << "the operator has re-armed: the clients wait";
+    EXPECT_EQ(rig.ask(request::GiveAuthority{}), "");
+    expectMotionAgain();
+}
+
+class DriveFault : public FaultTest, public ::testing::WithParamInterface<int>
+{};
+
+TEST_P(DriveFault, OfOneAxisHoldsTheOtherAndWaitsForReArming)
+{
+    const auto fault = inject(sim::FaultKind::DriveFault, Axis::Azimuth, GetParam());
+    rig.run(Seconds(2.0));
+    EXPECT_EQ(rig.status().state, StationState::Fault);
+    EXPECT_TRUE(rig.alarmSays(QStringLiteral("azimuth drive fault %1: ").arg(GetParam())));
+    EXPECT_EQ(rig.link->truth(Axis::Elevation).mode, moteus::Mode::Position) << "the healthy axis is held";
+    EXPECT_EQ(client->ask("p\n", 2).find("RPRT"), std::string::npos) << "the position is known";
+    expectNothingMovesFor(Seconds(4.0), "RPRT -9\n");
+
+    EXPECT_EQ(rig.ask(request::Rearm{}), "");
+    EXPECT_EQ(rig.ask(request::GiveAuthority{}), "");
+    rig.run(Seconds(1.0));
+    static_cast<void>(client->ask(kFarther));
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.status().state, StationState::Fault) << "the cause is still there";
+
+    end(fault);
+    EXPECT_EQ(client->ask("R 1\n"), "RPRT 0\n");
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.status().state, StationState::Standby);
+    expectMotionAgain();
+}
+
+std::vector<int> faultCodes()
+{
+    std::vector<int> codes;
+    for (int code = 32; code <= 50; ++code) {
+        codes.push_back(code);
+    }
+    return codes;
+}
+
+INSTANTIATE_TEST_SUITE_P(Code, DriveFault, ::testing::ValuesIn(faultCodes()));
+
+TEST_F(FaultTest, AfterALossOfPowerNothingIsPointedUntilThePositionIsKnown)
+{
+    // Somebody turns azimuth by hand meanwhile: the drive wakes up on another turn of its rotor and cannot know.
+    const double turned = rig.truth(Axis::Azimuth) + 50.0;
+    const auto off = inject(sim::FaultKind::PowerLoss, Axis::Azimuth, turned);
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(client->ask("p\n"), "RPRT -6\n");
+    end(off);
+    rig.run(Seconds(3.0));
+    EXPECT_NEAR(rig.truth(Axis::Azimuth), turned, 0.1);
+    expectNothingMovesFor(Seconds(4.0), "RPRT -9\n");
+    EXPECT_EQ(client->ask("R 1\n"), "RPRT 0\n");
+    rig.run(Seconds(1.0));
+    expectNothingMovesFor(Seconds(4.0), "RPRT -9\n");
+    EXPECT_THAT(rig.ask(request::PointAxes{{.azimuth = 230_deg, .elevation = 40_deg}}),
+                ::testing::HasSubstr("does not know which turn"));
+
+    // A hand on the jog keys gets through to the drive, which woke up outside its own position bounds and says so.
+    const AxisPosition here = rig.truth();
+    EXPECT_EQ(rig.ask(request::Jog{{.elevation = 2_deg_s}}), "");
+    rig.run(Seconds(1.0));
+    EXPECT_TRUE(rig.alarmSays(QStringLiteral("elevation drive fault 39: ")));
+    EXPECT_LT(rig.farthestFrom(here), kStill);
+}
+
+TEST_F(FaultTest, AGustBendsThePathAndEndsWithoutHarm)
+{
+    ASSERT_TRUE(rig.settle());
+    const AxisPosition here = rig.truth();
+    rig.link->inject({.kind = sim::FaultKind::Wind, .duration = Seconds(3.0), .value = 20.0});
+    Angle worst;
+    rig.onTick = [&] { worst = std::max(worst, rig.farthestFrom(here)); };
+    rig.run(Seconds(6.0));
+    rig.onTick = nullptr;
+    EXPECT_LT(worst, 1.5_deg);
+    EXPECT_LT(rig.farthestFrom(here), 0.1_deg);
+    EXPECT_NE(rig.status().state, StationState::Fault);
+    RecordProperty("gust_worst_deg", QString::number(worst.degrees(), 'f', 3).toStdString());
+    expectMotionAgain();
+}
+
+TEST_F(FaultTest, EveryStartOfAMotionIsExplained)
+{
+    EXPECT_TRUE(rig.logSays(QStringLiteral("moves the mount from 0.00° 10.00°: P 200.00° 60.00°")));
+}
+
+}  // namespace
+}  // namespace boresight::system_test
