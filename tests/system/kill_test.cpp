@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sim/pty_server.h"
+#include "tests/fakes/wait_until.h"
+#include "tests/system/boresightd_process.h"
+
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+// The program dies while the mount moves: the drives stop it by their own watchdog. boresightd runs as a process of its
+// own, in real time, with the simulated drives behind a pseudo-terminal here, where it is seen what they really do.
+namespace boresight::system_test {
+namespace {
+
+// Backlash, and the 0.03° of overshoot that the drive takes back after it has stood.
+constexpr Angle kStill = Angle::fromDegrees(0.05);
+
+class KillTest : public ::testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        auto created = sim::PtyServer::create(terminal, pair, clock);
+        ASSERT_TRUE(created) << created.error().text;
+        server = std::move(*created);
+        boresightd = start();
+        ASSERT_TRUE(boresightd->listens()) << boresightd->complaints();
+        client = boresightd->connect();
+    }
+
+    [[nodiscard]] std::unique_ptr<BoresightdProcess> start() const
+    {
+        return std::make_unique<BoresightdProcess>(
+            QStringList{QStringLiteral("--bus"), QStringLiteral("fdcanusb:") + terminal});
+    }
+    sim::AxisTruth truth(Axis axis)
+    {
+        pair.advanceTo(clock.now() - epoch);
+        return pair.truth(axis);
+    }
+    // Until the program sees both drives: before, it answers RPRT -6.
+    void expectAccepted(const std::string& command)
+    {
+        std::string answer;
+        for (int i = 0; i < 100 && answer != "RPRT 0\n"; ++i) {
+            answer = client->ask(command);
+            QTest::qWait(20);
+        }
+        EXPECT_EQ(answer, "RPRT 0\n");
+    }
+    void expectAzimuthRate(AngularRate rate)
+    {
+        EXPECT_TRUE(fakes::waitUntil([&] { return abs(truth(Axis::Azimuth).rate) > rate; }));
+    }
+
+    struct Sample
+    {
+        Seconds time;
+        AxisPosition place;
+    };
+    std::vector<Sample> watch(Seconds duration)
+    {
+        std::vector<Sample> samples;
+        const SteadyTime begin = clock.now();
+        for (SteadyTime now = begin; now - begin < duration; now = clock.now()) {
+            samples.push_back({now - begin, {truth(Axis::Azimuth).angle, truth(Axis::Elevation).angle}});
+            QTest::qWait(1);
+        }
+        return samples;
+    }
+    static Angle apart(const AxisPosition& one, const AxisPosition& other)
+    {
+        return std::max(abs(one.azimuth - other.azimuth), abs(one.elevation - other.elevation));
+    }
+    // When the mount was where it stayed.
+    static Seconds restTime(const std::vector<Sample>& samples)
+    {
+        const auto moving = std::find_if(samples.rbegin(), samples.rend(), [&](const Sample& sample) {
+            return apart(sample.place, samples.back().place) > kStill;
+        });
+        return moving == samples.rend() ? Seconds(0.0) : moving->time;
+    }
+    void expectNothingMovesFor(Seconds duration)
+    {
+        const auto samples = watch(duration);
+        for (const Sample& sample : samples) {
+            ASSERT_LT(apart(sample.place, samples.front().place), kStill) << sample.time.count() << " s";
+        }
+    }
+
+    QTemporaryDir folder;
+    const QString terminal = folder.filePath(QStringLiteral("mount"));
+    SystemClock clock;
+    sim::SimulatedPair pair{sim::commissionedPair()};
+    const SteadyTime epoch = clock.now();
+    std::unique_ptr<sim::PtyServer> server;
+    std::unique_ptr<BoresightdProcess> boresightd;
+    std::unique_ptr<fakes::TcpPeer> client;
+};
+
+TEST_F(KillTest, TheDrivesStopTheMountAndNothingMovesAfterwards)
+{
+    expectAccepted("M 16 100\n");  // 6 °/s clockwise
+    expectAzimuthRate(5.9_deg_s);
+    boresightd->kill();
+    const auto samples = watch(Seconds(1.5));
+    EXPECT_GT(apart(samples.front().place, samples.back().place), 0.3_deg) << "it was moving";
+    EXPECT_LT(restTime(samples), Seconds(0.2));
+    RecordProperty("rest_after_kill_s", QString::number(restTime(samples).count(), 'f', 3).toStdString());
+    EXPECT_EQ(truth(Axis::Azimuth).mode, moteus::Mode::PositionTimeout);
+
+    boresightd = start();
+    ASSERT_TRUE(boresightd->listens()) << boresightd->complaints();
+    expectNothingMovesFor(Seconds(1.5));
+    client = boresightd->connect();
+    EXPECT_EQ(client->ask("p\n", 2).find("RPRT"), std::string::npos);
+    expectNothingMovesFor(Seconds(0.5));
+    expectAccepted("P 0 10\n");
+    EXPECT_TRUE(fakes::waitUntil([&] { return abs(truth(Axis::Azimuth).angle) < 0.1_deg; }, std::chrono::seconds(30)));
+}
+
+TEST_F(KillTest, TheDrivesStopTheFastestMoveToo)
+{
+    expectAccepted("P 200 60\n");
+    expectAzimuthRate(9.9_deg_s);
+    boresightd->kill();
+    const auto samples = watch(Seconds(1.0));
+    EXPECT_LT(restTime(samples), Seconds(0.2));
+    RecordProperty("rest_after_kill_s", QString::number(restTime(samples).count(), 'f', 3).toStdString());
+}
+
+TEST_F(KillTest, AnOrderlyEndDeceleratesAndLeavesTheDrivesHolding)
+{
+    expectAccepted("P 200 60\n");
+    expectAzimuthRate(9.0_deg_s);
+    const std::optional<int> code = boresightd->terminate();
+    EXPECT_EQ(code, 0);
+    EXPECT_LT(abs(truth(Axis::Azimuth).rate), 0.1_deg_s) << "it ends after the mount has come to rest";
+    expectNothingMovesFor(Seconds(1.0));
+    for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
+        EXPECT_EQ(truth(axis).mode, moteus::Mode::PositionTimeout) << "on_exit = hold: the drive's own time-out mode";
+    }
+}
+
+}  // namespace
+}  // namespace boresight::system_test
