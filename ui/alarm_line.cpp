@@ -113,7 +113,7 @@ void AlarmLine::showRecovery(const StationStatus& status)
                           fault
                               ? tr("Clear the drive fault. The mount then stands in STANDBY; nothing moves by itself.")
                               : tr("Release STOP. The mount then stands in STANDBY; nothing moves by itself."));
-    m_recover->setVisible(fault || status.state == StationState::Stopped);
+    m_recover->setVisible(fault || status.stopLatched);
     const bool ours = status.authority == Authority::Operator;
     m_authority->setCommand(ours ? tr("Give to clients") : tr("Take control"),
                             ours ? tr("Let rotctld clients move the mount again")

@@ -176,7 +176,7 @@ void HeaderBar::showState(const StationStatus& status)
     const Tone tone = stateTone(status.state);
     m_state->setValue(word(status.state), tone, stateSymbol(tone));
     m_reason->setValue(status.stateReason, Tone::Secondary);
-    const bool latched = status.state == StationState::Stopped;
+    const bool latched = status.stopLatched;
     m_stopRequested = m_stopRequested && !latched;
     m_stop->setPhase(latched           ? StopButton::Phase::Latched
                      : m_stopRequested ? StopButton::Phase::Requested

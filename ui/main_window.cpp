@@ -156,7 +156,7 @@ void MainWindow::showUpdate(const StationUpdate& update)
             clockText(last.utc) + QStringLiteral("  ") + last.source + QStringLiteral("  ") + last.text,
             Tone::Secondary);
     }
-    if (m_status.state == StationState::Stopped) {
+    if (m_status.stopLatched) {
         m_stopSince.reset();
     }
     m_desk.take(update.answers);
@@ -222,7 +222,7 @@ StationStatus MainWindow::aged() const
 void MainWindow::stop()
 {
     m_header->setStopRequested();
-    if (m_status.state != StationState::Stopped && !m_stopSince) {
+    if (!m_status.stopLatched && !m_stopSince) {
         m_stopSince = m_clock.now();
     }
     m_desk.send(request::Stop{}, this, [this](const std::optional<Error>& error) {

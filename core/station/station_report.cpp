@@ -128,6 +128,7 @@ StationStatus StationControl::status() const
                          .alarms = m_alarms.list(),
                          .utc = m_clock.utc(),
                          .tick = m_tick};
+    status.stopLatched = m_interlock.stopLatched();
     status.stateReason = m_interlock.fault().value_or(m_commandText);
     if (const auto measured = m_drives.measured()) {
         status.actual = pointing::MountModel::toSky(*measured);

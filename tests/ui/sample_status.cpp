@@ -107,6 +107,7 @@ StationStatus stopped()
 {
     StationStatus status = tracking(200.0);
     status.state = StationState::Stopped;
+    status.stopLatched = true;
     status.stateReason = QStringLiteral("STOP pressed by operator");
     status.azimuth.state = AxisState::Stopped;
     status.elevation.state = AxisState::Stopped;

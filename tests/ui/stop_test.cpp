@@ -162,6 +162,20 @@ TEST_F(StopTest, AnUnansweredStopIsAnAlarmAfterASecond)
     EXPECT_FALSE(text("Worst alarm").contains(QLatin1String("not confirmed")));
 }
 
+// DISCONNECTED and FAULT hide the word STOPPED, not the latch.
+TEST_F(StopTest, IsConfirmedAlsoWhileTheDrivesAreSilentOrInFault)
+{
+    for (StationStatus status : {samples::disconnected(), samples::faulted()}) {
+        give(samples::update(status));
+        QTest::keyClick(&window, Qt::Key_F12);
+        status.stopLatched = true;
+        clock.advance(Seconds(1.1));
+        give(samples::acceptance(status, requests.back().id));
+        EXPECT_EQ(stop().phase(), StopButton::Phase::Latched);
+        EXPECT_FALSE(text("Worst alarm").contains(QLatin1String("not confirmed")));
+    }
+}
+
 TEST_F(StopTest, ARefusedStopSaysWhy)
 {
     QTest::keyClick(&window, Qt::Key_F12);
