@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dead_man.h"
 
+#include <utility>
+
 namespace boresight::ui {
 
 DeadMan::DeadMan(QObject* parent) : QObject(parent)
@@ -8,6 +10,10 @@ DeadMan::DeadMan(QObject* parent) : QObject(parent)
     m_repeat.setInterval(kJogRepeat);
     m_repeat.setTimerType(Qt::PreciseTimer);  // a coarse timer may be 5 % late
     connect(&m_repeat, &QTimer::timeout, this, &DeadMan::repeat);
+    m_bounce.setInterval(kKeyBounce);
+    m_bounce.setTimerType(Qt::PreciseTimer);
+    m_bounce.setSingleShot(true);
+    connect(&m_bounce, &QTimer::timeout, this, &DeadMan::letGoReleased);
 }
 
 void DeadMan::setRate(AngularRate rate)
@@ -17,6 +23,7 @@ void DeadMan::setRate(AngularRate rate)
 
 void DeadMan::hold(JogDirection direction)
 {
+    m_released.erase(direction);
     if (m_held.insert(direction).second) {
         repeat();
         m_repeat.start();
@@ -34,8 +41,24 @@ void DeadMan::letGo(JogDirection direction)
     repeat();
 }
 
+void DeadMan::letGoSoon(JogDirection direction)
+{
+    if (m_held.contains(direction)) {
+        m_released.insert(direction);
+        m_bounce.start();
+    }
+}
+
+void DeadMan::letGoReleased()
+{
+    for (const JogDirection direction : std::exchange(m_released, {})) {
+        letGo(direction);
+    }
+}
+
 void DeadMan::letGoAll()
 {
+    m_released.clear();
     if (isHeld()) {
         m_held.clear();
         m_repeat.stop();

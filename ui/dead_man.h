@@ -24,6 +24,9 @@ public:
     void setRate(AngularRate rate);  // applies with the next repeat
     void hold(JogDirection direction);
     void letGo(JogDirection direction);
+    // For keys: lets go unless the direction is held again within kKeyBounce. An X server repeats a held key as pairs
+    // of release and press, and Qt sees through them only if both have arrived; they must not become a stutter.
+    void letGoSoon(JogDirection direction);
     void letGoAll();
 
     [[nodiscard]] bool isHeld() const { return !m_held.empty(); }
@@ -32,11 +35,16 @@ Q_SIGNALS:
     void jog(const boresight::AxisRates& rates);
 
 private:
+    static constexpr std::chrono::milliseconds kKeyBounce{30};
+
     void repeat();
+    void letGoReleased();
 
     std::set<JogDirection> m_held;
+    std::set<JogDirection> m_released;  // held still, until the key bounce is over
     AngularRate m_rate;
     QTimer m_repeat;
+    QTimer m_bounce;
 };
 
 }  // namespace boresight::ui

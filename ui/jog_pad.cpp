@@ -272,7 +272,7 @@ void JogPad::keyReleaseEvent(QKeyEvent* event)
         applyRate();
     }
     if (const auto direction = directionOf(event->key())) {
-        m_deadMan.letGo(*direction);
+        m_deadMan.letGoSoon(*direction);
     }
     QWidget::keyReleaseEvent(event);
 }

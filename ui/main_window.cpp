@@ -23,6 +23,8 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include <memory>
+
 namespace boresight::ui {
 
 namespace {
@@ -68,7 +70,11 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     resize(1280, 800);
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    // The panels end what is still held with a last request, and that needs the desk: they go first.
+    const std::unique_ptr<QWidget> panels(takeCentralWidget());
+}
 
 void MainWindow::build()
 {
