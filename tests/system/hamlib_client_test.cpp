@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/units/quantity.h"
 #include "tests/fakes/wait_until.h"
 #include "tests/system/boresightd_process.h"
 
@@ -63,7 +64,8 @@ protected:
     {
         for (QDeadlineTimer deadline(std::chrono::seconds(30)); !deadline.hasExpired();) {
             const Place now = position();
-            if (std::abs(now.azimuth - place.azimuth) < 0.1 && std::abs(now.elevation - place.elevation) < 0.1) {
+            const Angle turn = Angle::fromDegrees(now.azimuth - place.azimuth).wrapped180();  // 359.99° is near 0°
+            if (abs(turn) < 0.1_deg && std::abs(now.elevation - place.elevation) < 0.1) {
                 return true;
             }
         }
