@@ -3,9 +3,15 @@ include(GoogleTest)
 
 # boresight_add_test(NAME LABEL unit|ui|system SOURCES … LIBRARIES …)
 # One GoogleTest executable per module. LIBRARIES is what is tested (boresight_core or boresight_ui); NO_MAIN leaves
-# out GTest's main for tests that bring their own (a QCoreApplication or QApplication).
+# out GTest's main for tests that bring their own (a QCoreApplication or QApplication). SERIAL is for tests that measure
+# real time: nothing else runs beside them.
 function(boresight_add_test name)
-  cmake_parse_arguments(T "NO_MAIN" "LABEL;TIMEOUT" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(T "NO_MAIN;SERIAL" "LABEL;TIMEOUT" "SOURCES;LIBRARIES" ${ARGN})
+  if(T_SERIAL)
+    set(serial TRUE)
+  else()
+    set(serial FALSE)
+  endif()
   if(NOT T_TIMEOUT)
     set(T_TIMEOUT 120)
   endif()
@@ -17,5 +23,6 @@ function(boresight_add_test name)
     target_link_libraries(${name} PRIVATE ${T_LIBRARIES} GTest::gmock_main)
   endif()
   target_compile_definitions(${name} PRIVATE BORESIGHT_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data")
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${T_LABEL}" TIMEOUT ${T_TIMEOUT})
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${T_LABEL}" TIMEOUT ${T_TIMEOUT}
+    RUN_SERIAL ${serial})
 endfunction()

@@ -7,6 +7,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 // The main job: Gpredict turns the mount through a pass of ten minutes which crosses north at 80°, clockwise and
 // counter-clockwise, the clock turned by hand through all of it.
 namespace boresight::system_test {

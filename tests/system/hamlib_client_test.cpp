@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 // Hamlib's own client program, as Debian ships it, drives boresightd through its network backend: `rotctl -m 2`.
 namespace boresight::system_test {
 namespace {

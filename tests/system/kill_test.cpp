@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 // The program dies while the mount moves: the drives stop it by their own watchdog. boresightd runs as a process of its
