@@ -90,6 +90,7 @@ int main(int argc, char** argv)
 {
     QElapsedTimer sinceStart;
     sinceStart.start();
+    QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("boresight"));
     QApplication::setApplicationDisplayName(QStringLiteral("Boresight"));
