@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // boresight: the desktop program. The window on this thread, the station on its own.
+#include "app/log_output.h"
 #include "app/options.h"
 #include "app/station_thread.h"
 #include "app/unix_signals.h"
@@ -90,6 +91,7 @@ int main(int argc, char** argv)
 {
     QElapsedTimer sinceStart;
     sinceStart.start();
+    app::logToStandardError();
     QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("boresight"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // boresightd: the station without a screen. Its main thread is the station thread.
+#include "app/log_output.h"
 #include "app/options.h"
 #include "app/service_notify.h"
 #include "app/unix_signals.h"
@@ -57,6 +58,7 @@ int run(QCoreApplication& application, const app::Options& options)
 
 int main(int argc, char** argv)
 {
+    app::logToStandardError();
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("boresightd"));
     QCoreApplication::setApplicationVersion(QString::fromUtf8(kVersion.data(), kVersion.size()));

@@ -19,7 +19,7 @@ bool AlarmList::raise(const QString& cause, Severity severity, const AlarmText& 
         entry->alarm.active = false;
     }
     Alarm& alarm = entry->alarm;
-    const bool isNew = !alarm.active;
+    const bool isNew = !alarm.active || severity > alarm.severity || text.what != alarm.what;
     if (isNew) {
         alarm = Alarm{.id = m_nextId++, .since = now};
     }

@@ -9,7 +9,7 @@
 #include <vector>
 
 // The alarms of the station, one per cause. An alarm stays until its cause is gone and, above an advisory, somebody
-// has acknowledged it. Station thread only.
+// has acknowledged it. What gets worse, or turns into something else, is a new alarm. Station thread only.
 namespace boresight {
 
 // What the operator reads: what happened, what Boresight did, what to do.
@@ -23,7 +23,7 @@ struct AlarmText
 class AlarmList
 {
 public:
-    // Raises the alarm named `cause`, or renews its text. True if it was not active before: worth a log line.
+    // Raises the alarm named `cause`. True if it was not active before, or is worse or another now: worth a log line.
     bool raise(const QString& cause, Severity severity, const AlarmText& text, UtcTime now);
     // The cause is gone. True if it was active.
     bool clear(const QString& cause);

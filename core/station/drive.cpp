@@ -11,6 +11,11 @@ namespace {
 // Slower than this the drive does not turn by velocity (moteus manual); a fresh position each tick moves it instead.
 constexpr MotorRate kSmallestVelocity = MotorRate::fromTurns(0.0001);
 
+// An axis slower than this stands, but for the noise of the velocity (0.01 rev/s at the rotor); it is waited for no
+// longer than kBrakingTime.
+constexpr MotorRate kStanding = MotorRate::fromTurns(0.001);
+constexpr Seconds kBrakingTime{0.6};
+
 // A reply shows the state before the command in the same exchange, so the first one of a phase says nothing about it.
 constexpr int kFirstTellingReply = 2;
 
@@ -18,11 +23,12 @@ DriveReport toReport(const moteus::Reply& reply, SteadyTime received)
 {
     using moteus::Register;
     const auto number = [&](Register reg) { return reply.value(reg).value_or(0.0); };
+    const auto turns = reply.value(Register::Position);
     return {.received = received,
             .mode = *reply.mode(),
             .fault = reply.fault().value_or(0),
             .homeState = reply.homeState().value_or(moteus::HomeState::Relative),
-            .position = MotorTurns::fromTurns(*reply.value(Register::Position)),
+            .position = turns ? std::optional(MotorTurns::fromTurns(*turns)) : std::nullopt,
             .rate = MotorRate::fromTurns(number(Register::Velocity)),
             .torque = number(Register::Torque),
             .current = number(Register::QCurrent),
@@ -58,9 +64,16 @@ void Drive::listen()
     enter(Phase::Listening);
 }
 
+void Drive::seize()
+{
+    if (activeUnordered()) {
+        engage();
+    }
+}
+
 void Drive::recover()
 {
-    m_captureAfterRecovery = false;
+    m_captureAfterRecovery = m_report && m_report->mode == moteus::Mode::PositionTimeout;
     enter(Phase::Recovering);
 }
 
@@ -82,7 +95,22 @@ void Drive::setSetpoint(MotorTurns position, MotorRate rate)
 
 bool Drive::answering(SteadyTime now) const
 {
-    return m_report && now - m_report->received < kSilence;
+    return m_report && now - m_heard < kSilence;
+}
+
+void Drive::excuse(Seconds stall)
+{
+    m_heard += std::chrono::duration_cast<SteadyTime::duration>(stall);
+}
+
+bool Drive::activeUnordered() const
+{
+    using moteus::Mode;
+    if (m_phase != Phase::Listening || !m_report) {
+        return false;
+    }
+    const Mode mode = m_report->mode;
+    return (mode >= Mode::Pwm && mode <= Mode::Position) || mode == Mode::ZeroVelocity || mode == Mode::StayWithin;
 }
 
 bool Drive::latched() const
@@ -101,8 +129,9 @@ bool Drive::take(const CanFrame& frame)
     if (!reply || reply->prefix != 0 || reply->source != m_settings.id || reply->destination != moteus::kHostId) {
         return false;
     }
-    if (reply->mode() && reply->value(moteus::Register::Position)) {
+    if (reply->mode()) {
         m_report = toReport(*reply, frame.received);
+        m_heard = frame.received;
         ++m_repliesInPhase;
     }
     return true;
@@ -116,6 +145,7 @@ void Drive::lose(DriveLoss loss)
 
 void Drive::judge(SteadyTime now)
 {
+    judgeFault();
     const bool underOrders = m_phase == Phase::Capturing || m_phase == Phase::Engaged || m_phase == Phase::Recovering;
     if (!underOrders) {
         return;
@@ -128,23 +158,34 @@ void Drive::judge(SteadyTime now)
     } else if (m_phase != Phase::Engaged && now - *m_phaseSince > kObedience) {
         lose(DriveLoss::Disobeys);
     } else if (m_repliesInPhase >= kFirstTellingReply) {
-        judgeMode(m_report->mode);
+        judgeMode(m_report->mode, now - *m_phaseSince);
     }
 }
 
-void Drive::judgeMode(moteus::Mode mode)
+// A fault is told once, whatever we were doing; while recovering it is what we are clearing.
+void Drive::judgeFault()
+{
+    const bool inFault = m_report && m_report->mode == moteus::Mode::Fault;
+    if (inFault && !m_faultTold && m_phase != Phase::Recovering) {
+        lose(DriveLoss::Fault);
+    }
+    m_faultTold = inFault;
+}
+
+void Drive::judgeMode(moteus::Mode mode, Seconds inPhase)
 {
     if (m_phase == Phase::Recovering) {
         if (mode == moteus::Mode::Stopped) {
             enter(m_captureAfterRecovery ? Phase::Capturing : Phase::Listening);
         }
-    } else if (mode == moteus::Mode::Fault) {
-        lose(DriveLoss::Fault);
     } else if (mode == moteus::Mode::PositionTimeout) {
         lose(DriveLoss::TimedOut);
-    } else if (m_phase == Phase::Capturing && mode == moteus::Mode::Position) {
-        enter(Phase::Engaged);
-        m_justEngaged = true;
+    } else if (m_phase == Phase::Capturing && mode == moteus::Mode::Position && m_report->position) {
+        // An axis seized in motion brakes first: a set-point at its place of now would pull it back.
+        if (abs(m_report->rate) < kStanding || inPhase > kBrakingTime) {
+            enter(Phase::Engaged);
+            m_justEngaged = true;
+        }
     } else if (m_phase == Phase::Engaged && mode != moteus::Mode::Position) {
         lose(DriveLoss::Released);
     }

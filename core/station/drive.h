@@ -24,7 +24,7 @@ struct DriveReport
     moteus::Mode mode = moteus::Mode::Stopped;
     int fault = 0;  // a fault in mode 1, an active limit (96…105) else
     moteus::HomeState homeState = moteus::HomeState::Relative;
-    MotorTurns position;
+    std::optional<MotorTurns> position;  // empty if the drive does not know it: no encoder, not calibrated
     MotorRate rate;
     double torque = 0.0;
     double current = 0.0;  // q axis
@@ -43,11 +43,11 @@ struct DriveSettings
     bool trustPowerUpPosition = false;
 };
 
-// Why a drive that was engaged is not any more.
+// Why a drive can not be commanded any more. All but a fault arise only while it is under orders.
 enum class DriveLoss
 {
     Silent,    // no reply for kSilence
-    Fault,     // mode 1
+    Fault,     // mode 1, in any phase
     TimedOut,  // mode 11: its own watchdog stopped it
     Released,  // another mode without our command: power cycle, or another program
     Disobeys,  // answers, but does not do what it is told for kObedience
@@ -61,7 +61,7 @@ public:
         Listening,   // only queries are sent
         Capturing,   // "hold where you are" is sent until the drive reports position mode
         Engaged,     // set-points are sent
-        Recovering,  // stop is sent until the drive reports mode 0
+        Recovering,  // stop is sent until the drive reports mode 0; from a time-out it is captured again at once
         Braking,     // phases shorted, for the end of the program
         Releasing,   // driver off, for the end of the program
     };
@@ -72,9 +72,12 @@ public:
     Drive(const DriveSettings& settings, std::string name);
 
     // Orders of the station; they take effect in the next frame.
-    void engage();   // Listening -> (Recovering, if latched ->) Capturing -> Engaged
-    void listen();   // stop commanding; the drive's watchdog then ends what it did
-    void recover();  // clear a fault or time-out: mode 0, then listening
+    void engage();  // Listening -> (Recovering, after a time-out ->) Capturing -> Engaged
+    void seize();   // engage, but only a drive that does something without our orders
+    void listen();  // stop commanding; the drive's watchdog then ends what it did
+    // Clears a fault or time-out. A drive that held an axis by its time-out mode is captured again, so that an
+    // unbalanced axis falls for no longer than the 13 ms of enabling; after a fault it is left off.
+    void recover();
     void brake();
     void release();
     void setSetpoint(MotorTurns position, MotorRate rate);  // sent while Engaged
@@ -85,6 +88,8 @@ public:
     // Once per tick: draws the conclusions from the replies (see takeLoss() and takeEngaged()), then the frame to send.
     void judge(SteadyTime now);
     [[nodiscard]] CanFrame frame() const;
+    // We did not look at the bus for so long: this does not count as silence of the drive.
+    void excuse(Seconds stall);
 
     // True once after the drive has become Engaged: the first set-point must be where it stands.
     [[nodiscard]] bool takeEngaged() { return std::exchange(m_justEngaged, false); }
@@ -97,13 +102,16 @@ public:
     [[nodiscard]] bool answering(SteadyTime now) const;
     // In fault or time-out: takes no command but stop.
     [[nodiscard]] bool latched() const;
+    // Moves or holds the axis although we did not order it: another program, or an order without a watchdog.
+    [[nodiscard]] bool activeUnordered() const;
     // The output position is known absolutely, not only within one turn of the rotor.
     [[nodiscard]] bool referenced() const;
 
 private:
     void enter(Phase phase);
     void lose(DriveLoss loss);
-    void judgeMode(moteus::Mode mode);
+    void judgeFault();
+    void judgeMode(moteus::Mode mode, Seconds inPhase);
     [[nodiscard]] std::optional<moteus::Command> command() const;
     [[nodiscard]] moteus::PositionCommand positionCommand(double position, double velocity) const;
 
@@ -112,6 +120,8 @@ private:
     Phase m_phase = Phase::Listening;
     bool m_captureAfterRecovery = false;
     bool m_justEngaged = false;
+    bool m_faultTold = false;
+    SteadyTime m_heard{};  // last reply, stalls of our own excused
     int m_repliesInPhase = 0;
     std::optional<SteadyTime> m_phaseSince;  // of Capturing and Recovering
     MotorTurns m_setpoint;

@@ -58,7 +58,7 @@ void DrivePair::engage()
 void DrivePair::leave(profile::OnExit how)
 {
     for (const Axis axis : kAxes) {
-        if (drive(axis).phase() != Drive::Phase::Engaged) {
+        if (drive(axis).phase() == Drive::Phase::Listening) {
             continue;
         }
         switch (how) {
@@ -80,6 +80,23 @@ bool DrivePair::engaged() const
     return m_azimuth.phase() == Drive::Phase::Engaged && m_elevation.phase() == Drive::Phase::Engaged;
 }
 
+void DrivePair::seize()
+{
+    m_azimuth.seize();
+    m_elevation.seize();
+}
+
+void DrivePair::excuse(Seconds stall)
+{
+    m_azimuth.excuse(stall);
+    m_elevation.excuse(stall);
+}
+
+bool DrivePair::anyUnderOrders() const
+{
+    return m_azimuth.phase() != Drive::Phase::Listening || m_elevation.phase() != Drive::Phase::Listening;
+}
+
 bool DrivePair::answering(SteadyTime now) const
 {
     return m_azimuth.answering(now) && m_elevation.answering(now);
@@ -93,7 +110,7 @@ void DrivePair::setSetpoint(Axis axis, Angle angle, AngularRate rate)
 std::optional<Angle> DrivePair::measured(Axis axis) const
 {
     const auto& report = drive(axis).report();
-    return report ? std::optional(geometry(axis).toAxis(report->position)) : std::nullopt;
+    return report && report->position ? std::optional(geometry(axis).toAxis(*report->position)) : std::nullopt;
 }
 
 std::optional<AngularRate> DrivePair::measuredRate(Axis axis) const

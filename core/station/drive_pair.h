@@ -26,7 +26,10 @@ public:
     [[nodiscard]] std::array<CanFrame, 2> frames() const;  // azimuth, elevation
 
     void engage();
-    [[nodiscard]] bool engaged() const;  // both take set-points
+    void seize();  // stop what a drive does without our orders
+    void excuse(Seconds stall);
+    [[nodiscard]] bool engaged() const;         // both take set-points
+    [[nodiscard]] bool anyUnderOrders() const;  // at least one is not only listened to
     [[nodiscard]] bool answering(SteadyTime now) const;
     void leave(profile::OnExit how);  // drives that were never engaged stay as they are
     void setSetpoint(Axis axis, Angle angle, AngularRate rate);

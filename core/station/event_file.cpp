@@ -47,7 +47,12 @@ Result<> EventFile::add(const LogEntry& entry)
         m_failed = true;
         return opened;
     }
-    m_file.write(line(entry).toUtf8());
+    const QByteArray text = line(entry).toUtf8();
+    if (m_file.write(text) != text.size()) {
+        m_failed = true;
+        return failure(ErrorCode::Io,
+                       "cannot write " + m_file.fileName().toStdString() + ": " + m_file.errorString().toStdString());
+    }
     return {};
 }
 

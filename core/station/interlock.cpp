@@ -25,6 +25,14 @@ void Interlock::latchFault(const QString& reason)
     }
 }
 
+Result<> Interlock::admitsRearm(const Source& source) const
+{
+    if (source.kind == SourceKind::Client && m_authority == Authority::Operator) {
+        return failure(ErrorCode::Refused, "the operator has taken over: re-arming is up to the operator");
+    }
+    return {};
+}
+
 Result<> Interlock::admits(const Source& source) const
 {
     if (m_stopLatched) {

@@ -27,6 +27,8 @@ public:
     void setAuthority(Authority authority) { m_authority = authority; }
     [[nodiscard]] Authority authority() const { return m_authority; }
 
+    // May this source clear a drive's fault or time-out? Not a client while the operator has taken over.
+    [[nodiscard]] Result<> admitsRearm(const Source& source) const;
     // May this source start motion? The error says what stands in the way and what to do.
     [[nodiscard]] Result<> admits(const Source& source) const;
 

@@ -3,16 +3,26 @@
 
 namespace boresight {
 
+bool LogThrottle::repeated(const QString& source, const QString& text, SteadyTime now) const
+{
+    const auto last = m_lastLines.constFind(source);
+    return last != m_lastLines.constEnd() && last->text == text && now - last->time < kRepeat;
+}
+
+void LogThrottle::forgetOld(SteadyTime now)
+{
+    m_lastLines.removeIf([now](const auto& line) { return now - line->time >= kRepeat; });
+}
+
 void LogThrottle::add(Severity severity, const QString& source, const QString& text)
 {
     const SteadyTime now = m_clock.now();
     if (now - m_second >= std::chrono::seconds(1)) {
         m_second = now;
         m_inSecond = 0;
+        forgetOld(now);
     }
-    const QString line = source + QLatin1Char(' ') + text;
-    const bool repeated = line == m_lastLine && now - m_lastTime < kRepeat;
-    if (repeated || m_inSecond >= m_burst) {
+    if (m_inSecond >= m_burst || repeated(source, text, now)) {
         ++m_leftOut;
         return;
     }
@@ -21,8 +31,7 @@ void LogThrottle::add(Severity severity, const QString& source, const QString& t
                   QStringLiteral("%1 similar lines left out").arg(m_leftOut));
         m_leftOut = 0;
     }
-    m_lastLine = line;
-    m_lastTime = now;
+    m_lastLines.insert(source, {.text = text, .time = now});
     ++m_inSecond;
     m_log.add(severity, source, text);
 }

@@ -4,11 +4,12 @@
 #include "core/base/clock.h"
 #include "core/station/event_log.h"
 
+#include <QHash>
 #include <QString>
 
-// Lines that somebody outside can cause at will - connections, refused commands - must not flood the log: each source's
-// repeated line is written once in kRepeat, and no more than `burst` lines a second in all; what was left out is
-// counted in the next line. Station thread only.
+// Lines that somebody outside can cause at will - connections, commands, a cable that flickers - must not flood the
+// log: each source's repeated line is written once in kRepeat, and no more than `burst` lines a second in all; what was
+// left out is counted in the next line. Station thread only.
 namespace boresight {
 
 class LogThrottle
@@ -21,11 +22,19 @@ public:
     void add(Severity severity, const QString& source, const QString& text);
 
 private:
+    struct Line
+    {
+        QString text;
+        SteadyTime time;
+    };
+
+    [[nodiscard]] bool repeated(const QString& source, const QString& text, SteadyTime now) const;
+    void forgetOld(SteadyTime now);
+
     EventLog& m_log;
     const Clock& m_clock;
     int m_burst;
-    QString m_lastLine;
-    SteadyTime m_lastTime{};
+    QHash<QString, Line> m_lastLines;  // by source
     SteadyTime m_second{};
     int m_inSecond = 0;
     int m_leftOut = 0;

@@ -73,9 +73,14 @@ void Motion::advance(SteadyTime now, Seconds step)
         m_azimuth.run(step, rates->azimuth);
         m_elevation.run(step, rates->elevation);
     } else {
-        m_azimuth.brake(step);
-        m_elevation.brake(step);
+        brake(step);
     }
+}
+
+void Motion::brake(Seconds step)
+{
+    m_azimuth.brake(step);
+    m_elevation.brake(step);
 }
 
 const tracking::Setpoint& Motion::setpoint(Axis axis) const

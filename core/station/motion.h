@@ -29,6 +29,8 @@ public:
     void settleStream();                                     // no more points: come to rest at the last one
     void run(const AxisRates& rates);
 
+    // One step of braking; what is wanted stays, for when both axes can move again.
+    void brake(Seconds step);
     // Moves the set-points on to `now`, `step` after the previous call.
     void advance(SteadyTime now, Seconds step);
 

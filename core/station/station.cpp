@@ -107,7 +107,7 @@ void Station::showBus(const LinkStatus& status)
     }
     const Severity severity = status.state == LinkState::Up ? Severity::Warning : Severity::Alarm;
     m_control.raiseAlarm(kBusCause, severity,
-                         {.what = QStringLiteral("%1: %2").arg(m_link->name(), status.text),
+                         {.what = status.text,
                           .action = QStringLiteral("The bus is tried again each second"),
                           .remedy = QStringLiteral("Check adapter, cable and the bus name in the profile")});
 }
@@ -141,8 +141,9 @@ void Station::tellStart()
 void Station::tick()
 {
     const auto frames = m_control.tick();
-    if (m_link->status().state == LinkState::Up) {
-        // A frame that could not be sent shows as a missing reply and in the status of the link.
+    if (const LinkState state = m_link->status().state; state == LinkState::Up || state == LinkState::Down) {
+        // Also while the bus is down: an adapter notices only by a new frame that it works again. A frame that could
+        // not be sent shows as a missing reply and in the status of the link.
         [[maybe_unused]] const Result<> sent = m_link->send(frames);
     }
     writeEvents();

@@ -9,6 +9,8 @@ namespace boresight {
 namespace {
 
 constexpr std::chrono::seconds kOldestPosition{1};
+constexpr int kClientLinesPerSecond = 4;
+constexpr int kAlarmLinesPerSecond = 4;
 
 QString degreesText(Angle angle)
 {
@@ -39,6 +41,8 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
       m_model(profile.azimuth.geometry, profile.elevation.geometry),
       m_drives(profile),
       m_motion(profile),
+      m_clientLines(log, clock, kClientLinesPerSecond),
+      m_alarmLines(log, clock, kAlarmLinesPerSecond),
       m_started(clock.now()),
       m_now(m_started)
 {}
@@ -86,18 +90,31 @@ AxisPosition StationControl::heading() const
     return m_motion.target(m_now).value_or(m_motion.place());
 }
 
-void StationControl::begin(Activity activity, const Source& source, const QString& what)
+void StationControl::takeOver(const Source& source)
 {
     if (source.kind == SourceKind::Operator && m_interlock.authority() == Authority::Clients) {
         m_interlock.setAuthority(Authority::Operator);
-        m_log.add(Severity::Advisory, source.name,
-                  QStringLiteral("takes over: motion commands of clients are refused"));
+        tell(Severity::Advisory, source, QStringLiteral("takes over: motion commands of clients are refused"));
     }
+}
+
+void StationControl::tell(Severity severity, const Source& source, const QString& what)
+{
+    if (source.kind == SourceKind::Client) {
+        m_clientLines.add(severity, source.name, what);
+    } else {
+        m_log.add(severity, source.name, what);
+    }
+}
+
+void StationControl::begin(Activity activity, const Source& source, const QString& what)
+{
+    takeOver(source);
     const bool continues = m_activity == activity && m_commander == source &&
                            (activity == Activity::Streaming || activity == Activity::Jogging);
     if (!continues) {
-        m_log.add(Severity::Advisory, source.name,
-                  QStringLiteral("moves the mount from ") + text(heading()) + QStringLiteral(": ") + what);
+        tell(Severity::Advisory, source,
+             QStringLiteral("moves the mount from ") + text(heading()) + QStringLiteral(": ") + what);
     }
     m_activity = activity;
     m_commander = source;
@@ -221,8 +238,9 @@ Result<> StationControl::handle(const request::Move& wanted, const Source& sourc
 
 Result<> StationControl::handle(const request::Hold&, const Source& source)
 {
+    takeOver(source);  // else the next target of a client would undo it
     if (m_activity != Activity::None && m_activity != Activity::Holding) {
-        m_log.add(Severity::Advisory, source.name, QStringLiteral("ends the motion: hold"));
+        tell(Severity::Advisory, source, QStringLiteral("ends the motion: hold"));
         holdHere(Activity::Holding);
     }
     return {};
@@ -234,12 +252,16 @@ Result<> StationControl::handle(const request::Stop&, const Source& source)
         m_log.add(Severity::Warning, source.name, QStringLiteral("STOP: both axes decelerate and hold; latched"));
     }
     m_interlock.latchStop();
+    m_drives.seize();
     holdHere(Activity::None);
     return {};
 }
 
 Result<> StationControl::handle(const request::ResetStop&, const Source& source)
 {
+    if (m_drives.anyUnderOrders() && !m_motion.atRest()) {
+        return failure(ErrorCode::Refused, "the mount is still braking: reset STOP when it stands");
+    }
     return m_interlock.resetStop().map([&] {
         m_log.add(Severity::Advisory, source.name, QStringLiteral("resets STOP: nothing moves until the next command"));
     });
@@ -247,6 +269,9 @@ Result<> StationControl::handle(const request::ResetStop&, const Source& source)
 
 Result<> StationControl::handle(const request::Rearm&, const Source& source)
 {
+    if (const Result<> admitted = m_interlock.admitsRearm(source); !admitted) {
+        return admitted;
+    }
     if (!m_interlock.fault()) {
         return failure(ErrorCode::Refused, "there is no fault to re-arm from");
     }
@@ -269,8 +294,7 @@ Result<> StationControl::handle(const request::Rearm&, const Source& source)
 
 Result<> StationControl::handle(const request::TakeAuthority&, const Source& source)
 {
-    m_interlock.setAuthority(Authority::Operator);
-    m_log.add(Severity::Advisory, source.name, QStringLiteral("takes over: motion commands of clients are refused"));
+    takeOver(source);
     if (m_commander.kind == SourceKind::Client && m_activity != Activity::None) {
         holdHere(Activity::Holding);
     }
@@ -311,7 +335,7 @@ Result<AxisPosition> StationControl::measured() const
 {
     for (const Axis axis : kAxes) {
         const auto& report = m_drives.drive(axis).report();
-        if (!report || m_clock.now() - report->received > kOldestPosition) {
+        if (!report || !report->position || m_clock.now() - report->received > kOldestPosition) {
             return failure(ErrorCode::NoAnswer, "no fresh position from the " + m_drives.drive(axis).name());
         }
     }
@@ -321,14 +345,15 @@ Result<AxisPosition> StationControl::measured() const
 void StationControl::raiseAlarm(const QString& cause, Severity severity, const AlarmText& text)
 {
     if (m_alarms.raise(cause, severity, text, m_clock.utc())) {
-        m_log.add(severity, cause, text.what + QStringLiteral(". ") + text.action + QStringLiteral(". ") + text.remedy);
+        m_alarmLines.add(severity, cause,
+                         text.what + QStringLiteral(". ") + text.action + QStringLiteral(". ") + text.remedy);
     }
 }
 
 void StationControl::clearAlarm(const QString& cause)
 {
     if (m_alarms.clear(cause)) {
-        m_log.add(Severity::Advisory, cause, QStringLiteral("is over"));
+        m_alarmLines.add(Severity::Advisory, cause, QStringLiteral("is over"));
     }
 }
 

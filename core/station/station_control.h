@@ -10,6 +10,7 @@
 #include "core/station/drive_pair.h"
 #include "core/station/event_log.h"
 #include "core/station/interlock.h"
+#include "core/station/log_throttle.h"
 #include "core/station/motion.h"
 #include "core/station/request.h"
 #include "core/station/station_status.h"
@@ -52,6 +53,8 @@ public:
     // An alarm from outside the drives: the bus, the server.
     void raiseAlarm(const QString& cause, Severity severity, const AlarmText& text);
     void clearAlarm(const QString& cause);
+    // A drive was lost and nobody has re-armed yet; also while DISCONNECTED hides the word FAULT.
+    [[nodiscard]] bool faultLatched() const { return m_interlock.fault().has_value(); }
 
 private:
     enum class Activity
@@ -92,13 +95,18 @@ private:
     Result<> goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& text);
     Result<> streamTo(const pointing::Resolved& resolved, const SkyPointing& asked, const Source& source);
     Result<> runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& text);
+    void takeOver(const Source& source);
+    // Into the log; what clients can cause at will is throttled.
+    void tell(Severity severity, const Source& source, const QString& what);
     void begin(Activity activity, const Source& source, const QString& text);
     void holdHere(Activity activity);
     [[nodiscard]] AxisPosition heading() const;  // where the axes are going, else where they stand
 
+    void watchStall(Seconds gap);
     void watchConnection();
     void watchLoss(Axis axis);
     void watchSilence(Axis axis);
+    void watchUnordered(Axis axis);
     void watchActiveLimit(Axis axis);
     void watchJog();
     void finishRearm();
@@ -117,6 +125,9 @@ private:
     Motion m_motion;
     Interlock m_interlock;
     AlarmList m_alarms;
+    LogThrottle m_clientLines;
+    LogThrottle m_alarmLines;
+    std::array<std::optional<SteadyTime>, 2> m_limitSeen;  // when a drive last reported an active limit
 
     Activity m_activity = Activity::None;
     Source m_commander;

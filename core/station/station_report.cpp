@@ -11,11 +11,13 @@ constexpr AngularRate kStanding = AngularRate::fromDegrees(0.02);
 constexpr Angle kAtTravelEnd = Angle::fromDegrees(0.05);
 // A target within this of the measured direction counts as tracked, not as slewed to.
 constexpr Angle kOnTarget = Angle::fromDegrees(1.0);
+// A place is reached when the set-points rest there and the antenna is this near.
+constexpr Angle kArrived = Angle::fromDegrees(0.3);
 constexpr std::chrono::seconds kNoData{2};
 
-bool near(const AxisPosition& a, const AxisPosition& b)
+bool near(const AxisPosition& a, const AxisPosition& b, Angle distance)
 {
-    return abs(a.azimuth - b.azimuth) < kOnTarget && abs(a.elevation - b.elevation) < kOnTarget;
+    return abs(a.azimuth - b.azimuth) < distance && abs(a.elevation - b.elevation) < distance;
 }
 
 }  // namespace
@@ -32,21 +34,23 @@ StationState StationControl::state() const
         return StationState::Stopped;
     }
     const auto target = m_motion.target(m_now);
-    const bool onTarget = target && near(*target, m_drives.measured().value_or(AxisPosition{}));
+    const auto measured = m_drives.measured();
+    const bool onTarget = target && measured && near(*target, *measured, kOnTarget);
+    const bool arrived = m_motion.atRest() && target && measured && near(*target, *measured, kArrived);
     switch (m_activity) {
         case Activity::None:
             return StationState::Standby;
         case Activity::Holding:
             return StationState::Hold;
         case Activity::Pointing:
-            return onTarget && m_motion.atRest() ? StationState::Hold : StationState::Slew;
+            return arrived ? StationState::Hold : StationState::Slew;
         case Activity::Parking:
-            return onTarget && m_motion.atRest() ? StationState::Parked : StationState::Slew;
+            return arrived ? StationState::Parked : StationState::Slew;
         case Activity::Streaming:
             if (m_motion.streaming(m_now)) {
                 return onTarget ? StationState::Track : StationState::Slew;
             }
-            return onTarget && m_motion.atRest() ? StationState::Hold : StationState::Slew;
+            return arrived ? StationState::Hold : StationState::Slew;
         case Activity::Jogging:
         case Activity::Running:
             return StationState::Jog;
@@ -68,18 +72,17 @@ AxisState StationControl::axisState(Axis axis) const
     if (!age || *age > kNoData) {
         return AxisState::NoData;
     }
-    if (drive.latched()) {
+    if (drive.latched() && m_interlock.fault()) {
         return AxisState::Fault;
     }
-    if (m_interlock.stopLatched()) {
-        return AxisState::Stopped;
-    }
-    const bool moving = abs(m_motion.setpoint(axis).rate) > kStanding;
     if (drive.phase() != Drive::Phase::Engaged) {
         return AxisState::Off;
     }
-    if (moving) {
+    if (abs(m_motion.setpoint(axis).rate) > kStanding) {
         return AxisState::Moving;
+    }
+    if (m_interlock.stopLatched()) {
+        return AxisState::Stopped;
     }
     const bool pressed = m_limited || m_activity == Activity::Jogging || m_activity == Activity::Running;
     return pressed && atTravelEnd(axis) ? AxisState::Limit : AxisState::Holding;

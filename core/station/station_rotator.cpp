@@ -140,7 +140,9 @@ Result<> StationRotator::pointTo(const rotctld::Client& client, const rotctld::P
     const rotctld::Limits range = limits();
     const Angle azimuth = snapped(request.azimuth, range.minAzimuth, range.maxAzimuth);
     const Angle elevation = snapped(request.elevation, range.minElevation, range.maxElevation);
-    if (m_profile.rotctld.azimuth == profile::AzimuthConvention::Continuous) {
+    const bool place =
+        m_profile.azimuth.geometry.travel.contains(azimuth) && m_profile.elevation.geometry.travel.contains(elevation);
+    if (place && m_profile.rotctld.azimuth == profile::AzimuthConvention::Continuous) {
         return ask(client, request::PointAxes{{.azimuth = azimuth, .elevation = elevation}}, command);
     }
     return ask(client, request::PointSky{{.azimuth = azimuth, .elevation = elevation}}, command);
@@ -181,7 +183,7 @@ Result<> StationRotator::park(const rotctld::Client& client)
 
 Result<> StationRotator::reset(const rotctld::Client& client, int)
 {
-    return m_control.state() == StationState::Fault ? ask(client, request::Rearm{}, QStringLiteral("R")) : Result<>{};
+    return m_control.faultLatched() ? ask(client, request::Rearm{}, QStringLiteral("R")) : Result<>{};
 }
 
 Result<> StationRotator::setSpeedLevel(const rotctld::Client&, int level)

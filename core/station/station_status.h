@@ -119,7 +119,7 @@ struct Alarm
 struct StationStatus
 {
     StationState state = StationState::Disconnected;
-    QString stateReason;  // one line: why this state, for the tool tip and the log
+    QString stateReason;       // one line: why this state, for the tool tip and the log
     bool stopLatched = false;  // also while the state says DISCONNECTED or FAULT
     AxisStatus azimuth;
     AxisStatus elevation;

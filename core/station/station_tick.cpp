@@ -10,13 +10,25 @@ namespace {
 
 // A late tick (a stalled machine) makes the mount slower, never jump.
 constexpr Seconds kLongestStep{0.1};
-constexpr std::chrono::seconds kShutDownPatience{5};
+constexpr Seconds kShutDownPatience{5.0};
+constexpr Seconds kStall{0.125};
+constexpr std::chrono::seconds kLimitLinger{2};
 // How long the last order of the program is repeated, so that a lost frame does not matter.
 constexpr std::chrono::milliseconds kLastOrder{150};
 // A drive that boots, or a bus that comes up, is not yet a reason for an alarm.
 constexpr std::chrono::seconds kPatienceAtStart{1};
 // After a connection came back somebody may stand at the mast with a cable in the hand.
 constexpr std::chrono::seconds kQuietAfterReturn{1};
+
+// From full speed, with a second to spare.
+Seconds longestStop(const profile::Profile& profile)
+{
+    const auto stop = [](const tracking::MotionLimits& limits) {
+        return Seconds(limits.speed.radians() / limits.acceleration.radians() +
+                       2.0 * limits.acceleration.radians() / limits.jerk.radians() + 1.0);
+    };
+    return std::max({kShutDownPatience, stop(profile.azimuth.limits), stop(profile.elevation.limits)});
+}
 
 QString toQString(std::string_view text)
 {
@@ -71,6 +83,7 @@ AlarmText disobeysText(const QString& drive)
 std::array<CanFrame, 2> StationControl::tick()
 {
     const SteadyTime now = m_clock.now();
+    watchStall(now - m_now);
     const Seconds step = std::clamp(Seconds(now - m_now), Seconds(0.0), kLongestStep);
     m_now = now;
     ++m_tick;
@@ -79,6 +92,7 @@ std::array<CanFrame, 2> StationControl::tick()
     for (const Axis axis : kAxes) {
         watchLoss(axis);
         watchSilence(axis);
+        watchUnordered(axis);
         watchActiveLimit(axis);
     }
     watchJog();
@@ -156,15 +170,46 @@ void StationControl::watchActiveLimit(Axis axis)
     const QString name = toQString(drive.name());
     const QString cause = name + QStringLiteral(" limit");
     const auto& report = drive.report();
+    auto& lastSeen = m_limitSeen[axis == Axis::Azimuth ? 0 : 1];
     if (report && report->mode == moteus::Mode::Position && moteus::isLimit(report->fault)) {
+        lastSeen = m_now;
         const moteus::FaultText limit = moteus::faultText(report->fault);
         raiseAlarm(
             cause, Severity::Warning,
             {.what = QStringLiteral("%1 limit %2: %3").arg(name).arg(report->fault).arg(toQString(limit.meaning)),
              .action = QStringLiteral("The drive gives less than it was asked for"),
              .remedy = toQString(limit.remedy)});
+    } else if (lastSeen && m_now - *lastSeen > kLimitLinger) {
+        lastSeen.reset();
+        clearAlarm(cause);
+    }
+}
+
+void StationControl::watchUnordered(Axis axis)
+{
+    const Drive& drive = m_drives.drive(axis);
+    const QString name = toQString(drive.name());
+    const QString cause = name + QStringLiteral(" active");
+    const bool ours = m_interlock.fault() || m_shutDown != ShutDown::No;  // what was ours may still run out
+    if (drive.activeUnordered() && drive.answering(m_now) && !ours) {
+        raiseAlarm(
+            cause, Severity::Warning,
+            {.what = QStringLiteral("%1 is active without our orders: mode %2")
+                         .arg(name, toQString(moteus::modeText(drive.report()->mode))),
+             .action = QStringLiteral("Boresight does not touch it before a command; STOP takes it over and holds"),
+             .remedy = QStringLiteral("Another program, or an order left without a watchdog, drives it: end that")});
     } else {
         clearAlarm(cause);
+    }
+}
+
+void StationControl::watchStall(Seconds gap)
+{
+    if (m_tick > 0 && gap > kStall) {
+        m_drives.excuse(gap);
+        m_log.add(Severity::Warning, QStringLiteral("station"),
+                  QStringLiteral("this computer stalled for %1 s; drives may have stopped by their watchdog")
+                      .arg(gap.count(), 0, 'f', 2));
     }
 }
 
@@ -178,8 +223,11 @@ void StationControl::watchJog()
 
 void StationControl::finishRearm()
 {
-    const auto recovering = [&](Axis axis) { return m_drives.drive(axis).phase() == Drive::Phase::Recovering; };
-    if (!m_rearming || std::ranges::any_of(kAxes, recovering)) {
+    const auto busy = [&](Axis axis) {
+        const Drive::Phase phase = m_drives.drive(axis).phase();
+        return phase == Drive::Phase::Recovering || phase == Drive::Phase::Capturing;
+    };
+    if (!m_rearming || std::ranges::any_of(kAxes, busy)) {
         return;
     }
     m_rearming = false;
@@ -197,9 +245,10 @@ void StationControl::moveOn(Seconds step)
             m_motion.start(axis, *m_drives.measured(axis));
         }
     }
-    const bool resting = m_activity == Activity::None || m_activity == Activity::Holding;
-    if (m_drives.engaged() || resting) {
+    if (m_drives.engaged()) {
         m_motion.advance(m_now, step);
+    } else {
+        m_motion.brake(step);  // one axis alone goes nowhere
     }
     for (const Axis axis : kAxes) {
         const tracking::Setpoint& setpoint = m_motion.setpoint(axis);
@@ -211,7 +260,7 @@ void StationControl::shutDown()
 {
     if (m_shutDown == ShutDown::No) {
         m_shutDown = ShutDown::Slowing;
-        m_shutDownDeadline = m_clock.now() + kShutDownPatience;
+        m_shutDownDeadline = m_clock.now() + std::chrono::ceil<std::chrono::milliseconds>(longestStop(m_profile));
         holdHere(Activity::None);
     }
 }

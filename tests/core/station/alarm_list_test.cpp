@@ -50,6 +50,21 @@ TEST(AlarmList, ARepeatedCauseMustBeAcknowledgedAgain)
     EXPECT_FALSE(alarms.list().front().acknowledged);
 }
 
+TEST(AlarmList, WhatGetsWorseOrTurnsIntoSomethingElseIsNew)
+{
+    AlarmList alarms;
+    alarms.raise(kCause, Severity::Warning, kText, {});
+    alarms.acknowledgeAll();
+    EXPECT_TRUE(alarms.raise(kCause, Severity::Alarm, kText, {}));
+    EXPECT_FALSE(alarms.list().front().acknowledged);
+    alarms.acknowledgeAll();
+    AlarmText other = kText;
+    other.what = QStringLiteral("the adapter is gone");
+    EXPECT_TRUE(alarms.raise(kCause, Severity::Alarm, other, {}));
+    EXPECT_FALSE(alarms.list().front().acknowledged);
+    EXPECT_EQ(alarms.list().size(), 1U);
+}
+
 TEST(AlarmList, WorstFirstThenNewest)
 {
     AlarmList alarms;

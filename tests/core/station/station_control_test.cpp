@@ -366,6 +366,50 @@ TEST(StationControl, HoldFromAClientEndsTheMotionWithoutLatching)
     EXPECT_TRUE(rig.point(20.0, 30.0));
 }
 
+// Story: STOP was logged and shown while the mount went on turning by an order that somebody else had left.
+TEST(StationControl, StopTakesOverWhatMovesWithoutOurOrders)
+{
+    StationRig rig;
+    rig.azimuth.mode = Mode::Position;
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.state(), StationState::Standby);
+    ASSERT_FALSE(rig.control.status().alarms.empty());
+    EXPECT_EQ(rig.control.status().alarms.front().severity, Severity::Warning);
+    EXPECT_EQ(rig.commands(), 0U);
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    rig.run(Seconds(0.2));
+    ASSERT_FALSE(rig.azimuth.seen.empty());
+    EXPECT_TRUE(std::isnan(rig.azimuth.seen.front().fields.at(Register::CommandPosition)));
+    EXPECT_TRUE(rig.elevation.seen.empty()) << "a drive that is off stays off";
+    EXPECT_EQ(rig.control.status().azimuth.state, AxisState::Stopped);
+    EXPECT_EQ(rig.control.status().elevation.state, AxisState::Off);
+}
+
+TEST(StationControl, StopIsNotResetWhileTheMountStillBrakes)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(200.0, 60.0));
+    rig.run(Seconds(3.0));
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    rig.tick();
+    EXPECT_EQ(rig.control.status().azimuth.state, AxisState::Moving);
+    EXPECT_EQ(rig.ask(request::ResetStop{}).error().code, ErrorCode::Refused);
+    rig.run(Seconds(3.0));
+    EXPECT_TRUE(rig.ask(request::ResetStop{}));
+}
+
+// Story: the Hold button was undone by the next target of the client, a second later.
+TEST(StationControl, HoldOfTheOperatorIsNotUndoneByAClient)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(100.0, 30.0));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    EXPECT_EQ(rig.point(100.0, 30.0).error().code, ErrorCode::Refused);
+}
+
 // --- faults -----------------------------------------------------------------------------------------------------
 
 TEST(StationControl, AFaultOnOneAxisHoldsTheOtherAndWaitsForRearm)
@@ -418,9 +462,73 @@ TEST(StationControl, ASilentBusInMidMotionNeedsRearm)
     rig.run(Seconds(3.0));
     EXPECT_EQ(rig.commands(), before) << "nothing is commanded before re-arming";
     ASSERT_TRUE(rig.ask(request::Rearm{}, kClient));
+    rig.run(Seconds(0.3));
+    EXPECT_EQ(rig.state(), StationState::Standby);
+    // Story: re-armed drives were left in mode 0, and an unbalanced elevation fell to its stop.
+    EXPECT_EQ(rig.elevation.mode, Mode::Position) << "what held the axis before holds it again";
+    EXPECT_EQ(rig.azimuth.mode, Mode::Position);
+    EXPECT_TRUE(rig.point(100.0, 60.0));
+}
+
+TEST(StationControl, AFaultAtStartIsShownAndNeedsRearm)
+{
+    StationRig rig;
+    rig.azimuth.mode = Mode::Fault;
+    rig.azimuth.fault = 35;
+    rig.run(Seconds(0.2));
+    EXPECT_EQ(rig.state(), StationState::Fault);
+    EXPECT_TRUE(rig.control.status().alarms.front().what.contains(QStringLiteral("35")));
+    EXPECT_FALSE(rig.point(10.0, 10.0));
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.commands(), 0U);
+    ASSERT_TRUE(rig.ask(request::Rearm{}));
     rig.run(Seconds(0.2));
     EXPECT_EQ(rig.state(), StationState::Standby);
-    EXPECT_TRUE(rig.point(100.0, 60.0));
+    EXPECT_EQ(rig.azimuth.mode, Mode::Stopped);
+}
+
+TEST(StationControl, AFaultInStandbyIsShownToo)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    rig.elevation.mode = Mode::Fault;
+    rig.elevation.fault = 43;
+    rig.elevation.position = std::nan("");  // a drive without an encoder answers, but not where it is
+    rig.run(Seconds(0.2));
+    EXPECT_EQ(rig.state(), StationState::Fault);
+    EXPECT_TRUE(rig.control.status().alarms.front().what.contains(QStringLiteral("43")));
+    EXPECT_FALSE(rig.control.measured());
+}
+
+TEST(StationControl, ReArmingIsTheOperatorsWhileTheOperatorHasTakenOver)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(100.0, 60.0));
+    rig.run(Seconds(1.0));
+    rig.azimuth.mode = Mode::Fault;
+    rig.azimuth.fault = 38;
+    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
+    EXPECT_EQ(rig.ask(request::Rearm{}, kClient).error().code, ErrorCode::Refused);
+    EXPECT_TRUE(rig.ask(request::Rearm{}));
+}
+
+// Story: a machine that stopped for 0.3 s blamed the cable, although the replies lay unread in its own buffers.
+TEST(StationControl, AStallOfThisComputerIsNotSilenceOfTheDrives)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(100.0, 60.0));
+    rig.run(Seconds(1.0));
+    rig.clock.advance(Seconds(0.4));
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.state(), StationState::Slew);
+    EXPECT_TRUE(rig.control.status().alarms.empty());
+    EXPECT_EQ(rig.lastLog(), "this computer stalled for 0.42 s; drives may have stopped by their watchdog");
+    rig.azimuth.silent = true;
+    rig.run(Seconds(0.3));
+    EXPECT_EQ(rig.state(), StationState::Disconnected) << "real silence is noticed as before";
 }
 
 TEST(StationControl, AFaultThatComesBackIsShownAgain)
@@ -448,6 +556,7 @@ TEST(StationControl, ATimeOutLeftFromAnEarlierProgramIsClearedByTheFirstCommand)
     rig.azimuth.mode = rig.elevation.mode = Mode::PositionTimeout;
     rig.run(Seconds(1.0));
     EXPECT_EQ(rig.state(), StationState::Standby);
+    EXPECT_EQ(rig.control.status().azimuth.state, AxisState::Off) << "it holds by itself: no fault of now";
     EXPECT_EQ(rig.commands(), 0U);
     ASSERT_TRUE(rig.point(10.0, 10.0));
     rig.settle();
@@ -523,6 +632,39 @@ TEST(StationControl, ClosingDeceleratesThenLeavesTheDrivesAsTheProfileSays)
     }
 }
 
+TEST(StationControl, ClosingWaitsForASlowAxis)
+{
+    profile::Profile profile;
+    profile.control.onExit = profile::OnExit::Off;
+    profile.azimuth.limits.acceleration = AngularAcceleration::fromDegrees(0.5);
+    StationRig rig(profile);
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 400_deg, .elevation = 0_deg}}));
+    rig.run(Seconds(25.0));
+    rig.control.shutDown();
+    AngularRate rate;
+    for (int i = 0; i < 2000 && rig.azimuth.mode == Mode::Position; ++i) {
+        rate = rig.control.status().azimuth.commandedRate.value_or(AngularRate{});
+        rig.tick();
+    }
+    EXPECT_EQ(rig.azimuth.mode, Mode::Stopped);
+    EXPECT_LT(abs(rate).degrees(), 0.1);
+}
+
+TEST(StationControl, ClosingWhileADriveIsCapturedLeavesItAsTheProfileSays)
+{
+    profile::Profile profile;
+    profile.control.onExit = profile::OnExit::Brake;
+    StationRig rig(profile);
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(100.0, 60.0));
+    rig.tick();
+    rig.control.shutDown();
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.azimuth.mode, Mode::Brake);
+    EXPECT_EQ(rig.elevation.mode, Mode::Brake);
+}
+
 TEST(StationControl, ClosingLeavesDrivesAloneThatWereNeverCommanded)
 {
     profile::Profile profile;
@@ -536,6 +678,18 @@ TEST(StationControl, ClosingLeavesDrivesAloneThatWereNeverCommanded)
 }
 
 // --- the log ----------------------------------------------------------------------------------------------------
+
+TEST(StationControl, AClientCannotPushTheRestOutOfTheLog)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    const std::uint64_t before = rig.log.lastNumber();
+    for (int i = 0; i < 1000; ++i) {
+        ASSERT_TRUE(rig.ask(request::Move{{.azimuth = 1_deg_s}}, i % 2 == 0 ? kClient : kOtherClient));
+        ASSERT_TRUE(rig.ask(request::Hold{}, kOtherClient));
+    }
+    EXPECT_LE(rig.log.lastNumber() - before, 5U);
+}
 
 TEST(StationControl, EveryMotionStartNamesSourceAndReason)
 {

@@ -108,6 +108,27 @@ TEST(StationRotator, ResetRearmsAfterAFaultAndIsHarmlessElse)
     EXPECT_EQ(rig.state(), StationState::Standby);
 }
 
+TEST(StationRotator, ResetSaysSoWhenItCannotRearm)
+{
+    RotatorRig rig;
+    ASSERT_TRUE(rig.pointTo(20.0, 20.0));
+    rig.run(Seconds(0.5));
+    rig.elevation.silent = true;
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.rotator.reset(kGpredict, 1).error().code, ErrorCode::NoAnswer);
+}
+
+TEST(StationRotator, AContinuousAzimuthOutsideTheTravelIsADirection)
+{
+    RotatorRig rig(withConvention(profile::AzimuthConvention::Continuous));
+    ASSERT_TRUE(rig.pointTo(-200.0, 30.0));
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 160.0, 0.001);
+    ASSERT_TRUE(rig.pointTo(400.0, 30.0));
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 400.0, 0.001);
+}
+
 TEST(StationRotator, StopOfTheOperatorRefusesTheClient)
 {
     RotatorRig rig;

@@ -221,6 +221,30 @@ TEST(Station, TheLogIsOnDisk)
     EXPECT_TRUE(text.contains("Z station: both drives answer; nothing moves\n")) << text.toStdString();
 }
 
+// Story: an adapter that had refused frames for a moment was never asked again.
+TEST(Station, KeepsSendingWhileTheBusIsDown)
+{
+    Rig rig;
+    rig.station->openAll();
+    rig.run(5);
+    rig.link->report({.state = LinkState::Down, .text = QStringLiteral("bus-off")});
+    rig.link->sent.clear();
+    rig.station->tick();
+    EXPECT_EQ(rig.link->sent.size(), 2U);
+    rig.link->report({.state = LinkState::Lost, .text = QStringLiteral("gone")});
+    rig.link->sent.clear();
+    rig.station->tick();
+    EXPECT_TRUE(rig.link->sent.empty());
+}
+
+TEST(EventFile, SaysWhenTheDiskIsFull)
+{
+    const QTemporaryDir dir;
+    ASSERT_TRUE(QFile::link(QStringLiteral("/dev/full"), dir.filePath(QStringLiteral("events.log"))));
+    EventFile file(dir.path());
+    EXPECT_FALSE(file.add(LogEntry{.source = QStringLiteral("test"), .text = QStringLiteral("line")}));
+}
+
 TEST(EventFile, RotatesAndSaysOnceWhenItCannotWrite)
 {
     const QTemporaryDir dir;

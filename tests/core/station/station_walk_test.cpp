@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace boresight {
@@ -116,6 +117,13 @@ private:
             ASSERT_LE(axis.commanded->degrees(), axis.travel.max.degrees() + 1e-6);
             ASSERT_LE(abs(*axis.commandedRate).degrees(), limits.speed.degrees() * 1.001);
             if (was.commanded) {
+                const double step = 0.02;
+                const double moved = (*axis.commanded - *was.commanded).degrees();
+                const double mean = (axis.commandedRate->degrees() + was.commandedRate->degrees()) / 2.0;
+                ASSERT_NEAR(moved, mean * step, limits.acceleration.degrees() * step * step) << "a step in position";
+                ASSERT_LE(std::abs((*axis.commandedRate - *was.commandedRate).degrees()),
+                          limits.acceleration.degrees() * step * 1.01)
+                    << "a step in speed";
                 ASSERT_LE(abs(*axis.commanded - *was.commanded).degrees(), limits.speed.degrees() * 0.021);
             }
         }

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/log_output.h"
+
+#include <QByteArray>
+#include <QString>
+#include <QtGlobal>
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstddef>
+#include <cstdlib>
+
+namespace boresight::app {
+namespace {
+
+// A pipe that polls writable takes this much at once (POSIX: PIPE_BUF is at least 512, on Linux 4096).
+constexpr qsizetype kLongestLine = 4096;
+
+void writeLine(QtMsgType type, const QMessageLogContext& context, const QString& message)
+{
+    const QByteArray line = qFormatLogMessage(type, context, message).toUtf8().left(kLongestLine - 1) + '\n';
+    pollfd target{.fd = STDERR_FILENO, .events = POLLOUT, .revents = 0};
+    if (::poll(&target, 1, 0) == 1 && (target.revents & POLLOUT) != 0) {
+        [[maybe_unused]] const auto written =
+            ::write(STDERR_FILENO, line.constData(), static_cast<std::size_t>(line.size()));
+    }
+    if (type == QtFatalMsg) {
+        std::abort();
+    }
+}
+
+}  // namespace
+
+void logToStandardError()
+{
+    std::signal(SIGPIPE, SIG_IGN);
+    qInstallMessageHandler(writeLine);
+}
+
+}  // namespace boresight::app

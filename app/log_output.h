@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace boresight::app {
+
+// From now on Qt's log goes to standard error without ever waiting for its reader: a terminal that is stopped or a log
+// collector that hangs must not stop the control of the mount, and one that went away must not end the program. Lines
+// that find no room are dropped; events.log has them. Call it before the application object is made.
+void logToStandardError();
+
+}  // namespace boresight::app
