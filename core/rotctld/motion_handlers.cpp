@@ -31,7 +31,7 @@ Result<> pointTo(const Command& command, const Context& context)
 
 Result<> position(const Context& context, ReplyWriter& reply)
 {
-    const Result<SkyPointing> pointing = context.rotator.position();
+    const Result<SkyPointing> pointing = context.rotator.position(context.client);
     if (!pointing) {
         return tl::unexpected(pointing.error());
     }

@@ -64,8 +64,9 @@ public:
 
     [[nodiscard]] virtual std::string info() const = 0;  // one line, e.g. "Boresight 0.1.0, my mount"
     [[nodiscard]] virtual Limits limits() const = 0;
-    // Measured, in the client's azimuth convention; an error when older than 1 s or unknown.
-    [[nodiscard]] virtual Result<SkyPointing> position() const = 0;
+    // Measured, in the client's azimuth convention; an error when older than 1 s or unknown. Who asks matters: a
+    // tracking client that reads and then sends no point is content with where the mount points.
+    [[nodiscard]] virtual Result<SkyPointing> position(const Client& client) = 0;
     [[nodiscard]] virtual MotionFlags motion() const = 0;
 
     virtual Result<> pointTo(const Client& client, const PointRequest& request) = 0;

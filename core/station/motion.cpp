@@ -39,6 +39,13 @@ void Motion::follow(const AxisPosition& point, SteadyTime now)
     m_wanted.emplace<tracking::TargetStream>().restart(now, point);
 }
 
+void Motion::confirmStream(SteadyTime now)
+{
+    if (auto* const stream = std::get_if<tracking::TargetStream>(&m_wanted)) {
+        stream->confirm(now);
+    }
+}
+
 void Motion::settleStream()
 {
     if (const auto* const stream = std::get_if<tracking::TargetStream>(&m_wanted)) {

@@ -26,6 +26,7 @@ public:
     void rest();  // decelerate, then stay
     void goTo(const AxisPosition& place);
     void follow(const AxisPosition& point, SteadyTime now);  // one point of a stream
+    void confirmStream(SteadyTime now);                      // its client has read the position
     void settleStream();                                     // no more points: come to rest at the last one
     void run(const AxisRates& rates);
 

@@ -331,6 +331,13 @@ void StationControl::sourceGone(const Source& source)
     }
 }
 
+void StationControl::positionRead(const Source& source)
+{
+    if (m_activity == Activity::Streaming && m_commander == source) {
+        m_motion.confirmStream(m_now);
+    }
+}
+
 Result<AxisPosition> StationControl::measured() const
 {
     for (const Axis axis : kAxes) {

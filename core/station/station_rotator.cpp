@@ -84,8 +84,9 @@ rotctld::Limits StationRotator::limits() const
     return limits;
 }
 
-Result<SkyPointing> StationRotator::position() const
+Result<SkyPointing> StationRotator::position(const rotctld::Client& client)
 {
+    m_control.positionRead(clientSource(client));
     return m_control.measured().map([&](const AxisPosition& axes) {
         switch (m_profile.rotctld.azimuth) {
             case profile::AzimuthConvention::ZeroTo360:

@@ -17,7 +17,7 @@ public:
 
     [[nodiscard]] std::string info() const override;
     [[nodiscard]] rotctld::Limits limits() const override;
-    [[nodiscard]] Result<SkyPointing> position() const override;
+    [[nodiscard]] Result<SkyPointing> position(const rotctld::Client& client) override;
     [[nodiscard]] rotctld::MotionFlags motion() const override;
 
     Result<> pointTo(const rotctld::Client& client, const rotctld::PointRequest& request) override;

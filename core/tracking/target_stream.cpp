@@ -12,14 +12,9 @@ namespace {
 constexpr std::size_t kMostPoints = 8;
 constexpr std::size_t kFewestPoints = 4;
 
-// A Gpredict that is content with where the antenna points says nothing for this long and more, though its satellite
-// goes on; the target then runs on for kLongestRun and waits. If that is too far or too little, Gpredict says so within
-// some 2 s. Only a longer silence means that the stream has ended. (Story: going back to the last point at once swung
-// the antenna 1.5° backwards in mid-pass each time it had followed well.)
-constexpr Seconds kLongestRun{5.0};
-constexpr Seconds kLongestPause{10.0};
-
-// Clients that send faster are thinned, or the path would be drawn through a moment's rounding.
+// Points further apart are no stream, unless the client reads the position meanwhile. Clients that send faster are
+// thinned, or the path would be drawn through a moment's rounding.
+constexpr Seconds kLongestPause{5.0};
 constexpr Seconds kSpacing{0.5};
 
 // Points further off the straight path than this belong to another target. Satellites pass at up to 2.3 °/s
@@ -30,11 +25,26 @@ constexpr double kFastest = 3.0 * std::numbers::pi / 180.0;
 // Slower than this is a point sent again and again; the stars move at 0.004 °/s.
 constexpr double kSlowest = 0.001 * std::numbers::pi / 180.0;
 
-// Never further ahead of the last point than this, in the sky and in azimuth (which runs away near the zenith). A path
-// that gets there earlier, by a margin for the bend of the last point, waits there until the pause is too long.
+// Never further ahead of the last point than this, in the sky and in azimuth (which runs away near the zenith), and no
+// longer than two average pauses.
 constexpr double kFurthestAhead = 2.0 * std::numbers::pi / 180.0;
-constexpr double kRunAhead = 0.9 * kFurthestAhead;
 const Angle kFurthestAzimuth = Angle::fromDegrees(45.0);
+constexpr double kPausesAhead = 2.0;
+
+// A client that reads the position at least this often (Gpredict: every 0.8 s) and sends no point is content. The
+// better it is followed, the longer it is silent (16 s in a low orbit); the target then runs on within these bounds and
+// waits. If that is too far or too little, Gpredict says so as soon as its satellite has moved on by the threshold.
+// Only a longer silence is an end. (Story: going back to the last point after two pauses swung the antenna 1.5°
+// backwards in mid-pass, each time it had followed well.)
+constexpr Seconds kReadsWithin{2.0};
+constexpr Seconds kLongestRun{12.0};
+constexpr Seconds kLongestWait{12.0};
+constexpr double kFurthestRun = 5.0 * std::numbers::pi / 180.0;
+
+// A content client may begin a stream with pauses longer than kLongestPause if its steps are this fine. Twice the
+// threshold is the step of a Gpredict that is not yet followed: from a threshold of 0.25° on, sparse points would make
+// a path that leads the satellite by the threshold all the time, which is worse than none.
+constexpr double kFineStep = 0.5 * std::numbers::pi / 180.0;
 
 // Each point bends the path a little. The target goes over from the old path to the new one in this time, so that the
 // antenna is not jerked with every point.
@@ -90,11 +100,37 @@ void TargetStream::clear()
 {
     m_points.clear();
     m_path.reset();
+    m_confirmed.reset();
+}
+
+void TargetStream::confirm(SteadyTime now)
+{
+    if (m_path && !target(now)->streaming) {
+        m_path.reset();  // it has ended: a late reader must not bring it back
+    }
+    m_confirmed = now;
+}
+
+bool TargetStream::content(SteadyTime now) const
+{
+    return m_confirmed && now - *m_confirmed <= kReadsWithin;
+}
+
+// Whether the next point belongs to those before it.
+bool TargetStream::continues(SteadyTime now, const AxisPosition& point) const
+{
+    const Seconds pause = now - m_points.back().time;
+    if (pause <= kLongestPause) {
+        return true;
+    }
+    const bool fine =
+        pause <= kLongestRun + kLongestWait && distance(directionOf(point), m_points.back().direction) <= kFineStep;
+    return content(now) && (fine || target(now)->streaming);
 }
 
 void TargetStream::add(SteadyTime now, const AxisPosition& point)
 {
-    if (!m_points.empty() && now - m_points.back().time > kLongestPause) {
+    if (!m_points.empty() && !continues(now, point)) {
         clear();
     }
     const auto before = target(now);
@@ -148,9 +184,8 @@ std::optional<TargetStream::Path> TargetStream::fittedPath() const
         rate = along(rate, point.direction, time);  // the mean drops out: the times add up to zero
     }
     rate = along({}, rate, 1.0 / spread);
-    return Path{.base = along(mean, rate, -meanTime),
-                .rate = rate,
-                .runsFor = std::min(kLongestRun, Seconds(kRunAhead / distance(rate, {})))};
+    const Seconds pause = Seconds(last - m_points.front().time) / (count - 1.0);
+    return Path{.base = along(mean, rate, -meanTime), .rate = rate, .pause = pause};
 }
 
 double TargetStream::worstDeviation(const Path& path) const
@@ -161,6 +196,17 @@ double TargetStream::worstDeviation(const Path& path) const
         worst = std::max(worst, distance(along(path.base, path.rate, time), point.direction));
     }
     return worst;
+}
+
+TargetStream::Reach TargetStream::reachOf(const Path& path, SteadyTime now) const
+{
+    if (!content(now)) {
+        return {
+            .run = kPausesAhead * std::min(path.pause, kLongestPause), .wait = Seconds(0.0), .angle = kFurthestAhead};
+    }
+    return {.run = std::min(kLongestRun, Seconds(kFurthestRun / distance(path.rate, {}))),
+            .wait = kLongestWait,
+            .angle = kFurthestRun + kMostDeviation};  // the last point may be that much off the path
 }
 
 std::optional<AxisPosition> TargetStream::lastPoint() const
@@ -175,12 +221,16 @@ std::optional<MovingTarget> TargetStream::target(SteadyTime now) const
     }
     const Point& last = m_points.back();
     const MovingTarget fixed{.position = last.position, .rates = {}, .streaming = false};
-    const Seconds silent = now - last.time;
-    if (!m_path || silent > kLongestPause) {
+    if (!m_path) {
         return fixed;
     }
-    const bool waits = silent > m_path->runsFor;
-    const Seconds ahead = waits ? m_path->runsFor : silent;
+    const Seconds silent = now - last.time;
+    const Reach reach = reachOf(*m_path, now);
+    if (silent > reach.run + reach.wait) {
+        return fixed;
+    }
+    const bool waits = silent > reach.run;
+    const Seconds ahead = waits ? reach.run : silent;
     const Vector direction = along(m_path->base, m_path->rate, ahead.count());
     MovingTarget moving = axesFor(direction, waits ? Vector{} : m_path->rate, last.position);
     if (const double left = 1.0 - silent / kCorrectionTime; left > 0.0) {
@@ -189,7 +239,7 @@ std::optional<MovingTarget> TargetStream::target(SteadyTime now) const
         moving.rates.azimuth -= m_correction.azimuth / kCorrectionTime;
         moving.rates.elevation -= m_correction.elevation / kCorrectionTime;
     }
-    const bool tooFar = distance(directionOf(moving.position), last.direction) > kFurthestAhead ||
+    const bool tooFar = distance(directionOf(moving.position), last.direction) > reach.angle ||
                         abs(moving.position.azimuth - last.position.azimuth) > kFurthestAzimuth;
     return tooFar ? fixed : moving;
 }

@@ -10,7 +10,8 @@
 
 // Turns the points a client sends (Gpredict: `P` every 0.8…4 s in steps of its threshold) into a target that moves
 // smoothly. While the points look like a path in the sky, the target follows that path and runs ahead of the last point
-// for a short, bounded time; otherwise, and when the points cease, the target is the last point itself.
+// for a bounded time: short, unless the client goes on reading the position and has nothing to object. Otherwise, and
+// when the points cease, the target is the last point itself.
 // Pure values, times are steady, any one thread. Bounds and measured errors: README.md.
 namespace boresight::tracking {
 
@@ -30,6 +31,9 @@ public:
     // A new target: whatever came before says nothing about it.
     void restart(SteadyTime now, const AxisPosition& point);
     void clear();
+    // The client has read the position. Gpredict sends a point only while what it read is off by its threshold: one
+    // that goes on reading and sends none is content with the path.
+    void confirm(SteadyTime now);
 
     [[nodiscard]] std::optional<AxisPosition> lastPoint() const;  // empty before the first point
     [[nodiscard]] std::optional<MovingTarget> target(SteadyTime now) const;
@@ -49,15 +53,27 @@ private:
     {
         Vector base;
         Vector rate;
-        Seconds runsFor;  // after the last point; then it waits
+        Seconds pause;  // between its points, on average
+    };
+
+    // How far ahead of the last point a path may be followed.
+    struct Reach
+    {
+        Seconds run;
+        Seconds wait;  // at the end of the run
+        double angle;  // in the sky
     };
 
     [[nodiscard]] std::optional<Path> fittedPath() const;
     [[nodiscard]] double worstDeviation(const Path& path) const;
     void updatePath();
+    [[nodiscard]] bool content(SteadyTime now) const;
+    [[nodiscard]] Reach reachOf(const Path& path, SteadyTime now) const;
+    [[nodiscard]] bool continues(SteadyTime now, const AxisPosition& point) const;
 
     std::deque<Point> m_points;  // oldest first
     std::optional<Path> m_path;
+    std::optional<SteadyTime> m_confirmed;
     AxisPosition m_correction;  // from the present path to the one before, at the time of the last point
 };
 

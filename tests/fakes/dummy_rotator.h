@@ -21,7 +21,7 @@ public:
 
     [[nodiscard]] std::string info() const override { return "Dummy rotator"; }
     [[nodiscard]] rotctld::Limits limits() const override { return m_limits; }
-    [[nodiscard]] Result<SkyPointing> position() const override
+    [[nodiscard]] Result<SkyPointing> position(const rotctld::Client&) override
     {
         ++questions;
         if (fault) {
@@ -92,7 +92,7 @@ public:
     std::optional<rotctld::PointRequest> lastRequest;
     int lastSpeed = 0;
     int actions = 0;            // accepted or refused: calls that would move or stop a mount
-    mutable int questions = 0;  // for the position
+    int questions = 0;  // for the position
     std::uint64_t mover = 0;
     std::map<std::uint64_t, std::string> connected;
     std::map<std::uint64_t, std::string> gone;

@@ -38,12 +38,12 @@ TEST(StationRotator, ReportsTheMeasuredAzimuthInTheConventionOfTheProfile)
         RotatorRig rig(withConvention(convention));
         rig.azimuth.position = 365.0 / 360.0;
         rig.run(Seconds(0.1));
-        EXPECT_NEAR(rig.rotator.position()->azimuth.degrees(), shown, 1e-4);
+        EXPECT_NEAR(rig.rotator.position(kGpredict)->azimuth.degrees(), shown, 1e-4);
     }
     RotatorRig rig(withConvention(profile::AzimuthConvention::PlusMinus180));
     rig.azimuth.position = 270.0 / 360.0;
     rig.run(Seconds(0.1));
-    EXPECT_NEAR(rig.rotator.position()->azimuth.degrees(), -90.0, 1e-4);
+    EXPECT_NEAR(rig.rotator.position(kGpredict)->azimuth.degrees(), -90.0, 1e-4);
 }
 
 TEST(StationRotator, AdvertisesTheTravelAndTheWholeCircleOfTheConvention)
@@ -135,7 +135,39 @@ TEST(StationRotator, StopOfTheOperatorRefusesTheClient)
     ASSERT_TRUE(rig.ask(request::Stop{}));
     EXPECT_EQ(rig.pointTo(10.0, 10.0).error().code, ErrorCode::Refused);
     EXPECT_TRUE(rig.rotator.stop(kGpredict));
-    EXPECT_TRUE(rig.rotator.position());
+    EXPECT_TRUE(rig.rotator.position(kGpredict));
+}
+
+// A stream that rises by 0.5 °/s and ceases, while some client goes on reading the position every 0.8 s.
+StationState afterSilence(RotatorRig& rig, const rotctld::Client& reader)
+{
+    for (int i = 0; i < 10; ++i) {
+        EXPECT_TRUE(rig.pointTo(10.0, 10.0 + 0.5 * i));
+        rig.run(Seconds(1.0));
+    }
+    for (int i = 0; i < 6; ++i) {
+        rig.run(Seconds(0.8));
+        EXPECT_TRUE(rig.rotator.position(reader));
+    }
+    return rig.state();
+}
+
+TEST(StationRotator, AClientThatReadsOnIsContentWithThePathOfItsStream)
+{
+    RotatorRig rig;
+    EXPECT_EQ(afterSilence(rig, kGpredict), StationState::Track);
+    EXPECT_NEAR(rig.elevationDegrees(), 10.0 + 0.5 * (10.0 + 4.8), 0.1);
+    rig.rotator.clientGone(kGpredict, "closed");
+    rig.settle();
+    EXPECT_NEAR(rig.elevationDegrees(), 14.5, 0.001);
+}
+
+TEST(StationRotator, AnotherClientThatReadsSaysNothingAboutAStream)
+{
+    RotatorRig rig;
+    EXPECT_NE(afterSilence(rig, {.id = 2, .address = "127.0.0.1:50001"}), StationState::Track);
+    rig.settle();
+    EXPECT_NEAR(rig.elevationDegrees(), 14.5, 0.001);
 }
 
 }  // namespace

@@ -3,14 +3,13 @@
 
 #include "core/base/numbers.h"
 #include "core/tracking/axis_profile.h"
+#include "tests/core/tracking/sky_track.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -18,51 +17,6 @@ using namespace boresight;
 using namespace boresight::tracking;
 
 namespace {
-
-SteadyTime at(double seconds)
-{
-    return SteadyTime{std::chrono::duration_cast<SteadyTime::duration>(Seconds(1000.0 + seconds))};
-}
-
-AxisPosition axes(double azimuth, double elevation)
-{
-    return {Angle::fromDegrees(azimuth), Angle::fromDegrees(elevation)};
-}
-
-double skyDistance(const AxisPosition& a, const AxisPosition& b)
-{
-    const double e = a.elevation.radians();
-    const double f = b.elevation.radians();
-    const double cosine =
-        std::sin(e) * std::sin(f) + std::cos(e) * std::cos(f) * std::cos((a.azimuth - b.azimuth).radians());
-    return Angle::fromRadians(std::acos(std::clamp(cosine, -1.0, 1.0))).degrees();
-}
-
-struct Timed
-{
-    double time;
-    AxisPosition position;
-};
-
-// Rows of time, azimuth, elevation behind `keys` columns that name them: "A85,gp_0.1".
-std::map<std::string, std::vector<Timed>> table(const std::string& name, std::size_t keys)
-{
-    std::map<std::string, std::vector<Timed>> rows;
-    std::ifstream file(std::string(BORESIGHT_TEST_DATA "/") + name);
-    for (std::string line; std::getline(file, line);) {
-        std::vector<std::string> field;
-        std::istringstream fields(line);
-        for (std::string text; std::getline(fields, text, ',');) {
-            field.push_back(text);
-        }
-        const auto time = field.size() == keys + 3 ? parseFinite(field[keys]) : std::nullopt;
-        if (time) {
-            const std::string key = keys == 1 ? field[0] : field[0] + "," + field[1];
-            rows[key].push_back({*time, axes(*parseFinite(field[keys + 1]), *parseFinite(field[keys + 2]))});
-        }
-    }
-    return rows;
-}
 
 struct Score
 {
@@ -194,17 +148,17 @@ TEST(TargetStream, RunsAheadSmoothlyBetweenThePoints)
     }
 }
 
-// However fast it was, the target stays within 2° of the last point, and after a silence of 10 s it is that point.
+// However fast it was, the target stays within two pauses and 2° of the last point, and then it is that point.
 TEST(TargetStream, AStreamThatStopsEndsExactlyAtItsLastPoint)
 {
     for (const double rate : {0.01, 0.1, 0.5, 1.0, 1.5, 2.3}) {
         const TargetStream stream = risingStream(rate);
         const AxisPosition last = *stream.lastPoint();
-        for (double time = 20.0; time < 35.0; time += 0.02) {
+        for (double time = 20.0; time < 30.0; time += 0.02) {
             const auto target = stream.target(at(time));
             ASSERT_LE(skyDistance(target->position, last), 2.001);
             ASSERT_EQ(target->streaming, target->position != last);
-            if (time > 30.0) {
+            if (time > 22.0) {
                 ASSERT_EQ(target->position, last);
                 ASSERT_EQ(target->rates, AxisRates{});
             }
@@ -212,20 +166,55 @@ TEST(TargetStream, AStreamThatStopsEndsExactlyAtItsLastPoint)
     }
 }
 
-// Story: a Gpredict that was followed well says nothing; going back to its last point swung the antenna 1.5° backwards.
-TEST(TargetStream, ASilentClientIsContent)
+// Story: a Gpredict that was followed well says nothing but reads on; going back to its last point swung the antenna
+// 1.5° backwards. It runs on for 12 s or 5° and waits as long again; only then has the stream ended.
+TEST(TargetStream, ASilentClientThatReadsOnIsContent)
 {
-    const TargetStream slow = risingStream(0.1);
-    EXPECT_NEAR(slow.target(at(24.9))->position.elevation.degrees(), 10 + 0.1 * 24.9, 0.02);
-    const TargetStream fast = risingStream(1.0);
-    double before = 0.0;
-    for (double time = 20.0; time < 30.0; time += 0.02) {
-        const double elevation = fast.target(at(time))->position.elevation.degrees();
-        ASSERT_GE(elevation, before) << time;
-        before = elevation;
+    for (const double rate : {0.02, 0.1, 0.4, 1.0, 2.3}) {
+        TargetStream stream = risingStream(rate);
+        const double last = stream.lastPoint()->elevation.degrees();
+        const double runsFor = std::min(12.0, 5.0 / rate);
+        double before = last - 0.1;
+        for (int i = 0; 0.02 * i < 30.0; ++i) {
+            const double silent = 0.02 * i;
+            if (i % 40 == 5) {
+                stream.confirm(at(20.0 + silent));
+            }
+            const auto target = stream.target(at(20.0 + silent));
+            const double elevation = target->position.elevation.degrees();
+            if (silent < runsFor + 11.9) {
+                ASSERT_TRUE(target->streaming);
+                ASSERT_GE(elevation, before) << rate << ' ' << silent;
+                ASSERT_NEAR(elevation, last + rate * std::min(silent, runsFor), 0.02 + 0.12 * rate)
+                    << rate << ' ' << silent;
+                before = elevation;
+            } else if (silent > runsFor + 12.1) {
+                ASSERT_FALSE(target->streaming);
+                ASSERT_EQ(target->position, *stream.lastPoint());
+                ASSERT_EQ(target->rates, AxisRates{});
+            }
+        }
     }
-    EXPECT_EQ(fast.target(at(25))->rates, AxisRates{}) << "it waits where it was allowed to run";
-    EXPECT_TRUE(fast.target(at(25))->streaming);
+}
+
+TEST(TargetStream, AClientThatReadsNoMoreIsNot)
+{
+    TargetStream stream = risingStream(0.5);
+    for (const double time : {20.8, 21.6, 22.4, 23.2}) {
+        stream.confirm(at(time));
+    }
+    EXPECT_TRUE(stream.target(at(25.1))->streaming);
+    EXPECT_EQ(stream.target(at(25.3))->position, *stream.lastPoint());
+}
+
+// Else the mount would start again by itself, seconds after it came to rest.
+TEST(TargetStream, ReadingDoesNotBringAnEndedStreamBack)
+{
+    TargetStream stream = risingStream(0.5);
+    EXPECT_EQ(stream.target(at(25))->position, *stream.lastPoint());
+    stream.confirm(at(25));
+    EXPECT_EQ(stream.target(at(25))->position, *stream.lastPoint());
+    EXPECT_EQ(stream.target(at(25.5))->position, *stream.lastPoint());
 }
 
 TEST(TargetStream, AnotherTargetIsTakenAtOnce)
@@ -248,8 +237,23 @@ TEST(TargetStream, WhatIsTooFastOrTooSparseIsNoStream)
     for (int i = 0; i < 20; ++i) {
         hand.add(at(i), axes(100 + 5 * i, 10));
         EXPECT_FALSE(hand.target(at(i + 0.9))->streaming);
-        sparse.add(at(12 * i), axes(100, 10 + i));
-        EXPECT_EQ(sparse.target(at(12 * i + 3))->position, axes(100, 10 + i));
+        sparse.add(at(6 * i), axes(100, 10 + i));
+        EXPECT_EQ(sparse.target(at(6 * i + 3))->position, axes(100, 10 + i));
+    }
+}
+
+// Pauses of Gpredict with its default threshold of 5° and with its finest, both reading on.
+TEST(TargetStream, SparsePointsOfAReaderAreAStreamIfTheirStepsAreFine)
+{
+    for (const double step : {0.2, 2.0}) {
+        TargetStream stream;
+        for (int i = 0; i <= 10; ++i) {
+            for (int read = 0; read < 10; ++read) {
+                stream.confirm(at(8 * i - 7.9 + 0.8 * read));
+            }
+            stream.add(at(8 * i), axes(100, 10 + step * i));
+        }
+        EXPECT_EQ(stream.target(at(81))->streaming, step < 1.0) << step;
     }
 }
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/units/sky.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+// Paths through the sky for the tests of this folder: rows of tests/data, and satellites on circular orbits.
+namespace boresight::tracking {
+
+struct Timed
+{
+    double time;  // s
+    AxisPosition position;
+};
+
+inline SteadyTime at(double seconds)
+{
+    return SteadyTime{std::chrono::duration_cast<SteadyTime::duration>(Seconds(1000.0 + seconds))};
+}
+
+inline AxisPosition axes(double azimuth, double elevation)
+{
+    return {Angle::fromDegrees(azimuth), Angle::fromDegrees(elevation)};
+}
+
+// Degrees.
+double skyDistance(const AxisPosition& a, const AxisPosition& b);
+
+// Rows of time, azimuth, elevation behind `keys` columns that name them: "A85,gp_0.1".
+std::map<std::string, std::vector<Timed>> table(const std::string& name, std::size_t keys);
+
+// From rise to set every 0.2 s, as in track_truth.csv; culminates in the north with the azimuth running through it. The
+// Earth is round and does not turn.
+std::vector<Timed> circularPass(double heightKm, Angle maxElevation);
+
+}  // namespace boresight::tracking
