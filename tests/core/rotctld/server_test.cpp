@@ -169,8 +169,10 @@ TEST(RotctldServer, BoundsTheWorkOfOneTurn)
         turn();
     }
     EXPECT_EQ(fixture.rotator.questions, 100 * 400);
-    EXPECT_GE(most, 32);   // so that this test did see a busy turn
-    EXPECT_LE(most, 192);  // 32 clients that are ready and 16 that wait, four commands each
+    EXPECT_GE(most, 32);  // so that this test did see a busy turn
+    // Four commands each of 8 clients that are ready and 8 that wait, and 8 more if their timer falls into the same
+    // pass.
+    EXPECT_LE(most, 96);
 }
 
 TEST(RotctldServer, ServesLongPipelinesCompletely)
