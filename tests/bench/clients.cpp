@@ -3,8 +3,6 @@
 
 #include "core/base/numbers.h"
 
-#include <netinet/in.h>
-#include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/epoll.h>
 #include <sys/socket.h>
@@ -64,25 +62,6 @@ ReplyState judgeReply(ReplyForm form, std::string_view received)
         return ReplyState::Incomplete;
     }
     return lines.size() == 2 && parseFinite(lines[0]) && parseFinite(lines[1]) ? ReplyState::Good : ReplyState::Bad;
-}
-
-int openSocket(int flags)
-{
-    const int fd = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | flags, 0);
-    const int on = 1;
-    setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-    const timeval limit{.tv_sec = kReplyTimeout.count(), .tv_usec = 0};
-    setsockopt(fd, SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
-    return fd;
-}
-
-bool connectTo(int fd, const Endpoint& endpoint)
-{
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = endpoint.address;
-    address.sin_port = htons(endpoint.port);
-    return ::connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 || errno == EINPROGRESS;
 }
 
 bool sendText(int fd, std::string_view text)

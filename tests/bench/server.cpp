@@ -3,15 +3,16 @@
 
 #include "core/base/numbers.h"
 
-#include <arpa/inet.h>
 #include <fcntl.h>
 #include <netinet/in.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <sstream>
@@ -29,20 +30,10 @@ constexpr auto kStopTimeout = 5s;
 constexpr std::string_view kPortMark = "{port}";
 constexpr std::string_view kAnnouncement = "listening on ";
 
-sockaddr_in socketAddress(const Endpoint& endpoint)
-{
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = endpoint.address;
-    address.sin_port = htons(endpoint.port);
-    return address;
-}
-
 bool accepts(const Endpoint& endpoint)
 {
-    const int fd = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    const sockaddr_in address = socketAddress(endpoint);
-    const bool connected = connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+    const int fd = openSocket(0);
+    const bool connected = connectTo(fd, endpoint);
     close(fd);
     return connected;
 }
@@ -51,7 +42,9 @@ bool accepts(const Endpoint& endpoint)
 std::uint16_t freePort()
 {
     const int fd = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    sockaddr_in address = socketAddress({.address = htonl(INADDR_LOOPBACK), .port = 0});
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     socklen_t size = sizeof address;
     std::uint16_t port = 0;
     if (bind(fd, reinterpret_cast<const sockaddr*>(&address), size) == 0 &&
@@ -62,29 +55,25 @@ std::uint16_t freePort()
     return port;
 }
 
-// Starts the command line in a shell of its own; returns the process and the reading end of its standard output.
-Result<std::pair<pid_t, int>> spawn(const std::string& command)
+// Starts the command line in a shell of its own.
+Result<Server::Process> spawn(const std::string& command)
 {
     std::array<int, 2> output{};
-    if (pipe2(output.data(), O_CLOEXEC) != 0) {
-        return failure(ErrorCode::Io, "no pipe for the server's output");
+    const int errors = memfd_create("errors", MFD_CLOEXEC);
+    if (errors < 0 || pipe2(output.data(), O_CLOEXEC) != 0) {
+        return failure(ErrorCode::Io, "no room for the server's output");
     }
     const std::string line = "exec " + command;
     const pid_t process = fork();
     if (process == 0) {
         dup2(output[1], STDOUT_FILENO);
-        const int nowhere = open("/dev/null", O_RDWR);
-        dup2(nowhere, STDIN_FILENO);
-        dup2(nowhere, STDERR_FILENO);
+        dup2(open("/dev/null", O_RDWR), STDIN_FILENO);
+        dup2(errors, STDERR_FILENO);
         execl("/bin/sh", "sh", "-c", line.c_str(), static_cast<char*>(nullptr));
         _exit(127);
     }
     close(output[1]);
-    if (process < 0) {
-        close(output[0]);
-        return failure(ErrorCode::Io, "could not start: " + command);
-    }
-    return std::pair{process, output[0]};
+    return Server::Process{.id = process, .output = output[0], .errors = errors};
 }
 
 // Reads the program's output until it says where it listens.
@@ -139,28 +128,10 @@ bool endsWithin(pid_t process, std::chrono::milliseconds limit)
 
 }  // namespace
 
-Result<Endpoint> parseEndpoint(std::string_view text)
-{
-    const std::size_t colon = text.rfind(':');
-    if (colon == std::string_view::npos) {
-        return failure(ErrorCode::InvalidInput, "not HOST:PORT: " + std::string(text));
-    }
-    const auto port = parseInteger(text.substr(colon + 1));
-    const std::string host(text.substr(0, colon));
-    in_addr address{};
-    if (!port || *port < 1 || *port > 65535 || inet_pton(AF_INET, host.c_str(), &address) != 1) {
-        return failure(ErrorCode::InvalidInput, "not HOST:PORT: " + std::string(text));
-    }
-    if ((ntohl(address.s_addr) >> 24) != IN_LOOPBACKNET) {
-        return failure(ErrorCode::Refused, "only loopback addresses are measured: " + host);
-    }
-    return Endpoint{.address = address.s_addr, .port = static_cast<std::uint16_t>(*port)};
-}
-
 Result<Server> Server::start(const std::string& target)
 {
     if (auto running = parseEndpoint(target)) {
-        return Server(*running, -1, -1);
+        return Server(*running, {});
     }
     std::string command = target;
     Endpoint endpoint{.address = htonl(INADDR_LOOPBACK), .port = 0};
@@ -172,9 +143,12 @@ Result<Server> Server::start(const std::string& target)
     if (!spawned) {
         return tl::unexpected(spawned.error());
     }
-    Server server(endpoint, spawned->first, spawned->second);
+    Server server(endpoint, *spawned);
+    if (spawned->id < 0) {
+        return failure(ErrorCode::Io, "could not start: " + command);
+    }
     if (endpoint.port == 0) {
-        const auto announced = announcedEndpoint(server.m_output);
+        const auto announced = announcedEndpoint(server.m_process.output);
         if (!announced) {
             return tl::unexpected(announced.error());
         }
@@ -185,29 +159,38 @@ Result<Server> Server::start(const std::string& target)
     return server;
 }
 
-Server::Server(Server&& other) noexcept
-    : m_endpoint(other.m_endpoint),
-      m_process(std::exchange(other.m_process, -1)),
-      m_output(std::exchange(other.m_output, -1))
-{}
+Server::Server(Server&& other) noexcept : m_endpoint(other.m_endpoint), m_process(std::exchange(other.m_process, {})) {}
 
 Server::~Server()
 {
-    if (m_process > 0) {
-        kill(m_process, SIGTERM);
-        if (!endsWithin(m_process, kStopTimeout)) {
-            kill(m_process, SIGKILL);
-            waitpid(m_process, nullptr, 0);
+    end();
+    for (const int fd : {m_process.output, m_process.errors}) {
+        if (fd >= 0) {
+            close(fd);
         }
     }
-    if (m_output >= 0) {
-        close(m_output);
+}
+
+std::string Server::end()
+{
+    const pid_t process = std::exchange(m_process.id, -1);
+    if (process <= 0) {
+        return {};
     }
+    kill(process, SIGTERM);
+    if (!endsWithin(process, kStopTimeout)) {
+        kill(process, SIGKILL);
+        waitpid(process, nullptr, 0);
+    }
+    std::string text(static_cast<std::size_t>(lseek(m_process.errors, 0, SEEK_END)), '\0');
+    const ssize_t count = pread(m_process.errors, text.data(), text.size(), 0);
+    text.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    return text;
 }
 
 std::optional<std::uint64_t> Server::residentBytes() const
 {
-    std::ifstream status("/proc/" + std::to_string(m_process) + "/status");
+    std::ifstream status("/proc/" + std::to_string(m_process.id) + "/status");
     std::string line;
     while (std::getline(status, line)) {
         std::istringstream words(line);
@@ -222,7 +205,7 @@ std::optional<std::uint64_t> Server::residentBytes() const
 
 std::optional<std::chrono::duration<double>> Server::processorTime() const
 {
-    std::ifstream stat("/proc/" + std::to_string(m_process) + "/stat");
+    std::ifstream stat("/proc/" + std::to_string(m_process.id) + "/stat");
     std::string text;
     if (!std::getline(stat, text)) {
         return std::nullopt;

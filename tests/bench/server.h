@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "tests/bench/sockets.h"
 
 #include <sys/types.h>
 
@@ -9,24 +10,21 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 
 // The server under test: either one that already runs at HOST:PORT, or a program started here for one scenario and
 // ended with it, whose memory and processor time can then be read. Loopback only. One thread.
 namespace boresight::bench {
 
-struct Endpoint
-{
-    std::uint32_t address = 0;  // IPv4, network byte order
-    std::uint16_t port = 0;     // host byte order
-};
-
-// "127.0.0.1:4533"; refuses addresses outside 127.0.0.0/8, because the scenarios are a flood to anybody else.
-[[nodiscard]] Result<Endpoint> parseEndpoint(std::string_view text);
-
 class Server
 {
 public:
+    struct Process
+    {
+        pid_t id = -1;
+        int output = -1;  // reading end of its standard output, held open so that it can go on writing
+        int errors = -1;  // a file in memory with what it wrote to its standard error
+    };
+
     // TARGET is HOST:PORT or a command line. A "{port}" in the command line becomes a free port; without it the program
     // must print "… listening on HOST:PORT" on its standard output.
     [[nodiscard]] static Result<Server> start(const std::string& target);
@@ -35,7 +33,11 @@ public:
     Server& operator=(Server&&) = delete;
     Server(const Server&) = delete;
     Server& operator=(const Server&) = delete;
-    ~Server();  // SIGTERM, then SIGKILL after 5 s
+    ~Server();  // ends it
+
+    // SIGTERM, then SIGKILL after 5 s; returns what the program wrote to its standard error. The second call finds
+    // nothing.
+    std::string end();
 
     [[nodiscard]] const Endpoint& endpoint() const { return m_endpoint; }
     // Empty for a server that was not started here.
@@ -43,11 +45,10 @@ public:
     [[nodiscard]] std::optional<std::chrono::duration<double>> processorTime() const;
 
 private:
-    Server(Endpoint endpoint, pid_t process, int output) : m_endpoint(endpoint), m_process(process), m_output(output) {}
+    Server(Endpoint endpoint, Process process) : m_endpoint(endpoint), m_process(process) {}
 
     Endpoint m_endpoint;
-    pid_t m_process = -1;
-    int m_output = -1;  // its standard output, held open so that it can go on writing
+    Process m_process;
 };
 
 }  // namespace boresight::bench
