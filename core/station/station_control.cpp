@@ -153,7 +153,11 @@ Result<> StationControl::streamTo(const pointing::Resolved& resolved, const SkyP
     if (resolved.limited && m_profile.rotctld.outsideLimits == profile::OutsideLimits::Refuse) {
         return failure(ErrorCode::OutOfRange, resolved.reason);
     }
+    const bool newStream = m_activity != Activity::Streaming || m_commander != source;
     begin(Activity::Streaming, source, QStringLiteral("P ") + text(asked));
+    if (newStream) {
+        m_motion.rest();  // the points of another client say nothing about this one's
+    }
     if (resolved.limited) {
         m_limited = true;
         m_wantedDirection = asked;
@@ -331,9 +335,9 @@ void StationControl::sourceGone(const Source& source)
     }
 }
 
-void StationControl::positionRead(const Source& source)
+void StationControl::positionRead(std::uint64_t clientId)
 {
-    if (m_activity == Activity::Streaming && m_commander == source) {
+    if (m_activity == Activity::Streaming && m_commander.clientId == clientId) {
         m_motion.confirmStream(m_now);
     }
 }

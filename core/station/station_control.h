@@ -35,9 +35,9 @@ public:
     Result<> request(const Request& request, const Source& source);
     // The source is gone for good: a `Move` of its own ends, a stream comes to rest at its last point.
     void sourceGone(const Source& source);
-    // The source has read the measured position: if the running stream is its own, it is content until it sends a
+    // A client has read the measured position: if the running stream is its own, it is content until it sends a
     // point.
-    void positionRead(const Source& source);
+    void positionRead(std::uint64_t clientId);
 
     void take(const CanFrame& frame) { m_drives.take(frame); }
     // Judges the replies, moves the set-points on and returns the frames to send: azimuth, elevation.

@@ -86,7 +86,7 @@ rotctld::Limits StationRotator::limits() const
 
 Result<SkyPointing> StationRotator::position(const rotctld::Client& client)
 {
-    m_control.positionRead(clientSource(client));
+    m_control.positionRead(client.id);
     return m_control.measured().map([&](const AxisPosition& axes) {
         switch (m_profile.rotctld.azimuth) {
             case profile::AzimuthConvention::ZeroTo360:

@@ -206,6 +206,22 @@ TEST(StationControl, ARepeatedTargetDoesNotDisturbTheMotion)
     }
 }
 
+// Story: the points of two clients that both sent P made one path, and the mount ran ahead along it.
+TEST(StationControl, AnotherClientBeginsAStreamOfItsOwn)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    for (int i = 0; i < 20; ++i) {
+        ASSERT_TRUE(rig.point(10.0 + 0.5 * i, 30.0));
+        rig.run(Seconds(1.0));
+    }
+    EXPECT_EQ(rig.state(), StationState::Track);
+    ASSERT_TRUE(rig.point(20.0, 30.0, kOtherClient));
+    rig.tick();
+    EXPECT_NEAR(rig.control.status().azimuth.target->degrees(), 20.0, 1e-9);
+    EXPECT_NE(rig.state(), StationState::Track);
+}
+
 TEST(StationControl, AGoneClientLeavesTheMountGoingToItsLastPoint)
 {
     StationRig rig;
