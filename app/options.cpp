@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/options.h"
 
+#include "core/base/bus_name.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/setting.h"
 
@@ -59,7 +60,7 @@ Result<> applyBus(profile::Profile& profile, const QCommandLineParser& parser)
         return failure(ErrorCode::InvalidInput,
                        "--simulate and --bus " + bus + " exclude each other: give one of them");
     }
-    return profile::checkBusName(bus).map([&] { profile.bus = bus; });
+    return parseBusName(bus).map([&](const BusName&) { profile.bus = bus; });
 }
 
 Result<> applyListen(profile::Profile& profile, const QCommandLineParser& parser)

@@ -84,18 +84,4 @@ std::string toText(const ListenAddress& address)
     return (isIpv6 ? "[" + address.host + "]" : address.host) + ":" + std::to_string(address.port);
 }
 
-Result<> checkBusName(std::string_view name)
-{
-    const auto colon = name.find(':');
-    const std::string_view kind = name.substr(0, colon);
-    const bool named = colon != std::string_view::npos && colon + 1 < name.size() &&
-                       std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < ' '; });
-    if (name == "simulated" || (named && (kind == "fdcanusb" || kind == "socketcan"))) {
-        return {};
-    }
-    return failure(
-        ErrorCode::InvalidInput,
-        "\"" + std::string(name) + "\" is none of \"fdcanusb:PATH\", \"socketcan:INTERFACE\" and \"simulated\"");
-}
-
 }  // namespace boresight::profile

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/setting.h"
 
+#include "core/base/bus_name.h"
 #include "core/profile/setting_makers.h"
 
 #include <algorithm>
@@ -33,7 +34,9 @@ void addMount(std::vector<Setting>& list)
         "bus.name", Applies::OnReconnect,
         "How the drives are reached: \"fdcanusb:PATH\", \"socketcan:INTERFACE\" or \"simulated\".",
         [](const Profile& p) { return p.bus; },
-        [](Profile& p, const std::string& text) { return checkBusName(text).map([&] { p.bus = text; }); }));
+        [](Profile& p, const std::string& text) {
+            return parseBusName(text).map([&](const BusName&) { p.bus = text; });
+        }));
 }
 
 void addGeometry(std::vector<Setting>& list, const std::string& table, AxisSettings Profile::*axis)

@@ -63,6 +63,5 @@ struct Problem
 // The texts of two settings, also for the command line that overrides them.
 [[nodiscard]] Result<ListenAddress> parseListenAddress(std::string_view text);  // "127.0.0.1:4533", "[::1]:4533"
 [[nodiscard]] std::string toText(const ListenAddress& address);
-[[nodiscard]] Result<> checkBusName(std::string_view name);
 
 }  // namespace boresight::profile

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/link_factory.h"
 
-#include "core/can/bus_name.h"
+#include "core/base/bus_name.h"
 #include "core/can/fdcanusb_link.h"
 #include "core/can/socketcan_link.h"
 #include "core/sim/simulated_link.h"

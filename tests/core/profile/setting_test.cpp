@@ -140,14 +140,3 @@ TEST(ListenAddress, IsHostAndPort)
         EXPECT_FALSE(parseListenAddress(wrong)) << wrong;
     }
 }
-
-TEST(BusName, IsOneOfThree)
-{
-    for (const char* right : {"simulated", "fdcanusb:/dev/fdcanusb", "socketcan:can0"}) {
-        EXPECT_TRUE(checkBusName(right)) << right;
-    }
-    for (const char* wrong :
-         {"", "simulated:", "fdcanusb", "fdcanusb:", "socketcan:", "slcan:/dev/ttyACM0", ":", "fdcanusb:/dev/a\nb"}) {
-        EXPECT_FALSE(checkBusName(wrong)) << wrong;
-    }
-}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/can/bus_name.h"
+#include "core/base/bus_name.h"
 
 #include <gmock/gmock.h>
 
@@ -24,7 +24,7 @@ TEST(BusName, RefusesWithWhatToWrite)
     EXPECT_THAT(parseBusName("socketcan:").error().text, testing::HasSubstr("names no interface"));
     EXPECT_THAT(parseBusName("fdcanusb:").error().text, testing::HasSubstr("names no port"));
     for (const char* const bad : {"", "simulated ", "Simulated", "simulated:x", "socketcan:can 0", "socketcan:a/b",
-                                  "socketcan:sixteen-letters0", "socketcan"}) {
+                                  "socketcan:sixteen-letters0", "socketcan", "fdcanusb:/dev/a\nb"}) {
         const auto result = parseBusName(bad);
         ASSERT_FALSE(result.has_value()) << bad;
         EXPECT_EQ(result.error().code, ErrorCode::InvalidInput) << bad;

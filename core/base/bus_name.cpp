@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/can/bus_name.h"
+#include "core/base/bus_name.h"
+
+#include <algorithm>
 
 namespace boresight {
 namespace {
@@ -38,6 +40,9 @@ Result<BusName> parseBusName(std::string_view text)
         if (path.empty()) {
             return failure(ErrorCode::InvalidInput,
                            "bus 'fdcanusb:' names no port; write for example fdcanusb:/dev/boresight/fdcanusb");
+        }
+        if (std::ranges::any_of(path, [](unsigned char c) { return c < ' '; })) {
+            return failure(ErrorCode::InvalidInput, "a port's path has no control characters");
         }
         return BusName{BusKind::Fdcanusb, std::string(path)};
     }
