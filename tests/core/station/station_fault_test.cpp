@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/station/station_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+using moteus::Mode;
+
+TEST(StationControl, AFaultOnOneAxisHoldsTheOtherAndWaitsForRearm)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(100.0, 60.0));
+    rig.run(Seconds(2.0));
+    rig.azimuth.mode = Mode::Fault;
+    rig.azimuth.fault = 38;
+    rig.run(Seconds(2.0));
+    EXPECT_EQ(rig.state(), StationState::Fault);
+    const StationStatus status = rig.control.status();
+    ASSERT_FALSE(status.alarms.empty());
+    EXPECT_TRUE(status.alarms.front().what.contains(QStringLiteral("38")));
+    EXPECT_EQ(status.azimuth.state, AxisState::Fault);
+    EXPECT_EQ(rig.elevation.mode, Mode::Position);
+    const double rest = rig.elevationDegrees();
+    EXPECT_FALSE(rig.point(100.0, 60.0));
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.elevationDegrees(), rest);
+
+    ASSERT_TRUE(rig.ask(request::Rearm{}));
+    rig.run(Seconds(0.2));
+    EXPECT_EQ(rig.state(), StationState::Standby);
+    EXPECT_EQ(rig.azimuth.mode, Mode::Stopped);
+    EXPECT_EQ(rig.elevation.mode, Mode::Position) << "the healthy axis never goes limp";
+    ASSERT_TRUE(rig.point(100.0, 60.0, kOperator));
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 100.0, 0.001);
+}
+
+TEST(StationControl, ASilentBusInMidMotionNeedsRearm)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(100.0, 60.0));
+    rig.run(Seconds(2.0));
+    rig.azimuth.silent = rig.elevation.silent = true;
+    rig.azimuth.mode = rig.elevation.mode = Mode::PositionTimeout;  // what their watchdogs do
+    rig.run(Seconds(0.32));
+    EXPECT_EQ(rig.state(), StationState::Disconnected);
+    EXPECT_EQ(rig.control.status().alarms.size(), 2U);
+    rig.run(Seconds(3.0));
+    rig.azimuth.silent = rig.elevation.silent = false;
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(rig.state(), StationState::Fault);
+    const std::size_t before = rig.commands();
+    EXPECT_EQ(rig.point(100.0, 60.0).error().code, ErrorCode::Refused);
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(rig.commands(), before) << "nothing is commanded before re-arming";
+    ASSERT_TRUE(rig.ask(request::Rearm{}, kClient));
+    rig.run(Seconds(0.3));
+    EXPECT_EQ(rig.state(), StationState::Standby);
+    // Story: re-armed drives were left in mode 0, and an unbalanced elevation fell to its stop.
+    EXPECT_EQ(rig.elevation.mode, Mode::Position) << "what held the axis before holds it again";
+    EXPECT_EQ(rig.azimuth.mode, Mode::Position);
+    EXPECT_TRUE(rig.point(100.0, 60.0));
+}
+
+TEST(StationControl, AFaultAtStartIsShownAndNeedsRearm)
+{
+    StationRig rig;
+    rig.azimuth.mode = Mode::Fault;
+    rig.azimuth.fault = 35;
+    rig.run(Seconds(0.2));
+    EXPECT_EQ(rig.state(), StationState::Fault);
+    EXPECT_TRUE(rig.control.status().alarms.front().what.contains(QStringLiteral("35")));
+    EXPECT_FALSE(rig.point(10.0, 10.0));
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.commands(), 0U);
+    ASSERT_TRUE(rig.ask(request::Rearm{}));
+    rig.run(Seconds(0.2));
+    EXPECT_EQ(rig.state(), StationState::Standby);
+    EXPECT_EQ(rig.azimuth.mode, Mode::Stopped);
+}
+
+TEST(StationControl, AFaultInStandbyIsShownToo)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    rig.elevation.mode = Mode::Fault;
+    rig.elevation.fault = 43;
+    rig.elevation.position = std::nan("");  // a drive without an encoder answers, but not where it is
+    rig.run(Seconds(0.2));
+    EXPECT_EQ(rig.state(), StationState::Fault);
+    EXPECT_TRUE(rig.control.status().alarms.front().what.contains(QStringLiteral("43")));
+    EXPECT_FALSE(rig.control.measured());
+}
+
+TEST(StationControl, ReArmingIsTheOperatorsWhileTheOperatorHasTakenOver)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(100.0, 60.0));
+    rig.run(Seconds(1.0));
+    rig.azimuth.mode = Mode::Fault;
+    rig.azimuth.fault = 38;
+    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
+    EXPECT_EQ(rig.ask(request::Rearm{}, kClient).error().code, ErrorCode::Refused);
+    EXPECT_TRUE(rig.ask(request::Rearm{}));
+}
+
+// Story: a machine that stopped for 0.3 s blamed the cable, although the replies lay unread in its own buffers.
+TEST(StationControl, AStallOfThisComputerIsNotSilenceOfTheDrives)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(100.0, 60.0));
+    rig.run(Seconds(1.0));
+    rig.clock.advance(Seconds(0.4));
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.state(), StationState::Slew);
+    EXPECT_TRUE(rig.control.status().alarms.empty());
+    EXPECT_EQ(rig.lastLog(), "this computer stalled for 0.42 s; drives may have stopped by their watchdog");
+    rig.azimuth.silent = true;
+    rig.run(Seconds(0.3));
+    EXPECT_EQ(rig.state(), StationState::Disconnected) << "real silence is noticed as before";
+}
+
+TEST(StationControl, AFaultThatComesBackIsShownAgain)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(100.0, 60.0));
+    rig.run(Seconds(1.0));
+    for (int i = 0; i < 2; ++i) {
+        rig.azimuth.mode = Mode::Fault;
+        rig.azimuth.fault = 40;
+        rig.run(Seconds(0.2));
+        EXPECT_EQ(rig.state(), StationState::Fault);
+        ASSERT_TRUE(rig.ask(request::Rearm{}));
+        rig.run(Seconds(0.2));
+        EXPECT_EQ(rig.state(), StationState::Standby);
+        ASSERT_TRUE(rig.point(100.0, 60.0, kOperator));
+        rig.run(Seconds(0.2));
+    }
+}
+
+TEST(StationControl, ATimeOutLeftFromAnEarlierProgramIsClearedByTheFirstCommand)
+{
+    StationRig rig;
+    rig.azimuth.mode = rig.elevation.mode = Mode::PositionTimeout;
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.state(), StationState::Standby);
+    EXPECT_EQ(rig.control.status().azimuth.state, AxisState::Off) << "it holds by itself: no fault of now";
+    EXPECT_EQ(rig.commands(), 0U);
+    ASSERT_TRUE(rig.point(10.0, 10.0));
+    rig.settle();
+    EXPECT_EQ(rig.azimuth.seen.front().mode, Mode::Stopped);
+    EXPECT_NEAR(rig.azimuthDegrees(), 10.0, 0.001);
+}
+
+TEST(StationControl, ADriveThatIgnoresUsIsAFault)
+{
+    StationRig rig;
+    rig.elevation.deaf = true;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(10.0, 10.0));
+    rig.run(Seconds(1.5));
+    EXPECT_EQ(rig.state(), StationState::Fault);
+    EXPECT_EQ(rig.azimuthDegrees(), 0.0) << "no axis moves before both hold";
+}
+
+TEST(StationControl, ADriveThatWasPowerCycledIsNotCommandedOn)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(100.0, 60.0));
+    rig.run(Seconds(1.0));
+    rig.azimuth.mode = Mode::Stopped;
+    rig.azimuth.home = moteus::HomeState::Rotor;
+    rig.azimuth.position = 0.4;
+    rig.azimuth.deaf = true;
+    rig.run(Seconds(0.2));
+    EXPECT_EQ(rig.state(), StationState::Fault);
+    const std::size_t before = rig.azimuth.seen.size();
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.azimuth.seen.size(), before);
+}
+
+TEST(StationControl, AnActiveLimitIsAHintNotAFault)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(100.0, 60.0));
+    rig.run(Seconds(1.0));
+    rig.azimuth.deaf = true;  // keeps the code below from being cleared
+    rig.azimuth.fault = 100;
+    rig.tick();
+    rig.tick();
+    EXPECT_EQ(rig.state(), StationState::Slew);
+    ASSERT_FALSE(rig.control.status().alarms.empty());
+    EXPECT_EQ(rig.control.status().alarms.front().severity, Severity::Warning);
+}
+
+}  // namespace
+}  // namespace boresight

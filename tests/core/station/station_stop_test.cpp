@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/station/station_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+using moteus::Mode;
+using moteus::Register;
+
+TEST(StationControl, StopDeceleratesHoldsAndLatches)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(200.0, 60.0));
+    rig.run(Seconds(3.0));
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    EXPECT_EQ(rig.state(), StationState::Stopped);
+    rig.run(Seconds(3.0));
+    const double rest = rig.azimuthDegrees();
+    EXPECT_EQ(rig.azimuth.mode, Mode::Position) << "holds, does not go limp";
+    EXPECT_EQ(rig.point(10.0, 10.0).error().code, ErrorCode::Refused);
+    EXPECT_EQ(rig.point(10.0, 10.0, kOperator).error().code, ErrorCode::Refused);
+    EXPECT_EQ(rig.ask(request::Jog{{.azimuth = 1_deg_s}}).error().code, ErrorCode::Refused);
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(rig.azimuthDegrees(), rest);
+}
+
+TEST(StationControl, AfterResetOfStopNothingComesBackByItself)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(200.0, 60.0));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    rig.run(Seconds(2.0));
+    ASSERT_TRUE(rig.ask(request::ResetStop{}));
+    EXPECT_EQ(rig.state(), StationState::Standby);
+    const double rest = rig.azimuthDegrees();
+    EXPECT_FALSE(rig.point(200.0, 60.0)) << "a client that goes on sending must not move the mount";
+    rig.run(Seconds(2.0));
+    EXPECT_EQ(rig.azimuthDegrees(), rest);
+    ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+    EXPECT_TRUE(rig.point(200.0, 60.0));
+}
+
+TEST(StationControl, TheOperatorGoesBeforeTheClients)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(100.0, 30.0));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = -1_deg_s}}));
+    EXPECT_EQ(rig.control.status().authority, Authority::Operator);
+    EXPECT_EQ(rig.point(100.0, 30.0).error().code, ErrorCode::Refused);
+    EXPECT_TRUE(rig.ask(request::Hold{}, kClient)) << "stopping is open to all";
+}
+
+TEST(StationControl, HoldFromAClientEndsTheMotionWithoutLatching)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(100.0, 30.0));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::Hold{}, kClient));
+    EXPECT_EQ(rig.state(), StationState::Hold);
+    EXPECT_TRUE(rig.point(20.0, 30.0));
+}
+
+// Story: STOP was logged and shown while the mount went on turning by an order that somebody else had left.
+TEST(StationControl, StopTakesOverWhatMovesWithoutOurOrders)
+{
+    StationRig rig;
+    rig.azimuth.mode = Mode::Position;
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.state(), StationState::Standby);
+    ASSERT_FALSE(rig.control.status().alarms.empty());
+    EXPECT_EQ(rig.control.status().alarms.front().severity, Severity::Warning);
+    EXPECT_EQ(rig.commands(), 0U);
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    rig.run(Seconds(0.2));
+    ASSERT_FALSE(rig.azimuth.seen.empty());
+    EXPECT_TRUE(std::isnan(rig.azimuth.seen.front().fields.at(Register::CommandPosition)));
+    EXPECT_TRUE(rig.elevation.seen.empty()) << "a drive that is off stays off";
+    EXPECT_EQ(rig.control.status().azimuth.state, AxisState::Stopped);
+    EXPECT_EQ(rig.control.status().elevation.state, AxisState::Off);
+}
+
+TEST(StationControl, StopIsNotResetWhileTheMountStillBrakes)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(200.0, 60.0));
+    rig.run(Seconds(3.0));
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    rig.tick();
+    EXPECT_EQ(rig.control.status().azimuth.state, AxisState::Moving);
+    EXPECT_EQ(rig.ask(request::ResetStop{}).error().code, ErrorCode::Refused);
+    rig.run(Seconds(3.0));
+    EXPECT_TRUE(rig.ask(request::ResetStop{}));
+}
+
+// Story: the Hold button was undone by the next target of the client, a second later.
+TEST(StationControl, HoldOfTheOperatorIsNotUndoneByAClient)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.point(100.0, 30.0));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    EXPECT_EQ(rig.point(100.0, 30.0).error().code, ErrorCode::Refused);
+}
+
+}  // namespace
+}  // namespace boresight
