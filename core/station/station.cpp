@@ -102,8 +102,8 @@ void Station::showBus(const LinkStatus& status)
         m_control.clearAlarm(kBusCause);
         return;
     }
-    if (m_finished) {
-        return;
+    if (m_finished || (status.state == LinkState::Closed && status.text.isEmpty())) {
+        return;  // closed to be opened again: what was wrong still is
     }
     const Severity severity = status.state == LinkState::Up ? Severity::Warning : Severity::Alarm;
     m_control.raiseAlarm(kBusCause, severity,

@@ -163,6 +163,18 @@ TEST(Station, ALostAdapterIsShownAtOnceAndReopened)
     EXPECT_EQ(rig.link->openings, 2);
 }
 
+// Story: each try closed the link first, without a text: the alarm went blank and came back unacknowledged each second.
+TEST(Station, ABusThatIsTriedAgainKeepsItsAlarm)
+{
+    Rig rig;
+    rig.station->openAll();
+    rig.run(5);
+    rig.link->report({.state = LinkState::Lost, .text = QStringLiteral("the adapter is gone")});
+    rig.link->report({.state = LinkState::Closed});
+    EXPECT_EQ(rig.station->status().alarms.front().what, QStringLiteral("the adapter is gone"));
+    EXPECT_TRUE(rig.station->status().alarms.front().active);
+}
+
 TEST(Station, AnOccupiedPortIsSaidAndTheRestWorks)
 {
     QTcpServer other;
