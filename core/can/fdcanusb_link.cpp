@@ -286,12 +286,13 @@ void FdcanusbLink::handlePortError(QSerialPort::SerialPortError error)
     const bool gone = error == QSerialPort::ResourceError || error == QSerialPort::ReadError ||
                       error == QSerialPort::WriteError || error == QSerialPort::DeviceNotFoundError;
     if (gone && m_status.state != LinkState::Closed && m_status.state != LinkState::Lost) {
-        lose(m_port.errorString());
+        lose();
     }
 }
 
-// Called from inside the port's own functions, so the port is closed when they have returned.
-void FdcanusbLink::lose(const QString& reason)
+// Called from inside the port's own functions, so the port is closed when they have returned. The port's own text is
+// not shown: for a terminal that hung up Qt makes it of the errno of some earlier call ("Address already in use").
+void FdcanusbLink::lose()
 {
     m_deadlineTimer.stop();
     m_pending.clear();
@@ -301,7 +302,7 @@ void FdcanusbLink::lose(const QString& reason)
         }
     };
     QMetaObject::invokeMethod(this, closeLostPort, Qt::QueuedConnection);
-    reportBus(LinkState::Lost, QStringLiteral("the adapter is gone (%1): plug it in again").arg(reason));
+    reportBus(LinkState::Lost, QStringLiteral("the adapter is gone: plug it in again"));
 }
 
 }  // namespace boresight

@@ -75,7 +75,7 @@ private:
     void updateStatus(LinkState state);
     void reportBus(LinkState state, const QString& trouble);
     void handlePortError(QSerialPort::SerialPortError error);
-    void lose(const QString& reason);
+    void lose();
 
     QString m_path;
     const Clock& m_clock;

@@ -204,7 +204,7 @@ TEST_F(FdcanusbLinkTest, UnpluggedAdapterIsLostAtOnceAndOpensAgain)
 {
     adapter.unplug();
     ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Lost; }));
-    EXPECT_THAT(text(), HasSubstr("is gone"));
+    EXPECT_THAT(text(), HasSubstr("the adapter is gone: plug it in again"));
     const auto sent = link.send(std::array{frameTo(0x8001, {0x50})});
     ASSERT_FALSE(sent.has_value());
     EXPECT_EQ(sent.error().text, text());
