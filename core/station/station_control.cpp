@@ -356,15 +356,18 @@ Result<AxisPosition> StationControl::measured() const
 void StationControl::raiseAlarm(const QString& cause, Severity severity, const AlarmText& text)
 {
     if (m_alarms.raise(cause, severity, text, m_clock.utc())) {
+        // The line begins with the cause: "azimuth drive: fault 38: …".
+        const QString named = cause + QLatin1Char(' ');
+        const QString what = text.what.startsWith(named) ? text.what.sliced(named.size()) : text.what;
         m_alarmLines.add(severity, cause,
-                         text.what + QStringLiteral(". ") + text.action + QStringLiteral(". ") + text.remedy);
+                         what + QStringLiteral(". ") + text.action + QStringLiteral(". ") + text.remedy);
     }
 }
 
 void StationControl::clearAlarm(const QString& cause)
 {
     if (m_alarms.clear(cause)) {
-        m_alarmLines.add(Severity::Advisory, cause, QStringLiteral("is over"));
+        m_alarmLines.add(Severity::Advisory, cause, QStringLiteral("the alarm is over"));
     }
 }
 

@@ -76,7 +76,7 @@ AxisState StationControl::axisState(Axis axis) const
         return AxisState::Fault;
     }
     if (drive.phase() != Drive::Phase::Engaged) {
-        return AxisState::Off;
+        return drive.answering(m_now) ? AxisState::Off : AxisState::NoData;  // silent: nobody knows what it does
     }
     if (abs(m_motion.setpoint(axis).rate) > kStanding) {
         return AxisState::Moving;

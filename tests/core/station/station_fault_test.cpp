@@ -22,7 +22,10 @@ TEST(StationControl, AFaultOnOneAxisHoldsTheOtherAndWaitsForRearm)
     EXPECT_EQ(rig.state(), StationState::Fault);
     const StationStatus status = rig.control.status();
     ASSERT_FALSE(status.alarms.empty());
-    EXPECT_TRUE(status.alarms.front().what.contains(QStringLiteral("38")));
+    EXPECT_TRUE(status.alarms.front().what.startsWith(QStringLiteral("azimuth drive fault 38")));
+    const auto lines = rig.log.since(0, 1);
+    EXPECT_EQ(lines.back().source, QStringLiteral("azimuth drive"));
+    EXPECT_TRUE(lines.back().text.startsWith(QStringLiteral("fault 38: "))) << "the name is the source already";
     EXPECT_EQ(status.azimuth.state, AxisState::Fault);
     EXPECT_EQ(rig.elevation.mode, Mode::Position);
     const double rest = rig.elevationDegrees();
@@ -50,6 +53,7 @@ TEST(StationControl, ASilentBusInMidMotionNeedsRearm)
     rig.azimuth.mode = rig.elevation.mode = Mode::PositionTimeout;  // what their watchdogs do
     rig.run(Seconds(0.32));
     EXPECT_EQ(rig.state(), StationState::Disconnected);
+    EXPECT_EQ(rig.control.status().azimuth.state, AxisState::NoData) << "nobody knows what a silent drive does";
     EXPECT_EQ(rig.control.status().alarms.size(), 2U);
     rig.run(Seconds(3.0));
     rig.azimuth.silent = rig.elevation.silent = false;
