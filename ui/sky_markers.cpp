@@ -123,12 +123,24 @@ QRect SkyMarkers::targetLabelBox() const
     const QRectF marker = markerBox(*m_markers.target, kMarkerSize);
     QRect box = fontMetrics().boundingRect(m_markers.targetLabel).adjusted(-kTextMargin, 0, kTextMargin, 0);
     const double gap = std::max(beamRadius() + 4.0, kMarkerSize);
-    box.moveTopLeft(QPoint(int(marker.center().x() + gap), int(marker.center().y() - gap)));
-    if (box.right() > width()) {
-        box.moveRight(int(marker.center().x() - gap));
+    const QPointF offsets[] = {
+        {gap, -gap}, {-gap - box.width(), -gap}, {gap, gap}, {-gap - box.width(), gap}, {0, -3 * gap}, {0, 3 * gap}};
+    const QPoint most(std::max(width() - box.width(), 0), std::max(height() - box.height(), 0));
+    for (const QPointF& offset : offsets) {
+        const QPoint corner = (marker.center() + offset).toPoint();
+        box.moveTopLeft({std::clamp(corner.x(), 0, most.x()), std::clamp(corner.y(), 0, most.y())});
+        if (!covers(box)) {
+            break;
+        }
     }
-    box.moveTop(std::max(box.top(), 0));
     return box;
+}
+
+// True if the box would hide where the mount is or is commanded to.
+bool SkyMarkers::covers(const QRect& box) const
+{
+    return (m_markers.actual && markerBox(*m_markers.actual, 2.0 * beamRadius()).intersects(box)) ||
+           (m_markers.commanded && markerBox(*m_markers.commanded, kCommandedSize).intersects(box));
 }
 
 QRegion SkyMarkers::occupied() const

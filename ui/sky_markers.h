@@ -39,6 +39,7 @@ public:
     void setGround(const QPixmap& ground, const SkyProjection& projection);
     void setMarkers(const MarkerData& markers);
 
+    [[nodiscard]] QRect targetLabelBox() const;  // empty without a target or its text
     [[nodiscard]] const MarkerData& markers() const { return m_markers; }
     [[nodiscard]] const SkyProjection& projection() const { return m_projection; }
     [[nodiscard]] std::size_t pathLength() const { return m_path.size(); }
@@ -57,7 +58,7 @@ private:
     void rebuildPath();
     [[nodiscard]] QRectF markerBox(const SkyPointing& direction, double size) const;
     [[nodiscard]] double beamRadius() const;
-    [[nodiscard]] QRect targetLabelBox() const;
+    [[nodiscard]] bool covers(const QRect& box) const;
     [[nodiscard]] QRegion occupied() const;
     void drawActual(QPainter& painter) const;
     void drawTarget(QPainter& painter) const;

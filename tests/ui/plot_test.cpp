@@ -102,6 +102,23 @@ TEST_F(PlotTest, TheErrorLineAppearsAboveHalfABeamWidth)
     EXPECT_TRUE(plot.markers().markers().offTarget);
 }
 
+TEST_F(PlotTest, TheTargetsLabelHidesNeitherTheMountNorItsCommand)
+{
+    StationStatus status = samples::idle();
+    status.target = SkyPointing{80_deg, 20_deg};
+    for (int east = 0; east < 120; east += 2) {
+        for (int up = 0; up < 60; up += 2) {
+            status.actual = SkyPointing{Angle::fromDegrees(30.0 + east), Angle::fromDegrees(up)};
+            status.commanded = status.actual;
+            plot.showStatus(status);
+            const QRect label = plot.markers().targetLabelBox();
+            ASSERT_FALSE(label.isEmpty());
+            EXPECT_TRUE(plot.markers().rect().contains(label));
+            EXPECT_FALSE(label.contains(plot.markers().projection().toPixel(*status.actual).toPoint()));
+        }
+    }
+}
+
 TEST_F(PlotTest, ThePastPathGrowsWithTheMotionAndNotWithOldData)
 {
     for (int second = 0; second < 60; ++second) {
