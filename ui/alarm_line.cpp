@@ -86,14 +86,15 @@ void AlarmLine::showWorst(const StationStatus& status)
         return;
     }
     const Alarm& worst = status.alarms.front();
-    QString what = tr("%1Z  %2").arg(clockText(worst.since), worst.what);
-    if (!worst.active) {
-        what += tr("  (over)");
-    }
+    // The text may be longer than the line: what must be read stands before it.
+    QString head = clockText(worst.since) + QLatin1Char('Z');
     if (waiting > 1) {
-        what += tr("  (%1 unacknowledged)").arg(waiting);
+        head += tr("  (%1 unacknowledged)").arg(waiting);
     }
-    m_what->setValue(what, toneOf(worst.severity), symbolOf(worst.severity));
+    if (!worst.active) {
+        head += tr("  over:");
+    }
+    m_what->setValue(head + QStringLiteral("  ") + worst.what, toneOf(worst.severity), symbolOf(worst.severity));
     QStringList advice{worst.action, worst.remedy};
     advice.removeAll(QString());
     m_advice->setValue(advice.join(QStringLiteral(" – ")));

@@ -272,7 +272,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     }
     event->ignore();
     if (isMoving(m_status)) {
-        m_closeBar->setText(tr("The mount is moving."));
+        m_closeBar->setText(tr("Stop the mount and close?"));
         m_closeBar->show();
     } else {
         confirmClose();
@@ -320,6 +320,8 @@ void MainWindow::toggleFullScreen()
 
 void MainWindow::showHelp()
 {
+    // Never over STOP, the state, the alarm or the numbers.
+    m_help->move(mapToGlobal(QPoint(0, m_readout->mapTo(this, m_readout->rect().bottomLeft()).y())));
     m_help->show();
     m_help->raise();
     m_help->activateWindow();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
+#include "ui/axis_readout.h"
 #include "ui/command_button.h"
 #include "ui/help_page.h"
 #include "ui/sky_markers.h"
@@ -110,6 +111,9 @@ TEST_F(StopTest, EscStopsUnlessAMenuOrDialogIsOpen)
     QTest::keyClick(&window, Qt::Key_F1);
     auto* const help = window.findChild<HelpPage*>();
     ASSERT_TRUE(QTest::qWaitForWindowActive(help));
+    const auto* const readout = window.findChild<AxisReadout*>();
+    EXPECT_GE(help->frameGeometry().top(), readout->mapToGlobal(readout->rect().bottomLeft()).y())
+        << "neither STOP nor the numbers are covered";
     QTest::keyClick(help, Qt::Key_Escape);
     EXPECT_FALSE(help->isVisible());
     EXPECT_EQ(stops(), 2u);
