@@ -10,6 +10,7 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QScreen>
 #include <QSettings>
 
 #include <cstdio>
@@ -51,6 +52,18 @@ void reportStart(const QElapsedTimer& sinceStart, ui::MainWindow& window)
         static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
 }
 
+// The first time: as large as it likes where that fits into the screen with a window manager's frame, else all of it.
+void showFirst(ui::MainWindow& window)
+{
+    const QSize frame(16, 48);  // generous: it is known only once the window is shown
+    const QSize room = window.screen()->availableSize() - frame;
+    if (window.width() <= room.width() && window.height() <= room.height()) {
+        window.show();
+    } else {
+        window.showMaximized();
+    }
+}
+
 void connectWindow(ui::MainWindow& window, app::StationThread& station, QSettings& layout)
 {
     QObject::connect(&window, &ui::MainWindow::requested, &station, &app::StationThread::requested);
@@ -75,13 +88,13 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     app::StationThread station(std::make_unique<Station>(options.profile, std::move(*link), options.stateDir, clock));
     QSettings layout(options.stateDir + QStringLiteral("/window.ini"), QSettings::IniFormat);
     ui::MainWindow window(clock, windowSettings(options.profile, layout));
-    window.restoreGeometry(layout.value(kGeometryKey).toByteArray());
+    const bool known = window.restoreGeometry(layout.value(kGeometryKey).toByteArray());
     connectWindow(window, station, layout);
     app::UnixSignals signals;
     QObject::connect(&signals, &app::UnixSignals::endRequested, &station, &app::StationThread::shutDownRequested);
     reportStart(sinceStart, window);
     station.start();
-    window.show();
+    known ? window.show() : showFirst(window);
     return application.exec();
 }
 
