@@ -3,6 +3,7 @@
 
 #include "ui/command_button.h"
 #include "ui/theme.h"
+#include "ui/value_label.h"
 
 #include <QAction>
 #include <QApplication>
@@ -20,12 +21,30 @@
 namespace boresight::ui {
 
 LogPanel::LogPanel(QWidget* parent)
-    : QWidget(parent), m_model(new LogModel(this)), m_filter(new LogFilter(this)), m_table(makeTable())
+    : QWidget(parent),
+      m_model(new LogModel(this)),
+      m_filter(new LogFilter(this)),
+      m_table(makeTable()),
+      m_whole(new ValueLabel(tr("Selected line"), fonts::label(), {}, this))
 {
+    m_whole->setStretching(true);
+    m_whole->setLines(4);  // the longest alarm with its remedy at 1024 × 700
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &LogPanel::showWhole);
+    showWhole({});
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(6, 6, 6, 6);
     column->addWidget(makeFilterRow());
     column->addWidget(m_table, 1);
+    column->addWidget(m_whole);
+}
+
+void LogPanel::showWhole(const QModelIndex& current)
+{
+    if (current.isValid()) {
+        m_whole->setValue(m_model->entry(m_filter->mapToSource(current).row()).text);
+    } else {
+        m_whole->setValue(tr("Click a line to read it whole"), Tone::Secondary);
+    }
 }
 
 QTableView* LogPanel::makeTable()

@@ -5,11 +5,15 @@
 
 #include <QWidget>
 
+class QModelIndex;
 class QTableView;
 
 // Every command with its source and what became of it, faults and remarks: filter by source, by severity, by text;
-// copy the selected lines (or all that are shown). Follows the newest line while it is scrolled to the end.
+// copy the selected lines (or all that are shown); the current line is shown whole below the list. Follows the newest
+// line while it is scrolled to the end.
 namespace boresight::ui {
+
+class ValueLabel;
 
 class LogPanel : public QWidget
 {
@@ -25,11 +29,13 @@ public:
 private:
     QWidget* makeFilterRow();
     QTableView* makeTable();
+    void showWhole(const QModelIndex& current);
     void copy() const;
 
     LogModel* m_model;
     LogFilter* m_filter;
     QTableView* m_table;
+    ValueLabel* m_whole;
 };
 
 }  // namespace boresight::ui

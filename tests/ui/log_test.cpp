@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/sample_status.h"
 #include "ui/log_panel.h"
+#include "ui/value_label.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -54,6 +55,23 @@ TEST_F(LogTest, FiltersBySeverityAndText)
     panel.findChild<QLineEdit*>()->setText(QStringLiteral("TEMPERATURE"));
     EXPECT_EQ(rows(), 1);
     EXPECT_TRUE(panel.shown().index(0, LogModel::Text).data().toString().startsWith(QStringLiteral("■")));
+}
+
+// Story: in the window's narrow column half of the lines ended in dots.
+TEST_F(LogTest, ShowsTheCurrentLineWhole)
+{
+    const QString alarm = QStringLiteral(
+        "No reply from the elevation drive. Motion ended; the drive stops itself by its watchdog (0.1 s). "
+        "Check the supply, the CAN cable and the adapter, then re-arm");
+    panel.append({samples::logEntry(5, Severity::Alarm, QStringLiteral("elevation drive"), alarm)});
+    auto* const table = panel.findChild<QTableView*>();
+    const auto* const whole = panel.findChild<ValueLabel*>();
+    table->selectRow(4);
+    EXPECT_EQ(whole->text(), alarm);
+    EXPECT_FALSE(whole->isElided());
+    panel.findChild<QComboBox*>()->setCurrentIndex(1);
+    table->selectRow(0);
+    EXPECT_EQ(whole->text(), QStringLiteral("park")) << "the row of the filter, not of the log";
 }
 
 TEST_F(LogTest, CopiesTheSelectionElseAllThatIsShownWithDate)
