@@ -7,11 +7,13 @@
 // queued signals. Here each event is ordered on its own address: Qt releases it when it is allocated by the sender and
 // acquires it when it is delivered by, or freed in, the receiver; and what a thread did before it ended is ordered
 // before the return of QThread::wait(). Nothing else is, so a value shared outside of events is still reported.
-// Arguments of queued signals are copied after the allocation: tsan.supp names those.
+// Arguments of queued signals are copied after the allocation: tsan.supp names those. Painting is kept on the thread
+// that asks for it: what Qt Gui's pool of threads does is ordered by semaphores that nobody sees either.
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QDeadlineTimer>
 #include <QtCore/QThread>
+#include <QtCore/QThreadPool>
 #include <QtCore/QThreadStorage>
 #include <QtCore/qnamespace.h>
 
@@ -103,6 +105,13 @@ extern "C" bool __wrap__ZN7QThread4waitE14QDeadlineTimer(QThread* thread, QDeadl
         __tsan_acquire(&ThreadEnd::s_order);
     }
     return ended;
+}
+
+// Qt Gui asks this before it shares out the painting of a large area, and paints by itself on a thread of the pool. No
+// code of ours asks.
+bool QThreadPool::contains(const QThread* /*thread*/) const
+{
+    return true;
 }
 
 void* operator new(std::size_t size)
