@@ -100,18 +100,47 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
 
 }  // namespace
 
+namespace {
+
+void nameProgram()
+{
+    QCoreApplication::setApplicationName(QStringLiteral("boresight"));
+    QCoreApplication::setApplicationVersion(QString::fromUtf8(kVersion.data(), kVersion.size()));
+}
+
+// Help, version and mistakes of the command line or the profile are told without a display.
+Result<app::Options> readOptionsAlone(int argc, char** argv)
+{
+    const QCoreApplication application(argc, argv);
+    nameProgram();
+    return app::readOptions(QCoreApplication::arguments(), QStringLiteral("Controls a ground-station antenna mount."));
+}
+
+bool hasDisplay()
+{
+    return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+           qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+}
+
+}  // namespace
+
 int main(int argc, char** argv)
 {
     QElapsedTimer sinceStart;
     sinceStart.start();
     app::logToStandardError();
+    const auto options = readOptionsAlone(argc, argv);
+    if (!options) {
+        return complain(options.error().text);
+    }
+    if (!hasDisplay()) {
+        return complain(
+            "there is no display (DISPLAY and WAYLAND_DISPLAY are empty); boresightd is the same without one");
+    }
     QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication application(argc, argv);
-    QApplication::setApplicationName(QStringLiteral("boresight"));
+    nameProgram();
     QApplication::setApplicationDisplayName(QStringLiteral("Boresight"));
-    QApplication::setApplicationVersion(QString::fromUtf8(kVersion.data(), kVersion.size()));
     QApplication::setDesktopFileName(QStringLiteral("boresight"));
-    const auto options =
-        app::readOptions(application.arguments(), QStringLiteral("Controls a ground-station antenna mount."));
-    return options ? run(application, *options, sinceStart) : complain(options.error().text);
+    return run(application, *options, sinceStart);
 }

@@ -109,6 +109,11 @@ Result<> check(const SimulateOptions& options)
     if (options.pty.empty() == options.can.empty()) {
         return refuse("give either --pty PATH or --can IFACE");
     }
+    const sim::PairSettings pair = options.pairSettings();
+    if (!options.factory && pair.azimuth.config.id == pair.elevation.config.id) {
+        return refuse("both drives would have id " + std::to_string(pair.azimuth.config.id) +
+                      ": give --az-id or --el-id, or ask for it with --duplicate-id");
+    }
     for (const sim::Injection& injection : options.injections) {
         if (isOfAdapter(injection.kind) && options.pty.empty()) {
             return refuse("faults of the adapter need --pty: a CAN interface has no adapter (" + describe(injection) +

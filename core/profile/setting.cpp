@@ -48,7 +48,7 @@ void addGeometry(std::vector<Setting>& list, const std::string& table, AxisSetti
         "CAN id of the axis's moteus controller.", [axis](auto& p) -> auto& { return (p.*axis).id; }));
     list.push_back(integer(
         table + ".sign", "", {-1, 1}, kOnReconnect,
-        "1, or -1 when the motor counts down while the axis angle grows.", [axis](auto& p) -> auto& {
+        "1, or -1 when the motor counts down while the axis angle grows; 0 is refused.", [axis](auto& p) -> auto& {
             return (p.*axis).geometry.sign;
         }));
     list.push_back(number(
@@ -112,7 +112,10 @@ void addControl(std::vector<Setting>& list)
         [](auto& p) -> auto& { return p.control.watchdog; }));
     list.push_back(choice(
         "control.on_exit", {"hold", "brake", "off"}, Applies::Now,
-        "What the drives are left doing when the program ends.", [](auto& p) -> auto& { return p.control.onExit; }));
+        "What the drives are left doing when the program ends. hold needs servo.timeout_mode 10 in the drives, else "
+        "they only "
+        "damp.",
+        [](auto& p) -> auto& { return p.control.onExit; }));
     list.push_back(number(
         "park.azimuth_deg", "°", {-3600.0, 3600.0}, Applies::Now, "Park position, as a mechanical angle.",
         [](auto& p) -> auto& { return p.park.azimuth; }));

@@ -338,6 +338,9 @@ void Server::flush(Connection& connection)
 void Server::settle(Connection& connection)
 {
     if (!connection.left && !connection.session.ending().empty()) {
+        if (connection.session.dropped()) {
+            m_rotator.clientRemark(connection.session.client(), "dropped: " + connection.session.ending());
+        }
         farewell(connection, connection.session.ending());
     }
     if (!connection.left && connection.broken) {
@@ -396,6 +399,7 @@ void Server::housekeep()
             connection.broken = connection.broken || m_clock.now() - connection.leftAt > kLingerTime;
         } else if (const std::string reason = overdue(connection); !reason.empty()) {
             connection.broken = true;
+            m_rotator.clientRemark(connection.session.client(), reason);
             farewell(connection, reason);
         } else if (connection.session.paused()) {
             runCommands(connection);

@@ -34,7 +34,7 @@ void Session::receive(std::string_view bytes)
 {
     m_input.append(bytes);
     if (paused() && m_input.size() - m_taken > kMaxWaitingInPause) {
-        m_ending = "sent more than " + std::to_string(kMaxWaitingInPause) + " bytes during its own pause";
+        drop("sent more than " + std::to_string(kMaxWaitingInPause) + " bytes during its own pause");
     }
 }
 
@@ -72,7 +72,7 @@ bool Session::step(std::string& reply)
             endAsStranger();
             break;
         case Event::TooLong:
-            m_ending = "sent " + std::to_string(kMaxLineLength) + " bytes without a line end";
+            drop("sent " + std::to_string(kMaxLineLength) + " bytes without a line end");
             break;
     }
     return true;
@@ -90,7 +90,13 @@ bool Session::resume(std::string& reply)
 
 void Session::endAsStranger()
 {
-    m_ending = "is no rotctld client (" + std::string(m_parser.stranger()) + ")";
+    drop("is no rotctld client (" + std::string(m_parser.stranger()) + ")");
+}
+
+void Session::drop(std::string reason)
+{
+    m_ending = std::move(reason);
+    m_dropped = true;
 }
 
 bool Session::inputTaken(std::string& reply)
@@ -170,7 +176,7 @@ void Session::unknown(std::string_view restOfLine)
     line.append(restOfLine.substr(0, std::min(restOfLine.find('\n'), kShownBytes)));
     odd("unknown command \"" + printable(line) + "\"");
     if (++m_oddInARow >= kMaxOddInARow) {
-        m_ending = "sent " + std::to_string(kMaxOddInARow) + " unknown commands in a row";
+        drop("sent " + std::to_string(kMaxOddInARow) + " unknown commands in a row");
     }
 }
 

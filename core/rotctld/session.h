@@ -32,6 +32,7 @@ public:
     [[nodiscard]] const Client& client() const { return m_client; }
     // Why the conversation is over; empty while it goes on.
     [[nodiscard]] const std::string& ending() const { return m_ending; }
+    [[nodiscard]] bool dropped() const { return m_dropped; }  // by us; else it left by itself
     [[nodiscard]] bool paused() const { return m_pausedUntil.has_value(); }
     [[nodiscard]] bool midCommand() const { return m_parser.midCommand(); }
 
@@ -45,6 +46,7 @@ private:
     bool inputTaken(std::string& reply);
     void run(std::string& reply);
     void failed(const Error& error, std::string& reply, std::size_t replyStart);
+    void drop(std::string reason);
     void endAsStranger();
     Result<> execute(const Command& command, ReplyWriter& writer);
     Result<> pause(const Command& command);
@@ -64,6 +66,7 @@ private:
     std::optional<SteadyTime> m_pausedUntil;
     std::string m_pauseReply;
     std::string m_ending;
+    bool m_dropped = false;
     std::string m_lastCommand;
     std::uint64_t m_oddCommands = 0;
     int m_oddInARow = 0;

@@ -2,6 +2,7 @@
 #include "core/station/alarm_list.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace boresight {
 
@@ -60,8 +61,10 @@ std::vector<Alarm> AlarmList::list() const
     std::vector<Alarm> alarms;
     alarms.reserve(m_entries.size());
     std::ranges::transform(m_entries, std::back_inserter(alarms), &Entry::alarm);
-    std::ranges::sort(alarms, [](const Alarm& a, const Alarm& b) {
-        return a.severity != b.severity ? a.severity > b.severity : a.id > b.id;
+    // What still lasts and was not seen comes first; among equals the oldest: it is more likely the cause than a
+    // result.
+    std::ranges::sort(alarms, {}, [](const Alarm& alarm) {
+        return std::tuple(-static_cast<int>(alarm.severity), !alarm.active, alarm.acknowledged, alarm.id);
     });
     return alarms;
 }

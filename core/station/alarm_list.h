@@ -30,7 +30,7 @@ public:
     void acknowledgeAll();
 
     [[nodiscard]] bool active(const QString& cause) const;
-    // Active or not yet acknowledged, worst first, newest first among equals.
+    // Active or not yet acknowledged, worst first; among equals what lasts and was not seen, then the oldest.
     [[nodiscard]] std::vector<Alarm> list() const;
 
 private:

@@ -161,6 +161,9 @@ Result<> StationControl::streamTo(const pointing::Resolved& resolved, const SkyP
     if (resolved.limited) {
         m_limited = true;
         m_wantedDirection = asked;
+        tell(Severity::Warning, source,
+             QStringLiteral("LIMITED: ") + QString::fromStdString(resolved.reason) +
+                 QStringLiteral("; driven to the nearest permitted point"));
     }
     m_motion.follow(resolved.position, m_now);
     return {};

@@ -15,7 +15,9 @@ constexpr int kFastestSpeed = 100;
 constexpr int kFastestLevel = 4;
 // A tracking client sends one target a second; what is more would only push the rest out of the log.
 constexpr int kCommandsPerSecond = 2;
-constexpr int kRemarksPerSecond = 10;
+constexpr int kRemarksPerSecond = 20;
+constexpr int kRefusalsPerSecond = 4;
+constexpr int kConnectionsPerSecond = 4;
 
 std::string degreesText(Angle angle)
 {
@@ -56,7 +58,9 @@ StationRotator::StationRotator(StationControl& control, const profile::Profile& 
     : m_control(control),
       m_profile(profile),
       m_remarks(log, clock, kRemarksPerSecond),
-      m_commands(log, clock, kCommandsPerSecond)
+      m_refusals(log, clock, kRefusalsPerSecond),
+      m_commands(log, clock, kCommandsPerSecond),
+      m_connections(log, clock, kConnectionsPerSecond)
 {}
 
 std::string StationRotator::info() const
@@ -184,7 +188,10 @@ Result<> StationRotator::park(const rotctld::Client& client)
 
 Result<> StationRotator::reset(const rotctld::Client& client, int)
 {
-    return m_control.faultLatched() ? ask(client, request::Rearm{}, QStringLiteral("R")) : Result<>{};
+    if (m_control.faultLatched()) {
+        return ask(client, request::Rearm{}, QStringLiteral("R"));
+    }
+    return m_control.measured().map([](const AxisPosition&) {});  // nothing to re-arm; but are the drives there?
 }
 
 Result<> StationRotator::setSpeedLevel(const rotctld::Client&, int level)
@@ -209,19 +216,19 @@ Result<> StationRotator::ask(const rotctld::Client& client, const Request& reque
 
 void StationRotator::logRefusal(const rotctld::Client& client, const QString& command, const Error& error)
 {
-    m_remarks.add(Severity::Warning, clientSource(client).name,
-                  command + QStringLiteral(" refused: ") + QString::fromStdString(error.text));
+    m_refusals.add(Severity::Warning, clientSource(client).name,
+                   command + QStringLiteral(" refused: ") + QString::fromStdString(error.text));
 }
 
 void StationRotator::clientConnected(const rotctld::Client& client)
 {
-    m_remarks.add(Severity::Advisory, clientSource(client).name, QStringLiteral("connected"));
+    m_connections.add(Severity::Advisory, clientSource(client).name, QStringLiteral("connected"));
 }
 
 void StationRotator::clientGone(const rotctld::Client& client, const std::string& reason)
 {
-    m_remarks.add(Severity::Advisory, clientSource(client).name,
-                  QStringLiteral("gone: ") + QString::fromStdString(reason));
+    m_connections.add(Severity::Advisory, clientSource(client).name,
+                      QStringLiteral("gone: ") + QString::fromStdString(reason));
     m_control.sourceGone(clientSource(client));
 }
 

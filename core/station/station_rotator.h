@@ -40,9 +40,12 @@ private:
 
     StationControl& m_control;
     profile::Profile m_profile;
-    int m_speedLevel = 2;    // of 1…4, as Hamlib's dummy starts
-    LogThrottle m_remarks;   // connections, refusals: lines that clients can cause at will
-    LogThrottle m_commands;  // accepted commands
+    int m_speedLevel = 2;  // of 1…4, as Hamlib's dummy starts
+    // Lines that clients can cause at will; each kind has a share of its own, so that none hides another.
+    LogThrottle m_remarks;      // dropped clients, strangers, odd commands
+    LogThrottle m_refusals;     // refused commands
+    LogThrottle m_commands;     // accepted commands
+    LogThrottle m_connections;  // who comes and goes
 };
 
 // How a client is named in the log and as a commander.

@@ -39,7 +39,8 @@ AlarmText silentText(const QString& drive)
 {
     return {.what = QStringLiteral("No reply from the %1").arg(drive),
             .action = QStringLiteral("Nothing is commanded"),
-            .remedy = QStringLiteral("Check the supply, the CAN cable, the adapter and the drive's id in the profile")};
+            .remedy = QStringLiteral("Check the supply, the CAN cable, the adapter and the drive's id in the profile; "
+                                     "boresightctl scan tells who answers")};
 }
 
 AlarmText lostText(const QString& drive, double watchdog)

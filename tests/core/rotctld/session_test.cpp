@@ -118,6 +118,7 @@ TEST_F(RotctldSession, CountsAndTellsOddCommands)
     EXPECT_EQ(answer("0\n0\n0\n0\n0\np\n0\n"), "0.00\n0.00\n");  // a good one in between starts the count anew
     EXPECT_EQ(answer("0\n0\n0\n0\n0\n0\n0\np\n"), "");
     EXPECT_EQ(session.ending(), "sent 8 unknown commands in a row");
+    EXPECT_TRUE(session.dropped());
 }
 
 TEST_F(RotctldSession, HelpNamesEveryCommand)

@@ -65,17 +65,23 @@ TEST(AlarmList, WhatGetsWorseOrTurnsIntoSomethingElseIsNew)
     EXPECT_EQ(alarms.list().size(), 1U);
 }
 
-TEST(AlarmList, WorstFirstThenNewest)
+// Story: with the adapter pulled the screen showed "no reply from the elevation drive", the last of three alarms.
+TEST(AlarmList, WorstFirstThenTheCauseBeforeItsResults)
 {
     AlarmList alarms;
     alarms.raise(QStringLiteral("1"), Severity::Warning, kText, {});
     alarms.raise(QStringLiteral("2"), Severity::Alarm, kText, {});
     alarms.raise(QStringLiteral("3"), Severity::Alarm, kText, {});
-    const std::vector<Alarm> list = alarms.list();
-    ASSERT_EQ(list.size(), 3U);
-    EXPECT_EQ(list[0].id, 3U);
-    EXPECT_EQ(list[1].id, 2U);
-    EXPECT_EQ(list[2].severity, Severity::Warning);
+    const auto ids = [&] {
+        std::vector<std::uint64_t> found;
+        for (const Alarm& alarm : alarms.list()) {
+            found.push_back(alarm.id);
+        }
+        return found;
+    };
+    EXPECT_EQ(ids(), (std::vector<std::uint64_t>{2, 3, 1}));
+    alarms.clear(QStringLiteral("2"));
+    EXPECT_EQ(ids(), (std::vector<std::uint64_t>{3, 2, 1})) << "what is over is less urgent";
 }
 
 }  // namespace

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 namespace boresight {
 namespace {
 
@@ -106,6 +109,37 @@ TEST(StationRotator, ResetRearmsAfterAFaultAndIsHarmlessElse)
     EXPECT_TRUE(rig.rotator.reset(kGpredict, 1));
     rig.run(Seconds(0.5));
     EXPECT_EQ(rig.state(), StationState::Standby);
+}
+
+// Story: one port scanner used up the lines of the second, and why another client was dropped was never written.
+TEST(StationRotator, ComingAndGoingDoesNotHideWhyAClientWasDropped)
+{
+    RotatorRig rig;
+    for (std::uint64_t i = 10; i < 60; ++i) {
+        const rotctld::Client passer{.id = i, .address = "127.0.0.1:" + std::to_string(40000 + i)};
+        rig.rotator.clientConnected(passer);
+        rig.rotator.clientGone(passer, "closed the connection");
+    }
+    rig.rotator.clientRemark(kGpredict, "dropped: sent 4096 bytes without a line end");
+    EXPECT_EQ(rig.lastLog(), "dropped: sent 4096 bytes without a line end");
+}
+
+TEST(StationRotator, ATargetOutsideTheLimitsIsToldInTheLog)
+{
+    RotatorRig rig;
+    ASSERT_TRUE(rig.pointTo(10.0, -20.0));
+    const auto lines = rig.log.since(0, 5);
+    EXPECT_TRUE(std::ranges::any_of(lines, [](const LogEntry& line) {
+        return line.text.startsWith(QStringLiteral("LIMITED: elevation -20")) && line.severity == Severity::Warning;
+    }));
+}
+
+TEST(StationRotator, ResetWithoutDrivesIsAnError)
+{
+    RotatorRig rig;
+    rig.azimuth.silent = rig.elevation.silent = true;
+    rig.run(Seconds(2.0));
+    EXPECT_EQ(rig.rotator.reset(kGpredict, 1).error().code, ErrorCode::NoAnswer);
 }
 
 TEST(StationRotator, ResetSaysSoWhenItCannotRearm)
