@@ -91,7 +91,7 @@ public:
     std::optional<Error> fault;
     std::optional<rotctld::PointRequest> lastRequest;
     int lastSpeed = 0;
-    int actions = 0;            // accepted or refused: calls that would move or stop a mount
+    int actions = 0;    // accepted or refused: calls that would move or stop a mount
     int questions = 0;  // for the position
     std::uint64_t mover = 0;
     std::map<std::uint64_t, std::string> connected;
