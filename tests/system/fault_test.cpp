@@ -100,6 +100,31 @@ TEST_F(FaultTest, ADriveThatTimedOutHoldsAndIsReArmedByTheOperator)
     expectMotionAgain();
 }
 
+// Story: re-arming left the drive in mode 0, and an elevation with too light a counterweight fell to its stop. What
+// remains is the 13 ms that a drive needs to enable.
+TEST(UnbalancedElevation, DoesNotFallWhenItIsReArmed)
+{
+    sim::PairSettings pair = sim::commissionedPair({.azimuth = 0_deg, .elevation = 45_deg});
+    pair.elevation.plant.gravityTorque = 15.0;  // twice what friction can hold
+    SimulatedStation rig(anyPort(), pair);
+    const auto client = rig.connect();
+    ASSERT_EQ(client->ask("P 10 45\n"), "RPRT 0\n");
+    ASSERT_TRUE(rig.settle());
+    const auto cut = rig.link->inject({.kind = sim::FaultKind::LostCommand, .axis = {}, .value = 1.0});
+    rig.run(Seconds(2.0));
+    rig.link->pair().faults().remove(cut);
+    rig.run(Seconds(0.5));
+    ASSERT_EQ(rig.status().state, StationState::Fault);
+    ASSERT_EQ(rig.ask(request::Rearm{}), "");
+    Angle fallen;
+    for (int i = 0; i < 200; ++i) {
+        rig.tick();
+        fallen = std::max(fallen, 45_deg - rig.truth().elevation);
+    }
+    EXPECT_LT(fallen, 1_deg);
+    EXPECT_EQ(rig.status().state, StationState::Standby);
+}
+
 class DriveFault : public FaultTest, public ::testing::WithParamInterface<int>
 {};
 
