@@ -9,7 +9,9 @@
 #include <poll.h>
 #include <sys/ioctl.h>
 
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace boresight {
 namespace {
@@ -26,6 +28,20 @@ bool isWritable(int descriptor)
 {
     pollfd request{.fd = descriptor, .events = POLLOUT, .revents = 0};
     return poll(&request, 1, 0) == 1 && (request.revents & POLLOUT) != 0;
+}
+
+// All or nothing: an impossible frame keeps its whole batch back.
+Result<std::vector<std::string>> linesOf(std::span<const CanFrame> frames)
+{
+    std::vector<std::string> lines;
+    for (const CanFrame& frame : frames) {
+        auto line = fdcanusb::sendLine(frame);
+        if (!line) {
+            return tl::unexpected(line.error());
+        }
+        lines.push_back(*std::move(line));
+    }
+    return lines;
 }
 
 }  // namespace
@@ -100,16 +116,12 @@ Result<> FdcanusbLink::send(std::span<const CanFrame> frames)
     if (m_port.bytesToWrite() > kMaxUnwritten) {
         return failure(ErrorCode::NoAnswer, name().toStdString() + ": the adapter takes no more data");
     }
-    std::vector<std::string> sendLines;
-    for (const CanFrame& frame : frames) {
-        auto line = fdcanusb::sendLine(frame);
-        if (!line) {
-            return tl::unexpected(line.error());
-        }
-        sendLines.push_back(*std::move(line));
+    const auto sendLines = linesOf(frames);
+    if (!sendLines) {
+        return tl::unexpected(sendLines.error());
     }
     QByteArray lines;
-    for (const std::string& line : sendLines) {
+    for (const std::string& line : *sendLines) {
         appendLine(lines, line, Command::Frame);
     }
     checkBus(lines);
@@ -151,8 +163,8 @@ void FdcanusbLink::readPort()
 
 void FdcanusbLink::handleLine(std::string_view line)
 {
-    if (!m_port.isOpen()) {
-        return;  // closed by the receiver of an earlier line
+    if (m_status.state == LinkState::Closed || m_status.state == LinkState::Lost) {
+        return;  // closed by the receiver of an earlier line, or the last words of an adapter that is gone
     }
     const auto rule =
         m_checksum == LineChecksum::On ? fdcanusb::ChecksumRule::Require : fdcanusb::ChecksumRule::VerifyIfPresent;

@@ -20,6 +20,20 @@ QString systemText(int error)
     return QString::fromLocal8Bit(std::strerror(error));
 }
 
+// All or nothing: an impossible frame keeps its whole batch back.
+Result<std::vector<socketcan::RawFrame>> rawFramesOf(std::span<const CanFrame> frames)
+{
+    std::vector<socketcan::RawFrame> rawFrames;
+    for (const CanFrame& frame : frames) {
+        const auto raw = socketcan::toRaw(frame);
+        if (!raw) {
+            return tl::unexpected(raw.error());
+        }
+        rawFrames.push_back(*raw);
+    }
+    return rawFrames;
+}
+
 }  // namespace
 
 SocketCanLink::SocketCanLink(QString interface, const Clock& clock, QObject* parent)
@@ -82,20 +96,16 @@ Result<> SocketCanLink::send(std::span<const CanFrame> frames)
         const QString text = m_status.text.isEmpty() ? name() + QStringLiteral(" is not open") : m_status.text;
         return failure(ErrorCode::NoDevice, text.toStdString());
     }
-    std::vector<socketcan::RawFrame> rawFrames;
-    for (const CanFrame& frame : frames) {
-        const auto raw = socketcan::toRaw(frame);
-        if (!raw) {
-            return tl::unexpected(raw.error());
-        }
-        rawFrames.push_back(*raw);
+    const auto rawFrames = rawFramesOf(frames);
+    if (!rawFrames) {
+        return tl::unexpected(rawFrames.error());
     }
-    for (const auto& raw : rawFrames) {
+    for (const auto& raw : *rawFrames) {
         if (::send(m_socket.number(), &raw.frame, raw.size, MSG_NOSIGNAL) < 0) {
             const int error = errno;
             handleSocketError(error);
             const QString reason = m_status.text.isEmpty() ? systemText(error) : m_status.text;
-            const auto done = std::to_string(&raw - rawFrames.data());
+            const auto done = std::to_string(&raw - rawFrames->data());
             return failure(ErrorCode::Io, reason.toStdString() + " (" + done + " of " + std::to_string(frames.size()) +
                                               " frames sent)");
         }

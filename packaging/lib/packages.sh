@@ -16,10 +16,10 @@ readonly build_packages=(
 # What building Qwt from Debian's source package needs on top.
 readonly qwt_source_packages=(bzip2 debian-archive-keyring)
 
-# What the tests run: User-Mode Linux for a real SocketCAN interface, Hamlib's rotctl and rotctld as peers, one font so
-# that screens look alike, the formatter and the checker of shell scripts.
+# What the tests run: User-Mode Linux for a real SocketCAN interface and can-utils as the witness there, Hamlib's rotctl
+# and rotctld as peers, one font so that screens look alike, the formatter and the checker of shell scripts.
 readonly test_packages=(
-    user-mode-linux kmod iproute2 libhamlib-utils fonts-dejavu-core clang-format-14 shellcheck
+    user-mode-linux kmod iproute2 can-utils libhamlib-utils fonts-dejavu-core clang-format-14 shellcheck
 )
 
 # What showing the window on a real display needs beyond the libraries that are linked.

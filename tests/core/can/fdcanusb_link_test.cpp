@@ -6,12 +6,15 @@
 #include "tests/fakes/pseudo_terminal.h"
 #include "tests/fakes/wait_until.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
 #include <gmock/gmock.h>
+#include <signal.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -226,6 +229,21 @@ TEST_F(FdcanusbLinkTest, AdapterGoneBetweenTwoSendsIsLost)
     ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Lost; }));
 }
 
+// Neither the lock file nor the kernel's exclusive mark of a killed program keeps the next one out.
+TEST_F(FdcanusbLinkTest, PortOfAKilledProgramOpensAgain)
+{
+    link.close();
+    const pid_t child = fork();
+    if (child == 0) {
+        const bool opened = link.open().has_value();
+        raise(opened ? SIGKILL : SIGTERM);
+    }
+    int how = 0;
+    ASSERT_EQ(waitpid(child, &how, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(how) && WTERMSIG(how) == SIGKILL);
+    open(link);
+}
+
 TEST_F(FdcanusbLinkTest, ReopenForgetsHalfLinesAndUnconfirmedFrames)
 {
     sendOne();
@@ -297,7 +315,7 @@ TEST_F(FdcanusbLinkTest, OpenErrorsNameTheRemedy)
     EXPECT_EQ(absent.open().error().code, ErrorCode::NoDevice);
     EXPECT_THAT(absent.open().error().text, HasSubstr("plugged in"));
 
-    FdcanusbLink file{QFile::decodeName(BORESIGHT_TEST_DATA "/moteus_golden.json"), clock};
+    FdcanusbLink file{QCoreApplication::applicationFilePath(), clock};
     EXPECT_THAT(file.open().error().text, HasSubstr("not a serial port"));
 }
 

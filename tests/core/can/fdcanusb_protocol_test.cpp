@@ -247,7 +247,10 @@ TEST(FdcanusbGolden, LinesFromTheAdapter)
         if (line.contains(QLatin1String("rx_line"))) {
             const Answer answer = parseAnswer(textOf(line, "rx_line"), rule);
             ASSERT_TRUE(std::holds_alternative<CanFrame>(answer));
-            EXPECT_EQ(std::get<CanFrame>(answer), frameOf(idOf(line, "rx_arbitration_id"), textOf(line, "rx_data")));
+            const auto& frame = std::get<CanFrame>(answer);
+            EXPECT_EQ(frame.id, idOf(line, "rx_arbitration_id"));
+            EXPECT_EQ(frame.extended, frame.id > kMaxStandardId);
+            EXPECT_EQ(toHex(frame.payload()), textOf(line, "rx_data"));
         }
     }
 }
