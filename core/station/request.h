@@ -52,15 +52,37 @@ struct GiveAuthority
 {};
 struct AcknowledgeAlarms
 {};
+struct ReadDrives  // scan, identify, read the drives' protections anew
+{};
+struct FixDrives  // write the protections that differ; the drives must be switched off
+{};
+struct SwitchOff  // both drives off: an unbalanced elevation falls. Also the answer to "how do I let go"
+{};
+struct ReleaseBus  // leave the adapter to other tools
+{};
+struct TakeBus
+{};
+struct ChooseTurn  // the operator has looked: the axis stands at this angle
+{
+    Axis axis = Axis::Azimuth;
+    Angle angle;
+};
+struct ProveCrashStop  // move each axis at `rate`, really stop feeding its drive, measure
+{
+    AngularRate rate;
+};
+struct EndProof
+{};
 
 }  // namespace boresight::request
 
 namespace boresight {
 
-using Request =
-    std::variant<request::PointSky, request::PointAxes, request::Jog, request::Move, request::Step, request::Hold,
-                 request::Stop, request::ResetStop, request::Park, request::Home, request::Rearm,
-                 request::TakeAuthority, request::GiveAuthority, request::AcknowledgeAlarms>;
+using Request = std::variant<request::PointSky, request::PointAxes, request::Jog, request::Move, request::Step,
+                             request::Hold, request::Stop, request::ResetStop, request::Park, request::Home,
+                             request::Rearm, request::TakeAuthority, request::GiveAuthority, request::AcknowledgeAlarms,
+                             request::ReadDrives, request::FixDrives, request::SwitchOff, request::ReleaseBus,
+                             request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof>;
 
 // A request of the screen, numbered so that the answer finds the control that sent it.
 struct NumberedRequest

@@ -92,6 +92,11 @@ private:
     Result<> handle(const request::TakeAuthority& wanted, const Source& source);
     Result<> handle(const request::GiveAuthority& wanted, const Source& source);
     Result<> handle(const request::AcknowledgeAlarms& wanted, const Source& source);
+    template <class Other>
+    Result<> handle(const Other&, const Source&)
+    {
+        return failure(ErrorCode::Refused, "not possible on this mount");
+    }
 
     [[nodiscard]] Result<> mayMove(const Source& source) const;   // at a rate
     [[nodiscard]] Result<> mayPoint(const Source& source) const;  // to a place: the axes must know where they are

@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/can/can_link.h"
+#include "core/station/drives_status.h"
 #include "core/units/sky.h"
 
 #include <QMetaType>
@@ -130,6 +131,7 @@ struct StationStatus
     Source commander;      // whose target it is
     bool limited = false;  // the target was outside the limits; the nearest permitted point is driven
     Authority authority = Authority::Clients;
+    DrivesStatus drives;
     LinkStatus bus;
     QString busName;
     bool simulated = false;

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/units/quantity.h"
+
+#include <QString>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+// What must outlive the program and the power of the drives: on which turn each axis stood, which drive it was, and how
+// it stopped when nobody fed it. One file per mount (memory_file.h). Plain values; mechanical angles. Axis order of the
+// arrays: azimuth, elevation.
+namespace boresight::memory {
+
+// One axis at one moment.
+struct TurnRecord
+{
+    QString drive;        // its UUID, 8-4-4-4-12 digits
+    Angle angle;          // absolute
+    MotorTurns reported;  // by the drive, at the same moment
+    Seconds uptime{0.0};  // of the drive, at the same moment: proves later that it never lost power since
+    UtcTime when;
+    bool moving = false;  // dirty: the axis moved, so it may have come to rest elsewhere
+
+    bool operator==(const TurnRecord&) const = default;
+};
+
+// How an axis stopped when it was really not fed any more.
+struct CrashStop
+{
+    QString drive;                      // its UUID
+    AngularRate rate;                   // at the last order
+    Angle angle;                        // from there to standstill
+    std::chrono::milliseconds time{0};  // from there to standstill
+    UtcTime when;
+
+    bool operator==(const CrashStop&) const = default;
+};
+
+struct MountMemory
+{
+    std::array<std::optional<TurnRecord>, 2> turns;
+    std::array<std::optional<CrashStop>, 2> crashStops;
+
+    bool operator==(const MountMemory&) const = default;
+};
+
+}  // namespace boresight::memory

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/memory/mount_memory.h"
+#include "core/memory/turn_question.h"
+#include "core/survey/findings.h"
+
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+// What the station tells about the drives themselves: who they are, whether their own protections are right, which turn
+// each axis is on, and how they stop when nobody feeds them. Plain values, part of a StationStatus.
+namespace boresight {
+
+struct DriveStatus
+{
+    survey::DriveIdentity identity;
+    std::vector<survey::ProtectionLine> protections;
+    bool turnKnown = false;
+    std::optional<memory::TurnQuestion> turnQuestion;  // waits for the operator
+    std::optional<memory::CrashStop> crashStop;        // of the last proof
+};
+
+struct DrivesStatus
+{
+    survey::SurveyState survey = survey::SurveyState::NotDone;
+    QString surveyText;         // while running: "reading servo.timeout_mode of azimuth"
+    QString armingObstacle;     // why nothing may move yet; empty when the drives are fit
+    bool released = false;      // the bus is left to other tools
+    bool switchedOn = false;    // a drive is under our orders: settings can not be written
+    bool proofRunning = false;  // the crash-stop proof moves the mount
+    QString proofText;          // what it does now, or how it ended
+    DriveStatus azimuth;
+    DriveStatus elevation;
+};
+
+}  // namespace boresight

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+// What a survey of the drives tells the operator: plain values, made on the station thread, shown on the screen.
+namespace boresight::survey {
+
+enum class Verdict
+{
+    Unread,
+    Right,
+    Advised,    // works, but is worth fixing
+    Dangerous,  // nothing moves before it is right
+};
+
+// One setting of a drive that protects the mount.
+struct ProtectionLine
+{
+    QString key;     // as the drive calls it: "servopos.position_min"
+    QString wanted;  // with its unit: "-0.258 turns"
+    QString found;   // empty while unread
+    QString reason;  // why it matters, for the operator
+    Verdict verdict = Verdict::Unread;
+
+    bool operator==(const ProtectionLine&) const = default;
+};
+
+enum class SurveyState
+{
+    NotDone,  // nobody answers, or the bus was lost since
+    Running,  // scan, identification or reading
+    Fixing,   // settings are being written
+    Done,
+};
+
+struct DriveIdentity
+{
+    QString uuid;      // 8-4-4-4-12 digits; empty while unknown
+    QString firmware;  // "1.1.0"
+    int registerMap = 0;
+
+    bool operator==(const DriveIdentity&) const = default;
+};
+
+}  // namespace boresight::survey
