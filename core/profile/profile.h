@@ -110,6 +110,49 @@ struct RotctldSettings
     bool operator==(const RotctldSettings&) const = default;
 };
 
+// When Boresight itself says that an axis does not do what it should (core/supervision). `Hint` tells, `Stop` stops.
+struct SupervisionSettings
+{
+    Angle followingHint = Angle::fromDegrees(1.5);  // between set-point and axis, for followingTime
+    Angle followingStop = Angle::fromDegrees(3.0);
+    Seconds followingTime{0.5};
+    Seconds stallTime{0.8};                       // commanded to move and not moving
+    Angle uncommanded = Angle::fromDegrees(1.0);  // moved although it should stand
+    Angle encoderJump = Angle::fromDegrees(0.5);  // between two replies, beyond what the fastest motion explains
+    Angle outsideHint = Angle::fromDegrees(0.5);  // beyond the travel
+    Angle outsideStop = Angle::fromDegrees(1.5);  // the same, while moving farther out
+    Seconds replyAge{0.1};
+    double supplyLow = 20.0;    // V
+    double supplyStop = 12.0;   // V, come to rest while the drives still can
+    double supplyHigh = 42.0;   // V
+    double boardHot = 60.0;     // °C
+    double boardLimit = 75.0;   // °C, where the drive gives up (fault 38)
+    double motorHot = 80.0;     // °C
+    Seconds trendAhead{300.0};  // tell when a trend reaches its limit within this time
+    double torqueHint = 0.7;    // of the axis's maximum torque, for 2 s
+    double torqueUnwind = 0.4;  // of the same, while the turn of the axis is unknown: a cable may be pulling
+
+    bool operator==(const SupervisionSettings&) const = default;
+};
+
+// Whether the mount is re-armed without a person after a loss that has passed.
+enum class Retry
+{
+    Never,
+    Once,     // per episode
+    Interval  // again and again
+};
+
+struct RecoverySettings
+{
+    Retry overTemperature = Retry::Never;
+    Retry supply = Retry::Never;
+    Retry bus = Retry::Never;
+    Seconds interval{60.0};  // from the loss, or the last attempt, to the next one
+
+    bool operator==(const RecoverySettings&) const = default;
+};
+
 [[nodiscard]] AxisSettings referenceAzimuth();
 [[nodiscard]] AxisSettings referenceElevation();
 
@@ -123,6 +166,8 @@ struct Profile
     AxisPosition park{};  // mechanical angles
     JogSettings jog;
     RotctldSettings rotctld;
+    SupervisionSettings supervision;
+    RecoverySettings recovery;
 
     bool operator==(const Profile&) const = default;
 };

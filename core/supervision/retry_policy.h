@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/profile/profile.h"
+
+#include <QString>
+
+#include <optional>
+
+// May the mount be re-armed without a person, and when? Pure; time is passed in. Only losses whose cause can pass by
+// itself and leaves a reply to check (heat, supply, bus) ever qualify, and only where the profile says so.
+namespace boresight::supervision {
+
+// What kind of loss it was, as far as recovery is concerned.
+enum class LossClass
+{
+    Encoder,          // never by itself
+    Configuration,    // never
+    Driver,           // never
+    Motion,           // never: a blocked axis, and every Stop of our own supervision
+    Released,         // never: power cycle, or another program commands the drive
+    OverTemperature,  // by the profile
+    Supply,           // by the profile
+    Bus               // by the profile: silence, a drive's time-out
+};
+
+// Of a moteus fault code (mode 1). Unknown codes are Driver.
+[[nodiscard]] LossClass classOfFault(int code);
+
+class RetryPolicy
+{
+public:
+    explicit RetryPolicy(const profile::RecoverySettings& settings) : m_settings(settings) {}
+
+    // A drive was lost. Several losses of one episode: the strictest one decides.
+    void lost(LossClass loss, SteadyTime now);
+    // An automatic re-arm was begun.
+    void tried(SteadyTime now);
+    // A person re-armed: the episode is over, and "once" counts anew.
+    void rearmed();
+    // Every tick while nothing is lost. After an hour of health the episode is over.
+    void healthy(SteadyTime now);
+
+    // When the next automatic re-arm may be tried; empty: never, or nothing is lost.
+    [[nodiscard]] std::optional<SteadyTime> nextTry() const;
+
+private:
+    [[nodiscard]] profile::Retry policy(LossClass loss) const;
+
+    profile::RecoverySettings m_settings;
+    std::optional<profile::Retry> m_allowed;  // by the strictest loss since the last attempt; empty: nothing is lost
+    SteadyTime m_from{};                      // the last loss or attempt
+    bool m_tried = false;                     // in this episode
+    std::optional<SteadyTime> m_healthySince;
+};
+
+// What matters for a re-arm, of one drive.
+struct DriveConditions
+{
+    double voltage = 0.0;           // V
+    double boardTemperature = 0.0;  // °C
+    std::optional<double> motorTemperature;
+};
+
+// Why a re-arm would be pointless now: the heat or the supply that led to the fault is still there. Empty: go ahead.
+[[nodiscard]] QString clearRefusal(const profile::SupervisionSettings& settings, LossClass loss,
+                                   const DriveConditions& atLoss, const DriveConditions& now);
+
+}  // namespace boresight::supervision
