@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/memory/host_time.h"
+#include "core/moteus/registers.h"
 #include "core/units/quantity.h"
 
 #include <QString>
@@ -23,7 +25,9 @@ struct TurnRecord
     Angle angle;          // absolute
     MotorTurns reported;  // by the drive, at the same moment
     Seconds uptime{0.0};  // of the drive, at the same moment: proves later that it never lost power since
+    moteus::HomeState homeState = moteus::HomeState::Rotor;  // at the same moment: has the drive's zero been set since?
     UtcTime when;
+    HostTime host;        // the same moment: a clock that nobody can put back
     bool moving = false;  // dirty: the axis moved, so it may have come to rest elsewhere
 
     bool operator==(const TurnRecord&) const = default;

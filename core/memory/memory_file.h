@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/memory/mount_memory.h"
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+
+#include <optional>
+
+// The file that keeps a mount's memory: STATE_DIR/NAME.memory.json, and the generation before it in ….previous. At
+// every moment one of the two is whole: each is replaced by renaming a file that is complete and on the disk. Lives on
+// the station thread. Saving never blocks it: one worker writes, and of the values that come in meanwhile the newest
+// wins.
+namespace boresight::memory {
+
+struct LoadedMemory
+{
+    MountMemory memory;
+    QString problem;  // a sentence for the operator; empty when the newest file was read
+};
+
+class MemoryFile final : public QObject
+{
+    Q_OBJECT
+
+public:
+    MemoryFile(const QString& stateDir, const QString& mountName, QObject* parent = nullptr);
+    ~MemoryFile() override;  // flushes
+
+    [[nodiscard]] const QString& path() const { return m_path; }
+
+    // Blocks: once, before the station's loop runs. A file that cannot be read is kept under another name, and the
+    // generation before it is taken; what that one says of an axis counts as written while moving, because the axis may
+    // have moved since.
+    [[nodiscard]] LoadedMemory load();
+
+    void save(const MountMemory& memory);
+
+    // Waits until the newest value is on the disk: at the end of the program, after the loop.
+    Result<> flush();
+
+Q_SIGNALS:
+    void saved();
+    void saveFailed(const QString& reason);
+
+private:
+    void startWriting(const MountMemory& memory);
+    void finishWriting(const Result<>& result);
+
+    QString m_path;
+    QThreadPool m_writer;               // one thread
+    bool m_writing = false;             // finishWriting is still to come
+    std::optional<MountMemory> m_next;  // came in meanwhile
+};
+
+// The mount's name as the name of a file: letters, digits, '-' and '_' stay; a name with anything else also gets a few
+// digits of its hash, so that two mounts never share a file.
+[[nodiscard]] QString safeFileName(const QString& mountName);
+
+}  // namespace boresight::memory
