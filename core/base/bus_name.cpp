@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/bus_name.h"
 
-#include <algorithm>
+#include "core/base/control_characters.h"
 
 namespace boresight {
 namespace {
@@ -17,7 +17,7 @@ Result<BusName> parseInterface(std::string_view name)
         return failure(ErrorCode::InvalidInput,
                        "bus 'socketcan:' names no interface; write for example socketcan:can0");
     }
-    if (name.size() > kMaxLength || name.find_first_of("/ \t") != std::string_view::npos) {
+    if (name.size() > kMaxLength || name.find_first_of("/ ") != std::string_view::npos || hasControlCharacters(name)) {
         return failure(ErrorCode::InvalidInput, "'" + std::string(name) +
                                                     "' cannot be an interface name: at most 15 characters, no space "
                                                     "and no '/'");
@@ -41,7 +41,7 @@ Result<BusName> parseBusName(std::string_view text)
             return failure(ErrorCode::InvalidInput,
                            "bus 'fdcanusb:' names no port; write for example fdcanusb:/dev/boresight/fdcanusb");
         }
-        if (std::ranges::any_of(path, [](unsigned char c) { return c < ' '; })) {
+        if (hasControlCharacters(path)) {
             return failure(ErrorCode::InvalidInput, "a port's path has no control characters");
         }
         return BusName{BusKind::Fdcanusb, std::string(path)};

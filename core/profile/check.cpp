@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The checks of a profile that are more than type and range.
+#include "core/base/control_characters.h"
 #include "core/base/numbers.h"
 #include "core/profile/setting.h"
-
-#include <algorithm>
 
 namespace boresight::profile {
 
@@ -70,8 +69,7 @@ Result<ListenAddress> parseListenAddress(std::string_view text)
         host = host.substr(1, host.size() - 2);
     }
     const bool isIpv6 = host.find(':') != std::string_view::npos;
-    const bool odd =
-        std::any_of(host.begin(), host.end(), [](unsigned char c) { return c <= ' ' || c == '[' || c == ']'; });
+    const bool odd = host.find_first_of(" []") != std::string_view::npos || hasControlCharacters(host);
     if (host.empty() || odd || isIpv6 != bracketed) {
         return failure(ErrorCode::InvalidInput, "a host name or address is expected before the port, IPv6 in brackets");
     }

@@ -2,6 +2,7 @@
 // The only file that includes toml++: it is large and slow to compile.
 #include "core/profile/profile_file.h"
 
+#include "core/base/control_characters.h"
 #include "core/base/numbers.h"
 #include "core/profile/setting.h"
 
@@ -135,7 +136,8 @@ private:
 
     void add(std::size_t line, const std::string& key, const std::string& reason)
     {
-        m_problems.push_back({line, key + ": " + reason});
+        // A key or text of the file may hold anything.
+        m_problems.push_back({line, printable(key + ": " + reason)});
     }
 
     Profile m_profile;
@@ -211,7 +213,7 @@ Result<Profile> parseProfile(std::string_view text, const std::string& fileName)
         reader.read(toml::parse(text, fileName));
     } catch (const toml::parse_error& error) {
         return failure(ErrorCode::InvalidInput, fileName + ":" + std::to_string(error.source().begin.line) + ": " +
-                                                    std::string(error.description()));
+                                                    printable(std::string(error.description())));
     }
     std::string all;
     for (const FileProblem& problem : reader.problems()) {

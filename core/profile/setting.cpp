@@ -2,6 +2,7 @@
 #include "core/profile/setting.h"
 
 #include "core/base/bus_name.h"
+#include "core/base/control_characters.h"
 #include "core/profile/setting_makers.h"
 
 #include <algorithm>
@@ -19,8 +20,7 @@ void addMount(std::vector<Setting>& list)
         "mount.name", Applies::Now, "What clients and the window call this mount.",
         [](const Profile& p) { return p.mount.name; },
         [](Profile& p, const std::string& text) -> Result<> {
-            const bool printable = std::none_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20; });
-            if (text.empty() || text.size() > 60 || !printable) {
+            if (text.empty() || text.size() > 60 || hasControlCharacters(text)) {
                 return failure(ErrorCode::InvalidInput, "one line of 1 to 60 bytes is expected");
             }
             p.mount.name = text;

@@ -24,7 +24,8 @@ TEST(BusName, RefusesWithWhatToWrite)
     EXPECT_THAT(parseBusName("socketcan:").error().text, testing::HasSubstr("names no interface"));
     EXPECT_THAT(parseBusName("fdcanusb:").error().text, testing::HasSubstr("names no port"));
     for (const char* const bad : {"", "simulated ", "Simulated", "simulated:x", "socketcan:can 0", "socketcan:a/b",
-                                  "socketcan:sixteen-letters0", "socketcan", "fdcanusb:/dev/a\nb"}) {
+                                  "socketcan:sixteen-letters0", "socketcan", "fdcanusb:/dev/a\nb", "socketcan:a\nb",
+                                  "socketcan:\x7f", "fdcanusb:/dev/a\x7f"}) {
         const auto result = parseBusName(bad);
         ASSERT_FALSE(result.has_value()) << bad;
         EXPECT_EQ(result.error().code, ErrorCode::InvalidInput) << bad;

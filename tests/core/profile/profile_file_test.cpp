@@ -132,6 +132,27 @@ TEST(ProfileFile, ASettingInTheWrongPlaceIsUnknown)
     EXPECT_EQ(errorsOf("version = 1\n[[bus]]\nname = \"simulated\"\n"), "m.toml:2: bus: unknown key");
 }
 
+// Found by the fuzzer: what a file says must not break the line of the error, or the terminal that shows it.
+TEST(ProfileFile, ErrorsShowNoControlCharacters)
+{
+    EXPECT_EQ(errorsOf("version = 1\n\"a\\nb\" = 1\n"), "m.toml:2: a?b: unknown key");
+    EXPECT_EQ(errorsOf("version = 1\n[bus]\nname = \"\\u001b[2J\\u0000\"\n"),
+              "m.toml:3: bus.name: unknown bus '?[2J?'; write simulated, socketcan:INTERFACE or fdcanusb:PATH");
+    EXPECT_EQ(errorsOf("version = 1\n\x1b = 1\n").find('\x1b'), std::string::npos);
+}
+
+// Found by the fuzzer: TOML has no raw control characters, so a profile with one in a name was written but never read
+// again.
+TEST(ProfileFile, RefusesControlCharacters)
+{
+    EXPECT_EQ(errorsOf("version = 1\nmount.name = \"mast\\u007f\"\n"),
+              "m.toml:2: mount.name: one line of 1 to 60 bytes is expected");
+    for (const char* const bad : {"bus.name = \"socketcan:can0\\n\"", "bus.name = \"fdcanusb:/dev/a\\u007f\"",
+                                  "rotctld.listen = \"a\\u007f:4533\""}) {
+        EXPECT_NE(errorsOf(std::string("version = 1\n") + bad + "\n"), "accepted") << bad;
+    }
+}
+
 TEST(ProfileFile, BrokenSyntaxNamesItsLine)
 {
     const std::string text = errorsOf("version = 1\n[azimuth\nid = 1\n");
