@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/can/fdcanusb_link.h"
 
+#include "core/base/control_characters.h"
 #include "core/can/line_checksum.h"
 #include "core/can/serial_port_check.h"
 
@@ -209,8 +210,8 @@ void FdcanusbLink::handle(const fdcanusb::Refusal& refusal)
     } else if (command == Command::Frame) {
         ++m_status.busErrors;
         constexpr int kShown = 80;
-        m_adapterTrouble =
-            QStringLiteral("the adapter refuses a frame: ") + QString::fromStdString(refusal.text).left(kShown);
+        m_adapterTrouble = QStringLiteral("the adapter refuses a frame: ") +
+                           QString::fromStdString(printable(refusal.text)).left(kShown);
         updateStatus(m_status.state);
     }  // else: "can status" is unknown to a moteus UART, "can off" is refused when already off
 }

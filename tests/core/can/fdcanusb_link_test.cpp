@@ -133,6 +133,15 @@ TEST_F(FdcanusbLinkTest, ErrIsShownWithTheAdaptersWords)
     EXPECT_EQ(link.status().busErrors, 1U);  // the ERR was the answer: nothing is missing
 }
 
+// Found by the fuzzer: a damaged refusal came onto the screen and into the log with its control characters.
+TEST_F(FdcanusbLinkTest, ShowsADamagedRefusalPrintable)
+{
+    sendOne();
+    adapter.write("ERR inv\x1b[2Jalid\x7f\r\n");
+    ASSERT_TRUE(waitUntil([this] { return link.status().busErrors == 1; }));
+    EXPECT_EQ(text(), link.name().toStdString() + ": the adapter refuses a frame: inv?[2Jalid?");
+}
+
 TEST_F(FdcanusbLinkTest, AdapterOffTheBusIsDownAndIsSwitchedOn)
 {
     sendOne();
