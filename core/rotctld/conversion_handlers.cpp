@@ -5,6 +5,7 @@
 #include "core/rotctld/handlers.h"
 
 #include <array>
+#include <cmath>
 
 namespace boresight::rotctld {
 namespace {
@@ -89,8 +90,12 @@ Result<> fromMinutes(const Command& command, ReplyWriter& reply)
         return badArgument(command, !degrees ? 0 : !values ? 1 : 2);
     }
     constexpr double kSecondsPerMinute = 60.0;
-    reply.value(sixDecimals(
-        toDegrees({.degrees = *degrees, .seconds = (*values)[1] * kSecondsPerMinute, .negative = *negative == 1})));
+    const double angle =
+        toDegrees({.degrees = *degrees, .seconds = (*values)[1] * kSecondsPerMinute, .negative = *negative == 1});
+    if (!std::isfinite(angle)) {
+        return badArgument(command, 1);
+    }
+    reply.value(sixDecimals(angle));
     return {};
 }
 

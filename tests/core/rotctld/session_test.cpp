@@ -42,6 +42,13 @@ TEST_F(RotctldSession, RefusesWhatIsNoPosition)
     EXPECT_NEAR(rotator.lastRequest->elevation.degrees(), -90.0, 1e-9);
 }
 
+// Found by the fuzzer: the minutes became seconds beyond the largest number, and the client was told "inf" degrees.
+TEST_F(RotctldSession, AnswersNoInfiniteNumber)
+{
+    EXPECT_EQ(answer("E 0 1e308 0\n"), "RPRT -1\n");
+    EXPECT_EQ(answer("E 10 30 1\n"), "-10.500000\n");
+}
+
 TEST_F(RotctldSession, HandsTheRotatorsErrorsOn)
 {
     const std::array<std::pair<ErrorCode, const char*>, 8> codes{{{ErrorCode::OutOfRange, "RPRT -1\n"},
