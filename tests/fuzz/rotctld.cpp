@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a client sends: any bytes to a rotctld Session in pieces of any size, with a rotator that believes nothing.
+#include "core/rotctld/session.h"
+#include "tests/fakes/manual_clock.h"
+#include "tests/fuzz/harness.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+namespace boresight::fuzz {
+namespace {
+
+using namespace boresight::rotctld;
+
+constexpr std::size_t kMaxInput = 600;
+constexpr std::size_t kMaxReply = 4096;    // the longest are the help text and the capabilities, below 2000 bytes
+constexpr std::size_t kShownCommand = 40;  // what Session::lastCommand() shows of a command
+constexpr double kFloatRounding = 1.0 / (1 << 23);
+
+bool isPrintable(unsigned char byte)
+{
+    return byte >= ' ' && byte < 0x7f;
+}
+
+bool isPrintableOrBlank(unsigned char byte)
+{
+    return isPrintable(byte) || byte == '\n' || byte == '\r' || byte == '\t';
+}
+
+// Holds every request of a session against the client's own words, read by the C library.
+class DoubtingRotator final : public Rotator
+{
+public:
+    [[nodiscard]] std::string info() const override { return "doubting rotator"; }
+    [[nodiscard]] Limits limits() const override { return {0_deg, 360_deg, 0_deg, 90_deg}; }
+    [[nodiscard]] Result<SkyPointing> position(const Client&) override { return SkyPointing{123.45_deg, 67.89_deg}; }
+    [[nodiscard]] MotionFlags motion() const override { return {.movingLeft = true, .limitUp = true}; }
+
+    Result<> pointTo(const Client&, const PointRequest& request) override
+    {
+        require(request.azimuth.isFinite() && request.elevation.isFinite(), "a requested position is finite");
+        const double elevation = request.elevation.degrees();
+        require(elevation > -90.0001 && elevation < 180.0001, "a requested elevation is within -90°…180°");
+        requireNumber(1, request.azimuth.degrees());
+        requireNumber(2, elevation);
+        return outcome();
+    }
+    Result<> move(const Client&, MoveDirection, int speed) override
+    {
+        requireInteger(2, speed);
+        return outcome();
+    }
+    Result<> stop(const Client&) override { return outcome(); }
+    Result<> park(const Client&) override { return outcome(); }
+    Result<> reset(const Client&, int kind) override
+    {
+        requireInteger(1, kind);
+        return outcome();
+    }
+    [[nodiscard]] int speedLevel() const override { return 2; }
+    Result<> setSpeedLevel(const Client&, int level) override
+    {
+        requireInteger(2, level);
+        return outcome();
+    }
+    void clientConnected(const Client&) override {}
+    void clientGone(const Client&, const std::string&) override {}
+    void clientRemark(const Client&, const std::string& text) override
+    {
+        require(text.size() < 512, "a remark fits a line of the log");
+        require(std::ranges::all_of(text, isPrintable), "a remark for the log is printable");
+    }
+
+    const Session* session = nullptr;
+    bool refuses = false;
+    bool shownAsSent = true;  // Session::lastCommand() replaces what is not printable
+
+private:
+    [[nodiscard]] Result<> outcome() const
+    {
+        return refuses ? Result<>(failure(ErrorCode::Refused, "the operator has the mount")) : Result<>();
+    }
+
+    // That word of the client's command; nothing where the session shows the command cut off or altered.
+    [[nodiscard]] std::optional<std::string> word(int index) const
+    {
+        const std::string shown = session->lastCommand();
+        if (!shownAsSent || shown.size() >= kShownCommand) {
+            return std::nullopt;
+        }
+        std::istringstream words(shown);
+        std::string word;
+        for (int i = 0; i <= index; ++i) {
+            word.clear();
+            words >> word;
+        }
+        return word;
+    }
+
+    void requireNumber(int index, double value) const
+    {
+        std::string text = word(index).value_or(std::to_string(value));
+        std::ranges::replace(text, ',', '.');
+        char* end = nullptr;
+        const double meant = std::strtod(text.c_str(), &end);
+        require(end != text.c_str() && std::isfinite(meant), "what moves the mount has a finite number");
+        require(std::abs(meant - value) <= std::abs(meant) * kFloatRounding + 1e-5,
+                "what moves the mount is the number that was written");
+    }
+
+    void requireInteger(int index, int value) const
+    {
+        const std::string text = word(index).value_or(std::to_string(value));
+        char* end = nullptr;
+        const long meant = std::strtol(text.c_str(), &end, 10);
+        require(end != text.c_str() && meant == value, "what moves the mount is the whole number that was written");
+    }
+};
+
+bool isCode(std::string_view line)
+{
+    return line.starts_with("RPRT 0") || line.starts_with("RPRT -");
+}
+
+void checkReply(std::string_view reply)
+{
+    require(reply.size() <= kMaxReply, "a reply has a limited length");
+    require(reply.ends_with('\n'), "a reply ends with a line end");
+    int codes = 0;
+    for (std::size_t start = 0; start < reply.size();) {
+        const std::size_t end = reply.find('\n', start) + 1;
+        require(codes == 0 || !isCode(reply.substr(start)), "a command has one code");
+        codes += isCode(reply.substr(start)) ? 1 : 0;
+        start = end;
+    }
+}
+
+// A default reply is numbers, names and codes; a client that reads "inf" as a number would believe it.
+void checkNumbers(const Session& session, std::string_view reply)
+{
+    const std::string command = session.lastCommand();
+    const bool echoes = reply.find(": ") != std::string_view::npos || reply.find(":|") != std::string_view::npos;
+    if (!echoes && std::string_view("LlDdEeBAa").find(command.front()) != std::string_view::npos) {
+        require(reply.find("inf") == std::string_view::npos && reply.find("nan") == std::string_view::npos,
+                "a computed number is finite");
+    }
+}
+
+struct Conversation
+{
+    fakes::ManualClock clock;
+    DoubtingRotator rotator;
+    Session session{{.id = 7, .address = "127.0.0.1:5"}, rotator, clock, DumpStateForm::OldAndNew};
+    int answered = 0;
+    bool refused = false;
+
+    // One step; false when there is nothing more to do now.
+    bool step()
+    {
+        const std::uint64_t oddBefore = session.oddCommands();
+        const bool wasPaused = session.paused();
+        std::string reply;
+        const bool more = session.step(reply);
+        const bool odd = session.oddCommands() > oddBefore;
+        if (!session.ending().empty() || !more) {
+            require(reply.empty(), "who is hung up on gets no half reply");
+            return more;
+        }
+        if (reply.empty()) {
+            require(odd || session.paused(), "each command has an answer");
+            refused = refused || odd;
+            return true;
+        }
+        checkReply(reply);
+        if (!wasPaused) {
+            checkNumbers(session, reply);
+        }
+        ++answered;
+        refused = refused || odd;
+        return true;
+    }
+
+    void drain()
+    {
+        while (step()) {
+        }
+    }
+
+    void say(std::string_view bytes)
+    {
+        session.receive(bytes);
+        drain();
+    }
+};
+
+// After any nonsense a client that is still connected and not in the middle of a command is served.
+void checkStillServed(Conversation& talk)
+{
+    talk.say("\n");
+    if (!talk.session.ending().empty() || talk.session.midCommand() || talk.session.paused()) {
+        return;
+    }
+    talk.session.receive("p\n");
+    std::string reply;
+    while (talk.session.step(reply)) {
+    }
+    require(reply == "123.45\n67.89\n", "a client is served after any nonsense");
+}
+
+std::vector<std::string> recorded()
+{
+    QFile file(QStringLiteral(BORESIGHT_TEST_DATA "/rotctld_cases.json"));
+    require(file.open(QIODevice::ReadOnly), "the recorded exchanges can be read");
+    std::vector<std::string> inputs;
+    const QJsonArray cases = QJsonDocument::fromJson(file.readAll()).object()[QStringLiteral("cases")].toArray();
+    for (const auto& exchange : cases) {
+        std::string text;
+        const QJsonArray steps = exchange.toObject()[QStringLiteral("steps")].toArray();
+        for (const auto& step : steps) {
+            const QJsonArray chunks = step.toObject()[QStringLiteral("send")].toArray();
+            for (const auto& chunk : chunks) {
+                text += chunk.toString().toLatin1().toStdString();
+            }
+        }
+        if (!text.empty() && text.size() < kMaxInput) {
+            inputs.push_back(text);
+        }
+    }
+    return inputs;
+}
+
+}  // namespace
+
+// The first byte of an input says how the rest is cut into pieces, and whether the rotator refuses.
+Grammar grammar()
+{
+    Grammar grammar;
+    for (const std::string& text : recorded()) {
+        for (const char cut : {'\0', '\x01', '\x05', '\x83'}) {
+            grammar.corpus.push_back(cut + text);
+        }
+    }
+    grammar.tokens = {"\n",
+                      "\r\n",
+                      "\r",
+                      " ",
+                      "\t",
+                      "+",
+                      ";",
+                      "|",
+                      "\\",
+                      "#",
+                      "?",
+                      "P 10 20\n",
+                      "p\n",
+                      "S\n",
+                      "K\n",
+                      "M 8 50\n",
+                      "M UP -1\n",
+                      "R 1\n",
+                      "\\pause 1\n",
+                      "q\n",
+                      "+\\set_pos 1 2\n",
+                      "+p\n",
+                      ";p\n",
+                      "E 0 1e308 0\n",
+                      "D 0 0 1e308 1\n",
+                      "L 1 2 6\n",
+                      "JO31kh",
+                      "SPEED",
+                      "min_az",
+                      "GET / HTTP/1.1\r\n",
+                      "AZ10 EL20\r",
+                      "W123 045\r",
+                      "C2\r",
+                      std::string("\0", 1),
+                      "\x80",
+                      "\xff\xfb",
+                      "\x1b[2J"};
+    for (const CommandSpec& spec : commandTable()) {
+        grammar.tokens.push_back(std::string(1, static_cast<char>(spec.letter)));
+        grammar.tokens.push_back("\\" + std::string(spec.name) + " ");
+    }
+    grammar.separators = " \n\r\t+;|\\";
+    grammar.maxLength = kMaxInput;
+    return grammar;
+}
+
+void feed(std::span<const std::uint8_t> input)
+{
+    if (input.empty()) {
+        return;
+    }
+    Conversation talk;
+    talk.rotator.session = &talk.session;
+    talk.rotator.refuses = (input[0] & 0x80) != 0;
+    talk.rotator.shownAsSent = std::ranges::all_of(input.subspan(1), isPrintableOrBlank);
+    const std::size_t piece = (input[0] & 0x7f) == 0 ? input.size() : input[0] & 0x7f;
+    for (std::string_view rest = asText(input.subspan(1)); !rest.empty() && talk.session.ending().empty();
+         rest.remove_prefix(std::min(piece, rest.size()))) {
+        talk.say(rest.substr(0, piece));
+        if (talk.session.paused()) {
+            talk.clock.advance(std::chrono::seconds(2));
+            talk.drain();
+        }
+    }
+    if (talk.answered > 0 && !talk.refused && !talk.session.dropped()) {
+        accept();
+    }
+    if (talk.session.ending().empty()) {
+        checkStillServed(talk);
+    }
+    talk.session.endOfInput();
+    talk.drain();
+    require(!talk.session.ending().empty(), "a conversation ends with its input");
+}
+
+}  // namespace boresight::fuzz
