@@ -13,6 +13,7 @@ struct FaultText
 {
     std::string_view name;     // short: "over temperature"
     std::string_view meaning;  // what happened, as a sentence without the full stop
+    std::string_view cause;    // why it happens, most likely first
     std::string_view remedy;   // what to do
 };
 

@@ -3,22 +3,55 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace boresight::moteus {
 namespace {
 
-TEST(MoteusFaults, EveryDefinedCodeHasItsOwnNameAndARemedy)
+std::vector<int> definedCodes()
+{
+    std::vector<int> codes;
+    for (const auto& [first, last] : {std::pair{0, 7}, std::pair{32, 50}, std::pair{96, 105}}) {
+        for (int code = first; code <= last; ++code) {
+            codes.push_back(code);
+        }
+    }
+    return codes;
+}
+
+TEST(MoteusFaults, EveryDefinedCodeTellsNameMeaningCauseAndRemedy)
 {
     std::set<std::string_view> names;
-    for (int code = -10; code < 300; ++code) {
+    std::set<std::string_view> meanings;
+    for (const int code : definedCodes()) {
         const FaultText text = faultText(code);
-        EXPECT_FALSE(text.name.empty() || text.meaning.empty() || text.remedy.empty()) << code;
-        const bool defined = (code >= 0 && code <= 7) || (code >= 32 && code <= 50) || isLimit(code);
-        EXPECT_EQ(text.name != "undefined code", defined) << code;
-        EXPECT_TRUE(!defined || names.insert(text.name).second) << code;
+        EXPECT_NE(text.name, "undefined code") << code;
+        EXPECT_TRUE(names.insert(text.name).second) << code;
+        EXPECT_TRUE(meanings.insert(text.meaning).second) << code;
+        EXPECT_EQ(text.name.starts_with("limit: "), isLimit(code)) << code;
+        for (const std::string_view sentence : {text.meaning, text.cause, text.remedy}) {
+            EXPECT_GE(std::ranges::count(sentence, ' '), 1) << code << ": a word is no explanation: " << sentence;
+            EXPECT_FALSE(sentence.ends_with('.')) << code;
+            EXPECT_NE(std::toupper(sentence.front()) == sentence.front(), sentence.starts_with("servo")) << code;
+        }
+        EXPECT_NE(text.cause, text.meaning) << code;
+        EXPECT_NE(text.cause, text.remedy) << code;
     }
     EXPECT_EQ(names.size(), 37U);  // 0..7, 32..50, 96..105
+}
+
+TEST(MoteusFaults, AnyOtherCodeSaysThatItIsUndefined)
+{
+    const std::vector<int> defined = definedCodes();
+    for (int code = -10; code < 300; ++code) {
+        const bool known = std::ranges::binary_search(defined, code);
+        EXPECT_EQ(faultText(code).name == "undefined code", !known) << code;
+    }
+    EXPECT_FALSE(faultText(8).cause.empty() || faultText(8).remedy.empty());
 }
 
 TEST(MoteusFaults, LimitsAreNoFaults)
