@@ -34,6 +34,27 @@ void checkAxis(std::vector<Problem>& problems, const std::string& table, const A
     }
 }
 
+void checkSupervision(std::vector<Problem>& problems, const Profile& profile)
+{
+    const SupervisionSettings& supervision = profile.supervision;
+    const auto demand = [&](bool right, const char* key, const std::string& text) {
+        if (!right) {
+            problems.push_back({std::string("supervision.") + key, text});
+        }
+    };
+    demand(supervision.followingHint <= supervision.followingStop, "following_hint_deg",
+           "must not be above supervision.following_stop_deg");
+    demand(supervision.outsideHint <= supervision.outsideStop, "outside_hint_deg",
+           "must not be above supervision.outside_stop_deg");
+    // Replies come once per tick: a limit below two ticks would alarm all the time.
+    demand(supervision.replyAge >= 2.0 * profile.control.tickPeriod(), "reply_age_s",
+           "is shorter than 2 ticks of control.tick_hz (" + formatFixed(2.0 * profile.control.tickPeriod().count(), 3) +
+               " s)");
+    demand(supervision.supplyStop < supervision.supplyLow, "supply_stop_v", "must be below supervision.supply_low_v");
+    demand(supervision.supplyLow < supervision.supplyHigh, "supply_low_v", "must be below supervision.supply_high_v");
+    demand(supervision.boardHot < supervision.boardLimit, "board_hot_c", "must be below supervision.board_limit_c");
+}
+
 }  // namespace
 
 std::vector<Problem> crossCheck(const Profile& profile)
@@ -53,6 +74,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     if (profile.jog.slow > profile.jog.normal || profile.jog.normal > profile.jog.fast) {
         problems.push_back({"jog.normal_deg_s", "must lie between jog.slow_deg_s and jog.fast_deg_s"});
     }
+    checkSupervision(problems, profile);
     return problems;
 }
 

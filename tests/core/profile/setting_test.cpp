@@ -100,6 +100,9 @@ TEST(Settings, ChoicesAreAllTaken)
     EXPECT_EQ(profile.elevation.geometry.gearIn, pointing::GearIn::Host);
     ASSERT_TRUE(findSetting("control.on_exit")->set(profile, std::string("off")));
     EXPECT_EQ(profile.control.onExit, OnExit::Off);
+    ASSERT_TRUE(findSetting("recovery.bus")->set(profile, std::string("interval")));
+    EXPECT_EQ(profile.recovery.bus, Retry::Interval);
+    EXPECT_EQ(profile.recovery.supply, Retry::Never) << "nothing recovers by itself unless it is asked for";
 }
 
 TEST(CrossCheck, FindsEveryClashAtOnce)
@@ -126,6 +129,31 @@ TEST(CrossCheck, ThreeTicksMustFitIntoTheWatchdog)
     EXPECT_TRUE(crossCheck(profile).empty());
     profile.control.tickHz = 59;
     EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"control.watchdog_s"});
+}
+
+TEST(CrossCheck, SupervisionHintsComeBeforeStops)
+{
+    Profile profile;
+    profile.supervision.followingHint = 3.1_deg;
+    profile.supervision.outsideHint = 1.6_deg;
+    profile.supervision.replyAge = Seconds(0.039);
+    profile.supervision.supplyStop = 20.0;
+    profile.supervision.supplyHigh = 20.0;
+    profile.supervision.boardHot = 75.0;
+    EXPECT_EQ(keysOf(crossCheck(profile)),
+              (std::vector<std::string>{"supervision.following_hint_deg", "supervision.outside_hint_deg",
+                                        "supervision.reply_age_s", "supervision.supply_stop_v",
+                                        "supervision.supply_low_v", "supervision.board_hot_c"}));
+}
+
+TEST(CrossCheck, TwoTicksMustFitIntoTheReplyAge)
+{
+    Profile profile;
+    profile.control.tickHz = 20;
+    profile.control.watchdog = Seconds(0.2);
+    EXPECT_TRUE(crossCheck(profile).empty()) << "0.1 s are 2 ticks of 20 Hz";
+    profile.supervision.replyAge = Seconds(0.099);
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"supervision.reply_age_s"});
 }
 
 TEST(ListenAddress, IsHostAndPort)
