@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/can/can_interface.h"
 
+#include "core/can/bit_timing.h"
+
 #include <QFile>
 #include <QLoggingCategory>
 
@@ -16,6 +18,8 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <span>
+#include <vector>
 
 namespace boresight::socketcan {
 namespace {
@@ -55,23 +59,24 @@ ifreq requestFor(const QString& name)
     return request;
 }
 
+// From the kernel's list: asked for an unknown name directly it would look for a module to load, for 70 ms and more.
+int indexOf(const std::string& name)
+{
+    const std::unique_ptr<struct if_nameindex, void (*)(struct if_nameindex*)> all(if_nameindex(), if_freenameindex);
+    for (const struct if_nameindex* entry = all.get(); entry != nullptr && entry->if_index != 0; ++entry) {
+        if (name == entry->if_name) {
+            return static_cast<int>(entry->if_index);
+        }
+    }
+    return 0;
+}
+
 std::string systemError(const std::string& name)
 {
     return name + ": " + std::strerror(errno);
 }
 
 }  // namespace
-
-QString bringUpCommand(const QString& interface)
-{
-    if (interface.startsWith(QLatin1String("vcan"))) {
-        return QStringLiteral("ip link set %1 mtu 72 up").arg(interface);
-    }
-    return QStringLiteral(
-               "ip link set %1 up type can bitrate 1000000 dbitrate 5000000 sample-point 0.666 "
-               "dsample-point 0.666 restart-ms 1000 fd on")
-        .arg(interface);
-}
 
 Result<FileDescriptor> KernelCanInterface::openSocket()
 {
@@ -103,35 +108,61 @@ Result<FileDescriptor> KernelCanInterface::openSocket()
 Result<> KernelCanInterface::findInterface(int socket)
 {
     const std::string name = m_name.toStdString();
-    ifreq request = requestFor(m_name);
-    if (ioctl(socket, SIOCGIFINDEX, &request) != 0) {
+    m_index = indexOf(name);
+    if (m_index == 0) {
         return failure(ErrorCode::NoDevice, "there is no interface " + name +
                                                 ": is the adapter plugged in and its driver loaded? (`ip -brief link` "
                                                 "shows what is there)");
     }
-    m_index = request.ifr_ifindex;
+    ifreq request = requestFor(m_name);
     if (ioctl(socket, SIOCGIFHWADDR, &request) != 0 || request.ifr_hwaddr.sa_family != ARPHRD_CAN) {
         return failure(ErrorCode::InvalidInput, name + " is not a CAN interface");
     }
+    const std::optional<InterfaceReport> known = report();
+    const bool isVirtual = known ? known->kind != "can" : looksVirtual(m_name);
     if (ioctl(socket, SIOCGIFMTU, &request) != 0 || request.ifr_mtu < static_cast<int>(CANFD_MTU)) {
         return failure(ErrorCode::NotAvailable, name + " is not a CAN-FD interface (mtu " +
                                                     std::to_string(request.ifr_mtu) + "): `ip link set " + name +
-                                                    " down`, then `" + bringUpCommand(m_name).toStdString() + "`");
+                                                    " down`, then `" + bringUpCommand(m_name, isVirtual).toStdString() +
+                                                    "`");
     }
     return {};
 }
 
+// Asked by its index, since the name may be gone.
 InterfaceState KernelCanInterface::state() const
 {
     const FileDescriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
-    ifreq request = requestFor(m_name);
-    if (ioctl(socket.number(), SIOCGIFINDEX, &request) != 0 || request.ifr_ifindex != m_index) {
+    ifreq request{};
+    request.ifr_ifindex = m_index;
+    if (ioctl(socket.number(), SIOCGIFNAME, &request) != 0 || QFile::decodeName(request.ifr_name) != m_name) {
         return InterfaceState::Absent;
     }
     if (ioctl(socket.number(), SIOCGIFFLAGS, &request) != 0) {
         return InterfaceState::Absent;
     }
     return (request.ifr_flags & IFF_UP) != 0 ? InterfaceState::Up : InterfaceState::Down;
+}
+
+// The kernel answers such a question before sendto() returns: nothing is waited for.
+std::optional<InterfaceReport> KernelCanInterface::report() const
+{
+    const FileDescriptor socket(::socket(AF_NETLINK, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, NETLINK_ROUTE));
+    const std::vector<std::uint8_t> question = interfaceQuestion(m_index, 1);
+    std::array<std::uint8_t, 16384> answer{};
+    if (::send(socket.number(), question.data(), question.size(), 0) < 0) {
+        return std::nullopt;
+    }
+    const ssize_t size = recv(socket.number(), answer.data(), answer.size(), 0);
+    if (size < 0) {
+        return std::nullopt;
+    }
+    const auto report = readInterfaceAnswer(std::span(answer).first(static_cast<std::size_t>(size)));
+    if (!report) {
+        qCDebug(lcInterface) << m_name << report.error().text.c_str();
+        return std::nullopt;
+    }
+    return *report;
 }
 
 void KernelCanInterface::watchChanges()

@@ -3,15 +3,18 @@
 
 #include "core/base/file_descriptor.h"
 #include "core/base/result.h"
+#include "core/can/interface_report.h"
 
 #include <QObject>
 #include <QSocketNotifier>
 #include <QString>
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 
-// A CAN network interface as SocketCanLink sees it: a socket, and whether the interface is up. Behind an abstract class
-// because most machines that build us have no AF_CAN. Lives with its link.
+// A CAN network interface as SocketCanLink sees it: a socket, whether the interface is up, and what the kernel tells of
+// it. Behind an abstract class because most machines that build us have no AF_CAN. Lives with its link.
 namespace boresight::socketcan {
 
 enum class InterfaceState
@@ -30,6 +33,8 @@ public:
     [[nodiscard]] virtual Result<FileDescriptor> openSocket() = 0;
     // Of the interface that the last socket belongs to.
     [[nodiscard]] virtual InterfaceState state() const = 0;
+    // Kind, bit timing and controller; nothing if the kernel does not answer. Nothing depends on it but what is said.
+    [[nodiscard]] virtual std::optional<InterfaceReport> report() const = 0;
 
 Q_SIGNALS:
     // Some network interface changed: ask for state() again.
@@ -46,6 +51,7 @@ public:
 
     [[nodiscard]] Result<FileDescriptor> openSocket() override;
     [[nodiscard]] InterfaceState state() const override;
+    [[nodiscard]] std::optional<InterfaceReport> report() const override;
 
 private:
     [[nodiscard]] Result<> findInterface(int socket);
@@ -57,8 +63,5 @@ private:
     FileDescriptor m_changes;
     std::unique_ptr<QSocketNotifier> m_changesNotifier;
 };
-
-// "ip link set can0 up type can bitrate …", or what a virtual interface needs.
-[[nodiscard]] QString bringUpCommand(const QString& interface);
 
 }  // namespace boresight::socketcan

@@ -67,7 +67,8 @@ ErrorReport readErrorFrame(const RawFrame& raw)
         .restarted = has(CAN_ERR_RESTARTED),
         .errorPassive = passive,
         .errorActive = !passive && (controller & kControllerWell) != 0,
-        .noAcknowledge = has(CAN_ERR_ACK),
+        .noAcknowledge = has(CAN_ERR_ACK) || (has(CAN_ERR_PROT) && raw.frame.data[3] == CAN_ERR_PROT_LOC_ACK),
+        .busError = has(CAN_ERR_PROT) || has(CAN_ERR_BUSERROR),
         .receiveOverflow = (controller & CAN_ERR_CRTL_RX_OVERFLOW) != 0,
     };
 }

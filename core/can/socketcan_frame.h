@@ -33,6 +33,7 @@ struct ErrorReport
     bool errorPassive = false;
     bool errorActive = false;      // the controller is well again, or only warns
     bool noAcknowledge = false;    // nobody on the bus acknowledged our frame
+    bool busError = false;         // a frame was damaged on the wire
     bool receiveOverflow = false;  // the controller lost frames
 
     bool operator==(const ErrorReport&) const = default;

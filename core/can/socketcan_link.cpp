@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/can/socketcan_link.h"
 
+#include "core/can/bit_timing.h"
+#include "core/can/bus_advice.h"
+
 #include <sys/socket.h>
 
 #include <array>
@@ -14,6 +17,8 @@ namespace {
 
 // Frames read in one go; the event loop then has its turn, however full the bus is.
 constexpr int kFramesPerTurn = 64;
+// Frames and error frames take turns on a bad bus: the error is over when none came for so long.
+constexpr std::chrono::seconds kErrorMemory{1};
 
 QString systemText(int error)
 {
@@ -171,6 +176,7 @@ void SocketCanLink::handleFrame(const CanFrame& frame)
     m_trouble.busOff = false;
     m_trouble.errorPassive = false;
     m_trouble.noAcknowledge = false;
+    m_trouble.errorFrames = m_trouble.errorFrames && stamped.received - m_lastErrorFrame < kErrorMemory;
     updateStatus();
     Q_EMIT frameReceived(stamped);
 }
@@ -188,6 +194,10 @@ void SocketCanLink::handleErrorFrame(const socketcan::RawFrame& raw)
     m_trouble.busOff = m_trouble.busOff || report.busOff;
     m_trouble.errorPassive = m_trouble.errorPassive || report.errorPassive;
     m_trouble.noAcknowledge = m_trouble.noAcknowledge || report.noAcknowledge;
+    if (report.busError) {
+        m_trouble.errorFrames = true;
+        m_lastErrorFrame = m_clock.now();
+    }
     updateStatus();
 }
 
@@ -226,7 +236,20 @@ void SocketCanLink::checkInterface()
         m_trouble = {};  // of the controller, which starts anew with the interface
     }
     m_trouble.interfaceDown = state == socketcan::InterfaceState::Down;
+    const std::optional<socketcan::InterfaceReport> report = m_access->report();
+    m_isVirtual = report ? report->kind != "can" : socketcan::looksVirtual(m_interface);
+    m_timingTrouble = report ? socketcan::timingTrouble(*report) : QString();
+    if (report && report->controller) {
+        follow(*report->controller);
+    }
     updateStatus();
+}
+
+// What the controller was before we came, or became while its error frames were lost.
+void SocketCanLink::follow(socketcan::ControllerState controller)
+{
+    m_trouble.busOff = controller == socketcan::ControllerState::BusOff;
+    m_trouble.errorPassive = controller == socketcan::ControllerState::Passive;
 }
 
 void SocketCanLink::lose(const QString& reason)
@@ -235,30 +258,33 @@ void SocketCanLink::lose(const QString& reason)
     setStatus(LinkState::Lost, reason);
 }
 
+// The worst first. A wrong bit timing is told last, but also beside what it may well be the cause of.
 QString SocketCanLink::troubleText() const
 {
     if (m_trouble.interfaceDown) {
         return QStringLiteral("the interface is down; bring it up with `%1`")
-            .arg(socketcan::bringUpCommand(m_interface));
+            .arg(socketcan::bringUpCommand(m_interface, m_isVirtual));
     }
+    QStringList troubles;
     if (m_trouble.busOff) {
-        return QStringLiteral(
-                   "bus-off after too many errors: check wiring, termination and bit rates; with restart-ms "
-                   "set it comes back by itself, else `ip link set %1 type can restart`")
-            .arg(m_interface);
+        troubles << QStringLiteral(
+                        "bus-off after too many errors: check the cable, the 120 ohm at both ends and the bit rate; "
+                        "with restart-ms set it comes back by itself, else `ip link set %1 type can restart`")
+                        .arg(m_interface);
+    } else if (m_trouble.transmitQueueFull) {
+        troubles << QStringLiteral("the transmit queue is full: another program fills the bus, or ") +
+                        acknowledgeAdvice();
+    } else if (m_trouble.noAcknowledge) {
+        troubles << acknowledgeAdvice();
+    } else if (m_trouble.errorPassive) {
+        troubles << QStringLiteral("many errors on the bus (error-passive): ") + errorAdvice();
+    } else if (m_trouble.errorFrames) {
+        troubles << QStringLiteral("damaged frames on the bus: ") + errorAdvice();
     }
-    if (m_trouble.transmitQueueFull) {
-        return QStringLiteral(
-            "the transmit queue is full: nothing acknowledges our frames; are the drives powered and "
-            "connected?");
+    if (!m_timingTrouble.isEmpty()) {
+        troubles << m_timingTrouble;
     }
-    if (m_trouble.noAcknowledge) {
-        return QStringLiteral("nothing acknowledges our frames; are the drives powered and connected?");
-    }
-    if (m_trouble.errorPassive) {
-        return QStringLiteral("many errors on the bus (error-passive): check wiring, termination and sample points");
-    }
-    return {};
+    return troubles.join(QLatin1String("; "));
 }
 
 void SocketCanLink::updateStatus()

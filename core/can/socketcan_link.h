@@ -12,8 +12,9 @@
 #include <memory>
 
 // A CAN-FD bus behind a Linux network interface, by a raw AF_CAN socket. Lives on the thread of its owner's event loop.
-// Bit rates and sample points belong to the interface and are set with `ip link`. Error frames are read, so a bus that
-// nobody acknowledges, error-passive and bus-off are told apart; frames that the kernel dropped are counted.
+// Bit rates and sample points belong to the interface and are set with `ip link`; wrong ones are said. Error frames are
+// read, so a bus that nobody acknowledges, error-passive and bus-off are told apart; frames that the kernel dropped are
+// counted.
 namespace boresight {
 
 class SocketCanLink final : public CanLink
@@ -42,6 +43,7 @@ private:
         bool transmitQueueFull = false;
         bool noAcknowledge = false;
         bool errorPassive = false;
+        bool errorFrames = false;
     };
 
     void readSocket();
@@ -50,6 +52,7 @@ private:
     void handleErrorFrame(const socketcan::RawFrame& raw);
     void handleSocketError(int error);
     void checkInterface();
+    void follow(socketcan::ControllerState controller);
     void lose(const QString& reason);
     void closeSocket();
     void updateStatus();
@@ -63,6 +66,9 @@ private:
     std::unique_ptr<QSocketNotifier> m_notifier;
     LinkStatus m_status;
     Trouble m_trouble;
+    SteadyTime m_lastErrorFrame{};
+    QString m_timingTrouble;
+    bool m_isVirtual = false;
     std::uint32_t m_socketDrops = 0;  // what the kernel says of this socket since it was opened
 };
 

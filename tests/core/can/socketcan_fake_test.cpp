@@ -35,6 +35,7 @@ public:
         return FileDescriptor(ends[0]);
     }
     [[nodiscard]] InterfaceState state() const override { return current; }
+    [[nodiscard]] std::optional<socketcan::InterfaceReport> report() const override { return told; }
     void become(InterfaceState state)
     {
         current = state;
@@ -47,6 +48,7 @@ public:
 
     std::optional<Error> refusal;
     InterfaceState current = InterfaceState::Up;
+    std::optional<socketcan::InterfaceReport> told;
     FileDescriptor bus;
 };
 
@@ -114,7 +116,9 @@ TEST_F(SocketCanFakeTest, InterfaceDownAndUpAgainIsFollowed)
 {
     can.become(InterfaceState::Down);
     EXPECT_EQ(link.status().state, LinkState::Down);
-    EXPECT_THAT(text(), HasSubstr("`ip link set can0 up type can bitrate 1000000 dbitrate 5000000 sample-point 0.666"));
+    EXPECT_THAT(text(),
+                HasSubstr("`ip link set can0 up type can bitrate 1000000 dbitrate 5000000 sjw 10 dsjw 5 sample-point "
+                          "0.666"));
     can.become(InterfaceState::Up);
     EXPECT_EQ(link.status().state, LinkState::Up);
     EXPECT_EQ(text(), "");
@@ -162,14 +166,14 @@ TEST_F(SocketCanFakeTest, ErrorPassiveAndMissingAcknowledgeAreSaidUntilAFrameCom
     EXPECT_THAT(text(), HasSubstr("error-passive"));
     putError(CAN_ERR_ACK);
     ASSERT_TRUE(waitUntil([this] { return link.status().busErrors == 2; }));
-    EXPECT_THAT(text(), HasSubstr("nothing acknowledges"));
+    EXPECT_THAT(text(), HasSubstr("nobody acknowledges our frames: check the drives' power, the cable"));
     EXPECT_EQ(link.status().state, LinkState::Up);
     can.put(socketcan::toRaw(frameTo(0x100)).value());
     ASSERT_TRUE(waitUntil([this] { return frames.size() == 1; }));
     EXPECT_EQ(text(), "");
 }
 
-TEST_F(SocketCanFakeTest, FloodOfErrorFramesIsCountedWithoutASignalForEach)
+TEST_F(SocketCanFakeTest, FloodOfErrorFramesIsSaidOnceAndCounted)
 {
     for (int i = 0; i < 50; ++i) {
         putError(CAN_ERR_PROT | CAN_ERR_BUSERROR);
@@ -177,7 +181,104 @@ TEST_F(SocketCanFakeTest, FloodOfErrorFramesIsCountedWithoutASignalForEach)
     }
     ASSERT_TRUE(waitUntil([this] { return link.status().busErrors == 100; }));
     EXPECT_EQ(link.status().dropped, 50U);
-    EXPECT_EQ(changes.size(), 0);
+    EXPECT_EQ(changes.size(), 1);
+    EXPECT_EQ(link.status().state, LinkState::Up);
+    EXPECT_THAT(text(), HasSubstr("damaged frames on the bus: check the drives' power, the cable"));
+}
+
+// Frames come through between the damaged ones: the text must not flicker, and goes when the damage is over.
+TEST_F(SocketCanFakeTest, DamagedFramesAreForgottenAfterASecondWithout)
+{
+    qsizetype count = 0;
+    const auto receiveOne = [this, &count] {
+        can.put(socketcan::toRaw(frameTo(0x100)).value());
+        ++count;
+        return waitUntil([this, &count] { return frames.size() == count; });
+    };
+    for (int i = 0; i < 3; ++i) {
+        putError(CAN_ERR_PROT | CAN_ERR_BUSERROR);
+        ASSERT_TRUE(receiveOne());
+        clock.advance(std::chrono::milliseconds(900));
+    }
+    EXPECT_EQ(changes.size(), 1);
+    EXPECT_THAT(text(), HasSubstr("damaged frames"));
+    clock.advance(std::chrono::milliseconds(100));
+    ASSERT_TRUE(receiveOne());
+    EXPECT_EQ(text(), "");
+}
+
+// Some drivers report a missing acknowledge as a violation of the protocol in the acknowledge slot.
+TEST_F(SocketCanFakeTest, MissingAcknowledgeIsKnownByItsPlaceInTheFrame)
+{
+    RawFrame raw;
+    raw.size = CAN_MTU;
+    raw.frame.can_id = CAN_ERR_FLAG | CAN_ERR_PROT | CAN_ERR_BUSERROR;
+    raw.frame.len = CAN_ERR_DLC;
+    raw.frame.data[3] = CAN_ERR_PROT_LOC_ACK;
+    can.put(raw);
+    ASSERT_TRUE(waitUntil([this] { return !text().empty(); }));
+    EXPECT_THAT(text(), HasSubstr("nobody acknowledges"));
+}
+
+class SocketCanTimingTest : public SocketCanFakeTest
+{
+protected:
+    static socketcan::InterfaceReport adapter()
+    {
+        return {.index = 3,
+                .name = "can0",
+                .up = true,
+                .kind = "can",
+                .nominal = socketcan::PhaseTiming{.bitRate = 1'000'000, .samplePoint = 0.666},
+                .data = socketcan::PhaseTiming{.bitRate = 5'000'000, .samplePoint = 0.666},
+                .flexibleData = true,
+                .controller = socketcan::ControllerState::Active,
+                .errors = std::nullopt};
+    }
+};
+
+TEST_F(SocketCanTimingTest, WrongBitRateIsAWarningUntilTheInterfaceIsSetRight)
+{
+    can.told = adapter();
+    can.told->nominal->bitRate = 500'000;
+    ASSERT_TRUE(link.open().has_value());
+    EXPECT_EQ(link.status().state, LinkState::Up);
+    EXPECT_THAT(text(), HasSubstr("socketcan:can0: wrong bit timing"));
+    EXPECT_THAT(text(), HasSubstr("bit rate 500000 (wanted 1000000)"));
+    EXPECT_THAT(text(), HasSubstr("`ip -details link show can0`"));
+    can.become(InterfaceState::Down);
+    EXPECT_THAT(text(), HasSubstr("the interface is down; bring it up with `ip link set can0 up type can"));
+    can.told = adapter();
+    can.become(InterfaceState::Up);
+    EXPECT_EQ(text(), "");
+}
+
+TEST_F(SocketCanTimingTest, WrongTimingIsToldBesideWhatItCauses)
+{
+    can.told = adapter();
+    can.told->data->samplePoint = 0.75;
+    ASSERT_TRUE(link.open().has_value());
+    putError(CAN_ERR_ACK);
+    ASSERT_TRUE(waitUntil([this] { return link.status().busErrors == 1; }));
+    EXPECT_THAT(text(), testing::ContainsRegex("nobody acknowledges.*; wrong bit timing.*data sample point 0.750"));
+}
+
+// A bus that was off before the program started sends no error frame about it.
+TEST_F(SocketCanTimingTest, BusOffFromBeforeIsSeenAtOpening)
+{
+    can.told = adapter();
+    can.told->controller = socketcan::ControllerState::BusOff;
+    ASSERT_TRUE(link.open().has_value());
+    EXPECT_EQ(link.status().state, LinkState::Down);
+    EXPECT_THAT(text(), HasSubstr("bus-off"));
+    EXPECT_THAT(text(), HasSubstr("`ip link set can0 type can restart`"));
+    can.told->controller = socketcan::ControllerState::Passive;
+    can.become(InterfaceState::Up);
+    EXPECT_EQ(link.status().state, LinkState::Up);
+    EXPECT_THAT(text(), HasSubstr("error-passive"));
+    can.told = adapter();
+    can.become(InterfaceState::Up);
+    EXPECT_EQ(text(), "");
 }
 
 TEST_F(SocketCanFakeTest, FullTransmitQueueTellsHowManyFramesLeft)

@@ -113,7 +113,8 @@ TEST(SocketCanFrame, ErrorFramesAreToldApart)
     EXPECT_EQ(reportOf(CAN_ERR_CRTL, 0x40), ErrorReport{.errorActive = true});
     EXPECT_EQ(reportOf(CAN_ERR_CRTL, CAN_ERR_CRTL_TX_WARNING), ErrorReport{.errorActive = true});
     EXPECT_EQ(reportOf(CAN_ERR_CRTL, CAN_ERR_CRTL_RX_OVERFLOW), ErrorReport{.receiveOverflow = true});
-    EXPECT_EQ(reportOf(CAN_ERR_BUSERROR, 0xff), ErrorReport{});  // data[1] belongs to the class CRTL only
+    EXPECT_EQ(reportOf(CAN_ERR_PROT), ErrorReport{.busError = true});
+    EXPECT_EQ(reportOf(CAN_ERR_BUSERROR, 0xff), ErrorReport{.busError = true});  // data[1] is of the class CRTL only
 }
 
 }  // namespace

@@ -3,18 +3,26 @@
 // User-Mode Linux (tests/system/uml_can_run.sh). can-utils are the independent witness.
 #include "core/can/socketcan_link.h"
 
+#include "core/can/bit_timing.h"
+#include "tests/fakes/pseudo_terminal.h"
 #include "tests/fakes/wait_until.h"
 
+#include <QElapsedTimer>
 #include <QProcess>
 #include <QSignalSpy>
 #include <QStandardPaths>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <linux/can.h>
+#include <net/if.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 
 #include <array>
+#include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 namespace boresight {
 namespace {
@@ -25,6 +33,14 @@ using testing::HasSubstr;
 bool run(const std::string& command)
 {
     return std::system(command.c_str()) == 0;
+}
+
+// The same with the event loop running beside it.
+bool runBeside(const std::string& command)
+{
+    QProcess shell;
+    shell.start(QStringLiteral("/bin/sh"), {QStringLiteral("-c"), QString::fromStdString(command)});
+    return waitUntil([&shell] { return shell.state() == QProcess::NotRunning; }) && shell.exitCode() == 0;
 }
 
 CanFrame frameTo(std::uint32_t id, std::size_t size = 1)
@@ -150,11 +166,27 @@ TEST_F(SocketCanLinkTest, ErrorFramesOfTheKernelAreUnderstood)
     EXPECT_EQ(link.status().received, 0U);
 }
 
+// The screen shows what the link says within one of its updates (50 ms), so that 250 ms are left for noticing.
+TEST_F(SocketCanLinkTest, ChangesAreNoticedInTime)
+{
+    const std::array<std::pair<const char*, LinkState>, 3> changes{{{"ip link set boresight0 down", LinkState::Down},
+                                                                    {"ip link set boresight0 up", LinkState::Up},
+                                                                    {"ip link del boresight0", LinkState::Lost}}};
+    for (const auto& [command, state] : changes) {
+        ASSERT_TRUE(run(command));
+        QElapsedTimer timer;
+        timer.start();
+        ASSERT_TRUE(becomes(state));
+        EXPECT_LT(timer.elapsed(), 250) << command;
+        std::printf("%s: noticed %lld ms after the command was done\n", command, timer.elapsed());
+    }
+}
+
 TEST_F(SocketCanLinkTest, DownAndUpAreNoticedWithoutSending)
 {
     ASSERT_TRUE(run("ip link set boresight0 down"));
     ASSERT_TRUE(becomes(LinkState::Down));
-    EXPECT_THAT(text(), HasSubstr("is down; bring it up with `ip link set boresight0 up"));
+    EXPECT_THAT(text(), HasSubstr("is down; bring it up with `ip link set boresight0 mtu 72 up`"));
     const auto sent = link.send(std::array{frameTo(0x8001)});
     ASSERT_FALSE(sent.has_value());
     EXPECT_THAT(sent.error().text, HasSubstr("is down"));
@@ -214,6 +246,51 @@ TEST_F(SocketCanLinkTest, OpenErrorsNameTheRemedy)
     link.close();
     ASSERT_TRUE(run("ip link set boresight0 down && ip link set boresight0 mtu 16 up"));
     EXPECT_THAT(link.open().error().text, HasSubstr("boresight0 is not a CAN-FD interface (mtu 16): `ip link set"));
+}
+
+TEST_F(SocketCanLinkTest, KernelTellsThatAVirtualInterfaceHasNoTiming)
+{
+    socketcan::KernelCanInterface access(QStringLiteral("boresight0"));
+    ASSERT_TRUE(access.openSocket().has_value());
+    const auto report = access.report();
+    ASSERT_TRUE(report.has_value());
+    EXPECT_EQ(report->name, "boresight0");
+    EXPECT_EQ(report->kind, "vcan");
+    EXPECT_TRUE(report->up);
+    EXPECT_FALSE(report->nominal || report->data || report->controller);
+    EXPECT_EQ(text(), "");
+}
+
+// A serial-line adapter on a pseudo-terminal is a real controller to the kernel, though without CAN-FD: what it tells
+// of its timing is read, and opening it is refused with the remedy.
+TEST_F(SocketCanLinkTest, KernelTellsTheBitTimingOfAController)
+{
+    constexpr int kSerialLineCan = 17;  // N_SLCAN
+    const fakes::PseudoTerminal adapter;
+    const FileDescriptor line(::open(adapter.path().toLocal8Bit().constData(), O_RDWR | O_NOCTTY));
+    int discipline = kSerialLineCan;
+    ifreq request{};
+    if (!run("modprobe -d /run/uml slcan 2>/dev/null") || ioctl(line.number(), TIOCSETD, &discipline) != 0 ||
+        ioctl(line.number(), SIOCGIFNAME, &request) != 0) {
+        GTEST_SKIP() << "no CAN over a serial line here";
+    }
+    const std::string name = static_cast<const char*>(request.ifr_name);
+    ASSERT_TRUE(runBeside("ip link set " + name + " type can bitrate 500000 && ip link set " + name + " up"));
+    socketcan::KernelCanInterface access(QString::fromStdString(name));
+    const auto socket = access.openSocket();
+    ASSERT_FALSE(socket.has_value());
+    EXPECT_THAT(socket.error().text, HasSubstr(name + " is not a CAN-FD interface (mtu 16): `ip link set " + name +
+                                               " down`, then `ip link set " + name + " up type can bitrate 1000000"));
+    const auto report = access.report();
+    ASSERT_TRUE(report.has_value());
+    EXPECT_EQ(report->kind, "can");
+    EXPECT_TRUE(report->up);
+    EXPECT_EQ(report->nominal.value_or(socketcan::PhaseTiming{}).bitRate, 500'000U);
+    EXPECT_EQ(report->controller, socketcan::ControllerState::Active);
+    const std::string trouble = socketcan::timingTrouble(*report).toStdString();
+    EXPECT_THAT(trouble, HasSubstr("bit rate 500000 (wanted 1000000)"));
+    EXPECT_THAT(trouble, HasSubstr("CAN-FD off (wanted on)"));
+    std::printf("the kernel says of %s: %s\n", name.c_str(), trouble.c_str());
 }
 
 TEST_F(SocketCanLinkTest, FramesThatTheKernelDropsAreCounted)

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/can/bit_timing.h"
+
+#include <QStringList>
+
+#include <cmath>
+
+namespace boresight::socketcan {
+namespace {
+
+// What the clocks of adapters can make of 0.666 at 5 Mbit/s: 0.625 with 8 or 16 time quanta in a bit (40 and 80 MHz),
+// 0.647 with 34 (170 MHz); the boards themselves use 0.671 and 0.706. The kernel's own choice, 0.75, is the wrong one.
+constexpr double kSamplePointTolerance = 0.05;
+// An adapter's clock may make 999 999 bit/s of a million; a rate somebody typed wrongly is farther away.
+constexpr double kBitRateTolerance = 0.001;
+
+QString samplePointText(double samplePoint)
+{
+    return QString::number(samplePoint, 'f', 3);
+}
+
+void comparePhase(const QString& phase, const PhaseTiming& found, const PhaseTiming& wanted, QStringList& wrong)
+{
+    if (std::abs(static_cast<double>(found.bitRate) - wanted.bitRate) > kBitRateTolerance * wanted.bitRate) {
+        wrong << QStringLiteral("%1bit rate %2 (wanted %3)").arg(phase).arg(found.bitRate).arg(wanted.bitRate);
+    }
+    if (found.samplePoint > 0.0 && std::abs(found.samplePoint - wanted.samplePoint) > kSamplePointTolerance) {
+        wrong << QStringLiteral("%1sample point %2 (wanted %3)")
+                     .arg(phase, samplePointText(found.samplePoint), samplePointText(wanted.samplePoint));
+    }
+}
+
+QStringList differences(const InterfaceReport& report)
+{
+    QStringList wrong;
+    if (report.nominal) {
+        comparePhase({}, *report.nominal, kWantedNominal, wrong);
+    }
+    if (report.flexibleData == false) {
+        wrong << QStringLiteral("CAN-FD off (wanted on)");
+    } else if (report.data) {
+        comparePhase(QStringLiteral("data "), *report.data, kWantedData, wrong);
+    }
+    return wrong;
+}
+
+}  // namespace
+
+bool looksVirtual(const QString& interface)
+{
+    return interface.startsWith(QLatin1String("vcan")) || interface.startsWith(QLatin1String("vxcan"));
+}
+
+QString bringUpCommand(const QString& interface, bool isVirtual)
+{
+    if (isVirtual) {
+        return QStringLiteral("ip link set %1 mtu 72 up").arg(interface);
+    }
+    return QStringLiteral(
+               "ip link set %1 up type can bitrate %2 dbitrate %3 sjw 10 dsjw 5 sample-point %4 "
+               "dsample-point %5 restart-ms 1000 fd on")
+        .arg(interface)
+        .arg(kWantedNominal.bitRate)
+        .arg(kWantedData.bitRate)
+        .arg(samplePointText(kWantedNominal.samplePoint), samplePointText(kWantedData.samplePoint));
+}
+
+QString timingTrouble(const InterfaceReport& report)
+{
+    const QStringList wrong = differences(report);
+    if (report.kind != "can" || wrong.isEmpty()) {
+        return {};
+    }
+    const QString interface = QString::fromStdString(report.name);
+    return QStringLiteral(
+               "wrong bit timing, the drives may stay silent: %1; `ip link set %2 down`, then `%3`; `ip "
+               "-details link show %2` shows what is set")
+        .arg(wrong.join(QLatin1String(", ")), interface, bringUpCommand(interface, false));
+}
+
+}  // namespace boresight::socketcan
