@@ -2,7 +2,9 @@
 #include "core/can/fdcanusb_link.h"
 
 #include "core/base/control_characters.h"
+#include "core/can/bus_advice.h"
 #include "core/can/line_checksum.h"
+#include "core/can/port_holder.h"
 #include "core/can/serial_port_check.h"
 
 #include <QLoggingCategory>
@@ -47,7 +49,11 @@ Result<std::vector<std::string>> linesOf(std::span<const CanFrame> frames)
 
 }  // namespace
 
-FdcanusbLink::FdcanusbLink(QString path, const Clock& clock, LineChecksum checksum, QObject* parent)
+FdcanusbLink::FdcanusbLink(const QString& path, const Clock& clock, LineChecksum checksum, QObject* parent)
+    : FdcanusbLink(StablePort(path), clock, checksum, parent)
+{}
+
+FdcanusbLink::FdcanusbLink(StablePort path, const Clock& clock, LineChecksum checksum, QObject* parent)
     : CanLink(parent), m_path(std::move(path)), m_clock(clock), m_checksum(checksum)
 {
     m_deadlineTimer.setSingleShot(true);
@@ -63,35 +69,50 @@ FdcanusbLink::~FdcanusbLink()
 
 QString FdcanusbLink::name() const
 {
-    return QStringLiteral("fdcanusb:") + m_path;
+    return QStringLiteral("fdcanusb:") + m_path.path();
 }
 
 Result<> FdcanusbLink::open()
 {
     close();
-    if (const auto check = checkSerialPort(m_path); !check) {
-        return check;
+    if (const auto opened = openPort(m_path.device()); !opened) {
+        return opened;
     }
-    m_port.setPortName(canonicalPort(m_path));
-    if (!m_port.open(QIODevice::ReadWrite)) {
-        const std::string reason = m_port.errorString().toStdString();
-        if (m_port.error() == QSerialPort::PermissionError) {
-            return failure(ErrorCode::Busy, m_path.toStdString() + " is in use by another program (" + reason + ")");
-        }
-        return failure(ErrorCode::Io, m_path.toStdString() + " cannot be opened: " + reason);
-    }
+    m_path.remember();
     // QSerialPort's lock file keeps others out. The kernel's own lock would outlive a killed program on a
     // pseudo-terminal, whose other end stays open.
     ioctl(m_port.handle(), TIOCNXCL);
     if (!m_port.setBaudRate(kBaudRate)) {
-        qCDebug(lcFdcanusb) << m_path << "keeps its speed:" << m_port.errorString();
+        qCDebug(lcFdcanusb) << m_port.portName() << "keeps its speed:" << m_port.errorString();
         m_port.clearError();
     }
     m_port.clear();  // what was said before we came is not for us
     m_lastCheck = m_clock.now();
-    m_lastRestart = m_lastCheck - kCheckPeriod;
+    m_lastRestart = m_lastCheck - kRestartPeriod;
     updateStatus(LinkState::Up);
     return {};
+}
+
+// The maker's tools take no lock that would keep us out, and two programs on one adapter steal each other's answers.
+Result<> FdcanusbLink::openPort(const QString& device)
+{
+    if (const auto check = checkSerialPort(device); !check) {
+        return check;
+    }
+    const std::string name = device.toStdString();
+    if (const std::optional<QString> holder = portHolder(device)) {
+        return failure(ErrorCode::Busy, name + " is in use by " + holder->toStdString() + ": end it first");
+    }
+    m_port.setPortName(canonicalPort(device));
+    if (m_port.open(QIODevice::ReadWrite)) {
+        return {};
+    }
+    const std::string reason = m_port.errorString().toStdString();
+    if (m_port.error() == QSerialPort::PermissionError) {
+        return failure(ErrorCode::Busy, name + " is in use by another program (" + reason + "): `sudo fuser -v " +
+                                            name + "` shows which; end it first");
+    }
+    return failure(ErrorCode::Io, name + " cannot be opened: " + reason);
 }
 
 void FdcanusbLink::close()
@@ -115,7 +136,8 @@ Result<> FdcanusbLink::send(std::span<const CanFrame> frames)
     }
     checkDeadlines();
     if (m_port.bytesToWrite() > kMaxUnwritten) {
-        return failure(ErrorCode::NoAnswer, name().toStdString() + ": the adapter takes no more data");
+        return failure(ErrorCode::NoAnswer,
+                       name().toStdString() + ": the adapter takes no more data; plug it in again");
     }
     const auto sendLines = linesOf(frames);
     if (!sendLines) {
@@ -205,13 +227,16 @@ void FdcanusbLink::handle(const fdcanusb::Refusal& refusal)
     const Command command = takePending();
     if (refusal.notOnBus()) {
         ++m_status.busErrors;
-        reportBus(LinkState::Down, QStringLiteral("the adapter is not on the bus (\"not in BusOn state\")"));
+        reportBus(LinkState::Down,
+                  QStringLiteral("the adapter is not on the bus (\"not in BusOn state\"); it is switched on "
+                                 "again once a second: if that does not help, plug it in again"));
         restartController();
     } else if (command == Command::Frame) {
         ++m_status.busErrors;
         constexpr int kShown = 80;
         m_adapterTrouble = QStringLiteral("the adapter refuses a frame: ") +
-                           QString::fromStdString(printable(refusal.text)).left(kShown);
+                           QString::fromStdString(printable(refusal.text)).left(kShown) +
+                           QStringLiteral("; check its firmware and its can.* settings");
         updateStatus(m_status.state);
     }  // else: "can status" is unknown to a moteus UART, "can off" is refused when already off
 }
@@ -221,12 +246,11 @@ void FdcanusbLink::handle(const fdcanusb::BusStatus& bus)
     takePending();
     if (bus.busOff) {
         ++m_status.busErrors;
-        reportBus(LinkState::Down, QStringLiteral("bus-off after too many errors: check wiring, the 120 ohm at both "
-                                                  "ends and that the drives are powered"));
+        reportBus(LinkState::Down, QStringLiteral("bus-off after too many errors: check the cable, the 120 ohm at "
+                                                  "both ends and the bit rate; it is restarted once a second"));
         restartController();
     } else if (bus.errorPassive) {
-        reportBus(LinkState::Up, QStringLiteral("nothing acknowledges our frames: are the drives powered and "
-                                                "connected?"));
+        reportBus(LinkState::Up, acknowledgeAdvice());
     } else {
         reportBus(LinkState::Up, {});
     }
@@ -243,7 +267,10 @@ void FdcanusbLink::checkDeadlines()
     if (missing > 0) {
         m_status.busErrors += missing;
         m_adapterTrouble =
-            QStringLiteral("the adapter does not confirm our frames (no OK within %1 ms)").arg(kOkDeadline.count());
+            QStringLiteral(
+                "the adapter does not confirm our frames (no OK within %1 ms): is this port an fdcanusb? If "
+                "so, plug it in again")
+                .arg(kOkDeadline.count());
         updateStatus(m_status.state);
     }
     if (!m_pending.empty()) {
@@ -264,7 +291,7 @@ void FdcanusbLink::checkBus(QByteArray& lines)
 void FdcanusbLink::restartController()
 {
     const SteadyTime now = m_clock.now();
-    if (now - m_lastRestart < kCheckPeriod) {
+    if (now - m_lastRestart < kRestartPeriod) {
         return;
     }
     m_lastRestart = now;
@@ -315,7 +342,9 @@ void FdcanusbLink::lose()
         }
     };
     QMetaObject::invokeMethod(this, closeLostPort, Qt::QueuedConnection);
-    reportBus(LinkState::Lost, QStringLiteral("the adapter is gone: plug it in again"));
+    const QString where =
+        m_path.name().isEmpty() ? QString() : QStringLiteral("; it is found in any socket as %1").arg(m_path.name());
+    reportBus(LinkState::Lost, QStringLiteral("the adapter is gone: plug it in again") + where);
 }
 
 }  // namespace boresight

@@ -5,6 +5,7 @@
 #include "core/can/can_link.h"
 #include "core/can/fdcanusb_protocol.h"
 #include "core/can/line_splitter.h"
+#include "core/can/stable_port.h"
 
 #include <QSerialPort>
 #include <QTimer>
@@ -15,7 +16,7 @@
 // pseudo-terminal): text lines over a serial port. Lives on the thread of its owner's event loop.
 //
 // "OK" only says that the adapter queued a frame, and an adapter whose controller went bus-off still says OK. So after
-// a second without any received frame the link asks for the bus status, and restarts the controller when it is off
+// 200 ms without any received frame the link asks for the bus status, and restarts the controller when it is off
 // (factory adapters do not do it themselves) - at most once a second, as "restart-ms 1000" does for SocketCAN.
 namespace boresight {
 
@@ -31,10 +32,14 @@ class FdcanusbLink final : public CanLink
 
 public:
     static constexpr std::chrono::milliseconds kOkDeadline{50};
-    static constexpr std::chrono::seconds kCheckPeriod{1};
+    // Ten exchanges with both axes missed: so that bus-off is on the screen within 300 ms.
+    static constexpr std::chrono::milliseconds kCheckPeriod{200};
+    static constexpr std::chrono::seconds kRestartPeriod{1};
 
     // `clock` outlives the link.
-    FdcanusbLink(QString path, const Clock& clock, LineChecksum checksum = LineChecksum::Off,
+    FdcanusbLink(StablePort path, const Clock& clock, LineChecksum checksum = LineChecksum::Off,
+                 QObject* parent = nullptr);
+    FdcanusbLink(const QString& path, const Clock& clock, LineChecksum checksum = LineChecksum::Off,
                  QObject* parent = nullptr);
     ~FdcanusbLink() override;
 
@@ -57,6 +62,7 @@ private:
         SteadyTime deadline;
     };
 
+    Result<> openPort(const QString& device);
     void appendLine(QByteArray& lines, std::string_view line, Command command);
     Result<> writeLines(const QByteArray& lines);
     void readPort();
@@ -77,7 +83,7 @@ private:
     void handlePortError(QSerialPort::SerialPortError error);
     void lose();
 
-    QString m_path;
+    StablePort m_path;
     const Clock& m_clock;
     LineChecksum m_checksum;
     QSerialPort m_port{this};

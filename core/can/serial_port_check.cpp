@@ -33,7 +33,8 @@ Result<> checkSerialPort(const QString& path)
             return failure(ErrorCode::Denied,
                            name +
                                ": no permission: install packaging/udev/70-boresight-fdcanusb.rules to "
-                               "/etc/udev/rules.d and plug the adapter in again, or add yourself to the group dialout");
+                               "/etc/udev/rules.d, plug the adapter in again and join the group dialout (`sudo usermod "
+                               "-aG dialout $USER`, then log in again)");
         }
         return failure(ErrorCode::Io, name + ": " + std::strerror(errno));
     }

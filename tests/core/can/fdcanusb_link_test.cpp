@@ -7,7 +7,10 @@
 #include "tests/fakes/wait_until.h"
 
 #include <QCoreApplication>
+#include <QDir>
+#include <QElapsedTimer>
 #include <QFile>
+#include <QProcess>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
@@ -125,7 +128,9 @@ TEST_F(FdcanusbLinkTest, ErrIsShownWithTheAdaptersWords)
     sendOne();
     adapter.write("ERR invalid data\r\n");
     ASSERT_TRUE(waitUntil([this] { return !text().empty(); }));
-    EXPECT_EQ(text(), link.name().toStdString() + ": the adapter refuses a frame: invalid data");
+    EXPECT_EQ(text(), link.name().toStdString() +
+                          ": the adapter refuses a frame: invalid data; check its firmware and its can.* "
+                          "settings");
     EXPECT_EQ(link.status().busErrors, 1U);
     EXPECT_EQ(link.status().state, LinkState::Up);
     clock.advance(1s);
@@ -139,7 +144,8 @@ TEST_F(FdcanusbLinkTest, ShowsADamagedRefusalPrintable)
     sendOne();
     adapter.write("ERR inv\x1b[2Jalid\x7f\r\n");
     ASSERT_TRUE(waitUntil([this] { return link.status().busErrors == 1; }));
-    EXPECT_EQ(text(), link.name().toStdString() + ": the adapter refuses a frame: inv?[2Jalid?");
+    EXPECT_EQ(text(), link.name().toStdString() +
+                          ": the adapter refuses a frame: inv?[2Jalid?; check its firmware and its can.* settings");
 }
 
 TEST_F(FdcanusbLinkTest, AdapterOffTheBusIsDownAndIsSwitchedOn)
@@ -159,41 +165,66 @@ TEST_F(FdcanusbLinkTest, AdapterOffTheBusIsDownAndIsSwitchedOn)
     sendOne();  // refused again, but one restart a second is enough
     adapter.write("ERR not in BusOn state\r\n");
     ASSERT_TRUE(waitUntil([this] { return link.status().busErrors == 2; }));
-    EXPECT_TRUE(written("can send 8001 50 BF\n"));
+    EXPECT_TRUE(written("can send 8001 50 BF\ncan status\n"));
 
     adapter.write("rcv 0100 210000 e B F r x-1\r\n");
     ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Up; }));
     EXPECT_EQ(text(), "");
 }
 
-// The firmware confirms frames with OK although its controller is bus-off: only "can status" tells.
+// The firmware confirms frames with OK although its controller is bus-off: only "can status" tells. Asked after 200 ms
+// of silence, so that it is on the screen within 300 ms.
 TEST_F(FdcanusbLinkTest, SilentBusIsAskedForItsStatusAndRestarted)
 {
-    clock.advance(1s);
+    clock.advance(199ms);
+    sendOne();
+    ASSERT_TRUE(written("can send 8001 50 BF\n"));
+    adapter.takeWritten();
+    adapter.write("OK\r\n");
+    clock.advance(1ms);
     sendOne();
     ASSERT_TRUE(written("can send 8001 50 BF\ncan status\n"));
     adapter.takeWritten();
     adapter.write("OK\r\nlec=3 dlec=7 err=1 warn=1 busoff=1 pexc=0 tdc=0\r\n");
     ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Down; }));
-    EXPECT_THAT(text(), HasSubstr("bus-off"));
+    EXPECT_THAT(text(), HasSubstr("bus-off after too many errors: check the cable, the 120 ohm"));
     EXPECT_TRUE(written("can off\ncan on\n"));
     adapter.takeWritten();
     adapter.write("OK\nOK\n");
 
-    clock.advance(1s);
+    clock.advance(200ms);
     sendOne();
     ASSERT_TRUE(written("can send 8001 50 BF\ncan status\n"));
     adapter.write("OK\r\nlec=3 dlec=7 err=1 warn=1 busoff=0 pexc=0 tdc=0\r\n");
     ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Up; }));
-    EXPECT_THAT(text(), HasSubstr("nothing acknowledges"));
+    EXPECT_THAT(text(), HasSubstr("nobody acknowledges our frames: check the drives' power, the cable"));
     adapter.write("rcv 0100 210000 e B F r x-1\r\n");
     ASSERT_TRUE(waitUntil([this] { return text().empty(); }));
+}
+
+// Down for good: asked five times a second, restarted once.
+TEST_F(FdcanusbLinkTest, ControllerIsRestartedOnceASecond)
+{
+    int restarts = 0;
+    for (int i = 0; i < 15; ++i) {
+        clock.advance(200ms);
+        sendOne();
+        ASSERT_TRUE(waitUntil([this] { return adapter.written.contains("can status\n"); }));
+        adapter.write("OK\nlec=3 dlec=7 err=1 warn=1 busoff=1 pexc=0 tdc=0\nrcv end\n");
+        ASSERT_TRUE(waitUntil([this, i] { return link.status().dropped == static_cast<std::uint64_t>(i) + 1; }));
+        sendOne();  // brings what was written before with it
+        ASSERT_TRUE(waitUntil([this] { return adapter.written.count("can send") == 2; }));
+        restarts += static_cast<int>(adapter.takeWritten().count("can off\ncan on\n"));
+        adapter.write("OK\nOK\nOK\n");
+    }
+    EXPECT_EQ(restarts, 3);
+    EXPECT_EQ(link.status().state, LinkState::Down);
 }
 
 TEST_F(FdcanusbLinkTest, AnsweringBusIsNotAsked)
 {
     for (int i = 0; i < 3; ++i) {
-        clock.advance(900ms);
+        clock.advance(190ms);
         adapter.write("OK\nrcv 0100 210000 e B F r x-1\r\n");
         ASSERT_TRUE(waitUntil([this, i] { return frames.size() == i + 1; }));
         sendOne();
@@ -214,8 +245,11 @@ TEST_F(FdcanusbLinkTest, StatusThatIsNotKnownToTheAdapterIsNoTrouble)
 
 TEST_F(FdcanusbLinkTest, UnpluggedAdapterIsLostAtOnceAndOpensAgain)
 {
+    QElapsedTimer timer;
+    timer.start();
     adapter.unplug();
     ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Lost; }));
+    EXPECT_LT(timer.elapsed(), 250);
     EXPECT_THAT(text(), HasSubstr("the adapter is gone: plug it in again"));
     const auto sent = link.send(std::array{frameTo(0x8001, {0x50})});
     ASSERT_FALSE(sent.has_value());
@@ -228,6 +262,98 @@ TEST_F(FdcanusbLinkTest, UnpluggedAdapterIsLostAtOnceAndOpensAgain)
     FdcanusbLink linkByAlias{folder.filePath(QStringLiteral("adapter")), clock};
     open(linkByAlias);
     EXPECT_EQ(linkByAlias.status().state, LinkState::Up);
+}
+
+// An operator who configured ttyACM0 finds the adapter again although it comes back as ttyACM1, and although another
+// device is ttyACM0 now.
+class FdcanusbReplugTest : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        ASSERT_TRUE(QDir(folder.path()).mkdir(QStringLiteral("by-id")));
+        name("usb-mjbots_fdcanusb_F34E5D64-if00", first);
+        const auto opened = link.open();
+        ASSERT_TRUE(opened.has_value()) << opened.error().text;
+    }
+    [[nodiscard]] QString path(const char* entry) const
+    {
+        return folder.filePath(QStringLiteral("by-id/")) + QString::fromLatin1(entry);
+    }
+    void name(const char* entry, const fakes::PseudoTerminal& port) const
+    {
+        QFile::remove(path(entry));
+        ASSERT_TRUE(QFile::link(port.path(), path(entry)));
+    }
+    void unplugFirst()
+    {
+        QFile::remove(path("usb-mjbots_fdcanusb_F34E5D64-if00"));
+        first.unplug();
+        ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Lost; }));
+    }
+    [[nodiscard]] bool reaches(const fakes::PseudoTerminal& port)
+    {
+        CanFrame frame = frameTo(0x8001, {0x50});
+        return link.send({&frame, 1}).has_value() && waitUntil([&port] { return port.written.startsWith("can send"); });
+    }
+
+    fakes::ManualClock clock;
+    QTemporaryDir folder;
+    fakes::PseudoTerminal first;
+    FdcanusbLink link{StablePort(first.path(), folder.filePath(QStringLiteral("by-id"))), clock};
+};
+
+TEST_F(FdcanusbReplugTest, AdapterIsFoundAgainUnderItsStableName)
+{
+    unplugFirst();
+    EXPECT_THAT(link.status().text.toStdString(), HasSubstr("by-id/usb-mjbots_fdcanusb_F34E5D64-if00"));
+    const auto absent = link.open();
+    ASSERT_FALSE(absent.has_value());
+    EXPECT_EQ(absent.error().code, ErrorCode::NoDevice);
+    EXPECT_THAT(absent.error().text,
+                HasSubstr("usb-mjbots_fdcanusb_F34E5D64-if00 is not there: is the adapter plugged"));
+
+    const fakes::PseudoTerminal second;
+    name("usb-mjbots_fdcanusb_F34E5D64-if00", second);
+    ASSERT_TRUE(link.open().has_value());
+    EXPECT_EQ(link.name(), QStringLiteral("fdcanusb:") + first.path());  // as configured
+    EXPECT_TRUE(reaches(second));
+}
+
+TEST_F(FdcanusbReplugTest, AnotherDeviceThatTookTheNameIsLeftAlone)
+{
+    link.close();
+    QFile::remove(path("usb-mjbots_fdcanusb_F34E5D64-if00"));
+    name("usb-u-blox_GNSS_receiver-if00", first);
+    EXPECT_EQ(link.open().error().code, ErrorCode::NoDevice);
+    EXPECT_EQ(first.written, QByteArray());
+}
+
+TEST_F(FdcanusbReplugTest, SpareAdapterInItsPlaceIsTakenAndRemembered)
+{
+    link.close();
+    QFile::remove(path("usb-mjbots_fdcanusb_F34E5D64-if00"));
+    name("usb-mjbots_fdcanusb_79678ECE-if00", first);
+    ASSERT_TRUE(link.open().has_value());
+    first.unplug();
+    ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Lost; }));
+    EXPECT_THAT(link.status().text.toStdString(), HasSubstr("79678ECE"));
+}
+
+// A link that the operator chose counts, wherever it leads next time.
+TEST_F(FdcanusbReplugTest, ChosenLinkIsFollowed)
+{
+    link.close();
+    name("chosen", first);
+    FdcanusbLink chosen{StablePort(path("chosen"), folder.filePath(QStringLiteral("by-id"))), clock};
+    ASSERT_TRUE(chosen.open().has_value());
+    chosen.close();
+    const fakes::PseudoTerminal second;
+    name("chosen", second);
+    ASSERT_TRUE(chosen.open().has_value());
+    CanFrame frame = frameTo(0x8001, {0x50});
+    ASSERT_TRUE(chosen.send({&frame, 1}).has_value());
+    EXPECT_TRUE(waitUntil([&second] { return second.written.startsWith("can send"); }));
 }
 
 TEST_F(FdcanusbLinkTest, AdapterGoneBetweenTwoSendsIsLost)
@@ -328,6 +454,24 @@ TEST_F(FdcanusbLinkTest, OpenErrorsNameTheRemedy)
     EXPECT_THAT(file.open().error().text, HasSubstr("not a serial port"));
 }
 
+// The maker's tools take no lock: the kernel tells who has the port open.
+TEST_F(FdcanusbLinkTest, PortInUseNamesTheProgramThatHoldsIt)
+{
+    link.close();
+    QProcess tool;
+    tool.setStandardInputFile(adapter.path());
+    tool.start(QStringLiteral("sleep"), {QStringLiteral("60")});
+    ASSERT_TRUE(waitUntil([&tool] { return tool.state() == QProcess::Running; }));
+    const auto busy = link.open();
+    tool.kill();
+    ASSERT_FALSE(busy.has_value());
+    EXPECT_EQ(busy.error().code, ErrorCode::Busy);
+    EXPECT_EQ(busy.error().text, adapter.path().toStdString() + " is in use by sleep (process " +
+                                     std::to_string(tool.processId()) + "): end it first");
+    ASSERT_TRUE(waitUntil([&tool] { return tool.state() == QProcess::NotRunning; }));
+    open(link);
+}
+
 TEST_F(FdcanusbLinkTest, MissingPermissionNamesTheUdevRule)
 {
     link.close();
@@ -340,6 +484,7 @@ TEST_F(FdcanusbLinkTest, MissingPermissionNamesTheUdevRule)
     ASSERT_FALSE(result.has_value());
     EXPECT_EQ(result.error().code, ErrorCode::Denied);
     EXPECT_THAT(result.error().text, HasSubstr("70-boresight-fdcanusb.rules"));
+    EXPECT_THAT(result.error().text, HasSubstr("group dialout"));
 }
 
 }  // namespace

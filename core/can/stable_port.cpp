@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/can/stable_port.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+namespace boresight {
+namespace {
+
+// Both adapters call themselves mjbots_fdcanusb; the maker's name alone covers later ones.
+bool isAdapter(const QString& name)
+{
+    return name.contains(QLatin1String("mjbots"), Qt::CaseInsensitive) ||
+           name.contains(QLatin1String("fdcanusb"), Qt::CaseInsensitive);
+}
+
+}  // namespace
+
+// The remembered adapter, wherever it is plugged in now; else a spare one that took its place. Any other device that
+// got the configured name must be left alone.
+QString StablePort::device() const
+{
+    const bool useConfigured =
+        m_name.isEmpty() || (!QFileInfo::exists(m_name) && isAdapter(QFileInfo(nameOf(m_path)).fileName()));
+    return useConfigured ? m_path : m_name;
+}
+
+void StablePort::remember()
+{
+    if (!QFileInfo(m_path).isSymbolicLink()) {
+        const QString name = nameOf(device());
+        m_name = name.isEmpty() ? m_name : name;
+    }
+}
+
+QString StablePort::nameOf(const QString& port) const
+{
+    const QString target = QFileInfo(port).canonicalFilePath();
+    for (const QFileInfo& entry : QDir(m_namesFolder).entryInfoList(QDir::System | QDir::Files, QDir::Name)) {
+        if (!target.isEmpty() && entry.canonicalFilePath() == target) {
+            return entry.absoluteFilePath();
+        }
+    }
+    return {};
+}
+
+}  // namespace boresight
