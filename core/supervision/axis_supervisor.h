@@ -3,12 +3,15 @@
 
 #include "core/base/clock.h"
 #include "core/profile/profile.h"
+#include "core/supervision/axis_observation.h"
 #include "core/supervision/finding.h"
+#include "core/supervision/motion_memory.h"
+#include "core/supervision/trend.h"
+#include "core/supervision/watch.h"
 #include "core/units/sky.h"
 
 #include <QString>
 
-#include <optional>
 #include <vector>
 
 // Looks at one axis once per tick and says what is wrong with it, independently of the drive's own fault codes. Pure:
@@ -16,42 +19,74 @@
 // asks for a re-arm. What is judged and how: README.md.
 namespace boresight::supervision {
 
-// One axis as seen in one tick.
-struct AxisObservation
-{
-    SteadyTime now{};
-    SteadyTime received{};  // when the last reply came
-    bool fresh = false;     // a new reply since the last tick
-    Angle actual;           // of the last reply
-    bool engaged = false;   // set-points are sent
-    Angle commanded;        // the set-point last sent; these two count only while engaged
-    AngularRate commandedRate;
-    double torque = 0.0;
-    double voltage = 0.0;
-    double boardTemperature = 0.0;
-    std::optional<double> motorTemperature;  // empty without a sensor
-    bool turnKnown = false;                  // else `actual` is right but for whole turns of the rotor
-};
-
 class AxisSupervisor
 {
 public:
     AxisSupervisor(Axis axis, const profile::AxisSettings& limits, const profile::SupervisionSettings& settings);
 
-    // Once per tick, from the first reply on. Everything that is wrong now, at most one of each kind, worst first. A
-    // text keeps the numbers of the moment when it began or became worse.
+    // Once per tick, from the first reply on. Everything that is wrong now, at most one of each kind, stops first. A
+    // text keeps the numbers of the moment when it began, became a stop or had doubled.
     [[nodiscard]] std::vector<Observed> observe(const AxisObservation& seen);
 
-    // Call when the reported angle was changed on purpose (the turn was set), when the drive was power-cycled, and
-    // with every re-arm: forgets what was commanded and measured before. Trends go on.
+    // Call with every re-arm, when the reported angle was changed on purpose (the turn was set) and when the drive was
+    // power-cycled: forgets what was commanded and measured before, and what was found in it. Trends go on.
     void forgetMotion();
     // Of the profile, while the mount runs.
     void setSettings(const profile::AxisSettings& limits, const profile::SupervisionSettings& settings);
 
 private:
+    struct TrendLimit
+    {
+        double value = 0.0;
+        bool fromBelow = true;  // a temperature rises to its limit, a supply falls to it
+        double near = 0.0;      // a trend farther from the limit is none yet
+        QString unit{};
+        int decimals = 0;
+    };
+
+    void judgeMotion(const AxisObservation& seen);  // with a fresh reply
+    void judgeFollowing(const AxisObservation& seen);
+    void judgeProgress(const AxisObservation& seen);
+    void judgeStanding(const AxisObservation& seen);
+    void judgeJump(const AxisObservation& seen);
+    void judgeTravel(const AxisObservation& seen);
+    void judgeTorque(const AxisObservation& seen);
+    void judgeReplies(const AxisObservation& seen);
+    void judgeSupply(const AxisObservation& seen);
+    void judgeBoard(const AxisObservation& seen);
+    void judgeMotor(const AxisObservation& seen);
+    void judgeTrend(Watch& watch, SteadyTime now, const Trend& trend, const TrendLimit& to, const QString& what);
+
     QString m_name;  // "the azimuth"
     profile::AxisSettings m_limits;
     profile::SupervisionSettings m_settings;
+
+    Progress m_progress;
+    Standing m_standing;
+    JumpGate m_jumpGate;
+    Outside m_outside;
+    Trend m_supplyTrend;
+    Trend m_boardTrend;
+    Trend m_motorTrend;
+    bool m_wasEngaged = false;
+    bool m_knewTurn = false;
+
+    Watch m_following{Finding::FollowingError};
+    Watch m_stalled{Finding::Stalled};
+    Watch m_wrongWay{Finding::WrongWay};
+    Watch m_uncommanded{Finding::MovesUncommanded};
+    Watch m_jump{Finding::EncoderJump};
+    Watch m_travel{Finding::OutsideTravel};
+    Watch m_torqueGuard{Finding::TorqueGuard};
+    Watch m_torqueHigh{Finding::TorqueHigh};
+    Watch m_replies{Finding::RepliesLate};
+    Watch m_supplyLow{Finding::SupplyLow};
+    Watch m_supplyFalls{Finding::SupplyLow};
+    Watch m_supplyHigh{Finding::SupplyHigh};
+    Watch m_boardHot{Finding::BoardHot};
+    Watch m_boardWarms{Finding::BoardHot};
+    Watch m_motorHot{Finding::MotorHot};
+    Watch m_motorWarms{Finding::MotorHot};
 };
 
 }  // namespace boresight::supervision

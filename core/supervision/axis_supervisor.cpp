@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/supervision/axis_supervisor.h"
+
+#include "core/supervision/words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace boresight::supervision {
+namespace {
+
+// A set-point is sent a tick after the reply it is compared with, and a drive follows it with a bandwidth of some 6 Hz.
+constexpr Seconds kLag{0.05};
+
+// Motion against the command that no control makes by itself.
+constexpr Angle kAgainst = Angle::fromDegrees(0.5);
+
+// A stop that one bad sample could cause waits for so long.
+constexpr Seconds kConfirm{0.1};
+
+constexpr double kSupplyReturns = 0.5;  // V
+constexpr double kCoolsBy = 3.0;        // °C
+constexpr double kTrendNear = 30.0;     // °C below a limit: what a cold board does after switching on is no trend
+
+}  // namespace
+
+AxisSupervisor::AxisSupervisor(Axis axis, const profile::AxisSettings& limits,
+                               const profile::SupervisionSettings& settings)
+    : m_name(axis == Axis::Azimuth ? QStringLiteral("the azimuth") : QStringLiteral("the elevation")),
+      m_limits(limits),
+      m_settings(settings)
+{}
+
+std::vector<Observed> AxisSupervisor::observe(const AxisObservation& seen)
+{
+    const bool engages = seen.engaged && !m_wasEngaged;
+    if (engages || seen.turnKnown != m_knewTurn) {
+        forgetMotion();
+    }
+    m_wasEngaged = seen.engaged;
+    m_knewTurn = seen.turnKnown;
+    judgeReplies(seen);
+    if (seen.fresh) {
+        judgeMotion(seen);
+        judgeTorque(seen);
+        judgeSupply(seen);
+        judgeBoard(seen);
+        judgeMotor(seen);
+    }
+
+    std::vector<Observed> found;
+    for (const Watch* const watch : {&m_following, &m_stalled, &m_wrongWay, &m_uncommanded, &m_jump, &m_travel,
+                                     &m_torqueGuard, &m_torqueHigh, &m_replies, &m_supplyLow, &m_supplyFalls,
+                                     &m_supplyHigh, &m_boardHot, &m_boardWarms, &m_motorHot, &m_motorWarms}) {
+        const auto& one = watch->observed();
+        if (one && std::ranges::find(found, one->finding, &Observed::finding) == found.end()) {
+            found.push_back(*one);
+        }
+    }
+    std::ranges::stable_partition(found, [](const Observed& one) { return one.weight == Weight::Stop; });
+    return found;
+}
+
+void AxisSupervisor::forgetMotion()
+{
+    m_progress.forget();
+    m_standing.forget();
+    m_jumpGate.forget();
+    m_outside.forget();
+    for (Watch* const watch :
+         {&m_following, &m_stalled, &m_wrongWay, &m_uncommanded, &m_jump, &m_travel, &m_torqueGuard}) {
+        watch->forget();
+    }
+}
+
+void AxisSupervisor::setSettings(const profile::AxisSettings& limits, const profile::SupervisionSettings& settings)
+{
+    m_limits = limits;
+    m_settings = settings;
+}
+
+void AxisSupervisor::judgeMotion(const AxisObservation& seen)
+{
+    judgeJump(seen);
+    m_progress.look(seen);
+    m_standing.look(seen);
+    judgeFollowing(seen);
+    judgeProgress(seen);
+    judgeStanding(seen);
+    judgeTravel(seen);
+}
+
+void AxisSupervisor::judgeFollowing(const AxisObservation& seen)
+{
+    const Angle apart = abs(seen.commanded - seen.actual);
+    const Angle error = seen.engaged ? apart - abs(seen.commandedRate) * kLag : Angle{};
+    const WatchLimits limits{.hint = m_settings.followingHint.degrees(),
+                             .stop = m_settings.followingStop.degrees(),
+                             .release = 0.5 * m_settings.followingHint.degrees(),
+                             .after = m_settings.followingTime};
+    m_following.update(seen.now, error.degrees(), limits, [&] {
+        return QStringLiteral("%1 is %2 away from its set-point for %3 (set-point %4, axis %5)")
+            .arg(m_name, words(apart), words(m_settings.followingTime), words(seen.commanded), words(seen.actual));
+    });
+}
+
+void AxisSupervisor::judgeProgress(const AxisObservation& seen)
+{
+    const auto motion = [&] {
+        return QStringLiteral("%1 at %2 commanded in %3")
+            .arg(words(m_progress.asked()), words(seen.commandedRate), words(m_progress.underCommand()));
+    };
+    const double against = m_progress.against().degrees();
+    m_wrongWay.update(seen.now, against, {.stop = kAgainst.degrees(), .release = kAgainst.degrees()}, [&] {
+        return QStringLiteral("%1 moves the wrong way: %2, %3 moved").arg(m_name, motion(), words(m_progress.moved()));
+    });
+    const double missing = m_progress.missing() && !m_wrongWay.observed() ? m_progress.underCommand().count() : 0.0;
+    const double limit = m_settings.stallTime.count();
+    m_stalled.update(seen.now, missing, {.stop = limit, .release = limit}, [&] {
+        return QStringLiteral("%1 does not move: %2, %3 moved").arg(m_name, motion(), words(m_progress.moved()));
+    });
+}
+
+void AxisSupervisor::judgeStanding(const AxisObservation& seen)
+{
+    const Angle moved = m_standing.moved().value_or(Angle{});
+    WatchLimits limits{
+        .hint = m_settings.uncommanded.degrees(), .release = 0.5 * m_settings.uncommanded.degrees(), .after = kConfirm};
+    if (seen.engaged) {
+        limits.stop = limits.hint;
+    }
+    m_uncommanded.update(seen.now, abs(moved).degrees(), limits, [&] {
+        return (seen.engaged ? QStringLiteral("%1 was to hold its place and has moved by %2, to %3")
+                             : QStringLiteral("%1 has moved by %2, to %3, while its drive was off: by its weight, a "
+                                              "hand or the wind, not by us"))
+            .arg(m_name, words(moved), words(seen.actual));
+    });
+}
+
+void AxisSupervisor::judgeJump(const AxisObservation& seen)
+{
+    const auto jump = m_jumpGate.look(seen, m_settings.encoderJump, m_limits.limits.speed);
+    if (jump) {
+        m_progress.forget();
+        m_standing.forget();
+        m_outside.forget();
+    }
+    WatchLimits limits{.hint = 1.0, .release = 1.0, .quietFor = Seconds(3.0)};
+    if (seen.engaged) {
+        limits.stop = 1.0;
+    }
+    m_jump.update(seen.now, jump ? 1.0 : 0.0, limits, [&] {
+        return QStringLiteral("the reported angle of %1 jumped by %2 in %3, to %4: more than the axis can turn")
+            .arg(m_name, words(jump->by), words(jump->within), words(seen.actual));
+    });
+}
+
+void AxisSupervisor::judgeTravel(const AxisObservation& seen)
+{
+    const TravelRange& travel = m_limits.geometry.travel;
+    m_outside.look(seen, travel);
+    const Angle beyond = seen.turnKnown ? m_outside.beyond() : Angle{};
+    WatchLimits limits{.hint = m_settings.outsideHint.degrees(), .release = 0.5 * m_settings.outsideHint.degrees()};
+    if (seen.engaged && m_outside.outwards()) {
+        limits.stop = m_settings.outsideStop.degrees();
+    }
+    m_travel.update(seen.now, beyond.degrees(), limits, [&] {
+        return QStringLiteral("%1 is at %2, %3 beyond its travel %4…%5")
+                   .arg(m_name, words(seen.actual), words(beyond), words(travel.min), words(travel.max)) +
+               (m_outside.outwards() ? QStringLiteral(", and moves farther out") : QString());
+    });
+}
+
+void AxisSupervisor::judgeTorque(const AxisObservation& seen)
+{
+    const double share = seen.engaged ? std::abs(seen.torque) / m_limits.maxTorque : 0.0;
+    const auto needs = [&] {
+        return QStringLiteral("%1 needs %2 Nm, %3 % of the %4 Nm allowed")
+            .arg(m_name, words(std::abs(seen.torque), 1), words(100.0 * share, 0), words(m_limits.maxTorque, 1));
+    };
+    m_torqueHigh.update(seen.now, share,
+                        {.hint = m_settings.torqueHint, .release = 0.85 * m_settings.torqueHint, .after = Seconds(2.0)},
+                        needs);
+    m_torqueGuard.update(
+        seen.now, seen.turnKnown ? 0.0 : share,
+        {.stop = m_settings.torqueUnwind, .release = 0.85 * m_settings.torqueUnwind, .after = kConfirm},
+        [&] { return needs() + QStringLiteral(" while its turn is not known"); });
+}
+
+void AxisSupervisor::judgeReplies(const AxisObservation& seen)
+{
+    const Seconds age = seen.now - seen.received;
+    const double limit = m_settings.replyAge.count();
+    m_replies.update(seen.now, age.count(), {.hint = limit, .release = 0.75 * limit},
+                     [&] { return QStringLiteral("the last reply of %1 drive is %2 old").arg(m_name, words(age)); });
+}
+
+void AxisSupervisor::judgeSupply(const AxisObservation& seen)
+{
+    const auto feeds = [&] {
+        return QStringLiteral("the supply of %1 is at %2 V").arg(m_name, words(seen.voltage, 1));
+    };
+    // Smaller is worse, so both sides of the comparison are turned round.
+    WatchLimits low{.hint = -m_settings.supplyLow, .release = -(m_settings.supplyLow + kSupplyReturns)};
+    low.after = kConfirm;
+    if (seen.engaged) {
+        low.stop = -m_settings.supplyStop;
+    }
+    m_supplyLow.update(seen.now, -seen.voltage, low, [&] {
+        const bool stop = seen.voltage <= m_settings.supplyStop;
+        return feeds() +
+               QStringLiteral(", below %1 V").arg(words(stop ? m_settings.supplyStop : m_settings.supplyLow, 1));
+    });
+    m_supplyHigh.update(seen.now, seen.voltage,
+                        {.hint = m_settings.supplyHigh, .release = m_settings.supplyHigh - kSupplyReturns},
+                        [&] { return feeds() + QStringLiteral(", above %1 V").arg(words(m_settings.supplyHigh, 1)); });
+    m_supplyTrend.add(seen.now, seen.voltage);
+    judgeTrend(m_supplyFalls, seen.now, m_supplyTrend,
+               {.value = m_settings.supplyLow,
+                .fromBelow = false,
+                .near = std::numeric_limits<double>::infinity(),
+                .unit = QStringLiteral("V"),
+                .decimals = 1},
+               QStringLiteral("the supply of %1").arg(m_name));
+}
+
+void AxisSupervisor::judgeBoard(const AxisObservation& seen)
+{
+    const QString what = QStringLiteral("the drive board of %1").arg(m_name);
+    m_boardHot.update(seen.now, seen.boardTemperature,
+                      {.hint = m_settings.boardHot, .release = m_settings.boardHot - kCoolsBy}, [&] {
+                          return QStringLiteral("%1 is at %2 °C; it gives up at %3 °C")
+                              .arg(what, words(seen.boardTemperature, 0), words(m_settings.boardLimit, 0));
+                      });
+    m_boardTrend.add(seen.now, seen.boardTemperature);
+    judgeTrend(m_boardWarms, seen.now, m_boardTrend,
+               {.value = m_settings.boardLimit, .near = kTrendNear, .unit = QStringLiteral("°C")}, what);
+}
+
+void AxisSupervisor::judgeMotor(const AxisObservation& seen)
+{
+    if (!seen.motorTemperature) {
+        return;
+    }
+    const QString what = QStringLiteral("the motor of %1").arg(m_name);
+    m_motorHot.update(seen.now, *seen.motorTemperature,
+                      {.hint = m_settings.motorHot, .release = m_settings.motorHot - kCoolsBy},
+                      [&] { return QStringLiteral("%1 is at %2 °C").arg(what, words(*seen.motorTemperature, 0)); });
+    m_motorTrend.add(seen.now, *seen.motorTemperature);
+    judgeTrend(m_motorWarms, seen.now, m_motorTrend,
+               {.value = m_settings.motorHot, .near = kTrendNear, .unit = QStringLiteral("°C")}, what);
+}
+
+void AxisSupervisor::judgeTrend(Watch& watch, SteadyTime now, const Trend& trend, const TrendLimit& to,
+                                const QString& what)
+{
+    const auto line = trend.line();
+    const double distance = line ? (to.fromBelow ? to.value - line->now : line->now - to.value) : -1.0;
+    const auto left = distance > 0.0 && distance < to.near ? line->timeTo(to.value) : std::nullopt;
+    // Sooner is worse.
+    const double soon = left ? -left->count() : -std::numeric_limits<double>::infinity();
+    const double ahead = m_settings.trendAhead.count();
+    watch.update(now, soon, {.hint = -ahead, .release = -1.5 * ahead, .quietFor = Seconds(10.0)}, [&] {
+        return QStringLiteral("%1 is at %2 %3 and %4 %5 %3/min: %6 %3 in %7 min")
+            .arg(what, words(line->now, to.decimals), to.unit,
+                 to.fromBelow ? QStringLiteral("rising") : QStringLiteral("falling"),
+                 words(std::abs(line->perMinute), 1), words(to.value, to.decimals), words(left->count() / 60.0, 1));
+    });
+}
+
+}  // namespace boresight::supervision

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/supervision/motion_memory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace boresight::supervision {
+namespace {
+
+// So much must be asked before anything is judged: ten times backlash and encoder, a thirtieth of a beam of 10°.
+constexpr Angle kAsked = Angle::fromDegrees(0.3);
+// An axis that makes this share of the way moves; the following error judges how well.
+constexpr double kMoves = 0.25;
+constexpr Angle kMoved = Angle::fromDegrees(0.1);
+
+constexpr AngularRate kAtRest = AngularRate::fromDegrees(0.001);
+constexpr Angle kSameSetpoint = Angle::fromDegrees(0.001);
+
+// An axis is still when it has stayed within this for so long. One that never gets still, because it creeps, is
+// measured from where it was after the longest stop.
+constexpr Angle kStill = Angle::fromDegrees(0.1);
+constexpr Seconds kStillFor{0.5};
+constexpr Seconds kStopsWithin{3.0};
+
+// The age of a reply when it arrives can differ from that of the one before by as much as a bus can delay it.
+constexpr Seconds kDelay{0.1};
+// Wind and control may drive an axis faster than its profile.
+constexpr double kFaster = 1.5;
+
+// After this time without a reply what was asked and what was done can not be compared any more.
+constexpr Seconds kGap{0.25};
+
+// The set-point was put somewhere else instead of moved: it is set to the actual place after every stop.
+bool stepped(Angle from, const AxisObservation& seen, Seconds passed)
+{
+    return abs(seen.commanded - from) > kMoved + 2.0 * (abs(seen.commandedRate) * passed);
+}
+
+}  // namespace
+
+void Progress::look(const AxisObservation& seen)
+{
+    const Seconds passed = seen.now - m_last;
+    const bool comparable = m_anchor && seen.engaged && passed <= kGap && !stepped(m_lastCommanded, seen, passed);
+    if (!comparable) {
+        anchorAt(seen);
+    } else {
+        m_asked = seen.commanded - m_anchor->commanded;
+        m_moved = seen.actual - m_anchor->actual;
+        m_underCommand += abs(seen.commandedRate) > kAtRest ? passed : Seconds(0.0);
+        const bool follows = m_asked / m_moved > 0.0 && abs(m_moved) >= std::max(kMoved, kMoves * abs(m_asked));
+        if (follows) {
+            anchorAt(seen);
+        }
+    }
+    m_last = seen.now;
+    m_lastCommanded = seen.commanded;
+}
+
+bool Progress::missing() const
+{
+    return m_anchor && abs(m_asked) >= kAsked && abs(m_moved) < kMoves * abs(m_asked);
+}
+
+Angle Progress::against() const
+{
+    const bool opposed = m_anchor && abs(m_asked) >= kAsked && m_moved / m_asked < 0.0;
+    return opposed ? abs(m_moved) : Angle{};
+}
+
+void Progress::anchorAt(const AxisObservation& seen)
+{
+    m_anchor = Anchor{.commanded = seen.commanded, .actual = seen.actual};
+    m_asked = {};
+    m_moved = {};
+    m_underCommand = Seconds(0.0);
+}
+
+void Standing::look(const AxisObservation& seen)
+{
+    m_actual = seen.actual;
+    if (!shouldStand(seen)) {
+        m_rested.reset();
+        m_candidate.reset();
+        m_since = seen.now;
+        return;
+    }
+    if (m_rested) {
+        return;
+    }
+    if (!m_candidate || abs(seen.actual - *m_candidate) > kStill) {
+        m_candidate = seen.actual;
+        m_still = seen.now;
+    }
+    if (seen.now - m_still >= kStillFor || seen.now - m_since >= kStopsWithin) {
+        m_rested = m_candidate;
+    }
+}
+
+std::optional<Angle> Standing::moved() const
+{
+    return m_rested ? std::optional(m_actual - *m_rested) : std::nullopt;
+}
+
+bool Standing::shouldStand(const AxisObservation& seen)
+{
+    const bool engagedNow = std::exchange(m_lastEngaged, seen.engaged) != seen.engaged;
+    const bool moves =
+        seen.engaged && (abs(seen.commandedRate) > kAtRest || abs(seen.commanded - m_lastCommanded) > kSameSetpoint);
+    m_lastCommanded = seen.commanded;
+    return !engagedNow && !moves;
+}
+
+std::optional<JumpGate::Jump> JumpGate::look(const AxisObservation& seen, Angle allowance, AngularRate speed)
+{
+    const std::optional<AxisObservation> last = std::exchange(m_last, seen);
+    if (!last || last->turnKnown != seen.turnKnown) {
+        return std::nullopt;
+    }
+    const Jump jump{.by = seen.actual - last->actual, .within = seen.received - last->received};
+    const Angle possible = allowance + kFaster * (speed * (jump.within + kDelay));
+    return abs(jump.by) > possible ? std::optional(jump) : std::nullopt;
+}
+
+void Outside::look(const AxisObservation& seen, const TravelRange& travel)
+{
+    m_beyond = abs(seen.actual - travel.clamped(seen.actual));
+    const Angle outwards = m_beyond - m_reference.value_or(m_beyond);
+    if (!m_reference || abs(outwards) > kMoved) {
+        m_reference = m_beyond;
+        m_moved = seen.now;
+        m_outwards = outwards > Angle{};
+    } else if (seen.now - m_moved > kStillFor) {
+        m_outwards = false;
+    }
+}
+
+}  // namespace boresight::supervision

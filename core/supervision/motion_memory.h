@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/supervision/axis_observation.h"
+#include "core/units/sky.h"
+
+#include <optional>
+
+// What the supervisor remembers of the motion of one axis, each piece for one finding. Pure; all judge by measured
+// angles, because a rate near rest is mostly noise of the encoder. Given fresh replies only.
+namespace boresight::supervision {
+
+// Command and motion since the axis last did what it was told: for "does not move" and "moves the wrong way".
+class Progress
+{
+public:
+    void look(const AxisObservation& seen);
+    void forget() { m_anchor.reset(); }
+
+    [[nodiscard]] Angle asked() const { return m_asked; }                  // signed, set-point since the anchor
+    [[nodiscard]] Angle moved() const { return m_moved; }                  // signed, axis since the anchor
+    [[nodiscard]] Seconds underCommand() const { return m_underCommand; }  // time with a moving set-point since then
+    [[nodiscard]] bool missing() const;                                    // asked to move and has hardly moved
+    [[nodiscard]] Angle against() const;                                   // moved against the command; 0 if with it
+
+private:
+    struct Anchor
+    {
+        Angle commanded;
+        Angle actual;
+    };
+    void anchorAt(const AxisObservation& seen);
+
+    std::optional<Anchor> m_anchor;
+    SteadyTime m_last{};
+    Angle m_lastCommanded;
+    Angle m_asked;
+    Angle m_moved;
+    Seconds m_underCommand{0.0};
+};
+
+// How far an axis has moved that should stand still: from where it rested after its set-point came to rest, or after
+// the drive was left off.
+class Standing
+{
+public:
+    void look(const AxisObservation& seen);
+    void forget() { *this = Standing(); }
+
+    // Empty while the axis may move.
+    [[nodiscard]] std::optional<Angle> moved() const;
+
+private:
+    [[nodiscard]] bool shouldStand(const AxisObservation& seen);
+
+    std::optional<Angle> m_rested;     // where it should stand
+    std::optional<Angle> m_candidate;  // not known yet to rest there
+    SteadyTime m_still{};              // at the candidate since
+    SteadyTime m_since{};              // should stand since
+    Angle m_actual;
+    Angle m_lastCommanded;
+    bool m_lastEngaged = false;
+};
+
+// By how much one reply is farther from the one before than the axis can have turned.
+class JumpGate
+{
+public:
+    struct Jump
+    {
+        Angle by;  // signed
+        Seconds within{0.0};
+    };
+    // `allowance`: of the encoder; `speed`: the fastest motion of the axis.
+    std::optional<Jump> look(const AxisObservation& seen, Angle allowance, AngularRate speed);
+    void forget() { m_last.reset(); }
+
+private:
+    std::optional<AxisObservation> m_last;
+};
+
+// Beyond the travel, and whether on the way farther out.
+class Outside
+{
+public:
+    void look(const AxisObservation& seen, const TravelRange& travel);
+    void forget() { *this = Outside(); }
+
+    [[nodiscard]] Angle beyond() const { return m_beyond; }
+    [[nodiscard]] bool outwards() const { return m_outwards; }
+
+private:
+    Angle m_beyond;
+    std::optional<Angle> m_reference;  // where it last was on the way out or in
+    SteadyTime m_moved{};
+    bool m_outwards = false;
+};
+
+}  // namespace boresight::supervision

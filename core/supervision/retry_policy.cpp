@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/supervision/retry_policy.h"
+
+#include "core/supervision/words.h"
+
+#include <algorithm>
+
+namespace boresight::supervision {
+namespace {
+
+using profile::Retry;
+
+constexpr Seconds kHealth{3600.0};
+constexpr double kCoolDown = 5.0;  // °C, so that the first motion does not heat it up to the limit again
+
+Retry stricter(Retry one, Retry other)
+{
+    return std::min(one, other);  // in the order of the enumerators
+}
+
+QString tooHot(const QString& what, double now, double needed)
+{
+    return now <= needed ? QString()
+                         : QStringLiteral("the %1 is still at %2 °C; it must cool down to %3 °C")
+                               .arg(what, words(now, 0), words(needed, 0));
+}
+
+// Fault 38 does not say whether the board or the motor was too hot: the motor, if the board was far from its limit.
+QString heatRefusal(double boardLimit, const DriveConditions& atLoss, const DriveConditions& now)
+{
+    const bool motorWasHot =
+        atLoss.motorTemperature && now.motorTemperature && atLoss.boardTemperature < boardLimit - kCoolDown;
+    if (motorWasHot) {
+        return tooHot(QStringLiteral("motor"), *now.motorTemperature, *atLoss.motorTemperature - kCoolDown);
+    }
+    return tooHot(QStringLiteral("drive board"), now.boardTemperature,
+                  std::min(atLoss.boardTemperature, boardLimit) - kCoolDown);
+}
+
+}  // namespace
+
+// From the table of the moteus facts in core/moteus/faults.cpp. 33 and 44 are mostly a sagging supply, but the code
+// alone does not tell it from a burnt bridge, which a second attempt destroys further: a person must look. 34 and 40
+// are the supply and nothing else. 41 is somebody writing settings; 49 and 50 are a blocked axis or wrong gains.
+LossClass classOfFault(int code)
+{
+    switch (code) {
+        case 35:
+        case 42:
+        case 43:
+            return LossClass::Encoder;
+        case 36:
+        case 39:
+        case 41:
+        case 45:
+        case 47:
+        case 48:
+            return LossClass::Configuration;
+        case 34:
+        case 40:
+            return LossClass::Supply;
+        case 38:
+            return LossClass::OverTemperature;
+        case 49:
+        case 50:
+            return LossClass::Motion;
+        default:
+            return LossClass::Driver;
+    }
+}
+
+void RetryPolicy::lost(LossClass loss, SteadyTime now)
+{
+    m_allowed = stricter(policy(loss), m_allowed.value_or(Retry::Interval));
+    m_from = now;
+    m_healthySince.reset();
+}
+
+void RetryPolicy::tried(SteadyTime now)
+{
+    m_tried = true;
+    m_from = now;
+}
+
+void RetryPolicy::rearmed()
+{
+    m_allowed.reset();
+    m_tried = false;
+    m_healthySince.reset();
+}
+
+void RetryPolicy::healthy(SteadyTime now)
+{
+    m_allowed.reset();
+    if (!m_healthySince) {
+        m_healthySince = now;
+    }
+    if (now - *m_healthySince >= kHealth) {
+        m_tried = false;
+    }
+}
+
+std::optional<SteadyTime> RetryPolicy::nextTry() const
+{
+    const Retry allowed = m_allowed.value_or(Retry::Never);
+    if (allowed == Retry::Never || (allowed == Retry::Once && m_tried)) {
+        return std::nullopt;
+    }
+    return m_from + std::chrono::duration_cast<SteadyTime::duration>(m_settings.interval);
+}
+
+Retry RetryPolicy::policy(LossClass loss) const
+{
+    switch (loss) {
+        case LossClass::OverTemperature:
+            return m_settings.overTemperature;
+        case LossClass::Supply:
+            return m_settings.supply;
+        case LossClass::Bus:
+            return m_settings.bus;
+        case LossClass::Encoder:
+        case LossClass::Configuration:
+        case LossClass::Driver:
+        case LossClass::Motion:
+        case LossClass::Released:
+            break;
+    }
+    return Retry::Never;
+}
+
+QString clearRefusal(const profile::SupervisionSettings& settings, LossClass loss, const DriveConditions& atLoss,
+                     const DriveConditions& now)
+{
+    if (loss == LossClass::OverTemperature) {
+        return heatRefusal(settings.boardLimit, atLoss, now);
+    }
+    if (loss == LossClass::Supply && now.voltage < settings.supplyLow) {
+        return QStringLiteral("the supply is still at %1 V; %2 V are needed")
+            .arg(words(now.voltage, 1), words(settings.supplyLow, 1));
+    }
+    if (loss == LossClass::Supply && now.voltage > settings.supplyHigh) {
+        return QStringLiteral("the supply is still at %1 V; at most %2 V are permitted")
+            .arg(words(now.voltage, 1), words(settings.supplyHigh, 1));
+    }
+    return {};
+}
+
+}  // namespace boresight::supervision

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/supervision/finding.h"
+
+#include <functional>
+#include <limits>
+#include <optional>
+
+// One finding with hysteresis in value and in time, so that an alarm does not flicker: it begins when a value has
+// stayed at or beyond a limit for a time, and ends when it has stayed below a lower value for another. Pure.
+namespace boresight::supervision {
+
+struct WatchLimits
+{
+    double hint = std::numeric_limits<double>::infinity();
+    double stop = std::numeric_limits<double>::infinity();
+    double release = 0.0;   // ends below it
+    Seconds after{0.0};     // at or beyond a limit for so long
+    Seconds quietFor{1.0};  // below `release` for so long
+};
+
+class Watch
+{
+public:
+    explicit Watch(Finding finding) : m_finding(finding) {}
+
+    // `words` is asked when the finding begins, becomes a stop or has doubled: the text keeps the numbers of then.
+    void update(SteadyTime now, double value, const WatchLimits& limits, const std::function<QString()>& words);
+    void forget() { *this = Watch(m_finding); }
+
+    [[nodiscard]] const std::optional<Observed>& observed() const { return m_observed; }
+
+private:
+    Finding m_finding;
+    std::optional<SteadyTime> m_hintSince;
+    std::optional<SteadyTime> m_stopSince;
+    std::optional<SteadyTime> m_quietSince;
+    std::optional<Observed> m_observed;
+    double m_told = 0.0;  // the value in the text
+};
+
+}  // namespace boresight::supervision

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is hard to do to a simulated mount, by hand-made observations.
+#include "core/supervision/axis_supervisor.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight::supervision {
+namespace {
+
+using ::testing::HasSubstr;
+
+class AxisSupervisorTest : public ::testing::Test
+{
+protected:
+    AxisSupervisorTest() { seen.received = seen.now; }
+
+    // One tick; the axis goes on at `rate` with its set-point, if it is engaged.
+    std::vector<Observed> tick(AngularRate rate = {}, Seconds period = Seconds(0.02))
+    {
+        seen.now += std::chrono::duration_cast<SteadyTime::duration>(period);
+        seen.received = seen.now;
+        seen.fresh = true;
+        seen.actual += rate * period;
+        seen.commanded += rate * period;
+        seen.commandedRate = rate;
+        last = supervisor.observe(seen);
+        return last;
+    }
+    void ticks(int count, AngularRate rate = {})
+    {
+        for (int i = 0; i < count; ++i) {
+            tick(rate);
+        }
+    }
+    [[nodiscard]] std::optional<Observed> found(Finding finding) const
+    {
+        const auto it = std::ranges::find(last, finding, &Observed::finding);
+        return it != last.end() ? std::optional(*it) : std::nullopt;
+    }
+    [[nodiscard]] bool stops(Finding finding) const
+    {
+        const auto one = found(finding);
+        return one && one->weight == Weight::Stop;
+    }
+
+    profile::Profile profile;
+    AxisSupervisor supervisor{Axis::Azimuth, profile.azimuth, profile.supervision};
+    AxisObservation seen{.now = SteadyTime(std::chrono::hours(1)),
+                         .actual = 100_deg,
+                         .engaged = true,
+                         .commanded = 100_deg,
+                         .voltage = 24.0,
+                         .boardTemperature = 30.0,
+                         .turnKnown = true};
+    std::vector<Observed> last;
+};
+
+TEST_F(AxisSupervisorTest, ASetpointThatIsPutSomewhereElseIsNoMotion)
+{
+    ticks(50);
+    seen.actual -= 2.5_deg;  // in small steps, the drive was away for a while
+    seen.commanded = seen.actual;
+    supervisor.forgetMotion();
+    ticks(100);
+    EXPECT_TRUE(last.empty());
+    seen.commanded += 1.2_deg;  // in one step, and the axis follows
+    seen.actual += 1.2_deg;
+    ticks(100);
+    EXPECT_TRUE(last.empty());
+}
+
+// Story: without it a re-arm would be followed at once by the alarm that it has just acknowledged.
+TEST_F(AxisSupervisorTest, ReArmingForgetsWhatWasFoundInTheMotion)
+{
+    ticks(50);
+    seen.actual += 4_deg;
+    ticks(50);
+    EXPECT_TRUE(stops(Finding::EncoderJump));
+    EXPECT_TRUE(stops(Finding::FollowingError));
+    seen.commanded = seen.actual;
+    supervisor.forgetMotion();
+    tick();
+    EXPECT_TRUE(last.empty());
+
+    seen.actual += 4_deg;
+    ticks(50);
+    EXPECT_FALSE(last.empty());
+    seen.engaged = false;
+    ticks(1);
+    seen.commanded = seen.actual;
+    seen.engaged = true;
+    tick();
+    EXPECT_TRUE(last.empty()) << "engaging is a new beginning, too";
+}
+
+TEST_F(AxisSupervisorTest, StopsComeFirstAndEachKindOnce)
+{
+    seen.voltage = 19.0;
+    ticks(50);
+    seen.actual += 4_deg;
+    ticks(50);
+    ASSERT_GE(last.size(), 3U);
+    EXPECT_TRUE(std::ranges::is_partitioned(last, [](const Observed& one) { return one.weight == Weight::Stop; }));
+    for (const Observed& one : last) {
+        EXPECT_EQ(std::ranges::count(last, one.finding, &Observed::finding), 1) << one.what.toStdString();
+        EXPECT_EQ(one.remedy, remedy(one.finding));
+    }
+    EXPECT_TRUE(found(Finding::SupplyLow));
+}
+
+TEST_F(AxisSupervisorTest, ALateReplyIsNoJumpOfTheEncoder)
+{
+    ticks(50, 10_deg_s);
+    for (int i = 0; i < 5; ++i) {  // 0.1 s without a reply, then all that was missed at once
+        seen.now += std::chrono::milliseconds(20);
+        seen.fresh = false;
+        seen.commanded += 10_deg_s * Seconds(0.02);
+        last = supervisor.observe(seen);
+    }
+    seen.actual += 10_deg_s * Seconds(0.1);
+    tick(10_deg_s);
+    ticks(50, 10_deg_s);
+    EXPECT_FALSE(found(Finding::EncoderJump));
+    EXPECT_FALSE(stops(Finding::FollowingError));
+}
+
+TEST_F(AxisSupervisorTest, ATurnThatIsSetIsNoJumpOfTheEncoder)
+{
+    seen.turnKnown = false;
+    seen.engaged = false;
+    ticks(100);
+    seen.turnKnown = true;
+    seen.actual += 36_deg;
+    ticks(100);
+    EXPECT_TRUE(last.empty());
+    seen.actual += 36_deg;  // a turn that is corrected
+    supervisor.forgetMotion();
+    ticks(100);
+    EXPECT_TRUE(last.empty());
+}
+
+TEST_F(AxisSupervisorTest, NoiseOfADirectDriveIsNoMotion)
+{
+    for (int i = 0; i < 500; ++i) {
+        seen.actual += (i % 2 == 0 ? 0.022_deg : -0.022_deg);  // one count of 16384, without a gearbox
+        tick();
+        ASSERT_TRUE(last.empty()) << i;
+    }
+}
+
+TEST_F(AxisSupervisorTest, AFastAxisMayBeTwoTicksBehind)
+{
+    profile.azimuth.limits.speed = 60_deg_s;
+    supervisor.setSettings(profile.azimuth, profile.supervision);
+    seen.actual -= 60_deg_s * Seconds(0.05);
+    supervisor.forgetMotion();
+    seen.engaged = false;
+    tick();
+    seen.engaged = true;
+    ticks(100, 60_deg_s);
+    EXPECT_FALSE(found(Finding::FollowingError));
+}
+
+TEST_F(AxisSupervisorTest, ATextIsRenewedWhenAnAxisWasTurnedTwiceAsFar)
+{
+    seen.engaged = false;
+    ticks(100);
+    for (int i = 0; i < 150; ++i) {
+        seen.actual += 0.1_deg;
+        tick();
+    }
+    ASSERT_TRUE(found(Finding::MovesUncommanded));
+    EXPECT_EQ(found(Finding::MovesUncommanded)->weight, Weight::Hint);
+    EXPECT_THAT(found(Finding::MovesUncommanded)->what.toStdString(),
+                ::testing::MatchesRegex("the azimuth has moved by 1[0-5]\\.[0-9]°.*a hand or the wind, not by us"));
+}
+
+TEST_F(AxisSupervisorTest, TheSupplyMustReturnByHalfAVoltAndStayThere)
+{
+    seen.voltage = 19.9;
+    ticks(50);
+    ASSERT_TRUE(found(Finding::SupplyLow));
+    seen.voltage = 20.4;
+    ticks(200);
+    EXPECT_TRUE(found(Finding::SupplyLow));
+    seen.voltage = 20.6;
+    ticks(48);
+    EXPECT_TRUE(found(Finding::SupplyLow));
+    ticks(4);
+    EXPECT_FALSE(found(Finding::SupplyLow));
+}
+
+TEST_F(AxisSupervisorTest, AnEmptySupplyOfADriveThatIsOffIsAHint)
+{
+    seen.engaged = false;
+    seen.voltage = 8.0;
+    ticks(50);
+    ASSERT_TRUE(found(Finding::SupplyLow));
+    EXPECT_FALSE(stops(Finding::SupplyLow));
+}
+
+TEST_F(AxisSupervisorTest, BoardAndMotorAreHot)
+{
+    seen.boardTemperature = 61.0;
+    seen.motorTemperature = 82.0;
+    ticks(2);
+    EXPECT_EQ(found(Finding::BoardHot)->what.toStdString(),
+              "the drive board of the azimuth is at 61 °C; it gives up at 75 °C");
+    EXPECT_EQ(found(Finding::MotorHot)->what.toStdString(), "the motor of the azimuth is at 82 °C");
+    EXPECT_FALSE(stops(Finding::BoardHot));
+}
+
+TEST_F(AxisSupervisorTest, AMotorThatWarmsUpIsToldWithTheTimeLeft)
+{
+    for (int i = 0; i < 45 * 50; ++i) {
+        seen.motorTemperature = 54.0 + 6.0 * i / (60.0 * 50.0);
+        tick();
+    }
+    ASSERT_TRUE(found(Finding::MotorHot));
+    EXPECT_THAT(found(Finding::MotorHot)->what.toStdString(),
+                HasSubstr("the motor of the azimuth is at 58 °C and rising 6.0 °C/min: 80 °C in 3."));
+    // And what cools down is not told.
+    AxisSupervisor other(Axis::Azimuth, profile.azimuth, profile.supervision);
+    supervisor = other;
+    for (int i = 0; i < 60 * 50; ++i) {
+        seen.motorTemperature = 79.0 - 6.0 * i / (60.0 * 50.0);
+        tick();
+        ASSERT_FALSE(found(Finding::MotorHot)) << i;
+    }
+}
+
+TEST_F(AxisSupervisorTest, WithoutTheTurnTheTravelIsNotJudged)
+{
+    seen.turnKnown = false;
+    seen.actual = 470_deg;
+    seen.commanded = seen.actual;
+    ticks(100);
+    EXPECT_TRUE(last.empty());
+    seen.turnKnown = true;
+    ticks(2);
+    EXPECT_TRUE(found(Finding::OutsideTravel));
+}
+
+class AtTickRate : public AxisSupervisorTest, public ::testing::WithParamInterface<int>
+{};
+
+TEST_P(AtTickRate, AStallIsFoundInTheSameTime)
+{
+    const Seconds period(1.0 / GetParam());
+    for (int i = 0; i < GetParam(); ++i) {
+        tick(5_deg_s, period);
+    }
+    ASSERT_TRUE(last.empty());
+    const Angle stuck = seen.actual;
+    const SteadyTime since = seen.now;
+    while (!stops(Finding::Stalled) && seen.now - since < Seconds(2.0)) {
+        tick(5_deg_s, period);
+        seen.actual = stuck;
+    }
+    EXPECT_LE(seen.now - since, Seconds(1.0));
+    EXPECT_GE(seen.now - since, Seconds(0.7));
+}
+
+INSTANTIATE_TEST_SUITE_P(Hz, AtTickRate, ::testing::Values(20, 50, 200));
+
+}  // namespace
+}  // namespace boresight::supervision

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// For each finding a cause that is really put into the simulated mount, and the time until it is found.
+#include "tests/core/supervision/supervised_mount.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace boresight::supervision {
+namespace {
+
+using sim::FaultKind;
+using ::testing::HasSubstr;
+
+constexpr AxisPosition kMiddle{.azimuth = 180.0_deg, .elevation = 45.0_deg};
+
+class InjectedCause : public ::testing::Test
+{
+protected:
+    // Runs until the finding comes; how long after `since`.
+    [[nodiscard]] Seconds timeTo(Finding finding, Weight weight, Seconds limit, std::optional<Seconds> since = {})
+    {
+        const Seconds from = since.value_or(mount.now());
+        const Seconds end = mount.now() + limit;
+        while (!mount.first(finding, weight) && mount.now() < end) {
+            mount.run(SupervisedMount::kTick);
+        }
+        EXPECT_TRUE(mount.first(finding, weight)) << mount.report();
+        return mount.now() - from;
+    }
+    [[nodiscard]] std::string text(Finding finding, Weight weight) const
+    {
+        const auto found = mount.first(finding, weight);
+        return found ? found->observed.what.toStdString() : std::string();
+    }
+
+    SupervisedMount mount{sim::commissionedPair(kMiddle)};
+};
+
+struct StallCase
+{
+    double rate;      // °/s
+    double maxError;  // ° between set-point and axis when it is found
+};
+
+class StallAt : public InjectedCause, public ::testing::WithParamInterface<StallCase>
+{};
+
+// A moving axis that something stops: found within a second, at any rate from 0.5 °/s to the fastest.
+TEST_P(StallAt, IsFoundWithinASecond)
+{
+    mount.engage();
+    mount.turn(Axis::Azimuth, AngularRate::fromDegrees(GetParam().rate));
+    mount.run(Seconds(3.0));
+    EXPECT_EQ(mount.report(), "");
+    mount.inject(FaultKind::Stall, Axis::Azimuth);
+    EXPECT_LE(timeTo(Finding::Stalled, Weight::Stop, Seconds(3.0)), Seconds(1.0));
+    const AxisObservation& seen = mount.seen(Axis::Azimuth);
+    EXPECT_LE(abs(seen.commanded - seen.actual).degrees(), GetParam().maxError);
+    EXPECT_THAT(text(Finding::Stalled, Weight::Stop), HasSubstr("the azimuth does not move: "));
+    RecordProperty("what", text(Finding::Stalled, Weight::Stop));
+}
+
+INSTANTIATE_TEST_SUITE_P(Rate, StallAt,
+                         ::testing::Values(StallCase{0.5, 0.6}, StallCase{2.0, 2.0}, StallCase{-6.0, 6.0},
+                                           StallCase{10.0, 10.0}));
+
+TEST_F(InjectedCause, AJamInASlewStopsTheMount)
+{
+    mount.engage();
+    mount.goTo(Axis::Azimuth, 300_deg);
+    const auto jam = mount.inject(FaultKind::Jam, Axis::Azimuth, 220.0);
+    while (mount.seen(Axis::Azimuth).actual < 219.9_deg) {
+        mount.run(SupervisedMount::kTick);
+    }
+    EXPECT_EQ(mount.report(), "");
+    EXPECT_LE(timeTo(Finding::Stalled, Weight::Stop, Seconds(3.0)), Seconds(1.0));
+    EXPECT_LE(mount.seen(Axis::Azimuth).commanded.degrees(), 230.0);
+    EXPECT_TRUE(mount.first(Finding::FollowingError, Weight::Hint)) << mount.report();
+    mount.end(jam);
+}
+
+// An axis that is blocked before it was told to move at all.
+TEST_F(InjectedCause, ABlockedAxisIsFoundWhenItIsFirstCommanded)
+{
+    mount.inject(FaultKind::Stall, Axis::Elevation);
+    mount.engage();
+    mount.run(Seconds(10.0));
+    EXPECT_EQ(mount.report(), "");
+    mount.turn(Axis::Elevation, -1_deg_s);
+    EXPECT_LE(timeTo(Finding::Stalled, Weight::Stop, Seconds(3.0)), Seconds(1.0));
+    EXPECT_FALSE(mount.first(Finding::MovesUncommanded, Weight::Stop));
+}
+
+TEST_F(InjectedCause, WindAtTheLimitOfTheTorqueIsAFollowingError)
+{
+    mount.engage();
+    mount.run(Seconds(1.0));
+    mount.inject(FaultKind::Wind, Axis::Azimuth, -46.0);  // leaves 4 Nm, of which friction takes 3
+    mount.turn(Axis::Azimuth, 10_deg_s);
+    std::optional<Seconds> beyond;
+    mount.onTick = [&] {
+        const AxisObservation& seen = mount.seen(Axis::Azimuth);
+        if (!beyond && seen.commanded - seen.actual > 3.5_deg) {
+            beyond = mount.now();
+        }
+    };
+    static_cast<void>(timeTo(Finding::FollowingError, Weight::Stop, Seconds(10.0)));
+    ASSERT_TRUE(beyond);
+    EXPECT_LE(mount.now() - *beyond, Seconds(0.6));
+    EXPECT_TRUE(mount.first(Finding::FollowingError, Weight::Hint));
+    EXPECT_THAT(text(Finding::FollowingError, Weight::Stop), HasSubstr("away from its set-point for 0.50 s"));
+}
+
+TEST_F(InjectedCause, AnAxisDrivenBackIsMovingTheWrongWay)
+{
+    mount.engage();
+    mount.turn(Axis::Azimuth, 2_deg_s);
+    mount.run(Seconds(2.0));
+    const Angle before = mount.seen(Axis::Azimuth).actual;
+    mount.inject(FaultKind::Wind, Axis::Azimuth, -90.0);
+    EXPECT_LE(timeTo(Finding::WrongWay, Weight::Stop, Seconds(2.0)), Seconds(0.6));
+    EXPECT_LT(abs(mount.seen(Axis::Azimuth).actual - before), 1.5_deg);
+    EXPECT_FALSE(mount.first(Finding::Stalled, Weight::Stop));
+    EXPECT_THAT(text(Finding::WrongWay, Weight::Stop), HasSubstr("the azimuth moves the wrong way"));
+}
+
+TEST_F(InjectedCause, AStormTurnsAnAxisThatHolds)
+{
+    mount.engage();
+    mount.run(Seconds(2.0));
+    const Angle held = mount.seen(Axis::Elevation).actual;
+    mount.inject(FaultKind::Wind, Axis::Elevation, 90.0);
+    static_cast<void>(timeTo(Finding::MovesUncommanded, Weight::Stop, Seconds(2.0)));
+    EXPECT_LT(abs(mount.seen(Axis::Elevation).actual - held), 6_deg);
+    EXPECT_THAT(text(Finding::MovesUncommanded, Weight::Stop), HasSubstr("was to hold its place and has moved by"));
+}
+
+TEST_F(InjectedCause, WindTurnsAnAxisThatIsOffAndThatIsAHint)
+{
+    mount.engage();
+    mount.release();
+    mount.run(Seconds(3.0));
+    mount.inject(FaultKind::Wind, Axis::Azimuth, 8.0, Seconds(4.0));
+    static_cast<void>(timeTo(Finding::MovesUncommanded, Weight::Hint, Seconds(4.0)));
+    mount.run(Seconds(5.0));
+    EXPECT_FALSE(mount.stopped());
+    EXPECT_THAT(text(Finding::MovesUncommanded, Weight::Hint), HasSubstr("while its drive was off"));
+    mount.engage();
+    mount.clearFound();
+    mount.run(Seconds(0.1));
+    EXPECT_EQ(mount.report(), "") << "engaging there is a new beginning";
+}
+
+TEST_F(InjectedCause, AnotherProgramShiftsTheAngleOfADrive)
+{
+    mount.engage();
+    mount.turn(Axis::Azimuth, 10_deg_s);
+    mount.run(Seconds(2.0));
+    EXPECT_EQ(mount.report(), "");
+    const double turns = mount.seen(Axis::Azimuth).actual.turns() + 0.01;  // one turn of the rotor
+    mount.send(Axis::Azimuth, moteus::SetOutputExact{.position = turns});
+    EXPECT_LE(timeTo(Finding::EncoderJump, Weight::Stop, Seconds(1.0)), Seconds(0.06));
+    EXPECT_THAT(text(Finding::EncoderJump, Weight::Stop), HasSubstr("jumped by"));
+}
+
+TEST(OutsideTravel, IsAHintAtRestAndOnTheWayBack)
+{
+    SupervisedMount mount(sim::commissionedPair({.azimuth = 452_deg, .elevation = -0.4_deg}));
+    mount.run(Seconds(1.0));
+    ASSERT_TRUE(mount.first(Finding::OutsideTravel, Weight::Hint)) << mount.report();
+    EXPECT_EQ(mount.found().size(), 1U) << "-0.4° is within the allowance";
+    EXPECT_EQ(mount.first(Finding::OutsideTravel, Weight::Hint)->observed.what.toStdString(),
+              "the azimuth is at 452.0°, 2.0° beyond its travel -90.0°…450.0°");
+    mount.engage();
+    mount.turn(Axis::Azimuth, -2_deg_s);
+    mount.run(Seconds(3.0));
+    EXPECT_FALSE(mount.stopped()) << mount.report();
+    mount.clearFound();
+    mount.run(Seconds(1.0));
+    EXPECT_EQ(mount.report(), "");
+}
+
+TEST(OutsideTravel, StopsWhileMovingFartherOut)
+{
+    SupervisedMount mount(sim::commissionedPair({.azimuth = 450.2_deg, .elevation = 45_deg}));
+    mount.engage();
+    mount.inject(FaultKind::Wind, Axis::Azimuth, 75.0);
+    Angle at;
+    mount.onTick = [&] {
+        if (!mount.first(Finding::OutsideTravel, Weight::Stop)) {
+            at = mount.seen(Axis::Azimuth).actual;
+        }
+    };
+    mount.run(Seconds(3.0));
+    ASSERT_TRUE(mount.first(Finding::OutsideTravel, Weight::Stop)) << mount.report();
+    EXPECT_LT(at, 452.2_deg);
+    EXPECT_THAT(mount.first(Finding::OutsideTravel, Weight::Stop)->observed.what.toStdString(),
+                HasSubstr("moves farther out"));
+}
+
+TEST_F(InjectedCause, RepliesThatStayAway)
+{
+    mount.inject(FaultKind::Silence, Axis::Elevation, {}, Seconds(0.2));
+    EXPECT_LE(timeTo(Finding::RepliesLate, Weight::Hint, Seconds(1.0)), Seconds(0.14));
+    EXPECT_EQ(mount.found().size(), 1U) << "the other axis is heard";
+}
+
+TEST_F(InjectedCause, ASupplyThatSags)
+{
+    mount.engage();
+    mount.inject(FaultKind::SupplyVoltage, Axis::Azimuth, 19.0);
+    EXPECT_LE(timeTo(Finding::SupplyLow, Weight::Hint, Seconds(1.0)), Seconds(0.2));
+    mount.inject(FaultKind::SupplyVoltage, Axis::Azimuth, 11.5);
+    EXPECT_LE(timeTo(Finding::SupplyLow, Weight::Stop, Seconds(1.0)), Seconds(0.3));
+    EXPECT_THAT(text(Finding::SupplyLow, Weight::Stop), HasSubstr(" V, below 12.0 V"));
+}
+
+TEST_F(InjectedCause, ASupplyThatIsTooHigh)
+{
+    mount.inject(FaultKind::SupplyVoltage, Axis::Azimuth, 43.0);
+    EXPECT_LE(timeTo(Finding::SupplyHigh, Weight::Hint, Seconds(1.0)), Seconds(0.1));
+    EXPECT_FALSE(mount.stopped());
+}
+
+// A battery that runs empty by 0.6 V per minute: told minutes before the absolute limit.
+TEST_F(InjectedCause, ABatteryThatRunsEmpty)
+{
+    mount.engage();
+    mount.turn(Axis::Azimuth, 0.1_deg_s);
+    while (!mount.first(Finding::SupplyLow, Weight::Hint) && mount.now() < Seconds(400.0)) {
+        mount.inject(FaultKind::SupplyVoltage, Axis::Azimuth, 24.0 - 0.01 * mount.now().count(), Seconds(1.0));
+        mount.run(Seconds(1.0));
+    }
+    ASSERT_TRUE(mount.first(Finding::SupplyLow, Weight::Hint));
+    EXPECT_LT(mount.now(), Seconds(160.0)) << "it reaches 20 V at 400 s";
+    EXPECT_THAT(text(Finding::SupplyLow, Weight::Hint), HasSubstr("falling 0."));
+    RecordProperty("what", text(Finding::SupplyLow, Weight::Hint));
+}
+
+// Three quarters of the torque all the time: the board warms up, which is told before it is hot.
+TEST(BoardHot, IsToldBeforeItIsHot)
+{
+    profile::Profile strong;
+    strong.azimuth.maxTorque = 80.0;
+    SupervisedMount mount(sim::commissionedPair(kMiddle), strong);
+    mount.engage();
+    mount.inject(FaultKind::Wind, Axis::Azimuth, 60.0);
+    while (!mount.first(Finding::BoardHot, Weight::Hint) && mount.now() < Seconds(600.0)) {
+        mount.run(Seconds(1.0));
+    }
+    ASSERT_TRUE(mount.first(Finding::BoardHot, Weight::Hint)) << mount.report();
+    const std::string what = mount.first(Finding::BoardHot, Weight::Hint)->observed.what.toStdString();
+    EXPECT_THAT(what, HasSubstr(" °C/min: 75 °C in "));
+    EXPECT_LT(mount.seen(Axis::Azimuth).boardTemperature, 60.0);
+    RecordProperty("what", what);
+}
+
+TEST_F(InjectedCause, WindThatTakesMuchOfTheTorque)
+{
+    mount.engage();
+    mount.run(Seconds(1.0));
+    mount.inject(FaultKind::Wind, Axis::Azimuth, 40.0);
+    EXPECT_NEAR(timeTo(Finding::TorqueHigh, Weight::Hint, Seconds(5.0)).count(), 2.0, 0.3);
+    EXPECT_THAT(text(Finding::TorqueHigh, Weight::Hint), HasSubstr(" of the 50.0 Nm allowed"));
+    mount.run(Seconds(5.0));
+    EXPECT_FALSE(mount.stopped()) << mount.report();
+}
+
+// A cable that comes tight during the guided unwind pulls harder and harder.
+TEST(TorqueGuard, StopsAnUnwindThatPullsTheCableTight)
+{
+    sim::PairSettings pair = sim::commissionedPair();
+    pair.azimuth.referenced = false;
+    SupervisedMount mount(pair);
+    mount.engage();
+    mount.turn(Axis::Azimuth, 0.2_deg_s);
+    for (double pull = 0.0; pull < 40.0 && !mount.stopped(); pull += 1.0) {
+        mount.inject(FaultKind::Wind, Axis::Azimuth, -pull, Seconds(0.5));
+        mount.run(Seconds(0.5));
+    }
+    ASSERT_TRUE(mount.first(Finding::TorqueGuard, Weight::Stop)) << mount.report();
+    EXPECT_LT(std::abs(mount.seen(Axis::Azimuth).torque), 23.0);
+    EXPECT_THAT(mount.first(Finding::TorqueGuard, Weight::Stop)->observed.what.toStdString(),
+                HasSubstr("while its turn is not known"));
+}
+
+}  // namespace
+}  // namespace boresight::supervision

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/supervision/retry_policy.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+namespace boresight::supervision {
+namespace {
+
+using profile::Retry;
+
+SteadyTime at(double seconds)
+{
+    return SteadyTime(std::chrono::hours(1)) + std::chrono::duration_cast<SteadyTime::duration>(Seconds(seconds));
+}
+
+profile::RecoverySettings always(Retry retry)
+{
+    return {.overTemperature = retry, .supply = retry, .bus = retry, .interval = Seconds(60.0)};
+}
+
+TEST(ClassOfFault, FollowsTheTable)
+{
+    const std::map<LossClass, std::set<int>> table{
+        {LossClass::Encoder, {35, 42, 43}}, {LossClass::Configuration, {36, 39, 41, 45, 47, 48}},
+        {LossClass::Supply, {34, 40}},      {LossClass::OverTemperature, {38}},
+        {LossClass::Motion, {49, 50}},      {LossClass::Driver, {1, 2, 3, 4, 5, 6, 7, 32, 33, 37, 44, 46}},
+    };
+    int seen = 0;
+    for (const auto& [loss, codes] : table) {
+        for (const int code : codes) {
+            EXPECT_EQ(classOfFault(code), loss) << code;
+            ++seen;
+        }
+    }
+    EXPECT_EQ(seen, 26);  // 1..7 and 32..50
+    EXPECT_EQ(classOfFault(77), LossClass::Driver) << "an unknown code is never retried";
+}
+
+TEST(RetryPolicy, NothingIsRetriedByDefault)
+{
+    for (int loss = 0; loss <= static_cast<int>(LossClass::Bus); ++loss) {
+        RetryPolicy policy({});
+        policy.lost(static_cast<LossClass>(loss), at(0));
+        EXPECT_FALSE(policy.nextTry()) << loss;
+    }
+}
+
+TEST(RetryPolicy, OnlyHeatSupplyAndBusMayEverBeRetried)
+{
+    for (const LossClass loss :
+         {LossClass::Encoder, LossClass::Configuration, LossClass::Driver, LossClass::Motion, LossClass::Released}) {
+        RetryPolicy policy(always(Retry::Interval));
+        policy.lost(loss, at(0));
+        EXPECT_FALSE(policy.nextTry());
+    }
+    for (const LossClass loss : {LossClass::OverTemperature, LossClass::Supply, LossClass::Bus}) {
+        RetryPolicy policy(always(Retry::Interval));
+        policy.lost(loss, at(0));
+        EXPECT_EQ(policy.nextTry(), at(60));
+    }
+}
+
+TEST(RetryPolicy, EachClassHasItsOwnSetting)
+{
+    const profile::RecoverySettings onlyBus{.bus = Retry::Once, .interval = Seconds(5.0)};
+    RetryPolicy bus(onlyBus);
+    bus.lost(LossClass::Bus, at(0));
+    EXPECT_EQ(bus.nextTry(), at(5));
+    RetryPolicy supply(onlyBus);
+    supply.lost(LossClass::Supply, at(0));
+    EXPECT_FALSE(supply.nextTry());
+}
+
+TEST(RetryPolicy, IntervalGoesOnForEver)
+{
+    RetryPolicy policy(always(Retry::Interval));
+    policy.lost(LossClass::Bus, at(0));
+    for (int i = 1; i < 100; ++i) {
+        ASSERT_EQ(policy.nextTry(), at(60.0 * i));
+        policy.tried(at(60.0 * i));
+        policy.lost(LossClass::Bus, at(60.0 * i));
+    }
+    policy.tried(at(6000));
+    EXPECT_EQ(policy.nextTry(), at(6060)) << "also when the attempt came to nothing";
+    policy.healthy(at(6001));
+    EXPECT_FALSE(policy.nextTry()) << "nothing is lost";
+}
+
+TEST(RetryPolicy, OnceIsOncePerEpisode)
+{
+    RetryPolicy policy(always(Retry::Once));
+    policy.lost(LossClass::OverTemperature, at(0));
+    ASSERT_EQ(policy.nextTry(), at(60));
+    policy.tried(at(60));
+    EXPECT_FALSE(policy.nextTry());
+    for (int i = 0; i < 1000; ++i) {
+        policy.healthy(at(61 + i));
+    }
+    policy.lost(LossClass::OverTemperature, at(1100));
+    EXPECT_FALSE(policy.nextTry()) << "the same episode";
+
+    policy.rearmed();
+    EXPECT_FALSE(policy.nextTry()) << "nothing is lost";
+    policy.lost(LossClass::OverTemperature, at(1200));
+    EXPECT_EQ(policy.nextTry(), at(1260)) << "a person has re-armed";
+}
+
+TEST(RetryPolicy, AnHourOfHealthRenewsOnce)
+{
+    RetryPolicy policy(always(Retry::Once));
+    policy.lost(LossClass::Supply, at(0));
+    policy.tried(at(60));
+    policy.healthy(at(60));
+    policy.healthy(at(60 + 3599));
+    policy.lost(LossClass::Supply, at(3660));
+    EXPECT_FALSE(policy.nextTry()) << "a second less than an hour";
+
+    policy.tried(at(3700));
+    policy.healthy(at(3700));
+    policy.healthy(at(3700 + 3600));
+    policy.lost(LossClass::Supply, at(8000));
+    EXPECT_EQ(policy.nextTry(), at(8060));
+}
+
+TEST(RetryPolicy, TheStrictestLossDecides)
+{
+    RetryPolicy policy(always(Retry::Interval));
+    policy.lost(LossClass::Bus, at(0));
+    policy.lost(LossClass::Encoder, at(1));
+    policy.lost(LossClass::Bus, at(2));
+    EXPECT_FALSE(policy.nextTry());
+    policy.rearmed();
+    policy.lost(LossClass::Bus, at(10));
+    EXPECT_EQ(policy.nextTry(), at(70));
+}
+
+class ClearRefusal : public ::testing::Test
+{
+protected:
+    [[nodiscard]] std::string refusal(LossClass loss, const DriveConditions& atLoss, const DriveConditions& now) const
+    {
+        return clearRefusal(settings, loss, atLoss, now).toStdString();
+    }
+    profile::SupervisionSettings settings;
+};
+
+TEST_F(ClearRefusal, ABoardMustCoolDownByFiveDegrees)
+{
+    const DriveConditions hot{.voltage = 24.0, .boardTemperature = 76.0};
+    EXPECT_EQ(refusal(LossClass::OverTemperature, hot, {.voltage = 24.0, .boardTemperature = 70.6}),
+              "the drive board is still at 71 °C; it must cool down to 70 °C");
+    EXPECT_EQ(refusal(LossClass::OverTemperature, hot, {.voltage = 24.0, .boardTemperature = 70.0}), "");
+    // A drive whose own limit is lower, and no sensor in the motor.
+    const DriveConditions strict{.voltage = 24.0, .boardTemperature = 60.0};
+    EXPECT_NE(refusal(LossClass::OverTemperature, strict, {.voltage = 24.0, .boardTemperature = 56.0}), "");
+    EXPECT_EQ(refusal(LossClass::OverTemperature, strict, {.voltage = 24.0, .boardTemperature = 55.0}), "");
+}
+
+// Story: a board at 32 °C never cools down by five degrees on a warm day; it was the motor that was too hot.
+TEST_F(ClearRefusal, AMotorMustCoolDownIfItWasTheMotor)
+{
+    const DriveConditions hot{.voltage = 24.0, .boardTemperature = 32.0, .motorTemperature = 90.0};
+    EXPECT_EQ(
+        refusal(LossClass::OverTemperature, hot, {.voltage = 24.0, .boardTemperature = 32.0, .motorTemperature = 86.0}),
+        "the motor is still at 86 °C; it must cool down to 85 °C");
+    EXPECT_EQ(
+        refusal(LossClass::OverTemperature, hot, {.voltage = 24.0, .boardTemperature = 33.0, .motorTemperature = 84.9}),
+        "");
+}
+
+TEST_F(ClearRefusal, TheSupplyMustBeBack)
+{
+    const DriveConditions cut{.voltage = 3.0, .boardTemperature = 30.0};
+    EXPECT_EQ(refusal(LossClass::Supply, cut, {.voltage = 11.0}), "the supply is still at 11.0 V; 20.0 V are needed");
+    EXPECT_EQ(refusal(LossClass::Supply, cut, {.voltage = 46.0}),
+              "the supply is still at 46.0 V; at most 42.0 V are permitted");
+    EXPECT_EQ(refusal(LossClass::Supply, cut, {.voltage = 24.0}), "");
+}
+
+TEST_F(ClearRefusal, OtherLossesHaveNothingToWaitFor)
+{
+    const DriveConditions odd{.voltage = 11.0, .boardTemperature = 90.0};
+    for (const LossClass loss : {LossClass::Bus, LossClass::Encoder, LossClass::Released}) {
+        EXPECT_EQ(refusal(loss, odd, odd), "");
+    }
+}
+
+}  // namespace
+}  // namespace boresight::supervision
