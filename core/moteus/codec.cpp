@@ -198,7 +198,7 @@ Result<Reply> decodeReply(const CanFrame& frame)
 std::optional<double> Reply::value(Register reg) const
 {
     const auto found = std::ranges::find(values, reg, &RegisterValue::reg);
-    if (found == values.end() || std::isnan(found->value)) {
+    if (found == values.end() || !std::isfinite(found->value)) {
         return std::nullopt;
     }
     return found->value;

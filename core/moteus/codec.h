@@ -87,7 +87,7 @@ struct Reply
     std::vector<TunnelText> texts{};
     ParseEnd end = ParseEnd::Complete;  // anything else: the tail is missing or unreadable
 
-    // Empty if the reply does not have the register or its value is unset.
+    // Empty if the reply does not have the register, or its value is unset or infinite (no drive measures that).
     [[nodiscard]] std::optional<double> value(Register reg) const;
     [[nodiscard]] std::optional<Mode> mode() const;  // empty also for a number the protocol does not define
     [[nodiscard]] std::optional<int> fault() const;

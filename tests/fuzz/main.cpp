@@ -10,6 +10,8 @@
 #include "tests/fuzz/campaign.h"
 #include "tests/fuzz/harness.h"
 
+#include <QLoggingCategory>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -94,6 +96,7 @@ int feedMany(const std::string& name, const Campaign& campaign)
 int main(int count, char** words)
 {
     using namespace boresight;
+    QLoggingCategory::setFilterRules(QStringLiteral("boresight.*=false"));  // a million inputs have much to say
     const auto given = fuzz::options(count, words);
     if (!given) {
         return fuzz::usage();

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 namespace boresight::moteus {
@@ -173,6 +174,17 @@ TEST(MoteusCodec, NonsenseInAReplyIsNoValue)
     EXPECT_EQ(reply->fault(), std::nullopt);
     EXPECT_EQ(reply->homeState(), std::nullopt);
     EXPECT_EQ(reply->uuid(), std::nullopt);
+}
+
+// Found by the fuzzer: an infinite position went up to the station as if it were measured.
+TEST(MoteusCodec, AnInfiniteNumberIsNoValue)
+{
+    CanFrame frame{.id = 0x100};
+    frame.setPayload(std::array<std::uint8_t, 6>{0x2d, 0x01, 0x00, 0x00, 0x80, 0x7f});  // position f32 = +inf
+    const auto reply = decodeReply(frame);
+    ASSERT_TRUE(reply.has_value());
+    ASSERT_EQ(reply->values.size(), 1U);
+    EXPECT_FALSE(reply->value(Register::Position).has_value());
 }
 
 TEST(MoteusCodec, ErrorsAreReported)
