@@ -5,7 +5,7 @@ include(GNUInstallDirs)
 configure_file("${CMAKE_SOURCE_DIR}/packaging/systemd/boresightd.service.in" boresightd.service @ONLY)
 install(FILES "${CMAKE_BINARY_DIR}/boresightd.service" DESTINATION lib/systemd/system)
 # Before 73-seat-late.rules, which acts on the tag uaccess.
-install(FILES packaging/udev/70-boresight.rules DESTINATION lib/udev/rules.d)
+install(FILES packaging/udev/70-boresight-fdcanusb.rules DESTINATION lib/udev/rules.d)
 install(FILES packaging/man/boresightctl.1 packaging/man/boresightd.1 DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
 if(BORESIGHT_UI)
   install(FILES packaging/man/boresight.1 DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
