@@ -8,6 +8,7 @@
 #include <QString>
 #include <QThreadPool>
 
+#include <memory>
 #include <optional>
 
 // The file that keeps a mount's memory: STATE_DIR/NAME.memory.json, and the generation before it in ….previous. At
@@ -39,7 +40,7 @@ public:
 
     void save(const MountMemory& memory);
 
-    // Waits until the newest value is on the disk: at the end of the program, after the loop.
+    // Waits until the newest value is on the disk: at the end of the program, after the loop. Tells how that went.
     Result<> flush();
 
 Q_SIGNALS:
@@ -48,12 +49,14 @@ Q_SIGNALS:
 
 private:
     void startWriting(const MountMemory& memory);
-    void finishWriting(const Result<>& result);
+    void finishWriting();
 
     QString m_path;
-    QThreadPool m_writer;               // one thread
-    bool m_writing = false;             // finishWriting is still to come
+    std::shared_ptr<Result<>> m_outcome =
+        std::make_shared<Result<>>();   // of the last writing; the worker's until it ends
     std::optional<MountMemory> m_next;  // came in meanwhile
+    bool m_writing = false;             // finishWriting() is still to come
+    QThreadPool m_writer;               // one thread; last, so that it ends first
 };
 
 // The mount's name as the name of a file: letters, digits, '-' and '_' stay; a name with anything else also gets a few

@@ -24,6 +24,7 @@ struct TurnRecord
     QString drive;        // its UUID, 8-4-4-4-12 digits
     Angle angle;          // absolute
     MotorTurns reported;  // by the drive, at the same moment
+    Angle counted;        // what `reported` stood for by the profile of then; `angle` is whole places away from it
     Seconds uptime{0.0};  // of the drive, at the same moment: proves later that it never lost power since
     moteus::HomeState homeState = moteus::HomeState::Rotor;  // at the same moment: has the drive's zero been set since?
     UtcTime when;

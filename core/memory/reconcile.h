@@ -56,4 +56,8 @@ using Judgement = std::variant<Certain, TurnQuestion>;
 [[nodiscard]] Judgement reconcile(const DriveFrame& frame, const Evidence& evidence,
                                   const pointing::AxisGeometry& axis);
 
+// What to remember of an axis whose absolute angle is known.
+[[nodiscard]] TurnRecord recordOf(const DriveFrame& frame, Angle angle, const pointing::AxisGeometry& axis, bool moving,
+                                  UtcTime now, const HostTime& host);
+
 }  // namespace boresight::memory

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/memory/memory_file.h"
+
+#include "core/memory/memory_text.h"
+
+#include <QCryptographicHash>
+#include <QDateTime>
+#include <QFile>
+#include <QSaveFile>
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <utility>
+
+namespace boresight::memory {
+namespace {
+
+const QString kPrevious = QStringLiteral(".previous");
+
+Error ioError(const QString& path, const QString& reason)
+{
+    return {ErrorCode::Io, QStringLiteral("%1: %2").arg(path, reason).toStdString()};
+}
+
+// Replaces `to` at once, unlike QFile::rename, which refuses to.
+Result<> replaceByRenaming(const QString& from, const QString& to)
+{
+    if (std::rename(QFile::encodeName(from).constData(), QFile::encodeName(to).constData()) != 0) {
+        return tl::unexpected(ioError(from, qt_error_string()));
+    }
+    return {};
+}
+
+// Beside the file, and onto the disk before anything is renamed: QSaveFile would not tell if that failed. Between the
+// two renamings only the previous generation has its name: load() takes it then.
+Result<> write(const QString& path, const MountMemory& memory)
+{
+    const Result<QByteArray> text = toText(memory);
+    if (!text) {
+        return tl::unexpected(text.error());
+    }
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(*text) != text->size() || !file.flush()) {
+        return tl::unexpected(ioError(path, file.errorString()));
+    }
+    if (::fsync(file.handle()) != 0) {
+        return tl::unexpected(ioError(path, qt_error_string()));
+    }
+    if (QFile::exists(path)) {
+        if (const Result<> kept = replaceByRenaming(path, path + kPrevious); !kept) {
+            return kept;
+        }
+    }
+    if (!file.commit()) {
+        return tl::unexpected(ioError(path, file.errorString()));
+    }
+    return {};
+}
+
+Result<MountMemory> read(const QString& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return failure(file.exists() ? ErrorCode::Io : ErrorCode::NoDevice, file.errorString().toStdString());
+    }
+    // A memory has 2 kB. Something huge under its name must not fill ours.
+    constexpr qint64 kLargest = 1 << 20;
+    if (file.size() > kLargest) {
+        return failure(ErrorCode::InvalidInput, "it is too large for the memory of a mount");
+    }
+    return parseMemory(file.readAll());
+}
+
+// Never deleted: it may be all that is left of the truth.
+QString keepAside(const QString& path)
+{
+    const QString time = QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd'T'HHmmss.zzz'Z'"));
+    const QString aside = QStringLiteral("%1.corrupt-%2").arg(path, time);
+    return QFile::rename(path, aside) ? QStringLiteral("it is kept as %1").arg(aside)
+                                      : QStringLiteral("it could not be put aside");
+}
+
+QString whatIsWrong(const QString& path, const Error& error)
+{
+    if (error.code == ErrorCode::NoDevice) {
+        return QStringLiteral("The journal file %1 is missing").arg(path);
+    }
+    // What cannot be read for now may be quite right: it stays where it is.
+    const QString fate = error.code == ErrorCode::Io ? QStringLiteral("it is left there") : keepAside(path);
+    return QStringLiteral("The journal file %1 cannot be used: %2; %3")
+        .arg(path, QString::fromStdString(error.text), fate);
+}
+
+}  // namespace
+
+QString safeFileName(const QString& mountName)
+{
+    constexpr int kLongest = 64;
+    QString safe = mountName.left(kLongest);
+    for (QChar& c : safe) {
+        const bool plain = c.unicode() < 128 && (c.isLetterOrNumber() || c == u'-' || c == u'_');
+        c = plain ? c : QChar(u'_');
+    }
+    if (safe == mountName && !safe.isEmpty()) {
+        return safe;
+    }
+    const QByteArray hash = QCryptographicHash::hash(mountName.toUtf8(), QCryptographicHash::Sha256).toHex();
+    return safe + u'-' + QString::fromLatin1(hash.left(8));
+}
+
+MemoryFile::MemoryFile(const QString& stateDir, const QString& mountName, QObject* parent)
+    : QObject(parent), m_path(QStringLiteral("%1/%2.memory.json").arg(stateDir, safeFileName(mountName)))
+{
+    m_writer.setMaxThreadCount(1);
+    m_writer.setExpiryTimeout(-1);
+}
+
+MemoryFile::~MemoryFile()
+{
+    (void)flush();
+}
+
+LoadedMemory MemoryFile::load()
+{
+    QStringList problems;
+    if (Result<MountMemory> newest = read(m_path)) {
+        return {*newest, {}};
+    } else {
+        problems.push_back(whatIsWrong(m_path, newest.error()));
+    }
+    const QString previous = m_path + kPrevious;
+    Result<MountMemory> found = read(previous);
+    if (found) {
+        for (auto& turn : found->turns) {
+            if (turn) {
+                turn->moving = true;
+            }
+        }
+        problems.push_back(QStringLiteral("the one before it was taken: %1").arg(previous));
+    } else if (found.error().code != ErrorCode::NoDevice) {
+        problems.push_back(whatIsWrong(previous, found.error()));
+    }
+    return {found.value_or(MountMemory()), problems.join(QStringLiteral("; "))};
+}
+
+void MemoryFile::save(const MountMemory& memory)
+{
+    if (m_writing) {
+        m_next = memory;
+    } else {
+        startWriting(memory);
+    }
+}
+
+void MemoryFile::startWriting(const MountMemory& memory)
+{
+    m_writing = true;
+    m_writer.start([this, path = m_path, memory, outcome = m_outcome] {
+        *outcome = write(path, memory);
+        QMetaObject::invokeMethod(this, &MemoryFile::finishWriting, Qt::QueuedConnection);
+    });
+}
+
+void MemoryFile::finishWriting()
+{
+    const Result<> result = *m_outcome;
+    m_writing = false;
+    if (m_next) {
+        startWriting(*std::exchange(m_next, std::nullopt));
+    }
+    if (result) {
+        Q_EMIT saved();
+    } else {
+        Q_EMIT saveFailed(QString::fromStdString(result.error().text));
+    }
+}
+
+Result<> MemoryFile::flush()
+{
+    m_writer.waitForDone();
+    if (m_next) {
+        *m_outcome = write(m_path, *std::exchange(m_next, std::nullopt));
+    }
+    return *m_outcome;
+}
+
+}  // namespace boresight::memory

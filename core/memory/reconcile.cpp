@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/memory/reconcile.h"
+
+#include "core/memory/power_proof.h"
+#include "core/memory/words.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight::memory {
+namespace {
+
+const Angle kBeyondTravel = Angle::fromDegrees(3.0);  // a mechanical stop yields, a drive coasts
+const Angle kAgreement = Angle::fromDegrees(5.0);     // scenario S10: as much may a mount move while nobody looks
+// With a shorter ambiguity an axis in motion is on another of its places within a second or two.
+const Angle kWidePeriod = Angle::fromDegrees(20.0);
+// Below this they are no places: a ratio of zero, or nonsense.
+const Angle kSmallestPeriod = Angle::fromDegrees(0.01);
+constexpr std::size_t kNamedCandidates = 5;  // more are told as a range
+
+bool knowsItsPhase(const DriveFrame& frame)
+{
+    const auto wanted = frame.outputEncoder ? moteus::HomeState::Output : moteus::HomeState::Rotor;
+    return frame.homeState >= wanted && frame.reported.isFinite() && frame.period.isFinite() &&
+           frame.period >= kSmallestPeriod;
+}
+
+std::vector<Angle> candidatesOf(const DriveFrame& frame, const pointing::AxisGeometry& axis)
+{
+    std::vector<Angle> candidates;
+    if (!knowsItsPhase(frame)) {
+        return candidates;
+    }
+    const Angle reported = axis.toAxis(frame.reported);
+    const double first = std::ceil((axis.travel.min - kBeyondTravel - reported) / frame.period);
+    const double last = std::floor((axis.travel.max + kBeyondTravel - reported) / frame.period);
+    for (double k = first; k <= last; k += 1.0) {
+        candidates.push_back(reported + frame.period * k);
+    }
+    return candidates;
+}
+
+std::optional<Angle> nearest(const std::vector<Angle>& candidates, Angle place)
+{
+    const auto found = std::min_element(candidates.begin(), candidates.end(),
+                                        [&](Angle a, Angle b) { return abs(a - place) < abs(b - place); });
+    return found == candidates.end() ? std::nullopt : std::optional(*found);
+}
+
+// One meeting with a drive: what the judgement and its sentences share.
+class Case
+{
+public:
+    Case(const DriveFrame& frame, const Evidence& evidence, const pointing::AxisGeometry& axis)
+        : m_frame(frame), m_evidence(evidence), m_axis(axis), m_candidates(candidatesOf(frame, axis))
+    {
+        if (evidence.record) {
+            m_obstacle = obstacleToCountingOn(frame, evidence, *evidence.record, axis);
+            m_ofThisDrive = !frame.drive.isEmpty() && evidence.record->drive == frame.drive;
+        }
+    }
+
+    [[nodiscard]] Judgement judge() const
+    {
+        const Angle reported = m_axis.toAxis(m_frame.reported);
+        if (m_evidence.trusted && m_frame.homeState != moteus::HomeState::Relative && reported.isFinite()) {
+            return Certain{reported, QStringLiteral("The profile trusts the drive's position")};
+        }
+        if (!m_evidence.doubt) {
+            if (const auto angle = countedOn()) {
+                return Certain{*angle, QStringLiteral("The drive kept its power since the journal was written")};
+            }
+            if (const auto angle = onlyPlace()) {
+                return Certain{*angle, QStringLiteral("Only one turn lies within the travel")};
+            }
+        }
+        return TurnQuestion{
+            .candidates = m_candidates, .proposed = proposal(), .evidence = sentences(), .period = m_frame.period};
+    }
+
+private:
+    [[nodiscard]] std::optional<Angle> countedOn() const
+    {
+        if (!m_evidence.record || m_obstacle || !knowsItsPhase(m_frame)) {
+            return std::nullopt;
+        }
+        const TurnRecord& record = *m_evidence.record;
+        return record.angle + (m_axis.toAxis(m_frame.reported) - m_axis.toAxis(record.reported));
+    }
+
+    [[nodiscard]] std::optional<Angle> onlyPlace() const
+    {
+        if (!m_frame.outputEncoder || m_frame.period < kWidePeriod || m_candidates.size() != 1) {
+            return std::nullopt;
+        }
+        const Angle only = m_candidates.front();
+        const bool contradicted =
+            m_evidence.record && !(m_ofThisDrive && abs(only - m_evidence.record->angle) <= kAgreement);
+        return contradicted ? std::nullopt : std::optional(only);
+    }
+
+    // The place nearest to the journal's, and how far from it.
+    [[nodiscard]] std::optional<Angle> nearestToJournal() const
+    {
+        return m_ofThisDrive ? nearest(m_candidates, m_evidence.record->angle) : std::nullopt;
+    }
+
+    [[nodiscard]] bool agrees(Angle place) const
+    {
+        return abs(place - m_evidence.record->angle) <= std::min(kAgreement, m_frame.period / 4.0);
+    }
+
+    [[nodiscard]] bool journalIsVague() const { return m_evidence.record->moving && m_frame.period < kWidePeriod; }
+
+    [[nodiscard]] std::optional<Angle> proposal() const
+    {
+        const auto place = nearestToJournal();
+        const bool good = place && agrees(*place) && !journalIsVague() && !m_evidence.doubt;
+        return good ? place : std::nullopt;
+    }
+
+    [[nodiscard]] std::vector<QString> sentences() const
+    {
+        std::vector<QString> all;
+        if (m_evidence.doubt) {
+            all.push_back(*m_evidence.doubt);
+        }
+        all.push_back(placeSentence());
+        addJournal(all);
+        all.push_back(m_evidence.sensorHeading
+                          ? QStringLiteral("The sensor says %1").arg(inWords(m_evidence.sensorHeading->wrapped360()))
+                          : QStringLiteral("There is no sensor to compare with"));
+        return all;
+    }
+
+    [[nodiscard]] QString placeSentence() const
+    {
+        if (!knowsItsPhase(m_frame)) {
+            return QStringLiteral("The drive does not know where the axis is: enter the angle");
+        }
+        if (m_candidates.empty()) {
+            return QStringLiteral("The drive reports %1, and no turn of that lies within the travel: enter the angle")
+                .arg(inWords(m_axis.toAxis(m_frame.reported)));
+        }
+        if (m_candidates.size() == 1) {
+            return QStringLiteral("The drive reports a place that is possible at %1 only")
+                .arg(inWords(m_candidates.front()));
+        }
+        if (m_candidates.size() > kNamedCandidates) {
+            return QStringLiteral("The angle is known to a multiple of %1 only: %2 places from %3 to %4 are possible")
+                .arg(inWords(m_frame.period))
+                .arg(m_candidates.size())
+                .arg(inWords(m_candidates.front()), inWords(m_candidates.back()));
+        }
+        return m_frame.outputEncoder ? QStringLiteral("Direction %1 is known, the turn is not: %2 are possible")
+                                           .arg(inWords(m_candidates.front().wrapped360()), namedCandidates())
+                                     : QStringLiteral("The angle is known to a multiple of %1 only: %2 are possible")
+                                           .arg(inWords(m_frame.period), namedCandidates());
+    }
+
+    [[nodiscard]] QString namedCandidates() const
+    {
+        QString text;
+        for (std::size_t i = 0; i < m_candidates.size(); ++i) {
+            const bool last = i + 1 == m_candidates.size();
+            text += (i == 0 ? QString()
+                     : last ? QStringLiteral(" or ")
+                            : QStringLiteral(", ")) +
+                    inWords(m_candidates[i]);
+        }
+        return text;
+    }
+
+    void addJournal(std::vector<QString>& all) const
+    {
+        if (!m_evidence.recordProblem.isEmpty()) {
+            all.push_back(m_evidence.recordProblem);
+        }
+        if (!m_evidence.record) {
+            if (m_evidence.recordProblem.isEmpty()) {
+                all.push_back(QStringLiteral("The journal says nothing about this axis"));
+            }
+            return;
+        }
+        const TurnRecord& record = *m_evidence.record;
+        const Seconds age = m_evidence.now - record.when;
+        all.push_back(QStringLiteral("The journal says %1, %2written %3")
+                          .arg(inWords(record.angle),
+                               age < Seconds(0.0) ? QString() : inWords(age) + QStringLiteral(" old, "),
+                               record.moving ? QStringLiteral("while moving") : QStringLiteral("at rest")));
+        if (m_obstacle) {
+            all.push_back(*m_obstacle);
+        }
+        addComparison(all);
+    }
+
+    void addComparison(std::vector<QString>& all) const
+    {
+        const auto place = nearestToJournal();
+        if (!place) {
+            return;
+        }
+        if (!agrees(*place)) {
+            all.push_back(QStringLiteral("The nearest of them is %1 from the journal: the axis was moved meanwhile")
+                              .arg(inWords(abs(*place - m_evidence.record->angle))));
+        } else if (journalIsVague()) {
+            all.push_back(QStringLiteral("The axis was moving, and places %1 apart look the same to the drive: the "
+                                         "journal cannot tell which")
+                              .arg(inWords(m_frame.period)));
+        }
+    }
+
+    const DriveFrame& m_frame;
+    const Evidence& m_evidence;
+    const pointing::AxisGeometry& m_axis;
+    std::vector<Angle> m_candidates;
+    std::optional<QString> m_obstacle;  // to counting on from the record
+    bool m_ofThisDrive = false;         // is the record
+};
+
+}  // namespace
+
+Angle ambiguity(const pointing::AxisGeometry& axis, double rotorToOutputRatio, bool outputEncoder)
+{
+    const MotorTurns turn = MotorTurns::fromTurns(outputEncoder ? 1.0 : rotorToOutputRatio);
+    return abs(axis.toAxis(turn) - axis.toAxis(MotorTurns()));
+}
+
+Judgement reconcile(const DriveFrame& frame, const Evidence& evidence, const pointing::AxisGeometry& axis)
+{
+    return Case(frame, evidence, axis).judge();
+}
+
+TurnRecord recordOf(const DriveFrame& frame, Angle angle, const pointing::AxisGeometry& axis, bool moving, UtcTime now,
+                    const HostTime& host)
+{
+    return {.drive = frame.drive,
+            .angle = angle,
+            .reported = frame.reported,
+            .counted = axis.toAxis(frame.reported),
+            .uptime = frame.uptime,
+            .homeState = frame.homeState,
+            .when = now,
+            .host = host,
+            .moving = moving};
+}
+
+}  // namespace boresight::memory

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/memory/memory_file.h"
+
+#include "core/memory/memory_text.h"
+#include "tests/core/memory/example_memory.h"
+#include "tests/fakes/wait_until.h"
+
+#include <QDir>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QThread>
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace boresight::memory {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class MemoryFileTest : public testing::Test
+{
+protected:
+    [[nodiscard]] QString path() const { return m_dir.filePath(QStringLiteral("mast.memory.json")); }
+    [[nodiscard]] QString previous() const { return path() + QStringLiteral(".previous"); }
+
+    static void put(const QString& path, const QByteArray& bytes)
+    {
+        QFile file(path);
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        ASSERT_EQ(file.write(bytes), bytes.size());
+    }
+
+    static QByteArray bytesOf(const QString& path)
+    {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+
+    static MountMemory at(double degrees)
+    {
+        MountMemory memory = exampleMemory();
+        memory.turns[0]->angle = Angle::fromDegrees(degrees);
+        memory.turns[0]->moving = false;
+        return memory;
+    }
+
+    [[nodiscard]] LoadedMemory load() const { return MemoryFile(m_dir.path(), QStringLiteral("mast")).load(); }
+
+    [[nodiscard]] QStringList corruptFiles() const
+    {
+        return QDir(m_dir.path()).entryList({QStringLiteral("*.corrupt-*")}, QDir::Files);
+    }
+
+    QTemporaryDir m_dir;
+};
+
+TEST_F(MemoryFileTest, AMissingFileIsAnEmptyMemoryAndSaid)
+{
+    const LoadedMemory loaded = load();
+    EXPECT_EQ(loaded.memory, MountMemory());
+    EXPECT_EQ(loaded.problem, QStringLiteral("The journal file %1 is missing").arg(path()));
+}
+
+TEST_F(MemoryFileTest, WhatWasSavedIsLoaded)
+{
+    MemoryFile file(m_dir.path(), QStringLiteral("mast"));
+    QSignalSpy saved(&file, &MemoryFile::saved);
+    file.save(at(10.0));
+    ASSERT_TRUE(fakes::waitUntil([&] { return saved.count() == 1; }));
+    const LoadedMemory loaded = load();
+    EXPECT_EQ(loaded.memory, at(10.0));
+    EXPECT_EQ(loaded.problem, QString());
+}
+
+TEST_F(MemoryFileTest, TheNewestValueWinsAndNoQueueGrows)
+{
+    MemoryFile file(m_dir.path(), QStringLiteral("mast"));
+    QSignalSpy saved(&file, &MemoryFile::saved);
+    for (int i = 1; i <= 500; ++i) {
+        file.save(at(i));
+    }
+    ASSERT_TRUE(fakes::waitUntil([&] { return saved.count() == 2; }));
+    EXPECT_EQ(load().memory, at(500.0));
+    EXPECT_EQ(parseMemory(bytesOf(previous())), at(1.0));
+    EXPECT_TRUE(file.flush());
+    EXPECT_EQ(saved.count(), 2);
+}
+
+TEST_F(MemoryFileTest, FlushWaitsForTheLastValueWithoutAnEventLoop)
+{
+    MemoryFile file(m_dir.path(), QStringLiteral("mast"));
+    file.save(at(1.0));
+    file.save(at(2.0));
+    file.save(at(3.0));
+    EXPECT_TRUE(file.flush());
+    EXPECT_EQ(load().memory, at(3.0));
+    file.save(at(4.0));
+    EXPECT_TRUE(file.flush());
+    EXPECT_EQ(load().memory, at(4.0));
+}
+
+TEST_F(MemoryFileTest, TheDestructorFlushes)
+{
+    {
+        MemoryFile file(m_dir.path(), QStringLiteral("mast"));
+        file.save(at(1.0));
+        file.save(at(2.0));
+    }
+    EXPECT_EQ(load().memory, at(2.0));
+}
+
+TEST_F(MemoryFileTest, ACorruptFileIsKeptAsideAndThePreviousOneTaken)
+{
+    put(path(), QByteArrayLiteral("{ \"boresight_mem"));
+    put(previous(), *toText(at(20.0)));
+    const LoadedMemory loaded = load();
+    MountMemory expected = at(20.0);
+    expected.turns[0]->moving = expected.turns[1]->moving = true;  // it may have moved since
+    EXPECT_EQ(loaded.memory, expected);
+    ASSERT_EQ(corruptFiles().size(), 1);
+    EXPECT_EQ(bytesOf(m_dir.filePath(corruptFiles().front())), QByteArrayLiteral("{ \"boresight_mem"));
+    const std::string problem = loaded.problem.toStdString();
+    EXPECT_THAT(problem, HasSubstr("cannot be used: it is torn or damaged at byte"));
+    EXPECT_THAT(problem, HasSubstr("it is kept as " + m_dir.filePath(corruptFiles().front()).toStdString()));
+    EXPECT_THAT(problem, HasSubstr("the one before it was taken: " + previous().toStdString()));
+}
+
+TEST_F(MemoryFileTest, BothCorruptIsAnEmptyMemoryAndBothAreKept)
+{
+    put(path(), QByteArrayLiteral("{}"));
+    put(previous(), QByteArray(100, '\0'));
+    const LoadedMemory loaded = load();
+    EXPECT_EQ(loaded.memory, MountMemory());
+    EXPECT_EQ(corruptFiles().size(), 2);
+    EXPECT_THAT(loaded.problem.toStdString(), HasSubstr("it is not the memory of a mount"));
+    EXPECT_THAT(loaded.problem.toStdString(), HasSubstr("it is empty"));
+}
+
+// Killed between the two renamings: the previous generation is all there is, and beside it the unfinished new one.
+TEST_F(MemoryFileTest, KilledBetweenTheRenamingsThePreviousOneIsTaken)
+{
+    put(previous(), *toText(at(30.0)));
+    put(path() + QStringLiteral(".XyZabc"), toText(at(31.0))->left(200));
+    const LoadedMemory loaded = load();
+    EXPECT_EQ(loaded.memory.turns[0]->angle, Angle::fromDegrees(30.0));
+    EXPECT_TRUE(loaded.memory.turns[0]->moving);
+    EXPECT_THAT(loaded.problem.toStdString(), HasSubstr("is missing; the one before it was taken"));
+}
+
+TEST_F(MemoryFileTest, AHugeFileDoesNotFillTheMemory)
+{
+    QFile file(path());
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    ASSERT_TRUE(file.resize(qint64(4) << 30));  // sparse
+    file.close();
+    EXPECT_THAT(load().problem.toStdString(), HasSubstr("it is too large"));
+    EXPECT_EQ(corruptFiles().size(), 1);
+}
+
+TEST_F(MemoryFileTest, AFailureIsTold)
+{
+    MemoryFile file(m_dir.filePath(QStringLiteral("nowhere")), QStringLiteral("mast"));
+    QSignalSpy failed(&file, &MemoryFile::saveFailed);
+    QSignalSpy saved(&file, &MemoryFile::saved);
+    file.save(at(1.0));
+    ASSERT_TRUE(fakes::waitUntil([&] { return failed.count() == 1; }));
+    EXPECT_EQ(saved.count(), 0);
+    EXPECT_THAT(failed[0][0].toString().toStdString(), StartsWith(file.path().toStdString() + ": "));
+    const auto flushed = file.flush();
+    ASSERT_FALSE(flushed);
+    EXPECT_THAT(flushed.error().text, StartsWith(file.path().toStdString()));
+}
+
+TEST_F(MemoryFileTest, WhatNoAxisCanBeLeavesTheGoodFileAlone)
+{
+    MemoryFile file(m_dir.path(), QStringLiteral("mast"));
+    file.save(at(1.0));
+    ASSERT_TRUE(file.flush());
+    file.save(at(std::nan("")));
+    const auto flushed = file.flush();
+    ASSERT_FALSE(flushed);
+    EXPECT_EQ(flushed.error().text, "azimuth.turn.angle_rad is not finite");
+    EXPECT_EQ(load().memory, at(1.0));
+}
+
+TEST_F(MemoryFileTest, LivesInAnotherThreadThanTheOneThatMadeIt)
+{
+    QThread station;
+    MemoryFile file(m_dir.path(), QStringLiteral("mast"));
+    file.moveToThread(&station);
+    QObject::connect(&file, &MemoryFile::saved, &file, [&station] { station.quit(); });  // said in the station's thread
+    station.start();
+    QMetaObject::invokeMethod(&file, [&file] { file.save(at(7.0)); });
+    ASSERT_TRUE(station.wait(10000));
+    EXPECT_EQ(load().memory, at(7.0));
+}
+
+TEST(SafeFileName, KeepsPlainNamesAndTellsTheOthersApart)
+{
+    EXPECT_EQ(safeFileName(QStringLiteral("Mast-2_west")), QStringLiteral("Mast-2_west"));
+    EXPECT_EQ(safeFileName(QStringLiteral("../etc/x")), QStringLiteral("___etc_x-2215be8e"));
+    EXPECT_NE(safeFileName(QStringLiteral("a b")), safeFileName(QStringLiteral("a/b")));
+    EXPECT_NE(safeFileName(QStringLiteral("a b")), safeFileName(QStringLiteral("a_b")));
+    EXPECT_EQ(safeFileName(QStringLiteral("Höhe")).left(5), QStringLiteral("H_he-"));
+    EXPECT_FALSE(safeFileName(QString()).isEmpty());
+    EXPECT_LE(safeFileName(QString(5000, u'x')).size(), 80);
+    EXPECT_NE(safeFileName(QString(5000, u'x')), safeFileName(QString(5001, u'x')));
+}
+
+}  // namespace
+}  // namespace boresight::memory

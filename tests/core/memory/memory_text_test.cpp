@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/memory/memory_text.h"
+
+#include "tests/core/memory/example_memory.h"
+
+#include <QCryptographicHash>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <gmock/gmock.h>
+
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <ostream>
+#include <random>
+
+namespace boresight::memory {
+namespace {
+
+using testing::HasSubstr;
+
+std::string problemOf(const QByteArray& text)
+{
+    const auto parsed = parseMemory(text);
+    return parsed ? "accepted" : parsed.error().text;
+}
+
+TEST(MemoryText, SurvivesTheRoundTripExactly)
+{
+    for (const MountMemory& memory : {MountMemory(), exampleMemory()}) {
+        const auto text = toText(memory);
+        ASSERT_TRUE(text);
+        const auto parsed = parseMemory(*text);
+        ASSERT_TRUE(parsed) << parsed.error().text;
+        EXPECT_EQ(*parsed, memory);
+    }
+}
+
+// The file of another day must stay readable: this one was written by version 1 its checksum
+// by another SHA-256 over the sorted compact JSON.
+TEST(MemoryText, ReadsAFileOfVersionOne)
+{
+    const QByteArray text = R"({
+    "boresight_memory": 1,
+    "checksum": "50f93fa7fa7991b05441aafde2475b8b9576eaf512d53a257702dd40b586550f",
+    "memory": {
+        "azimuth": {
+            "crash_stop": {
+                "angle_rad": 0.0125,
+                "drive": "6f1c2a90-0b7d-4e11-8c55-0123456789ab",
+                "rate_rad_s": 0.03125,
+                "time_ms": 183,
+                "when": "2026-11-21T12:00:00.345Z"
+            },
+            "turn": {
+                "angle_rad": 7.0625,
+                "counted_rad": 0.75,
+                "drive": "6f1c2a90-0b7d-4e11-8c55-0123456789ab",
+                "home_state": 2,
+                "host_boot": "0d5c1b1e-7a52-4b7c-a1ea-3f1f6d1f7f10",
+                "host_since_boot_s": 5000.5,
+                "host_utc_is_exact": false,
+                "moving": true,
+                "reported_turns": 1.125,
+                "uptime_s": 34.5,
+                "when": "2026-11-21T12:00:00.345Z"
+            }
+        },
+        "elevation": {
+        }
+    }
+})";
+    const auto parsed = parseMemory(text);
+    ASSERT_TRUE(parsed) << parsed.error().text;
+    const TurnRecord turn{.drive = kAzimuthDrive,
+                          .angle = Angle::fromRadians(7.0625),
+                          .reported = MotorTurns::fromTurns(1.125),
+                          .counted = Angle::fromRadians(0.75),
+                          .uptime = Seconds(34.5),
+                          .homeState = moteus::HomeState::Output,
+                          .when = kWhen,
+                          .host = {.boot = kBoot, .sinceBoot = Seconds(5000.5)},
+                          .moving = true};
+    const CrashStop stop{.drive = kAzimuthDrive,
+                         .rate = AngularRate::fromRadians(0.03125),
+                         .angle = Angle::fromRadians(0.0125),
+                         .time = std::chrono::milliseconds(183),
+                         .when = kWhen};
+    EXPECT_EQ(parsed->turns[0], turn);
+    EXPECT_EQ(parsed->crashStops[0], stop);
+    EXPECT_FALSE(parsed->turns[1]);
+    EXPECT_FALSE(parsed->crashStops[1]);
+}
+
+TEST(MemoryText, KeepsEveryDoubleToTheLastBit)
+{
+    std::mt19937_64 random(3);
+    for (int i = 0; i < 20000; ++i) {
+        const double value = std::bit_cast<double>(random());
+        if (!std::isfinite(value) || std::abs(value) > 6000.0) {
+            continue;
+        }
+        MountMemory memory = exampleMemory();
+        memory.turns[0]->angle = Angle::fromRadians(value);
+        memory.turns[0]->reported = MotorTurns::fromTurns(-value);
+        memory.turns[0]->uptime = Seconds(std::abs(value));
+        const auto parsed = toText(memory).and_then(parseMemory);
+        ASSERT_TRUE(parsed) << value << ": " << parsed.error().text;
+        ASSERT_EQ(*parsed, memory) << value;
+    }
+}
+
+TEST(MemoryText, TimesAreUtcToTheMillisecond)
+{
+    MountMemory memory = exampleMemory();
+    memory.turns[0]->when += std::chrono::microseconds(999);
+    const auto text = toText(memory);
+    ASSERT_TRUE(text);
+    EXPECT_THAT(text->toStdString(), HasSubstr("\"2026-11-21T12:00:00.345Z\""));
+    EXPECT_EQ(parseMemory(*text)->turns[0]->when, kWhen);
+}
+
+TEST(MemoryText, TellsWhyAFileIsOfNoUse)
+{
+    const QByteArray good = *toText(exampleMemory());
+    EXPECT_EQ(problemOf(""), "it is empty");
+    EXPECT_EQ(problemOf(QByteArray(4096, '\0')), "it is empty");
+    EXPECT_THAT(problemOf(good.left(good.size() / 2)), HasSubstr("it is torn or damaged at byte"));
+    EXPECT_EQ(problemOf("{}"), "it is not the memory of a mount");
+    EXPECT_EQ(problemOf("[1, 2]"), "it is not the memory of a mount");
+    EXPECT_EQ(problemOf(QByteArray(good).replace("\"boresight_memory\": 1", "\"boresight_memory\": 2")),
+              "its version 2 is not known to this program, which reads version 1");
+    EXPECT_EQ(problemOf(QByteArray(good).replace("1234.567", "1234.568")),
+              "its checksum is wrong: it was changed or damaged");
+    EXPECT_EQ(problemOf(QByteArray(good).replace("\"moving\": true", "\"moving\": false")),
+              "its checksum is wrong: it was changed or damaged");
+    EXPECT_EQ(problemOf(QByteArray(good).replace("\"memory\"", "\"Memory\"")),
+              "its checksum is wrong: it was changed or damaged");
+}
+
+TEST(MemoryText, SpacesDoNotCount)
+{
+    const QByteArray compact = QJsonDocument::fromJson(*toText(exampleMemory())).toJson(QJsonDocument::Compact);
+    EXPECT_EQ(*parseMemory(compact), exampleMemory());
+}
+
+struct Broken
+{
+    const char* name;
+    std::function<void(MountMemory&)> change;
+    const char* reason;
+
+    friend void PrintTo(const Broken& broken, std::ostream* out) { *out << broken.name; }
+};
+
+class MemoryTextRefuses : public testing::TestWithParam<Broken>
+{};
+
+// Refused when written, so that the good file stays; what was written can always be read.
+TEST_P(MemoryTextRefuses, WhatNoAxisCanBe)
+{
+    MountMemory memory = exampleMemory();
+    GetParam().change(memory);
+    const auto text = toText(memory);
+    ASSERT_FALSE(text);
+    EXPECT_EQ(text.error().text, GetParam().reason);
+}
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+INSTANTIATE_TEST_SUITE_P(
+    All, MemoryTextRefuses,
+    testing::Values(
+        Broken{"NotANumber", [](MountMemory& m) { m.turns[0]->angle = Angle::fromRadians(kNan); },
+               "azimuth.turn.angle_rad is not finite"},
+        Broken{"Infinite", [](MountMemory& m) { m.turns[1]->reported = MotorTurns::fromTurns(kInfinity); },
+               "elevation.turn.reported_turns is not finite"},
+        Broken{"AngleTooLarge", [](MountMemory& m) { m.turns[0]->angle = Angle::fromTurns(-1001.0); },
+               "azimuth.turn.angle_rad is out of range"},
+        Broken{"CountTooLarge", [](MountMemory& m) { m.turns[0]->reported = MotorTurns::fromTurns(32769.0); },
+               "azimuth.turn.reported_turns is out of range"},
+        Broken{"UptimeNegative", [](MountMemory& m) { m.turns[0]->uptime = Seconds(-1.0); },
+               "azimuth.turn.uptime_s is out of range"},
+        Broken{"UptimeBeyondTheCounter", [](MountMemory& m) { m.turns[0]->uptime = Seconds(4294968.0); },
+               "azimuth.turn.uptime_s is out of range"},
+        Broken{"HomeState", [](MountMemory& m) { m.turns[0]->homeState = static_cast<moteus::HomeState>(3); },
+               "azimuth.turn.home_state is out of range"},
+        Broken{"NoDrive", [](MountMemory& m) { m.turns[0]->drive.clear(); },
+               "azimuth.turn.drive is not of the form 8-4-4-4-12 digits"},
+        Broken{"StrangeDrive", [](MountMemory& m) { m.crashStops[1]->drive[3] = u'g'; },
+               "elevation.crash_stop.drive is not of the form 8-4-4-4-12 digits"},
+        Broken{"StrangeBoot", [](MountMemory& m) { m.turns[0]->host.boot = QStringLiteral("\n"); },
+               "azimuth.turn.host_boot is not of the form 8-4-4-4-12 digits"},
+        Broken{"BeforeAllClocks", [](MountMemory& m) { m.turns[0]->when = UtcTime() - std::chrono::hours(1); },
+               "azimuth.turn.when is not a UTC time from 1970 to 2200"},
+        Broken{"RateTooLarge", [](MountMemory& m) { m.crashStops[1]->rate = AngularRate::fromTurns(101.0); },
+               "elevation.crash_stop.rate_rad_s is out of range"},
+        Broken{"StopTooLong", [](MountMemory& m) { m.crashStops[1]->time = std::chrono::hours(2); },
+               "elevation.crash_stop.time_ms is out of range"}),
+    [](const testing::TestParamInfo<Broken>& test) { return test.param.name; });
+
+class MemoryTextRubbish : public testing::Test
+{
+protected:
+    [[nodiscard]] std::size_t below(std::size_t end)
+    {
+        return std::uniform_int_distribution<std::size_t>(0, end - 1)(m_random);
+    }
+    [[nodiscard]] char byte() { return static_cast<char>(below(256)); }
+
+    [[nodiscard]] QByteArray damaged(QByteArray text)
+    {
+        const auto place = [&] { return static_cast<qsizetype>(below(static_cast<std::size_t>(text.size()))); };
+        switch (below(7)) {
+            case 0:  // one bit
+                text[place()] = static_cast<char>(text.at(place()) ^ (1 << below(8)));
+                return text;
+            case 1: {  // one bit in its own place
+                const qsizetype i = place();
+                text[i] = static_cast<char>(text.at(i) ^ (1 << below(8)));
+                return text;
+            }
+            case 2:  // torn
+                return text.left(place());
+            case 3: {  // the end is zeros, as after a power cut
+                const qsizetype end = place();
+                return text.left(end) + QByteArray(text.size() - end, '\0');
+            }
+            case 4:  // one digit for another
+                text[place()] = static_cast<char>('0' + below(10));
+                return text;
+            case 5: {  // a piece of it twice
+                const qsizetype from = place();
+                return text.insert(place(), text.mid(from, static_cast<qsizetype>(below(40))));
+            }
+            default: {
+                QByteArray rubbish(static_cast<qsizetype>(below(300)), '\0');
+                for (char& c : rubbish) {
+                    c = byte();
+                }
+                return rubbish;
+            }
+        }
+    }
+
+    std::mt19937_64 m_random{2026};
+};
+
+TEST_F(MemoryTextRubbish, IsNeverAcceptedAsSomethingElse)
+{
+    const MountMemory memory = exampleMemory();
+    const QByteArray good = *toText(memory);
+    int refused = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const QByteArray text = damaged(good);
+        const auto parsed = parseMemory(text);
+        refused += parsed ? 0 : 1;
+        ASSERT_TRUE(!parsed || *parsed == memory) << text.toStdString();
+        ASSERT_TRUE(parsed || !parsed.error().text.empty());
+    }
+    EXPECT_GT(refused, 14000);  // the rest hit a space, or put the same character there
+}
+
+// Whoever also mends the checksum gets past it: then the fields are checked one by one.
+TEST_F(MemoryTextRubbish, WithTheRightChecksumIsStillChecked)
+{
+    const QByteArray good = *toText(exampleMemory());
+    const QByteArray from = "\"angle_rad\": ";
+    for (const char* value : {"null", "\"7\"", "1e300", "[]", "true"}) {
+        QByteArray changed = good;
+        const qsizetype start = changed.indexOf(from) + from.size();
+        changed.replace(start, changed.indexOf(',', start) - start, value);
+        const QJsonObject payload = QJsonDocument::fromJson(changed).object().value(QLatin1String("memory")).toObject();
+        const QByteArray sum =
+            QCryptographicHash::hash(QJsonDocument(payload).toJson(QJsonDocument::Compact), QCryptographicHash::Sha256)
+                .toHex();
+        const qsizetype place = changed.indexOf("\"checksum\": \"") + 13;
+        changed.replace(place, 64, sum);
+        EXPECT_THAT(problemOf(changed), HasSubstr(".angle_rad is ")) << value;
+    }
+}
+
+}  // namespace
+}  // namespace boresight::memory
