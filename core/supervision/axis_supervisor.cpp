@@ -115,7 +115,7 @@ void AxisSupervisor::judgeProgress(const AxisObservation& seen)
     m_wrongWay.update(seen.now, against, {.stop = kAgainst.degrees(), .release = kAgainst.degrees()}, [&] {
         return QStringLiteral("%1 moves the wrong way: %2, %3 moved").arg(m_name, motion(), words(m_progress.moved()));
     });
-    const double missing = m_progress.missing() && !m_wrongWay.observed() ? m_progress.underCommand().count() : 0.0;
+    const double missing = m_progress.missing() ? m_progress.underCommand().count() : 0.0;
     const double limit = m_settings.stallTime.count();
     m_stalled.update(seen.now, missing, {.stop = limit, .release = limit}, [&] {
         return QStringLiteral("%1 does not move: %2, %3 moved").arg(m_name, motion(), words(m_progress.moved()));

@@ -83,17 +83,18 @@ void Standing::look(const AxisObservation& seen)
     if (!shouldStand(seen)) {
         m_rested.reset();
         m_candidate.reset();
-        m_since = seen.now;
+        m_since.reset();
         return;
     }
     if (m_rested) {
         return;
     }
+    m_since = m_since.value_or(seen.now);
     if (!m_candidate || abs(seen.actual - *m_candidate) > kStill) {
         m_candidate = seen.actual;
         m_still = seen.now;
     }
-    if (seen.now - m_still >= kStillFor || seen.now - m_since >= kStopsWithin) {
+    if (seen.now - m_still >= kStillFor || seen.now - *m_since >= kStopsWithin) {
         m_rested = m_candidate;
     }
 }
@@ -115,7 +116,7 @@ bool Standing::shouldStand(const AxisObservation& seen)
 std::optional<JumpGate::Jump> JumpGate::look(const AxisObservation& seen, Angle allowance, AngularRate speed)
 {
     const std::optional<AxisObservation> last = std::exchange(m_last, seen);
-    if (!last || last->turnKnown != seen.turnKnown) {
+    if (!last) {
         return std::nullopt;
     }
     const Jump jump{.by = seen.actual - last->actual, .within = seen.received - last->received};

@@ -54,10 +54,10 @@ public:
 private:
     [[nodiscard]] bool shouldStand(const AxisObservation& seen);
 
-    std::optional<Angle> m_rested;     // where it should stand
-    std::optional<Angle> m_candidate;  // not known yet to rest there
-    SteadyTime m_still{};              // at the candidate since
-    SteadyTime m_since{};              // should stand since
+    std::optional<Angle> m_rested;      // where it should stand
+    std::optional<Angle> m_candidate;   // not known yet to rest there
+    SteadyTime m_still{};               // at the candidate since
+    std::optional<SteadyTime> m_since;  // should stand since
     Angle m_actual;
     Angle m_lastCommanded;
     bool m_lastEngaged = false;

@@ -81,6 +81,7 @@ TEST_F(AxisSupervisorTest, ReArmingForgetsWhatWasFoundInTheMotion)
     ticks(50);
     EXPECT_TRUE(stops(Finding::EncoderJump));
     EXPECT_TRUE(stops(Finding::FollowingError));
+    EXPECT_FALSE(found(Finding::MovesUncommanded)) << "the axis has not moved, its angle has";
     seen.commanded = seen.actual;
     supervisor.forgetMotion();
     tick();
@@ -243,6 +244,16 @@ TEST_F(AxisSupervisorTest, WithoutTheTurnTheTravelIsNotJudged)
     seen.turnKnown = true;
     ticks(2);
     EXPECT_TRUE(found(Finding::OutsideTravel));
+}
+
+TEST_F(AxisSupervisorTest, AJumpOutOfTheTravelIsNoMotionOutwards)
+{
+    ticks(50);
+    seen.actual = 460_deg;
+    ticks(2);
+    EXPECT_TRUE(stops(Finding::EncoderJump));
+    ASSERT_TRUE(found(Finding::OutsideTravel));
+    EXPECT_FALSE(stops(Finding::OutsideTravel));
 }
 
 class AtTickRate : public AxisSupervisorTest, public ::testing::WithParamInterface<int>

@@ -84,6 +84,19 @@ TEST(NoFalseFinding, EngagingSettingDownAndEngagingElsewhere)
     EXPECT_EQ(mount.report(), "");
 }
 
+TEST(NoFalseFinding, ADriveThatIsReleasedInMotionCoasts)
+{
+    SupervisedMount mount(sim::commissionedPair({.azimuth = 100_deg, .elevation = 45_deg}));
+    mount.engage();
+    mount.turn(Axis::Azimuth, 10_deg_s);
+    mount.run(Seconds(3.0));
+    const Angle released = mount.seen(Axis::Azimuth).actual;
+    mount.release();
+    mount.run(Seconds(10.0));
+    EXPECT_GT(mount.seen(Axis::Azimuth).actual, released + 2_deg);
+    EXPECT_EQ(mount.report(), "");
+}
+
 TEST(NoFalseFinding, OneReplyInAHundredIsLost)
 {
     SupervisedMount mount;
