@@ -12,8 +12,12 @@
 #include <QThread>
 
 #include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
 #include <cmath>
+#include <csignal>
 
 namespace boresight::memory {
 namespace {
@@ -149,6 +153,41 @@ TEST_F(MemoryFileTest, KilledBetweenTheRenamingsThePreviousOneIsTaken)
     EXPECT_EQ(loaded.memory.turns[0]->angle, Angle::fromDegrees(30.0));
     EXPECT_TRUE(loaded.memory.turns[0]->moving);
     EXPECT_THAT(loaded.problem.toStdString(), HasSubstr("is missing; the one before it was taken"));
+}
+
+// The program is killed at any moment of its writing: there is always a whole file, at most one save behind.
+TEST_F(MemoryFileTest, AKilledProgramLeavesAWholeFile)
+{
+    for (int round = 1; round <= 25; ++round) {
+        std::array<int, 2> pipe{};
+        ASSERT_EQ(::pipe(pipe.data()), 0);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            MemoryFile file(m_dir.path(), QStringLiteral("mast"));
+            for (unsigned char i = 1;; ++i) {
+                file.save(at(i));
+                (void)file.flush();
+                (void)!::write(pipe[1], &i, 1);
+            }
+        }
+        ASSERT_GT(child, 0);
+        ::close(pipe[1]);
+        unsigned char last = 0;
+        for (int i = 0; i < 2 + round % 5; ++i) {
+            ASSERT_EQ(::read(pipe[0], &last, 1), 1);
+        }
+        ::kill(child, SIGKILL);
+        ::waitpid(child, nullptr, 0);
+        while (::read(pipe[0], &last, 1) == 1) {
+        }
+        ::close(pipe[0]);
+        const LoadedMemory loaded = load();
+        ASSERT_TRUE(loaded.memory.turns[0]) << loaded.problem.toStdString();
+        const double found = std::round(loaded.memory.turns[0]->angle.degrees());
+        EXPECT_GE(found, last);  // the last one that was said to be on the disk, or the one being written
+        EXPECT_LE(found, last + 1);
+        EXPECT_EQ(corruptFiles().size(), 0);
+    }
 }
 
 TEST_F(MemoryFileTest, AHugeFileDoesNotFillTheMemory)

@@ -36,6 +36,12 @@ double ratioOf(Kind kind)
     return kind == Kind::OutputEncoder ? 1.0 : kind == Kind::FiveToOne ? 0.2 : 0.01;
 }
 
+// Until its zero is set, which only AZeroSetSinceTheJournalIsNotCountedOver does.
+HomeState homeStateOf(Kind kind)
+{
+    return kind == Kind::OutputEncoder ? HomeState::Output : HomeState::Rotor;
+}
+
 AxisGeometry axisOf()
 {
     return {.travel = {Angle::fromDegrees(-360.0), Angle::fromDegrees(450.0)}};
@@ -52,7 +58,7 @@ struct Scene
     explicit Scene(Kind kind = Kind::OutputEncoder)
         : frame{.drive = kAzimuthDrive,
                 .reported = turnsAt(405.0),
-                .homeState = HomeState::Output,
+                .homeState = homeStateOf(kind),
                 .uptime = hours(1),
                 .outputEncoder = kind == Kind::OutputEncoder,
                 .period = ambiguity(axisOf(), ratioOf(kind), kind == Kind::OutputEncoder)},
@@ -61,7 +67,7 @@ struct Scene
                                         .reported = turnsAt(405.0),
                                         .counted = 405_deg,
                                         .uptime = hours(1) - minutes(12),
-                                        .homeState = HomeState::Output,
+                                        .homeState = homeStateOf(kind),
                                         .when = kWhen - minutes(12),
                                         .host = {.boot = kBoot, .sinceBoot = hours(20) - minutes(12)}},
                    .now = kWhen,
@@ -73,7 +79,6 @@ struct Scene
     {
         const double places = std::round(degrees / frame.period.degrees());
         frame.reported = turnsAt(degrees - places * frame.period.degrees());
-        frame.homeState = frame.outputEncoder ? HomeState::Output : HomeState::Rotor;
         frame.uptime = seconds(34);
         return *this;
     }
@@ -264,6 +269,7 @@ TEST_P(ReconcileKinds, AZeroSetSinceTheJournalIsNotCountedOver)
 {
     Scene scene(GetParam().kind);
     scene.evidence.record->homeState = HomeState::Rotor;
+    scene.frame.homeState = HomeState::Output;
     EXPECT_THAT(scene.sentences(), Contains("The drive's zero was set or lost since the journal was written"));
 }
 
@@ -359,7 +365,8 @@ TEST(ReconcileClock, ASmallStepDoesNoHarmWhileTheComputerRuns)
     EXPECT_EQ(Scene().clockStepped(hours(2)).certain(), std::nullopt);
 }
 
-// The steady clock may stand still while the computer sleeps. 3 h of sleep; the drive was restarted 70 min ago.
+// The steady clock may stand still while the computer sleeps. 3 h of sleep; the drive was restarted an
+// hour ago, which by the steady clock would fit it having been on all the time.
 TEST(ReconcileClock, ASleepOfTheComputerIsSeenByUtc)
 {
     Scene scene(Kind::HundredToOne);
