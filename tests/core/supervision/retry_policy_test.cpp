@@ -125,6 +125,20 @@ TEST(RetryPolicy, AnHourOfHealthRenewsOnce)
     EXPECT_EQ(policy.nextTry(), at(8060));
 }
 
+TEST(RetryPolicy, TwoTimesHalfAnHourIsNoHourOfHealth)
+{
+    RetryPolicy policy(always(Retry::Once));
+    policy.lost(LossClass::Bus, at(0));
+    policy.tried(at(60));
+    policy.healthy(at(60));
+    policy.healthy(at(2400));
+    policy.lost(LossClass::Bus, at(2400));
+    policy.healthy(at(2500));
+    policy.healthy(at(4800));
+    policy.lost(LossClass::Bus, at(4800));
+    EXPECT_FALSE(policy.nextTry());
+}
+
 TEST(RetryPolicy, TheStrictestLossDecides)
 {
     RetryPolicy policy(always(Retry::Interval));
