@@ -425,7 +425,9 @@ TEST(ReconcileClock, RubbishInTheNumbersIsNeverCertain)
     scene.frame.reported = MotorTurns::fromTurns(nan);
     EXPECT_TRUE(scene.question().candidates.empty());
     scene = Scene(Kind::HundredToOne);
-    scene.evidence.record->host.sinceBoot = hours(21);  // later than now on a clock that only goes forward
+    scene.evidence.record->host.sinceBoot =
+        hours(20) + minutes(1);  // later than now on a clock that only goes forward,
+    scene.frame.uptime = scene.evidence.record->uptime - minutes(1);  // and the drive seems to agree
     EXPECT_EQ(scene.certain(), std::nullopt);
     for (const double period : {0.0, nan, -3.6, 1e-9}) {
         scene = Scene(Kind::HundredToOne);
