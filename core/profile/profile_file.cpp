@@ -157,10 +157,9 @@ std::string quoted(const std::string& text)
     return result + "\"";
 }
 
-// Nine decimals are a millionth of an arc second and hide the rounding between degrees and radians.
 std::string number(double value)
 {
-    std::string text = formatFixed(value, 9);
+    std::string text = formatFixed(value, kDecimals);
     text.erase(std::max(text.find_last_not_of('0'), text.find('.') + 1) + 1);
     return text;
 }

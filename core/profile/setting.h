@@ -32,6 +32,9 @@ enum class Applies
 
 using SettingValue = std::variant<std::string, std::int64_t, double>;  // Choice is a string
 
+// Of the numbers in the file: a millionth of an arc second, and they hide the rounding between degrees and radians.
+inline constexpr int kDecimals = 9;
+
 struct Setting
 {
     std::string key;  // "azimuth.travel_min_deg": table and key of the file

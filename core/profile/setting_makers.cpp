@@ -34,6 +34,12 @@ Result<> checkRange(double value, Range range)
     return {};
 }
 
+double rounded(double value)
+{
+    constexpr double kSteps = 1e9;  // 10 to the power of kDecimals
+    return std::round(value * kSteps) / kSteps;
+}
+
 std::string listed(const std::vector<std::string>& names)
 {
     std::string text;

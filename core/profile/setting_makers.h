@@ -19,6 +19,8 @@ struct Range
 };
 
 [[nodiscard]] Result<> checkRange(double value, Range range);
+// To the decimals of the file: what is checked is then what will be written and read again.
+[[nodiscard]] double rounded(double value);
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);  // in quotes, with commas
 
 // Between a typed field and the number in the file, in the unit that the setting names.
@@ -73,7 +75,7 @@ Setting number(const std::string& key, const std::string& unit, Range range, App
             return failure(ErrorCode::InvalidInput, "a number is expected");
         }
         const double wanted = real != nullptr ? *real : static_cast<double>(*whole);
-        return checkRange(wanted, range).map([&] { assign(access(profile), wanted); });
+        return checkRange(wanted, range).map([&] { assign(access(profile), rounded(wanted)); });
     };
     return {.key = key,
             .type = SettingType::Number,

@@ -153,6 +153,17 @@ TEST(ProfileFile, RefusesControlCharacters)
     }
 }
 
+// Found by the fuzzer: a travel of 1e-320° was accepted but written as 0°, and then refused.
+TEST(ProfileFile, ANumberHasNoMoreDecimalsThanTheFile)
+{
+    EXPECT_EQ(errorsOf("version = 1\nelevation.travel_max_deg = 1e-320\n"),
+              "m.toml:2: elevation.travel_min_deg: 0.00° is not below elevation.travel_max_deg (0.00°)");
+    const auto profile = parseProfile("version = 1\npark.azimuth_deg = 12.3456789012345\n", "m.toml");
+    ASSERT_TRUE(profile) << profile.error().text;
+    EXPECT_EQ(profile->park.azimuth, Angle::fromDegrees(12.345678901));
+    EXPECT_EQ(parseProfile(toToml(*profile), "m.toml"), profile);
+}
+
 TEST(ProfileFile, BrokenSyntaxNamesItsLine)
 {
     const std::string text = errorsOf("version = 1\n[azimuth\nid = 1\n");
