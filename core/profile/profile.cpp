@@ -20,7 +20,7 @@ tracking::MotionLimits limitsOf(double degreesPerSecond, double degreesPerSecond
 AxisSettings referenceAzimuth()
 {
     return {.id = 1,
-            .geometry = {.travel = {.min = -90_deg, .max = 450_deg}},
+            .geometry = {.gearRatio = 100.0, .travel = {.min = -90_deg, .max = 450_deg}},
             .limits = limitsOf(10.0, 10.0),
             .maxTorque = 50.0};
 }
@@ -28,7 +28,7 @@ AxisSettings referenceAzimuth()
 AxisSettings referenceElevation()
 {
     return {.id = 2,
-            .geometry = {.sign = -1, .offset = 90_deg, .travel = {.min = 0_deg, .max = 90_deg}},
+            .geometry = {.sign = -1, .offset = 90_deg, .gearRatio = 100.0, .travel = {.min = 0_deg, .max = 90_deg}},
             .limits = limitsOf(8.0, 8.0),
             .maxTorque = 50.0};
 }

@@ -23,6 +23,13 @@ enum class PowerUpPosition
     Trusted     // it is right: an encoder on the axis, and a travel below one turn of it
 };
 
+// What the drive does by itself when its watchdog expires (servo.timeout_mode).
+enum class TimeoutMode
+{
+    Hold,  // 10: brakes with its own limits, then holds
+    Brake  // 15: shorts the phases; only a self-locking gearbox then stays where it is
+};
+
 struct AxisSettings
 {
     int id = 1;  // of the moteus controller on the bus
@@ -30,6 +37,7 @@ struct AxisSettings
     tracking::MotionLimits limits{};
     double maxTorque = 0.0;  // Nm, as the drive counts it
     PowerUpPosition powerUpPosition = PowerUpPosition::Ambiguous;
+    TimeoutMode timeoutMode = TimeoutMode::Hold;
 
     bool operator==(const AxisSettings&) const = default;
 };
@@ -70,6 +78,7 @@ struct ControlSettings
     int tickHz = 50;
     Seconds watchdog{0.1};
     OnExit onExit = OnExit::Hold;
+    Angle driveLimitMargin = Angle::fromDegrees(3.0);  // of the drives' own position bounds beyond the travel
 
     [[nodiscard]] Seconds tickPeriod() const { return Seconds(1.0 / tickHz); }
     bool operator==(const ControlSettings&) const = default;

@@ -99,6 +99,12 @@ void addLimits(std::vector<Setting>& list, const std::string& table, AxisSetting
         "\"trusted\" if the position after power-up is always right (encoder on the axis, travel below one turn); else "
         "the axis is only pointed when the drive reports a referenced output.",
         [axis](auto& p) -> auto& { return (p.*axis).powerUpPosition; }));
+    list.push_back(choice(
+        table + ".timeout_mode", {"hold", "brake"}, Applies::OnReconnect,
+        "What the drive does by itself when its watchdog expires: \"hold\" (servo.timeout_mode 10) or \"brake\" (15, "
+        "for "
+        "self-locking gearboxes only).",
+        [axis](auto& p) -> auto& { return (p.*axis).timeoutMode; }));
 }
 
 void addControl(std::vector<Setting>& list)
@@ -116,6 +122,11 @@ void addControl(std::vector<Setting>& list)
         "they only "
         "damp.",
         [](auto& p) -> auto& { return p.control.onExit; }));
+    list.push_back(number(
+        "control.drive_limit_margin_deg", "°", {0.5, 20.0}, Applies::OnReconnect,
+        "How far beyond the travel the drives' own position bounds lie, a second limit that holds without this "
+        "program.",
+        [](auto& p) -> auto& { return p.control.driveLimitMargin; }));
     list.push_back(number(
         "park.azimuth_deg", "°", {-3600.0, 3600.0}, Applies::Now, "Park position, as a mechanical angle.",
         [](auto& p) -> auto& { return p.park.azimuth; }));

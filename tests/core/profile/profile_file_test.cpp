@@ -66,8 +66,9 @@ TEST(ProfileFile, EveryValueSurvivesTheRoundTrip)
                                 .travel = {-180.1_deg, 179.9_deg}};
     changed.azimuth.limits = {AngularRate::fromDegrees(0.1), AngularAcceleration::fromDegrees(0.3),
                               AngularJerk::fromDegrees(0.7)};
+    changed.azimuth.timeoutMode = TimeoutMode::Brake;
     changed.park = {.azimuth = -33.3_deg, .elevation = 89.99_deg};
-    changed.control = {.tickHz = 200, .watchdog = Seconds(0.123), .onExit = OnExit::Brake};
+    changed.control = {.tickHz = 200, .watchdog = Seconds(0.123), .onExit = OnExit::Brake, .driveLimitMargin = 7.5_deg};
     changed.rotctld = {.listen = {"::", 0},
                        .outsideLimits = OutsideLimits::Refuse,
                        .azimuth = AzimuthConvention::Continuous,
