@@ -11,8 +11,8 @@ namespace boresight::sim {
 namespace {
 
 constexpr std::size_t kLongestLine = 100;
-constexpr std::size_t kMostPending = 65536;  // nobody reads: forget rather than grow
-constexpr double kShortestPeriod = 0.01;     // s
+constexpr std::size_t kMostPending = 4096;  // nobody reads: nothing more is emitted
+constexpr double kShortestPeriod = 0.01;    // s
 
 using console::kOk;
 using console::lengthBytes;

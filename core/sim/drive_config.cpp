@@ -153,6 +153,7 @@ DriveConfig commissionedDrive(Axis axis)
     config.motorPosition.rotorToOutputRatio = 1.0 / mount.gearRatio;
     config.servo.gains = mount.gains;
     config.servo.timeoutMode = 10;
+    config.servo.faultPositionError = Angle(10.0_deg).turns();
     // Four times the torque of the fastest move in calm air, a quarter of what the gearbox survives.
     config.servo.maxCurrent = 30.0;
     config.servo.maxVelocity = 0.06;

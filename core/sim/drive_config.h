@@ -95,7 +95,8 @@ void visitFields(DriveConfig& config, const ConfigVisitor& visit);
 Result<> setConfigText(DriveConfig& config, std::string_view key, std::string_view text);
 
 // One axis of the reference mount after commissioning: id, gear ratio, travel with a margin of 3° as position bounds,
-// hold (mode 10) on time-out, default limits, and gains for the inertia and friction of `ReferenceMount`.
+// hold (mode 10) on time-out, fault 49 at 10° behind the order, default limits, and gains for the inertia and friction
+// of `ReferenceMount`.
 [[nodiscard]] DriveConfig commissionedDrive(Axis axis);
 
 }  // namespace boresight::sim

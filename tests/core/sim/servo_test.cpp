@@ -162,7 +162,7 @@ TEST_F(ServoOnPlant, StalledAxisRunsIntoTheTorqueLimit)
 {
     hold();
     plant.setStalled(true);
-    const double target = plant.position() - 0.05;
+    const double target = plant.position() - 0.02;  // 7.2°: the drive gives up at 10°
     servo.command({.mode = Mode::Position,
                    .position = target,
                    .maximumTorque = 40.0,
@@ -177,6 +177,20 @@ TEST_F(ServoOnPlant, StalledAxisRunsIntoTheTorqueLimit)
     run(3.0);
     EXPECT_NEAR(plant.position(), target, 1e-4);
     EXPECT_EQ(servo.faultCode(), 0);
+}
+
+TEST_F(ServoOnPlant, AStalledAxisFarBehindItsOrderFaults)
+{
+    hold();
+    plant.setStalled(true);
+    servo.command({.mode = Mode::Position,
+                   .position = plant.position() - 0.05,
+                   .watchdogTimeout = kNone,
+                   .velocityLimit = 0.02,
+                   .accelerationLimit = 0.05});
+    run(3.0);
+    EXPECT_EQ(servo.mode(), Mode::Fault);
+    EXPECT_EQ(servo.faultCode(), 49);
 }
 
 TEST_F(ServoOnPlant, PushedOutsideTheBoundsTheOutwardCurrentFades)

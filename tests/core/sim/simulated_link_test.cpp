@@ -337,7 +337,7 @@ TEST_F(SimulatedLinkTest, StallShowsAsTorque)
 {
     drive(0.5, 1, moveTo(0.0));
     inject(FaultKind::Stall);
-    drive(3.0, 1, moveTo(0.2));
+    drive(3.0, 1, moveTo(0.02));
     EXPECT_NEAR(link.truth(Axis::Azimuth).angle.degrees(), 0.0, 0.1);
     EXPECT_EQ(ask(1)->fault(), static_cast<int>(sim::ActiveLimit::MaxCurrent));
 }

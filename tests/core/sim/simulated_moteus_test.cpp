@@ -178,7 +178,7 @@ TEST_F(SimulatedMoteusTest, OverloadHeatsTheBoard)
 {
     drive.plant().setStalled(true);
     for (int i = 0; i < 6000; ++i) {
-        ask("01000a0e20000080bf00000000");  // far away, 50 Hz
+        ask("01000a0e20713d8a3e00000000");  // 7.2° away, 50 Hz: the drive gives up at 10°
         run(0.02);
         if (drive.servo().faultCode() == static_cast<int>(ActiveLimit::FetTemperature)) {
             break;
