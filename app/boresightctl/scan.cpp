@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/bus_scan.h"
+#include "app/boresightctl/scan_report.h"
 #include "app/boresightctl/subcommand.h"
 #include "app/unix_signals.h"
 #include "core/station/link_factory.h"

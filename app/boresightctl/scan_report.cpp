@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/scan_report.h"
 
-#include "core/base/hex.h"
 #include "core/base/numbers.h"
+#include "core/moteus/describe.h"
 #include "core/moteus/faults.h"
 
 #include <algorithm>
@@ -18,38 +18,10 @@ using Row = std::vector<std::string>;
 
 const Row kHead{"id", "UUID", "firmware", "map", "mode", "fault", "voltage", "temperature", "position", "reference"};
 
-// As the maker writes them: 8-4-4-4-12 digits in the order of the bytes; a word has its lowest byte first.
-std::string uuidText(const moteus::Uuid& uuid)
-{
-    std::vector<std::uint8_t> bytes;
-    for (const std::uint32_t word : uuid) {
-        for (const unsigned shift : {0u, 8u, 16u, 24u}) {
-            bytes.push_back(static_cast<std::uint8_t>(word >> shift));
-        }
-    }
-    std::string text = toHex(bytes);
-    for (const std::size_t place : {20u, 16u, 12u, 8u}) {
-        text.insert(place, 1, '-');
-    }
-    return text;
-}
-
 std::string withUnit(const moteus::Reply& known, Register reg, int decimals, const std::string& unit)
 {
     const std::optional<double> value = known.value(reg);
     return value ? formatFixed(*value, decimals) + ' ' + unit : "?";
-}
-
-// 0x010203 is 1.2.3.
-std::string firmwareText(const moteus::Reply& known)
-{
-    const std::optional<double> value = known.value(Register::FirmwareVersion);
-    if (!value) {
-        return "?";
-    }
-    const auto version = static_cast<std::uint32_t>(*value);
-    return std::to_string(version >> 16) + '.' + std::to_string((version >> 8) & 0xff) + '.' +
-           std::to_string(version & 0xff);
 }
 
 std::string wholeText(const moteus::Reply& known, Register reg)
@@ -79,8 +51,8 @@ Row row(const FoundController& controller)
     const auto mode = known.mode();
     const auto home = known.homeState();
     return {std::to_string(controller.id),
-            uuid ? uuidText(*uuid) : "?",
-            firmwareText(known),
+            uuid ? moteus::uuidText(*uuid) : "?",
+            moteus::firmwareText(known),
             wholeText(known, Register::RegisterMapVersion),
             mode ? std::string(moteus::modeText(*mode)) : "?",
             faultColumn(known),
@@ -145,13 +117,6 @@ void addOwnProblems(const FoundController& controller, std::vector<std::string>&
 }
 
 }  // namespace
-
-bool FoundController::isUnreadable() const
-{
-    const bool refused = std::ranges::any_of(
-        known.errors, [](const moteus::RegisterError& error) { return error.reg == Register::Uuid; });
-    return !known.uuid() && !refused;
-}
 
 std::string table(std::span<const FoundController> controllers)
 {

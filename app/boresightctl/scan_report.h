@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/moteus/codec.h"
+#include "core/survey/bus_scan.h"
 
 #include <span>
 #include <string>
@@ -10,14 +10,7 @@
 // What a scan of a bus found, in words. Pure.
 namespace boresight::ctl {
 
-struct FoundController
-{
-    int id = 0;           // under which it answers
-    moteus::Reply known;  // all it has told, of every answer
-
-    // Neither its UUID nor a reason for not having one.
-    [[nodiscard]] bool isUnreadable() const;
-};
+using survey::FoundController;
 
 // One line per controller, units with every number; "?" is what it did not tell. Lines end with LF.
 [[nodiscard]] std::string table(std::span<const FoundController> controllers);

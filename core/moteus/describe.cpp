@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/moteus/describe.h"
 
+#include "core/base/hex.h"
 #include "core/base/overloaded.h"
 #include "core/moteus/arbitration.h"
 #include "core/moteus/faults.h"
@@ -250,6 +251,32 @@ std::string describe(const CanFrame& frame)
     }
     lines.addEnd(reader.end());
     return lines.text();
+}
+
+std::string uuidText(const Uuid& uuid)
+{
+    std::vector<std::uint8_t> bytes;
+    for (const std::uint32_t word : uuid) {
+        for (const unsigned shift : {0u, 8u, 16u, 24u}) {
+            bytes.push_back(static_cast<std::uint8_t>(word >> shift));
+        }
+    }
+    std::string text = toHex(bytes);
+    for (const std::size_t place : {20u, 16u, 12u, 8u}) {
+        text.insert(place, 1, '-');
+    }
+    return text;
+}
+
+std::string firmwareText(const Reply& reply)
+{
+    const std::optional<double> value = reply.value(Register::FirmwareVersion);
+    if (!value) {
+        return "?";
+    }
+    const std::uint32_t version = toWire(*value, Kind::Identity, Resolution::Int32);
+    return std::to_string(version >> 16) + '.' + std::to_string((version >> 8) & 0xff) + '.' +
+           std::to_string(version & 0xff);
 }
 
 }  // namespace boresight::moteus

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/can_frame.h"
+#include "core/moteus/codec.h"
 #include "core/moteus/subframes.h"
 
 #include <string>
@@ -15,5 +16,11 @@ namespace boresight::moteus {
 
 // "position 0.25 rev (f32)", "mode 10 position (i8)", "velocity limit unset (i16)".
 [[nodiscard]] std::string describe(const RegisterValue& item);
+
+// As the maker writes them: 8-4-4-4-12 digits in the order of the bytes; a word has its lowest byte first.
+[[nodiscard]] std::string uuidText(const Uuid& uuid);
+
+// "1.2.3" for 0x010203 in register 0x101; "?" if the reply does not have it.
+[[nodiscard]] std::string firmwareText(const Reply& reply);
 
 }  // namespace boresight::moteus

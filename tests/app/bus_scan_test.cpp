@@ -2,6 +2,7 @@
 // The scan against the simulated pair, in real time: a second or two each.
 #include "app/boresightctl/bus_scan.h"
 
+#include "app/boresightctl/scan_report.h"
 #include "core/sim/simulated_link.h"
 #include "tests/fakes/wait_until.h"
 
@@ -11,6 +12,7 @@ namespace boresight::ctl {
 namespace {
 
 using moteus::Register;
+using survey::FoundController;
 
 // A bus that notes what is asked.
 class WatchedLink final : public CanLink
