@@ -43,4 +43,23 @@ struct DriveIdentity
     bool operator==(const DriveIdentity&) const = default;
 };
 
+enum class FindingWeight
+{
+    Advice,
+    Warning,
+    Blocking,  // nothing moves before it is mended
+};
+
+// What the operator should know of the drives; `cause` is the same as long as it is the same trouble.
+struct Finding
+{
+    QString cause;  // "drives.missing.elevation"
+    FindingWeight weight = FindingWeight::Warning;
+    QString what;
+    QString action;  // what Boresight does about it
+    QString remedy;
+
+    bool operator==(const Finding&) const = default;
+};
+
 }  // namespace boresight::survey

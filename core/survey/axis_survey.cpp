@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/survey/axis_survey.h"
+
+#include "core/moteus/describe.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace boresight::survey {
+namespace {
+
+constexpr int kMostSilences = 5;  // of the heartbeat, 0.1 s each
+
+std::string getCommand(const Protection& protection)
+{
+    return "conf get " + protection.key;
+}
+
+Reading asReading(const ConsoleRun::Answer& answer)
+{
+    if (!answer || answer->empty()) {
+        return {.state = Reading::State::Unknown};
+    }
+    return {.state = Reading::State::Read, .text = answer->front()};
+}
+
+}  // namespace
+
+AxisSurvey::AxisSurvey(const profile::Profile& profile, Axis axis)
+    : m_axis(axis),
+      m_id(axis == Axis::Azimuth ? profile.azimuth.id : profile.elevation.id),
+      m_protections(protectionsOf(profile, axis)),
+      m_heartbeat(m_id)
+{
+    forget();
+}
+
+void AxisSurvey::forget()
+{
+    m_readings.assign(m_protections.size(), {});
+    m_step = Step::Idle;
+    m_run.reset();
+    m_complete = false;
+    m_trouble.clear();
+    judge();
+}
+
+void AxisSurvey::read(const moteus::Uuid& board)
+{
+    m_board = board;
+    m_trouble.clear();
+    m_complete = false;
+    m_run.reset();
+    m_heartbeat.begin(board);
+    m_step = Step::Uptime;
+}
+
+void AxisSurvey::startReading()
+{
+    std::vector<std::string> commands{"tel stop"};
+    std::ranges::transform(m_protections, std::back_inserter(commands), getCommand);
+    m_run.emplace(m_id, std::move(commands));
+    m_step = Step::Reading;
+}
+
+bool AxisSurvey::isFixable() const
+{
+    for (std::size_t i = 0; i < m_lines.size(); ++i) {
+        const bool wrong = m_lines[i].verdict == Verdict::Advised || m_lines[i].verdict == Verdict::Dangerous;
+        if (wrong && m_protections[i].remedy && m_readings[i].state == Reading::State::Read) {
+            return true;
+        }
+    }
+    return !m_fixTrouble.isEmpty();  // at least to be stored
+}
+
+void AxisSurvey::fix()
+{
+    m_written.clear();
+    std::vector<std::string> sets{"tel stop"};
+    std::vector<std::string> gets;
+    for (std::size_t i = 0; i < m_lines.size(); ++i) {
+        const Protection& protection = m_protections[i];
+        if (m_lines[i].verdict == Verdict::Right || !protection.remedy || m_readings[i].state != Reading::State::Read) {
+            continue;
+        }
+        m_written.push_back(i);
+        sets.push_back("conf set " + protection.key + ' ' + settingText(*protection.remedy));
+        gets.push_back(getCommand(protection));
+    }
+    sets.insert(sets.end(), gets.begin(), gets.end());
+    m_run.emplace(m_id, std::move(sets));
+    m_step = Step::Setting;
+    m_complete = false;
+    m_fixTrouble = QStringLiteral("writing the settings of %1 was interrupted: some are in force but not stored")
+                       .arg(axisName(m_axis));
+}
+
+std::optional<CanFrame> AxisSurvey::frame(SteadyTime now)
+{
+    if (m_step == Step::Uptime) {
+        if (m_heartbeat.silences() > kMostSilences) {
+            fail("it does not answer");
+            return std::nullopt;
+        }
+        return m_heartbeat.frame(now);
+    }
+    if (!m_run) {
+        return m_complete ? m_heartbeat.frame(now) : std::nullopt;
+    }
+    std::optional<CanFrame> frame = m_run->frame(now);
+    if (m_run->isFinished()) {
+        finishRun();
+    }
+    return frame;
+}
+
+void AxisSurvey::take(const moteus::Reply& reply)
+{
+    if (reply.source != m_id) {
+        return;
+    }
+    const int reboots = m_heartbeat.reboots();
+    m_heartbeat.take(reply);
+    if (m_heartbeat.reboots() != reboots) {
+        m_fixTrouble.clear();  // the reading now shows what is stored
+    }
+    if (m_step == Step::Uptime && m_heartbeat.isAnswered()) {
+        startReading();
+    } else if (m_run) {
+        m_run->take(reply);
+    }
+}
+
+void AxisSurvey::finishRun()
+{
+    if (!m_run->trouble().empty()) {
+        fail(m_run->trouble());
+    } else if (m_step == Step::Reading) {
+        finishReading();
+    } else if (m_step == Step::Setting) {
+        finishSetting();
+    } else {
+        finishStoring();
+    }
+}
+
+void AxisSurvey::fail(const std::string& why)
+{
+    m_trouble = QStringLiteral("the survey of %1 ended early: %2").arg(axisName(m_axis), QString::fromStdString(why));
+    m_run.reset();
+    m_step = Step::Idle;
+}
+
+void AxisSurvey::finishReading()
+{
+    std::ranges::transform(m_run->answers().begin() + 1, m_run->answers().end(), m_readings.begin(), asReading);
+    m_run.reset();
+    m_step = Step::Idle;
+    m_complete = true;
+    judge();
+    noteChanges();
+}
+
+// What the drive made of the texts, not what it said to them: it takes garbage for 0 without an error.
+void AxisSurvey::finishSetting()
+{
+    const auto& answers = m_run->answers();
+    const std::size_t firstGet = answers.size() - m_written.size();
+    for (std::size_t i = 0; i < m_written.size(); ++i) {
+        const Protection& protection = m_protections[m_written[i]];
+        const Reading reading = asReading(answers[firstGet + i]);
+        if (!tookEffect(*protection.remedy, reading)) {
+            m_fixTrouble =
+                QStringLiteral("nothing was stored in %1: it was told %2 %3 and reads back %4")
+                    .arg(axisName(m_axis), QString::fromStdString(protection.key),
+                         QString::fromStdString(settingText(*protection.remedy)), foundText(protection, reading));
+            return startReading();
+        }
+    }
+    m_run.emplace(m_id, std::vector<std::string>{"conf write"}, ConsoleRun::Patience::Storing);
+    m_step = Step::Storing;
+}
+
+void AxisSurvey::finishStoring()
+{
+    const ConsoleRun::Answer& answer = m_run->answers().front();
+    m_fixTrouble = answer ? QString()
+                          : QStringLiteral("%1 did not store its settings: %2")
+                                .arg(axisName(m_axis), QString::fromStdString(answer.error().text));
+    startReading();
+}
+
+void AxisSurvey::judge()
+{
+    m_lines.clear();
+    for (std::size_t i = 0; i < m_protections.size(); ++i) {
+        m_lines.push_back(judged(m_protections[i], m_readings[i]));
+    }
+}
+
+void AxisSurvey::noteChanges()
+{
+    const CompleteReading before =
+        std::exchange(m_last, CompleteReading{m_board, m_readings}).value_or(CompleteReading{m_board, m_readings});
+    const auto note = [this](const QString& what, const QString& was, const QString& is) {
+        m_changes.push_back(QStringLiteral("%1: %2 was %3, is %4").arg(axisName(m_axis), what, was, is));
+    };
+    if (before.board != m_board) {
+        note(QStringLiteral("the board"), QString::fromStdString(moteus::uuidText(before.board)),
+             QString::fromStdString(moteus::uuidText(m_board)));
+    }
+    for (std::size_t i = 0; i < m_protections.size(); ++i) {
+        const Protection& protection = m_protections[i];
+        if (before.readings[i] != m_readings[i]) {
+            note(QString::fromStdString(protection.key), foundText(protection, before.readings[i]),
+                 foundText(protection, m_readings[i]));
+        }
+    }
+}
+
+std::optional<double> AxisSurvey::value(std::string_view key) const
+{
+    const auto found = std::ranges::find(m_protections, key, &Protection::key);
+    const auto place = found - m_protections.begin();
+    return found != m_protections.end() ? m_readings[static_cast<std::size_t>(place)].value() : std::nullopt;
+}
+
+QString AxisSurvey::progress() const
+{
+    if (!m_run) {
+        return m_step == Step::Idle ? QString() : QStringLiteral("asking %1").arg(axisName(m_axis));
+    }
+    const QString command = QString::fromStdString(m_run->current());
+    const QString key = command.section(QLatin1Char(' '), 2, 2);
+    const bool storing = m_step == Step::Storing;
+    const bool setting = command.startsWith(QLatin1String("conf set"));
+    return QStringLiteral("%1 %2 of %3")
+        .arg(storing   ? QStringLiteral("storing")
+             : setting ? QStringLiteral("writing")
+                       : QStringLiteral("reading"),
+             key.isEmpty() ? QStringLiteral("the settings") : key, axisName(m_axis));
+}
+
+std::vector<QString> AxisSurvey::takeChanges()
+{
+    return std::exchange(m_changes, {});
+}
+
+}  // namespace boresight::survey

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/survey/console_run.h"
+#include "core/survey/heartbeat.h"
+#include "core/survey/protections.h"
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+// The drive of one axis: reads its protections, writes those that differ, and listens to its heartbeat. Pure; at most
+// one frame a call. What changed since the last complete reading is told even after the bus was lost in between.
+namespace boresight::survey {
+
+class AxisSurvey
+{
+public:
+    AxisSurvey(const profile::Profile& profile, Axis axis);
+
+    void read(const moteus::Uuid& board);
+    // Sets what differs, reads back, and stores only if all of it was taken; then reads everything again.
+    void fix();
+    void forget();
+
+    [[nodiscard]] std::optional<CanFrame> frame(SteadyTime now);
+    void take(const moteus::Reply& reply);
+
+    [[nodiscard]] bool isBusy() const { return m_step != Step::Idle; }
+    [[nodiscard]] bool isComplete() const { return m_step == Step::Idle && m_complete; }
+    [[nodiscard]] bool isFixable() const;
+    [[nodiscard]] QString progress() const;                                   // "reading servo.timeout_mode of azimuth"
+    [[nodiscard]] const QString& trouble() const { return m_trouble; }        // why there is no complete reading
+    [[nodiscard]] const QString& fixTrouble() const { return m_fixTrouble; }  // why the settings are not stored
+    [[nodiscard]] std::span<const ProtectionLine> lines() const { return m_lines; }
+    [[nodiscard]] std::optional<double> value(std::string_view key) const;
+    [[nodiscard]] const Heartbeat& heartbeat() const { return m_heartbeat; }
+    [[nodiscard]] std::vector<QString> takeChanges();
+
+private:
+    enum class Step
+    {
+        Idle,
+        Uptime,  // first, and by the way: is it still there?
+        Reading,
+        Setting,
+        Storing,
+    };
+    struct CompleteReading
+    {
+        moteus::Uuid board{};
+        std::vector<Reading> readings;
+    };
+
+    void startReading();
+    void finishRun();
+    void finishReading();
+    void finishSetting();
+    void finishStoring();
+    void fail(const std::string& why);
+    void judge();
+    void noteChanges();
+
+    Axis m_axis;
+    int m_id;
+    std::vector<Protection> m_protections;
+    std::vector<Reading> m_readings;
+    std::vector<ProtectionLine> m_lines;
+    moteus::Uuid m_board{};
+    Heartbeat m_heartbeat;
+    Step m_step = Step::Idle;
+    std::optional<ConsoleRun> m_run;
+    std::vector<std::size_t> m_written;  // which protections Setting sets
+    bool m_complete = false;
+    QString m_trouble;
+    QString m_fixTrouble;
+    std::optional<CompleteReading> m_last;
+    std::vector<QString> m_changes;
+};
+
+}  // namespace boresight::survey

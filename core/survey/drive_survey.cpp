@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/survey/drive_survey.h"
+
+#include "core/moteus/describe.h"
+
+#include <QStringList>
+
+#include <algorithm>
+
+namespace boresight::survey {
+namespace {
+
+using namespace std::chrono_literals;
+using moteus::Register;
+
+constexpr auto kRetryTime = 2s;
+
+QString lineText(const ProtectionLine& line)
+{
+    return QStringLiteral("%1 is %2, wanted %3: %4").arg(line.key, line.found, line.wanted, line.reason);
+}
+
+bool hasKnownMap(const FoundController& board)
+{
+    return board.known.value(Register::RegisterMapVersion) == moteus::kRegisterMapVersion;
+}
+
+}  // namespace
+
+DriveSurvey::DriveSurvey(const profile::Profile& profile, const KnownBoards& known)
+    : m_profile(profile),
+      m_known(known),
+      m_scan(moteus::kDiagnosticHostId, {moteus::versionQuery()}),
+      m_sides{Side{Axis::Azimuth, profile.azimuth.id, AxisSurvey(profile, Axis::Azimuth)},
+              Side{Axis::Elevation, profile.elevation.id, AxisSurvey(profile, Axis::Elevation)}}
+{}
+
+void DriveSurvey::begin(SteadyTime now)
+{
+    m_retryAt.reset();
+    m_state = SurveyState::Running;
+    m_scan.begin(now);
+}
+
+void DriveSurvey::forget()
+{
+    m_state = SurveyState::NotDone;
+    m_retryAt.reset();
+    m_findings.clear();
+    for (Side& side : m_sides) {
+        side.drive.forget();
+        side.facts.reset();
+    }
+}
+
+Result<> DriveSurvey::fix(SteadyTime)
+{
+    if (m_state != SurveyState::Done) {
+        return failure(ErrorCode::Busy, "the drives are not read yet");
+    }
+    if (std::ranges::none_of(m_sides, [](const Side& side) { return side.drive.isFixable(); })) {
+        return failure(ErrorCode::NotAvailable,
+                       "there is nothing that can be written: what is wrong is for a person to "
+                       "change, as its line says");
+    }
+    for (Side& side : m_sides) {
+        if (side.drive.isFixable()) {
+            side.drive.fix();
+        }
+    }
+    m_state = SurveyState::Fixing;
+    return {};
+}
+
+void DriveSurvey::setKnownBoards(const KnownBoards& known)
+{
+    m_known = known;
+    if (m_state == SurveyState::Done) {
+        collectFindings();
+    }
+}
+
+std::vector<CanFrame> DriveSurvey::frames(SteadyTime now)
+{
+    if (m_retryAt && now >= *m_retryAt) {
+        begin(now);
+    }
+    if (m_state == SurveyState::Running && m_scan.isRunning()) {
+        std::vector<CanFrame> frames = m_scan.frames(now);
+        if (!m_scan.isRunning()) {
+            endScan(now);
+        }
+        return frames;
+    }
+    std::vector<CanFrame> frames;
+    for (Side& side : m_sides) {
+        if (const std::optional<CanFrame> frame = side.drive.frame(now)) {
+            frames.push_back(*frame);
+        }
+    }
+    const bool working = m_state == SurveyState::Running || m_state == SurveyState::Fixing;
+    if (working && !anyBusy()) {
+        endReading(now);
+    }
+    return frames;
+}
+
+void DriveSurvey::take(const CanFrame& frame)
+{
+    const Result<moteus::Reply> reply = moteus::decodeReply(frame);
+    if (!reply || reply->destination != moteus::kDiagnosticHostId || reply->prefix != 0) {
+        return;
+    }
+    m_scan.take(*reply);
+    bool rebooted = false;
+    for (Side& side : m_sides) {
+        const int reboots = side.drive.heartbeat().reboots();
+        side.drive.take(*reply);
+        rebooted = rebooted || side.drive.heartbeat().reboots() != reboots;
+        if (side.facts) {
+            side.facts->bootedAt = side.drive.heartbeat().bootedAt();
+        }
+    }
+    if (rebooted && m_state == SurveyState::Done) {
+        m_state = SurveyState::NotDone;
+        m_retryAt = SteadyTime::min();  // with the next tick: what was not stored is lost
+    }
+}
+
+void DriveSurvey::endScan(SteadyTime now)
+{
+    for (Side& side : m_sides) {
+        const FoundController* board = onlyBoard(m_scan.controllers(), side.id);
+        if (board == nullptr || !hasKnownMap(*board)) {
+            side.drive.forget();
+            side.facts.reset();
+        } else {
+            side.drive.read(board->known.uuid().value_or(moteus::Uuid{}));
+        }
+    }
+    if (!anyBusy()) {
+        endReading(now);
+    }
+}
+
+bool DriveSurvey::anyBusy() const
+{
+    return std::ranges::any_of(m_sides, [](const Side& side) { return side.drive.isBusy(); });
+}
+
+void DriveSurvey::endReading(SteadyTime now)
+{
+    const bool complete = std::ranges::all_of(m_sides, [](const Side& side) { return side.drive.isComplete(); });
+    m_state = complete ? SurveyState::Done : SurveyState::NotDone;
+    m_retryAt = complete ? std::nullopt : std::optional(now + kRetryTime);
+    for (Side& side : m_sides) {
+        collectFacts(side);
+    }
+    collectFindings();
+}
+
+void DriveSurvey::collectFacts(Side& side)
+{
+    const FoundController* board = onlyBoard(m_scan.controllers(), side.id);
+    if (board == nullptr || !side.drive.isComplete()) {
+        side.facts.reset();
+        return;
+    }
+    const DriveIdentity identity = identityOf(*board);
+    side.facts =
+        DriveFacts{.uuid = identity.uuid,
+                   .words = board->known.uuid().value_or(moteus::Uuid{}),
+                   .identity = identity,
+                   .bootedAt = side.drive.heartbeat().bootedAt(),
+                   .outputEncoder = side.drive.value("motor_position.output.reference_source").value_or(-1.0) >= 0.0,
+                   .rotorToOutputRatio = side.drive.value("motor_position.rotor_to_output_ratio").value_or(0.0)};
+}
+
+void DriveSurvey::collectFindings()
+{
+    m_findings = identityFindings(m_profile, m_known, m_scan.controllers());
+    for (const Side& side : m_sides) {
+        if (!side.drive.trouble().isEmpty()) {
+            m_findings.push_back({.cause = QStringLiteral("drives.unread.%1").arg(axisName(side.axis)),
+                                  .weight = FindingWeight::Blocking,
+                                  .what = side.drive.trouble(),
+                                  .action = QStringLiteral("it is tried again every 2 seconds"),
+                                  .remedy = QStringLiteral("Look at its power, its plugs and the bus cable.")});
+        }
+        if (!side.drive.fixTrouble().isEmpty()) {
+            m_findings.push_back({.cause = QStringLiteral("drives.unstored.%1").arg(axisName(side.axis)),
+                                  .weight = FindingWeight::Warning,
+                                  .what = side.drive.fixTrouble(),
+                                  .action = QStringLiteral("the settings were read again"),
+                                  .remedy = QStringLiteral("Press Fix again.")});
+        }
+        addProtectionFinding(side, Verdict::Dangerous);
+        addProtectionFinding(side, Verdict::Advised);
+    }
+    std::ranges::stable_sort(m_findings, std::greater(), &Finding::weight);
+}
+
+// One for all lines of a kind, naming the first: they are listed in the order of their weight.
+void DriveSurvey::addProtectionFinding(const Side& side, Verdict verdict)
+{
+    const auto lines = side.drive.lines();
+    const auto count = std::ranges::count(lines, verdict, &ProtectionLine::verdict);
+    if (count == 0) {
+        return;
+    }
+    const bool dangerous = verdict == Verdict::Dangerous;
+    const QString kind = dangerous ? QStringLiteral("dangerous") : QStringLiteral("advised");
+    const QString others = count == 1 ? QString() : QStringLiteral(" (and %1 more %2)").arg(count - 1).arg(kind);
+    const auto worst = std::ranges::find(lines, verdict, &ProtectionLine::verdict);
+    m_findings.push_back(
+        {.cause = QStringLiteral("drives.%1.%2").arg(kind, axisName(side.axis)),
+         .weight = dangerous ? FindingWeight::Blocking : FindingWeight::Advice,
+         .what = QStringLiteral("protection of %1: %2%3").arg(axisName(side.axis), lineText(*worst), others),
+         .action = dangerous ? QStringLiteral("nothing is moved") : QStringLiteral("none"),
+         .remedy = QStringLiteral("See the Drives page; Fix writes what can be written.")});
+}
+
+Result<> DriveSurvey::fitToMove() const
+{
+    if (!m_findings.empty() && m_findings.front().weight == FindingWeight::Blocking) {
+        const Finding& worst = m_findings.front();
+        return failure(ErrorCode::Refused, (worst.what + QStringLiteral(". ") + worst.remedy).toStdString());
+    }
+    switch (m_state) {
+        case SurveyState::NotDone:
+            return failure(ErrorCode::Refused, "the drives have not been surveyed yet");
+        case SurveyState::Running:
+            return failure(ErrorCode::Busy, "the drives are being surveyed; that takes some seconds");
+        case SurveyState::Fixing:
+            return failure(ErrorCode::Busy, "settings are being written to the drives");
+        case SurveyState::Done:
+            break;
+    }
+    return {};
+}
+
+QString DriveSurvey::progress() const
+{
+    if (m_state == SurveyState::Running && m_scan.isRunning()) {
+        return QStringLiteral("looking for the drives");
+    }
+    QStringList texts;
+    for (const Side& side : m_sides) {
+        if (const QString text = side.drive.progress(); !text.isEmpty()) {
+            texts.push_back(text);
+        } else if (m_state == SurveyState::NotDone && !side.drive.trouble().isEmpty()) {
+            texts.push_back(side.drive.trouble());
+        }
+    }
+    return texts.join(QStringLiteral(", "));
+}
+
+std::vector<QString> DriveSurvey::takeChanges()
+{
+    std::vector<QString> changes = m_sides[0].drive.takeChanges();
+    std::ranges::move(m_sides[1].drive.takeChanges(), std::back_inserter(changes));
+    return changes;
+}
+
+}  // namespace boresight::survey

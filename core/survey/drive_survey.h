@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/survey/axis_survey.h"
+#include "core/survey/bus_scan.h"
+#include "core/survey/findings.h"
+#include "core/survey/identity_findings.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+// Who the drives are and whether their own protections are right, before anything moves: scans the bus, identifies,
+// reads the protections of both drives side by side over their consoles, writes what differs when told to, and then
+// listens to their heartbeats. Pure: its owner calls frames() every tick, sends them and brings every received frame.
+// Its source number is kDiagnosticHostId; nothing it sends moves an axis or feeds a watchdog. States: README.md.
+namespace boresight::survey {
+
+// Of one drive, as last read.
+struct DriveFacts
+{
+    QString uuid;  // 8-4-4-4-12 digits
+    moteus::Uuid words{};
+    DriveIdentity identity;
+    SteadyTime bootedAt;         // its power-up
+    bool outputEncoder = false;  // an encoder on the axis tells the turn after power-up
+    double rotorToOutputRatio = 0.0;
+};
+
+class DriveSurvey
+{
+public:
+    DriveSurvey(const profile::Profile& profile, const KnownBoards& known);
+
+    // From the beginning; also after other tools had the bus.
+    void begin(SteadyTime now);
+    // The bus or a drive was lost: nothing is known until begin().
+    void forget();
+    // Writes what differs and can be written. Both drives must be in mode 0: the caller sees to that.
+    [[nodiscard]] Result<> fix(SteadyTime now);
+    // The boards are right as they are: what the memory knows from now on.
+    void setKnownBoards(const KnownBoards& known);
+
+    // At most one frame for each drive, besides those of a scan.
+    [[nodiscard]] std::vector<CanFrame> frames(SteadyTime now);
+    void take(const CanFrame& frame);
+
+    [[nodiscard]] SurveyState state() const { return m_state; }
+    [[nodiscard]] QString progress() const;  // what it does, or why it is not done; may be empty
+    [[nodiscard]] const std::optional<DriveFacts>& facts(Axis axis) const { return side(axis).facts; }
+    [[nodiscard]] std::span<const ProtectionLine> protections(Axis axis) const { return side(axis).drive.lines(); }
+    // In the operator's words why nothing may move yet.
+    [[nodiscard]] Result<> fitToMove() const;
+    // Of the last survey that ended, the weightiest first; a running one keeps them.
+    [[nodiscard]] const std::vector<Finding>& findings() const { return m_findings; }
+    // What differs from the reading before: "azimuth: servo.timeout_mode was 10, is 12".
+    [[nodiscard]] std::vector<QString> takeChanges();
+    // Power-ups noticed, also those behind a lost bus; the drives are then surveyed again by itself.
+    [[nodiscard]] int rebootsSeen(Axis axis) const { return side(axis).drive.heartbeat().reboots(); }
+
+private:
+    struct Side
+    {
+        Axis axis;
+        int id;
+        AxisSurvey drive;
+        std::optional<DriveFacts> facts{};
+    };
+
+    [[nodiscard]] const Side& side(Axis axis) const { return m_sides[axis == Axis::Azimuth ? 0 : 1]; }
+    [[nodiscard]] bool anyBusy() const;
+    void endScan(SteadyTime now);
+    void endReading(SteadyTime now);
+    void collectFacts(Side& side);
+    void collectFindings();
+    void addProtectionFinding(const Side& side, Verdict verdict);
+
+    profile::Profile m_profile;
+    KnownBoards m_known;
+    BusScan m_scan;
+    std::array<Side, 2> m_sides;
+    SurveyState m_state = SurveyState::NotDone;
+    std::optional<SteadyTime> m_retryAt;
+    std::vector<Finding> m_findings;
+};
+
+}  // namespace boresight::survey

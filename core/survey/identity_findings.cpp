@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/survey/identity_findings.h"
+
+#include "core/moteus/describe.h"
+#include "core/survey/protections.h"
+
+#include <algorithm>
+#include <set>
+
+namespace boresight::survey {
+namespace {
+
+using moteus::Register;
+
+struct Judge
+{
+    const profile::Profile& profile;
+    const KnownBoards& known;
+    std::span<const FoundController> found;
+    std::vector<Finding> findings{};
+
+    [[nodiscard]] int idOf(Axis axis) const { return (axis == Axis::Azimuth ? profile.azimuth : profile.elevation).id; }
+    [[nodiscard]] const QString& knownBoard(Axis axis) const { return known[axis == Axis::Azimuth ? 0 : 1]; }
+    [[nodiscard]] bool isOurs(int id) const { return id == profile.azimuth.id || id == profile.elevation.id; }
+    [[nodiscard]] std::ptrdiff_t countOf(int id) const { return std::ranges::count(found, id, &FoundController::id); }
+
+    void judgeShared();
+    void judgeStrangers();
+    void judgeSwapped();
+    void judgeAxis(Axis axis);
+    void judgeMap(Axis axis, const FoundController& board);
+};
+
+Axis otherThan(Axis axis)
+{
+    return axis == Axis::Azimuth ? Axis::Elevation : Axis::Azimuth;
+}
+
+QString uuidOf(const FoundController& board)
+{
+    const auto uuid = board.known.uuid();
+    return uuid ? QString::fromStdString(moteus::uuidText(*uuid)) : QString();
+}
+
+// Two with one id are seen as two, or as one whose long answers never arrive whole.
+void Judge::judgeShared()
+{
+    std::set<int> ids;
+    for (const FoundController& board : found) {
+        if (board.isUnreadable() || countOf(board.id) > 1) {
+            ids.insert(board.id);
+        }
+    }
+    for (const int id : ids) {
+        findings.push_back(
+            {.cause = QStringLiteral("drives.shared-id.%1").arg(id),
+             .weight = isOurs(id) ? FindingWeight::Blocking : FindingWeight::Warning,
+             .what = QStringLiteral("two boards have the id %1: their answers destroy each other").arg(id),
+             .action = QStringLiteral("nothing is moved"),
+             .remedy =
+                 QStringLiteral("Every board has the id 1 fresh from the box. Leave only one of them connected, give "
+                                "it another id (conf set id.id N, then conf write), then connect the other again. "
+                                "If there is only one, look at the plugs and the termination.")});
+    }
+}
+
+void Judge::judgeStrangers()
+{
+    std::set<int> ids;
+    for (const FoundController& board : found) {
+        if (!isOurs(board.id) && ids.insert(board.id).second) {
+            findings.push_back(
+                {.cause = QStringLiteral("drives.stranger.%1").arg(board.id),
+                 .weight = FindingWeight::Warning,
+                 .what = QStringLiteral("a board that the profile does not know answers under id %1 (%2)")
+                             .arg(board.id)
+                             .arg(uuidOf(board).isEmpty() ? QStringLiteral("UUID unread") : uuidOf(board)),
+                 .action = QStringLiteral("it is left alone"),
+                 .remedy = QStringLiteral("Take it off the bus, or enter its id in the profile if it drives "
+                                          "an axis.")});
+        }
+    }
+}
+
+void Judge::judgeSwapped()
+{
+    for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
+        const Axis other = otherThan(axis);
+        const FoundController* board = onlyBoard(found, idOf(axis));
+        if (board == nullptr || knownBoard(other).isEmpty() || uuidOf(*board) != knownBoard(other)) {
+            continue;
+        }
+        findings.push_back({.cause = QStringLiteral("drives.swapped"),
+                            .weight = FindingWeight::Blocking,
+                            .what = QStringLiteral("the ids are swapped: the board under id %1 (%2) was the one of %3")
+                                        .arg(idOf(axis))
+                                        .arg(axisName(axis), axisName(other)),
+                            .action = QStringLiteral("nothing is moved: the orders of one axis would reach the other"),
+                            .remedy = QStringLiteral(
+                                "Exchange the ids in the profile, or those of the boards (conf set id.id N, then conf "
+                                "write). If the boards themselves were exchanged, confirm the new ones.")});
+        return;
+    }
+}
+
+void Judge::judgeAxis(Axis axis)
+{
+    const int id = idOf(axis);
+    if (countOf(id) == 0) {
+        findings.push_back(
+            {.cause = QStringLiteral("drives.missing.%1").arg(axisName(axis)),
+             .weight = FindingWeight::Blocking,
+             .what =
+                 QStringLiteral("the board of %1 is missing: nobody answers under id %2").arg(axisName(axis)).arg(id),
+             .action = QStringLiteral("it is looked for every 2 seconds"),
+             .remedy = QStringLiteral("Look at its power, its plugs and the bus cable. If it has another id, "
+                                      "enter that in the profile.")});
+        return;
+    }
+    const FoundController* board = onlyBoard(found, id);
+    if (board == nullptr) {
+        return;  // said already
+    }
+    judgeMap(axis, *board);
+    const QString uuid = uuidOf(*board);
+    const bool replaced =
+        !knownBoard(axis).isEmpty() && uuid != knownBoard(axis) && uuid != knownBoard(otherThan(axis));
+    if (replaced) {
+        findings.push_back({.cause = QStringLiteral("drives.other.%1").arg(axisName(axis)),
+                            .weight = FindingWeight::Warning,
+                            .what = QStringLiteral("%1 has another board than before: %2").arg(axisName(axis), uuid),
+                            .action = QStringLiteral("its turn is taken as unknown"),
+                            .remedy = QStringLiteral("If it was exchanged, check calibration and gains. If not, look "
+                                                     "whether another mount is connected.")});
+    }
+}
+
+void Judge::judgeMap(Axis axis, const FoundController& board)
+{
+    const std::optional<double> map = board.known.value(Register::RegisterMapVersion);
+    if (map && *map == moteus::kRegisterMapVersion) {
+        return;
+    }
+    const QString version =
+        map ? QStringLiteral("has the register map %1").arg(*map) : QStringLiteral("does not tell its register map");
+    findings.push_back({.cause = QStringLiteral("drives.map.%1").arg(axisName(axis)),
+                        .weight = FindingWeight::Blocking,
+                        .what = QStringLiteral("the board of %1 %2; only version %3 is known here")
+                                    .arg(axisName(axis), version)
+                                    .arg(moteus::kRegisterMapVersion),
+                        .action = QStringLiteral("nothing is moved: what it reports may mean something else"),
+                        .remedy = QStringLiteral("Install firmware with the register map %1 in the board (moteus_tool "
+                                                 "--flash), or a newer Boresight.")
+                                      .arg(moteus::kRegisterMapVersion)});
+}
+
+}  // namespace
+
+const FoundController* onlyBoard(std::span<const FoundController> found, int id)
+{
+    const auto board = std::ranges::find(found, id, &FoundController::id);
+    const bool only = std::ranges::count(found, id, &FoundController::id) == 1 && !board->isUnreadable();
+    return only ? &*board : nullptr;
+}
+
+DriveIdentity identityOf(const FoundController& controller)
+{
+    const auto map = controller.known.value(Register::RegisterMapVersion);
+    const std::uint32_t bits = moteus::toWire(map.value_or(0.0), moteus::Kind::Identity, moteus::Resolution::Int32);
+    return {.uuid = uuidOf(controller),
+            .firmware = QString::fromStdString(moteus::firmwareText(controller.known)),
+            .registerMap = static_cast<int>(bits)};
+}
+
+std::vector<Finding> identityFindings(const profile::Profile& profile, const KnownBoards& known,
+                                      std::span<const FoundController> found)
+{
+    if (found.empty()) {
+        return {{.cause = QStringLiteral("drives.none"),
+                 .weight = FindingWeight::Blocking,
+                 .what = QStringLiteral("no drive answers on the bus"),
+                 .action = QStringLiteral("they are looked for every 2 seconds"),
+                 .remedy = QStringLiteral("Look at the power of the drives, the bus cable, and whether both ends have "
+                                          "120 Ω.")}};
+    }
+    Judge judge{profile, known, found};
+    judge.judgeShared();
+    judge.judgeSwapped();
+    judge.judgeAxis(Axis::Azimuth);
+    judge.judgeAxis(Axis::Elevation);
+    judge.judgeStrangers();
+    return std::move(judge.findings);
+}
+
+}  // namespace boresight::survey

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/survey/protections.h"
+
+#include "core/base/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight::survey {
+namespace {
+
+using List = std::vector<Protection>;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr int kTimeoutHold = 10;
+constexpr int kTimeoutDamp = 12;
+constexpr int kTimeoutBrake = 15;
+
+QString number(double value)
+{
+    return std::isnan(value) ? QStringLiteral("none") : QString::number(value, 'g', 6);
+}
+
+QString degrees(double value)
+{
+    return QString::number(value, 'f', 1) + QStringLiteral("°");
+}
+
+bool isWithin(double value, double least, double most)
+{
+    return value >= least && value <= most;
+}
+
+// An axis in its drive's own turns.
+struct DriveScale
+{
+    const pointing::AxisGeometry& geometry;
+
+    [[nodiscard]] double turns(Angle span) const
+    {
+        return abs(geometry.toMotor(span) - geometry.toMotor(Angle{})).turns();
+    }
+    [[nodiscard]] double lower() const
+    {
+        return std::min(geometry.toMotor(geometry.travel.min), geometry.toMotor(geometry.travel.max)).turns();
+    }
+    [[nodiscard]] double upper() const
+    {
+        return std::max(geometry.toMotor(geometry.travel.min), geometry.toMotor(geometry.travel.max)).turns();
+    }
+    [[nodiscard]] std::function<QString(double)> asAngle() const
+    {
+        return [g = geometry](double turns) { return degrees(g.toAxis(MotorTurns::fromTurns(turns)).degrees()); };
+    }
+    [[nodiscard]] std::function<QString(double)> asSpan(const QString& unit) const
+    {
+        return
+            [perTurn = turns(Angle::fromDegrees(1.0)), unit](double turns) { return number(turns / perTurn) + unit; };
+    }
+};
+
+QString shown(const Protection& protection, double value)
+{
+    QString text = number(value);
+    if (!std::isnan(value) && !protection.unit.isEmpty()) {
+        text += QLatin1Char(' ') + protection.unit;
+    }
+    const bool explains = protection.explain && std::isfinite(value);
+    return explains ? QStringLiteral("%1 (%2)").arg(text, protection.explain(value)) : text;
+}
+
+// Fix writes the middle, and it is what the operator is told.
+void addWithRemedy(List& list, Protection protection)
+{
+    if (protection.wanted.isEmpty() && protection.remedy) {
+        protection.wanted = shown(protection, *protection.remedy);
+    }
+    list.push_back(std::move(protection));
+}
+
+QString boundConsequence(double found, bool narrow)
+{
+    constexpr double kFactoryBound = 0.01;
+    if (std::isnan(found)) {
+        return QStringLiteral("the drive has no limit of its own: nothing but this program ends a move");
+    }
+    if (std::abs(std::abs(found) - kFactoryBound) < 1e-6) {
+        return QStringLiteral("the factory's ±3.6° would end every move in fault 39");
+    }
+    return narrow ? QStringLiteral(
+                        "lies inside the travel: the drive would fault (39) or stop where the profile permits "
+                        "a move")
+                  : QStringLiteral(
+                        "lies too far out: the drive would not stop the axis before the cable or the frame "
+                        "does");
+}
+
+// `outwards`: +1 for the upper bound. Half the margin at least, so that the axis can settle at the end of its travel.
+void addBound(List& list, const profile::Profile& profile, const DriveScale& scale, const std::string& key,
+              double travelEnd, double outwards)
+{
+    const Angle margin = profile.control.driveLimitMargin;
+    const double nearest = scale.turns(0.5 * margin);
+    const double farthest = scale.turns(margin + 1.0_deg);
+    const auto beyond = [=](double found) { return outwards * (found - travelEnd); };
+    addWithRemedy(list, {.key = key,
+                         .unit = QStringLiteral("turns"),
+                         .isRight = [=](double found) { return isWithin(beyond(found), nearest, farthest); },
+                         .otherwise = Verdict::Dangerous,
+                         .remedy = travelEnd + outwards * scale.turns(margin),
+                         .reason = QStringLiteral("the drive ends a move here by itself, a little beyond the travel"),
+                         .consequence = [=](double found) { return boundConsequence(found, beyond(found) < nearest); },
+                         .explain = scale.asAngle()});
+}
+
+void addIdentity(List& list, const profile::AxisSettings& axis)
+{
+    list.push_back({.key = "id.id",
+                    .wanted = number(axis.id),
+                    .isRight = [id = axis.id](double found) { return found == id; },
+                    .otherwise = Verdict::Dangerous,
+                    .reason = QStringLiteral("the profile knows this axis under this id")});
+}
+
+QString timeoutModeConsequence(double found)
+{
+    if (found == kTimeoutDamp) {
+        return QStringLiteral("mode 12 only damps: a loaded elevation creeps down when the computer dies");
+    }
+    if (found == 0.0) {
+        return QStringLiteral("mode 0 switches the motor off: the axis is free when the computer dies");
+    }
+    if (found == kTimeoutBrake) {
+        return QStringLiteral(
+            "mode 15 brakes but does not hold; right only for a self-locking gearbox "
+            "(timeout_mode = \"brake\" in the profile)");
+    }
+    return found == kTimeoutHold ? QStringLiteral("the profile says the gearbox locks itself and asks for brake (15)")
+                                 : QStringLiteral("no mode in which a drive may be left alone");
+}
+
+void addTimeout(List& list, const profile::ControlSettings& control, const profile::AxisSettings& axis)
+{
+    const bool holds = axis.timeoutMode == profile::TimeoutMode::Hold;
+    const int mode = holds ? kTimeoutHold : kTimeoutBrake;
+    addWithRemedy(list, {.key = "servo.timeout_mode",
+                         .wanted = holds ? QStringLiteral("10 (brake, then hold)") : QStringLiteral("15 (brake)"),
+                         .isRight = [mode](double found) { return found == mode; },
+                         .otherwise = Verdict::Dangerous,
+                         .remedy = mode,
+                         .reason = QStringLiteral("what the drive does by itself when the computer dies"),
+                         .consequence = timeoutModeConsequence});
+    addWithRemedy(list, {.key = "servo.default_timeout_s",
+                         .unit = QStringLiteral("s"),
+                         .wanted = QStringLiteral("0.05 to 0.2 s"),
+                         .isRight = [](double found) { return isWithin(found, 0.05, 0.2); },
+                         .otherwise = Verdict::Dangerous,
+                         .remedy = control.watchdog.count(),
+                         .reason = QStringLiteral("after this time without an order the drive stops by itself")});
+    addWithRemedy(list, {.key = "servo.timeout_max_torque_Nm",
+                         .unit = QStringLiteral("Nm"),
+                         .wanted = QStringLiteral("above 0 Nm"),
+                         .isRight = [](double found) { return found > 0.0; },
+                         .remedy = std::min(5.0, axis.maxTorque),  // the factory's
+                         .reason = QStringLiteral("the torque with which timeout mode 12 damps")});
+}
+
+void addElectrical(List& list)
+{
+    list.push_back(
+        {.key = "servo.max_current_A",
+         .unit = QStringLiteral("A"),
+         .wanted = QStringLiteral("above 0 A, for this motor"),
+         .isRight = [](double found) { return found > 0.0 && std::isfinite(found); },
+         .otherwise = Verdict::Dangerous,
+         .reason = QStringLiteral("without current the axis falls, without a limit the motor burns; the value "
+                                  "is in the data sheet of the motor")});
+    addWithRemedy(list,
+                  {.key = "servo.max_voltage",
+                   .unit = QStringLiteral("V"),
+                   .wanted = QStringLiteral("10 to 46 V"),
+                   .isRight = [](double found) { return isWithin(found, 10.0, 46.0); },
+                   .otherwise = Verdict::Dangerous,
+                   .remedy = 46.0,  // the factory's, for a board of 44 V
+                   .reason = QStringLiteral("above it the drive stops before braking energy destroys the board")});
+    addWithRemedy(list, {.key = "servo.flux_brake_margin_voltage",
+                         .unit = QStringLiteral("V"),
+                         .wanted = QStringLiteral("1 to 20 V"),
+                         .isRight = [](double found) { return isWithin(found, 1.0, 20.0); },
+                         .remedy = 3.0,  // the factory's
+                         .reason = QStringLiteral("so far below the highest voltage the drive begins to turn braking "
+                                                  "energy into heat")});
+}
+
+// A drive left alone brakes with its default limits. It shall stand 0.1 s later, 0.2 s after the last order, but with
+// no more than ten times what the profile asks of the mount.
+double brakingOf(const profile::AxisSettings& axis)
+{
+    const double wanted = axis.limits.speed.degrees() / 0.1;
+    const double asked = axis.limits.acceleration.degrees();
+    return std::clamp(wanted, kLimitGuard * asked, 10.0 * asked);
+}
+
+void addLimits(List& list, const profile::AxisSettings& axis, const DriveScale& scale)
+{
+    const double speed = scale.turns(Angle::fromDegrees(axis.limits.speed.degrees()));
+    addWithRemedy(list, {.key = "servo.default_velocity_limit",
+                         .unit = QStringLiteral("turns/s"),
+                         .isRight = [speed](double found) { return isWithin(found, speed, 2.0 * speed); },
+                         .remedy = kLimitGuard * speed,
+                         .reason = QStringLiteral("the speed of every order that names none; the factory has no limit"),
+                         .explain = scale.asSpan(QStringLiteral("°/s"))});
+    const double braking = scale.turns(Angle::fromDegrees(brakingOf(axis)));
+    const double least = kLimitGuard * scale.turns(Angle::fromDegrees(axis.limits.acceleration.degrees()));
+    addWithRemedy(
+        list,
+        {.key = "servo.default_accel_limit",
+         .unit = QStringLiteral("turns/s²"),
+         .isRight = [=](double found) { return isWithin(found, std::min(least, braking), 2.0 * braking); },
+         .remedy = braking,
+         .reason = QStringLiteral("with it the drive brakes when the computer dies: too low and the axis runs on, "
+                                  "too high (the factory's 50 turns/s²) and the mount is hit hard"),
+         .explain = scale.asSpan(QStringLiteral("°/s²"))});
+}
+
+void addGear(List& list, const profile::AxisSettings& axis)
+{
+    const double ratio = axis.geometry.gearIn == pointing::GearIn::Drive ? 1.0 / axis.geometry.gearRatio : 1.0;
+    list.push_back(
+        {.key = "motor_position.rotor_to_output_ratio",
+         .wanted = number(ratio),
+         // The drive writes six decimals.
+         .isRight = [ratio](double found) { return std::abs(found - ratio) <= 1e-6 + 1e-4 * ratio; },
+         .otherwise = Verdict::Dangerous,
+         .reason = QStringLiteral(
+             "the gear as the profile has it (gear_ratio, gear_in): with another one every angle is wrong. To be "
+             "changed by hand only: the gains change with the square of it")});
+    list.push_back(
+        {.key = "motor_position.output.sign",
+         .wanted = QStringLiteral("1 or -1"),
+         .isRight = [](double found) { return found == 1.0 || found == -1.0; },
+         .otherwise = Verdict::Dangerous,
+         .reason = QStringLiteral("turned round, the axis runs the other way: the profile's sign goes with it")});
+    const bool needed = axis.powerUpPosition == profile::PowerUpPosition::Trusted && axis.geometry.gearRatio > 1.0;
+    list.push_back(
+        {.key = "motor_position.output.reference_source",
+         .wanted = needed ? QStringLiteral("0 or above") : QStringLiteral("any"),
+         .isRight = [needed](double found) { return found >= (needed ? 0.0 : -1.0); },
+         .reason = needed ? QStringLiteral("the profile trusts the position after power-up (power_up_position), "
+                                           "and the drive has no encoder on the axis")
+                          : QStringLiteral("-1: no encoder on the axis, so the turn is not known after "
+                                           "power-up")});
+}
+
+void addSecondLines(List& list, const DriveScale& scale)
+{
+    const double least = scale.turns(2.0_deg);
+    const double most = scale.turns(20.0_deg);
+    addWithRemedy(list,
+                  {.key = "servo.fault_position_error",
+                   .unit = QStringLiteral("turns"),
+                   .isRight = [=](double found) { return isWithin(found, least, most); },
+                   .remedy = scale.turns(10.0_deg),
+                   .reason = QStringLiteral("second line against a jam: so far behind its order the drive gives up "
+                                            "(fault 49) without this program"),
+                   .explain = scale.asSpan(QStringLiteral("°"))});
+    const double slip = scale.turns(1.0_deg);
+    addWithRemedy(list, {.key = "servo.max_position_slip",
+                         .unit = QStringLiteral("turns"),
+                         .wanted = QStringLiteral("none, or above ") + number(slip) + QStringLiteral(" turns (1°)"),
+                         .isRight = [slip](double found) { return std::isnan(found) || found >= slip; },
+                         .remedy = kNone,
+                         .reason = QStringLiteral("a small one lets the axis give way to the wind instead of holding"),
+                         .explain = scale.asSpan(QStringLiteral("°"))});
+}
+
+}  // namespace
+
+std::optional<double> Reading::value() const
+{
+    if (state != State::Read) {
+        return std::nullopt;
+    }
+    return text == "nan" || text == "-nan" ? std::optional(kNone) : parseFinite(text);
+}
+
+std::vector<Protection> protectionsOf(const profile::Profile& profile, Axis which)
+{
+    const profile::AxisSettings& axis = which == Axis::Azimuth ? profile.azimuth : profile.elevation;
+    const DriveScale scale{axis.geometry};
+    List list;
+    addIdentity(list, axis);
+    addBound(list, profile, scale, "servopos.position_min", scale.lower(), -1.0);
+    addBound(list, profile, scale, "servopos.position_max", scale.upper(), 1.0);
+    addTimeout(list, profile.control, axis);
+    addElectrical(list);
+    addLimits(list, axis, scale);
+    addGear(list, axis);
+    addSecondLines(list, scale);
+    return list;
+}
+
+QString foundText(const Protection& protection, const Reading& reading)
+{
+    switch (reading.state) {
+        case Reading::State::Unread:
+            return {};
+        case Reading::State::Unknown:
+            return QStringLiteral("not known to this firmware");
+        case Reading::State::Read:
+            break;
+    }
+    const std::optional<double> value = reading.value();
+    return value ? shown(protection, *value) : QStringLiteral("\"%1\"").arg(QString::fromStdString(reading.text));
+}
+
+ProtectionLine judged(const Protection& protection, const Reading& reading)
+{
+    ProtectionLine line{.key = QString::fromStdString(protection.key),
+                        .wanted = protection.wanted,
+                        .found = foundText(protection, reading),
+                        .reason = protection.reason};
+    if (reading.state == Reading::State::Unread) {
+        return line;
+    }
+    const std::optional<double> value = reading.value();
+    const bool right = value && protection.isRight(*value);
+    line.verdict = right ? Verdict::Right : protection.otherwise;
+    if (value && !right && protection.consequence) {
+        line.reason = protection.consequence(*value);
+    }
+    return line;
+}
+
+std::string settingText(double value)
+{
+    return std::isnan(value) ? "nan" : formatFixed(value, 6);
+}
+
+// The drive keeps single precision and writes six decimals.
+bool tookEffect(double written, const Reading& reading)
+{
+    const std::optional<double> value = reading.value();
+    if (!value || std::isnan(written) || std::isnan(*value)) {
+        return value && std::isnan(written) && std::isnan(*value);
+    }
+    return std::abs(*value - written) <= 1e-6 + 1e-5 * std::abs(written);
+}
+
+QString axisName(Axis axis)
+{
+    return axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation");
+}
+
+}  // namespace boresight::survey

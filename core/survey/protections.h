@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/profile/profile.h"
+#include "core/survey/findings.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+// The settings of a drive that protect the mount, and what a profile wants of each. The drive is to be a second limit
+// that holds without this program: every line says what happens if it is wrong. Pure values.
+namespace boresight::survey {
+
+// Room of the drive's own planner above what the host's profile asks for: it must never be the slower one.
+inline constexpr double kLimitGuard = 1.5;
+
+// What was read of one key.
+struct Reading
+{
+    enum class State
+    {
+        Unread,
+        Unknown,  // the firmware does not have the key
+        Read,
+    };
+    State state = State::Unread;
+    std::string text{};  // as the drive wrote it
+
+    // NaN is the drive's "none"; empty for what is no number.
+    [[nodiscard]] std::optional<double> value() const;
+    bool operator==(const Reading&) const = default;
+};
+
+struct Protection
+{
+    std::string key;
+    QString unit;
+    QString wanted;
+    std::function<bool(double)> isRight;
+    Verdict otherwise = Verdict::Advised;
+    std::optional<double> remedy;  // what Fix writes; empty: only a person may change it
+    QString reason;                // for the operator
+    // What a particular wrong value does, instead of the reason; may be absent.
+    std::function<QString(double)> consequence;
+    // The value as the operator thinks of it, behind the drive's own; may be absent.
+    std::function<QString(double)> explain;
+};
+
+// In the order in which they are shown.
+[[nodiscard]] std::vector<Protection> protectionsOf(const profile::Profile& profile, Axis axis);
+
+// "-0.258333 turns (-93°)".
+[[nodiscard]] QString foundText(const Protection& protection, const Reading& reading);
+[[nodiscard]] ProtectionLine judged(const Protection& protection, const Reading& reading);
+
+// The value as `conf set` takes it, and whether what reads back is that value.
+[[nodiscard]] std::string settingText(double value);
+[[nodiscard]] bool tookEffect(double written, const Reading& reading);
+
+[[nodiscard]] QString axisName(Axis axis);  // "azimuth"
+
+}  // namespace boresight::survey

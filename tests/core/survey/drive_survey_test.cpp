@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The survey on the simulated pair: reading, refusing, retrying.
+#include "core/survey/drive_survey.h"
+
+#include "tests/core/survey/survey_rig.h"
+
+#include <gmock/gmock.h>
+
+#include <random>
+
+namespace boresight::survey {
+namespace {
+
+using sim::FaultKind;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+TEST(DriveSurvey, TheReferenceMountIsRightInEveryLine)
+{
+    SurveyRig rig;
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("not been surveyed"));
+    rig.survey();
+    ASSERT_EQ(rig.drives.state(), SurveyState::Done) << rig.drives.progress().toStdString();
+    for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
+        EXPECT_EQ(rig.drives.protections(axis).size(), 16u);
+        for (const ProtectionLine& line : rig.drives.protections(axis)) {
+            EXPECT_EQ(line.verdict, Verdict::Right)
+                << line.key.toStdString() << " is " << line.found.toStdString() << ": " << line.reason.toStdString();
+        }
+    }
+    EXPECT_THAT(causes(rig.drives), IsEmpty());
+    EXPECT_EQ(obstacle(rig.drives), "");
+    EXPECT_THAT(rig.drives.takeChanges(), IsEmpty());
+}
+
+TEST(DriveSurvey, ReadsBothDrivesWithinThreeSeconds)
+{
+    SurveyRig rig;
+    rig.survey();
+    ASSERT_EQ(rig.drives.state(), SurveyState::Done);
+    RecordProperty("milliseconds", static_cast<int>(rig.elapsed().count() * 1000.0));
+    EXPECT_LT(rig.elapsed(), Seconds(3.0));
+    EXPECT_LE(rig.mostFramesForOneDrive, 1u);
+}
+
+TEST(DriveSurvey, TellsWhoTheDrivesAre)
+{
+    SurveyRig rig;
+    rig.pair.advanceTo(Seconds(0.0));
+    rig.survey();
+    const auto& facts = rig.drives.facts(Axis::Elevation);
+    ASSERT_TRUE(facts);
+    EXPECT_EQ(facts->uuid, QStringLiteral("626f7265-7369-6768-7420-73696d203032"));
+    EXPECT_EQ(facts->words[0], 0x65726f62u);
+    EXPECT_EQ(facts->identity,
+              (DriveIdentity{.uuid = facts->uuid, .firmware = QStringLiteral("1.1.0"), .registerMap = 5}));
+    EXPECT_FALSE(facts->outputEncoder);
+    EXPECT_DOUBLE_EQ(facts->rotorToOutputRatio, 0.01);
+    const Seconds sinceBoot = rig.now() - facts->bootedAt;
+    EXPECT_NEAR(sinceBoot.count(), rig.elapsed().count(), 0.005);
+}
+
+// Writes of registers are motion commands, all but the mask that addresses a board by its UUID.
+TEST(DriveSurvey, NeverCommandsAnything)
+{
+    SurveyRig rig(freshFromTheBox());
+    rig.survey();
+    ASSERT_TRUE(rig.drives.fix(rig.now()));
+    rig.run(Seconds(10.0));
+    for (const CanFrame& frame : rig.sent) {
+        moteus::SubframeReader reader(frame.payload());
+        while (const auto subframe = reader.next()) {
+            const auto* write = std::get_if<moteus::WriteBlock>(&*subframe);
+            EXPECT_TRUE(write == nullptr || write->first >= moteus::Register::UuidMask) << toString(frame);
+        }
+    }
+    EXPECT_GT(rig.sent.size(), 400u);
+    EXPECT_EQ(rig.pair.truth(Axis::Azimuth).mode, moteus::Mode::Stopped);
+}
+
+TEST(DriveSurvey, SaysWhatTheFactorySettingsWouldDo)
+{
+    SurveyRig rig(freshFromTheBox());
+    rig.survey();
+    ASSERT_EQ(rig.drives.state(), SurveyState::Done) << rig.drives.progress().toStdString();
+    const auto expectDangerous = [&](const char* key, const char* reason) {
+        const ProtectionLine found = line(rig.drives, Axis::Elevation, key);
+        EXPECT_EQ(found.verdict, Verdict::Dangerous) << key;
+        EXPECT_THAT(found.reason.toStdString(), HasSubstr(reason));
+    };
+    expectDangerous("servopos.position_min", "the factory's ±3.6° would end every move in fault 39");
+    expectDangerous("servopos.position_max", "fault 39");
+    expectDangerous("servo.timeout_mode", "a loaded elevation creeps down when the computer dies");
+    expectDangerous("motor_position.rotor_to_output_ratio", "the gains change with the square");
+    EXPECT_EQ(line(rig.drives, Axis::Elevation, "servo.default_accel_limit").verdict, Verdict::Advised);
+    EXPECT_EQ(line(rig.drives, Axis::Elevation, "servo.default_velocity_limit").found, QStringLiteral("none"));
+    EXPECT_THAT(causes(rig.drives), UnorderedElementsAre("drives.dangerous.azimuth", "drives.dangerous.elevation",
+                                                         "drives.advised.azimuth", "drives.advised.elevation"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("servopos.position_min"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("(and 3 more dangerous)"));
+}
+
+TEST(DriveSurvey, NoticesTwoBoardsWithOneId)
+{
+    SurveyRig rig(sim::factoryPair());
+    rig.survey();
+    EXPECT_EQ(rig.drives.state(), SurveyState::NotDone);
+    EXPECT_THAT(causes(rig.drives), ElementsAre("drives.shared-id.1", "drives.missing.elevation"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("two boards have the id 1"));
+    EXPECT_FALSE(rig.drives.facts(Axis::Azimuth));
+}
+
+TEST(DriveSurvey, NoticesABoardThatAnswersUnderTheOthersId)
+{
+    SurveyRig rig;
+    const auto fault = rig.pair.faults().add({.kind = FaultKind::DuplicateId, .axis = Axis::Azimuth});
+    rig.survey();
+    EXPECT_THAT(causes(rig.drives), ElementsAre("drives.shared-id.2", "drives.missing.azimuth"));
+    rig.pair.faults().remove(fault);
+    EXPECT_TRUE(rig.reaches(SurveyState::Done)) << "looked for again by itself";
+    EXPECT_THAT(causes(rig.drives), IsEmpty());
+}
+
+TEST(DriveSurvey, NoticesAMissingAndAnUnknownBoard)
+{
+    sim::PairSettings pair = sim::commissionedPair();
+    pair.elevation.config.id = 7;
+    SurveyRig rig(pair);
+    rig.survey();
+    EXPECT_THAT(causes(rig.drives), ElementsAre("drives.missing.elevation", "drives.stranger.7"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("nobody answers under id 2"));
+    EXPECT_EQ(line(rig.drives, Axis::Azimuth, "servo.timeout_mode").found, QStringLiteral("10")) << "read all the same";
+    EXPECT_EQ(line(rig.drives, Axis::Elevation, "servo.timeout_mode").verdict, Verdict::Unread);
+}
+
+TEST(DriveSurvey, NoticesASilentBus)
+{
+    SurveyRig rig;
+    rig.pair.faults().add({.kind = FaultKind::Silence, .duration = Seconds(5.0)});
+    rig.survey();
+    EXPECT_THAT(causes(rig.drives), ElementsAre("drives.none"));
+    EXPECT_TRUE(rig.reaches(SurveyState::Done));
+    EXPECT_EQ(obstacle(rig.drives), "");
+}
+
+TEST(DriveSurvey, RefusesAnUnknownRegisterMap)
+{
+    SurveyRig rig;
+    rig.pair.faults().add(
+        {.kind = FaultKind::RegisterMap, .axis = Axis::Azimuth, .duration = Seconds(4.0), .value = 6});
+    rig.survey();
+    EXPECT_THAT(causes(rig.drives), ElementsAre("drives.map.azimuth"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("has the register map 6; only version 5 is known here"));
+    EXPECT_TRUE(rig.reaches(SurveyState::Done)) << "after other firmware was installed";
+}
+
+TEST(DriveSurvey, RefusesSwappedBoards)
+{
+    SurveyRig once;
+    once.survey();
+    const KnownBoards swapped{once.drives.facts(Axis::Elevation)->uuid, once.drives.facts(Axis::Azimuth)->uuid};
+    SurveyRig rig(sim::commissionedPair(), {}, swapped);
+    rig.survey();
+    EXPECT_THAT(causes(rig.drives), ElementsAre("drives.swapped"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("the board under id 1"));
+    rig.drives.setKnownBoards({swapped[1], swapped[0]});
+    EXPECT_EQ(obstacle(rig.drives), "");
+}
+
+TEST(DriveSurvey, WarnsOfAnotherBoardThanBefore)
+{
+    SurveyRig rig(sim::commissionedPair(), {}, {QString(), QStringLiteral("00000000-0000-0000-0000-000000000001")});
+    rig.survey();
+    EXPECT_THAT(causes(rig.drives), ElementsAre("drives.other.elevation"));
+    EXPECT_EQ(obstacle(rig.drives), "") << "a warning only";
+}
+
+TEST(DriveSurvey, LostFramesDoNotBreakAReading)
+{
+    for (const FaultKind kind : {FaultKind::LostReply, FaultKind::LostCommand}) {
+        for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+            sim::PairSettings pair = sim::commissionedPair();
+            pair.seed = seed;
+            SurveyRig rig(pair);
+            rig.pair.faults().add({.kind = kind, .value = 0.1});
+            rig.drives.begin(rig.now());
+            EXPECT_TRUE(rig.reaches(SurveyState::Done, Seconds(15.0))) << rig.drives.progress().toStdString();
+            EXPECT_EQ(obstacle(rig.drives), "") << "seed " << seed;
+            EXPECT_THAT(rig.drives.takeChanges(), IsEmpty());
+        }
+    }
+}
+
+TEST(DriveSurvey, LateRepliesDoNotConfuseAReading)
+{
+    for (const double delay : {0.03, 0.06, 0.09}) {
+        SurveyRig rig;
+        rig.pair.faults().add({.kind = FaultKind::LateReply, .value = delay});
+        rig.drives.begin(rig.now());
+        EXPECT_TRUE(rig.reaches(SurveyState::Done, Seconds(30.0))) << delay << rig.drives.progress().toStdString();
+        EXPECT_EQ(obstacle(rig.drives), "");
+    }
+}
+
+TEST(DriveSurvey, TelemetryOfAnotherToolIsStoppedFirst)
+{
+    SurveyRig rig;
+    rig.otherToolSays(Axis::Azimuth, "tel text");
+    rig.otherToolSays(Axis::Azimuth, "tel rate servo_stats 10");
+    rig.otherToolSays(Axis::Elevation, "conf get servo.kp\nconf ge");
+    rig.run(Seconds(1.0));
+    rig.drives.begin(rig.now());
+    EXPECT_TRUE(rig.reaches(SurveyState::Done));
+    EXPECT_EQ(obstacle(rig.drives), "");
+}
+
+TEST(DriveSurvey, ADriveThatFallsSilentEndsTheReadingUntilItIsBack)
+{
+    SurveyRig rig;
+    rig.pair.faults().add(
+        {.kind = FaultKind::Silence, .axis = Axis::Elevation, .at = Seconds(1.8), .duration = Seconds(4.0)});
+    rig.survey();
+    EXPECT_EQ(rig.drives.state(), SurveyState::NotDone);
+    EXPECT_THAT(causes(rig.drives), ElementsAre("drives.unread.elevation"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("the survey of elevation ended early"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("drive 2 does not answer on its console"));
+    EXPECT_TRUE(rig.reaches(SurveyState::Done));
+    EXPECT_EQ(obstacle(rig.drives), "");
+}
+
+TEST(DriveSurvey, ForgettingLeavesNothingKnown)
+{
+    SurveyRig rig;
+    rig.survey();
+    rig.drives.forget();
+    EXPECT_EQ(rig.drives.state(), SurveyState::NotDone);
+    EXPECT_FALSE(rig.drives.facts(Axis::Azimuth));
+    EXPECT_EQ(line(rig.drives, Axis::Azimuth, "servo.timeout_mode").verdict, Verdict::Unread);
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("not been surveyed"));
+    rig.sent.clear();
+    rig.run(Seconds(5.0));
+    EXPECT_THAT(rig.sent, IsEmpty()) << "silent until begin()";
+}
+
+TEST(DriveSurvey, TellsWhatAnotherToolChanged)
+{
+    SurveyRig rig;
+    rig.survey();
+    rig.drives.forget();  // the bus was released
+    rig.otherToolSays(Axis::Elevation, "conf set servo.timeout_mode 12");
+    rig.otherToolSays(Axis::Elevation, "conf set servopos.position_max nan");
+    rig.survey();
+    EXPECT_THAT(rig.drives.takeChanges(),
+                ElementsAre(QStringLiteral("elevation: servopos.position_max was -0.241667 turns (-3.0°), is none"),
+                            QStringLiteral("elevation: servo.timeout_mode was 10, is 12")));
+    EXPECT_THAT(rig.drives.takeChanges(), IsEmpty());
+    EXPECT_THAT(line(rig.drives, Axis::Elevation, "servopos.position_max").reason.toStdString(),
+                HasSubstr("no limit of its own"));
+    EXPECT_THAT(causes(rig.drives), ElementsAre("drives.dangerous.elevation"));
+}
+
+TEST(DriveSurvey, SaysWhatItDoes)
+{
+    SurveyRig rig;
+    rig.drives.begin(rig.now());
+    rig.tick();
+    EXPECT_EQ(rig.drives.progress(), QStringLiteral("looking for the drives"));
+    EXPECT_THAT(obstacle(rig.drives), HasSubstr("being surveyed"));
+    rig.run(Seconds(1.8));
+    EXPECT_THAT(rig.drives.progress().toStdString(),
+                testing::MatchesRegex("reading .* of azimuth, reading .* of elevation"));
+}
+
+// Replies to us with likely beginnings, and now and then any frame at all.
+CanFrame rubbish(std::minstd_rand& random)
+{
+    const auto below = [&](std::uint32_t end) {
+        return std::uniform_int_distribution<std::uint32_t>(0, end - 1)(random);
+    };
+    constexpr std::array<std::uint8_t, 7> kStarts{0x20, 0x24, 0x28, 0x2c, 0x41, 0x43, 0x31};
+    std::array<std::uint8_t, 64> bytes{};
+    std::ranges::generate(bytes, [&] { return static_cast<std::uint8_t>(below(256)); });
+    bytes[0] = static_cast<std::uint8_t>(kStarts[below(kStarts.size())] + below(2));
+    CanFrame frame{.id = below(16) == 0 ? below(1u << 29) : (below(3) << 8 | moteus::kDiagnosticHostId)};
+    frame.setPayload(std::span(bytes).first(legalCanLength(below(65))));
+    return frame;
+}
+
+TEST(DriveSurvey, SurvivesAnyReply)
+{
+    SurveyRig rig;
+    std::minstd_rand random(7);
+    for (int i = 0; i < 200000; ++i) {
+        if (i % 20000 == 0) {
+            rig.drives.begin(rig.now());
+        }
+        if (i % 50 == 0) {
+            rig.tick();
+        }
+        rig.drives.take(rubbish(random));
+    }
+    rig.survey();
+    EXPECT_TRUE(rig.reaches(SurveyState::Done, Seconds(20.0)));
+    EXPECT_EQ(obstacle(rig.drives), "");
+}
+
+}  // namespace
+}  // namespace boresight::survey

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writing the settings, and noticing that a drive was without power.
+#include "core/survey/drive_survey.h"
+#include "tests/core/survey/survey_rig.h"
+
+#include <gmock/gmock.h>
+
+namespace boresight::survey {
+namespace {
+
+using sim::FaultKind;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::UnorderedElementsAre;
+
+int wrongLines(const DriveSurvey& survey, Axis axis)
+{
+    return static_cast<int>(std::ranges::count_if(
+        survey.protections(axis), [](const ProtectionLine& line) { return line.verdict != Verdict::Right; }));
+}
+
+TEST(Fix, WritesAllButWhatOnlyAPersonMayChange)
+{
+    SurveyRig rig(freshFromTheBox());
+    rig.survey();
+    ASSERT_TRUE(rig.drives.fix(rig.now()));
+    EXPECT_EQ(rig.drives.state(), SurveyState::Fixing);
+    EXPECT_THAT(obstacle(rig.drives), Not(IsEmpty()));
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
+        EXPECT_EQ(wrongLines(rig.drives, axis), 1);
+        EXPECT_EQ(line(rig.drives, axis, "motor_position.rotor_to_output_ratio").verdict, Verdict::Dangerous);
+        EXPECT_DOUBLE_EQ(rig.pair.drive(axis).driveConfig().motorPosition.rotorToOutputRatio, 1.0);
+    }
+    EXPECT_THAT(causes(rig.drives), UnorderedElementsAre("drives.dangerous.azimuth", "drives.dangerous.elevation"));
+    EXPECT_THAT(rig.drives.takeChanges(), Contains(QStringLiteral("azimuth: servo.timeout_mode was 12, is 10")));
+    EXPECT_FALSE(rig.drives.fix(rig.now())) << "nothing is left that can be written";
+}
+
+TEST(Fix, IsStoredForThePowerUp)
+{
+    sim::PairSettings pair = sim::commissionedPair();
+    pair.elevation.config.servo.timeoutMode = 12;
+    pair.elevation.config.positionMin = -0.01;
+    SurveyRig rig(pair);
+    rig.survey();
+    ASSERT_TRUE(rig.drives.fix(rig.now()));
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    EXPECT_EQ(obstacle(rig.drives), "");
+    rig.pair.faults().add({.kind = FaultKind::PowerLoss, .at = rig.elapsed(), .duration = Seconds(3.0)});
+    rig.run(Seconds(10.0));
+    ASSERT_EQ(rig.drives.state(), SurveyState::Done);
+    EXPECT_EQ(wrongLines(rig.drives, Axis::Elevation), 0);
+    EXPECT_EQ(rig.pair.drive(Axis::Elevation).driveConfig().servo.timeoutMode, 10);
+}
+
+// Both senses of an axis: the elevation's drive counts down while the angle grows.
+TEST(Fix, TheWrittenBoundsLieAMarginBeyondTheTravel)
+{
+    SurveyRig rig(freshFromTheBox());
+    rig.survey();
+    ASSERT_TRUE(rig.drives.fix(rig.now()));
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    const auto& azimuth = rig.pair.drive(Axis::Azimuth).driveConfig();
+    EXPECT_NEAR(azimuth.positionMin, -93.0 / 360.0, 1e-6);
+    EXPECT_NEAR(azimuth.positionMax, 453.0 / 360.0, 1e-6);
+    const auto& elevation = rig.pair.drive(Axis::Elevation).driveConfig();
+    EXPECT_NEAR(elevation.positionMin, -(90.0 + 93.0) / 360.0, 1e-6);
+    EXPECT_NEAR(elevation.positionMax, -(90.0 - 3.0) / 360.0, 1e-6);
+}
+
+TEST(Fix, IsRefusedBeforeEverythingIsRead)
+{
+    SurveyRig rig(freshFromTheBox());
+    EXPECT_FALSE(rig.drives.fix(rig.now()));
+    rig.drives.begin(rig.now());
+    rig.run(Seconds(1.5));
+    EXPECT_FALSE(rig.drives.fix(rig.now()));
+}
+
+TEST(Fix, LostFramesDoNotBreakIt)
+{
+    for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+        sim::PairSettings pair = freshFromTheBox();
+        pair.seed = seed;
+        SurveyRig rig(pair);
+        rig.pair.faults().add({.kind = FaultKind::LostReply, .value = 0.1});
+        rig.pair.faults().add({.kind = FaultKind::LostCommand, .value = 0.05});
+        rig.drives.begin(rig.now());
+        ASSERT_TRUE(rig.reaches(SurveyState::Done, Seconds(15.0)));
+        ASSERT_TRUE(rig.drives.fix(rig.now()));
+        ASSERT_TRUE(rig.reaches(SurveyState::Done, Seconds(30.0)));
+        EXPECT_EQ(wrongLines(rig.drives, Axis::Azimuth), 1) << "seed " << seed;
+    }
+}
+
+// What is in force but not stored would be gone after a power-up: Fix is offered again, though every line is right.
+TEST(Fix, AnInterruptedOneIsSaidAndCanBeRepeated)
+{
+    sim::PairSettings pair = sim::commissionedPair();
+    pair.azimuth.config.servo.timeoutMode = 12;
+    SurveyRig rig(pair);
+    rig.survey();
+    ASSERT_TRUE(rig.drives.fix(rig.now()));
+    while (rig.pair.drive(Axis::Azimuth).driveConfig().servo.timeoutMode != 10) {
+        rig.tick();
+    }
+    rig.pair.faults().add(
+        {.kind = FaultKind::Silence, .axis = Axis::Azimuth, .at = rig.elapsed(), .duration = Seconds(3.0)});
+    ASSERT_TRUE(rig.reaches(SurveyState::NotDone));
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    EXPECT_THAT(causes(rig.drives), ElementsAre("drives.unstored.azimuth"));
+    EXPECT_EQ(wrongLines(rig.drives, Axis::Azimuth), 0);
+    ASSERT_TRUE(rig.drives.fix(rig.now()));
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    EXPECT_THAT(causes(rig.drives), IsEmpty());
+}
+
+TEST(PowerUp, IsNoticedByTheUptimeAndEverythingIsReadAgain)
+{
+    SurveyRig rig;
+    rig.survey();
+    rig.otherToolSays(Axis::Azimuth, "conf set servo.max_current_A 31");  // never stored
+    rig.drives.begin(rig.now());
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    EXPECT_EQ(rig.drives.takeChanges().size(), 1u);
+    const SteadyTime booted = rig.drives.facts(Axis::Azimuth)->bootedAt;
+    rig.run(Seconds(5.0));
+    EXPECT_EQ(rig.drives.rebootsSeen(Axis::Azimuth), 0);
+    EXPECT_EQ(rig.drives.facts(Axis::Azimuth)->bootedAt, booted) << "does not move";
+
+    rig.pair.faults().add({.kind = FaultKind::PowerLoss, .at = rig.elapsed(), .duration = Seconds(0.3)});
+    rig.run(Seconds(1.5));
+    EXPECT_EQ(rig.drives.rebootsSeen(Axis::Azimuth), 1);
+    EXPECT_EQ(rig.drives.rebootsSeen(Axis::Elevation), 1);
+    EXPECT_EQ(rig.drives.state(), SurveyState::Running);
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    EXPECT_GT(rig.drives.facts(Axis::Azimuth)->bootedAt, booted + std::chrono::seconds(5));
+    EXPECT_THAT(rig.drives.takeChanges(),
+                ElementsAre(QStringLiteral("azimuth: servo.max_current_A was 31 A, is 30 A")));
+    rig.run(Seconds(5.0));
+    EXPECT_EQ(rig.drives.rebootsSeen(Axis::Azimuth), 1) << "counted once";
+}
+
+TEST(PowerUp, IsNoticedBehindALostBus)
+{
+    SurveyRig rig;
+    rig.survey();
+    rig.drives.forget();
+    rig.pair.faults().add({.kind = FaultKind::PowerLoss, .at = rig.elapsed(), .duration = Seconds(1.0)});
+    rig.run(Seconds(60.0));
+    rig.survey();
+    EXPECT_EQ(rig.drives.rebootsSeen(Axis::Elevation), 1);
+    rig.drives.forget();
+    rig.run(Seconds(60.0));
+    rig.survey();
+    EXPECT_EQ(rig.drives.rebootsSeen(Axis::Elevation), 1) << "this time it kept its power";
+}
+
+}  // namespace
+}  // namespace boresight::survey

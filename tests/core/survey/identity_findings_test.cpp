@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/survey/identity_findings.h"
+
+#include <gmock/gmock.h>
+
+namespace boresight::survey {
+namespace {
+
+using moteus::Register;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+FoundController board(int id, std::uint32_t number, int map = 5)
+{
+    FoundController one{.id = id};
+    const auto tell = [&](Register reg, double value) {
+        one.known.values.push_back({reg, moteus::Resolution::Int32, value});
+    };
+    for (std::uint32_t word = 0; word < 3; ++word) {
+        tell(Register::Uuid + word, 0.0);
+    }
+    tell(Register::Uuid + 3, number);
+    tell(Register::FirmwareVersion, 0x010100);
+    tell(Register::RegisterMapVersion, map);
+    return one;
+}
+
+QString uuid(std::uint32_t number)
+{
+    return identityOf(board(1, number)).uuid;
+}
+
+std::vector<std::string> causesOf(const std::vector<FoundController>& found, const KnownBoards& known = {})
+{
+    std::vector<std::string> causes;
+    for (const Finding& finding : identityFindings({}, known, found)) {
+        causes.push_back(finding.cause.toStdString());
+        EXPECT_FALSE(finding.what.isEmpty() || finding.action.isEmpty() || finding.remedy.isEmpty()) << causes.back();
+    }
+    return causes;
+}
+
+TEST(Identity, TheExpectedBoardsAreNoFinding)
+{
+    EXPECT_THAT(causesOf({board(1, 11), board(2, 12)}), IsEmpty());
+    EXPECT_THAT(causesOf({board(1, 11), board(2, 12)}, {uuid(11), uuid(12)}), IsEmpty());
+}
+
+TEST(Identity, AThirdBoardIsAWarning)
+{
+    const auto findings = identityFindings({}, {}, std::vector{board(1, 11), board(2, 12), board(9, 13)});
+    ASSERT_EQ(findings.size(), 1u);
+    EXPECT_EQ(findings[0].cause, QStringLiteral("drives.stranger.9"));
+    EXPECT_EQ(findings[0].weight, FindingWeight::Warning);
+    EXPECT_TRUE(findings[0].what.contains(uuid(13)));
+}
+
+TEST(Identity, TwoBoardsUnderOneIdBlockOnlyIfTheIdIsOurs)
+{
+    EXPECT_THAT(causesOf({board(1, 11), board(1, 13), board(2, 12)}), ElementsAre("drives.shared-id.1"));
+    EXPECT_THAT(causesOf({FoundController{.id = 1}, board(2, 12)}), ElementsAre("drives.shared-id.1"))
+        << "answers, but never whole";
+    const auto strangers =
+        identityFindings({}, {}, std::vector{board(1, 11), board(2, 12), board(9, 13), board(9, 14)});
+    ASSERT_EQ(strangers.size(), 2u);
+    EXPECT_EQ(strangers[0].cause, QStringLiteral("drives.shared-id.9"));
+    EXPECT_EQ(strangers[0].weight, FindingWeight::Warning);
+}
+
+TEST(Identity, SwappedIdsAreSaidOnce)
+{
+    EXPECT_THAT(causesOf({board(1, 12), board(2, 11)}, {uuid(11), uuid(12)}), ElementsAre("drives.swapped"));
+    EXPECT_THAT(causesOf({board(1, 12), board(2, 13)}, {uuid(11), uuid(12)}),
+                ElementsAre("drives.swapped", "drives.other.elevation"))
+        << "the elevation's board drives the azimuth now, and a new one the elevation";
+}
+
+TEST(Identity, AnotherBoardThanBeforeIsAWarning)
+{
+    EXPECT_THAT(causesOf({board(1, 11), board(2, 14)}, {uuid(11), uuid(12)}), ElementsAre("drives.other.elevation"));
+    EXPECT_THAT(causesOf({board(1, 11), board(2, 14)}, {uuid(11), QString()}), IsEmpty()) << "none was known";
+}
+
+TEST(Identity, AMapThatIsUnknownOrUntold)
+{
+    FoundController untold = board(2, 12);
+    untold.known.values.pop_back();
+    EXPECT_THAT(causesOf({board(1, 11, 4), untold}), ElementsAre("drives.map.azimuth", "drives.map.elevation"));
+}
+
+TEST(Identity, NobodyAtAllIsOneFinding)
+{
+    EXPECT_THAT(causesOf({}), ElementsAre("drives.none"));
+    EXPECT_THAT(causesOf({board(1, 11)}), ElementsAre("drives.missing.elevation"));
+}
+
+}  // namespace
+}  // namespace boresight::survey

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/survey/survey_rig.h"
+
+#include <algorithm>
+#include <map>
+
+namespace boresight::survey {
+
+SurveyRig::SurveyRig(const sim::PairSettings& settings, const profile::Profile& wanted, const KnownBoards& known)
+    : pair(settings), profile(wanted), drives(wanted, known)
+{}
+
+SteadyTime SurveyRig::now() const
+{
+    return SteadyTime(std::chrono::hours(1)) + std::chrono::duration_cast<SteadyTime::duration>(m_elapsed);
+}
+
+void SurveyRig::tick()
+{
+    std::map<std::uint32_t, std::size_t> perDrive;
+    for (const CanFrame& frame : drives.frames(now())) {
+        sent.push_back(frame);
+        mostFramesForOneDrive = std::max(mostFramesForOneDrive, ++perDrive[moteus::fromCanId(frame.id).destination]);
+        for (const sim::PairReply& reply : pair.exchange(frame, m_elapsed)) {
+            m_underWay.push_back(reply);
+        }
+    }
+    m_elapsed += kTick;
+    pair.advanceTo(m_elapsed);
+    deliver();
+}
+
+void SurveyRig::deliver()
+{
+    std::deque<sim::PairReply> later;
+    for (const sim::PairReply& reply : m_underWay) {
+        if (reply.due > m_elapsed) {
+            later.push_back(reply);
+        } else {
+            drives.take(reply.frame);
+        }
+    }
+    m_underWay = std::move(later);
+}
+
+void SurveyRig::run(Seconds time)
+{
+    for (const Seconds end = m_elapsed + time; m_elapsed < end;) {
+        tick();
+    }
+}
+
+bool SurveyRig::reaches(SurveyState state, Seconds within)
+{
+    for (const Seconds end = m_elapsed + within; m_elapsed < end && drives.state() != state;) {
+        tick();
+    }
+    return drives.state() == state;
+}
+
+void SurveyRig::survey()
+{
+    drives.begin(now());
+    run(kTick);
+    for (int i = 0; i < 1000 && drives.state() == SurveyState::Running; ++i) {
+        tick();
+    }
+}
+
+void SurveyRig::otherToolSays(Axis axis, const std::string& command)
+{
+    const std::string text = command + '\n';
+    pair.drive(axis).receiveText(1, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+sim::PairSettings freshFromTheBox()
+{
+    sim::PairSettings pair = sim::factoryPair();
+    pair.elevation.config.id = 2;
+    return pair;
+}
+
+std::string obstacle(const DriveSurvey& survey)
+{
+    const Result<> fit = survey.fitToMove();
+    return fit ? std::string() : fit.error().text;
+}
+
+std::vector<std::string> causes(const DriveSurvey& survey)
+{
+    std::vector<std::string> all;
+    for (const Finding& finding : survey.findings()) {
+        all.push_back(finding.cause.toStdString());
+    }
+    return all;
+}
+
+ProtectionLine line(const DriveSurvey& survey, Axis axis, const char* key)
+{
+    const auto lines = survey.protections(axis);
+    const auto found = std::ranges::find(lines, QLatin1String(key), &ProtectionLine::key);
+    return found != lines.end() ? *found : ProtectionLine{};
+}
+
+}  // namespace boresight::survey

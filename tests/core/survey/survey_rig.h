@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/sim/simulated_pair.h"
+#include "core/survey/drive_survey.h"
+
+#include <deque>
+
+// A survey on the simulated pair, by hand-turned time: every tick its frames go on the bus, and what comes back until
+// the next tick is handed to it.
+namespace boresight::survey {
+
+inline constexpr Seconds kTick{0.02};
+
+class SurveyRig
+{
+public:
+    explicit SurveyRig(const sim::PairSettings& settings = sim::commissionedPair(),
+                       const profile::Profile& profile = {}, const KnownBoards& known = {});
+
+    void tick();
+    void run(Seconds time);
+    // begin() and ticks until the survey has ended, Done or not.
+    void survey();
+    // Ticks until then; false if that is not within the time.
+    [[nodiscard]] bool reaches(SurveyState state, Seconds within = Seconds(10.0));
+
+    [[nodiscard]] SteadyTime now() const;
+    [[nodiscard]] Seconds elapsed() const { return m_elapsed; }
+    void otherToolSays(Axis axis, const std::string& command);
+
+    sim::SimulatedPair pair;
+    profile::Profile profile;
+    DriveSurvey drives;
+    std::size_t mostFramesForOneDrive = 0;  // in one tick, apart from scans
+    std::vector<CanFrame> sent;
+
+private:
+    void deliver();
+
+    Seconds m_elapsed{0.0};
+    std::deque<sim::PairReply> m_underWay;
+};
+
+// Boards as the maker sends them, but each with its own id.
+[[nodiscard]] sim::PairSettings freshFromTheBox();
+
+// Why nothing may move; empty when it may.
+[[nodiscard]] std::string obstacle(const DriveSurvey& survey);
+// The cause ids of the findings, for matchers.
+[[nodiscard]] std::vector<std::string> causes(const DriveSurvey& survey);
+[[nodiscard]] ProtectionLine line(const DriveSurvey& survey, Axis axis, const char* key);
+
+}  // namespace boresight::survey
