@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/system/socketcan_mount.h"
+
+#include "core/base/numbers.h"
+#include "tests/fakes/wait_until.h"
+
+#include <QElapsedTimer>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace boresight::system_test {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kPatience = 30s;  // of a guest system on a busy machine
+// A simulated encoder's noise moves the truth less; the slowest motion that is asked for is a hundred times more.
+constexpr double kStill = 0.02;  // °
+
+double farthest(const Truth& a, const Truth& b)
+{
+    return std::max(std::abs(a.azimuth - b.azimuth), std::abs(a.elevation - b.elevation));
+}
+
+std::optional<Truth> readTruth(const QString& line)
+{
+    static const QRegularExpression form(
+        QStringLiteral("^t=([0-9.]+) az=([-0-9.]+) az_rate=([-0-9.]+) .*\\bel=([-0-9.]+) el_rate=([-0-9.]+) "));
+    const auto match = form.match(line);
+    if (!match.hasMatch()) {
+        return std::nullopt;
+    }
+    const auto number = [&match](int group) { return match.captured(group).toDouble(); };
+    return Truth{.time = number(1),
+                 .azimuth = number(2),
+                 .elevation = number(4),
+                 .azimuthRate = number(3),
+                 .elevationRate = number(5)};
+}
+
+// Where the simulated mount begins, for a boresightd that wants it confirmed.
+QStringList placeAtStart()
+{
+    fakes::Program help(QStringLiteral(BORESIGHTD), {QStringLiteral("--help")});
+    static_cast<void>(help.waitForEnd());
+    return help.output().contains(QStringLiteral("--standing-at"))
+               ? QStringList{QStringLiteral("--standing-at"), QStringLiteral("0,10")}
+               : QStringList{};
+}
+
+}  // namespace
+
+bool run(const std::string& command)
+{
+    return std::system(command.c_str()) == 0;
+}
+
+// Both run before other programs, as the drives do anyhow and the service does by its unit file: the guest has one
+// processor, which the start of a program alone keeps busy for 80 ms.
+bool MountOnCan::starts()
+{
+    constexpr int kServiceNiceness = -10;
+    setpriority(PRIO_PROCESS, 0, kServiceNiceness);
+    const bool started = startPrograms();
+    setpriority(PRIO_PROCESS, 0, 0);
+    return started;
+}
+
+bool MountOnCan::startPrograms()
+{
+    m_drives = std::make_unique<fakes::Program>(QStringLiteral(BORESIGHTCTL),
+                                                QStringList{QStringLiteral("simulate"), QStringLiteral("--can"),
+                                                            m_drivesInterface, QStringLiteral("--print-truth")});
+    if (!m_drives->waitForLine(QStringLiteral("ready"))) {
+        ADD_FAILURE() << m_drives->errors().toStdString();
+        return false;
+    }
+    m_boresightd = std::make_unique<BoresightdProcess>(
+        QStringList{QStringLiteral("--bus"), QStringLiteral("socketcan:") + m_programInterface} + placeAtStart());
+    if (!m_boresightd->listens()) {
+        ADD_FAILURE() << log();
+        return false;
+    }
+    m_client = m_boresightd->connect();
+    return true;
+}
+
+bool MountOnCan::accepts(const std::string& command)
+{
+    return QTest::qWaitFor([&] { return ask(command) == "RPRT 0\n"; },
+                           static_cast<int>(std::chrono::milliseconds(kPatience).count()));
+}
+
+const std::vector<Truth>& MountOnCan::truths()
+{
+    const QStringList lines = m_drives->lines();
+    for (; m_linesRead < lines.size(); ++m_linesRead) {
+        if (const auto truth = readTruth(lines[m_linesRead])) {
+            m_truths.push_back(*truth);
+        }
+    }
+    return m_truths;
+}
+
+bool MountOnCan::waitForTruths(std::size_t more)
+{
+    const std::size_t wanted = truths().size() + more;
+    return fakes::waitUntil([this, wanted] { return truths().size() >= wanted; }, kPatience);
+}
+
+bool MountOnCan::commandUntil(const std::string& command, const std::function<bool()>& reached)
+{
+    constexpr int kAttempts = 5;
+    for (int i = 0; i < kAttempts; ++i) {
+        const std::size_t logBefore = log().size();
+        const auto starved = [this, logBefore] { return log().find("then re-arm", logBefore) != std::string::npos; };
+        if (!accepts(command)) {
+            return false;
+        }
+        static_cast<void>(fakes::waitUntil([&] { return reached() || starved(); }, kPatience));
+        if (reached()) {
+            return true;
+        }
+        static_cast<void>(accepts("R 1"));
+    }
+    return false;
+}
+
+bool MountOnCan::slews(const std::string& command)
+{
+    constexpr double kFast = 5.0;  // °/s
+    return commandUntil(command, [this] { return std::abs(truth().azimuthRate) >= kFast; });
+}
+
+bool MountOnCan::comesTo(double azimuth, double elevation)
+{
+    const Truth wanted{.azimuth = azimuth, .elevation = elevation};
+    const std::string command = "P " + formatFixed(azimuth, 1) + ' ' + formatFixed(elevation, 1);
+    return commandUntil(command, [this, &wanted] { return farthest(truth(), wanted) < 0.1; });
+}
+
+std::optional<Standstill> MountOnCan::standstillAfter(std::size_t before)
+{
+    constexpr std::size_t kLinesAtRest = 5;
+    const auto rests = [this] {
+        const auto& all = truths();
+        return all.size() > kLinesAtRest && farthest(all.back(), all[all.size() - kLinesAtRest]) < kStill;
+    };
+    if (!waitForTruths(kLinesAtRest) || !fakes::waitUntil(rests, kPatience)) {
+        return std::nullopt;
+    }
+    const auto& all = truths();
+    const auto event = all.begin() + static_cast<std::ptrdiff_t>(before) - 1;
+    const auto rest =
+        std::find_if(event, all.end(), [&all](const Truth& one) { return farthest(one, all.back()) < kStill; });
+    return Standstill{.time = rest->time - event->time, .excursion = farthest(*event, all.back())};
+}
+
+double MountOnCan::largestMotion(std::size_t fromLine)
+{
+    const auto& all = truths();
+    double largest = 0.0;
+    for (std::size_t i = fromLine; i < all.size(); ++i) {
+        largest = std::max(largest, farthest(all[i], all[fromLine]));
+    }
+    return largest;
+}
+
+const std::string& MountOnCan::log()
+{
+    m_log += m_boresightd->complaints();
+    return m_log;
+}
+
+std::optional<qint64> MountOnCan::waitForWords(const std::string& words, std::size_t after)
+{
+    QElapsedTimer timer;
+    timer.start();
+    if (!fakes::waitUntil([&] { return log().find(words, after) != std::string::npos; }, kPatience)) {
+        return std::nullopt;
+    }
+    return timer.elapsed();
+}
+
+bool MountOnCan::endsWell()
+{
+    return m_boresightd->terminate() == 0;
+}
+
+}  // namespace boresight::system_test
