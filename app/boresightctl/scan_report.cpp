@@ -111,7 +111,7 @@ void addOwnProblems(const FoundController& controller, std::vector<std::string>&
     }
     if (!map || !known.mode()) {
         found.push_back(who +
-                        "it did not answer every question, each was put three times. Look at the plugs, the "
+                        "it did not answer every question, each was put five times. Look at the plugs, the "
                         "termination and the bit rates of the bus.");
     }
 }

@@ -22,8 +22,9 @@ public:
     [[nodiscard]] std::optional<CanFrame> frame(SteadyTime now);
     void take(const moteus::Reply& reply);
 
-    [[nodiscard]] bool isAnswered() const { return m_silences == 0; }  // since begin(), and the last time
-    [[nodiscard]] int silences() const { return m_silences; }          // questions since the last answer
+    // The last question, put since begin().
+    [[nodiscard]] bool isAnswered() const { return m_sent && m_silences == 0; }
+    [[nodiscard]] int silences() const { return m_silences; }  // questions since the last answer
     [[nodiscard]] int reboots() const { return m_reboots; }
     // Does not move while the drive runs on, also over the end of the counter.
     [[nodiscard]] SteadyTime bootedAt() const { return m_bootedAt; }

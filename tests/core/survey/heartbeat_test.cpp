@@ -101,6 +101,7 @@ TEST_F(HeartbeatTest, AnotherBoardIsNoPowerUp)
 
 TEST_F(HeartbeatTest, WhatOthersSayDoesNotCount)
 {
+    EXPECT_FALSE(heart.isAnswered()) << "before it asked";
     EXPECT_TRUE(heart.frame(start));
     moteus::Reply reply{.source = 4, .destination = moteus::kDiagnosticHostId};
     reply.values.push_back({moteus::Register::MillisecondCounter, moteus::Resolution::Int32, 1000.0});
