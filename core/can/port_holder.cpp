@@ -1,43 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/can/port_holder.h"
 
-#include <QCoreApplication>
-#include <QDir>
+#include "core/base/numbers.h"
+
 #include <QFile>
 #include <QFileInfo>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+#include <system_error>
 
 namespace boresight {
 namespace {
 
-bool holds(const QString& process, const QString& target)
+namespace files = std::filesystem;
+
+// Only the names of the links are read: looking at what is behind them could block on a dead network drive.
+bool holds(const files::path& process, const files::path& target)
 {
-    const QDir descriptors(QStringLiteral("/proc/%1/fd").arg(process));
-    for (const QFileInfo& descriptor : descriptors.entryInfoList(QDir::Files | QDir::System)) {
-        if (descriptor.symLinkTarget() == target) {
+    std::error_code error;  // of a process that has ended or is another user's: it shows nothing
+    for (files::directory_iterator entry(process / "fd", error), end; !error && entry != end; entry.increment(error)) {
+        std::error_code unreadable;
+        if (files::read_symlink(entry->path(), unreadable) == target) {
             return true;
         }
     }
     return false;
 }
 
-QString programOf(const QString& process)
+QString nameOf(const files::path& process)
 {
-    QFile file(QStringLiteral("/proc/%1/comm").arg(process));
+    QFile file(QString::fromStdString((process / "comm").string()));
     const QString name = file.open(QIODevice::ReadOnly) ? QString::fromLocal8Bit(file.readAll()).trimmed() : QString();
-    return name.isEmpty() ? QStringLiteral("a program") : name;
+    return QStringLiteral("%1 (process %2)")
+        .arg(name.isEmpty() ? QStringLiteral("a program") : name, QString::fromStdString(process.filename().string()));
 }
 
 }  // namespace
 
 std::optional<QString> portHolder(const QString& device)
 {
-    const QString target = QFileInfo(device).canonicalFilePath();
-    const QString self = QString::number(QCoreApplication::applicationPid());
-    for (const QString& process : QDir(QStringLiteral("/proc")).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
-        bool isProcess = false;
-        process.toInt(&isProcess);
-        if (isProcess && process != self && !target.isEmpty() && holds(process, target)) {
-            return QStringLiteral("%1 (process %2)").arg(programOf(process), process);
+    const files::path target = QFileInfo(device).canonicalFilePath().toStdString();
+    std::error_code error;
+    for (files::directory_iterator entry("/proc", error), end; !error && entry != end; entry.increment(error)) {
+        const auto process = parseInteger(entry->path().filename().string());
+        if (process && *process != getpid() && !target.empty() && holds(entry->path(), target)) {
+            return nameOf(entry->path());
         }
     }
     return std::nullopt;

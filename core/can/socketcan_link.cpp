@@ -214,7 +214,7 @@ void SocketCanLink::handleSocketError(int error)
             break;
         case ENODEV:
         case ENXIO:
-            lose(QStringLiteral("the interface has been removed; is the adapter still plugged in?"));
+            lose(QStringLiteral("the interface has been removed: plug the adapter in again"));
             break;
         default:
             lose(systemText(error));
