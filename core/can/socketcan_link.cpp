@@ -19,6 +19,9 @@ namespace {
 constexpr int kFramesPerTurn = 64;
 // Frames and error frames take turns on a bad bus: the error is over when none came for so long.
 constexpr std::chrono::seconds kErrorMemory{1};
+// Two drives at 100 Hz answer with 200 frames a second, a full bus carries some 8000 short ones.
+constexpr int kFloodRate = 2000;
+constexpr Seconds kLoadWindow{0.2};  // so that a flood is on the screen within 300 ms
 
 QString systemText(int error)
 {
@@ -69,6 +72,8 @@ Result<> SocketCanLink::open()
     }
     m_socket = *std::move(socket);
     m_socketDrops = 0;
+    m_loadSince = m_clock.now();
+    m_loadFrames = 0;
     m_trouble = {};
     m_notifier = std::make_unique<QSocketNotifier>(m_socket.number(), QSocketNotifier::Read);
     connect(m_notifier.get(), &QSocketNotifier::activated, this, &SocketCanLink::readSocket);
@@ -176,9 +181,24 @@ void SocketCanLink::handleFrame(const CanFrame& frame)
     m_trouble.busOff = false;
     m_trouble.errorPassive = false;
     m_trouble.noAcknowledge = false;
+    countLoad(stamped.received);
     m_trouble.errorFrames = m_trouble.errorFrames && stamped.received - m_lastErrorFrame < kErrorMemory;
     updateStatus();
     Q_EMIT frameReceived(stamped);
+}
+
+// Told above the rate, forgotten below half of it: the text does not flicker.
+void SocketCanLink::countLoad(SteadyTime now)
+{
+    ++m_loadFrames;
+    const Seconds window = now - m_loadSince;
+    if (window < kLoadWindow) {
+        return;
+    }
+    const double rate = m_loadFrames / window.count();
+    m_trouble.flooded = rate > (m_trouble.flooded ? kFloodRate / 2 : kFloodRate);
+    m_loadSince = now;
+    m_loadFrames = 0;
 }
 
 void SocketCanLink::handleErrorFrame(const socketcan::RawFrame& raw)
@@ -280,6 +300,12 @@ QString SocketCanLink::troubleText() const
         troubles << QStringLiteral("many errors on the bus (error-passive): ") + errorAdvice();
     } else if (m_trouble.errorFrames) {
         troubles << QStringLiteral("damaged frames on the bus: ") + errorAdvice();
+    } else if (m_trouble.flooded) {
+        troubles << QStringLiteral(
+                        "more than %1 frames a second on the bus, ten times what two drives need: another program "
+                        "floods it; end that program (`candump %2` shows its identifiers)")
+                        .arg(kFloodRate)
+                        .arg(m_interface);
     }
     if (!m_timingTrouble.isEmpty()) {
         troubles << m_timingTrouble;

@@ -44,11 +44,13 @@ private:
         bool noAcknowledge = false;
         bool errorPassive = false;
         bool errorFrames = false;
+        bool flooded = false;
     };
 
     void readSocket();
     [[nodiscard]] ssize_t readFrame(socketcan::RawFrame& raw);
     void handleFrame(const CanFrame& frame);
+    void countLoad(SteadyTime now);
     void handleErrorFrame(const socketcan::RawFrame& raw);
     void handleSocketError(int error);
     void checkInterface();
@@ -67,6 +69,8 @@ private:
     LinkStatus m_status;
     Trouble m_trouble;
     SteadyTime m_lastErrorFrame{};
+    SteadyTime m_loadSince{};  // frames are counted since
+    int m_loadFrames = 0;
     QString m_timingTrouble;
     bool m_isVirtual = false;
     std::uint32_t m_socketDrops = 0;  // what the kernel says of this socket since it was opened

@@ -193,6 +193,10 @@ TEST_P(SocketCanFlood, MountStaysUnderControlOrStopsAndSaysSo)
                 static_cast<double>(flood) / seconds, seconds,
                 stopped ? "the mount stopped and said so" : "the mount stayed under control", mount.truth().azimuth,
                 mount.log().substr(logBefore).c_str());
+    constexpr double kSurelyAFlood = 3000.0;  // frames a second; a busy machine may manage less
+    if (static_cast<double>(flood) / seconds > kSurelyAFlood) {
+        EXPECT_NE(mount.log().find("another program floods it", logBefore), std::string::npos);
+    }
     for (const Truth& truth : mount.truths()) {  // never beyond where it was sent
         EXPECT_LT(truth.azimuth, 60.5);
         EXPECT_LT(truth.elevation, 30.5);

@@ -220,6 +220,34 @@ TEST_F(SocketCanFakeTest, MissingAcknowledgeIsKnownByItsPlaceInTheFrame)
     EXPECT_THAT(text(), HasSubstr("nobody acknowledges"));
 }
 
+// A flood is a warning after one window of 200 ms and stays one until the bus is quiet again.
+TEST_F(SocketCanFakeTest, FloodOfAnotherProgramIsSaid)
+{
+    qsizetype count = 0;
+    const auto receiveOver = [this, &count](int number, std::chrono::milliseconds time) {
+        for (int i = 0; i < number; ++i) {
+            clock.advance(Seconds(time) / number);
+            can.put(socketcan::toRaw(frameTo(0x005)).value());
+            ++count;
+            if (!waitUntil([this, &count] { return frames.size() == count; })) {
+                return false;
+            }
+        }
+        return true;
+    };
+    using std::chrono::milliseconds;
+    ASSERT_TRUE(receiveOver(390, milliseconds(199)));  // just short of a window
+    EXPECT_EQ(text(), "");
+    ASSERT_TRUE(receiveOver(30, milliseconds(2)));
+    EXPECT_EQ(link.status().state, LinkState::Up);
+    EXPECT_THAT(text(), HasSubstr("more than 2000 frames a second on the bus"));
+    EXPECT_THAT(text(), HasSubstr("another program floods it; end that program (`candump can0`"));
+    ASSERT_TRUE(receiveOver(300, milliseconds(201)));  // 1500 a second: not yet over
+    EXPECT_EQ(changes.size(), 1);
+    ASSERT_TRUE(receiveOver(40, milliseconds(201)));  // two drives at 100 Hz
+    EXPECT_EQ(text(), "");
+}
+
 class SocketCanTimingTest : public SocketCanFakeTest
 {
 protected:
