@@ -87,12 +87,18 @@ int ValueLabel::symbolRoom() const
     return static_cast<int>(std::ceil(symbolSize() * 1.5));
 }
 
+// Wrapped lines stand a fraction of a pixel further apart than lineSpacing() says.
+int ValueLabel::linesHeight() const
+{
+    const QString lines = QStringLiteral("X\n").repeated(m_lines - 1) + QLatin1Char('X');
+    return fontMetrics().boundingRect(QRect(0, 0, QWIDGETSIZE_MAX, QWIDGETSIZE_MAX), Qt::TextWordWrap, lines).height();
+}
+
 QSize ValueLabel::sizeHint() const
 {
     const int extra = 2 * (m_outlined ? kOutline : kMargin) + 2 +  // advances are rounded
                       (m_symbolRoom ? symbolRoom() : 0);
-    return {fontMetrics().horizontalAdvance(m_widest) + extra,
-            m_lines * fontMetrics().lineSpacing() + (m_outlined ? 4 : 0)};
+    return {fontMetrics().horizontalAdvance(m_widest) + extra, linesHeight() + (m_outlined ? 4 : 0)};
 }
 
 QSize ValueLabel::minimumSizeHint() const

@@ -43,6 +43,7 @@ protected:
 private:
     [[nodiscard]] QRect textRect() const;
     [[nodiscard]] double symbolSize() const;
+    [[nodiscard]] int linesHeight() const;
     [[nodiscard]] int symbolRoom() const;  // symbol and the gap behind it
 
     QString m_text;
