@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/axis_readout.h"
 
+#include "ui/axes.h"
 #include "ui/format.h"
 #include "ui/value_label.h"
 
@@ -17,32 +18,44 @@ namespace {
 
 struct Worded
 {
-    AxisState state;
+    QString word;
     Tone tone = Tone::Normal;
     Symbol symbol = Symbol::None;
 };
 
-Worded worded(const AxisStatus& axis)
+// On an unknown turn the word says so, unless there is something worse, or the axis moves.
+Worded worded(const AxisStatus& axis, bool turnKnown)
 {
     const AxisState state = freshness(axis.age) == Freshness::NoData ? AxisState::NoData : axis.state;
     switch (state) {
         case AxisState::NoData:
         case AxisState::Fault:
-            return {state, Tone::Alarm, Symbol::Alarm};
-        case AxisState::Limit:
-            return {state, Tone::Warning, Symbol::Warning};
+            return {word(state), Tone::Alarm, Symbol::Alarm};
+        case AxisState::Moving:
+            return {word(state)};
         default:
-            return {state};
+            break;
     }
+    if (!turnKnown) {
+        return {AxisReadout::tr("TURN?"), Tone::Warning, Symbol::Warning};
+    }
+    return state == AxisState::Limit ? Worded{word(state), Tone::Warning, Symbol::Warning} : Worded{word(state)};
 }
 
 // Late data names its age, whatever else there is to say.
-QString detailText(const AxisStatus& axis)
+QString detailText(const AxisStatus& axis, bool turnKnown)
 {
-    if (freshness(axis.age) == Freshness::Live || !axis.age) {
-        return axis.stateText;
+    if (freshness(axis.age) != Freshness::Live && axis.age) {
+        return AxisReadout::tr("age %1").arg(ageText(*axis.age));
     }
-    return AxisReadout::tr("age %1").arg(ageText(*axis.age));
+    return turnKnown || !axis.age || !axis.stateText.isEmpty() ? axis.stateText
+                                                               : AxisReadout::tr("the turn is not known");
+}
+
+// A place on an unknown turn must not look like a known one, and takes no more room.
+QString actualText(Angle angle, bool turnKnown)
+{
+    return turnKnown ? angleText(angle) : angleText(angle, 1) + QLatin1Char('?');
 }
 
 QString line(const QString& what, const std::optional<double>& value, const char* format)
@@ -51,10 +64,10 @@ QString line(const QString& what, const std::optional<double>& value, const char
 }
 
 // What the drive says of itself: volts, degrees, amperes.
-QString driveHelp(const QString& name, const AxisStatus& axis)
+QString driveHelp(const QString& axisName, const AxisStatus& axis)
 {
     QString text =
-        AxisReadout::tr("%1 axis, %2 … %3").arg(name, angleText(axis.travel.min, 1), angleText(axis.travel.max, 1));
+        AxisReadout::tr("%1 axis, %2 … %3").arg(axisName, angleText(axis.travel.min, 1), angleText(axis.travel.max, 1));
     if (axis.actual) {
         text += AxisReadout::tr("\nmechanical angle %1").arg(angleText(*axis.actual));
     }
@@ -68,11 +81,6 @@ QString driveHelp(const QString& name, const AxisStatus& axis)
     text += line(AxisReadout::tr("current "), axis.current, "%.1f A");
     text += AxisReadout::tr("\nmoteus mode %1, fault %2").arg(axis.mode).arg(axis.faultCode);
     return axis.stateText.isEmpty() ? text : text + QLatin1Char('\n') + axis.stateText;
-}
-
-QString axisName(Axis axis)
-{
-    return axis == Axis::Azimuth ? AxisReadout::tr("azimuth") : AxisReadout::tr("elevation");
 }
 
 QLabel* heading(const QString& text, QWidget* parent)
@@ -113,13 +121,13 @@ AxisReadout::AxisReadout(QWidget* parent) : QWidget(parent)
 
 AxisReadout::Row AxisReadout::makeRow(Axis axis)
 {
-    const QString name = axisName(axis);
+    const QString axisName = name(axis);
     const QString widest = QStringLiteral("-000.00°");
-    Row row{.actual = new ValueLabel(tr("Actual %1").arg(name), fonts::actual(), QStringLiteral("000.00°"), this),
-            .target = new ValueLabel(tr("Target %1").arg(name), fonts::value(), QStringLiteral("000.00°"), this),
-            .error = new ValueLabel(tr("Error of %1").arg(name), fonts::value(), widest, this),
-            .state = new ValueLabel(tr("State of %1").arg(name), fonts::text(), QStringLiteral("HOLDING"), this),
-            .detail = new ValueLabel(tr("Detail of %1").arg(name), fonts::label(), {}, this)};
+    Row row{.actual = new ValueLabel(tr("Actual %1").arg(axisName), fonts::actual(), QStringLiteral("000.00°"), this),
+            .target = new ValueLabel(tr("Target %1").arg(axisName), fonts::value(), QStringLiteral("000.00°"), this),
+            .error = new ValueLabel(tr("Error of %1").arg(axisName), fonts::value(), widest, this),
+            .state = new ValueLabel(tr("State of %1").arg(axisName), fonts::text(), QStringLiteral("HOLDING"), this),
+            .detail = new ValueLabel(tr("Detail of %1").arg(axisName), fonts::label(), {}, this)};
     for (ValueLabel* const number : {row.actual, row.target, row.error}) {
         number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     }
@@ -132,24 +140,29 @@ AxisReadout::Row AxisReadout::makeRow(Axis axis)
 void AxisReadout::showStatus(const StationStatus& status)
 {
     m_shown = {status.azimuth, status.elevation};
-    showRow(m_rows[0], status.azimuth, true);
-    showRow(m_rows[1], status.elevation, false);
+    for (const Axis axis : kAxes) {
+        showRow(axis, isTurnKnown(status, axis));
+    }
 }
 
-void AxisReadout::showRow(const Row& row, const AxisStatus& axis, bool wraps)
+void AxisReadout::showRow(Axis which, bool turnKnown)
 {
-    const auto shown = [wraps](Angle angle) { return wraps ? angle.wrapped360() : angle; };
+    const Row& row = m_rows[axisIndex(which)];
+    const AxisStatus& axis = m_shown[axisIndex(which)];
+    const auto shown = [which](Angle angle) { return which == Axis::Azimuth ? angle.wrapped360() : angle; };
     const Freshness age = freshness(axis.age);
     const bool known = axis.actual && age != Freshness::NoData;
     const Tone tone = age == Freshness::Live ? Tone::Normal : Tone::Secondary;
-    row.actual->setValue(known ? angleText(shown(*axis.actual)) : noValue(), tone);
+    row.actual->setValue(known ? actualText(shown(*axis.actual), turnKnown) : noValue(),
+                         turnKnown ? tone : Tone::Secondary);
     row.target->setValue(axis.target ? angleText(shown(*axis.target)) : noValue(),
                          axis.target ? Tone::Normal : Tone::Secondary);
-    row.error->setValue(known && axis.target ? signedAngleText(*axis.target - *axis.actual) : noValue(),
-                        known && axis.target ? tone : Tone::Secondary);
-    const Worded state = worded(axis);
-    row.state->setValue(word(state.state), state.tone, state.symbol);
-    row.detail->setValue(detailText(axis), age == Freshness::Live ? Tone::Secondary : Tone::Warning);
+    const bool comparable = known && turnKnown && axis.target;
+    row.error->setValue(comparable ? signedAngleText(*axis.target - *axis.actual) : noValue(),
+                        comparable ? tone : Tone::Secondary);
+    const Worded state = worded(axis, turnKnown);
+    row.state->setValue(state.word, state.tone, state.symbol);
+    row.detail->setValue(detailText(axis, turnKnown), age == Freshness::Live ? Tone::Secondary : Tone::Warning);
 }
 
 bool AxisReadout::event(QEvent* event)
@@ -158,7 +171,7 @@ bool AxisReadout::event(QEvent* event)
         const auto* const help = static_cast<QHelpEvent*>(event);
         const bool lower = help->pos().y() > m_rows[0].detail->geometry().bottom();
         QToolTip::showText(help->globalPos(),
-                           driveHelp(axisName(lower ? Axis::Elevation : Axis::Azimuth), m_shown[lower ? 1 : 0]), this);
+                           driveHelp(name(lower ? Axis::Elevation : Axis::Azimuth), m_shown[lower ? 1 : 0]), this);
         return true;
     }
     return QWidget::event(event);

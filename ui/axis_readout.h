@@ -8,7 +8,8 @@
 #include <array>
 
 // The numbers of both axes: actual, target, error (target minus actual, along the way the axis really goes) and a
-// word. An old number is dimmed with its age, a very old one is not shown at all.
+// word. An old number is dimmed with its age, a very old one is not shown at all; on an unknown turn it is
+// dimmed, coarse and ends in a question mark.
 namespace boresight::ui {
 
 class ValueLabel;
@@ -36,7 +37,7 @@ private:
     };
 
     Row makeRow(Axis axis);
-    void showRow(const Row& row, const AxisStatus& axis, bool wraps);
+    void showRow(Axis which, bool turnKnown);
 
     std::array<Row, 2> m_rows;  // by Axis
     std::array<AxisStatus, 2> m_shown;

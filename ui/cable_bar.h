@@ -29,11 +29,9 @@ protected:
 
 private:
     [[nodiscard]] QRectF bar() const;
-    [[nodiscard]] double pixel(Angle angle) const;
-    void drawScale(QPainter& painter, const QRectF& box) const;
 
     TravelRange m_travel;
-    std::optional<Angle> m_actual;  // empty as soon as it is too old
+    std::optional<Angle> m_actual;  // empty when it is too old, or the turn is not known
     std::optional<Angle> m_commanded;
     bool m_late = false;
     QString m_text;

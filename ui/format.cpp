@@ -77,6 +77,11 @@ QString clockText(UtcTime utc)
     return dateTime(utc).toString(QStringLiteral("HH:mm:ss"));
 }
 
+QString minuteText(UtcTime utc)
+{
+    return dateTime(utc).toString(QStringLiteral("yyyy-MM-dd HH:mm")) + QLatin1Char('Z');
+}
+
 QString dateText(UtcTime utc)
 {
     return dateTime(utc).toString(QStringLiteral("yyyy-MM-dd HH:mm:ss.zzz")) + QLatin1Char('Z');

@@ -18,9 +18,12 @@ struct Shown
     Symbol symbol = Symbol::Healthy;
 };
 
-Shown busShown(const LinkStatus& bus)
+Shown busShown(const StationStatus& status)
 {
-    switch (bus.state) {
+    if (status.drives.released) {
+        return {HeaderBar::tr("CAN off"), Tone::Advisory, Symbol::Advisory};
+    }
+    switch (status.bus.state) {
         case LinkState::Up:
             return {HeaderBar::tr("CAN")};
         case LinkState::Down:
@@ -33,8 +36,11 @@ Shown busShown(const LinkStatus& bus)
     return {HeaderBar::tr("CAN off"), Tone::Warning, Symbol::Warning};
 }
 
-Shown driveShown(const QString& name, const AxisStatus& axis)
+Shown driveShown(const QString& name, const AxisStatus& axis, bool released)
 {
+    if (freshness(axis.age) == Freshness::NoData && released) {
+        return {name, Tone::Secondary, Symbol::Lost};
+    }
     if (freshness(axis.age) == Freshness::NoData) {
         return {HeaderBar::tr("%1 silent").arg(name), Tone::Alarm, Symbol::Alarm};
     }
@@ -78,10 +84,11 @@ QString clientsHelp(const StationStatus& status)
     return text;
 }
 
-Tone stateTone(StationState state)
+Tone stateTone(const StationStatus& status)
 {
-    switch (state) {
+    switch (status.state) {
         case StationState::Disconnected:
+            return status.drives.released ? Tone::Warning : Tone::Alarm;  // released is what the operator wanted
         case StationState::Fault:
             return Tone::Alarm;
         case StationState::Stopped:
@@ -173,9 +180,10 @@ void HeaderBar::showStatus(const StationStatus& status)
 
 void HeaderBar::showState(const StationStatus& status)
 {
-    const Tone tone = stateTone(status.state);
+    const Tone tone = stateTone(status);
     m_state->setValue(word(status.state), tone, stateSymbol(tone));
-    m_reason->setValue(status.stateReason, Tone::Secondary);
+    m_reason->setValue(status.drives.released ? tr("bus released to other tools") : status.stateReason,
+                       Tone::Secondary);
     const bool latched = status.stopLatched;
     m_stopRequested = m_stopRequested && !latched;
     m_stop->setPhase(latched           ? StopButton::Phase::Latched
@@ -198,9 +206,9 @@ void HeaderBar::showTarget(const StationStatus& status)
 
 void HeaderBar::showLinks(const StationStatus& status)
 {
-    setShown(*m_bus, busShown(status.bus));
-    setShown(*m_azimuth, driveShown(tr("AZ"), status.azimuth));
-    setShown(*m_elevation, driveShown(tr("EL"), status.elevation));
+    setShown(*m_bus, busShown(status));
+    setShown(*m_azimuth, driveShown(tr("AZ"), status.azimuth, status.drives.released));
+    setShown(*m_elevation, driveShown(tr("EL"), status.elevation, status.drives.released));
     setShown(*m_clients, status.listening.isEmpty() ? Shown{tr("rotctld off"), Tone::Warning, Symbol::Warning}
                                                     : Shown{tr("rotctld %1").arg(status.clients.size())});
     m_bus->setToolTip(busHelp(status));

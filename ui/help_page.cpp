@@ -28,7 +28,8 @@ constexpr Line kLines[] = {
     {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+G"), QT_TRANSLATE_NOOP("HelpPage", "to the go-to fields; Enter = Go")},
     {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+H"), QT_TRANSLATE_NOOP("HelpPage", "hold")},
     {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+P"), QT_TRANSLATE_NOOP("HelpPage", "park")},
-    {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+1, Ctrl+2"), QT_TRANSLATE_NOOP("HelpPage", "panels Jog, Log")},
+    {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+1 … Ctrl+4"),
+     QT_TRANSLATE_NOOP("HelpPage", "panels Jog, Log, Drives, Protection")},
     {QT_TRANSLATE_NOOP("HelpPage", "F8"), QT_TRANSLATE_NOOP("HelpPage", "acknowledge the alarms")},
     {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+D"), QT_TRANSLATE_NOOP("HelpPage", "theme: day, night, red")},
     {QT_TRANSLATE_NOOP("HelpPage", "F11"), QT_TRANSLATE_NOOP("HelpPage", "full screen")},
@@ -51,6 +52,13 @@ HelpPage::HelpPage(QWidget* parent) : QDialog(parent)
         grid->addWidget(key, row, 0);
         grid->addWidget(does, row++, 1);
     }
+    auto* const drives =
+        new QLabel(tr("Drives: who is on the bus, the bus for other tools, and how each axis stops when not fed.\n"
+                      "Protection: ■ dangerous settings keep the mount from moving; Fix writes them, with the\n"
+                      "drives switched off. ▲ Turn?: until it is answered only slow jogging is possible."),
+                   this);
+    drives->setFont(fonts::label());
+    grid->addWidget(drives, row++, 0, 1, 2);
     auto* const stop = new QLabel(tr("STOP is a function of this program: the mount slows down and holds. It does not\n"
                                      "replace the hard-wired emergency stop beside the mast."),
                                   this);

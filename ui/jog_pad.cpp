@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/jog_pad.h"
 
+#include "ui/axes.h"
 #include "ui/command_button.h"
 #include "ui/jog_button.h"
 #include "ui/request_desk.h"
@@ -165,6 +166,7 @@ void JogPad::showStatus(const StationStatus& status)
         }
     }
     m_hold->setBlocked(whyNoMotion(status));
+    applyRate();
 }
 
 void JogPad::setRate(JogRate rate)
@@ -186,7 +188,8 @@ void JogPad::setStepMode(bool on)
 
 void JogPad::applyRate()
 {
-    const JogRate rate = m_shift ? JogRate::Fast : m_rate;
+    const bool known = areTurnsKnown(m_status);  // else the end of the cable may be near
+    const JogRate rate = !known ? JogRate::Slow : m_shift ? JogRate::Fast : m_rate;
     m_deadMan.setRate(rate == JogRate::Slow     ? m_settings.slow
                       : rate == JogRate::Normal ? m_settings.normal
                                                 : m_settings.fast);

@@ -2,10 +2,11 @@
 #include "ui/jog_panel.h"
 
 #include "core/base/numbers.h"
+#include "ui/axes.h"
 #include "ui/choice_button.h"
 #include "ui/command_button.h"
 #include "ui/format.h"
-#include "ui/jog_pad.h"
+#include "ui/motion_permission.h"
 #include "ui/value_label.h"
 
 #include <QButtonGroup>
@@ -92,9 +93,12 @@ QWidget* JogPanel::makeChoices(const WindowSettings& settings)
         auto* const button = new ChoiceButton(text + QLatin1Char('\n') + rateText(speed),
                                               tr("%1: jog at %2").arg(text, rateText(speed)), box);
         rates->addButton(button);
-        button->setChecked(rate == JogRate::Normal);
+        m_rates[rate] = button;
         grid->addWidget(button, 1, column++);
-        connect(button, &QToolButton::clicked, this, [this, rate = rate] { m_pad->setRate(rate); });
+        connect(button, &QToolButton::clicked, this, [this, rate = rate] {
+            m_rate = rate;
+            m_pad->setRate(rate);
+        });
     }
     auto* const steps = new QButtonGroup(box);
     column = 0;
@@ -136,10 +140,23 @@ QWidget* JogPanel::makeGoTo()
 void JogPanel::showStatus(const StationStatus& status)
 {
     m_pad->showStatus(status);
-    const QString reason = whyNoMotion(status);
+    const QString reason = whyNoPointing(status);
     for (CommandButton* const button : {m_go, m_home, m_park}) {
         button->setBlocked(reason);
     }
+    showRates(areTurnsKnown(status));
+}
+
+// What the pad does by itself: on an unknown turn only the slow rate.
+void JogPanel::showRates(bool turnsKnown)
+{
+    for (const auto& [rate, button] : m_rates) {
+        const bool usable = turnsKnown || rate == JogRate::Slow;
+        button->setEnabled(usable);
+        button->setToolTip(usable ? button->accessibleName()
+                                  : tr("%1: only slow until the turn is known").arg(button->accessibleName()));
+    }
+    m_rates.at(turnsKnown ? m_rate : JogRate::Slow)->setChecked(true);
 }
 
 void JogPanel::focusGoTo()

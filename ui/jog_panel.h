@@ -3,9 +3,12 @@
 
 #include "core/base/clock.h"
 #include "core/station/station_status.h"
+#include "ui/jog_pad.h"
 #include "ui/window_settings.h"
 
 #include <QWidget>
+
+#include <map>
 
 class QLineEdit;
 
@@ -13,8 +16,8 @@ class QLineEdit;
 // move nothing; a refusal is shown below the controls, and the typed value stays for correction.
 namespace boresight::ui {
 
+class ChoiceButton;
 class CommandButton;
-class JogPad;
 class RequestDesk;
 class ValueLabel;
 
@@ -37,6 +40,7 @@ private:
     void build();
     QWidget* makeChoices(const WindowSettings& settings);
     QWidget* makeGoTo();
+    void showRates(bool turnsKnown);
     void go();
     void complain(QLineEdit& field, const QString& text);
 
@@ -47,6 +51,8 @@ private:
     CommandButton* m_go;
     CommandButton* m_home;
     CommandButton* m_park;
+    std::map<JogRate, ChoiceButton*> m_rates;
+    JogRate m_rate = JogRate::Normal;
     QWidget* m_choices;
 };
 

@@ -11,6 +11,7 @@
 #include "ui/jog_panel.h"
 #include "ui/log_panel.h"
 #include "ui/motion_permission.h"
+#include "ui/panel_tabs.h"
 #include "ui/polar_plot.h"
 #include "ui/prompt_bar.h"
 #include "ui/stop_keys.h"
@@ -20,7 +21,6 @@
 #include <QGridLayout>
 #include <QIcon>
 #include <QShortcut>
-#include <QTabWidget>
 #include <QVBoxLayout>
 
 #include <memory>
@@ -44,14 +44,12 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_plot(new PolarPlot(settings.beamWidth, this)),
       m_readout(new AxisReadout(this)),
       m_cable(new CableBar(this)),
-      m_jog(new JogPanel(clock, m_desk, settings, this)),
-      m_log(new LogPanel(this)),
+      m_panels(new PanelTabs(clock, m_desk, settings, this)),
       m_lastCommand(new ValueLabel(tr("Last line of the log"), fonts::label(), {}, this)),
       m_pickBar(new PromptBar(tr("Direction under the cursor"), this)),
       m_closeBar(new PromptBar(tr("Close"), this)),
       m_goHere(new CommandButton(tr("Go here"), tr("Go to this direction by the nearest turn"), m_desk,
                                  m_pickBar->notice(), m_pickBar)),
-      m_panels(new QTabWidget(this)),
       m_help(new HelpPage(this)),
       m_stopKeys(new StopKeys(*this))
 {
@@ -96,12 +94,6 @@ void MainWindow::build()
 
     plotCell->addWidget(m_plot, 0, 0);
     addPrompts(*plotCell);
-    m_panels->setFont(fonts::label());
-    m_panels->addTab(m_jog, tr("Jog"));
-    m_panels->addTab(m_log, tr("Log"));
-    m_panels->setTabToolTip(0, tr("Jog panel (Ctrl+1)"));
-    m_panels->setTabToolTip(1, tr("Log panel (Ctrl+2)"));
-    m_panels->setAccessibleName(tr("Panels"));
     side->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     right->setContentsMargins(0, 0, 0, 0);
     right->addWidget(m_readout);
@@ -136,8 +128,6 @@ void MainWindow::addKeys()
     addKey(Qt::CTRL | Qt::Key_G, &MainWindow::goTo);
     addKey(Qt::CTRL | Qt::Key_H, &MainWindow::hold);
     addKey(Qt::CTRL | Qt::Key_P, &MainWindow::park);
-    addKey(Qt::CTRL | Qt::Key_1, &MainWindow::showJog);
-    addKey(Qt::CTRL | Qt::Key_2, &MainWindow::showLog);
     addKey(Qt::CTRL | Qt::Key_D, &MainWindow::nextTheme);
     addKey(Qt::Key_F8, &MainWindow::acknowledge);
     addKey(Qt::Key_F11, &MainWindow::toggleFullScreen);
@@ -155,7 +145,7 @@ void MainWindow::showUpdate(const StationUpdate& update)
 {
     m_status = update.status;
     m_lastUpdate = m_clock.now();
-    m_log->append(update.log);
+    m_panels->log().append(update.log);
     if (!update.log.empty()) {
         const LogEntry& last = update.log.back();
         m_lastCommand->setValue(
@@ -177,8 +167,8 @@ void MainWindow::showStatus(const StationStatus& status)
     m_plot->showStatus(status);
     m_readout->showStatus(status);
     m_cable->showStatus(status);
-    m_jog->showStatus(status);
-    m_goHere->setBlocked(whyNoMotion(status));
+    m_panels->showStatus(status);
+    m_goHere->setBlocked(whyNoPointing(status));
 }
 
 // Ten times a second, whether the station speaks or not: old numbers age, alarms flash, the pad disarms.
@@ -189,7 +179,7 @@ void MainWindow::beat()
         showStatus(aged());
     }
     m_alarms->flash(m_beats % kBeatsPerSecond < kBeatsPerSecond / 2);
-    m_jog->beat();
+    m_panels->jog().beat();
     if (m_beats % kBeatsPerSecond == 0) {
         m_plot->describe(m_status);
     }
@@ -297,16 +287,6 @@ void MainWindow::closeNow()
     close();
 }
 
-void MainWindow::showJog()
-{
-    m_panels->setCurrentWidget(m_jog);
-}
-
-void MainWindow::showLog()
-{
-    m_panels->setCurrentWidget(m_log);
-}
-
 void MainWindow::nextTheme()
 {
     applyTheme(next(currentTheme().kind));
@@ -329,18 +309,18 @@ void MainWindow::showHelp()
 
 void MainWindow::goTo()
 {
-    showJog();
-    m_jog->focusGoTo();
+    m_panels->setCurrentWidget(&m_panels->jog());
+    m_panels->jog().focusGoTo();
 }
 
 void MainWindow::hold()
 {
-    m_jog->hold();
+    m_panels->jog().hold();
 }
 
 void MainWindow::park()
 {
-    m_jog->park();
+    m_panels->jog().park();
 }
 
 void MainWindow::acknowledge()

@@ -13,7 +13,6 @@
 #include <optional>
 
 class QGridLayout;
-class QTabWidget;
 
 // The desktop window: it composes the panels and connects their signals, nothing else. It knows the station by two
 // values only: StationUpdate comes in, NumberedRequest goes out. Gui thread.
@@ -25,8 +24,7 @@ class CableBar;
 class CommandButton;
 class HeaderBar;
 class HelpPage;
-class JogPanel;
-class LogPanel;
+class PanelTabs;
 class PolarPlot;
 class PromptBar;
 class StopKeys;
@@ -71,8 +69,6 @@ private:
     void goToPicked();
     void confirmClose();
     void keepOpen();
-    void showJog();
-    void showLog();
     void nextTheme();
     void toggleFullScreen();
     void showHelp();
@@ -91,13 +87,11 @@ private:
     PolarPlot* m_plot;
     AxisReadout* m_readout;
     CableBar* m_cable;
-    JogPanel* m_jog;
-    LogPanel* m_log;
+    PanelTabs* m_panels;
     ValueLabel* m_lastCommand;
     PromptBar* m_pickBar;
     PromptBar* m_closeBar;
     CommandButton* m_goHere;
-    QTabWidget* m_panels;
     HelpPage* m_help;
     StopKeys* m_stopKeys;
     std::optional<SkyPointing> m_picked;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/motion_permission.h"
 
+#include "ui/axes.h"
 #include "ui/format.h"
 
 #include <QCoreApplication>
@@ -17,9 +18,11 @@ QString tr(const char* text)
     return QCoreApplication::translate("MotionPermission", text);
 }
 
-QString whyNotOn(const AxisStatus& axis, bool upwards)
+// Where the axis is at the end of its travel, the way on. On an unknown turn the numbers say nothing of that.
+QString whyNotOn(const StationStatus& status, Axis which, bool upwards)
 {
-    if (!axis.actual || axis.travel.max <= axis.travel.min) {
+    const AxisStatus& axis = axisOf(status, which);
+    if (!axis.actual || axis.travel.max <= axis.travel.min || !isTurnKnown(status, which)) {
         return {};
     }
     if (upwards && *axis.actual > axis.travel.max - kAtLimit) {
@@ -37,7 +40,8 @@ QString whyNoMotion(const StationStatus& status)
 {
     switch (status.state) {
         case StationState::Disconnected:
-            return tr("no connection to the drives");
+            return status.drives.released ? tr("the bus is released to other tools, press \"Take bus back\" first")
+                                          : tr("no connection to the drives");
         case StationState::Stopped:
             return tr("STOP is latched, press \"Reset stop\" first");
         case StationState::Fault:
@@ -45,8 +49,26 @@ QString whyNoMotion(const StationStatus& status)
         case StationState::Calibrate:
             return tr("a calibration is running");
         default:
-            return {};
+            break;
     }
+    return status.drives.proofRunning ? tr("the crash-stop proof moves the mount") : status.drives.armingObstacle;
+}
+
+QString whyNoPointing(const StationStatus& status)
+{
+    const QString reason = whyNoMotion(status);
+    if (!reason.isEmpty()) {
+        return reason;
+    }
+    for (const Axis axis : kAxes) {
+        if (!isTurnKnown(status, axis)) {
+            return (driveOf(status, axis).turnQuestion
+                        ? tr("which turn the %1 is on is not known: answer the question (Ctrl+5)")
+                        : tr("which turn the %1 is on is not known yet"))
+                .arg(name(axis));
+        }
+    }
+    return {};
 }
 
 QString whyNoJog(const StationStatus& status, JogDirection direction)
@@ -57,13 +79,13 @@ QString whyNoJog(const StationStatus& status, JogDirection direction)
     }
     switch (direction) {
         case JogDirection::Up:
-            return whyNotOn(status.elevation, true);
+            return whyNotOn(status, Axis::Elevation, true);
         case JogDirection::Down:
-            return whyNotOn(status.elevation, false);
+            return whyNotOn(status, Axis::Elevation, false);
         case JogDirection::Right:
-            return whyNotOn(status.azimuth, true);
+            return whyNotOn(status, Axis::Azimuth, true);
         case JogDirection::Left:
-            return whyNotOn(status.azimuth, false);
+            return whyNotOn(status, Axis::Azimuth, false);
     }
     return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/polar_plot.h"
 
+#include "ui/axes.h"
 #include "ui/format.h"
 #include "ui/sky_items.h"
 #include "ui/theme.h"
@@ -159,11 +160,12 @@ void PolarPlot::showStatus(const StationStatus& status)
     const Freshness age = worseFreshness(status);
     MarkerData markers = m_markers->markers();
     markers.actual = status.actual;
-    markers.commanded = age == Freshness::NoData ? std::nullopt : status.commanded;
+    const bool known = areTurnsKnown(status);
+    markers.commanded = age == Freshness::NoData || !known ? std::nullopt : status.commanded;
     markers.target = status.target;
     markers.targetLabel = targetLabel(status);
     markers.beamWidth = m_beamWidth;
-    markers.live = age == Freshness::Live;
+    markers.live = age == Freshness::Live && known;
     markers.offTarget = markers.live && isOffTarget(status, m_beamWidth);
     m_markers->setMarkers(markers);
 }
@@ -178,8 +180,9 @@ void PolarPlot::setPicked(const std::optional<SkyPointing>& direction)
 void PolarPlot::describe(const StationStatus& status)
 {
     const bool live = worseFreshness(status) == Freshness::Live;
-    setAccessibleDescription((placeText(live ? tr("Actual") : tr("Last seen at"), status.actual) +
-                              placeText(tr("Commanded"), status.commanded) + placeText(tr("Target"), status.target))
+    const QString actual = !live ? tr("Last seen at") : areTurnsKnown(status) ? tr("Actual") : tr("Perhaps at");
+    setAccessibleDescription((placeText(actual, status.actual) + placeText(tr("Commanded"), status.commanded) +
+                              placeText(tr("Target"), status.target))
                                  .trimmed());
 }
 

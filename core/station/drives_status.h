@@ -16,6 +16,7 @@ namespace boresight {
 
 struct DriveStatus
 {
+    int id = 0;  // on the bus; 0 until somebody answered
     survey::DriveIdentity identity;
     std::vector<survey::ProtectionLine> protections;
     bool turnKnown = false;

@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QImage>
+#include <QPushButton>
 #include <QTabWidget>
 
 // Pictures of every scene in every theme at both scales, for the eye; and what a program can judge of them.
@@ -33,14 +34,21 @@ constexpr Scene kScenes[] = {{"track", midPass, 0},
                              {"fault", samples::faulted, 0},
                              {"disconnected", samples::disconnected, 0},
                              {"limited", samples::limited, 0},
-                             {"operator", samples::operatorMoving, 0}};
+                             {"operator", samples::operatorMoving, 0},
+                             {"drives", samples::idle, 2},
+                             {"protection", samples::idle, 3},
+                             {"factory-drives", samples::factoryDrives, 2},
+                             {"factory-protection", samples::factoryDrives, 3},
+                             {"factory-jog", samples::factoryDrives, 0},
+                             {"reading", samples::reading, 3},
+                             {"released", samples::released, 2},
+                             {"proof", samples::proving, 2}};
 
 class PicturesTest : public WindowFixture
 {
 protected:
     void show(const Scene& scene)
     {
-        window.findChild<QTabWidget*>()->setCurrentIndex(scene.panel);
         for (int second = 0; second < 330; second += 2) {
             give(samples::update(samples::tracking(second)));  // the past path
         }
@@ -52,6 +60,7 @@ protected:
                 QStringLiteral("P 339.50 57.00: accepted")));
         }
         give(update);
+        window.findChild<QTabWidget*>()->setCurrentIndex(scene.panel);
         QTest::qWait(1);
     }
 
@@ -85,6 +94,30 @@ TEST_F(PicturesTest, AreWrittenForEveryThemeSizeAndScale)
                     EXPECT_TRUE(image.save(folder.filePath(file), "PNG", 80));
                 }
             }
+        }
+    }
+    applyTheme(ThemeKind::Day);
+}
+
+// The questions that stand before an act, opened by their buttons.
+TEST_F(PicturesTest, AreWrittenForTheQuestions)
+{
+    const QDir folder(QDir::current().filePath(QStringLiteral("pictures")));
+    ASSERT_TRUE(QDir().mkpath(folder.path()));
+    const std::tuple<const char*, StationStatus (*)(), int, const char*> questions[] = {
+        {"question-fix", samples::factoryDrives, 3, "Fix …"},
+        {"question-off", samples::idle, 3, "Switch drives off …"},
+        {"question-proof", samples::idle, 2, "Run (both axes) …"}};
+    for (const ThemeKind kind : {ThemeKind::Day, ThemeKind::Night}) {
+        applyTheme(kind);
+        for (const auto& [title, status, panel, button] : questions) {
+            show({title, status, panel});
+            QTest::mouseClick(named<QPushButton>(button), Qt::LeftButton);
+            QTest::qWait(1);
+            const QString file = QStringLiteral("%1-%2.png").arg(QLatin1String(title), name(kind).toLower());
+            EXPECT_TRUE(picture(1).save(folder.filePath(file), "PNG", 80));
+            ASSERT_EQ(window.size(), QSize(1024, 700)) << title;
+            show({"away", samples::idle, 0});
         }
     }
     applyTheme(ThemeKind::Day);

@@ -17,6 +17,13 @@ inline constexpr double kPassLength = 600.0;
 [[nodiscard]] StationStatus disconnected();
 [[nodiscard]] StationStatus limited();         // the target lies below the lowest elevation
 [[nodiscard]] StationStatus operatorMoving();  // slewing to a go-to of the operator, who holds the control
+[[nodiscard]] StationStatus factoryDrives();   // both drives as they come from the factory: nothing may move
+[[nodiscard]] StationStatus reading();         // the survey runs
+[[nodiscard]] StationStatus released();        // the bus is left to other tools
+[[nodiscard]] StationStatus proving();         // the crash-stop proof moves the azimuth
+// The turn of an axis is asked for: `places` each `period`, a quarter of them below 45.1° (elevation 20°),
+// which is proposed if wanted.
+[[nodiscard]] StationStatus asking(Axis axis, int places, Angle period, bool proposed);
 [[nodiscard]] StationStatus withAge(StationStatus status, std::chrono::milliseconds age);
 [[nodiscard]] StationStatus withClients(StationStatus status, int count);
 

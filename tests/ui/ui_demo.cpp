@@ -12,7 +12,8 @@
 #include <numbers>
 
 // A look at the window without a station: a pass crossing north in quick motion at 20 Hz, or one scene of trouble.
-//   ui_demo [--scene track|stopped|fault|disconnected|limited|operator|stale] [--theme day|night|red] [--seconds N]
+//   ui_demo [--scene track|stopped|fault|disconnected|limited|operator|stale|factory|reading|released|proof|turn|turns]
+//   [--theme day|night|red] [--seconds N]
 // With --seconds it ends by itself and prints the time to the first picture and the processor time used.
 namespace {
 
@@ -36,6 +37,24 @@ StationStatus scene(const QString& name, double seconds)
     }
     if (name == QLatin1String("operator")) {
         return samples::operatorMoving();
+    }
+    if (name == QLatin1String("factory")) {
+        return samples::factoryDrives();
+    }
+    if (name == QLatin1String("reading")) {
+        return samples::reading();
+    }
+    if (name == QLatin1String("released")) {
+        return samples::released();
+    }
+    if (name == QLatin1String("proof")) {
+        return samples::proving();
+    }
+    if (name == QLatin1String("turn")) {
+        return samples::asking(Axis::Azimuth, 3, 360_deg / 2.0, true);
+    }
+    if (name == QLatin1String("turns")) {
+        return samples::asking(Axis::Azimuth, 150, 3.6_deg, false);
     }
     const StationStatus status = samples::tracking(std::fmod(seconds * kQuickMotion, samples::kPassLength));
     return name == QLatin1String("stale") ? samples::withAge(status, std::chrono::milliseconds(900)) : status;

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window_fixture.h"
+#include "ui/command_button.h"
+#include "ui/drives_panel.h"
+#include "ui/protection_model.h"
+#include "ui/protection_panel.h"
+
+#include <QDoubleSpinBox>
+#include <QPlainTextEdit>
+#include <QTabWidget>
+#include <QTableView>
+
+namespace boresight::ui {
+namespace {
+
+class DrivesTest : public WindowFixture
+{
+protected:
+    template <class Panel>
+    Panel& open()
+    {
+        auto* const panel = window.findChild<Panel*>();
+        window.findChild<QTabWidget*>()->setCurrentWidget(panel);
+        return *panel;
+    }
+
+    void click(const char* button) { QTest::mouseClick(named<QPushButton>(button), Qt::LeftButton); }
+    void expectBlocked(const char* button, const char* why)
+    {
+        auto* const one = named<CommandButton>(button);
+        EXPECT_FALSE(one->isEnabled()) << button;
+        EXPECT_TRUE(one->toolTip().contains(QString::fromUtf8(why))) << one->toolTip().toStdString();
+    }
+
+    // The button of the open question; other panels have a hidden one of the same class.
+    CommandButton* act(const char* text)
+    {
+        for (CommandButton* const button : window.findChildren<CommandButton*>()) {
+            if (button->isVisible() && button->accessibleName() == QLatin1String(text)) {
+                return button;
+            }
+        }
+        ADD_FAILURE() << "no question offers " << text;
+        return nullptr;
+    }
+    QString questionText()
+    {
+        for (const QPlainTextEdit* const text : window.findChildren<QPlainTextEdit*>()) {
+            if (text->isVisible()) {
+                return text->toPlainText();
+            }
+        }
+        return {};
+    }
+    QString cell(int row, ProtectionModel::Column column) { return model().index(row, column).data().toString(); }
+    int rowOf(const char* setting)
+    {
+        for (int row = 0; row < model().rowCount(); ++row) {
+            if (cell(row, ProtectionModel::Setting) == QLatin1String(setting)) {
+                return row;
+            }
+        }
+        ADD_FAILURE() << "no row " << setting;
+        return 0;
+    }
+    ProtectionModel& model() { return *window.findChild<ProtectionModel*>(); }
+    QTableView& table() { return *named<QTableView>("Protection"); }
+};
+
+TEST_F(DrivesTest, KeysOpenThePanels)
+{
+    auto* const panels = window.findChild<QTabWidget*>();
+    for (const auto& [key, index] : {std::pair(Qt::Key_3, 2), std::pair(Qt::Key_4, 3), std::pair(Qt::Key_2, 1),
+                                     std::pair(Qt::Key_1, 0), std::pair(Qt::Key_5, 0)}) {
+        QTest::keyClick(&window, key, Qt::ControlModifier);
+        EXPECT_EQ(panels->currentIndex(), index);
+    }
+}
+
+TEST_F(DrivesTest, ShowsWhoTheDrivesAre)
+{
+    EXPECT_EQ(text("Id of the elevation drive"), QStringLiteral("2"));
+    EXPECT_EQ(text("UUID of the azimuth drive"), QStringLiteral("3f2a9c1d…e811"));
+    EXPECT_EQ(named<ValueLabel>("UUID of the azimuth drive")->toolTip(),
+              QStringLiteral("3f2a9c1d-77b0-4e0c-9a52-5b1d20c4e811"));
+    EXPECT_EQ(text("Firmware of the azimuth drive"), QStringLiteral("1.1.0"));
+    EXPECT_EQ(text("Register map of the azimuth drive"), QStringLiteral("5"));
+    EXPECT_EQ(text("Turn of the azimuth drive"), QStringLiteral("known"));
+    StationStatus unknown = samples::idle();
+    unknown.drives.azimuth = {};
+    give(samples::update(unknown));
+    EXPECT_EQ(text("UUID of the azimuth drive"), QStringLiteral("---"));
+    EXPECT_EQ(text("Id of the azimuth drive"), QStringLiteral("---"));
+    EXPECT_EQ(named<ValueLabel>("Turn of the azimuth drive")->symbol(), Symbol::Warning);
+}
+
+TEST_F(DrivesTest, TheTableSetsFoundAgainstWantedWithShapeAndWord)
+{
+    give(samples::update(samples::factoryDrives()));
+    open<ProtectionPanel>();
+    const int mode = rowOf("When not fed");
+    EXPECT_EQ(cell(mode, ProtectionModel::Wanted), QStringLiteral("10 hold"));
+    EXPECT_EQ(cell(mode, ProtectionModel::FoundAzimuth), QStringLiteral("12 damp"));
+    EXPECT_EQ(cell(mode, ProtectionModel::Verdict), QStringLiteral("dangerous"));
+    EXPECT_FALSE(model().index(mode, ProtectionModel::Verdict).data(Qt::DecorationRole).isNull());
+    EXPECT_EQ(model().index(mode, ProtectionModel::Setting).data(Qt::ToolTipRole).toString(),
+              QStringLiteral("servo.timeout_mode"));
+    const int right = rowOf("Watchdog time");
+    EXPECT_EQ(cell(right, ProtectionModel::Verdict), QStringLiteral("right"));
+    EXPECT_TRUE(model().index(right, ProtectionModel::Verdict).data(Qt::DecorationRole).isNull());
+    EXPECT_EQ(cell(rowOf("Max. current"), ProtectionModel::Verdict), QStringLiteral("advised"));
+}
+
+TEST_F(DrivesTest, AxesThatWantDifferentValuesHaveARowEach)
+{
+    const int azimuth = rowOf("Highest position AZ");
+    EXPECT_EQ(cell(azimuth, ProtectionModel::Wanted), QStringLiteral("1.258"));
+    EXPECT_EQ(cell(azimuth, ProtectionModel::FoundElevation), QString());
+    EXPECT_EQ(rowOf("Highest position EL"), azimuth + 1);
+    EXPECT_EQ(cell(azimuth + 1, ProtectionModel::Wanted), QStringLiteral("0.258"));
+    EXPECT_EQ(cell(azimuth + 1, ProtectionModel::FoundAzimuth), QString());
+}
+
+TEST_F(DrivesTest, WhatIsNotReadYetIsNotCalledRight)
+{
+    give(samples::update(samples::reading()));
+    EXPECT_EQ(cell(rowOf("Watchdog time"), ProtectionModel::Verdict), QStringLiteral("unread"));
+    EXPECT_EQ(cell(rowOf("Max. current"), ProtectionModel::Verdict), QStringLiteral("advised"));
+}
+
+TEST_F(DrivesTest, TheReasonOfTheSelectedLineIsReadWithTheKeyboardAndStaysWhileValuesCome)
+{
+    give(samples::update(samples::factoryDrives()));
+    open<ProtectionPanel>();
+    EXPECT_EQ(text("Why the selected setting matters"),
+              QStringLiteral("10 dangerous, 4 advised. Select a line to read why it matters"));
+    table().setFocus();
+    while (table().currentIndex().row() < rowOf("When not fed")) {
+        QTest::keyClick(&table(), Qt::Key_Down);
+    }
+    const QString reason = text("Why the selected setting matters");
+    EXPECT_TRUE(reason.startsWith(QLatin1String("A drive that is not fed only damps")));
+    EXPECT_FALSE(named<ValueLabel>("Why the selected setting matters")->isElided());
+    give(samples::update(samples::reading()));
+    EXPECT_EQ(text("Why the selected setting matters"), reason);
+    QTest::keyClick(&table(), Qt::Key_Tab);
+    EXPECT_FALSE(table().hasFocus()) << "focus trap";
+}
+
+TEST_F(DrivesTest, ReadAgainAsksAtOnceAndWaitsWhileReading)
+{
+    open<ProtectionPanel>();
+    click("Read again");
+    EXPECT_EQ(asked<request::ReadDrives>().size(), 1u);
+    give(samples::refusal(samples::idle(), requests.back().id, "the mount is moving"));
+    EXPECT_TRUE(named<CommandButton>("Read again")->isEnabled());
+    give(samples::update(samples::reading()));
+    expectBlocked("Read again", "the drives are being read");
+    EXPECT_EQ(text("Survey of the drives"), QStringLiteral("reading servo.timeout_mode of elevation"));
+}
+
+TEST_F(DrivesTest, FixListsWhatItWritesAndWritesOnlyAfterASecondPress)
+{
+    give(samples::update(samples::factoryDrives()));
+    auto& panel = open<ProtectionPanel>();
+    click("Fix …");
+    EXPECT_TRUE(panel.isAsking());
+    EXPECT_TRUE(requests.empty());
+    EXPECT_TRUE(questionText().contains(QStringLiteral("AZ  servopos.position_min: -0.010 → -0.258")));
+    EXPECT_TRUE(questionText().contains(QStringLiteral("EL  servo.max_current_A: 100 A → 20 A")));
+    EXPECT_FALSE(questionText().contains(QLatin1String("max_voltage"))) << "it is right already";
+    QTest::mouseClick(act("Write"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::FixDrives>().size(), 1u);
+    give(samples::acceptance(samples::factoryDrives(), requests.back().id));
+    EXPECT_FALSE(panel.isAsking());
+}
+
+TEST_F(DrivesTest, FixNeedsDrivesThatAreReadSwitchedOffAndWrong)
+{
+    StationStatus status = samples::factoryDrives();
+    status.drives.switchedOn = true;
+    give(samples::update(status));
+    expectBlocked("Fix …", "the drives are switched on");
+    give(samples::update(samples::idle()));
+    expectBlocked("Fix …", "every setting is right");
+    status.drives.survey = survey::SurveyState::NotDone;
+    give(samples::update(status));
+    expectBlocked("Fix …", "the drives have not been read");
+    give(samples::update(samples::released()));
+    expectBlocked("Fix …", "the bus is released to other tools");
+}
+
+TEST_F(DrivesTest, AnOpenQuestionIsBlockedWhenItCanNotBeDoneAnyMore)
+{
+    StationStatus status = samples::factoryDrives();
+    give(samples::update(status));
+    open<ProtectionPanel>();
+    click("Fix …");
+    status.drives.switchedOn = true;
+    give(samples::update(status));
+    EXPECT_FALSE(act("Write")->isEnabled());
+    QTest::mouseClick(act("Write"), Qt::LeftButton);
+    status.drives.switchedOn = false;
+    give(samples::update(status));
+    EXPECT_FALSE(act("Write")->isEnabled()) << "its list may be out of date";
+    EXPECT_TRUE(asked<request::FixDrives>().empty());
+}
+
+TEST_F(DrivesTest, SwitchOffWarnsOfTheFallAndCancelHasTheFocus)
+{
+    auto& panel = open<ProtectionPanel>();
+    click("Switch drives off …");
+    EXPECT_TRUE(questionText().contains(QLatin1String("unbalanced elevation falls")));
+    ASSERT_EQ(window.focusWidget()->accessibleName(), QStringLiteral("Cancel"));
+    QTest::keyClick(window.focusWidget(), Qt::Key_Space);
+    EXPECT_FALSE(panel.isAsking());
+    EXPECT_EQ(window.focusWidget(), named<CommandButton>("Switch drives off …"));
+    EXPECT_TRUE(requests.empty());
+    QTest::keyClick(window.focusWidget(), Qt::Key_Space);
+    act("Switch off")->setFocus();
+    QTest::keyClick(act("Switch off"), Qt::Key_Space);
+    EXPECT_EQ(asked<request::SwitchOff>().size(), 1u);
+}
+
+TEST_F(DrivesTest, AQuestionThatIsLeftDoesNotWaitForAPress)
+{
+    auto& panel = open<ProtectionPanel>();
+    click("Switch drives off …");
+    QTest::keyClick(&window, Qt::Key_1, Qt::ControlModifier);
+    open<ProtectionPanel>();
+    EXPECT_FALSE(panel.isAsking());
+}
+
+TEST_F(DrivesTest, ARefusedQuestionStaysWithTheReason)
+{
+    auto& panel = open<ProtectionPanel>();
+    click("Switch drives off …");
+    QTest::mouseClick(act("Switch off"), Qt::LeftButton);
+    give(samples::refusal(samples::idle(), requests.back().id, "the mount is moving"));
+    EXPECT_TRUE(panel.isAsking());
+    bool shown = false;
+    for (const ValueLabel* const label : panel.findChildren<ValueLabel*>()) {
+        shown = shown || (label->isVisible() && label->text() == QLatin1String("Switch off: the mount is moving"));
+    }
+    EXPECT_TRUE(shown);
+}
+
+TEST_F(DrivesTest, TheBusIsReleasedAndTakenBackByOneButton)
+{
+    open<DrivesPanel>();
+    StationStatus off = samples::idle();
+    off.drives.switchedOn = false;
+    give(samples::update(off));
+    click("Release bus");
+    EXPECT_EQ(asked<request::ReleaseBus>().size(), 1u);
+    give(samples::acceptance(samples::released(), requests.back().id));
+    EXPECT_EQ(text("Reason of the state"), QStringLiteral("bus released to other tools"));
+    EXPECT_EQ(text("Station state"), QStringLiteral("DISCONNECTED"));
+    EXPECT_NE(named<ValueLabel>("Station state")->tone(), Tone::Alarm) << "the operator wanted it";
+    expectBlocked("Go", "the bus is released to other tools");
+    click("Take bus back");
+    EXPECT_EQ(asked<request::TakeBus>().size(), 1u);
+    give(samples::update(samples::tracking(100)));
+    expectBlocked("Release bus", "the mount moves");
+}
+
+TEST_F(DrivesTest, ReleasingTheBusOfDrivesThatAreOnAsksFirst)
+{
+    open<DrivesPanel>();
+    click("Release bus");
+    EXPECT_TRUE(requests.empty());
+    EXPECT_TRUE(questionText().contains(QLatin1String("Nobody feeds the drives")));
+    QTest::mouseClick(act("Leave the bus"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::ReleaseBus>().size(), 1u);
+}
+
+TEST_F(DrivesTest, TheProofRunsAtTheChosenRateAfterASecondPressAndEndsAtOnce)
+{
+    auto& panel = open<DrivesPanel>();
+    auto* const rate = named<QDoubleSpinBox>("Rate of the proof");
+    rate->setFocus();
+    rate->selectAll();
+    QTest::keyClicks(rate, QStringLiteral("3.5"));
+    click("Run (both axes) …");
+    EXPECT_TRUE(questionText().contains(QStringLiteral("3.5°/s")));
+    EXPECT_TRUE(questionText().contains(QLatin1String("stops feeding its drive")));
+    EXPECT_TRUE(requests.empty());
+    QTest::mouseClick(act("Move the mount"), Qt::LeftButton);
+    ASSERT_EQ(asked<request::ProveCrashStop>().size(), 1u);
+    EXPECT_NEAR(asked<request::ProveCrashStop>().front().rate.degrees(), 3.5, 1e-9);
+    give(samples::acceptance(samples::proving(), requests.back().id));
+    EXPECT_FALSE(panel.isAsking());
+    EXPECT_EQ(text("Crash-stop proof"), QStringLiteral("azimuth at 2.0°/s, not fed since 0.3 s"));
+    EXPECT_FALSE(rate->isEnabled());
+    click("End proof");
+    EXPECT_EQ(asked<request::EndProof>().size(), 1u);
+}
+
+TEST_F(DrivesTest, TheRateOfTheProofStaysSlow)
+{
+    auto* const rate = named<QDoubleSpinBox>("Rate of the proof");
+    rate->setValue(60.0);
+    EXPECT_DOUBLE_EQ(rate->value(), 5.0);
+    rate->setValue(0.0);
+    EXPECT_DOUBLE_EQ(rate->value(), 0.5);
+}
+
+TEST_F(DrivesTest, EachAxisShowsItsLastProofWithTheDate)
+{
+    EXPECT_EQ(text("Crash stop of the azimuth"),
+              QStringLiteral("2.0°/s: stopped after 0.21° in 0.14 s, 2026-11-21 11:59Z"));
+    StationStatus status = samples::proving();
+    status.drives.azimuth.crashStop->drive = status.drives.elevation.identity.uuid;
+    give(samples::update(status));
+    EXPECT_EQ(text("Crash stop of the elevation"), QStringLiteral("not proved yet"));
+    EXPECT_EQ(named<ValueLabel>("Crash stop of the azimuth")->symbol(), Symbol::Warning) << "another drive";
+}
+
+TEST_F(DrivesTest, NoProofWhileTheMountMovesOrATurnIsUnknown)
+{
+    give(samples::update(samples::tracking(100)));
+    expectBlocked("Run (both axes) …", "the mount moves");
+    give(samples::update(samples::asking(Axis::Elevation, 3, 30_deg, false)));
+    expectBlocked("Run (both axes) …", "which turn the elevation is on");
+}
+
+TEST_F(DrivesTest, AnArmingObstacleDisablesEveryMotionControlWithItsReason)
+{
+    give(samples::update(samples::factoryDrives()));
+    const char* const why = "first: azimuth servopos.position_min";
+    for (const char* const button : {"Go", "Home", "Park", "Hold", "Go here", "Run (both axes) …"}) {
+        expectBlocked(button, why);
+    }
+    for (const char* const jog : {"Elevation up while held", "Azimuth clockwise while held"}) {
+        auto* const button = named<QPushButton>(jog);
+        EXPECT_FALSE(button->isEnabled());
+        EXPECT_TRUE(button->toolTip().contains(QLatin1String(why)));
+    }
+    EXPECT_TRUE(text("May the mount move").startsWith(QLatin1String("Nothing may move: 5 settings")));
+}
+
+}  // namespace
+}  // namespace boresight::ui

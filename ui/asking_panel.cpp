@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/asking_panel.h"
+
+#include "ui/command_button.h"
+#include "ui/value_label.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+
+namespace boresight::ui {
+
+AskingPanel::AskingPanel(RequestDesk& desk, QWidget* parent)
+    : QStackedWidget(parent),
+      m_controls(new QWidget(this)),
+      m_title(new QLabel(this)),
+      m_text(new QPlainTextEdit(this)),
+      m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_act(new CommandButton({}, {}, desk, *m_notice, this)),
+      m_cancel(new QPushButton(tr("Cancel"), this))
+{
+    addWidget(m_controls);
+    addWidget(makeQuestionPage());
+    connect(m_act, &QPushButton::clicked, this, [this] { m_act->ask(m_question.request); });
+    connect(m_act, &CommandButton::accepted, this, &AskingPanel::closeQuestion);
+    connect(m_cancel, &QPushButton::clicked, this, &AskingPanel::closeQuestion);
+}
+
+QWidget* AskingPanel::makeQuestionPage()
+{
+    auto* const page = new QWidget(this);
+    auto* const grid = new QGridLayout(page);
+    m_title->setFont(fonts::text());
+    m_text->setFont(fonts::label());
+    m_text->setReadOnly(true);
+    m_text->setTabChangesFocus(true);
+    m_text->setAccessibleName(tr("What will happen"));
+    m_notice->setStretching(true);
+    m_notice->setLines(2);
+    m_cancel->setFont(fonts::label());
+    m_cancel->setAutoDefault(false);
+    m_cancel->setAccessibleName(tr("Cancel"));
+    m_cancel->setToolTip(tr("Back, nothing is done"));
+    m_cancel->setMinimumSize(m_act->minimumSizeHint());
+    m_act->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_cancel->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    grid->setContentsMargins(6, 6, 6, 6);
+    grid->addWidget(m_title, 0, 0, 1, 2);
+    grid->addWidget(m_text, 1, 0, 1, 2);
+    grid->addWidget(m_act, 2, 0);
+    grid->addWidget(m_cancel, 2, 1);
+    grid->addWidget(m_notice, 3, 0, 1, 2);
+    return page;
+}
+
+void AskingPanel::askFirst(const Question& question, const StationStatus& status)
+{
+    m_question = question;
+    m_asker = focusWidget();
+    m_title->setText(question.title);
+    m_text->setPlainText(question.text);
+    m_act->setCommand(question.act, question.title);
+    m_act->setBlocked({});
+    m_notice->setValue({});
+    setCurrentIndex(1);
+    m_cancel->setFocus();
+    showWhetherPossible(status);
+}
+
+// Once it can not be done, what the question says may be out of date: it must be asked anew.
+void AskingPanel::showWhetherPossible(const StationStatus& status)
+{
+    const QString reason = isAsking() ? m_question.whyNot(status) : QString();
+    if (!reason.isEmpty()) {
+        m_act->setBlocked(reason);
+        m_notice->setValue(tr("Not now: %1").arg(reason), Tone::Warning, Symbol::Warning);
+    }
+}
+
+void AskingPanel::closeQuestion()
+{
+    setCurrentIndex(0);
+    if (m_asker) {
+        m_asker->setFocus();
+    }
+}
+
+void AskingPanel::hideEvent(QHideEvent* event)
+{
+    setCurrentIndex(0);  // a question nobody sees is not left waiting for a press
+    QStackedWidget::hideEvent(event);
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/request.h"
+#include "core/station/station_status.h"
+
+#include <QStackedWidget>
+
+class QLabel;
+class QPlainTextEdit;
+class QPushButton;
+
+// A panel some of whose buttons ask before they act. The question takes the place of the panel's controls, so that it
+// covers nothing else: what will happen in words, one button that does it, and Cancel, which has the focus. It closes
+// when the station has accepted, on Cancel, and when the panel is left; a refusal stays with its reason.
+namespace boresight::ui {
+
+class CommandButton;
+class RequestDesk;
+class ValueLabel;
+
+struct Question
+{
+    QString title;
+    QString text;
+    QString act;  // on the button that does it
+    Request request;
+    QString (*whyNot)(const StationStatus&) = nullptr;  // why it can not be done (any more)
+};
+
+class AskingPanel : public QStackedWidget
+{
+    Q_OBJECT
+
+public:
+    AskingPanel(RequestDesk& desk, QWidget* parent);
+
+    [[nodiscard]] bool isAsking() const { return currentIndex() == 1; }
+
+protected:
+    [[nodiscard]] QWidget& controls() { return *m_controls; }
+    void askFirst(const Question& question, const StationStatus& status);
+    void showWhetherPossible(const StationStatus& status);
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    QWidget* makeQuestionPage();
+    void closeQuestion();
+
+    Question m_question;
+    QWidget* m_controls;
+    QLabel* m_title;
+    QPlainTextEdit* m_text;
+    ValueLabel* m_notice;
+    CommandButton* m_act;
+    QPushButton* m_cancel;
+    QWidget* m_asker = nullptr;  // had the focus before, and gets it back
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+#include <QString>
+
+#include <array>
+#include <optional>
+
+// What the status says of one axis, found by the axis; and whether its absolute turn is known.
+namespace boresight::ui {
+
+inline constexpr std::array kAxes{Axis::Azimuth, Axis::Elevation};
+
+[[nodiscard]] QString name(Axis axis);           // "azimuth"
+[[nodiscard]] QString shortName(Axis axis);      // "AZ"
+[[nodiscard]] std::size_t axisIndex(Axis axis);  // 0, 1
+[[nodiscard]] const AxisStatus& axisOf(const StationStatus& status, Axis axis);
+[[nodiscard]] const DriveStatus& driveOf(const StationStatus& status, Axis axis);
+[[nodiscard]] bool isTurnKnown(const StationStatus& status, Axis axis);
+[[nodiscard]] bool areTurnsKnown(const StationStatus& status);
+// The axis whose turn the operator is asked for; when both ask, azimuth comes first.
+[[nodiscard]] std::optional<Axis> askingAxis(const StationStatus& status);
+
+}  // namespace boresight::ui

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/drives_permission.h"
+
+#include "ui/axes.h"
+#include "ui/motion_permission.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace boresight::ui {
+
+namespace {
+
+QString tr(const char* text)
+{
+    return QCoreApplication::translate("DrivesPermission", text);
+}
+
+bool nothingDiffers(const StationStatus& status)
+{
+    return std::none_of(kAxes.begin(), kAxes.end(), [&status](Axis axis) {
+        const auto& lines = driveOf(status, axis).protections;
+        return std::any_of(lines.begin(), lines.end(), differs);
+    });
+}
+
+}  // namespace
+
+bool differs(const survey::ProtectionLine& line)
+{
+    return line.verdict == survey::Verdict::Advised || line.verdict == survey::Verdict::Dangerous;
+}
+
+QString whyNoReading(const StationStatus& status)
+{
+    if (status.drives.released) {
+        return tr("the bus is released to other tools");
+    }
+    switch (status.drives.survey) {
+        case survey::SurveyState::Running:
+            return tr("the drives are being read");
+        case survey::SurveyState::Fixing:
+            return tr("settings are being written");
+        case survey::SurveyState::NotDone:
+        case survey::SurveyState::Done:
+            break;
+    }
+    return {};
+}
+
+QString whyNoFix(const StationStatus& status)
+{
+    const QString reason = whyNoReading(status);
+    if (!reason.isEmpty()) {
+        return reason;
+    }
+    if (status.drives.survey != survey::SurveyState::Done) {
+        return tr("the drives have not been read");
+    }
+    if (nothingDiffers(status)) {
+        return tr("every setting is right");
+    }
+    return status.drives.switchedOn ? tr("the drives are switched on, press \"Switch drives off\" first") : QString();
+}
+
+QString whyNoSwitchOff(const StationStatus& status)
+{
+    if (status.drives.released) {
+        return tr("the bus is released to other tools");
+    }
+    return status.state == StationState::Disconnected ? tr("no connection to the drives") : QString();
+}
+
+QString whyNoRelease(const StationStatus& status)
+{
+    if (isMoving(status)) {
+        return tr("the mount moves, press \"Hold\" first");
+    }
+    return whyNoReading(status);
+}
+
+QString whyNoProof(const StationStatus& status)
+{
+    const QString reason = whyNoPointing(status);
+    return reason.isEmpty() && isMoving(status) ? tr("the mount moves, press \"Hold\" first") : reason;
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/drives_status.h"
+#include "core/units/sky.h"
+
+#include <QAbstractTableModel>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+// The protections of both drives as one table: a row per setting, or one for each axis where the axes want different
+// values. A verdict is a shape and a word, and the shape also marks the value it speaks of.
+namespace boresight::ui {
+
+class ProtectionModel : public QAbstractTableModel
+{
+    Q_OBJECT
+
+public:
+    enum Column
+    {
+        Setting,
+        Wanted,
+        FoundAzimuth,
+        FoundElevation,
+        Verdict,
+        ColumnCount
+    };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void show(const DrivesStatus& drives);
+
+    [[nodiscard]] QString reason(int row) const;  // why the setting matters, for each axis where the reasons differ
+    [[nodiscard]] int count(survey::Verdict verdict) const;
+    [[nodiscard]] QString changes() const;  // what Fix would write, one line each
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    using Lines = std::array<std::vector<survey::ProtectionLine>, 2>;
+
+    struct Row
+    {
+        QString label;
+        QString key;
+        QString wanted;
+        std::array<std::optional<survey::ProtectionLine>, 2> found;  // by axis
+    };
+
+    [[nodiscard]] std::vector<Row> arranged() const;
+    [[nodiscard]] static Row& rowFor(Axis axis, const survey::ProtectionLine& line, std::vector<Row>& rows);
+    [[nodiscard]] QString text(const Row& row, int column) const;
+    [[nodiscard]] std::optional<survey::Verdict> verdictIn(const Row& row, int column) const;
+
+    Lines m_lines;
+    std::vector<Row> m_rows;
+};
+
+}  // namespace boresight::ui
