@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/protection_model.h"
 
+#include "core/base/numbers.h"
 #include "ui/axes.h"
 #include "ui/drives_permission.h"
 #include "ui/symbol.h"
@@ -27,19 +28,22 @@ struct Label
 // What the drives' settings are called by people; the keys are those of the moteus firmware.
 constexpr Label kLabels[] = {
     {"id.id", QT_TRANSLATE_NOOP("ProtectionModel", "Bus address")},
-    {"servopos.position_min", QT_TRANSLATE_NOOP("ProtectionModel", "Lowest position")},
-    {"servopos.position_max", QT_TRANSLATE_NOOP("ProtectionModel", "Highest position")},
+    {"servopos.position_min", QT_TRANSLATE_NOOP("ProtectionModel", "Lower limit")},
+    {"servopos.position_max", QT_TRANSLATE_NOOP("ProtectionModel", "Upper limit")},
     {"servo.default_timeout_s", QT_TRANSLATE_NOOP("ProtectionModel", "Watchdog time")},
     {"servo.timeout_mode", QT_TRANSLATE_NOOP("ProtectionModel", "When not fed")},
     {"servo.timeout_max_torque_Nm", QT_TRANSLATE_NOOP("ProtectionModel", "Torque not fed")},
+    {"servo.flux_brake_margin_voltage", QT_TRANSLATE_NOOP("ProtectionModel", "Braking margin")},
+    {"motor_position.output.sign", QT_TRANSLATE_NOOP("ProtectionModel", "Direction")},
+    {"motor_position.output.reference_source", QT_TRANSLATE_NOOP("ProtectionModel", "Axis encoder")},
     {"servo.max_current_A", QT_TRANSLATE_NOOP("ProtectionModel", "Max. current")},
     {"servo.max_power_W", QT_TRANSLATE_NOOP("ProtectionModel", "Max. power")},
     {"servo.max_voltage", QT_TRANSLATE_NOOP("ProtectionModel", "Max. supply")},
     {"servo.max_velocity", QT_TRANSLATE_NOOP("ProtectionModel", "Max. speed")},
     {"servo.default_velocity_limit", QT_TRANSLATE_NOOP("ProtectionModel", "Speed limit")},
     {"servo.default_accel_limit", QT_TRANSLATE_NOOP("ProtectionModel", "Accel. limit")},
-    {"servo.fault_position_error", QT_TRANSLATE_NOOP("ProtectionModel", "Following error")},
-    {"servo.max_position_slip", QT_TRANSLATE_NOOP("ProtectionModel", "Position slip")},
+    {"servo.fault_position_error", QT_TRANSLATE_NOOP("ProtectionModel", "Max. error")},
+    {"servo.max_position_slip", QT_TRANSLATE_NOOP("ProtectionModel", "Max. slip")},
     {"motor_position.rotor_to_output_ratio", QT_TRANSLATE_NOOP("ProtectionModel", "Gear ratio")},
 };
 
@@ -48,6 +52,22 @@ QString labelOf(const QString& key)
     const auto* const label = std::find_if(std::begin(kLabels), std::end(kLabels),
                                            [&key](const Label& one) { return key == QLatin1String(one.key); });
     return label == std::end(kLabels) ? key : ProtectionModel::tr(label->text);
+}
+
+// There is room for a few characters: of "-0.2583 turns (-93.0°)" the angle, of "10 (brake, then hold)" the number. The
+// whole text is in the tooltip and in the line below the table.
+QString shortened(const QString& text)
+{
+    const auto open = text.indexOf(QLatin1String(" ("));
+    if (open < 0 || !text.endsWith(QLatin1Char(')'))) {
+        return text;
+    }
+    const QString head = text.left(open);
+    const QString inner = text.mid(open + 2).chopped(1);
+    if (head.count(QLatin1Char(' ')) > 1 || !parseFinite(head.section(QLatin1Char(' '), 0, 0).toStdString())) {
+        return text;
+    }
+    return inner.contains(QStringLiteral("°")) ? inner : head;
 }
 
 struct Shown
@@ -73,11 +93,13 @@ Shown shown(survey::Verdict verdict)
 }
 
 // A setting that is not read yet may be anything: it weighs more than one that is right.
+int weight(survey::Verdict verdict)
+{
+    return verdict == survey::Verdict::Right ? -1 : static_cast<int>(verdict);
+}
+
 survey::Verdict worse(survey::Verdict a, survey::Verdict b)
 {
-    const auto weight = [](survey::Verdict verdict) {
-        return verdict == survey::Verdict::Right ? -1 : static_cast<int>(verdict);
-    };
     return weight(a) > weight(b) ? a : b;
 }
 
@@ -112,14 +134,31 @@ void ProtectionModel::show(const DrivesStatus& drives)
     }
     m_lines = {drives.azimuth.protections, drives.elevation.protections};
     std::vector<Row> rows = arranged();
-    if (rows.size() == m_rows.size()) {  // values come one by one while the drives are read: the selection stays
-        m_rows = std::move(rows);
-        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    if (rows.size() == m_rows.size()) {
+        reorder(std::move(rows));
     } else {
         beginResetModel();
         m_rows = std::move(rows);
         endResetModel();
     }
+}
+
+// Values come one by one while the drives are read, and lines rise and sink with them: the selection goes along.
+void ProtectionModel::reorder(std::vector<Row> rows)
+{
+    Q_EMIT layoutAboutToBeChanged();
+    const QModelIndexList before = persistentIndexList();
+    QModelIndexList after;
+    for (const QModelIndex& old : before) {
+        const Row& wanted = m_rows[static_cast<std::size_t>(old.row())];
+        const auto found = std::find_if(rows.begin(), rows.end(), [&wanted](const Row& row) {
+            return row.key == wanted.key && row.wanted == wanted.wanted;
+        });
+        after << (found == rows.end() ? QModelIndex() : index(static_cast<int>(found - rows.begin()), old.column()));
+    }
+    m_rows = std::move(rows);
+    changePersistentIndexList(before, after);
+    Q_EMIT layoutChanged();
 }
 
 std::vector<ProtectionModel::Row> ProtectionModel::arranged() const
@@ -137,6 +176,9 @@ std::vector<ProtectionModel::Row> ProtectionModel::arranged() const
             row.label += alone ? QLatin1Char(' ') + shortName(axis) : QString();
         }
     }
+    // What must be mended stands above what is right.
+    std::stable_sort(rows.begin(), rows.end(),
+                     [](const Row& a, const Row& b) { return weight(verdictOf(a)) > weight(verdictOf(b)); });
     return rows;
 }
 
@@ -165,19 +207,20 @@ int ProtectionModel::count(survey::Verdict verdict) const
     return static_cast<int>(count);
 }
 
-QString ProtectionModel::reason(int row) const
+QString ProtectionModel::explanation(int row) const
 {
-    const auto& found = m_rows[static_cast<std::size_t>(row)].found;
-    if (!found[0] || !found[1] || found[0]->reason == found[1]->reason) {
-        return found[0] ? found[0]->reason : found[1]->reason;
-    }
+    const Row& one = m_rows[static_cast<std::size_t>(row)];
+    QStringList found;
     QStringList reasons;
     for (const Axis axis : kAxes) {
-        if (const QString& text = found[axisIndex(axis)]->reason; !text.isEmpty()) {
-            reasons << tr("%1: %2").arg(shortName(axis), text);
+        if (const auto& line = one.found[axisIndex(axis)]) {
+            found << shortName(axis) + QLatin1Char(' ') + (line->found.isEmpty() ? tr("unread") : line->found);
+            reasons << line->reason;
         }
     }
-    return reasons.join(QLatin1Char('\n'));
+    reasons.removeDuplicates();
+    return tr("%1: wanted %2, found %3.\n%4")
+        .arg(one.key, one.wanted, found.join(QStringLiteral(", ")), reasons.join(QStringLiteral(" / ")));
 }
 
 QString ProtectionModel::changes() const
@@ -219,19 +262,24 @@ QString ProtectionModel::text(const Row& row, int column) const
     }
 }
 
+survey::Verdict ProtectionModel::verdictOf(const Row& row)
+{
+    const auto& [azimuth, elevation] = row.found;
+    return azimuth && elevation ? worse(azimuth->verdict, elevation->verdict)
+                                : (azimuth ? azimuth : elevation)->verdict;
+}
+
 // The verdict a cell shows, if it shows one.
 std::optional<survey::Verdict> ProtectionModel::verdictIn(const Row& row, int column) const
 {
-    const auto& [azimuth, elevation] = row.found;
     const auto of = [](const auto& line) { return line ? std::optional(line->verdict) : std::nullopt; };
     switch (column) {
         case FoundAzimuth:
-            return of(azimuth);
+            return of(row.found[0]);
         case FoundElevation:
-            return of(elevation);
+            return of(row.found[1]);
         case Verdict:
-            return azimuth && elevation ? worse(azimuth->verdict, elevation->verdict)
-                                        : of(azimuth ? azimuth : elevation);
+            return verdictOf(row);
         default:
             return std::nullopt;
     }
@@ -247,13 +295,13 @@ QVariant ProtectionModel::data(const QModelIndex& index, int role) const
     const Shown look = verdict ? shown(*verdict) : Shown{};
     switch (role) {
         case Qt::DisplayRole:
-            return index.column() == Verdict ? look.word : text(row, index.column());
+            return index.column() == Verdict ? look.word : shortened(text(row, index.column()));
         case Qt::DecorationRole:
             return decoration(look);
         case Qt::ForegroundRole:
             return currentTheme().colour(look.tone);
         case Qt::ToolTipRole:
-            return index.column() == Setting ? row.key : QVariant(data(index, Qt::DisplayRole));
+            return index.column() == Setting ? row.key : text(row, index.column());
         default:
             return {};
     }

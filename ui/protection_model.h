@@ -11,7 +11,8 @@
 #include <vector>
 
 // The protections of both drives as one table: a row per setting, or one for each axis where the axes want different
-// values. A verdict is a shape and a word, and the shape also marks the value it speaks of.
+// values; what must be mended stands on top. A verdict is a shape and a word, and the shape also marks the value it
+// speaks of.
 namespace boresight::ui {
 
 class ProtectionModel : public QAbstractTableModel
@@ -33,7 +34,7 @@ public:
 
     void show(const DrivesStatus& drives);
 
-    [[nodiscard]] QString reason(int row) const;  // why the setting matters, for each axis where the reasons differ
+    [[nodiscard]] QString explanation(int row) const;  // the whole values, and why the setting matters
     [[nodiscard]] int count(survey::Verdict verdict) const;
     [[nodiscard]] QString changes() const;  // what Fix would write, one line each
 
@@ -54,6 +55,8 @@ private:
     };
 
     [[nodiscard]] std::vector<Row> arranged() const;
+    void reorder(std::vector<Row> rows);
+    [[nodiscard]] static survey::Verdict verdictOf(const Row& row);
     [[nodiscard]] static Row& rowFor(Axis axis, const survey::ProtectionLine& line, std::vector<Row>& rows);
     [[nodiscard]] QString text(const Row& row, int column) const;
     [[nodiscard]] std::optional<survey::Verdict> verdictIn(const Row& row, int column) const;

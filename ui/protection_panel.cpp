@@ -31,7 +31,7 @@ ProtectionPanel::ProtectionPanel(RequestDesk& desk, QWidget* parent)
     connect(m_fix, &QPushButton::clicked, this, &ProtectionPanel::fix);
     connect(m_switchOff, &QPushButton::clicked, this, &ProtectionPanel::switchOff);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &ProtectionPanel::showReason);
-    connect(m_model, &QAbstractItemModel::dataChanged, this, &ProtectionPanel::showReason);
+    connect(m_model, &QAbstractItemModel::layoutChanged, this, &ProtectionPanel::showReason);
     connect(m_model, &QAbstractItemModel::modelReset, this, &ProtectionPanel::showReason);
     showReason();
 }
@@ -51,7 +51,7 @@ void ProtectionPanel::build()
         line->setStretching(true);
     }
     m_survey->setLines(2);
-    m_reason->setLines(3);
+    m_reason->setLines(4);
     m_notice->setCollapsing(true);
     column->addWidget(m_survey);
     column->addWidget(m_table, 1);
@@ -71,6 +71,7 @@ QTableView* ProtectionPanel::makeTable()
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table->setTabKeyNavigation(false);  // no focus trap
     table->setShowGrid(false);
+    table->setIconSize({12, 12});
     table->setWordWrap(false);
     table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table->setMinimumHeight(4 * table->fontMetrics().lineSpacing());
@@ -82,7 +83,14 @@ QTableView* ProtectionPanel::makeTable()
     header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     header->setHighlightSections(false);
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
-    header->setSectionResizeMode(ProtectionModel::Setting, QHeaderView::Stretch);
+    for (const int column : {ProtectionModel::Setting, ProtectionModel::Wanted}) {
+        header->setSectionResizeMode(column, QHeaderView::Stretch);
+    }
+    const int found = table->fontMetrics().horizontalAdvance(QStringLiteral("00000°/s²")) + 26;  // shape, gaps
+    for (const int column : {ProtectionModel::FoundAzimuth, ProtectionModel::FoundElevation}) {
+        header->setSectionResizeMode(column, QHeaderView::Fixed);
+        header->resizeSection(column, found);
+    }
     return table;
 }
 
@@ -109,7 +117,7 @@ void ProtectionPanel::showReason()
 {
     const QModelIndex current = m_table->currentIndex();
     if (current.isValid()) {
-        m_reason->setValue(m_model->reason(current.row()));
+        m_reason->setValue(m_model->explanation(current.row()));
         return;
     }
     const int dangerous = m_model->count(survey::Verdict::Dangerous);
@@ -125,7 +133,8 @@ void ProtectionPanel::fix()
 {
     askFirst({.title = tr("Write these settings into the drives?"),
               .text = m_model->changes() + tr("\n\nThey are written, kept in the drives' memory and read back. Nothing "
-                                              "moves."),
+                                              "moves. What only the builder of the mount can know (motor, gear) is "
+                                              "left as it is."),
               .act = tr("Write"),
               .request = request::FixDrives{},
               .whyNot = whyNoFix},

@@ -99,8 +99,8 @@ TEST_F(DrivesTest, TheTableSetsFoundAgainstWantedWithShapeAndWord)
     give(samples::update(samples::factoryDrives()));
     open<ProtectionPanel>();
     const int mode = rowOf("When not fed");
-    EXPECT_EQ(cell(mode, ProtectionModel::Wanted), QStringLiteral("10 hold"));
-    EXPECT_EQ(cell(mode, ProtectionModel::FoundAzimuth), QStringLiteral("12 damp"));
+    EXPECT_EQ(cell(mode, ProtectionModel::Wanted), QStringLiteral("10"));
+    EXPECT_EQ(cell(mode, ProtectionModel::FoundAzimuth), QStringLiteral("12"));
     EXPECT_EQ(cell(mode, ProtectionModel::Verdict), QStringLiteral("dangerous"));
     EXPECT_FALSE(model().index(mode, ProtectionModel::Verdict).data(Qt::DecorationRole).isNull());
     EXPECT_EQ(model().index(mode, ProtectionModel::Setting).data(Qt::ToolTipRole).toString(),
@@ -108,16 +108,41 @@ TEST_F(DrivesTest, TheTableSetsFoundAgainstWantedWithShapeAndWord)
     const int right = rowOf("Watchdog time");
     EXPECT_EQ(cell(right, ProtectionModel::Verdict), QStringLiteral("right"));
     EXPECT_TRUE(model().index(right, ProtectionModel::Verdict).data(Qt::DecorationRole).isNull());
-    EXPECT_EQ(cell(rowOf("Max. current"), ProtectionModel::Verdict), QStringLiteral("advised"));
+    EXPECT_EQ(cell(rowOf("Speed limit"), ProtectionModel::Verdict), QStringLiteral("advised"));
+}
+
+TEST_F(DrivesTest, NoSettingValueOrVerdictIsCutOff)
+{
+    open<ProtectionPanel>();
+    for (const StationStatus& status : {samples::idle(), samples::factoryDrives(), samples::reading()}) {
+        give(samples::update(status));
+        QTest::qWait(1);
+        for (int row = 0; row < model().rowCount(); ++row) {
+            for (const int column : {ProtectionModel::Setting, ProtectionModel::FoundAzimuth,
+                                     ProtectionModel::FoundElevation, ProtectionModel::Verdict}) {
+                EXPECT_LE(table().sizeHintForIndex(model().index(row, column)).width(), table().columnWidth(column))
+                    << cell(row, ProtectionModel::Setting).toStdString() << ' ' << column;
+            }
+        }
+    }
+}
+
+TEST_F(DrivesTest, WhatMustBeMendedStandsOnTop)
+{
+    give(samples::update(samples::factoryDrives()));
+    EXPECT_EQ(cell(0, ProtectionModel::Setting), QStringLiteral("Lower limit AZ"));
+    EXPECT_EQ(cell(model().rowCount() - 1, ProtectionModel::Verdict), QStringLiteral("right"));
+    EXPECT_EQ(rowOf("Bus address AZ"), 9);
 }
 
 TEST_F(DrivesTest, AxesThatWantDifferentValuesHaveARowEach)
 {
-    const int azimuth = rowOf("Highest position AZ");
-    EXPECT_EQ(cell(azimuth, ProtectionModel::Wanted), QStringLiteral("1.258"));
+    const int azimuth = rowOf("Upper limit AZ");
+    EXPECT_EQ(cell(azimuth, ProtectionModel::Wanted), QStringLiteral("453.0°"));
+    EXPECT_EQ(cell(azimuth, ProtectionModel::FoundAzimuth), QStringLiteral("453.0°"));
     EXPECT_EQ(cell(azimuth, ProtectionModel::FoundElevation), QString());
-    EXPECT_EQ(rowOf("Highest position EL"), azimuth + 1);
-    EXPECT_EQ(cell(azimuth + 1, ProtectionModel::Wanted), QStringLiteral("0.258"));
+    EXPECT_EQ(rowOf("Upper limit EL"), azimuth + 1);
+    EXPECT_EQ(cell(azimuth + 1, ProtectionModel::Wanted), QStringLiteral("93.0°"));
     EXPECT_EQ(cell(azimuth + 1, ProtectionModel::FoundAzimuth), QString());
 }
 
@@ -125,7 +150,7 @@ TEST_F(DrivesTest, WhatIsNotReadYetIsNotCalledRight)
 {
     give(samples::update(samples::reading()));
     EXPECT_EQ(cell(rowOf("Watchdog time"), ProtectionModel::Verdict), QStringLiteral("unread"));
-    EXPECT_EQ(cell(rowOf("Max. current"), ProtectionModel::Verdict), QStringLiteral("advised"));
+    EXPECT_EQ(cell(rowOf("Speed limit"), ProtectionModel::Verdict), QStringLiteral("advised"));
 }
 
 TEST_F(DrivesTest, TheReasonOfTheSelectedLineIsReadWithTheKeyboardAndStaysWhileValuesCome)
@@ -133,16 +158,18 @@ TEST_F(DrivesTest, TheReasonOfTheSelectedLineIsReadWithTheKeyboardAndStaysWhileV
     give(samples::update(samples::factoryDrives()));
     open<ProtectionPanel>();
     EXPECT_EQ(text("Why the selected setting matters"),
-              QStringLiteral("10 dangerous, 4 advised. Select a line to read why it matters"));
+              QStringLiteral("8 dangerous, 6 advised. Select a line to read why it matters"));
     table().setFocus();
     while (table().currentIndex().row() < rowOf("When not fed")) {
         QTest::keyClick(&table(), Qt::Key_Down);
     }
     const QString reason = text("Why the selected setting matters");
-    EXPECT_TRUE(reason.startsWith(QLatin1String("A drive that is not fed only damps")));
+    EXPECT_EQ(reason, QStringLiteral("servo.timeout_mode: wanted 10 (brake, then hold), found AZ 12, EL 12.\n"
+                                     "mode 12 only damps: a loaded elevation creeps down when the computer dies"));
     EXPECT_FALSE(named<ValueLabel>("Why the selected setting matters")->isElided());
     give(samples::update(samples::reading()));
-    EXPECT_EQ(text("Why the selected setting matters"), reason);
+    EXPECT_EQ(table().currentIndex().row(), rowOf("When not fed")) << "the line moved, the selection with it";
+    EXPECT_TRUE(text("Why the selected setting matters").contains(QLatin1String("found AZ 12, EL unread")));
     QTest::keyClick(&table(), Qt::Key_Tab);
     EXPECT_FALSE(table().hasFocus()) << "focus trap";
 }
@@ -166,8 +193,9 @@ TEST_F(DrivesTest, FixListsWhatItWritesAndWritesOnlyAfterASecondPress)
     click("Fix …");
     EXPECT_TRUE(panel.isAsking());
     EXPECT_TRUE(requests.empty());
-    EXPECT_TRUE(questionText().contains(QStringLiteral("AZ  servopos.position_min: -0.010 → -0.258")));
-    EXPECT_TRUE(questionText().contains(QStringLiteral("EL  servo.max_current_A: 100 A → 20 A")));
+    EXPECT_TRUE(questionText().contains(
+        QStringLiteral("AZ  servopos.position_min: -0.01 turns (-3.6°) → -0.258333 turns (-93.0°)")));
+    EXPECT_TRUE(questionText().contains(QStringLiteral("EL  servo.timeout_mode: 12 → 10 (brake, then hold)")));
     EXPECT_FALSE(questionText().contains(QLatin1String("max_voltage"))) << "it is right already";
     QTest::mouseClick(act("Write"), Qt::LeftButton);
     EXPECT_EQ(asked<request::FixDrives>().size(), 1u);

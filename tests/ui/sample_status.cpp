@@ -56,26 +56,39 @@ struct Setting
 };
 
 constexpr Setting kSettings[] = {
-    {"id.id", "1", "2", nullptr, Verdict::Right, "Two drives with one address answer as one"},
-    {"servopos.position_min", "-0.258", "-0.008", "-0.010", Verdict::Dangerous,
-     "The drive's own lower limit: the second, independent guard of the cable. Wanted is the travel of the profile and "
-     "a margin of 3°"},
-    {"servopos.position_max", "1.258", "0.258", "0.010", Verdict::Dangerous,
-     "The drive's own upper limit: outside it the drive refuses to hold, and a fault lets the axis go"},
-    {"servo.default_timeout_s", "0.1 s", nullptr, "0.1 s", Verdict::Right, "How soon the drive notices silence"},
-    {"servo.timeout_mode", "10 hold", nullptr, "12 damp", Verdict::Dangerous,
-     "A drive that is not fed only damps: an unbalanced elevation creeps down, a wound cable turns back. With 10 it "
-     "slows down and holds"},
-    {"servo.timeout_max_torque_Nm", "5.0 Nm", nullptr, "5.0 Nm", Verdict::Right, "Torque while it is not fed"},
-    {"servo.max_current_A", "20 A", nullptr, "100 A", Verdict::Advised,
-     "The factory limit is that of the board, not of the motor and the supply"},
-    {"servo.max_voltage", "46 V", nullptr, "46 V", Verdict::Right, "Braking pumps the supply"},
-    {"servo.default_velocity_limit", "0.017 /s", nullptr, "nan", Verdict::Advised,
-     "Used when a command names no limit"},
-    {"servo.default_accel_limit", "0.008 /s²", nullptr, "nan", Verdict::Dangerous,
-     "Without it the stop after a time-out is a hard one"},
-    {"motor_position.rotor_to_output_ratio", "0.0066667", nullptr, "1.0", Verdict::Dangerous,
-     "The gear of the profile: a drive that knows another turns 150 times too far"},
+    {"id.id", "1", "2", nullptr, Verdict::Right, "the profile knows this axis under this id"},
+    {"servopos.position_min", "-0.258333 turns (-93.0°)", "-0.008333 turns (-3.0°)", "-0.01 turns (-3.6°)",
+     Verdict::Dangerous, "the factory's ±3.6° would end every move in fault 39"},
+    {"servopos.position_max", "1.25833 turns (453.0°)", "0.258333 turns (93.0°)", "0.01 turns (3.6°)",
+     Verdict::Dangerous, "the factory's ±3.6° would end every move in fault 39"},
+    {"servo.timeout_mode", "10 (brake, then hold)", nullptr, "12", Verdict::Dangerous,
+     "mode 12 only damps: a loaded elevation creeps down when the computer dies"},
+    {"servo.default_timeout_s", "0.05 to 0.2 s", nullptr, "0.1 s", Verdict::Right,
+     "after this time without an order the drive stops by itself"},
+    {"servo.timeout_max_torque_Nm", "above 0 Nm", nullptr, "5 Nm", Verdict::Right,
+     "the torque with which timeout mode 12 damps"},
+    {"servo.max_current_A", "above 0 A, for this motor", nullptr, "20 A", Verdict::Right,
+     "without current the axis falls, without a limit the motor burns; the value is in the data sheet of the motor"},
+    {"servo.max_voltage", "10 to 46 V", nullptr, "46 V", Verdict::Right,
+     "above it the drive stops before braking energy destroys the board"},
+    {"servo.flux_brake_margin_voltage", "1 to 20 V", nullptr, "3 V", Verdict::Right,
+     "so far below the highest voltage the drive begins to turn braking energy into heat"},
+    {"servo.default_velocity_limit", "0.025 turns/s (9°/s)", nullptr, "none", Verdict::Advised,
+     "the speed of every order that names none; the factory has no limit"},
+    {"servo.default_accel_limit", "0.166667 turns/s² (60°/s²)", nullptr, "50 turns/s² (18000°/s²)", Verdict::Advised,
+     "with it the drive brakes when the computer dies: too low and the axis runs on, too high (the factory's 50 "
+     "turns/s²) and the mount is hit hard"},
+    {"motor_position.rotor_to_output_ratio", "0.00666667", nullptr, "1", Verdict::Dangerous,
+     "the gear as the profile has it (gear_ratio, gear_in): with another one every angle is wrong. To be changed by "
+     "hand only: the gains change with the square of it"},
+    {"motor_position.output.sign", "1 or -1", nullptr, "1", Verdict::Right,
+     "turned round, the axis runs the other way: the profile's sign goes with it"},
+    {"motor_position.output.reference_source", "any", nullptr, "-1", Verdict::Right,
+     "-1: no encoder on the axis, so the turn is not known after power-up"},
+    {"servo.fault_position_error", "0.0277778 turns (10°)", nullptr, "none", Verdict::Advised,
+     "second line against a jam: so far behind its order the drive gives up (fault 49) without this program"},
+    {"servo.max_position_slip", "none, or above 0.00277778 turns (1°)", nullptr, "none", Verdict::Right,
+     "a small one lets the axis give way to the wind instead of holding"},
 };
 
 std::vector<ProtectionLine> protections(Axis axis, bool factory)
@@ -84,7 +97,7 @@ std::vector<ProtectionLine> protections(Axis axis, bool factory)
     for (const Setting& setting : kSettings) {
         const bool own = axis == Axis::Elevation && setting.wantedElevation != nullptr;
         const QString wanted = QString::fromUtf8(own ? setting.wantedElevation : setting.wanted);
-        const bool differs = factory && setting.factory != nullptr;
+        const bool differs = setting.factory != nullptr && (factory || setting.verdict == Verdict::Right);
         lines.push_back({.key = QLatin1String(setting.key),
                          .wanted = wanted,
                          .found = differs ? QString::fromUtf8(setting.factory) : wanted,
@@ -341,9 +354,14 @@ StationStatus asking(Axis axis, int places, Angle period, bool proposed)
     }
     question.period = period;
     question.evidence = {
-        QStringLiteral("The record says 44.8°, 2026-11-20 21:14Z, written while the axis moved"),
-        QStringLiteral("The drive lost power since: it counts its turns anew"),
-        QStringLiteral("The drive reports 45.1° within one turn of its encoder"),
+        QStringLiteral("The angle is known to a multiple of %1° only: %2 places are possible")
+            .arg(period.degrees(), 0, 'f', 1)
+            .arg(places),
+        QStringLiteral("The journal says %1°, 14 h old, written %2")
+            .arg(at.degrees(), 0, 'f', 1)
+            .arg(proposed ? QStringLiteral("at rest") : QStringLiteral("while moving")),
+        QStringLiteral("The drive has lost power since: it counts its turns anew"),
+        QStringLiteral("There is no sensor to compare with"),
     };
     DriveStatus& one = axis == Axis::Azimuth ? status.drives.azimuth : status.drives.elevation;
     one.turnKnown = false;
