@@ -30,6 +30,8 @@ constexpr Line kLines[] = {
     {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+P"), QT_TRANSLATE_NOOP("HelpPage", "park")},
     {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+1 … Ctrl+4"),
      QT_TRANSLATE_NOOP("HelpPage", "panels Jog, Log, Drives, Protection")},
+    {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+5"),
+     QT_TRANSLATE_NOOP("HelpPage", "which turn is the axis on? (while asked)")},
     {QT_TRANSLATE_NOOP("HelpPage", "F8"), QT_TRANSLATE_NOOP("HelpPage", "acknowledge the alarms")},
     {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+D"), QT_TRANSLATE_NOOP("HelpPage", "theme: day, night, red")},
     {QT_TRANSLATE_NOOP("HelpPage", "F11"), QT_TRANSLATE_NOOP("HelpPage", "full screen")},

@@ -7,7 +7,10 @@
 
 #include <QTabWidget>
 
-// The panels, one at a time.
+#include <optional>
+
+// The panels, one at a time. The question about a turn is one of them, there only while it is open: it comes to the
+// front by itself once, covers nothing but the other panels, and waits behind its tab when the operator leaves it.
 namespace boresight::ui {
 
 class DrivesPanel;
@@ -15,6 +18,7 @@ class JogPanel;
 class LogPanel;
 class ProtectionPanel;
 class RequestDesk;
+class TurnPage;
 
 class PanelTabs : public QTabWidget
 {
@@ -28,13 +32,19 @@ public:
     [[nodiscard]] JogPanel& jog() { return *m_jog; }
     [[nodiscard]] LogPanel& log() { return *m_log; }
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     void addPanel(QWidget& panel, const QString& text, const QString& help, Qt::Key key);
+    void showQuestion(const StationStatus& status);
 
     JogPanel* m_jog;
     LogPanel* m_log;
     DrivesPanel* m_drives;
     ProtectionPanel* m_protection;
+    TurnPage* m_turn;
+    std::optional<Axis> m_asking;  // the question that was brought to the front
 };
 
 }  // namespace boresight::ui

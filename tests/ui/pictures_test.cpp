@@ -27,6 +27,21 @@ StationStatus late()
     return samples::withAge(samples::tracking(330), std::chrono::milliseconds(900));
 }
 
+StationStatus threePlaces()
+{
+    return samples::asking(Axis::Azimuth, 3, 180_deg, true);
+}
+
+StationStatus manyPlaces()
+{
+    return samples::asking(Axis::Azimuth, 150, 3.6_deg, false);
+}
+
+StationStatus elevationPlaces()
+{
+    return samples::asking(Axis::Elevation, 7, 12_deg, false);
+}
+
 constexpr Scene kScenes[] = {{"track", midPass, 0},
                              {"log", midPass, 1},
                              {"late", late, 0},
@@ -42,7 +57,11 @@ constexpr Scene kScenes[] = {{"track", midPass, 0},
                              {"factory-jog", samples::factoryDrives, 0},
                              {"reading", samples::reading, 3},
                              {"released", samples::released, 2},
-                             {"proof", samples::proving, 2}};
+                             {"proof", samples::proving, 2},
+                             {"turn", threePlaces, 4},
+                             {"turn-jog", threePlaces, 0},
+                             {"turns", manyPlaces, 4},
+                             {"turn-elevation", elevationPlaces, 4}};
 
 class PicturesTest : public WindowFixture
 {

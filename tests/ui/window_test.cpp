@@ -292,6 +292,9 @@ TEST_F(WindowTest, EveryControlHasANameAndATouchableSize)
         panels->setCurrentIndex(panel);
         expectUsable();
     }
+    give(samples::update(samples::asking(Axis::Azimuth, 7, 60_deg, false)));
+    expectUsable();
+    EXPECT_EQ(window.size(), QSize(1024, 700)) << "seven places do not fit";
 }
 
 }  // namespace

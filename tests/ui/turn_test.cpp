@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window_fixture.h"
+#include "ui/cable_bar.h"
+#include "ui/command_button.h"
+#include "ui/sky_markers.h"
+#include "ui/stop_button.h"
+#include "ui/turn_choice.h"
+#include "ui/turn_page.h"
+
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QRadioButton>
+#include <QTabWidget>
+
+namespace boresight::ui {
+namespace {
+
+StationStatus fewPlaces(bool proposed = true)
+{
+    return samples::asking(Axis::Azimuth, 3, 180_deg, proposed);
+}
+
+StationStatus manyPlaces()
+{
+    return samples::asking(Axis::Azimuth, 150, 3.6_deg, false);
+}
+
+class TurnTest : public WindowFixture
+{
+protected:
+    QTabWidget& panels() { return *window.findChild<QTabWidget*>(); }
+    TurnPage& page() { return *window.findChild<TurnPage*>(); }
+    CommandButton& answer() { return *named<CommandButton>("It stands there"); }
+    QLineEdit& field() { return *named<QLineEdit>("Angle read off the mount"); }
+    bool answerable()
+    {
+        return QTest::qWaitFor([this] { return answer().isEnabled(); }, 3000);
+    }
+    QRadioButton* place(const char* angle)
+    {
+        for (QRadioButton* const button : page().findChildren<QRadioButton*>()) {
+            if (button->isVisible() && button->text() == QString::fromUtf8(angle)) {
+                return button;
+            }
+        }
+        ADD_FAILURE() << "no place " << angle;
+        return nullptr;
+    }
+    void expectAnswered(Axis axis, double degrees)
+    {
+        ASSERT_EQ(asked<request::ChooseTurn>().size(), 1u);
+        EXPECT_EQ(asked<request::ChooseTurn>().front().axis, axis);
+        EXPECT_NEAR(asked<request::ChooseTurn>().front().angle.degrees(), degrees, 1e-9);
+    }
+};
+
+TEST_F(TurnTest, OpensByItselfOnceAndWaitsBehindItsTab)
+{
+    EXPECT_FALSE(panels().isTabVisible(panels().indexOf(&page())));
+    give(samples::update(fewPlaces()));
+    EXPECT_EQ(panels().currentWidget(), &page());
+    QTest::keyClick(&window, Qt::Key_1, Qt::ControlModifier);
+    give(samples::update(fewPlaces()));
+    EXPECT_EQ(panels().currentIndex(), 0) << "it does not come back by itself";
+    QTest::keyClick(&window, Qt::Key_5, Qt::ControlModifier);
+    EXPECT_EQ(panels().currentWidget(), &page());
+    give(samples::update(samples::idle()));
+    EXPECT_EQ(panels().currentIndex(), 0);
+    EXPECT_FALSE(panels().isTabVisible(panels().indexOf(&page())));
+}
+
+TEST_F(TurnTest, CoversNeitherStopNorStateNorAlarmsAndStopWorks)
+{
+    give(samples::update(fewPlaces()));
+    auto* const stop = window.findChild<StopButton*>();
+    EXPECT_EQ(window.size(), QSize(1024, 700));
+    for (const QWidget* const above :
+         {static_cast<QWidget*>(stop), static_cast<QWidget*>(named<ValueLabel>("Worst alarm")),
+          static_cast<QWidget*>(named<ValueLabel>("Actual azimuth"))}) {
+        EXPECT_EQ(window.childAt(above->mapTo(&window, above->rect().center())), above);
+    }
+    QTest::mousePress(stop, Qt::LeftButton);
+    QTest::keyClick(&window, Qt::Key_F12);
+    QTest::keyClick(&window, Qt::Key_Escape);
+    EXPECT_EQ(asked<request::Stop>().size(), 3u);
+}
+
+TEST_F(TurnTest, TheProposedPlaceIsSelectedAndOnePressAnswers)
+{
+    give(samples::update(fewPlaces()));
+    EXPECT_TRUE(place("45.1°")->isChecked());
+    const QString evidence = named<QPlainTextEdit>("Evidence")->toPlainText();
+    EXPECT_TRUE(evidence.startsWith(QStringLiteral("• The angle is known to a multiple of 180.0° only")));
+    EXPECT_TRUE(evidence.contains(QStringLiteral("So 45.1° is proposed")));
+    ASSERT_TRUE(answerable());
+    QTest::mouseClick(&answer(), Qt::LeftButton);
+    expectAnswered(Axis::Azimuth, 45.1);
+}
+
+TEST_F(TurnTest, WithoutAProposalNothingIsSelectedAndNothingCanBeSent)
+{
+    give(samples::update(fewPlaces(false)));
+    for (const QRadioButton* const button : page().findChildren<QRadioButton*>()) {
+        EXPECT_FALSE(button->isChecked());
+    }
+    EXPECT_FALSE(answer().isEnabled());
+    EXPECT_TRUE(answer().toolTip().contains(QLatin1String("select where the axis stands first")));
+    QTest::mouseClick(place("225.1°"), Qt::LeftButton, {}, QPoint(10, 20));
+    EXPECT_TRUE(place("225.1°")->isChecked());
+    ASSERT_TRUE(answerable());
+    EXPECT_TRUE(requests.empty()) << "selecting sends nothing";
+    answer().setFocus();
+    QTest::keyClick(&answer(), Qt::Key_Space);
+    expectAnswered(Axis::Azimuth, 225.1);
+}
+
+TEST_F(TurnTest, AmongManyPlacesAnAngleSelectsTheNearest)
+{
+    give(samples::update(manyPlaces()));
+    EXPECT_EQ(text("Selected place"), QStringLiteral("nothing selected"));
+    field().setFocus();
+    QTest::keyClicks(&field(), QStringLiteral("-30"));
+    EXPECT_EQ(text("Selected place"), QStringLiteral("selects -30.5°, place 17 of 150"));
+    QTest::keyClicks(&field(), QStringLiteral("x"));
+    EXPECT_EQ(text("Selected place"), QStringLiteral("nothing selected"));
+    EXPECT_FALSE(answer().isEnabled());
+    QTest::keyClick(&field(), Qt::Key_Backspace);
+    ASSERT_TRUE(answerable());
+    QTest::mouseClick(&answer(), Qt::LeftButton);
+    expectAnswered(Axis::Azimuth, -30.5);
+}
+
+TEST_F(TurnTest, WithoutPlacesTheAngleItselfIsTheAnswer)
+{
+    give(samples::update(samples::asking(Axis::Elevation, 0, 0_deg, false)));
+    EXPECT_FALSE(answer().isEnabled());
+    field().setFocus();
+    QTest::keyClicks(&field(), QStringLiteral("12.5"));
+    EXPECT_EQ(text("Selected place"), QStringLiteral("stands at 12.5°"));
+    ASSERT_TRUE(answerable());
+    QTest::mouseClick(&answer(), Qt::LeftButton);
+    expectAnswered(Axis::Elevation, 12.5);
+}
+
+// The second press of a double click must not answer for the other axis.
+TEST_F(TurnTest, AxesAreAskedOneAfterTheOtherAndADoubleClickAnswersOnlyOne)
+{
+    StationStatus both = samples::asking(Axis::Elevation, 3, 30_deg, true);
+    both.drives.azimuth = fewPlaces().drives.azimuth;
+    give(samples::update(both));
+    ASSERT_TRUE(answerable());
+    QTest::mouseClick(&answer(), Qt::LeftButton);
+    expectAnswered(Axis::Azimuth, 45.1);
+    give(samples::acceptance(samples::asking(Axis::Elevation, 3, 30_deg, true), requests.back().id));
+    QTest::mouseClick(&answer(), Qt::LeftButton);
+    EXPECT_EQ(asked<request::ChooseTurn>().size(), 1u);
+    ASSERT_TRUE(answerable());
+    QTest::mouseClick(&answer(), Qt::LeftButton);
+    ASSERT_EQ(asked<request::ChooseTurn>().size(), 2u);
+    EXPECT_EQ(asked<request::ChooseTurn>().back().axis, Axis::Elevation);
+}
+
+TEST_F(TurnTest, ARefusalStandsBelowTheButton)
+{
+    give(samples::update(fewPlaces()));
+    ASSERT_TRUE(answerable());
+    QTest::mouseClick(&answer(), Qt::LeftButton);
+    give(samples::refusal(fewPlaces(), requests.back().id, "45.1° is outside the travel"));
+    EXPECT_TRUE(place("45.1°")->isChecked());
+    bool shown = false;
+    for (const ValueLabel* const label : page().findChildren<ValueLabel*>()) {
+        shown = shown || (label->isVisible() && label->text().endsWith(QStringLiteral("45.1° is outside the travel")));
+    }
+    EXPECT_TRUE(shown);
+}
+
+TEST_F(TurnTest, UnwindingIsADeadManAtTheSlowRate)
+{
+    give(samples::update(fewPlaces()));
+    auto* const back = named<QPushButton>("Turn slowly counter-clockwise while held");
+    QTest::mousePress(back, Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return asked<request::Jog>().size() >= 4; }, 2000));
+    EXPECT_EQ(asked<request::Jog>().back().rates, (AxisRates{-0.5_deg_s, 0_deg_s}));
+    QTest::mouseRelease(back, Qt::LeftButton);
+    EXPECT_EQ(asked<request::Jog>().back().rates, AxisRates{});
+    EXPECT_FALSE(named<QPushButton>("Raise slowly while held")->isVisible());
+
+    give(samples::update(samples::asking(Axis::Elevation, 3, 30_deg, false)));
+    QTest::mousePress(named<QPushButton>("Raise slowly while held"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::Jog>().back().rates, (AxisRates{0_deg_s, 0.5_deg_s}));
+    QTest::keyClick(&window, Qt::Key_1, Qt::ControlModifier);
+    EXPECT_EQ(asked<request::Jog>().back().rates, AxisRates{}) << "leaving the page lets go";
+}
+
+TEST_F(TurnTest, UnwindingEndsWithThePermissionAndWithARefusal)
+{
+    give(samples::update(fewPlaces()));
+    auto* const forth = named<QPushButton>("Turn slowly clockwise while held");
+    QTest::mousePress(forth, Qt::LeftButton);
+    StationStatus stopped = fewPlaces();
+    stopped.state = StationState::Stopped;
+    give(samples::update(stopped));
+    EXPECT_EQ(asked<request::Jog>().back().rates, AxisRates{});
+    EXPECT_FALSE(forth->isEnabled());
+    QTest::mouseRelease(forth, Qt::LeftButton);
+    give(samples::update(fewPlaces()));
+    QTest::mousePress(forth, Qt::LeftButton);
+    give(samples::refusal(fewPlaces(), requests.back().id, "the mount is not armed"));
+    EXPECT_EQ(asked<request::Jog>().back().rates, AxisRates{});
+    QTest::mouseRelease(forth, Qt::LeftButton);
+}
+
+TEST_F(TurnTest, SaysHowFarTheAxisMovedSince)
+{
+    StationStatus status = fewPlaces();
+    give(samples::update(status));
+    EXPECT_EQ(text("Moved since the question"), QStringLiteral("not moved"));
+    status.drives.azimuth.turnQuestion->movedSince = -12.3_deg;
+    give(samples::update(status));
+    EXPECT_EQ(text("Moved since the question"), QStringLiteral("moved -12.3° since"));
+}
+
+TEST_F(TurnTest, AnUnknownTurnDoesNotLookKnown)
+{
+    give(samples::update(fewPlaces()));
+    EXPECT_EQ(text("Actual azimuth"), QStringLiteral("45.1°?"));
+    EXPECT_EQ(named<ValueLabel>("Actual azimuth")->tone(), Tone::Secondary);
+    EXPECT_EQ(text("State of azimuth"), QStringLiteral("TURN?"));
+    EXPECT_EQ(named<ValueLabel>("State of azimuth")->symbol(), Symbol::Warning);
+    EXPECT_EQ(text("Error of azimuth"), QStringLiteral("---.--°"));
+    EXPECT_EQ(text("Actual elevation"), QStringLiteral("20.00°"));
+    EXPECT_EQ(text("State of elevation"), QStringLiteral("HOLDING"));
+    EXPECT_TRUE(window.findChild<CableBar*>()->text().startsWith(QStringLiteral("TURN?")));
+    const MarkerData& markers = window.findChild<SkyMarkers*>()->markers();
+    EXPECT_FALSE(markers.live);
+    EXPECT_FALSE(markers.commanded.has_value());
+}
+
+TEST_F(TurnTest, WorseThanAnUnknownTurnIsSaidFirst)
+{
+    StationStatus status = fewPlaces();
+    status.azimuth.state = AxisState::Fault;
+    give(samples::update(status));
+    EXPECT_EQ(text("State of azimuth"), QStringLiteral("FAULT"));
+    status.azimuth.state = AxisState::Moving;
+    give(samples::update(status));
+    EXPECT_EQ(text("State of azimuth"), QStringLiteral("MOVING"));
+    EXPECT_EQ(text("Detail of azimuth"), QStringLiteral("the turn is not known"));
+}
+
+TEST_F(TurnTest, GoToIsDisabledAndJoggingIsSlow)
+{
+    give(samples::update(fewPlaces()));
+    for (const char* const name : {"Go", "Home", "Park", "Go here"}) {
+        EXPECT_FALSE(named<CommandButton>(name)->isEnabled()) << name;
+        EXPECT_TRUE(named<CommandButton>(name)->toolTip().contains(QLatin1String("which turn the azimuth is on")));
+    }
+    panels().setCurrentIndex(0);
+    auto* const fast = named<QAbstractButton>("Fast: jog at 6.0°/s");
+    EXPECT_FALSE(fast->isEnabled());
+    auto* const right = named<QPushButton>("Azimuth clockwise while held");
+    QTest::mousePress(right, Qt::LeftButton);
+    EXPECT_EQ(asked<request::Jog>().back().rates, (AxisRates{0.5_deg_s, 0_deg_s}));
+    QTest::mouseRelease(right, Qt::LeftButton);
+    give(samples::update(samples::idle()));
+    EXPECT_TRUE(fast->isEnabled());
+    EXPECT_TRUE(named<QAbstractButton>("Normal: jog at 2.0°/s")->isChecked()) << "the chosen rate comes back";
+}
+
+TEST_F(TurnTest, ALimitOfAnUnknownTurnBlocksNoWay)
+{
+    StationStatus status = fewPlaces();
+    status.azimuth.actual = status.azimuth.travel.max;
+    give(samples::update(status));
+    EXPECT_TRUE(named<QPushButton>("Turn slowly clockwise while held")->isEnabled());
+}
+
+memory::TurnQuestion question(std::vector<Angle> candidates, std::optional<Angle> proposed = {})
+{
+    return {
+        .candidates = std::move(candidates), .proposed = proposed, .evidence = {}, .period = 30_deg, .movedSince = {}};
+}
+
+TEST(TurnChoice, FollowsThePickedPlaceWhileTheAxisIsJogged)
+{
+    TurnChoice choice;
+    choice.begin(question({0_deg, 30_deg, 60_deg}));
+    choice.pick(30_deg);
+    choice.follow(question({10_deg, 40_deg, 70_deg}));
+    EXPECT_EQ(choice.angle(), std::nullopt) << "a jump of 10° may end at any of them";
+    choice.pick(40_deg);
+    choice.follow(question({10.1_deg, 40.1_deg, 70.1_deg}));
+    EXPECT_EQ(choice.angle(), 40.1_deg);
+    choice.follow(question({40.2_deg, 70.2_deg}));
+    EXPECT_EQ(choice.index(), 0u) << "the first left the travel";
+}
+
+TEST(TurnChoice, KeepsTheChoiceOfTheOperatorAgainstALaterProposal)
+{
+    TurnChoice choice;
+    choice.begin(question({0_deg, 30_deg}));
+    EXPECT_EQ(choice.angle(), std::nullopt);
+    choice.follow(question({0_deg, 30_deg}, 30_deg));
+    EXPECT_EQ(choice.angle(), 30_deg);
+    choice.pick(0_deg);
+    choice.follow(question({0_deg, 30_deg}, 30_deg));
+    EXPECT_EQ(choice.angle(), 0_deg);
+    choice.begin(question({0_deg, 30_deg}));
+    choice.follow(question({0_deg, 30_deg}, 30_deg));
+    choice.follow(question({0_deg, 30_deg}));
+    EXPECT_EQ(choice.angle(), std::nullopt) << "the proposal was withdrawn";
+}
+
+TEST(TurnChoice, AnEnteredAngleHoldsOnlyWhereItWasReadOff)
+{
+    TurnChoice choice;
+    memory::TurnQuestion open = question({});
+    choice.begin(open);
+    choice.enter(12.5_deg);
+    EXPECT_EQ(choice.angle(), 12.5_deg);
+    EXPECT_EQ(choice.index(), std::nullopt);
+    open.movedSince = 0.05_deg;
+    choice.follow(open);
+    EXPECT_EQ(choice.angle(), 12.5_deg);
+    open.movedSince = 0.2_deg;
+    choice.follow(open);
+    EXPECT_EQ(choice.angle(), std::nullopt);
+}
+
+}  // namespace
+}  // namespace boresight::ui
