@@ -5,6 +5,7 @@
 #include "ui/axes.h"
 #include "ui/command_button.h"
 #include "ui/format.h"
+#include "ui/place_button.h"
 #include "ui/turn_bar.h"
 #include "ui/unwind_buttons.h"
 #include "ui/value_label.h"
@@ -14,7 +15,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
-#include <QRadioButton>
 
 namespace boresight::ui {
 
@@ -99,9 +99,7 @@ void TurnPage::makeFew()
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(2);
     for (std::size_t place = 0; place < kFew; ++place) {
-        auto* const button = new QRadioButton(m_few);
-        button->setFont(fonts::text());
-        button->setMinimumHeight(kTouchSize);
+        auto* const button = new PlaceButton(m_few);
         const int number = static_cast<int>(place);
         m_group->addButton(button, number);
         grid->addWidget(button, number / kPlacesInRow, number % kPlacesInRow);

@@ -14,7 +14,6 @@ class QButtonGroup;
 class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
-class QRadioButton;
 
 // The question which turn an axis is on: a picture of its travel with the places it may be at, what speaks for each,
 // and the answer: one of a few, or an angle read off the mount that selects the nearest of many. Nothing is selected
@@ -22,6 +21,7 @@ class QRadioButton;
 namespace boresight::ui {
 
 class CommandButton;
+class PlaceButton;
 class RequestDesk;
 class TurnBar;
 class UnwindButtons;
@@ -57,7 +57,7 @@ private:
     QPlainTextEdit* m_evidence;
     QWidget* m_few;
     QWidget* m_many;
-    std::array<QRadioButton*, kFew> m_places{};
+    std::array<PlaceButton*, kFew> m_places{};
     QButtonGroup* m_group;
     QLineEdit* m_field;
     ValueLabel* m_selected;

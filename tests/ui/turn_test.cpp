@@ -114,6 +114,19 @@ TEST_F(TurnTest, WithoutAProposalNothingIsSelectedAndNothingCanBeSent)
     expectAnswered(Axis::Azimuth, 225.1);
 }
 
+TEST_F(TurnTest, ArrowKeysChooseAmongTheFewPlaces)
+{
+    give(samples::update(fewPlaces()));
+    place("45.1°")->setFocus();
+    QTest::keyClick(place("45.1°"), Qt::Key_Right);
+    EXPECT_TRUE(place("225.1°")->isChecked());
+    give(samples::update(fewPlaces()));
+    EXPECT_TRUE(place("225.1°")->isChecked()) << "the next status does not take it back";
+    ASSERT_TRUE(answerable());
+    QTest::mouseClick(&answer(), Qt::LeftButton);
+    expectAnswered(Axis::Azimuth, 225.1);
+}
+
 TEST_F(TurnTest, AmongManyPlacesAnAngleSelectsTheNearest)
 {
     give(samples::update(manyPlaces()));
