@@ -89,6 +89,7 @@ struct JogSettings
     AngularRate slow = AngularRate::fromDegrees(0.2);
     AngularRate normal = AngularRate::fromDegrees(2.0);
     AngularRate fast = AngularRate::fromDegrees(6.0);
+    AngularRate unwind = AngularRate::fromDegrees(2.0);  // while the turn of an axis is not known
 
     bool operator==(const JogSettings&) const = default;
 };

@@ -147,6 +147,10 @@ void addOperation(std::vector<Setting>& list)
     list.push_back(number(
         "jog.fast_deg_s", "°/s", kJogRate, Applies::Now, "Fast jog rate.",
         [](auto& p) -> auto& { return p.jog.fast; }));
+    list.push_back(number(
+        "jog.unwind_deg_s", "°/s", {0.01, 5.0}, Applies::Now,
+        "Fastest jog while it is not known on which turn an axis stands.",
+        [](auto& p) -> auto& { return p.jog.unwind; }));
     list.push_back(textual(
         "rotctld.listen", Applies::OnReconnect,
         "HOST:PORT for rotctld clients; port 0 takes any free one. 127.0.0.1 keeps other machines out.",

@@ -12,6 +12,8 @@ using profile::Retry;
 
 constexpr Seconds kHealth{3600.0};
 constexpr double kCoolDown = 5.0;  // °C, so that the first motion does not heat it up to the limit again
+// A board this far below its limit did not cause the fault, and waiting for it to cool would never end.
+constexpr double kCool = 25.0;  // °C
 
 Retry stricter(Retry one, Retry other)
 {
@@ -32,6 +34,9 @@ QString heatRefusal(double boardLimit, const DriveConditions& atLoss, const Driv
         atLoss.motorTemperature && now.motorTemperature && atLoss.boardTemperature < boardLimit - kCoolDown;
     if (motorWasHot) {
         return tooHot(QStringLiteral("motor"), *now.motorTemperature, *atLoss.motorTemperature - kCoolDown);
+    }
+    if (atLoss.boardTemperature < boardLimit - kCool) {
+        return {};
     }
     return tooHot(QStringLiteral("drive board"), now.boardTemperature,
                   std::min(atLoss.boardTemperature, boardLimit) - kCoolDown);

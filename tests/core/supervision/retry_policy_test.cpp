@@ -185,6 +185,12 @@ TEST_F(ClearRefusal, AMotorMustCoolDownIfItWasTheMotor)
         "");
 }
 
+TEST_F(ClearRefusal, ABoardThatReportsToBeCoolNeedNotCoolDown)
+{
+    const DriveConditions cool{.voltage = 24.0, .boardTemperature = 32.0};
+    EXPECT_EQ(refusal(LossClass::OverTemperature, cool, cool), "");
+}
+
 TEST_F(ClearRefusal, TheSupplyMustBeBack)
 {
     const DriveConditions cut{.voltage = 3.0, .boardTemperature = 30.0};
