@@ -2,6 +2,7 @@
 #include "app/options.h"
 
 #include "core/base/bus_name.h"
+#include "core/base/numbers.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/setting.h"
 
@@ -18,6 +19,7 @@ const QString kBus = QStringLiteral("bus");
 const QString kSimulate = QStringLiteral("simulate");
 const QString kListen = QStringLiteral("listen");
 const QString kStateDir = QStringLiteral("state-dir");
+const QString kStandingAt = QStringLiteral("standing-at");
 
 void addOptions(QCommandLineParser& parser)
 {
@@ -32,8 +34,14 @@ void addOptions(QCommandLineParser& parser)
     parser.addOption({kSimulate, QStringLiteral("Drive the built-in simulated mount: the same as --bus simulated.")});
     parser.addOption({kListen, QStringLiteral("Address of the rotctld server; port 0 picks a free one."),
                       QStringLiteral("HOST:PORT")});
+    parser.addOption({kStateDir,
+                      QStringLiteral("Where the log, the journal of the turns and the window's layout are kept."),
+                      QStringLiteral("DIR")});
     parser.addOption(
-        {kStateDir, QStringLiteral("Where the log and the window's layout are kept."), QStringLiteral("DIR")});
+        {kStandingAt,
+         QStringLiteral("You have looked: the mount stands at about this azimuth and elevation, in degrees "
+                        "of the axes. Counts only where the drives and the journal can not tell."),
+         QStringLiteral("AZ,EL")});
 }
 
 Result<profile::Profile> readProfile(Options& options, const QCommandLineParser& parser)
@@ -75,6 +83,23 @@ Result<> applyListen(profile::Profile& profile, const QCommandLineParser& parser
         });
 }
 
+Result<> applyStandingAt(Options& options, const QCommandLineParser& parser)
+{
+    if (!parser.isSet(kStandingAt)) {
+        return {};
+    }
+    const QStringList parts = parser.value(kStandingAt).split(QLatin1Char(','));
+    const auto azimuth = parseFinite(parts.value(0).toStdString());
+    const auto elevation = parseFinite(parts.value(1).toStdString());
+    if (parts.size() != 2 || !azimuth || !elevation) {
+        return failure(ErrorCode::InvalidInput, "--standing-at: two angles like 405,50 are expected, not \"" +
+                                                    parser.value(kStandingAt).toStdString() + "\"");
+    }
+    options.standingAt =
+        AxisPosition{.azimuth = Angle::fromDegrees(*azimuth), .elevation = Angle::fromDegrees(*elevation)};
+    return {};
+}
+
 Result<QString> makeStateDir(const QCommandLineParser& parser)
 {
     QString path = parser.value(kStateDir);
@@ -111,6 +136,7 @@ Result<Options> readOptions(const QStringList& arguments, const QString& descrip
             return applyBus(options.profile, parser);
         })
         .and_then([&] { return applyListen(options.profile, parser); })
+        .and_then([&] { return applyStandingAt(options, parser); })
         .and_then([&] { return makeStateDir(parser); })
         .map([&](const QString& stateDir) {
             options.stateDir = stateDir;

@@ -7,14 +7,17 @@
 #include <QString>
 #include <QStringList>
 
+#include <optional>
+
 // The command line that boresight and boresightd share: which profile, and what overrides it.
 namespace boresight::app {
 
 struct Options
 {
-    profile::Profile profile;  // with the overrides applied
-    QString profilePath;       // empty: built-in defaults
-    QString stateDir;          // created if absent
+    profile::Profile profile;                // with the overrides applied
+    QString profilePath;                     // empty: built-in defaults
+    QString stateDir;                        // created if absent
+    std::optional<AxisPosition> standingAt;  // where the operator says that the mount stands
 };
 
 // `arguments` with the program's name first. Prints help or version and ends the program when asked for them. The

@@ -85,7 +85,8 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     if (!link) {
         return complain(link.error().text);
     }
-    app::StationThread station(std::make_unique<Station>(options.profile, std::move(*link), options.stateDir, clock));
+    app::StationThread station(
+        std::make_unique<Station>(options.profile, std::move(*link), options.stateDir, clock, options.standingAt));
     QSettings layout(options.stateDir + QStringLiteral("/window.ini"), QSettings::IniFormat);
     ui::MainWindow window(clock, windowSettings(options.profile, layout));
     const bool known = window.restoreGeometry(layout.value(kGeometryKey).toByteArray());

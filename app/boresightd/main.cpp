@@ -36,7 +36,7 @@ int run(QCoreApplication& application, const app::Options& options)
     if (!link) {
         return complain(link.error().text);
     }
-    Station station(options.profile, std::move(*link), options.stateDir, clock);
+    Station station(options.profile, std::move(*link), options.stateDir, clock, options.standingAt);
     app::UnixSignals signals;
     QObject::connect(&station, &Station::started, &application, [&](const QString& listening, const QString& problem) {
         if (listening.isEmpty()) {

@@ -16,6 +16,8 @@ constexpr MotorRate kSmallestVelocity = MotorRate::fromTurns(0.0001);
 constexpr MotorRate kStanding = MotorRate::fromTurns(0.001);
 constexpr Seconds kBrakingTime{0.6};
 
+const moteus::Field kIgnoreBounds{1.0, moteus::Resolution::Int8};
+
 // A reply shows the state before the command in the same exchange, so the first one of a phase says nothing about it.
 constexpr int kFirstTellingReply = 2;
 
@@ -77,6 +79,24 @@ void Drive::recover()
     enter(Phase::Recovering);
 }
 
+void Drive::reference(MotorTurns place, MotorTurns tolerance)
+{
+    m_reference = place;
+    m_referenceTolerance = tolerance;
+    m_heldWhenReferenced = m_phase == Phase::Engaged || m_phase == Phase::Capturing;
+    enter(Phase::Referencing);
+}
+
+bool Drive::canBeReferenced() const
+{
+    return m_report && (m_phase == Phase::Listening || m_phase == Phase::Engaged);
+}
+
+void Drive::starve()
+{
+    enter(Phase::Starving);
+}
+
 void Drive::brake()
 {
     enter(Phase::Braking);
@@ -118,11 +138,6 @@ bool Drive::latched() const
     return m_report && (m_report->mode == moteus::Mode::Fault || m_report->mode == moteus::Mode::PositionTimeout);
 }
 
-bool Drive::referenced() const
-{
-    return m_report && (m_settings.trustPowerUpPosition || m_report->homeState == moteus::HomeState::Output);
-}
-
 bool Drive::take(const CanFrame& frame)
 {
     const auto reply = moteus::decodeReply(frame);
@@ -146,8 +161,7 @@ void Drive::lose(DriveLoss loss)
 void Drive::judge(SteadyTime now)
 {
     judgeFault();
-    const bool underOrders = m_phase == Phase::Capturing || m_phase == Phase::Engaged || m_phase == Phase::Recovering;
-    if (!underOrders) {
+    if (m_phase == Phase::Listening || m_phase == Phase::Braking) {
         return;
     }
     if (!m_phaseSince) {
@@ -155,11 +169,18 @@ void Drive::judge(SteadyTime now)
     }
     if (!answering(now)) {
         lose(DriveLoss::Silent);
-    } else if (m_phase != Phase::Engaged && now - *m_phaseSince > kObedience) {
+    } else if (mustObey() && now - *m_phaseSince > kObedience) {
         lose(DriveLoss::Disobeys);
     } else if (m_repliesInPhase >= kFirstTellingReply) {
-        judgeMode(m_report->mode, now - *m_phaseSince);
+        judgePhase(m_report->mode, now - *m_phaseSince);
     }
+}
+
+// Phases that end as soon as the drive has done what it was told.
+bool Drive::mustObey() const
+{
+    return m_phase == Phase::Capturing || m_phase == Phase::Recovering || m_phase == Phase::Referencing ||
+           m_phase == Phase::Releasing;
 }
 
 // A fault is told once, whatever we were doing; while recovering it is what we are clearing.
@@ -172,12 +193,18 @@ void Drive::judgeFault()
     m_faultTold = inFault;
 }
 
-void Drive::judgeMode(moteus::Mode mode, Seconds inPhase)
+void Drive::judgePhase(moteus::Mode mode, Seconds inPhase)
 {
-    if (m_phase == Phase::Recovering) {
+    if (m_phase == Phase::Starving) {
+        return;
+    }
+    if (m_phase == Phase::Releasing || m_phase == Phase::Recovering) {
         if (mode == moteus::Mode::Stopped) {
-            enter(m_captureAfterRecovery ? Phase::Capturing : Phase::Listening);
+            const bool capture = m_phase == Phase::Recovering && m_captureAfterRecovery;
+            enter(capture ? Phase::Capturing : Phase::Listening);
         }
+    } else if (m_phase == Phase::Referencing) {
+        judgeReference();
     } else if (mode == moteus::Mode::PositionTimeout) {
         lose(DriveLoss::TimedOut);
     } else if (m_phase == Phase::Capturing && mode == moteus::Mode::Position && m_report->position) {
@@ -191,6 +218,16 @@ void Drive::judgeMode(moteus::Mode mode, Seconds inPhase)
     }
 }
 
+void Drive::judgeReference()
+{
+    const bool taken = m_report->homeState == moteus::HomeState::Output && m_report->position &&
+                       abs(*m_report->position - m_reference) < m_referenceTolerance;
+    if (taken) {
+        enter(m_heldWhenReferenced ? Phase::Capturing : Phase::Listening);
+        m_justReferenced = true;
+    }
+}
+
 moteus::PositionCommand Drive::positionCommand(double position, double velocity) const
 {
     return {.position = position,
@@ -198,14 +235,30 @@ moteus::PositionCommand Drive::positionCommand(double position, double velocity)
             .maximumTorque = m_settings.maxTorque,
             .watchdogTimeout = m_settings.watchdog.count(),
             .velocityLimit = m_settings.velocityLimit.turns(),
-            .accelerationLimit = m_settings.accelerationLimit.turns()};
+            .accelerationLimit = m_settings.accelerationLimit.turns(),
+            .ignorePositionBounds = m_ignoreBounds ? std::optional(kIgnoreBounds) : std::nullopt};
+}
+
+// No command, so it does not feed the watchdog: a held drive gets "hold" in every second tick.
+moteus::Command Drive::referenceCommand() const
+{
+    if (m_heldWhenReferenced && m_repliesInPhase % 2 == 0) {
+        return positionCommand(moteus::kKeepControlPosition, 0.0);
+    }
+    if (m_report && m_report->homeState == moteus::HomeState::Relative) {
+        return moteus::SetOutputExact{m_reference.turns()};
+    }
+    return moteus::SetOutputNearest{m_reference.turns()};
 }
 
 std::optional<moteus::Command> Drive::command() const
 {
     switch (m_phase) {
         case Phase::Listening:
+        case Phase::Starving:
             return std::nullopt;
+        case Phase::Referencing:
+            return referenceCommand();
         case Phase::Capturing:
             return positionCommand(moteus::kKeepControlPosition, 0.0);
         case Phase::Engaged: {

@@ -40,7 +40,6 @@ struct DriveSettings
     double maxTorque = 0.0;
     MotorRate velocityLimit;  // above the host's own limits: the host leads, the drive guards
     MotorAcceleration accelerationLimit;
-    bool trustPowerUpPosition = false;
 };
 
 // Why a drive can not be commanded any more. All but a fault arise only while it is under orders.
@@ -58,12 +57,14 @@ class Drive
 public:
     enum class Phase
     {
-        Listening,   // only queries are sent
-        Capturing,   // "hold where you are" is sent until the drive reports position mode
-        Engaged,     // set-points are sent
-        Recovering,  // stop is sent until the drive reports mode 0; from a time-out it is captured again at once
-        Braking,     // phases shorted, for the end of the program
-        Releasing,   // driver off, for the end of the program
+        Listening,    // only queries are sent
+        Capturing,    // "hold where you are" is sent until the drive reports position mode
+        Engaged,      // set-points are sent
+        Recovering,   // stop is sent until the drive reports mode 0; from a time-out it is captured again at once
+        Referencing,  // the drive is told on which turn it stands; an axis that was held is held meanwhile
+        Starving,     // under orders, but only asked: its watchdog shall stop it, and that is watched
+        Braking,      // phases shorted, for the end of the program
+        Releasing,    // stop is sent until the drive reports mode 0, then it is only listened to
     };
 
     static constexpr std::chrono::milliseconds kSilence{250};
@@ -78,8 +79,16 @@ public:
     // Clears a fault or time-out. A drive that held an axis by its time-out mode is captured again, so that an
     // unbalanced axis falls for no longer than the 13 ms of enabling; after a fault it is left off.
     void recover();
+    // Tells the drive that it stands at `place`: it keeps the phase of its encoder and takes the nearest turn; without
+    // any reference (home state 0) it takes the place as it is. Done when it reports the place within `tolerance`.
+    // A drive that is Engaged holds meanwhile and is captured anew.
+    void reference(MotorTurns place, MotorTurns tolerance);
+    [[nodiscard]] bool canBeReferenced() const;
+    void starve();  // Engaged -> Starving
     void brake();
     void release();
+    // While nobody knows the turn, the drive's own position bounds mean nothing and would only refuse (fault 39).
+    void setIgnoreBounds(bool ignore) { m_ignoreBounds = ignore; }
     void setSetpoint(MotorTurns position, MotorRate rate);  // sent while Engaged
 
     // Takes a frame from the bus; false if it is not a reply of this drive to us.
@@ -100,19 +109,23 @@ public:
     [[nodiscard]] const std::string& name() const { return m_name; }
     [[nodiscard]] const std::optional<DriveReport>& report() const { return m_report; }
     [[nodiscard]] bool answering(SteadyTime now) const;
+    [[nodiscard]] SteadyTime heard() const { return m_heard; }  // the last reply, stalls of our own excused
     // In fault or time-out: takes no command but stop.
     [[nodiscard]] bool latched() const;
     // Moves or holds the axis although we did not order it: another program, or an order without a watchdog.
     [[nodiscard]] bool activeUnordered() const;
-    // The output position is known absolutely, not only within one turn of the rotor.
-    [[nodiscard]] bool referenced() const;
+    // True once after the drive has taken the place of reference().
+    [[nodiscard]] bool takeReferenced() { return std::exchange(m_justReferenced, false); }
 
 private:
     void enter(Phase phase);
     void lose(DriveLoss loss);
     void judgeFault();
-    void judgeMode(moteus::Mode mode, Seconds inPhase);
+    void judgePhase(moteus::Mode mode, Seconds inPhase);
+    void judgeReference();
+    [[nodiscard]] bool mustObey() const;
     [[nodiscard]] std::optional<moteus::Command> command() const;
+    [[nodiscard]] moteus::Command referenceCommand() const;
     [[nodiscard]] moteus::PositionCommand positionCommand(double position, double velocity) const;
 
     DriveSettings m_settings;
@@ -120,12 +133,17 @@ private:
     Phase m_phase = Phase::Listening;
     bool m_captureAfterRecovery = false;
     bool m_justEngaged = false;
+    bool m_justReferenced = false;
+    bool m_heldWhenReferenced = false;
+    bool m_ignoreBounds = false;
     bool m_faultTold = false;
     SteadyTime m_heard{};  // last reply, stalls of our own excused
     int m_repliesInPhase = 0;
     std::optional<SteadyTime> m_phaseSince;  // of Capturing and Recovering
     MotorTurns m_setpoint;
     MotorRate m_setpointRate;
+    MotorTurns m_reference;
+    MotorTurns m_referenceTolerance;
     std::optional<DriveReport> m_report;
     std::optional<DriveLoss> m_loss;
 };

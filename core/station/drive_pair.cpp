@@ -13,8 +13,7 @@ DriveSettings driveSettings(const profile::AxisSettings& axis, const profile::Co
             .watchdog = control.watchdog,
             .maxTorque = axis.maxTorque,
             .velocityLimit = abs(axis.geometry.toMotor(axis.limits.speed)) * kGuardFactor,
-            .accelerationLimit = abs(axis.geometry.toMotor(axis.limits.acceleration)) * kGuardFactor,
-            .trustPowerUpPosition = axis.powerUpPosition == profile::PowerUpPosition::Trusted};
+            .accelerationLimit = abs(axis.geometry.toMotor(axis.limits.acceleration)) * kGuardFactor};
 }
 
 }  // namespace

@@ -13,6 +13,12 @@ namespace boresight {
 
 inline constexpr std::array<Axis, 2> kAxes{Axis::Azimuth, Axis::Elevation};
 
+// Of an axis in what is kept for both.
+[[nodiscard]] constexpr std::size_t index(Axis axis)
+{
+    return axis == Axis::Azimuth ? 0 : 1;
+}
+
 class DrivePair
 {
 public:

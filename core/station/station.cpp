@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/station.h"
 
+#include "core/base/bus_name.h"
+#include "core/can/bus_advice.h"
+
 #include <QLoggingCategory>
 
 #include <algorithm>
@@ -12,9 +15,12 @@ namespace {
 
 const QString kBusCause = QStringLiteral("bus");
 const QString kServerCause = QStringLiteral("rotctld");
+const QString kMemoryCause = QStringLiteral("memory");
 constexpr std::chrono::seconds kReopenPeriod{1};
-// Who starts the program and asks for the position at once shall get one, if there is one to be had.
+// Who starts the program and asks for the position at once shall get one, if there is one to be had: where no drive
+// answers there is none, and drives that answer are surveyed first.
 constexpr std::chrono::milliseconds kStartPatience{500};
+constexpr std::chrono::seconds kSurveyPatience{6};
 // More than this is not read by anybody at once; the log file has it all.
 constexpr std::size_t kMostLogLines = 500;
 
@@ -30,11 +36,13 @@ rotctld::ServerSettings serverSettings(const profile::RotctldSettings& settings)
 }  // namespace
 
 Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link, const QString& stateDir,
-                 const Clock& clock)
+                 const Clock& clock, const std::optional<AxisPosition>& standingAt)
     : m_profile(profile),
       m_clock(clock),
       m_log(clock),
-      m_control(profile, clock, m_log),
+      m_memoryFile(stateDir, QString::fromStdString(profile.mount.name), this),
+      m_control(profile, clock, m_log, remembered(standingAt)),
+      m_care(profile, m_control, m_log),
       m_rotator(m_control, profile, m_log, clock),
       m_link(std::move(link)),
       m_server(serverSettings(profile.rotctld), m_rotator, clock, this),
@@ -55,8 +63,42 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
     });
     connect(&m_updateTimer, &QTimer::timeout, this, &Station::publish);
     connect(&m_reopenTimer, &QTimer::timeout, this, &Station::openBus);
-    connect(m_link.get(), &CanLink::frameReceived, this, [this](const CanFrame& frame) { m_control.take(frame); });
+    connect(m_link.get(), &CanLink::frameReceived, this, [this](const CanFrame& frame) {
+        m_control.take(frame);
+        m_care.take(frame);
+    });
     connect(m_link.get(), &CanLink::statusChanged, this, &Station::showBus);
+    connect(&m_memoryFile, &memory::MemoryFile::saveFailed, this, [this](const QString& reason) {
+        m_control.alarms().raise(kMemoryCause, Severity::Warning,
+                                 {.what = reason,
+                                  .action = QStringLiteral("The place of the axes is kept in memory only"),
+                                  .remedy = QStringLiteral("Check the disk, or choose another folder with --state-dir; "
+                                                           "else the turn must be told after a restart")});
+    });
+    connect(&m_memoryFile, &memory::MemoryFile::saved, this, [this] { m_control.alarms().clear(kMemoryCause); });
+    if (const auto bus = parseBusName(profile.bus)) {
+        m_control.setSilenceAdvice(silenceAdvice(*bus));
+    }
+}
+
+// The simulated mount is new, and stands where its drives say, whenever the program starts.
+TurnKeeper::Start Station::remembered(const std::optional<AxisPosition>& standingAt)
+{
+    if (simulated()) {
+        return {.trustFirstContact = true};
+    }
+    memory::LoadedMemory loaded = m_memoryFile.load();
+    if (!loaded.problem.isEmpty()) {
+        m_log.add(Severity::Warning, kMemoryCause, loaded.problem);
+    }
+    return {.memory = std::move(loaded.memory), .problem = std::move(loaded.problem), .standingAt = standingAt};
+}
+
+void Station::saveMemory()
+{
+    if (m_control.takeMemoryChange() && !simulated()) {
+        m_memoryFile.save(m_control.memory());
+    }
 }
 
 Station::~Station()
@@ -84,7 +126,7 @@ void Station::openAll()
 void Station::openBus()
 {
     const LinkState state = m_link->status().state;
-    if (state == LinkState::Up || state == LinkState::Down || m_finished) {
+    if (state == LinkState::Up || state == LinkState::Down || m_finished || m_control.busReleased()) {
         return;
     }
     if (const Result<> opened = m_link->open(); !opened) {
@@ -99,17 +141,17 @@ void Station::openBus()
 void Station::showBus(const LinkStatus& status)
 {
     if (status.state == LinkState::Up && status.text.isEmpty()) {
-        m_control.clearAlarm(kBusCause);
+        m_control.alarms().clear(kBusCause);
         return;
     }
     if (m_finished || (status.state == LinkState::Closed && status.text.isEmpty())) {
         return;  // closed to be opened again: what was wrong still is
     }
     const Severity severity = status.state == LinkState::Up ? Severity::Warning : Severity::Alarm;
-    m_control.raiseAlarm(kBusCause, severity,
-                         {.what = status.text,
-                          .action = QStringLiteral("The bus is tried again each second"),
-                          .remedy = QStringLiteral("Check adapter, cable and the bus name in the profile")});
+    m_control.alarms().raise(kBusCause, severity,
+                             {.what = status.text,
+                              .action = QStringLiteral("The bus is tried again each second"),
+                              .remedy = QStringLiteral("Check adapter, cable and the bus name in the profile")});
 }
 
 void Station::openServer()
@@ -121,18 +163,21 @@ void Station::openServer()
         return;
     }
     const QString problem = QString::fromStdString(listening.error().text);
-    m_control.raiseAlarm(kServerCause, Severity::Alarm,
-                         {.what = problem,
-                          .action = QStringLiteral("No client can connect; everything else works"),
-                          .remedy = QStringLiteral("End the other program, or choose another port with --listen or in "
-                                                   "the profile, and start again")});
+    m_control.alarms().raise(
+        kServerCause, Severity::Alarm,
+        {.what = problem,
+         .action = QStringLiteral("No client can connect; everything else works"),
+         .remedy = QStringLiteral("End the other program, or choose another port with --listen or in "
+                                  "the profile, and start again")});
     m_startTold = true;
     Q_EMIT started({}, problem);
 }
 
 void Station::tellStart()
 {
-    if (!m_startTold && (m_control.measured() || m_clock.now() - m_opened > kStartPatience)) {
+    const bool drives = m_control.answering(Axis::Azimuth) || m_control.answering(Axis::Elevation);
+    const auto patience = drives ? std::chrono::milliseconds(kSurveyPatience) : kStartPatience;
+    if (!m_startTold && (m_control.measured() || m_clock.now() - m_opened > patience)) {
         m_startTold = true;
         Q_EMIT started(QString::fromStdString(m_server.address()), {});
     }
@@ -140,12 +185,15 @@ void Station::tellStart()
 
 void Station::tick()
 {
-    const auto frames = m_control.tick();
+    const auto motion = m_control.tick();
+    std::vector<CanFrame> frames(motion.begin(), motion.end());
+    std::ranges::copy(m_care.tick(m_clock.now()), std::back_inserter(frames));
     if (const LinkState state = m_link->status().state; state == LinkState::Up || state == LinkState::Down) {
         // Also while the bus is down: an adapter notices only by a new frame that it works again. A frame that could
         // not be sent shows as a missing reply and in the status of the link.
         [[maybe_unused]] const Result<> sent = m_link->send(frames);
     }
+    saveMemory();
     writeEvents();
     tellStart();
     if (m_control.shutDownDone() && !m_finished) {
@@ -170,7 +218,8 @@ void Station::finish()
 void Station::request(const NumberedRequest& numbered)
 {
     static const Source kOperator{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
-    const Result<> answer = m_control.request(numbered.request, kOperator);
+    const Result<> answer =
+        m_control.request(numbered.request, kOperator).and_then([&] { return carryOut(numbered.request); });
     if (!answer) {
         m_log.add(Severity::Warning, kOperator.name,
                   QStringLiteral("refused: ") + QString::fromStdString(answer.error().text));
@@ -180,6 +229,21 @@ void Station::request(const NumberedRequest& numbered)
     if (std::holds_alternative<request::Stop>(numbered.request)) {
         tick();  // STOP does not wait for the next tick
     }
+}
+
+// What StationControl has admitted, but does not do itself.
+Result<> Station::carryOut(const Request& request)
+{
+    if (std::holds_alternative<request::ReleaseBus>(request)) {
+        m_link->close();
+        m_control.alarms().clear(kBusCause);
+        return {};
+    }
+    if (std::holds_alternative<request::TakeBus>(request)) {
+        openBus();
+        return {};
+    }
+    return m_care.carryOut(request, m_clock.now());
 }
 
 void Station::updateTaken()
@@ -209,7 +273,8 @@ StationStatus Station::status() const
     StationStatus status = m_control.status();
     status.bus = m_link->status();
     status.busName = m_link->name();
-    status.simulated = m_profile.bus == "simulated";
+    status.simulated = simulated();
+    m_care.fill(status.drives);
     status.listening = QString::fromStdString(m_server.address());
     status.clients = clients(status);
     return status;
@@ -233,7 +298,7 @@ void Station::writeEvents()
 {
     for (const LogEntry& entry : m_log.since(m_lastLogWritten, EventLog::kCapacity)) {
         if (const Result<> written = m_eventFile.add(entry); !written) {
-            m_control.raiseAlarm(
+            m_control.alarms().raise(
                 QStringLiteral("log"), Severity::Warning,
                 {.what = QString::fromStdString(written.error().text),
                  .action = QStringLiteral("The log is kept in memory only"),

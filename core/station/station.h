@@ -3,8 +3,10 @@
 
 #include "core/base/clock.h"
 #include "core/can/can_link.h"
+#include "core/memory/memory_file.h"
 #include "core/profile/profile.h"
 #include "core/rotctld/server.h"
+#include "core/station/drive_care.h"
 #include "core/station/event_file.h"
 #include "core/station/event_log.h"
 #include "core/station/request.h"
@@ -31,17 +33,18 @@ class Station : public QObject
 public:
     static constexpr std::chrono::milliseconds kUpdatePeriod{50};
 
-    // `clock` must outlive the station.
-    Station(const profile::Profile& profile, std::unique_ptr<CanLink> link, const QString& stateDir,
-            const Clock& clock);
+    // `clock` must outlive the station. Reads the mount's memory from the state folder; `standingAt` is where the
+    // operator says that the mount stands, for drives that can not tell.
+    Station(const profile::Profile& profile, std::unique_ptr<CanLink> link, const QString& stateDir, const Clock& clock,
+            const std::optional<AxisPosition>& standingAt = std::nullopt);
     ~Station() override;
 
     [[nodiscard]] StationStatus status() const;
     [[nodiscard]] const TickLateness& lateness() const { return m_lateness; }
 
 public Q_SLOTS:
-    // Opens bus and server and begins to tick; started() tells how that went, as soon as the drives answer or half a
-    // second has passed. A bus that does not open is an alarm and is tried again each second.
+    // Opens bus and server and begins to tick; started() tells how that went, as soon as there is a position to be told
+    // or it is clear that there will be none. A bus that does not open is an alarm and is tried again each second.
     void start();
     void request(const boresight::NumberedRequest& request);
     // The screen has taken the last update: the next may come.
@@ -63,6 +66,10 @@ Q_SIGNALS:
 
 private:
     void showBus(const LinkStatus& status);
+    [[nodiscard]] TurnKeeper::Start remembered(const std::optional<AxisPosition>& standingAt);
+    [[nodiscard]] bool simulated() const { return m_profile.bus == "simulated"; }
+    [[nodiscard]] Result<> carryOut(const Request& request);
+    void saveMemory();
     void openServer();
     void tellStart();
     void finish();
@@ -72,7 +79,9 @@ private:
     profile::Profile m_profile;
     const Clock& m_clock;
     EventLog m_log;
+    memory::MemoryFile m_memoryFile;
     StationControl m_control;
+    DriveCare m_care;
     StationRotator m_rotator;
     std::unique_ptr<CanLink> m_link;
     rotctld::Server m_server;

@@ -10,7 +10,6 @@ namespace {
 
 constexpr std::chrono::seconds kOldestPosition{1};
 constexpr int kClientLinesPerSecond = 4;
-constexpr int kAlarmLinesPerSecond = 4;
 
 QString degreesText(Angle angle)
 {
@@ -34,15 +33,20 @@ bool isZero(const AxisRates& rates)
 
 }  // namespace
 
-StationControl::StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log)
+StationControl::StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log,
+                               TurnKeeper::Start start)
     : m_profile(profile),
       m_clock(clock),
       m_log(log),
       m_model(profile.azimuth.geometry, profile.elevation.geometry),
       m_drives(profile),
       m_motion(profile),
+      m_alarms(log, clock),
+      m_azimuthWatch(Axis::Azimuth, profile, m_alarms),
+      m_elevationWatch(Axis::Elevation, profile, m_alarms),
+      m_turns(profile, clock, log, std::move(start)),
+      m_retry(profile.recovery),
       m_clientLines(log, clock, kClientLinesPerSecond),
-      m_alarmLines(log, clock, kAlarmLinesPerSecond),
       m_started(clock.now()),
       m_now(m_started)
 {}
@@ -54,6 +58,9 @@ Result<> StationControl::request(const Request& request, const Source& source)
 
 Result<> StationControl::mayMove(const Source& source) const
 {
+    if (m_released) {
+        return failure(ErrorCode::NoAnswer, "the bus is left to other tools: take it back first");
+    }
     if (!m_connected) {
         const Axis silent = m_drives.drive(Axis::Azimuth).answering(m_now) ? Axis::Elevation : Axis::Azimuth;
         return failure(ErrorCode::NoAnswer, "no reply from the " + m_drives.drive(silent).name());
@@ -64,19 +71,45 @@ Result<> StationControl::mayMove(const Source& source) const
     if (m_now < m_quietUntil) {
         return failure(ErrorCode::Refused, "the drives have only just come back: wait a second");
     }
-    return m_interlock.admits(source);
+    if (m_proof) {
+        return failure(ErrorCode::Refused, "the crash-stop proof moves the mount: end it first");
+    }
+    return m_interlock.admits(source).and_then([this] { return m_fitness; });
 }
 
 Result<> StationControl::mayPoint(const Source& source) const
 {
     return mayMove(source).and_then([&]() -> Result<> {
         for (const Axis axis : kAxes) {
-            if (!m_drives.drive(axis).referenced()) {
-                return failure(ErrorCode::Refused,
-                               "the " + m_drives.drive(axis).name() +
-                                   " does not know which turn it is on since its power-up: jog only, "
-                                   "until its output position is set");
+            if (!m_turns.known(axis)) {
+                return failure(ErrorCode::Refused, "it is not known on which turn the axis of the " +
+                                                       m_drives.drive(axis).name() +
+                                                       " stands: the operator must tell; slow jogging only");
             }
+        }
+        return {};
+    });
+}
+
+bool StationControl::turnsKnown() const
+{
+    return m_turns.known(Axis::Azimuth) && m_turns.known(Axis::Elevation);
+}
+
+// Somebody must watch the cable of an axis whose turn is not known, so only the operator jogs it, and slowly.
+Result<> StationControl::mayJog(const AxisRates& rates, const Source& source) const
+{
+    if (turnsKnown()) {
+        return mayMove(source);
+    }
+    if (source.kind != SourceKind::Operator) {
+        return mayPoint(source);
+    }
+    return mayMove(source).and_then([&]() -> Result<> {
+        const AngularRate fastest = m_profile.jog.unwind;
+        if (std::max(abs(rates.azimuth), abs(rates.elevation)) > fastest) {
+            return failure(ErrorCode::Refused, "the turn of an axis is not known: jog at " +
+                                                   formatFixed(fastest.degrees(), 1) + "°/s or slower");
         }
         return {};
     });
@@ -127,6 +160,9 @@ void StationControl::begin(Activity activity, const Source& source, const QStrin
 
 void StationControl::holdHere(Activity activity)
 {
+    if (m_proof) {
+        endProof(QStringLiteral("ended before it was done"));
+    }
     m_activity = activity;
     m_limited = false;
     m_wantedDirection.reset();
@@ -219,7 +255,7 @@ Result<> StationControl::handle(const request::Home&, const Source& source)
 
 Result<> StationControl::runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& what)
 {
-    return mayMove(source).map([&] {
+    return mayJog(rates, source).map([&] {
         begin(activity, source, what);
         m_motion.run(rates);
     });
@@ -285,17 +321,16 @@ Result<> StationControl::handle(const request::Rearm&, const Source& source)
     if (!m_connected) {
         return failure(ErrorCode::NoAnswer, "both drives must answer before re-arming");
     }
+    if (const QString why = rearmObstacle(); !why.isEmpty()) {
+        return failure(ErrorCode::Refused, why.toStdString());
+    }
     m_log.add(Severity::Advisory, source.name,
               QStringLiteral("re-arms: drives in fault or time-out are stopped first"));
-    for (const Axis axis : kAxes) {
-        if (m_drives.drive(axis).latched()) {
-            m_drives.drive(axis).recover();
-        }
-    }
     if (source.kind == SourceKind::Operator) {
         m_interlock.setAuthority(Authority::Operator);  // clients still sending must not move the mount at once
     }
-    m_rearming = true;
+    m_retry.rearmed();
+    beginRearm();
     return {};
 }
 
@@ -353,25 +388,29 @@ Result<AxisPosition> StationControl::measured() const
             return failure(ErrorCode::NoAnswer, "no fresh position from the " + m_drives.drive(axis).name());
         }
     }
+    if (!turnsKnown()) {
+        return failure(ErrorCode::NoAnswer, "it is not known on which turn an axis stands");
+    }
     return *m_drives.measured();
 }
 
-void StationControl::raiseAlarm(const QString& cause, Severity severity, const AlarmText& text)
+void StationControl::learn(Axis axis, const std::optional<survey::DriveFacts>& facts)
 {
-    if (m_alarms.raise(cause, severity, text, m_clock.utc())) {
-        // The line begins with the cause: "azimuth drive: fault 38: …".
-        const QString named = cause + QLatin1Char(' ');
-        const QString what = text.what.startsWith(named) ? text.what.sliced(named.size()) : text.what;
-        m_alarmLines.add(severity, cause,
-                         what + QStringLiteral(". ") + text.action + QStringLiteral(". ") + text.remedy);
-    }
+    m_facts[index(axis)] = facts;
 }
 
-void StationControl::clearAlarm(const QString& cause)
+void StationControl::driveRestarted(Axis axis)
 {
-    if (m_alarms.clear(cause)) {
-        m_alarmLines.add(Severity::Advisory, cause, QStringLiteral("the alarm is over"));
-    }
+    m_log.add(Severity::Warning, QString::fromStdString(m_drives.drive(axis).name()),
+              QStringLiteral("was power-cycled: its turn must be judged anew"));
+    m_turns.forget(axis);
+    watchOf(axis).forgetMotion();
+}
+
+void StationControl::setSilenceAdvice(const QString& advice)
+{
+    m_azimuthWatch.setSilenceAdvice(advice);
+    m_elevationWatch.setSilenceAdvice(advice);
 }
 
 }  // namespace boresight

@@ -6,19 +6,25 @@
 #include "core/base/result.h"
 #include "core/pointing/mount_model.h"
 #include "core/profile/profile.h"
-#include "core/station/alarm_list.h"
+#include "core/station/alarm_board.h"
+#include "core/station/crash_stop_proof.h"
 #include "core/station/drive_pair.h"
+#include "core/station/drive_watch.h"
 #include "core/station/event_log.h"
 #include "core/station/interlock.h"
 #include "core/station/log_throttle.h"
 #include "core/station/motion.h"
 #include "core/station/request.h"
 #include "core/station/station_status.h"
+#include "core/station/turn_keeper.h"
+#include "core/supervision/retry_policy.h"
+#include "core/survey/drive_survey.h"
 
 #include <QString>
 
 #include <array>
 #include <optional>
+#include <vector>
 
 // The only place that decides about motion: accepts or refuses every request, whoever sends it, and once per tick
 // turns the decision into one frame for each drive. Holds the rules: nothing moves before an explicit request, STOP
@@ -29,7 +35,7 @@ namespace boresight {
 class StationControl
 {
 public:
-    StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log);
+    StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log, TurnKeeper::Start start = {});
 
     // Accepted, or the reason in words. Takes effect in the next tick.
     Result<> request(const Request& request, const Source& source);
@@ -53,11 +59,22 @@ public:
     [[nodiscard]] StationStatus status() const;
     // The axes as measured; an error when unknown or older than 1 s.
     [[nodiscard]] Result<AxisPosition> measured() const;
-    // An alarm from outside the drives: the bus, the server.
-    void raiseAlarm(const QString& cause, Severity severity, const AlarmText& text);
-    void clearAlarm(const QString& cause);
+    [[nodiscard]] AlarmBoard& alarms() { return m_alarms; }
     // A drive was lost and nobody has re-armed yet; also while DISCONNECTED hides the word FAULT.
     [[nodiscard]] bool faultLatched() const { return m_interlock.fault().has_value(); }
+
+    // Whether the drives are fit to move the mount, by the survey of their protections. Nothing moves before.
+    void setFitness(const Result<>& fitness) { m_fitness = fitness; }
+    // What the survey knows about a drive now; empty: nothing, its turn is then judged anew.
+    void learn(Axis axis, const std::optional<survey::DriveFacts>& facts);
+    // The drive was power-cycled under our eyes.
+    void driveRestarted(Axis axis);
+    // What to do about a bus that is silent although it works: depends on what carries it.
+    void setSilenceAdvice(const QString& advice);
+    [[nodiscard]] bool answering(Axis axis) const { return m_drives.drive(axis).answering(m_now) && !m_released; }
+    [[nodiscard]] bool busReleased() const { return m_released; }
+    [[nodiscard]] const memory::MountMemory& memory() const { return m_turns.memory(); }
+    [[nodiscard]] bool takeMemoryChange() { return m_turns.takeChange(); }
 
 private:
     enum class Activity
@@ -68,7 +85,8 @@ private:
         Parking,
         Streaming,
         Jogging,
-        Running
+        Running,
+        Proving
     };
     enum class ShutDown
     {
@@ -92,14 +110,21 @@ private:
     Result<> handle(const request::TakeAuthority& wanted, const Source& source);
     Result<> handle(const request::GiveAuthority& wanted, const Source& source);
     Result<> handle(const request::AcknowledgeAlarms& wanted, const Source& source);
-    template <class Other>
-    Result<> handle(const Other&, const Source&)
-    {
-        return failure(ErrorCode::Refused, "not possible on this mount");
-    }
+    Result<> handle(const request::ReadDrives& wanted, const Source& source);
+    Result<> handle(const request::FixDrives& wanted, const Source& source);
+    Result<> handle(const request::SwitchOff& wanted, const Source& source);
+    Result<> handle(const request::ReleaseBus& wanted, const Source& source);
+    Result<> handle(const request::TakeBus& wanted, const Source& source);
+    Result<> handle(const request::ChooseTurn& wanted, const Source& source);
+    Result<> handle(const request::ProveCrashStop& wanted, const Source& source);
+    Result<> handle(const request::EndProof& wanted, const Source& source);
 
-    [[nodiscard]] Result<> mayMove(const Source& source) const;   // at a rate
-    [[nodiscard]] Result<> mayPoint(const Source& source) const;  // to a place: the axes must know where they are
+    // The drives answer, are fit, and nothing forbids motion.
+    [[nodiscard]] Result<> mayMove(const Source& source) const;
+    [[nodiscard]] Result<> mayPoint(const Source& source) const;  // and both axes know where they are
+    [[nodiscard]] Result<> mayJog(const AxisRates& rates, const Source& source) const;  // or are jogged slowly
+    [[nodiscard]] Result<> drivesRest() const;  // for what is done to the drives themselves
+    [[nodiscard]] bool turnsKnown() const;
     Result<> goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& text);
     Result<> streamTo(const pointing::Resolved& resolved, const SkyPointing& asked, const Source& source);
     Result<> runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& text);
@@ -112,18 +137,29 @@ private:
 
     void watchStall(Seconds gap);
     void watchConnection();
-    void watchLoss(Axis axis);
-    void watchSilence(Axis axis);
-    void watchUnordered(Axis axis);
-    void watchActiveLimit(Axis axis);
+    void watchDrives();
+    void stopFor(Axis axis, const DriveWatch::Trouble& trouble);
+    void keepTurns();
+    void tellTurns();
+    [[nodiscard]] supervision::DriveConditions conditions(Axis axis) const;
     void watchJog();
+    [[nodiscard]] QString rearmObstacle() const;
+    void beginRearm();
     void finishRearm();
+    void retry();
+    void stepProof();
+    void keepStop(Axis axis);
+    void endProof(const QString& how);
     void moveOn(Seconds step);
     void shutDownFurther();
 
     [[nodiscard]] AxisStatus axisStatus(Axis axis) const;
     [[nodiscard]] AxisState axisState(Axis axis) const;
     [[nodiscard]] bool atTravelEnd(Axis axis) const;
+    [[nodiscard]] DrivesStatus drivesStatus() const;
+    [[nodiscard]] DriveStatus driveStatus(Axis axis) const;
+    [[nodiscard]] DriveWatch& watchOf(Axis axis) { return axis == Axis::Azimuth ? m_azimuthWatch : m_elevationWatch; }
+    [[nodiscard]] const std::optional<survey::DriveFacts>& facts(Axis axis) const { return m_facts[index(axis)]; }
 
     profile::Profile m_profile;
     const Clock& m_clock;
@@ -132,10 +168,16 @@ private:
     DrivePair m_drives;
     Motion m_motion;
     Interlock m_interlock;
-    AlarmList m_alarms;
+    AlarmBoard m_alarms;
+    DriveWatch m_azimuthWatch;
+    DriveWatch m_elevationWatch;
+    TurnKeeper m_turns;
+    supervision::RetryPolicy m_retry;
     LogThrottle m_clientLines;
-    LogThrottle m_alarmLines;
-    std::array<std::optional<SteadyTime>, 2> m_limitSeen;  // when a drive last reported an active limit
+    std::array<std::optional<survey::DriveFacts>, 2> m_facts;
+    Result<> m_fitness = failure(ErrorCode::Refused, "the drives have not been looked at yet");
+    std::optional<CrashStopProof> m_proof;
+    QString m_proofText;  // how the last proof ended
 
     Activity m_activity = Activity::None;
     Source m_commander;
@@ -143,10 +185,19 @@ private:
     std::optional<SkyPointing> m_wantedDirection;  // as asked, before limits
     bool m_limited = false;
     std::optional<SteadyTime> m_jogDeadline;
+    std::array<bool, 2> m_answered{};
     bool m_connected = false;
     bool m_wasConnected = false;
     SteadyTime m_quietUntil{};  // no motion right after a connection came back
     bool m_rearming = false;
+    bool m_released = false;  // the bus is left to other tools
+    struct Loss               // what latched the fault
+    {
+        Axis axis = Axis::Azimuth;
+        supervision::LossClass kind = supervision::LossClass::Motion;
+        supervision::DriveConditions conditions;
+    };
+    std::vector<Loss> m_losses;  // since the last re-arm
     ShutDown m_shutDown = ShutDown::No;
     SteadyTime m_shutDownDeadline{};
     SteadyTime m_started{};

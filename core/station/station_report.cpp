@@ -3,6 +3,8 @@
 #include "core/moteus/registers.h"
 #include "core/station/station_control.h"
 
+#include <algorithm>
+
 namespace boresight {
 namespace {
 
@@ -54,6 +56,8 @@ StationState StationControl::state() const
         case Activity::Jogging:
         case Activity::Running:
             return StationState::Jog;
+        case Activity::Proving:
+            return StationState::Calibrate;
     }
     return StationState::Fault;
 }
@@ -115,8 +119,35 @@ AxisStatus StationControl::axisStatus(Axis axis) const
     }
     if (status.state == AxisState::Limit) {
         status.stateText = QStringLiteral("at the end of the travel");
+    } else if (!m_turns.known(axis)) {
+        status.stateText = QStringLiteral("turn not known");
     }
     return status;
+}
+
+DriveStatus StationControl::driveStatus(Axis axis) const
+{
+    return {.id = axis == Axis::Azimuth ? m_profile.azimuth.id : m_profile.elevation.id,
+            .turnKnown = m_turns.known(axis),
+            .turnQuestion = m_turns.question(axis, m_drives.drive(axis)),
+            .crashStop = m_turns.memory().crashStops[index(axis)]};
+}
+
+// The survey's part is added by its owner.
+DrivesStatus StationControl::drivesStatus() const
+{
+    const auto isOn = [this](Axis axis) {
+        const Drive& drive = m_drives.drive(axis);
+        return drive.phase() != Drive::Phase::Listening ||
+               (drive.report() && drive.report()->mode != moteus::Mode::Stopped);
+    };
+    return {.armingObstacle = m_fitness ? QString() : QString::fromStdString(m_fitness.error().text),
+            .released = m_released,
+            .switchedOn = std::ranges::any_of(kAxes, isOn),
+            .proofRunning = m_proof.has_value(),
+            .proofText = m_proof ? m_proof->progress() : m_proofText,
+            .azimuth = driveStatus(Axis::Azimuth),
+            .elevation = driveStatus(Axis::Elevation)};
 }
 
 StationStatus StationControl::status() const
@@ -128,15 +159,17 @@ StationStatus StationControl::status() const
                          .commander = m_commander,
                          .limited = m_limited,
                          .authority = m_interlock.authority(),
+                         .drives = drivesStatus(),
                          .alarms = m_alarms.list(),
                          .utc = m_clock.utc(),
                          .tick = m_tick};
     status.stopLatched = m_interlock.stopLatched();
-    status.stateReason = m_interlock.fault().value_or(m_commandText);
-    if (const auto measured = m_drives.measured()) {
+    status.stateReason =
+        m_released ? QStringLiteral("the bus is left to other tools") : m_interlock.fault().value_or(m_commandText);
+    if (const auto measured = m_drives.measured(); measured && turnsKnown()) {
         status.actual = pointing::MountModel::toSky(*measured);
     }
-    if (m_drives.engaged()) {
+    if (m_drives.engaged() && turnsKnown()) {
         status.commanded = pointing::MountModel::toSky(m_motion.place());
     }
     if (m_wantedDirection) {

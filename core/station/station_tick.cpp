@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of StationControl that runs once per tick: judge what the drives say, then move on.
-#include "core/moteus/faults.h"
+#include "core/station/drive_alarms.h"
 #include "core/station/station_control.h"
 
 #include <algorithm>
@@ -12,13 +12,12 @@ namespace {
 constexpr Seconds kLongestStep{0.1};
 constexpr Seconds kShutDownPatience{5.0};
 constexpr Seconds kStall{0.125};
-constexpr std::chrono::seconds kLimitLinger{2};
 // How long the last order of the program is repeated, so that a lost frame does not matter.
 constexpr std::chrono::milliseconds kLastOrder{150};
-// A drive that boots, or a bus that comes up, is not yet a reason for an alarm.
-constexpr std::chrono::seconds kPatienceAtStart{1};
 // After a connection came back somebody may stand at the mast with a cable in the hand.
 constexpr std::chrono::seconds kQuietAfterReturn{1};
+// While the turn of an axis is not known its limits mean nothing: the operator watches instead.
+constexpr Angle kAnywhere = Angle::fromDegrees(36000.0);
 
 // From full speed, with a second to spare.
 Seconds longestStop(const profile::Profile& profile)
@@ -28,55 +27,6 @@ Seconds longestStop(const profile::Profile& profile)
                        2.0 * limits.acceleration.radians() / limits.jerk.radians() + 1.0);
     };
     return std::max({kShutDownPatience, stop(profile.azimuth.limits), stop(profile.elevation.limits)});
-}
-
-QString toQString(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
-AlarmText silentText(const QString& drive)
-{
-    return {.what = QStringLiteral("No reply from the %1").arg(drive),
-            .action = QStringLiteral("Nothing is commanded"),
-            .remedy = QStringLiteral("Check the supply, the CAN cable, the adapter and the drive's id in the profile; "
-                                     "boresightctl scan tells who answers")};
-}
-
-AlarmText lostText(const QString& drive, double watchdog)
-{
-    return {.what = QStringLiteral("No reply from the %1").arg(drive),
-            .action = QStringLiteral("Motion ended; the drive stops itself by its watchdog (%1 s)").arg(watchdog),
-            .remedy = QStringLiteral("Check the supply, the CAN cable and the adapter, then re-arm")};
-}
-
-AlarmText faultText(const QString& drive, int code)
-{
-    const moteus::FaultText fault = moteus::faultText(code);
-    return {.what = QStringLiteral("%1 fault %2: %3").arg(drive).arg(code).arg(toQString(fault.meaning)),
-            .action = QStringLiteral("The drive switched its output off; the other axis holds"),
-            .remedy = toQString(fault.remedy) + QStringLiteral("; then re-arm")};
-}
-
-AlarmText timedOutText(const QString& drive)
-{
-    return {.what = QStringLiteral("The %1 timed out: it got no command in time").arg(drive),
-            .action = QStringLiteral("It stopped itself by its watchdog; the other axis holds"),
-            .remedy = QStringLiteral("Check the bus and the load of this computer, then re-arm")};
-}
-
-AlarmText releasedText(const QString& drive)
-{
-    return {.what = QStringLiteral("The %1 switched itself off").arg(drive),
-            .action = QStringLiteral("Motion ended; the other axis holds"),
-            .remedy = QStringLiteral("Its supply failed or another program stopped it: check both, then re-arm")};
-}
-
-AlarmText disobeysText(const QString& drive)
-{
-    return {.what = QStringLiteral("The %1 answers but does not do what it is told").arg(drive),
-            .action = QStringLiteral("Nothing is commanded any more; the other axis holds"),
-            .remedy = QStringLiteral("Look at its mode and fault; another program may command it; then re-arm")};
 }
 
 }  // namespace
@@ -90,14 +40,12 @@ std::array<CanFrame, 2> StationControl::tick()
     ++m_tick;
     m_drives.judge(now);
     watchConnection();
-    for (const Axis axis : kAxes) {
-        watchLoss(axis);
-        watchSilence(axis);
-        watchUnordered(axis);
-        watchActiveLimit(axis);
-    }
+    watchDrives();
+    keepTurns();
     watchJog();
+    retry();
     finishRearm();
+    stepProof();
     moveOn(step);
     shutDownFurther();
     return m_drives.frames();
@@ -105,7 +53,7 @@ std::array<CanFrame, 2> StationControl::tick()
 
 void StationControl::watchConnection()
 {
-    const bool connected = m_drives.answering(m_now);
+    const bool connected = m_drives.answering(m_now) && !m_released;
     if (connected == m_connected) {
         return;
     }
@@ -115,92 +63,85 @@ void StationControl::watchConnection()
         m_quietUntil = m_wasConnected ? m_now + kQuietAfterReturn : m_now;
         m_wasConnected = true;
     } else {
-        m_log.add(Severity::Warning, QStringLiteral("station"), QStringLiteral("a drive has stopped answering"));
+        m_log.add(Severity::Warning, QStringLiteral("station"),
+                  m_released ? QStringLiteral("the bus is left to other tools")
+                             : QStringLiteral("a drive has stopped answering"));
         holdHere(Activity::None);
     }
 }
 
-void StationControl::watchLoss(Axis axis)
+void StationControl::watchDrives()
 {
-    Drive& drive = m_drives.drive(axis);
-    const auto loss = drive.takeLoss();
-    if (!loss) {
-        return;
+    for (const Axis axis : kAxes) {
+        const DriveWatch::Context context{.now = m_now,
+                                          .running = m_now - m_started,
+                                          .turnKnown = m_turns.known(axis),
+                                          .faultLatched = faultLatched(),
+                                          .ownOrders = faultLatched() || m_shutDown != ShutDown::No,
+                                          .silenceExpected = m_released};
+        if (const auto trouble = watchOf(axis).watch(m_drives.drive(axis), m_motion.setpoint(axis), context)) {
+            stopFor(axis, *trouble);
+        }
     }
-    const QString name = toQString(drive.name());
-    AlarmText text;
-    switch (*loss) {
-        case DriveLoss::Silent:
-            text = lostText(name, m_profile.control.watchdog.count());
-            break;
-        case DriveLoss::Fault:
-            text = faultText(name, drive.report()->fault);
-            break;
-        case DriveLoss::TimedOut:
-            text = timedOutText(name);
-            break;
-        case DriveLoss::Released:
-            text = releasedText(name);
-            break;
-        case DriveLoss::Disobeys:
-            text = disobeysText(name);
-            break;
+    if (!faultLatched()) {
+        m_retry.healthy(m_now);
     }
-    raiseAlarm(name, Severity::Alarm, text);
-    m_interlock.latchFault(text.what);
+}
+
+// The motion ends, and the axis in trouble stays where it is: a target that it can not reach must not go on pulling.
+void StationControl::stopFor(Axis axis, const DriveWatch::Trouble& trouble)
+{
+    m_losses.push_back({.axis = axis, .kind = trouble.loss, .conditions = conditions(axis)});
+    m_interlock.latchFault(trouble.what);
+    m_retry.lost(trouble.loss, m_now);
     m_rearming = false;
     holdHere(Activity::None);
+    if (const auto measured = m_drives.measured(axis)) {
+        m_motion.start(axis, *measured);
+    }
+    if (trouble.turnDoubtful) {
+        m_turns.forget(axis, trouble.what);
+    }
 }
 
-void StationControl::watchSilence(Axis axis)
+void StationControl::keepTurns()
 {
-    const Drive& drive = m_drives.drive(axis);
-    const QString name = toQString(drive.name());
-    if (!drive.answering(m_now)) {
-        if (m_now - m_started > kPatienceAtStart && !m_alarms.active(name)) {
-            raiseAlarm(name, Severity::Alarm, silentText(name));
+    for (const Axis axis : kAxes) {
+        Drive& drive = m_drives.drive(axis);
+        const bool answering = drive.answering(m_now);
+        if (!std::exchange(m_answered[index(axis)], answering) && answering) {
+            m_turns.forget(axis);  // who was silent may come back as another
         }
-    } else if (!m_interlock.fault()) {
-        clearAlarm(name);
+        if (answering && facts(axis)) {
+            m_turns.judge(axis, *facts(axis), drive, m_now);
+            const bool moving = drive.phase() != Drive::Phase::Listening && !m_motion.atRest();
+            m_turns.note(axis, *facts(axis), drive, moving, m_now);
+        }
+        const TravelRange& travel = m_model.axis(axis).travel;
+        const auto measured = m_drives.measured(axis);
+        const bool known = m_turns.known(axis);
+        // Outside, its own bounds would refuse even the way back.
+        drive.setIgnoreBounds(!known || (measured && !travel.contains(*measured)));
+        m_motion.setTravel(axis, known ? travel : TravelRange{.min = -kAnywhere, .max = kAnywhere});
     }
+    tellTurns();
 }
 
-void StationControl::watchActiveLimit(Axis axis)
+void StationControl::tellTurns()
 {
-    const Drive& drive = m_drives.drive(axis);
-    const QString name = toQString(drive.name());
-    const QString cause = name + QStringLiteral(" limit");
-    const auto& report = drive.report();
-    auto& lastSeen = m_limitSeen[axis == Axis::Azimuth ? 0 : 1];
-    if (report && report->mode == moteus::Mode::Position && moteus::isLimit(report->fault)) {
-        lastSeen = m_now;
-        const moteus::FaultText limit = moteus::faultText(report->fault);
-        raiseAlarm(
-            cause, Severity::Warning,
-            {.what = QStringLiteral("%1 limit %2: %3").arg(name).arg(report->fault).arg(toQString(limit.meaning)),
-             .action = QStringLiteral("The drive gives less than it was asked for"),
-             .remedy = toQString(limit.remedy)});
-    } else if (lastSeen && m_now - *lastSeen > kLimitLinger) {
-        lastSeen.reset();
-        clearAlarm(cause);
-    }
-}
-
-void StationControl::watchUnordered(Axis axis)
-{
-    const Drive& drive = m_drives.drive(axis);
-    const QString name = toQString(drive.name());
-    const QString cause = name + QStringLiteral(" active");
-    const bool ours = m_interlock.fault() || m_shutDown != ShutDown::No;  // what was ours may still run out
-    if (drive.activeUnordered() && drive.answering(m_now) && !ours) {
-        raiseAlarm(
-            cause, Severity::Warning,
-            {.what = QStringLiteral("%1 is active without our orders: mode %2")
-                         .arg(name, toQString(moteus::modeText(drive.report()->mode))),
-             .action = QStringLiteral("Boresight does not touch it before a command; STOP takes it over and holds"),
-             .remedy = QStringLiteral("Another program, or an order left without a watchdog, drives it: end that")});
-    } else {
-        clearAlarm(cause);
+    for (const Axis axis : kAxes) {
+        const Drive& drive = m_drives.drive(axis);
+        const QString name = drive_alarms::toQString(drive.name());
+        const QString cause = name + QStringLiteral(" turn");
+        const auto question = m_turns.question(axis, drive);
+        if (!question) {
+            m_alarms.clear(cause);
+        } else if (!m_alarms.active(cause)) {
+            m_alarms.raise(cause, Severity::Alarm,
+                           {.what = QStringLiteral("%1: it is not known on which turn the axis stands").arg(name),
+                            .action = QStringLiteral("Pointing is refused, clients get no position; slow jogging only"),
+                            .remedy = QStringLiteral("Look at the mount and its cable, then tell where it stands")});
+        }
     }
 }
 
@@ -208,6 +149,8 @@ void StationControl::watchStall(Seconds gap)
 {
     if (m_tick > 0 && gap > kStall) {
         m_drives.excuse(gap);
+        m_azimuthWatch.forgetMotion();
+        m_elevationWatch.forgetMotion();
         m_log.add(Severity::Warning, QStringLiteral("station"),
                   QStringLiteral("this computer stalled for %1 s; drives may have stopped by their watchdog")
                       .arg(gap.count(), 0, 'f', 2));
@@ -222,6 +165,41 @@ void StationControl::watchJog()
     }
 }
 
+supervision::DriveConditions StationControl::conditions(Axis axis) const
+{
+    const auto& report = m_drives.drive(axis).report();
+    if (!report) {
+        return {};
+    }
+    return {
+        .voltage = report->voltage,
+        .boardTemperature = report->boardTemperature,
+        .motorTemperature = report->motorTemperature != 0.0 ? std::optional(report->motorTemperature) : std::nullopt};
+}
+
+// The heat or the supply that led to a fault is still there.
+QString StationControl::rearmObstacle() const
+{
+    for (const Loss& loss : m_losses) {
+        const QString why =
+            supervision::clearRefusal(m_profile.supervision, loss.kind, loss.conditions, conditions(loss.axis));
+        if (!why.isEmpty()) {
+            return QStringLiteral("%1: %2").arg(drive_alarms::toQString(m_drives.drive(loss.axis).name()), why);
+        }
+    }
+    return {};
+}
+
+void StationControl::beginRearm()
+{
+    for (const Axis axis : kAxes) {
+        if (m_drives.drive(axis).latched()) {
+            m_drives.drive(axis).recover();
+        }
+    }
+    m_rearming = true;
+}
+
 void StationControl::finishRearm()
 {
     const auto busy = [&](Axis axis) {
@@ -233,10 +211,26 @@ void StationControl::finishRearm()
     }
     m_rearming = false;
     m_interlock.clearFault();
+    m_losses.clear();
     for (const Axis axis : kAxes) {
-        clearAlarm(toQString(m_drives.drive(axis).name()));
+        m_alarms.clear(drive_alarms::toQString(m_drives.drive(axis).name()));
+        watchOf(axis).rearmed();
     }
     m_log.add(Severity::Advisory, QStringLiteral("station"), QStringLiteral("re-armed; nothing moves"));
+}
+
+// The profile's written policy for a station without an operator: a re-arm, never a motion.
+void StationControl::retry()
+{
+    const auto due = m_retry.nextTry();
+    if (!due || m_now < *due || m_rearming || !faultLatched() || m_interlock.stopLatched() || !m_connected ||
+        m_now < m_quietUntil || !rearmObstacle().isEmpty()) {
+        return;
+    }
+    m_retry.tried(m_now);
+    m_log.add(Severity::Warning, QStringLiteral("station"),
+              QStringLiteral("re-arms by the profile's recovery policy; nothing moves by itself"));
+    beginRearm();
 }
 
 void StationControl::moveOn(Seconds step)
@@ -244,6 +238,7 @@ void StationControl::moveOn(Seconds step)
     for (const Axis axis : kAxes) {
         if (m_drives.drive(axis).takeEngaged()) {
             m_motion.start(axis, *m_drives.measured(axis));
+            watchOf(axis).forgetMotion();
         }
     }
     if (m_drives.engaged()) {

@@ -166,9 +166,10 @@ TEST_F(SimulateTest, AxisStopsWhenTheServiceIsKilledInMotion)
         GTEST_SKIP() << "rotctl is not installed (Debian: libhamlib-utils)";
     }
     start({QStringLiteral("--print-truth")});
-    fakes::Program service(QStringLiteral(BORESIGHTD),
-                           {QStringLiteral("--bus"), bus(), QStringLiteral("--listen"), QStringLiteral("127.0.0.1:0"),
-                            QStringLiteral("--state-dir"), folder.path()});
+    fakes::Program service(
+        QStringLiteral(BORESIGHTD),
+        {QStringLiteral("--bus"), bus(), QStringLiteral("--listen"), QStringLiteral("127.0.0.1:0"),
+         QStringLiteral("--state-dir"), folder.path(), QStringLiteral("--standing-at"), QStringLiteral("0,10")});
     const QString listening = QStringLiteral("rotctld listening on ");
     ASSERT_TRUE(service.waitForLine(listening)) << service.errors().toStdString();
     ASSERT_TRUE(fakes::waitUntil([&] { return service.errors().contains(QStringLiteral("both drives answer")); }));

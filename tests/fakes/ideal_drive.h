@@ -42,6 +42,8 @@ public:
     bool silent = false;
     bool deaf = false;  // answers, but ignores commands
     double position;    // output turns
+    double voltage = 24.0;
+    double temperature = 31.0;
     std::vector<Seen> seen;
 
 private:
@@ -51,8 +53,8 @@ private:
         const std::map<Register, double> state{{Register::Mode, static_cast<double>(mode)},
                                                {Register::Position, position},
                                                {Register::HomeState, static_cast<double>(home)},
-                                               {Register::Voltage, 24.0},
-                                               {Register::Temperature, 31.0},
+                                               {Register::Voltage, voltage},
+                                               {Register::Temperature, temperature},
                                                {Register::Fault, static_cast<double>(fault)}};
         std::vector<moteus::RegisterValue> values;
         for (const moteus::RegisterRead& read : moteus::rotatorQuery()) {
@@ -79,6 +81,7 @@ private:
                 }
             }
         }
+        takePlace(fields);
         const auto commanded = fields.find(moteus::Register::Mode);
         if (commanded == fields.end()) {
             return;
@@ -94,6 +97,20 @@ private:
         const auto target = fields.find(moteus::Register::CommandPosition);
         if (mode == moteus::Mode::Position && target != fields.end() && std::isfinite(target->second)) {
             position = target->second;
+        }
+    }
+
+    // Of a 100:1 gear: the phase of the rotor stays.
+    void takePlace(const std::map<moteus::Register, double>& fields)
+    {
+        constexpr double kRatio = 0.01;
+        if (const auto nearest = fields.find(moteus::Register::SetOutputNearest); nearest != fields.end()) {
+            position += std::round((nearest->second - position) / kRatio) * kRatio;
+            home = moteus::HomeState::Output;
+        }
+        if (const auto exact = fields.find(moteus::Register::SetOutputExact); exact != fields.end()) {
+            position = exact->second;
+            home = moteus::HomeState::Output;
         }
     }
 

@@ -23,18 +23,24 @@ class KillTest : public ::testing::Test
 protected:
     void SetUp() override
     {
+        // Up for longer than the drives' clocks could be wrong: so the journal can prove that they never lost power.
+        constexpr std::chrono::seconds kUp{20};
+        pair.advanceTo(kUp);
+        epoch = clock.now() - kUp;
         auto created = sim::PtyServer::create(terminal, pair, clock);
         ASSERT_TRUE(created) << created.error().text;
         server = std::move(*created);
-        boresightd = start();
+        boresightd = start({QStringLiteral("--standing-at"), QStringLiteral("0,10")});
         ASSERT_TRUE(boresightd->listens()) << boresightd->complaints();
         client = boresightd->connect();
     }
 
-    [[nodiscard]] std::unique_ptr<BoresightdProcess> start() const
+    [[nodiscard]] std::unique_ptr<BoresightdProcess> start(const QStringList& more = {}) const
     {
-        return std::make_unique<BoresightdProcess>(
-            QStringList{QStringLiteral("--bus"), QStringLiteral("fdcanusb:") + terminal});
+        return std::make_unique<BoresightdProcess>(QStringList{QStringLiteral("--bus"),
+                                                               QStringLiteral("fdcanusb:") + terminal,
+                                                               QStringLiteral("--state-dir"), folder.path()} +
+                                                   more);
     }
     sim::AxisTruth truth(Axis axis)
     {
@@ -95,7 +101,7 @@ protected:
     const QString terminal = folder.filePath(QStringLiteral("mount"));
     SystemClock clock;
     sim::SimulatedPair pair{sim::commissionedPair()};
-    const SteadyTime epoch = clock.now();
+    SteadyTime epoch{};  // of the pair
     std::unique_ptr<sim::PtyServer> server;
     std::unique_ptr<BoresightdProcess> boresightd;
     std::unique_ptr<fakes::TcpPeer> client;
@@ -112,7 +118,7 @@ TEST_F(KillTest, TheDrivesStopTheMountAndNothingMovesAfterwards)
     RecordProperty("rest_after_kill_s", QString::number(restTime(samples).count(), 'f', 3).toStdString());
     EXPECT_EQ(truth(Axis::Azimuth).mode, moteus::Mode::PositionTimeout);
 
-    boresightd = start();
+    boresightd = start();  // the journal proves that the drives never lost power: nobody is asked for the turn
     ASSERT_TRUE(boresightd->listens()) << boresightd->complaints();
     expectNothingMovesFor(Seconds(1.5));
     client = boresightd->connect();

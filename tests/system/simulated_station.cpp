@@ -3,12 +3,15 @@
 
 #include <QTest>
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace boresight::system_test {
 namespace {
 
+constexpr Seconds kReading{10.0};  // of the drives' protections, over their consoles
 constexpr AngularRate kStill = AngularRate::fromDegrees(0.01);
 
 void turnEventLoop()
@@ -38,6 +41,14 @@ SimulatedStation::SimulatedStation(const profile::Profile& profile, const sim::P
     });
     station->openAll();
     run(Seconds(0.2));
+    EXPECT_TRUE(runUntil([this] { return ready(); }, kReading))
+        << station->status().drives.armingObstacle.toStdString();
+}
+
+bool SimulatedStation::ready() const
+{
+    const DrivesStatus drives = status().drives;
+    return drives.armingObstacle.isEmpty() && drives.azimuth.turnKnown && drives.elevation.turnKnown;
 }
 
 void SimulatedStation::tick()

@@ -25,6 +25,7 @@ class SimulatedStation
 public:
     static constexpr Seconds kTick{0.02};
 
+    // Drives surveyed, fit and standing where they say.
     explicit SimulatedStation(const profile::Profile& profile = anyPort(),
                               const sim::PairSettings& pair = sim::commissionedPair());
 
@@ -32,6 +33,7 @@ public:
     void run(Seconds time);
     // False when the time is over first.
     [[nodiscard]] bool runUntil(const std::function<bool()>& condition, Seconds limit);
+    [[nodiscard]] bool ready() const;                           // the mount may be pointed, but for latches
     [[nodiscard]] bool settle(Seconds limit = Seconds(120.0));  // until the set-points and the antenna rest
 
     // A client, whose patience costs no mount time: the clock stands still while it waits.

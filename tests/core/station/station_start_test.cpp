@@ -81,16 +81,6 @@ TEST(StationControl, APositionOlderThanASecondIsNoPosition)
     EXPECT_EQ(rig.control.measured().error().code, ErrorCode::NoAnswer);
 }
 
-TEST(StationControl, AnUnreferencedDriveMayBeJoggedButNotPointed)
-{
-    StationRig rig;
-    rig.azimuth.home = moteus::HomeState::Rotor;
-    rig.run(Seconds(0.1));
-    EXPECT_EQ(rig.point(10.0, 10.0).error().code, ErrorCode::Refused);
-    EXPECT_EQ(rig.ask(request::Park{}).error().code, ErrorCode::Refused);
-    EXPECT_TRUE(rig.ask(request::Jog{{.azimuth = 1_deg_s}}));
-}
-
 TEST(StationControl, ATrustedPowerUpPositionMayBePointed)
 {
     profile::Profile profile;

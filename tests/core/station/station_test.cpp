@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/station.h"
 
+#include "core/sim/simulated_link.h"
 #include "tests/fakes/fake_can_link.h"
 #include "tests/fakes/ideal_drive.h"
 #include "tests/fakes/manual_clock.h"
@@ -68,6 +69,36 @@ struct Rig
     fakes::IdealDrive elevation{2, -0.25};
 };
 
+// On the simulated mount, with drives that were surveyed and may move.
+struct SurveyedRig
+{
+    SurveyedRig()
+    {
+        auto owned = std::make_unique<SimulatedLink>(clock);
+        link = owned.get();
+        station = std::make_unique<Station>(anyPort(), std::move(owned), stateDir.path(), clock);
+        QObject::connect(station.get(), &Station::updated,
+                         [this](const StationUpdate& update) { updates.push_back(update); });
+    }
+
+    void run(int ticks)
+    {
+        for (int i = 0; i < ticks; ++i) {
+            clock.advance(Seconds(0.02));
+            link->deliver();
+            station->tick();
+        }
+    }
+
+    QTemporaryDir stateDir;
+    fakes::ManualClock clock;
+    SimulatedLink* link = nullptr;
+    std::unique_ptr<Station> station;
+    std::vector<StationUpdate> updates;
+};
+
+constexpr int kSurvey = 200;  // ticks; it takes 2.4 s
+
 const request::PointSky kFarAway{{.azimuth = 200_deg, .elevation = 60_deg}};
 
 TEST(Station, AStalledScreenGetsTheNewestStatusAndNoQueue)
@@ -103,9 +134,9 @@ TEST(Station, LogLinesComeOnceAndInOrder)
 
 TEST(Station, AnswersFindTheControlThatAsked)
 {
-    Rig rig;
+    SurveyedRig rig;
     rig.station->openAll();
-    rig.run(5);
+    rig.run(kSurvey);
     rig.station->request({.id = 7, .request = kFarAway});
     rig.station->request({.id = 8, .request = request::PointSky{{.azimuth = 0_deg, .elevation = -20_deg}}});
     rig.station->publish();
@@ -194,23 +225,28 @@ TEST(Station, AnOccupiedPortIsSaidAndTheRestWorks)
 
 TEST(Station, SaysThatItHasStartedWhenThereIsAPositionOrNoneToExpect)
 {
-    for (const bool silent : {false, true}) {
-        Rig rig;
-        rig.azimuth.silent = silent;
-        QSignalSpy started(rig.station.get(), &Station::started);
-        rig.station->openAll();
-        EXPECT_TRUE(started.isEmpty());
-        rig.run(silent ? 30 : 2);
-        ASSERT_EQ(started.size(), 1);
-        EXPECT_EQ(started[0][0].toString(), rig.station->status().listening);
-    }
+    SurveyedRig surveyed;
+    QSignalSpy ready(surveyed.station.get(), &Station::started);
+    surveyed.station->openAll();
+    surveyed.run(kSurvey);
+    ASSERT_EQ(ready.size(), 1);
+    EXPECT_EQ(ready[0][0].toString(), surveyed.station->status().listening);
+
+    Rig silent;
+    silent.azimuth.silent = silent.elevation.silent = true;
+    QSignalSpy started(silent.station.get(), &Station::started);
+    silent.station->openAll();
+    silent.run(20);
+    EXPECT_TRUE(started.isEmpty());
+    silent.run(10);
+    EXPECT_EQ(started.size(), 1);
 }
 
 TEST(Station, FinishesAfterTheMountStandsStill)
 {
-    Rig rig;
+    SurveyedRig rig;
     rig.station->openAll();
-    rig.run(5);
+    rig.run(kSurvey);
     rig.station->request({.id = 1, .request = kFarAway});
     rig.run(100);
     QSignalSpy finished(rig.station.get(), &Station::finished);
@@ -219,7 +255,7 @@ TEST(Station, FinishesAfterTheMountStandsStill)
     EXPECT_TRUE(finished.isEmpty()) << "it is still decelerating";
     rig.run(200);
     EXPECT_EQ(finished.size(), 1);
-    EXPECT_EQ(rig.link->linkStatus.state, LinkState::Closed);
+    EXPECT_EQ(rig.link->status().state, LinkState::Closed);
 }
 
 TEST(Station, TheLogIsOnDisk)

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/station/alarm_list.h"
+#include "core/station/log_throttle.h"
+
+#include <QString>
+
+#include <vector>
+
+// The alarms of the station and their lines in the log: each comes and goes with one line, however often its cause is
+// named. Station thread only.
+namespace boresight {
+
+class AlarmBoard
+{
+public:
+    AlarmBoard(EventLog& log, const Clock& clock);
+
+    // `cause` names the alarm, and begins its log line unless the text does so itself.
+    void raise(const QString& cause, Severity severity, const AlarmText& text);
+    void clear(const QString& cause);
+    void acknowledgeAll() { m_alarms.acknowledgeAll(); }
+
+    [[nodiscard]] bool active(const QString& cause) const { return m_alarms.active(cause); }
+    [[nodiscard]] std::vector<Alarm> list() const { return m_alarms.list(); }
+
+private:
+    const Clock& m_clock;
+    AlarmList m_alarms;
+    LogThrottle m_lines;
+};
+
+}  // namespace boresight

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/alarm_list.h"
+#include "core/station/drive.h"
+#include "core/supervision/finding.h"
+
+#include <QString>
+
+#include <string_view>
+
+// What the operator reads when something is wrong with a drive. `drive` is its name: "azimuth drive". Pure.
+namespace boresight::drive_alarms {
+
+[[nodiscard]] QString toQString(std::string_view text);
+
+[[nodiscard]] AlarmText silent(const QString& drive);  // nothing was commanded
+[[nodiscard]] AlarmText lost(const QString& drive, DriveLoss loss, int faultCode, Seconds watchdog);
+[[nodiscard]] AlarmText activeLimit(const QString& drive, int code);
+[[nodiscard]] AlarmText supervised(const supervision::Observed& observed);
+[[nodiscard]] AlarmText unordered(const QString& drive, moteus::Mode mode);
+
+}  // namespace boresight::drive_alarms

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/drive_care.h"
+
+#include "core/base/overloaded.h"
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+survey::KnownBoards knownBoards(const memory::MountMemory& memory)
+{
+    survey::KnownBoards known;
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        known[i] = memory.turns[i] ? memory.turns[i]->drive : QString();
+    }
+    return known;
+}
+
+Severity severityOf(survey::FindingWeight weight)
+{
+    switch (weight) {
+        case survey::FindingWeight::Advice:
+            return Severity::Advisory;
+        case survey::FindingWeight::Warning:
+            return Severity::Warning;
+        case survey::FindingWeight::Blocking:
+            break;
+    }
+    return Severity::Alarm;
+}
+
+}  // namespace
+
+DriveCare::DriveCare(const profile::Profile& profile, StationControl& control, EventLog& log)
+    : m_control(control), m_log(log), m_survey(profile, knownBoards(control.memory()))
+{}
+
+std::vector<CanFrame> DriveCare::tick(SteadyTime now)
+{
+    watchConnection(now);
+    if (m_control.busReleased()) {
+        return {};
+    }
+    auto frames = m_survey.frames(now);
+    tellControl();
+    tellFindings();
+    tellChanges();
+    return frames;
+}
+
+// A drive that was silent may be another one, or have lost its power, when it answers again.
+void DriveCare::watchConnection(SteadyTime now)
+{
+    bool came = false;
+    bool went = false;
+    for (const Axis axis : kAxes) {
+        const bool answers = m_control.answering(axis);
+        came |= answers && !m_answering[index(axis)];
+        went |= !answers && m_answering[index(axis)];
+        m_answering[index(axis)] = answers;
+    }
+    if (went) {
+        m_survey.forget();
+    }
+    if (came) {
+        m_survey.begin(now);
+    }
+}
+
+void DriveCare::tellControl()
+{
+    m_survey.setKnownBoards(knownBoards(m_control.memory()));
+    m_control.setFitness(m_survey.fitToMove());
+    for (const Axis axis : kAxes) {
+        if (m_survey.rebootsSeen(axis) != std::exchange(m_rebootsTold[index(axis)], m_survey.rebootsSeen(axis))) {
+            m_control.driveRestarted(axis);
+        }
+        m_control.learn(axis, m_survey.facts(axis));
+    }
+}
+
+void DriveCare::tellFindings()
+{
+    std::vector<QString> causes;
+    for (const survey::Finding& finding : m_survey.findings()) {
+        m_control.alarms().raise(finding.cause, severityOf(finding.weight),
+                                 {.what = finding.what, .action = finding.action, .remedy = finding.remedy});
+        causes.push_back(finding.cause);
+    }
+    for (const QString& cause : m_findingsTold) {
+        if (std::ranges::find(causes, cause) == causes.end()) {
+            m_control.alarms().clear(cause);
+        }
+    }
+    m_findingsTold = std::move(causes);
+}
+
+void DriveCare::tellChanges()
+{
+    for (const QString& change : m_survey.takeChanges()) {
+        m_log.add(Severity::Warning, QStringLiteral("drives"), QStringLiteral("changed meanwhile: ") + change);
+    }
+}
+
+Result<> DriveCare::carryOut(const Request& request, SteadyTime now)
+{
+    return std::visit(Overloaded{[&](const request::ReadDrives&) -> Result<> {
+                                     m_survey.begin(now);
+                                     return {};
+                                 },
+                                 [&](const request::FixDrives&) { return m_survey.fix(now); },
+                                 [](const auto&) -> Result<> { return {}; }},
+                      request);
+}
+
+void DriveCare::fill(DrivesStatus& drives) const
+{
+    drives.survey = m_survey.state();
+    drives.surveyText = m_survey.progress();
+    fill(Axis::Azimuth, drives.azimuth);
+    fill(Axis::Elevation, drives.elevation);
+}
+
+void DriveCare::fill(Axis axis, DriveStatus& drive) const
+{
+    if (const auto& facts = m_survey.facts(axis)) {
+        drive.identity = facts->identity;
+    }
+    const auto lines = m_survey.protections(axis);
+    drive.protections.assign(lines.begin(), lines.end());
+}
+
+}  // namespace boresight

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/drive_watch.h"
+
+#include "core/moteus/faults.h"
+#include "core/station/drive_alarms.h"
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+using supervision::Finding;
+using supervision::LossClass;
+using supervision::Weight;
+
+constexpr std::chrono::seconds kLimitLinger{2};
+// A drive that boots, or a bus that comes up, is not yet a reason for an alarm.
+constexpr Seconds kPatienceAtStart{1.0};
+
+LossClass classOf(DriveLoss loss, int faultCode)
+{
+    switch (loss) {
+        case DriveLoss::Fault:
+            return supervision::classOfFault(faultCode);
+        case DriveLoss::Silent:
+        case DriveLoss::TimedOut:
+            return LossClass::Bus;
+        case DriveLoss::Disobeys:
+            return LossClass::Motion;
+        case DriveLoss::Released:
+            break;
+    }
+    return LossClass::Released;
+}
+
+// What passes by itself and leaves nothing to do is not kept for acknowledgement.
+Severity severityOf(const supervision::Observed& observed)
+{
+    if (observed.weight == Weight::Stop) {
+        return Severity::Alarm;
+    }
+    return observed.finding == Finding::RepliesLate ? Severity::Advisory : Severity::Warning;
+}
+
+}  // namespace
+
+DriveWatch::DriveWatch(Axis axis, const profile::Profile& profile, AlarmBoard& alarms)
+    : m_axis(axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation")),
+      m_settings(axis == Axis::Azimuth ? profile.azimuth : profile.elevation),
+      m_watchdog(profile.control.watchdog),
+      m_alarms(alarms),
+      m_supervisor(axis, m_settings, profile.supervision)
+{}
+
+std::optional<DriveWatch::Trouble> DriveWatch::watch(Drive& drive, const tracking::Setpoint& setpoint,
+                                                     const Context& context)
+{
+    const auto lost = watchLoss(drive);
+    if (!lost) {
+        watchSilence(drive, context);
+    }
+    watchUnordered(drive, context);
+    watchActiveLimit(drive, context.now);
+    const auto seen = supervise(drive, setpoint, context);
+    return lost ? lost : seen;
+}
+
+std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive)
+{
+    const auto loss = drive.takeLoss();
+    if (!loss) {
+        return std::nullopt;
+    }
+    const int code = drive.report() ? drive.report()->fault : 0;
+    AlarmText text = drive_alarms::lost(drive_alarms::toQString(drive.name()), *loss, code, m_watchdog);
+    if (*loss == DriveLoss::Silent && !m_silenceAdvice.isEmpty()) {
+        text.remedy += QStringLiteral(". ") + m_silenceAdvice;
+    }
+    m_alarms.raise(drive_alarms::toQString(drive.name()), Severity::Alarm, text);
+    m_supervisor.forgetMotion();
+    return Trouble{.what = text.what, .loss = classOf(*loss, code)};
+}
+
+void DriveWatch::watchSilence(const Drive& drive, const Context& context)
+{
+    const QString name = drive_alarms::toQString(drive.name());
+    if (drive.answering(context.now) || context.silenceExpected) {
+        if (!context.faultLatched) {
+            m_alarms.clear(name);
+        }
+    } else if (context.running > kPatienceAtStart && !m_alarms.active(name)) {
+        AlarmText text = drive_alarms::silent(name);
+        if (!m_silenceAdvice.isEmpty()) {
+            text.remedy += QStringLiteral(". ") + m_silenceAdvice;
+        }
+        m_alarms.raise(name, Severity::Alarm, text);
+    }
+}
+
+void DriveWatch::watchUnordered(const Drive& drive, const Context& context)
+{
+    const QString name = drive_alarms::toQString(drive.name());
+    const QString cause = name + QStringLiteral(" active");
+    if (drive.activeUnordered() && drive.answering(context.now) && !context.ownOrders) {
+        m_alarms.raise(cause, Severity::Warning, drive_alarms::unordered(name, drive.report()->mode));
+    } else {
+        m_alarms.clear(cause);
+    }
+}
+
+void DriveWatch::watchActiveLimit(const Drive& drive, SteadyTime now)
+{
+    const QString name = drive_alarms::toQString(drive.name());
+    const QString cause = name + QStringLiteral(" limit");
+    const auto& report = drive.report();
+    if (report && report->mode == moteus::Mode::Position && moteus::isLimit(report->fault)) {
+        m_limitSeen = now;
+        m_alarms.raise(cause, Severity::Warning, drive_alarms::activeLimit(name, report->fault));
+    } else if (m_limitSeen && now - *m_limitSeen > kLimitLinger) {
+        m_limitSeen.reset();
+        m_alarms.clear(cause);
+    }
+}
+
+supervision::AxisObservation DriveWatch::observation(const Drive& drive, const tracking::Setpoint& setpoint,
+                                                     const Context& context) const
+{
+    const DriveReport& report = *drive.report();
+    return {.now = context.now,
+            .received = drive.heard(),
+            .fresh = report.received != m_observed,
+            .actual = m_settings.geometry.toAxis(*report.position),
+            .engaged = drive.phase() == Drive::Phase::Engaged,
+            .commanded = setpoint.position,
+            .commandedRate = setpoint.rate,
+            .torque = report.torque,
+            .voltage = report.voltage,
+            .boardTemperature = report.boardTemperature,
+            .motorTemperature = report.motorTemperature != 0.0 ? std::optional(report.motorTemperature) : std::nullopt,
+            .turnKnown = context.turnKnown};
+}
+
+std::optional<DriveWatch::Trouble> DriveWatch::supervise(const Drive& drive, const tracking::Setpoint& setpoint,
+                                                         const Context& context)
+{
+    const bool visible = drive.report() && drive.report()->position && drive.answering(context.now);
+    if (!visible || drive.phase() == Drive::Phase::Referencing) {
+        endHints({});
+        return std::nullopt;
+    }
+    const auto seen = m_supervisor.observe(observation(drive, setpoint, context));
+    m_observed = drive.report()->received;
+    std::optional<Trouble> trouble;
+    for (const supervision::Observed& observed : seen) {
+        const auto told = m_told.find(observed.finding);
+        const bool stop = observed.weight == Weight::Stop;
+        if (told != m_told.end() && (told->second == Weight::Stop || !stop)) {
+            continue;
+        }
+        m_told[observed.finding] = observed.weight;
+        m_alarms.raise(cause(observed.finding), severityOf(observed), drive_alarms::supervised(observed));
+        if (stop && !trouble) {
+            trouble = Trouble{.what = observed.what,
+                              .loss = LossClass::Motion,
+                              .turnDoubtful = observed.finding == Finding::EncoderJump};
+        }
+    }
+    endHints(seen);
+    return trouble;
+}
+
+// What stopped the mount stays on the screen until it is re-armed; a hint ends with its cause.
+void DriveWatch::endHints(const std::vector<supervision::Observed>& seen)
+{
+    std::erase_if(m_told, [&](const auto& told) {
+        const bool lasts = std::ranges::any_of(seen, [&](const auto& one) { return one.finding == told.first; });
+        if (lasts || told.second == Weight::Stop) {
+            return false;
+        }
+        m_alarms.clear(cause(told.first));
+        return true;
+    });
+}
+
+QString DriveWatch::cause(Finding finding) const
+{
+    return m_axis + QLatin1Char(' ') + key(finding).replace(QLatin1Char('_'), QLatin1Char(' '));
+}
+
+void DriveWatch::forgetMotion()
+{
+    m_supervisor.forgetMotion();
+}
+
+void DriveWatch::rearmed()
+{
+    m_supervisor.forgetMotion();
+    for (const auto& [finding, weight] : m_told) {
+        m_alarms.clear(cause(finding));
+    }
+    m_told.clear();
+}
+
+}  // namespace boresight

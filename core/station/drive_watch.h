@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/alarm_board.h"
+#include "core/station/drive_pair.h"
+#include "core/supervision/axis_supervisor.h"
+#include "core/supervision/retry_policy.h"
+#include "core/tracking/axis_profile.h"
+
+#include <map>
+#include <optional>
+
+// Watches one axis and its drive once per tick: raises and ends its alarms, and says when the mount must stop. Decides
+// nothing about motion itself. Station thread only.
+namespace boresight {
+
+class DriveWatch
+{
+public:
+    // What the station knows and the drive does not tell.
+    struct Context
+    {
+        SteadyTime now{};
+        Seconds running{0.0};  // since the start of the program
+        bool turnKnown = false;
+        bool faultLatched = false;
+        bool ownOrders = false;        // an active drive may still carry out what was ours
+        bool silenceExpected = false;  // the bus is left to other tools
+    };
+    // Why the mount must come to rest and be re-armed.
+    struct Trouble
+    {
+        QString what;
+        supervision::LossClass loss = supervision::LossClass::Motion;
+        bool turnDoubtful = false;  // the reported angle is not to be believed without a look
+    };
+
+    DriveWatch(Axis axis, const profile::Profile& profile, AlarmBoard& alarms);
+
+    [[nodiscard]] std::optional<Trouble> watch(Drive& drive, const tracking::Setpoint& setpoint,
+                                               const Context& context);
+    // What to do about a silent bus, when its kind is known.
+    void setSilenceAdvice(const QString& advice) { m_silenceAdvice = advice; }
+    // The axis was re-armed, its turn was set, or its drive restarted: what it did before says nothing any more.
+    void forgetMotion();
+    void rearmed();
+
+private:
+    [[nodiscard]] std::optional<Trouble> watchLoss(Drive& drive);
+    void watchSilence(const Drive& drive, const Context& context);
+    void watchUnordered(const Drive& drive, const Context& context);
+    void watchActiveLimit(const Drive& drive, SteadyTime now);
+    [[nodiscard]] std::optional<Trouble> supervise(const Drive& drive, const tracking::Setpoint& setpoint,
+                                                   const Context& context);
+    [[nodiscard]] supervision::AxisObservation observation(const Drive& drive, const tracking::Setpoint& setpoint,
+                                                           const Context& context) const;
+    [[nodiscard]] QString cause(supervision::Finding finding) const;
+    void endHints(const std::vector<supervision::Observed>& seen);
+
+    QString m_axis;  // "azimuth"
+    profile::AxisSettings m_settings;
+    Seconds m_watchdog;
+    AlarmBoard& m_alarms;
+    supervision::AxisSupervisor m_supervisor;
+    QString m_silenceAdvice;
+    std::map<supervision::Finding, supervision::Weight> m_told;  // what has an alarm now
+    SteadyTime m_observed{};                                     // the reply last shown to the supervisor
+    std::optional<SteadyTime> m_limitSeen;                       // when the drive last reported an active limit
+};
+
+}  // namespace boresight

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of StationControl for what is done to the drives themselves: turns, proof, switching off, leaving the bus.
+#include "core/base/numbers.h"
+#include "core/station/drive_alarms.h"
+#include "core/station/station_control.h"
+
+namespace boresight {
+namespace {
+
+// Fast enough to be told from standing, slow enough to harm nothing.
+constexpr AngularRate kSlowestProof = AngularRate::fromDegrees(0.5);
+constexpr AngularRate kFastestProof = AngularRate::fromDegrees(5.0);
+
+Result<> operatorOnly(const Source& source)
+{
+    if (source.kind != SourceKind::Operator) {
+        return failure(ErrorCode::Refused, "only the operator does this");
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<> StationControl::drivesRest() const
+{
+    if (m_drives.anyUnderOrders() && !m_motion.atRest()) {
+        return failure(ErrorCode::Refused, "the mount moves: stop it first");
+    }
+    return {};
+}
+
+Result<> StationControl::handle(const request::ReadDrives&, const Source& source)
+{
+    return operatorOnly(source).and_then([this] { return drivesRest(); });
+}
+
+// Whatever is written while a drive is active ends in its fault 41, and the axis falls.
+Result<> StationControl::handle(const request::FixDrives&, const Source& source)
+{
+    return operatorOnly(source).and_then([this]() -> Result<> {
+        if (!m_connected) {
+            return failure(ErrorCode::NoAnswer, "both drives must answer");
+        }
+        for (const Axis axis : kAxes) {
+            const Drive& drive = m_drives.drive(axis);
+            if (drive.phase() != Drive::Phase::Listening || drive.report()->mode != moteus::Mode::Stopped) {
+                return failure(ErrorCode::Refused,
+                               "the " + drive.name() + " is switched on: support the elevation, switch the drives off");
+            }
+        }
+        return {};
+    });
+}
+
+Result<> StationControl::handle(const request::SwitchOff&, const Source& source)
+{
+    return operatorOnly(source).and_then([this] { return drivesRest(); }).map([&] {
+        holdHere(Activity::None);
+        for (const Axis axis : kAxes) {
+            m_drives.drive(axis).release();
+        }
+        m_log.add(Severity::Warning, source.name, QStringLiteral("switches both drives off: nothing holds the axes"));
+    });
+}
+
+Result<> StationControl::handle(const request::ReleaseBus&, const Source& source)
+{
+    return operatorOnly(source).and_then([this] { return drivesRest(); }).map([&] {
+        m_released = true;
+        holdHere(Activity::None);
+        for (const Axis axis : kAxes) {
+            m_drives.drive(axis).listen();
+            m_turns.forgetAfterOthers(axis);
+        }
+        m_log.add(Severity::Warning, source.name,
+                  QStringLiteral("leaves the bus to other tools; drives that held go on by their time-out mode"));
+    });
+}
+
+Result<> StationControl::handle(const request::TakeBus&, const Source& source)
+{
+    return operatorOnly(source).and_then([&]() -> Result<> {
+        if (!m_released) {
+            return failure(ErrorCode::Refused, "the bus was not left to other tools");
+        }
+        m_released = false;
+        m_log.add(Severity::Advisory, source.name, QStringLiteral("takes the bus back: the drives are read anew"));
+        return {};
+    });
+}
+
+Result<> StationControl::handle(const request::ChooseTurn& wanted, const Source& source)
+{
+    return operatorOnly(source).and_then([this] { return drivesRest(); }).and_then([&] {
+        return m_turns.choose(wanted.axis, wanted.angle, m_drives.drive(wanted.axis), source.name);
+    });
+}
+
+Result<> StationControl::handle(const request::ProveCrashStop& wanted, const Source& source)
+{
+    if (const Result<> may = operatorOnly(source).and_then([&] { return mayPoint(source); }); !may) {
+        return may;
+    }
+    const AngularRate rate = abs(wanted.rate);
+    if (rate < kSlowestProof || rate > kFastestProof) {
+        return failure(ErrorCode::OutOfRange, "a crash stop is proven at " + formatFixed(kSlowestProof.degrees(), 1) +
+                                                  " to " + formatFixed(kFastestProof.degrees(), 1) + "°/s");
+    }
+    return CrashStopProof::prepare(rate, *m_drives.measured(), m_model.azimuth().travel, m_model.elevation().travel)
+        .map([&](const CrashStopProof& proof) {
+            begin(Activity::Proving, source,
+                  QStringLiteral("crash-stop proof at %1°/s").arg(rate.degrees(), 0, 'f', 1));
+            m_proof = proof;
+            m_proofText.clear();
+        });
+}
+
+Result<> StationControl::handle(const request::EndProof&, const Source& source)
+{
+    if (!m_proof) {
+        return failure(ErrorCode::Refused, "no proof is running");
+    }
+    endProof(QStringLiteral("ended by the ") + source.name);
+    holdHere(Activity::Holding);
+    return {};
+}
+
+void StationControl::stepProof()
+{
+    if (!m_proof || (m_proof->runningUp() && !m_drives.engaged())) {
+        return;
+    }
+    const Axis axis = m_proof->axis();
+    Drive& drive = m_drives.drive(axis);
+    const bool settled = drive.phase() == Drive::Phase::Engaged || drive.phase() == Drive::Phase::Listening;
+    switch (m_proof->step(
+        m_now, {.received = drive.report()->received, .angle = *m_drives.measured(axis), .settled = settled})) {
+        case CrashStopProof::Action::Run:
+            m_motion.run(axis == Axis::Azimuth ? AxisRates{.azimuth = m_proof->rate()}
+                                               : AxisRates{.elevation = m_proof->rate()});
+            break;
+        case CrashStopProof::Action::Starve:
+            drive.starve();
+            m_motion.rest();
+            break;
+        case CrashStopProof::Action::Recover:
+            keepStop(axis);
+            drive.engage();
+            break;
+        case CrashStopProof::Action::Wait:
+            break;
+        case CrashStopProof::Action::Finish:
+            endProof(m_proof->failure().isEmpty() ? QStringLiteral("done") : m_proof->failure());
+            holdHere(Activity::Holding);
+            break;
+    }
+}
+
+void StationControl::keepStop(Axis axis)
+{
+    if (const auto stop = m_proof->takeStop()) {
+        m_turns.keep(axis, {.drive = facts(axis) ? facts(axis)->uuid : QString(),
+                            .rate = stop->rate,
+                            .angle = stop->angle,
+                            .time = stop->time,
+                            .when = m_clock.utc()});
+        m_log.add(Severity::Advisory, drive_alarms::toQString(m_drives.drive(axis).name()),
+                  QStringLiteral("crash stop from %1°/s: stood after %2° and %3 ms")
+                      .arg(stop->rate.degrees(), 0, 'f', 1)
+                      .arg(stop->angle.degrees(), 0, 'f', 2)
+                      .arg(stop->time.count()));
+    }
+}
+
+void StationControl::endProof(const QString& how)
+{
+    for (const Axis axis : kAxes) {
+        if (m_drives.drive(axis).phase() == Drive::Phase::Starving) {
+            m_drives.drive(axis).engage();
+        }
+    }
+    m_proof.reset();
+    m_proofText = how;
+    m_log.add(Severity::Advisory, QStringLiteral("station"), QStringLiteral("crash-stop proof: ") + how);
+}
+
+}  // namespace boresight

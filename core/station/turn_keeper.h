@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/memory/mount_memory.h"
+#include "core/memory/reconcile.h"
+#include "core/memory/turn_question.h"
+#include "core/profile/profile.h"
+#include "core/station/drive_pair.h"
+#include "core/station/event_log.h"
+#include "core/survey/drive_survey.h"
+
+#include <array>
+#include <optional>
+
+// Knows whether the turn of each axis is known, and keeps the journal that proves it later. A drive that was silent or
+// restarted is judged anew from journal, home state and reported position; what only the operator can tell becomes a
+// question. The answer is written into the drive, so that its own bounds guard the right place. Pure; mechanical
+// angles.
+namespace boresight {
+
+class TurnKeeper
+{
+public:
+    struct Start
+    {
+        memory::MountMemory memory;
+        QString problem;  // why there is no journal, or not the newest: "the journal file is missing"
+        // The built-in simulated mount is delivered standing where its drives say.
+        bool trustFirstContact = false;
+        // Where the operator said at the start of the program that the mount stands, about.
+        std::optional<AxisPosition> standingAt{};
+    };
+
+    TurnKeeper(const profile::Profile& profile, const Clock& clock, EventLog& log, Start start);
+
+    // The drive was silent, restarted or lost count: its turn must be judged anew. `doubt` says why a proof by the
+    // journal must not count, if so.
+    void forget(Axis axis, const std::optional<QString>& doubt = std::nullopt);
+    // Other tools had the bus: only a drive that still reports the same place is believed.
+    void forgetAfterOthers(Axis axis);
+    // With what is known about the drive: judges, and writes the answer into the drive. Call each tick.
+    void judge(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now);
+    // The operator has looked: the axis stands at about `angle`. Refused if the drive's direction contradicts it.
+    Result<> choose(Axis axis, Angle angle, Drive& drive, const QString& source);
+
+    [[nodiscard]] bool known(Axis axis) const { return state(axis).phase == Phase::Known; }
+    // The question that waits for the operator; the places move along when the axis is jogged.
+    [[nodiscard]] std::optional<memory::TurnQuestion> question(Axis axis, const Drive& drive) const;
+
+    // Writes down where a known axis stands.
+    void note(Axis axis, const survey::DriveFacts& facts, const Drive& drive, bool moving, SteadyTime now);
+    void keep(Axis axis, const memory::CrashStop& stop);
+    [[nodiscard]] const memory::MountMemory& memory() const { return m_start.memory; }
+    // True once after the memory changed: it is to be saved.
+    [[nodiscard]] bool takeChange() { return std::exchange(m_changed, false); }
+
+private:
+    enum class Phase
+    {
+        Unjudged,
+        Asked,
+        Writing,  // into the drive
+        Known,
+    };
+    struct State
+    {
+        Phase phase = Phase::Unjudged;
+        std::optional<QString> doubt{};
+        bool otherHands = false;
+        memory::TurnQuestion question{};
+        MotorTurns reportedWhenAsked{};
+        std::optional<SteadyTime> noted{};
+    };
+
+    [[nodiscard]] State& state(Axis axis) { return m_states[index(axis)]; }
+    [[nodiscard]] const State& state(Axis axis) const { return m_states[index(axis)]; }
+    [[nodiscard]] const profile::AxisSettings& settings(Axis axis) const;
+    [[nodiscard]] std::optional<memory::TurnRecord>& record(Axis axis);
+    [[nodiscard]] memory::DriveFrame frame(Axis axis, const survey::DriveFacts& facts, const DriveReport& report,
+                                           SteadyTime now) const;
+    void judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now);
+    void ask(Axis axis, const memory::TurnQuestion& question, Drive& drive);
+    void settle(Axis axis, Angle angle, Angle period, Drive& drive, const QString& source, const QString& why);
+    [[nodiscard]] std::optional<QString> doubtOf(Axis axis, const DriveReport& report);
+    [[nodiscard]] Angle movedSince(Axis axis, const Drive& drive) const;
+
+    profile::Profile m_profile;
+    const Clock& m_clock;
+    EventLog& m_log;
+    Start m_start;
+    std::array<State, 2> m_states;
+    bool m_changed = false;
+};
+
+}  // namespace boresight

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which turn an axis is on: asked where it cannot be shown, written into the drive, journalled.
+#include "tests/core/station/station_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+using moteus::HomeState;
+using moteus::Register;
+
+// The azimuth drive has been without power: it knows its direction within 3.6° only.
+struct RestartedRig : StationRig
+{
+    RestartedRig()
+    {
+        run(Seconds(0.5));
+        EXPECT_TRUE(ask(request::PointAxes{{100_deg, 45_deg}}));
+        settle();
+        azimuth.silent = elevation.silent = true;
+        run(Seconds(0.5));
+        azimuth.home = HomeState::Rotor;
+        azimuth.position = std::remainder(azimuth.position, 0.01);
+        azimuth.mode = elevation.mode = moteus::Mode::Stopped;
+        azimuth.silent = elevation.silent = false;
+        auto facts = factsOf(Axis::Azimuth);
+        facts.bootedAt = clock.now();
+        control.learn(Axis::Azimuth, facts);
+        run(Seconds(1.5));
+        EXPECT_TRUE(ask(request::Rearm{}));
+        run(Seconds(0.5));
+    }
+
+    [[nodiscard]] std::optional<memory::TurnQuestion> question() const
+    {
+        return control.status().drives.azimuth.turnQuestion;
+    }
+};
+
+TEST(StationTurns, AfterAPowerCutTheOperatorIsAsked)
+{
+    RestartedRig rig;
+    ASSERT_TRUE(rig.question());
+    EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown);
+    EXPECT_TRUE(rig.control.status().drives.elevation.turnKnown) << "the other drive never lost power";
+    EXPECT_NEAR(rig.question()->period.degrees(), 3.6, 1e-9);
+    EXPECT_FALSE(rig.control.measured()) << "clients get no position";
+    EXPECT_FALSE(rig.control.status().actual);
+    EXPECT_EQ(rig.point(10.0, 10.0, kOperator).error().code, ErrorCode::Refused);
+    EXPECT_EQ(rig.ask(request::Park{}).error().code, ErrorCode::Refused);
+    EXPECT_EQ(rig.ask(request::ProveCrashStop{2_deg_s}).error().code, ErrorCode::Refused);
+}
+
+TEST(StationTurns, OnlyTheOperatorJogsMeanwhileAndSlowly)
+{
+    RestartedRig rig;
+    EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 2_deg_s}}, kClient));
+    EXPECT_FALSE(rig.ask(request::Move{{.azimuth = 1_deg_s}}, kClient));
+    EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 3_deg_s}}));
+    rig.azimuth.seen.clear();
+    for (int i = 0; i < 25; ++i) {
+        ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = -1_deg_s}}));
+        rig.run(Seconds(0.1));
+    }
+    EXPECT_NEAR(rig.question()->movedSince.degrees(), -2.5, 0.3) << "beyond the travel as the drive now counts";
+    // Its bounds, in a frame that nobody knows, would refuse with fault 39.
+    EXPECT_EQ(rig.azimuth.seen.back().fields.at(Register::CommandIgnorePositionBounds), 1.0);
+}
+
+TEST(StationTurns, TheAnswerIsWrittenIntoTheDriveAndThePlaceIsKept)
+{
+    RestartedRig rig;
+    EXPECT_FALSE(rig.ask(request::ChooseTurn{Axis::Azimuth, 100_deg}, kClient));
+    EXPECT_FALSE(rig.ask(request::ChooseTurn{Axis::Elevation, 45_deg})) << "nobody has asked";
+    ASSERT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 100.5_deg}));
+    rig.run(Seconds(0.3));
+    EXPECT_EQ(rig.azimuth.home, HomeState::Output);
+    EXPECT_NEAR(rig.azimuthDegrees(), 100.0, 1e-4) << "the phase of the encoder is kept";
+    EXPECT_FALSE(rig.question());
+    EXPECT_TRUE(rig.control.measured());
+    ASSERT_TRUE(rig.point(110.0, 45.0, kOperator));
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 110.0, 0.001);
+    EXPECT_EQ(rig.azimuth.seen.back().fields.count(Register::CommandIgnorePositionBounds), 0U);
+}
+
+TEST(StationTurns, AHeldAxisIsHeldWhileItTakesItsPlace)
+{
+    RestartedRig rig;
+    ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = 1_deg_s}}));
+    rig.run(Seconds(2.0));  // the keep-alive ends it; both axes are held
+    ASSERT_EQ(rig.azimuth.mode, moteus::Mode::Position);
+    rig.azimuth.seen.clear();
+    const double before = rig.azimuth.position;
+    ASSERT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 100_deg}));
+    rig.run(Seconds(1.0));
+    EXPECT_NEAR(std::remainder(rig.azimuth.position - before, 0.01), 0.0, 1e-6) << "the axis has not moved";
+    EXPECT_GT(rig.azimuth.seen.size(), 40U) << "fed throughout";
+    EXPECT_EQ(rig.azimuth.mode, moteus::Mode::Position);
+    EXPECT_TRUE(rig.control.status().drives.azimuth.turnKnown);
+}
+
+TEST(StationTurns, WhatTheDriveContradictsIsNotTaken)
+{
+    profile::Profile profile;
+    StationRig rig(profile);
+    rig.azimuth.home = HomeState::Rotor;
+    auto facts = rig.factsOf(Axis::Azimuth);
+    facts.outputEncoder = true;  // knows the direction: one turn is 360°
+    facts.bootedAt = rig.clock.now();
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{360_deg, 45_deg}}));
+    rig.settle();
+    rig.azimuth.silent = true;
+    rig.run(Seconds(0.5));
+    facts.bootedAt = rig.clock.now();
+    rig.control.learn(Axis::Azimuth, facts);
+    rig.azimuth.position = 0.0;
+    rig.azimuth.silent = false;
+    rig.run(Seconds(1.5));
+    const auto question = rig.control.status().drives.azimuth.turnQuestion;
+    ASSERT_TRUE(question);
+    EXPECT_EQ(question->candidates.size(), 2U) << "0° and 360°";
+    const auto refused = rig.ask(request::ChooseTurn{Axis::Azimuth, 100_deg});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().text.find("contradicts"), std::string::npos) << refused.error().text;
+}
+
+TEST(StationTurns, MotionIsJournalledAsMotionAndRestAsRest)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    EXPECT_TRUE(rig.control.takeMemoryChange());
+    ASSERT_TRUE(rig.point(100.0, 45.0));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.control.takeMemoryChange());
+    EXPECT_TRUE(rig.control.memory().turns[0]->moving);
+    rig.settle();
+    rig.run(Seconds(1.0));
+    const auto& record = *rig.control.memory().turns[0];
+    EXPECT_FALSE(record.moving);
+    EXPECT_NEAR(record.angle.degrees(), 100.0, 0.01);
+    EXPECT_EQ(record.drive, rig.factsOf(Axis::Azimuth).uuid);
+    (void)rig.control.takeMemoryChange();
+    rig.run(Seconds(10.0));
+    EXPECT_FALSE(rig.control.takeMemoryChange()) << "a mount that stands writes nothing";
+}
+
+}  // namespace
+}  // namespace boresight
