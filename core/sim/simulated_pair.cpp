@@ -180,7 +180,12 @@ std::optional<PairReply> SimulatedPair::askOne(Side& side, const CanFrame& frame
     }
     const double age = (m_stepped - m_now).count();
     const std::optional<CanFrame> reply = side.drive->exchange(frame, age, answerAs);
-    if (!reply || m_faults.isActive(FaultKind::Silence, side.axis, m_now) || happens(FaultKind::LostReply, side.axis)) {
+    if (!reply) {
+        return std::nullopt;
+    }
+    ++m_replyCounts.said;
+    if (m_faults.isActive(FaultKind::Silence, side.axis, m_now) || happens(FaultKind::LostReply, side.axis)) {
+        ++m_replyCounts.lost;
         return std::nullopt;
     }
     const double delay = m_faults.active(FaultKind::LateReply, side.axis, m_now).value_or(0.0);

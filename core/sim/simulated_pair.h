@@ -50,6 +50,13 @@ struct PairReply
     bool damaged = false;  // an adapter shall garble it
 };
 
+// Replies since the pair was made, by the drives' own count.
+struct ReplyCounts
+{
+    std::uint64_t said = 0;
+    std::uint64_t lost = 0;  // of these, by injected faults
+};
+
 class SimulatedPair
 {
 public:
@@ -66,6 +73,7 @@ public:
     [[nodiscard]] const FaultSchedule& faults() const { return m_faults; }
     [[nodiscard]] SimulatedMoteus& drive(Axis axis) { return *m_sides[side(axis)].drive; }
     [[nodiscard]] double busVoltage() const { return m_supply.voltage(); }
+    [[nodiscard]] const ReplyCounts& replyCounts() const { return m_replyCounts; }
 
 private:
     struct Side
@@ -89,6 +97,7 @@ private:
     double m_supplyVoltage;
     std::array<Side, 2> m_sides;
     FaultSchedule m_faults;
+    ReplyCounts m_replyCounts;
     std::minstd_rand m_random;
     Seconds m_now{0.0};
     Seconds m_stepped{0.0};        // end of the last step, at most one step behind

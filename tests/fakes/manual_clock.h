@@ -3,7 +3,7 @@
 
 #include "core/base/clock.h"
 
-// A clock turned by hand; both times advance together.
+// A clock turned by hand; both times advance together, unless somebody sets the UTC.
 namespace boresight::fakes {
 
 class ManualClock final : public Clock
@@ -16,6 +16,7 @@ public:
         m_now += std::chrono::duration_cast<SteadyTime::duration>(time);
         m_utc += std::chrono::duration_cast<UtcTime::duration>(time);
     }
+    void stepUtc(Seconds by) { m_utc += std::chrono::duration_cast<UtcTime::duration>(by); }
 
 private:
     SteadyTime m_now{std::chrono::hours(1)};
