@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace boresight {
 namespace {
@@ -106,12 +107,13 @@ void TurnKeeper::judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& dr
                                     .trusted = trusted,
                                     .doubt = doubtOf(axis, *drive.report())};
     const memory::Judgement judgement = memory::reconcile(met, evidence, geometry);
+    const bool judgedBefore = std::exchange(m_judgedBefore[index(axis)], true);
     if (const auto* const certain = std::get_if<memory::Certain>(&judgement)) {
         settle(axis, certain->angle, met.period, drive, QStringLiteral("station"), certain->why);
         return;
     }
     ask(axis, std::get<memory::TurnQuestion>(judgement), drive);
-    if (m_start.standingAt) {
+    if (m_start.standingAt && !judgedBefore) {
         const Angle place = axis == Axis::Azimuth ? m_start.standingAt->azimuth : m_start.standingAt->elevation;
         if (const Result<> chosen = choose(axis, place, drive, QStringLiteral("command line")); !chosen) {
             m_log.add(Severity::Warning, QStringLiteral("command line"), QString::fromStdString(chosen.error().text));

@@ -27,7 +27,8 @@ public:
         QString problem;  // why there is no journal, or not the newest: "the journal file is missing"
         // The built-in simulated mount is delivered standing where its drives say.
         bool trustFirstContact = false;
-        // Where the operator said at the start of the program that the mount stands, about.
+        // Where the operator said at the start of the program that the mount stands, about. Counts once for each axis:
+        // later it may be anywhere.
         std::optional<AxisPosition> standingAt{};
     };
 
@@ -89,6 +90,7 @@ private:
     EventLog& m_log;
     Start m_start;
     std::array<State, 2> m_states;
+    std::array<bool, 2> m_judgedBefore{};
     bool m_changed = false;
 };
 

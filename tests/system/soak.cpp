@@ -214,7 +214,15 @@ void Soak::judge()
     }
     m_station->updateTaken();
     m_station->publish();
-    operate(m_station->status());
+    const StationStatus status = m_station->status();
+    for (const Axis axis : kAxes) {
+        const AxisStatus& told = axis == Axis::Azimuth ? status.azimuth : status.elevation;
+        const DriveStatus& drive = axis == Axis::Azimuth ? status.drives.azimuth : status.drives.elevation;
+        if (drive.turnKnown && told.age && *told.age <= kTick) {
+            m_findings.astray = std::max(m_findings.astray, abs(*told.actual - m_bus.truth(axis).angle));
+        }
+    }
+    operate(status);
 }
 
 // Re-arms, and gives control back to the client.
@@ -234,9 +242,23 @@ void Soak::operate(const StationStatus& status)
     m_nextOperation = m_time + kOperatorPeriod;
     if (status.state == StationState::Fault && m_time - m_lostSince > kBraking) {
         m_counts.rearms += ask(request::Rearm{}).empty() ? 1 : 0;
+    } else if (!lost && (status.drives.azimuth.turnQuestion || status.drives.elevation.turnQuestion)) {
+        tellTurns(status);
     } else if (!lost && status.authority == Authority::Operator) {
         static_cast<void>(ask(request::AcknowledgeAlarms{}));
         static_cast<void>(ask(request::GiveAuthority{}));
+    }
+}
+
+// The operator has looked at the mount; the drive knows the rest.
+void Soak::tellTurns(const StationStatus& status)
+{
+    const AxisPosition seen = truth();
+    if (status.drives.azimuth.turnQuestion) {
+        m_counts.turnsTold += ask(request::ChooseTurn{Axis::Azimuth, seen.azimuth}).empty() ? 1 : 0;
+    }
+    if (status.drives.elevation.turnQuestion) {
+        m_counts.turnsTold += ask(request::ChooseTurn{Axis::Elevation, seen.elevation}).empty() ? 1 : 0;
     }
 }
 

@@ -38,6 +38,7 @@ struct SoakCounts
     std::uint64_t losses = 0;      // told by the station
     std::uint64_t recoveries = 0;  // to an armed mount
     std::uint64_t rearms = 0;      // asked for and accepted
+    std::uint64_t turnsTold = 0;   // by the operator, where the clocks left no proof
 };
 
 // The worst that was seen, and what must never be.
@@ -45,6 +46,7 @@ struct SoakFindings
 {
     Angle outside;                    // beyond the travel, of the worse axis
     double fastest = 0.0;             // of the worse axis, in parts of its speed limit
+    Angle astray;                     // told by the station as known, away from the truth
     Angle movedUnarmed;               // between coming to rest after a loss and the re-arm
     std::vector<std::size_t> memory;  // bytes in use at the end of each hour
 };
@@ -83,6 +85,7 @@ private:
     void endOutage();
     void stall();
     void operate(const StationStatus& status);
+    void tellTurns(const StationStatus& status);
     std::string ask(const Request& request);
     void stream();
     void planPass();

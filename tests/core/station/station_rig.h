@@ -17,8 +17,9 @@ struct StationRig
     static constexpr Seconds kTick{0.02};
 
     // With drives that were surveyed and found fit, and that stand where they say.
-    explicit StationRig(const profile::Profile& settings = {})
-        : profile(settings), control(profile, clock, log, {.trustFirstContact = true})
+    explicit StationRig(const profile::Profile& settings = {},
+                        const TurnKeeper::Start& start = {.trustFirstContact = true})
+        : profile(settings), control(profile, clock, log, start)
     {
         control.setFitness({});
         for (const Axis axis : kAxes) {

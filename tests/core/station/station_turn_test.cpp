@@ -129,6 +129,24 @@ TEST(StationTurns, WhatTheDriveContradictsIsNotTaken)
     EXPECT_NE(refused.error().text.find("contradicts"), std::string::npos) << refused.error().text;
 }
 
+// Story: after an hour of work the bus was silent and the clock had been put back, so the turn had to be judged anew;
+// what the command line had said about the start of the program was written into the drive, 61° from the truth.
+TEST(StationTurns, WhereTheMountStoodAtTheStartCountsOnce)
+{
+    StationRig rig({}, {.standingAt = AxisPosition{.azimuth = 0_deg, .elevation = 0_deg}});
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.control.status().drives.azimuth.turnKnown);
+    ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
+    rig.settle();
+    rig.azimuth.silent = true;
+    rig.run(Seconds(0.5));
+    rig.azimuth.silent = false;
+    rig.clock.stepUtc(Seconds(-3600.0));
+    rig.run(Seconds(1.5));
+    EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown);
+    EXPECT_TRUE(rig.control.status().drives.azimuth.turnQuestion);
+}
+
 TEST(StationTurns, MotionIsJournalledAsMotionAndRestAsRest)
 {
     StationRig rig;
