@@ -58,8 +58,9 @@ QString whyNoFix(const StationStatus& status)
     if (status.drives.survey != survey::SurveyState::Done) {
         return tr("the drives have not been read");
     }
-    if (nothingDiffers(status)) {
-        return tr("every setting is right");
+    if (!status.drives.fixable) {
+        return nothingDiffers(status) ? tr("every setting is right")
+                                      : tr("what differs is for a person to change: select its line");
     }
     return status.drives.switchedOn ? tr("the drives are switched on, press \"Switch drives off\" first") : QString();
 }

@@ -223,17 +223,30 @@ QString ProtectionModel::explanation(int row) const
         .arg(one.key, one.wanted, found.join(QStringLiteral(", ")), reasons.join(QStringLiteral(" / ")));
 }
 
-QString ProtectionModel::changes() const
+QStringList ProtectionModel::changes() const
 {
     QStringList lines;
     for (const Axis axis : kAxes) {
         for (const ProtectionLine& line : m_lines[axisIndex(axis)]) {
-            if (differs(line)) {
-                lines << tr("%1  %2: %3 → %4").arg(shortName(axis), line.key, line.found, line.wanted);
+            if (!line.fix.isEmpty()) {
+                lines << tr("%1  %2: %3 → %4").arg(shortName(axis), line.key, line.found, line.fix);
             }
         }
     }
-    return lines.join(QLatin1Char('\n'));
+    return lines;
+}
+
+QStringList ProtectionModel::leftAlone() const
+{
+    QStringList lines;
+    for (const Axis axis : kAxes) {
+        for (const ProtectionLine& line : m_lines[axisIndex(axis)]) {
+            if (differs(line) && line.fix.isEmpty()) {
+                lines << tr("%1  %2: %3, wanted %4").arg(shortName(axis), line.key, line.found, line.wanted);
+            }
+        }
+    }
+    return lines;
 }
 
 int ProtectionModel::rowCount(const QModelIndex& parent) const

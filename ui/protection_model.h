@@ -5,6 +5,7 @@
 #include "core/units/sky.h"
 
 #include <QAbstractTableModel>
+#include <QStringList>
 
 #include <array>
 #include <optional>
@@ -36,7 +37,8 @@ public:
 
     [[nodiscard]] QString explanation(int row) const;  // the whole values, and why the setting matters
     [[nodiscard]] int count(survey::Verdict verdict) const;
-    [[nodiscard]] QString changes() const;  // what Fix would write, one line each
+    [[nodiscard]] QStringList changes() const;    // what Fix would write, one line each
+    [[nodiscard]] QStringList leftAlone() const;  // what differs and only a person may change
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;

@@ -131,10 +131,16 @@ void ProtectionPanel::showReason()
 
 void ProtectionPanel::fix()
 {
+    const QStringList changes = m_model->changes();
+    QString text = changes.isEmpty() ? tr("What is in force already is kept in the drives' memory. Nothing moves.")
+                                     : changes.join(QLatin1Char('\n')) +
+                                           tr("\n\nWritten, read back, and kept in the drives' memory. Nothing moves.");
+    if (const QStringList left = m_model->leftAlone(); !left.isEmpty()) {
+        text +=
+            tr("\n\nLeft for you, because only the builder of the mount can know it:\n") + left.join(QLatin1Char('\n'));
+    }
     askFirst({.title = tr("Write these settings into the drives?"),
-              .text = m_model->changes() + tr("\n\nThey are written, kept in the drives' memory and read back. Nothing "
-                                              "moves. What only the builder of the mount can know (motor, gear) is "
-                                              "left as it is."),
+              .text = text,
               .act = tr("Write"),
               .request = request::FixDrives{},
               .whyNot = whyNoFix},

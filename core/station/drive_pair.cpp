@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/drive_pair.h"
 
+#include "core/survey/protections.h"
+
 namespace boresight {
 namespace {
-
-// The drive's own planner must never be the slower one: it gets room above what the host's profile asks for.
-constexpr double kGuardFactor = 1.5;
 
 DriveSettings driveSettings(const profile::AxisSettings& axis, const profile::ControlSettings& control)
 {
     return {.id = axis.id,
             .watchdog = control.watchdog,
             .maxTorque = axis.maxTorque,
-            .velocityLimit = abs(axis.geometry.toMotor(axis.limits.speed)) * kGuardFactor,
-            .accelerationLimit = abs(axis.geometry.toMotor(axis.limits.acceleration)) * kGuardFactor};
+            .velocityLimit = abs(axis.geometry.toMotor(axis.limits.speed)) * survey::kLimitGuard,
+            .accelerationLimit = abs(axis.geometry.toMotor(axis.limits.acceleration)) * survey::kLimitGuard};
 }
 
 }  // namespace

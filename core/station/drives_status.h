@@ -31,6 +31,7 @@ struct DrivesStatus
     QString armingObstacle;     // why nothing may move yet; empty when the drives are fit
     bool released = false;      // the bus is left to other tools
     bool switchedOn = false;    // a drive is under our orders: settings can not be written
+    bool fixable = false;       // Fix has something to write or to store
     bool proofRunning = false;  // the crash-stop proof moves the mount
     QString proofText;          // what it does now, or how it ended
     DriveStatus azimuth;

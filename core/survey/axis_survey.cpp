@@ -65,13 +65,8 @@ void AxisSurvey::startReading()
 
 bool AxisSurvey::isFixable() const
 {
-    for (std::size_t i = 0; i < m_lines.size(); ++i) {
-        const bool wrong = m_lines[i].verdict == Verdict::Advised || m_lines[i].verdict == Verdict::Dangerous;
-        if (wrong && m_protections[i].remedy && m_readings[i].state == Reading::State::Read) {
-            return true;
-        }
-    }
-    return !m_fixTrouble.isEmpty();  // at least to be stored
+    const bool unstored = !m_fixTrouble.isEmpty();
+    return unstored || std::ranges::any_of(m_lines, [](const ProtectionLine& line) { return !line.fix.isEmpty(); });
 }
 
 void AxisSurvey::fix()
@@ -81,7 +76,7 @@ void AxisSurvey::fix()
     std::vector<std::string> gets;
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
         const Protection& protection = m_protections[i];
-        if (m_lines[i].verdict == Verdict::Right || !protection.remedy || m_readings[i].state != Reading::State::Read) {
+        if (m_lines[i].fix.isEmpty()) {
             continue;
         }
         m_written.push_back(i);

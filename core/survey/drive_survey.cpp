@@ -58,7 +58,7 @@ Result<> DriveSurvey::fix(SteadyTime)
     if (m_state != SurveyState::Done) {
         return failure(ErrorCode::Busy, "the drives are not read yet");
     }
-    if (std::ranges::none_of(m_sides, [](const Side& side) { return side.drive.isFixable(); })) {
+    if (!isFixable()) {
         return failure(ErrorCode::NotAvailable,
                        "there is nothing that can be written: what is wrong is for a person to "
                        "change, as its line says");
@@ -70,6 +70,11 @@ Result<> DriveSurvey::fix(SteadyTime)
     }
     m_state = SurveyState::Fixing;
     return {};
+}
+
+bool DriveSurvey::isFixable() const
+{
+    return std::ranges::any_of(m_sides, [](const Side& side) { return side.drive.isFixable(); });
 }
 
 void DriveSurvey::setKnownBoards(const KnownBoards& known)
@@ -210,14 +215,18 @@ void DriveSurvey::addProtectionFinding(const Side& side, Verdict verdict)
     }
     const bool dangerous = verdict == Verdict::Dangerous;
     const QString kind = dangerous ? QStringLiteral("dangerous") : QStringLiteral("advised");
-    const QString others = count == 1 ? QString() : QStringLiteral(" (and %1 more %2)").arg(count - 1).arg(kind);
+    const QString judgement = dangerous ? kind : QStringLiteral("worth fixing");
+    const QString drive = axisName(side.axis);
+    const QString head =
+        count == 1 ? QStringLiteral("a setting of the %1 drive is %2").arg(drive, judgement)
+                   : QStringLiteral("%1 settings of the %2 drive are %3, first").arg(count).arg(drive, judgement);
     const auto worst = std::ranges::find(lines, verdict, &ProtectionLine::verdict);
     m_findings.push_back(
         {.cause = QStringLiteral("drives.%1.%2").arg(kind, axisName(side.axis)),
          .weight = dangerous ? FindingWeight::Blocking : FindingWeight::Advice,
-         .what = QStringLiteral("protection of %1: %2%3").arg(axisName(side.axis), lineText(*worst), others),
-         .action = dangerous ? QStringLiteral("nothing is moved") : QStringLiteral("none"),
-         .remedy = QStringLiteral("See the Drives page; Fix writes what can be written.")});
+         .what = head + QStringLiteral(": ") + lineText(*worst),
+         .action = dangerous ? QStringLiteral("nothing is moved") : QStringLiteral("the mount may move all the same"),
+         .remedy = QStringLiteral("See the Protection page; Fix writes what can be written.")});
 }
 
 Result<> DriveSurvey::fitToMove() const

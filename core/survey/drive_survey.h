@@ -46,6 +46,7 @@ public:
     [[nodiscard]] std::vector<CanFrame> frames(SteadyTime now);
     void take(const CanFrame& frame);
 
+    [[nodiscard]] bool isFixable() const;  // there is something that fix() would write or store
     [[nodiscard]] SurveyState state() const { return m_state; }
     [[nodiscard]] QString progress() const;  // what it does, or why it is not done; may be empty
     [[nodiscard]] const std::optional<DriveFacts>& facts(Axis axis) const { return side(axis).facts; }

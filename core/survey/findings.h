@@ -21,6 +21,7 @@ struct ProtectionLine
     QString wanted;  // with its unit: "-0.258 turns"
     QString found;   // empty while unread
     QString reason;  // why it matters, for the operator
+    QString fix;     // what Fix would write, with its unit; empty: it is right, or only a person may change it
     Verdict verdict = Verdict::Unread;
 
     bool operator==(const ProtectionLine&) const = default;

@@ -329,6 +329,9 @@ ProtectionLine judged(const Protection& protection, const Reading& reading)
     if (value && !right && protection.consequence) {
         line.reason = protection.consequence(*value);
     }
+    if (!right && protection.remedy && reading.state == Reading::State::Read) {
+        line.fix = shown(protection, *protection.remedy);
+    }
     return line;
 }
 

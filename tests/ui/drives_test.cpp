@@ -197,6 +197,10 @@ TEST_F(DrivesTest, FixListsWhatItWritesAndWritesOnlyAfterASecondPress)
         QStringLiteral("AZ  servopos.position_min: -0.01 turns (-3.6°) → -0.258333 turns (-93.0°)")));
     EXPECT_TRUE(questionText().contains(QStringLiteral("EL  servo.timeout_mode: 12 → 10 (brake, then hold)")));
     EXPECT_FALSE(questionText().contains(QLatin1String("max_voltage"))) << "it is right already";
+    const QStringList parts = questionText().split(QStringLiteral("Left for you"));
+    ASSERT_EQ(parts.size(), 2);
+    EXPECT_FALSE(parts[0].contains(QLatin1String("rotor_to_output_ratio"))) << "never written by itself";
+    EXPECT_TRUE(parts[1].contains(QLatin1String("rotor_to_output_ratio: 1, wanted 0.00666667")));
     QTest::mouseClick(act("Write"), Qt::LeftButton);
     EXPECT_EQ(asked<request::FixDrives>().size(), 1u);
     give(samples::acceptance(samples::factoryDrives(), requests.back().id));
@@ -211,6 +215,9 @@ TEST_F(DrivesTest, FixNeedsDrivesThatAreReadSwitchedOffAndWrong)
     expectBlocked("Fix …", "the drives are switched on");
     give(samples::update(samples::idle()));
     expectBlocked("Fix …", "every setting is right");
+    status.drives.fixable = false;
+    give(samples::update(status));
+    expectBlocked("Fix …", "what differs is for a person to change");
     status.drives.survey = survey::SurveyState::NotDone;
     give(samples::update(status));
     expectBlocked("Fix …", "the drives have not been read");

@@ -2,6 +2,7 @@
 #include "tests/ui/sample_status.h"
 
 #include <cmath>
+#include <string_view>
 
 namespace boresight::samples {
 
@@ -97,11 +98,13 @@ std::vector<ProtectionLine> protections(Axis axis, bool factory)
     for (const Setting& setting : kSettings) {
         const bool own = axis == Axis::Elevation && setting.wantedElevation != nullptr;
         const QString wanted = QString::fromUtf8(own ? setting.wantedElevation : setting.wanted);
+        const bool byHand = setting.key == std::string_view("motor_position.rotor_to_output_ratio");
         const bool differs = setting.factory != nullptr && (factory || setting.verdict == Verdict::Right);
         lines.push_back({.key = QLatin1String(setting.key),
                          .wanted = wanted,
                          .found = differs ? QString::fromUtf8(setting.factory) : wanted,
                          .reason = QString::fromUtf8(setting.reason),
+                         .fix = differs && setting.verdict != Verdict::Right && !byHand ? wanted : QString(),
                          .verdict = differs ? setting.verdict : Verdict::Right});
     }
     return lines;
@@ -290,6 +293,7 @@ StationStatus factoryDrives()
         one.protections = protections(axis, true);
         one.crashStop.reset();
     }
+    status.drives.fixable = true;
     return status;
 }
 
