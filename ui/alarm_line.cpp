@@ -97,7 +97,7 @@ void AlarmLine::showWorst(const StationStatus& status)
     m_what->setValue(head + QStringLiteral("  ") + worst.what, toneOf(worst.severity), symbolOf(worst.severity));
     QStringList advice{worst.action, worst.remedy};
     advice.removeAll(QString());
-    m_advice->setValue(advice.join(QStringLiteral(" – ")));
+    m_advice->setValue(advice.join(QLatin1Char(' ')));
     QString all;
     for (const Alarm& alarm : status.alarms) {
         all += dateText(alarm.since) + QLatin1Char('\n') + alarm.what + QLatin1Char('\n') + alarm.action +

@@ -1,10 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/alarm_board.h"
 
+#include <QStringList>
+
+#include <algorithm>
+
 namespace boresight {
 namespace {
 
 constexpr int kLinesPerSecond = 4;
+
+bool endsSentence(const QString& text)
+{
+    return text.endsWith(QLatin1Char('.')) || text.endsWith(QLatin1Char('?')) || text.endsWith(QLatin1Char('!'));
+}
+
+// "drives.missing.azimuth" as the source of a line.
+QString spoken(QString cause)
+{
+    return cause.replace(QLatin1Char('.'), QLatin1Char(' '));
+}
+
+// The parts come from many hands: some whole sentences, some not. The name of a device keeps its first letter.
+QString asSentence(const QString& text)
+{
+    if (text.isEmpty()) {
+        return text;
+    }
+    const QString sentence = endsSentence(text) ? text : text + QLatin1Char('.');
+    const auto word = std::ranges::find_if_not(sentence, [](QChar letter) { return letter.isLetter(); });
+    const bool plain = word != sentence.end() && *word == QLatin1Char(' ');
+    return plain ? sentence[0].toUpper() + sentence.sliced(1) : sentence;
+}
 
 }  // namespace
 
@@ -12,18 +39,22 @@ AlarmBoard::AlarmBoard(EventLog& log, const Clock& clock) : m_clock(clock), m_li
 
 void AlarmBoard::raise(const QString& cause, Severity severity, const AlarmText& text)
 {
-    if (m_alarms.raise(cause, severity, text, m_clock.utc())) {
+    const AlarmText whole{
+        .what = asSentence(text.what), .action = asSentence(text.action), .remedy = asSentence(text.remedy)};
+    if (m_alarms.raise(cause, severity, whole, m_clock.utc())) {
         // The line begins with the cause: "azimuth drive: fault 38: …".
         const QString named = cause + QLatin1Char(' ');
-        const QString what = text.what.startsWith(named) ? text.what.sliced(named.size()) : text.what;
-        m_lines.add(severity, cause, what + QStringLiteral(". ") + text.action + QStringLiteral(". ") + text.remedy);
+        QStringList line{text.what.startsWith(named) ? asSentence(text.what.sliced(named.size())) : whole.what,
+                         whole.action, whole.remedy};
+        line.removeAll(QString());
+        m_lines.add(severity, spoken(cause), line.join(QLatin1Char(' ')));
     }
 }
 
 void AlarmBoard::clear(const QString& cause)
 {
     if (m_alarms.clear(cause)) {
-        m_lines.add(Severity::Advisory, cause, QStringLiteral("the alarm is over"));
+        m_lines.add(Severity::Advisory, spoken(cause), QStringLiteral("the alarm is over"));
     }
 }
 

@@ -19,6 +19,16 @@ QString likely(const moteus::FaultText& text)
     return text.cause.empty() ? QString() : QStringLiteral(". Likely: ") + toQString(text.cause);
 }
 
+// Once: some remedies say themselves when.
+QString thenRearm(QString remedy)
+{
+    if (remedy.contains(QLatin1String("re-arm"))) {
+        return remedy;
+    }
+    return remedy +
+           (remedy.endsWith(QLatin1Char('.')) ? QStringLiteral(" Then re-arm") : QStringLiteral(", then re-arm"));
+}
+
 AlarmText fault(const QString& drive, int code)
 {
     if (code == 0) {
@@ -29,7 +39,7 @@ AlarmText fault(const QString& drive, int code)
     const moteus::FaultText text = moteus::faultText(code);
     return {.what = QStringLiteral("%1 fault %2: %3").arg(drive).arg(code).arg(toQString(text.meaning)) + likely(text),
             .action = QStringLiteral("The drive switched its output off; the other axis holds"),
-            .remedy = toQString(text.remedy) + QStringLiteral("; then re-arm")};
+            .remedy = thenRearm(toQString(text.remedy))};
 }
 
 }  // namespace
@@ -85,8 +95,8 @@ AlarmText supervised(const supervision::Observed& observed)
     const bool stopped = observed.weight == supervision::Weight::Stop;
     return {.what = observed.what,
             .action = stopped ? QStringLiteral("Both axes came to rest and hold where they are")
-                              : QStringLiteral("Nothing; the mount goes on"),
-            .remedy = stopped ? observed.remedy + QStringLiteral("; then re-arm") : observed.remedy};
+                              : QStringLiteral("The mount goes on"),
+            .remedy = stopped ? thenRearm(observed.remedy) : observed.remedy};
 }
 
 AlarmText unordered(const QString& drive, moteus::Mode mode)

@@ -74,7 +74,7 @@ std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive)
     const int code = drive.report() ? drive.report()->fault : 0;
     AlarmText text = drive_alarms::lost(drive_alarms::toQString(drive.name()), *loss, code, m_watchdog);
     if (*loss == DriveLoss::Silent && !m_silenceAdvice.isEmpty()) {
-        text.remedy += QStringLiteral(". ") + m_silenceAdvice;
+        text.remedy = m_silenceAdvice + QStringLiteral(" Then re-arm");
     }
     m_alarms.raise(drive_alarms::toQString(drive.name()), Severity::Alarm, text);
     m_supervisor.forgetMotion();
@@ -91,7 +91,7 @@ void DriveWatch::watchSilence(const Drive& drive, const Context& context)
     } else if (context.running > kPatienceAtStart && !m_alarms.active(name)) {
         AlarmText text = drive_alarms::silent(name);
         if (!m_silenceAdvice.isEmpty()) {
-            text.remedy += QStringLiteral(". ") + m_silenceAdvice;
+            text.remedy = m_silenceAdvice;
         }
         m_alarms.raise(name, Severity::Alarm, text);
     }
@@ -145,6 +145,7 @@ std::optional<DriveWatch::Trouble> DriveWatch::supervise(const Drive& drive, con
 {
     const bool visible = drive.report() && drive.report()->position && drive.answering(context.now);
     if (!visible || drive.phase() == Drive::Phase::Referencing) {
+        m_supervisor.forgetReplies();  // a silence has its own alarm
         endHints({});
         return std::nullopt;
     }
@@ -190,6 +191,7 @@ QString DriveWatch::cause(Finding finding) const
 void DriveWatch::forgetMotion()
 {
     m_supervisor.forgetMotion();
+    m_supervisor.forgetReplies();
 }
 
 void DriveWatch::rearmed()

@@ -41,7 +41,8 @@ public:
                                                const Context& context);
     // What to do about a silent bus, when its kind is known.
     void setSilenceAdvice(const QString& advice) { m_silenceAdvice = advice; }
-    // The axis was re-armed, its turn was set, or its drive restarted: what it did before says nothing any more.
+    // The axis was re-armed, its turn was set, its drive restarted, or this computer stalled: what it did before says
+    // nothing any more.
     void forgetMotion();
     void rearmed();
 

@@ -147,11 +147,16 @@ void Station::showBus(const LinkStatus& status)
     if (m_finished || (status.state == LinkState::Closed && status.text.isEmpty())) {
         return;  // closed to be opened again: what was wrong still is
     }
-    const Severity severity = status.state == LinkState::Up ? Severity::Warning : Severity::Alarm;
-    m_control.alarms().raise(kBusCause, severity,
-                             {.what = status.text,
-                              .action = QStringLiteral("The bus is tried again each second"),
-                              .remedy = QStringLiteral("Check adapter, cable and the bus name in the profile")});
+    // The text of the link says itself what to look at.
+    if (status.state == LinkState::Up) {
+        m_control.alarms().raise(kBusCause, Severity::Warning,
+                                 {.what = status.text, .action = QStringLiteral("Boresight goes on using the bus")});
+    } else {
+        m_control.alarms().raise(
+            kBusCause, Severity::Alarm,
+            {.what = status.text,
+             .action = QStringLiteral("Nothing can be commanded; the bus is tried again each second")});
+    }
 }
 
 void Station::openServer()

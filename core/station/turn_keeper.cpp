@@ -128,7 +128,7 @@ void TurnKeeper::ask(Axis axis, const memory::TurnQuestion& question, Drive& dri
     state(axis).reportedWhenAsked = *drive.report()->position;
     QString text = QStringLiteral("the turn of the axis is not known: no pointing until the operator has told it");
     for (const QString& line : question.evidence) {
-        text += QStringLiteral("; ") + line;
+        text += QStringLiteral(". ") + line;
     }
     m_log.add(Severity::Warning, drive_alarms::toQString(drive.name()), text);
 }

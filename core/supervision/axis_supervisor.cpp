@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace boresight::supervision {
 namespace {
@@ -40,8 +41,8 @@ std::vector<Observed> AxisSupervisor::observe(const AxisObservation& seen)
     }
     m_wasEngaged = seen.engaged;
     m_knewTurn = seen.turnKnown;
-    judgeReplies(seen);
     if (seen.fresh) {
+        judgeReplies(seen);
         judgeMotion(seen);
         judgeTorque(seen);
         judgeSupply(seen);
@@ -72,6 +73,12 @@ void AxisSupervisor::forgetMotion()
          {&m_following, &m_stalled, &m_wrongWay, &m_uncommanded, &m_jump, &m_travel, &m_torqueGuard}) {
         watch->forget();
     }
+}
+
+void AxisSupervisor::forgetReplies()
+{
+    m_lastReply.reset();
+    m_replies.forget();
 }
 
 void AxisSupervisor::setSettings(const profile::AxisSettings& limits, const profile::SupervisionSettings& settings)
@@ -190,10 +197,11 @@ void AxisSupervisor::judgeTorque(const AxisObservation& seen)
 
 void AxisSupervisor::judgeReplies(const AxisObservation& seen)
 {
-    const Seconds age = seen.now - seen.received;
+    const Seconds gap = seen.received - std::exchange(m_lastReply, seen.received).value_or(seen.received);
     const double limit = m_settings.replyAge.count();
-    m_replies.update(seen.now, age.count(), {.hint = limit, .release = 0.75 * limit},
-                     [&] { return QStringLiteral("the last reply of %1 drive is %2 old").arg(m_name, words(age)); });
+    m_replies.update(seen.now, gap.count(), {.hint = limit, .release = 0.75 * limit}, [&] {
+        return QStringLiteral("a reply of %1 drive came %2 after the one before").arg(m_name, words(gap));
+    });
 }
 
 void AxisSupervisor::judgeSupply(const AxisObservation& seen)

@@ -31,6 +31,8 @@ public:
     // Call with every re-arm, when the reported angle was changed on purpose (the turn was set) and when the drive was
     // power-cycled: forgets what was commanded and measured before, and what was found in it. Trends go on.
     void forgetMotion();
+    // The drive was silent, which is not the same as late.
+    void forgetReplies();
     // Of the profile, while the mount runs.
     void setSettings(const profile::AxisSettings& limits, const profile::SupervisionSettings& settings);
 
@@ -61,6 +63,7 @@ private:
     profile::AxisSettings m_limits;
     profile::SupervisionSettings m_settings;
 
+    std::optional<SteadyTime> m_lastReply;
     Progress m_progress;
     Standing m_standing;
     JumpGate m_jumpGate;

@@ -44,9 +44,7 @@ QString remedy(Finding finding)
                 "Look for wind, ice or a tight cable; else lower speed and acceleration or check the "
                 "drive's gains.");
         case Finding::Stalled:
-            return QStringLiteral(
-                "Look what blocks the axis: a cable, a lock, ice, a coupling that slips. Free it, "
-                "then re-arm.");
+            return QStringLiteral("Look what blocks the axis: a cable, a lock, ice, a coupling that slips. Free it.");
         case Finding::WrongWay:
             return QStringLiteral(
                 "Do not re-arm before the motor was calibrated again and its phases and the encoder "

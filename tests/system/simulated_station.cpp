@@ -135,7 +135,7 @@ Angle SimulatedStation::farthestFrom(const AxisPosition& place) const
 bool SimulatedStation::alarmSays(const QString& words) const
 {
     return std::ranges::any_of(status().alarms, [&](const Alarm& alarm) {
-        return alarm.what.contains(words) && !alarm.action.isEmpty() && !alarm.remedy.isEmpty();
+        return alarm.what.contains(words, Qt::CaseInsensitive) && !alarm.action.isEmpty() && !alarm.remedy.isEmpty();
     });
 }
 

@@ -46,7 +46,7 @@ public:
     [[nodiscard]] double truth(Axis axis) const { return link->truth(axis).angle.degrees(); }
     [[nodiscard]] AxisPosition truth() const;
     [[nodiscard]] Angle farthestFrom(const AxisPosition& place) const;  // of the worse axis
-    // An active or unacknowledged alarm with all three parts whose `what` contains the words.
+    // An active or unacknowledged alarm with all three parts whose `what` contains the words, in either case.
     [[nodiscard]] bool alarmSays(const QString& words) const;
     [[nodiscard]] bool logSays(const QString& words);
 

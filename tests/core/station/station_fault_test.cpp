@@ -24,10 +24,10 @@ TEST(StationControl, AFaultOnOneAxisHoldsTheOtherAndWaitsForRearm)
     EXPECT_EQ(rig.state(), StationState::Fault);
     const StationStatus status = rig.control.status();
     ASSERT_FALSE(status.alarms.empty());
-    EXPECT_TRUE(status.alarms.front().what.startsWith(QStringLiteral("azimuth drive fault 38")));
+    EXPECT_TRUE(status.alarms.front().what.startsWith(QStringLiteral("Azimuth drive fault 38")));
     const auto lines = rig.log.since(0, 100);
     EXPECT_TRUE(std::ranges::any_of(lines, [](const LogEntry& line) {
-        return line.source == QStringLiteral("azimuth drive") && line.text.startsWith(QStringLiteral("fault 38: "));
+        return line.source == QStringLiteral("azimuth drive") && line.text.startsWith(QStringLiteral("Fault 38: "));
     })) << "the name is the source already";
     EXPECT_EQ(status.azimuth.state, AxisState::Fault);
     EXPECT_EQ(rig.elevation.mode, Mode::Position);
