@@ -55,7 +55,12 @@ QString detailText(const AxisStatus& axis, bool turnKnown)
 // A place on an unknown turn must not look like a known one, and takes no more room.
 QString actualText(Angle angle, bool turnKnown)
 {
-    return turnKnown ? angleText(angle) : angleText(angle, 1) + QLatin1Char('?');
+    constexpr qsizetype kRoom = 7;  // "000.00°"
+    if (turnKnown) {
+        return angleText(angle);
+    }
+    const QString text = angleText(angle, 1) + QLatin1Char('?');
+    return text.size() <= kRoom ? text : angleText(angle, 0) + QLatin1Char('?');
 }
 
 QString line(const QString& what, const std::optional<double>& value, const char* format)

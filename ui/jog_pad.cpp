@@ -11,6 +11,8 @@
 #include <QKeyEvent>
 #include <QPainter>
 
+#include <algorithm>
+
 namespace boresight::ui {
 
 namespace {
@@ -90,7 +92,11 @@ void JogPad::connectButton(JogDirection direction)
 
 void JogPad::press(JogDirection direction, bool oneStep)
 {
-    if (!whyNoJog(m_status, direction).isEmpty()) {
+    const QString reason = oneStep ? whyNoStep(m_status, direction) : whyNoJog(m_status, direction);
+    if (!reason.isEmpty()) {
+        if (oneStep) {  // the button does not look as if it could not: it would jog
+            m_notice.setValue(tr("Step: %1").arg(reason), Tone::Warning, Symbol::Warning);
+        }
         return;
     }
     m_notice.setValue({});
@@ -159,7 +165,7 @@ void JogPad::showStatus(const StationStatus& status)
 {
     m_status = status;
     for (const auto& [direction, button] : m_buttons) {
-        const QString reason = whyNoJog(status, direction);
+        const QString reason = m_stepMode ? whyNoStep(status, direction) : whyNoJog(status, direction);
         button->setBlocked(reason);
         if (!reason.isEmpty()) {
             m_deadMan.letGo(direction);
@@ -189,8 +195,9 @@ void JogPad::setStepMode(bool on)
 void JogPad::applyRate()
 {
     const bool known = areTurnsKnown(m_status);  // else the end of the cable may be near
-    const JogRate rate = !known ? JogRate::Slow : m_shift ? JogRate::Fast : m_rate;
-    m_deadMan.setRate(rate == JogRate::Slow     ? m_settings.slow
+    const JogRate rate = m_shift ? JogRate::Fast : m_rate;
+    m_deadMan.setRate(!known                    ? std::min(m_settings.slow, m_settings.unwind)
+                      : rate == JogRate::Slow   ? m_settings.slow
                       : rate == JogRate::Normal ? m_settings.normal
                                                 : m_settings.fast);
 }

@@ -90,6 +90,12 @@ QString whyNoJog(const StationStatus& status, JogDirection direction)
     return {};
 }
 
+QString whyNoStep(const StationStatus& status, JogDirection direction)
+{
+    const QString reason = whyNoPointing(status);
+    return reason.isEmpty() ? whyNoJog(status, direction) : reason;
+}
+
 bool isMoving(const StationStatus& status)
 {
     switch (status.state) {

@@ -20,6 +20,7 @@ enum class JogDirection
 [[nodiscard]] QString whyNoMotion(const StationStatus& status);
 [[nodiscard]] QString whyNoPointing(const StationStatus& status);  // to an angle: needs the turn of both axes
 [[nodiscard]] QString whyNoJog(const StationStatus& status, JogDirection direction);  // at a limit: the way on
+[[nodiscard]] QString whyNoStep(const StationStatus& status, JogDirection direction);
 [[nodiscard]] bool isMoving(const StationStatus& status);
 
 }  // namespace boresight::ui

@@ -20,7 +20,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, const WindowSettings
       m_log(new LogPanel(this)),
       m_drives(new DrivesPanel(desk, this)),
       m_protection(new ProtectionPanel(desk, this)),
-      m_turn(new TurnPage(desk, settings.slow, this))
+      m_turn(new TurnPage(desk, settings.unwind, this))
 {
     setFont(fonts::label());
     setAccessibleName(tr("Panels"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/unwind_buttons.h"
 
+#include "ui/format.h"
 #include "ui/jog_button.h"
 #include "ui/request_desk.h"
 #include "ui/value_label.h"
@@ -9,17 +10,18 @@
 
 namespace boresight::ui {
 
-UnwindButtons::UnwindButtons(RequestDesk& desk, ValueLabel& notice, AngularRate slow, QWidget* parent)
+UnwindButtons::UnwindButtons(RequestDesk& desk, ValueLabel& notice, AngularRate rate, QWidget* parent)
     : QWidget(parent), m_desk(desk), m_notice(notice)
 {
     auto* const row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
-    addButton(JogDirection::Left, tr("Unwind ↺\n(hold)"), tr("Turn slowly counter-clockwise while held"));
-    addButton(JogDirection::Right, tr("Unwind ↻\n(hold)"), tr("Turn slowly clockwise while held"));
-    addButton(JogDirection::Down, tr("Lower ↓\n(hold)"), tr("Lower slowly while held"));
-    addButton(JogDirection::Up, tr("Raise ↑\n(hold)"), tr("Raise slowly while held"));
-    m_deadMan.setRate(slow);
+    addButton(JogDirection::Left, tr("Unwind ↺\n(hold)"),
+              tr("Turn counter-clockwise at %1 while held").arg(rateText(rate)));
+    addButton(JogDirection::Right, tr("Unwind ↻\n(hold)"), tr("Turn clockwise at %1 while held").arg(rateText(rate)));
+    addButton(JogDirection::Down, tr("Lower ↓\n(hold)"), tr("Lower at %1 while held").arg(rateText(rate)));
+    addButton(JogDirection::Up, tr("Raise ↑\n(hold)"), tr("Raise at %1 while held").arg(rateText(rate)));
+    m_deadMan.setRate(rate);
     connect(&m_deadMan, &DeadMan::jog, this, &UnwindButtons::send);
     setAxis(Axis::Azimuth);
 }
@@ -29,7 +31,10 @@ void UnwindButtons::addButton(JogDirection direction, const QString& text, const
     auto* const button = new JogButton(text, help, this);
     m_buttons[direction] = button;
     layout()->addWidget(button);
-    connect(button, &JogButton::holdBegan, this, [this, direction] { m_deadMan.hold(direction); });
+    connect(button, &JogButton::holdBegan, this, [this, direction] {
+        m_notice.setValue({});
+        m_deadMan.hold(direction);
+    });
     connect(button, &JogButton::holdEnded, this, [this, direction] { m_deadMan.letGo(direction); });
 }
 

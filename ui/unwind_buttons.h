@@ -21,7 +21,7 @@ class UnwindButtons : public QWidget
     Q_OBJECT
 
 public:
-    UnwindButtons(RequestDesk& desk, ValueLabel& notice, AngularRate slow, QWidget* parent = nullptr);
+    UnwindButtons(RequestDesk& desk, ValueLabel& notice, AngularRate rate, QWidget* parent = nullptr);
 
     void setAxis(Axis axis);
     void showStatus(const StationStatus& status);

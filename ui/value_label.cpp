@@ -112,6 +112,27 @@ QRect ValueLabel::textRect() const
     return rect().adjusted(margin + (m_symbol == Symbol::None ? 0 : symbolRoom()), 0, -margin, 0);
 }
 
+// What there is room for; the whole is in the tooltip.
+QString ValueLabel::fitted(QSize room, int flags) const
+{
+    if (m_lines == 1) {
+        return fontMetrics().elidedText(m_text, Qt::ElideRight, room.width());
+    }
+    const auto fits = [&](const QString& text) {
+        return fontMetrics().boundingRect(QRect(0, 0, room.width(), QWIDGETSIZE_MAX), flags, text).height() <=
+               room.height();
+    };
+    if (fits(m_text)) {
+        return m_text;
+    }
+    qsizetype least = 0;
+    for (qsizetype most = m_text.size(); most - least > 1;) {
+        const qsizetype middle = (least + most) / 2;
+        (fits(m_text.left(middle) + QStringLiteral("…")) ? least : most) = middle;
+    }
+    return m_text.left(least) + QStringLiteral("…");
+}
+
 void ValueLabel::paintEvent(QPaintEvent*)
 {
     if (m_text.isEmpty()) {
@@ -121,7 +142,7 @@ void ValueLabel::paintEvent(QPaintEvent*)
     const QColor colour = currentTheme().colour(m_tone);
     const QRect room = textRect();
     const int flags = int(m_alignment) | (m_lines > 1 ? int(Qt::TextWordWrap) : int(Qt::TextSingleLine));
-    const QString shown = m_lines > 1 ? m_text : fontMetrics().elidedText(m_text, Qt::ElideRight, room.width());
+    const QString shown = fitted(room.size(), flags);
     if (m_symbol != Symbol::None && m_symbolShown) {
         const QRect used = fontMetrics().boundingRect(room, flags, shown);
         const double size = symbolSize();

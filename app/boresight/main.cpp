@@ -33,6 +33,7 @@ ui::WindowSettings windowSettings(const profile::Profile& profile, const QSettin
     return {.slow = profile.jog.slow,
             .normal = profile.jog.normal,
             .fast = profile.jog.fast,
+            .unwind = profile.jog.unwind,
             .park = profile.park,
             .beamWidth = profile.mount.beamWidth,
             .theme = static_cast<ui::ThemeKind>(layout.value(kThemeKey, 0).toInt())};

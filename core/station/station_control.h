@@ -157,6 +157,7 @@ private:
     [[nodiscard]] AxisState axisState(Axis axis) const;
     [[nodiscard]] bool atTravelEnd(Axis axis) const;
     [[nodiscard]] DrivesStatus drivesStatus() const;
+    [[nodiscard]] std::optional<memory::TurnQuestion> turnQuestion(Axis axis) const;
     [[nodiscard]] DriveStatus driveStatus(Axis axis) const;
     [[nodiscard]] DriveWatch& watchOf(Axis axis) { return axis == Axis::Azimuth ? m_azimuthWatch : m_elevationWatch; }
     [[nodiscard]] const std::optional<survey::DriveFacts>& facts(Axis axis) const { return m_facts[index(axis)]; }

@@ -125,11 +125,18 @@ AxisStatus StationControl::axisStatus(Axis axis) const
     return status;
 }
 
+// Not of a drive whose gear or protections are wrong: that comes first, and what it reports may mean nothing.
+std::optional<memory::TurnQuestion> StationControl::turnQuestion(Axis axis) const
+{
+    const bool readable = m_fitness || m_fitness.error().code == ErrorCode::Busy;
+    return readable ? m_turns.question(axis, m_drives.drive(axis)) : std::nullopt;
+}
+
 DriveStatus StationControl::driveStatus(Axis axis) const
 {
     return {.id = axis == Axis::Azimuth ? m_profile.azimuth.id : m_profile.elevation.id,
             .turnKnown = m_turns.known(axis),
-            .turnQuestion = m_turns.question(axis, m_drives.drive(axis)),
+            .turnQuestion = turnQuestion(axis),
             .crashStop = m_turns.memory().crashStops[index(axis)]};
 }
 

@@ -112,7 +112,7 @@ void StationControl::keepTurns()
         if (!std::exchange(m_answered[index(axis)], answering) && answering) {
             m_turns.forget(axis);  // who was silent may come back as another
         }
-        if (answering && facts(axis)) {
+        if (answering && facts(axis) && !m_released) {  // or it would be judged before the other tool had it
             m_turns.judge(axis, *facts(axis), drive, m_now);
             const bool moving = drive.phase() != Drive::Phase::Listening && !m_motion.atRest();
             m_turns.note(axis, *facts(axis), drive, moving, m_now);
@@ -130,15 +130,14 @@ void StationControl::keepTurns()
 void StationControl::tellTurns()
 {
     for (const Axis axis : kAxes) {
-        const Drive& drive = m_drives.drive(axis);
-        const QString name = drive_alarms::toQString(drive.name());
+        const QString name = drive_alarms::toQString(m_drives.drive(axis).name());
         const QString cause = name + QStringLiteral(" turn");
-        const auto question = m_turns.question(axis, drive);
+        const auto question = turnQuestion(axis);
         if (!question) {
             m_alarms.clear(cause);
         } else if (!m_alarms.active(cause)) {
-            m_alarms.raise(cause, Severity::Alarm,
-                           {.what = QStringLiteral("%1: it is not known on which turn the axis stands").arg(name),
+            m_alarms.raise(cause, Severity::Warning,
+                           {.what = QStringLiteral("it is not known on which turn the axis of the %1 stands").arg(name),
                             .action = QStringLiteral("Pointing is refused, clients get no position; slow jogging only"),
                             .remedy = QStringLiteral("Look at the mount and its cable, then tell where it stands")});
         }

@@ -2,6 +2,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/cable_bar.h"
 #include "ui/command_button.h"
+#include "ui/jog_pad.h"
 #include "ui/sky_markers.h"
 #include "ui/stop_button.h"
 #include "ui/turn_choice.h"
@@ -187,20 +188,20 @@ TEST_F(TurnTest, ARefusalStandsBelowTheButton)
     EXPECT_TRUE(shown);
 }
 
-TEST_F(TurnTest, UnwindingIsADeadManAtTheSlowRate)
+TEST_F(TurnTest, UnwindingIsADeadManAtItsOwnRate)
 {
     give(samples::update(fewPlaces()));
-    auto* const back = named<QPushButton>("Turn slowly counter-clockwise while held");
+    auto* const back = named<QPushButton>("Turn counter-clockwise at 1.0°/s while held");
     QTest::mousePress(back, Qt::LeftButton);
     ASSERT_TRUE(QTest::qWaitFor([this] { return asked<request::Jog>().size() >= 4; }, 2000));
-    EXPECT_EQ(asked<request::Jog>().back().rates, (AxisRates{-0.5_deg_s, 0_deg_s}));
+    EXPECT_EQ(asked<request::Jog>().back().rates, (AxisRates{-1_deg_s, 0_deg_s}));
     QTest::mouseRelease(back, Qt::LeftButton);
     EXPECT_EQ(asked<request::Jog>().back().rates, AxisRates{});
-    EXPECT_FALSE(named<QPushButton>("Raise slowly while held")->isVisible());
+    EXPECT_FALSE(named<QPushButton>("Raise at 1.0°/s while held")->isVisible());
 
     give(samples::update(samples::asking(Axis::Elevation, 3, 30_deg, false)));
-    QTest::mousePress(named<QPushButton>("Raise slowly while held"), Qt::LeftButton);
-    EXPECT_EQ(asked<request::Jog>().back().rates, (AxisRates{0_deg_s, 0.5_deg_s}));
+    QTest::mousePress(named<QPushButton>("Raise at 1.0°/s while held"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::Jog>().back().rates, (AxisRates{0_deg_s, 1_deg_s}));
     QTest::keyClick(&window, Qt::Key_1, Qt::ControlModifier);
     EXPECT_EQ(asked<request::Jog>().back().rates, AxisRates{}) << "leaving the page lets go";
 }
@@ -208,7 +209,7 @@ TEST_F(TurnTest, UnwindingIsADeadManAtTheSlowRate)
 TEST_F(TurnTest, UnwindingEndsWithThePermissionAndWithARefusal)
 {
     give(samples::update(fewPlaces()));
-    auto* const forth = named<QPushButton>("Turn slowly clockwise while held");
+    auto* const forth = named<QPushButton>("Turn clockwise at 1.0°/s while held");
     QTest::mousePress(forth, Qt::LeftButton);
     StationStatus stopped = fewPlaces();
     stopped.state = StationState::Stopped;
@@ -280,12 +281,33 @@ TEST_F(TurnTest, GoToIsDisabledAndJoggingIsSlow)
     EXPECT_TRUE(named<QAbstractButton>("Normal: jog at 2.0°/s")->isChecked()) << "the chosen rate comes back";
 }
 
+TEST_F(TurnTest, AStepIsAPointingAndNotOfferedOnAnUnknownTurn)
+{
+    give(samples::update(fewPlaces()));
+    QTest::keyClick(&window, Qt::Key_1, Qt::ControlModifier);
+    auto* const right = named<QPushButton>("Azimuth clockwise while held");
+    EXPECT_TRUE(right->isEnabled()) << "jogging is how the cable is unwound";
+    auto* const pad = window.findChild<JogPad*>();
+    ASSERT_NE(pad, nullptr);
+    pad->setFocus();
+    QTest::keyClick(pad, Qt::Key_Return);
+    QTest::keyClick(pad, Qt::Key_Right, Qt::ControlModifier);
+    EXPECT_TRUE(asked<request::Step>().empty());
+    pad->setStepMode(true);
+    give(samples::update(fewPlaces()));
+    EXPECT_FALSE(right->isEnabled());
+    EXPECT_TRUE(right->toolTip().contains(QStringLiteral("which turn the azimuth is on is not known")))
+        << right->toolTip().toStdString();
+    give(samples::update(samples::idle()));
+    EXPECT_TRUE(right->isEnabled());
+}
+
 TEST_F(TurnTest, ALimitOfAnUnknownTurnBlocksNoWay)
 {
     StationStatus status = fewPlaces();
     status.azimuth.actual = status.azimuth.travel.max;
     give(samples::update(status));
-    EXPECT_TRUE(named<QPushButton>("Turn slowly clockwise while held")->isEnabled());
+    EXPECT_TRUE(named<QPushButton>("Turn clockwise at 1.0°/s while held")->isEnabled());
 }
 
 memory::TurnQuestion question(std::vector<Angle> candidates, std::optional<Angle> proposed = {})

@@ -36,6 +36,7 @@ protected:
         settings.slow = 0.5_deg_s;
         settings.normal = 2_deg_s;
         settings.fast = 6_deg_s;
+        settings.unwind = 1_deg_s;
         return settings;
     }
 
