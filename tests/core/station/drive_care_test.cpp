@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The survey of the drives and the control of motion together, on drives with consoles of their own.
+#include "core/station/drive_care.h"
+
+#include "core/sim/simulated_pair.h"
+#include "tests/fakes/manual_clock.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <deque>
+
+namespace boresight {
+namespace {
+
+using survey::SurveyState;
+using survey::Verdict;
+using ::testing::HasSubstr;
+
+const Source kOperator{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
+constexpr Seconds kTick{0.02};
+
+struct CareRig
+{
+    explicit CareRig(const sim::PairSettings& settings = sim::commissionedPair()) : pair(settings) {}
+
+    void tick()
+    {
+        const auto motion = control.tick();
+        std::vector<CanFrame> frames(motion.begin(), motion.end());
+        std::ranges::copy(care.tick(clock.now()), std::back_inserter(frames));
+        sent = 0;
+        if (linkOpen) {
+            sent = frames.size();
+            for (const CanFrame& frame : frames) {
+                std::ranges::copy(pair.exchange(frame, elapsed), std::back_inserter(underWay));
+            }
+        }
+        surveyed = surveyed || frames.size() > motion.size();
+        clock.advance(kTick);
+        elapsed += kTick;
+        pair.advanceTo(elapsed);
+        deliver();
+    }
+
+    void run(Seconds time)
+    {
+        for (const Seconds end = elapsed + time; elapsed < end;) {
+            tick();
+        }
+    }
+
+    bool reaches(SurveyState state, Seconds within = Seconds(12.0))
+    {
+        for (const Seconds end = elapsed + within; elapsed < end && drives().survey != state;) {
+            tick();
+        }
+        return drives().survey == state;
+    }
+
+    [[nodiscard]] DrivesStatus drives() const
+    {
+        DrivesStatus status = control.status().drives;
+        care.fill(status);
+        return status;
+    }
+
+    // As the station does it; empty when accepted.
+    std::string ask(const Request& request)
+    {
+        const Result<> answer =
+            control.request(request, kOperator).and_then([&] { return care.carryOut(request, clock.now()); });
+        return answer ? std::string() : answer.error().text;
+    }
+
+    void otherToolSays(Axis axis, const std::string& command)
+    {
+        const std::string text = command + '\n';
+        pair.drive(axis).receiveText(1, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    }
+
+    [[nodiscard]] bool alarm(const char* words) const
+    {
+        return std::ranges::any_of(control.status().alarms, [&](const Alarm& one) {
+            return one.active && one.what.contains(QString::fromUtf8(words));
+        });
+    }
+
+    [[nodiscard]] bool logSays(const char* words) const
+    {
+        return std::ranges::any_of(log.since(0, EventLog::kCapacity),
+                                   [&](const LogEntry& line) { return line.text.contains(QString::fromUtf8(words)); });
+    }
+
+    fakes::ManualClock clock;
+    EventLog log{clock};
+    profile::Profile profile;
+    StationControl control{profile, clock, log, {.trustFirstContact = true}};
+    DriveCare care{profile, control, log};
+    sim::SimulatedPair pair;
+    Seconds elapsed{0.0};
+    bool linkOpen = true;
+    std::size_t sent = 0;   // frames in the last tick
+    bool surveyed = false;  // DriveCare has sent something
+
+private:
+    void deliver()
+    {
+        std::deque<sim::PairReply> later;
+        for (const sim::PairReply& reply : underWay) {
+            if (reply.due > elapsed) {
+                later.push_back(reply);
+                continue;
+            }
+            CanFrame frame = reply.frame;
+            frame.received = clock.now();
+            control.take(frame);
+            care.take(frame);
+        }
+        underWay = std::move(later);
+    }
+
+    std::deque<sim::PairReply> underWay;
+};
+
+const Request kGo = request::PointAxes{{.azimuth = 30_deg, .elevation = 30_deg}};
+
+sim::PairSettings dampingElevation()
+{
+    sim::PairSettings pair = sim::commissionedPair();
+    pair.elevation.config.servo.timeoutMode = 12;
+    return pair;
+}
+
+TEST(DriveCare, NothingMovesBeforeTheDrivesWereSurveyed)
+{
+    CareRig rig;
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.drives().survey, SurveyState::Running) << "by itself, as soon as they answer";
+    EXPECT_THAT(rig.ask(kGo), HasSubstr("being surveyed"));
+    EXPECT_THAT(rig.drives().armingObstacle.toStdString(), HasSubstr("being surveyed"));
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    rig.run(Seconds(0.2));
+    EXPECT_TRUE(rig.drives().armingObstacle.isEmpty()) << rig.drives().armingObstacle.toStdString();
+    EXPECT_EQ(rig.ask(kGo), "");
+    rig.run(Seconds(20.0));
+    EXPECT_NEAR(rig.pair.truth(Axis::Azimuth).angle.degrees(), 30.0, 0.2);
+}
+
+TEST(DriveCare, AWrongProtectionRefusesMotionWithTheReasonAndAnAlarm)
+{
+    CareRig rig(dampingElevation());
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    rig.run(Seconds(0.2));
+    EXPECT_THAT(rig.ask(kGo), HasSubstr("servo.timeout_mode is 12"));
+    EXPECT_THAT(rig.ask(request::Jog{{.elevation = 1_deg_s}}), HasSubstr("servo.timeout_mode"));
+    EXPECT_TRUE(rig.alarm("servo.timeout_mode is 12"));
+    rig.run(Seconds(2.0));
+    EXPECT_NEAR(rig.pair.truth(Axis::Elevation).angle.degrees(), 10.0, 0.1);
+}
+
+TEST(DriveCare, FixingMakesTheDrivesFitAndEndsTheAlarm)
+{
+    CareRig rig(dampingElevation());
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.drives().fixable);
+    const auto lines = rig.drives().elevation.protections;
+    const auto wrong = std::ranges::find(lines, QStringLiteral("servo.timeout_mode"), &survey::ProtectionLine::key);
+    ASSERT_NE(wrong, lines.end());
+    EXPECT_EQ(wrong->verdict, Verdict::Dangerous);
+    EXPECT_EQ(wrong->fix, QStringLiteral("10")) << "the screen lists it before it is written";
+    ASSERT_EQ(rig.ask(request::FixDrives{}), "");
+    EXPECT_EQ(rig.drives().survey, SurveyState::Fixing);
+    EXPECT_NE(rig.ask(kGo), "");
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    rig.run(Seconds(0.2));
+    EXPECT_EQ(rig.pair.drive(Axis::Elevation).driveConfig().servo.timeoutMode, 10);
+    EXPECT_FALSE(rig.alarm("servo.timeout_mode"));
+    EXPECT_FALSE(rig.drives().fixable);
+    EXPECT_EQ(rig.ask(kGo), "");
+}
+
+// A drive that is written while it is active lets its axis go (fault 41).
+TEST(DriveCare, NothingIsWrittenWhileADriveIsSwitchedOn)
+{
+    CareRig rig;
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    rig.run(Seconds(0.2));
+    ASSERT_EQ(rig.ask(kGo), "");
+    rig.run(Seconds(20.0));
+    rig.otherToolSays(Axis::Elevation, "conf set servo.default_timeout_s 1");
+    EXPECT_THAT(rig.ask(request::FixDrives{}), HasSubstr("switched on"));
+    ASSERT_EQ(rig.ask(request::ReadDrives{}), "");
+    rig.tick();
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    rig.run(Seconds(0.2));
+    EXPECT_TRUE(rig.alarm("servo.default_timeout_s is 1 s"));
+    EXPECT_THAT(rig.ask(request::FixDrives{}), HasSubstr("switched on"));
+    EXPECT_EQ(rig.pair.truth(Axis::Elevation).mode, moteus::Mode::Position) << "the reading has not disturbed it";
+    ASSERT_EQ(rig.ask(request::SwitchOff{}), "");
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.ask(request::FixDrives{}), "");
+    rig.tick();
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    EXPECT_EQ(rig.pair.drive(Axis::Elevation).driveConfig().servo.defaultTimeout, 0.1);
+}
+
+TEST(DriveCare, ADriveThatLostItsPowerIsSurveyedAndItsTurnJudgedAnew)
+{
+    CareRig rig;
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    rig.run(Seconds(0.2));
+    ASSERT_EQ(rig.ask(kGo), "");
+    rig.run(Seconds(20.0));
+    rig.pair.faults().add({.kind = sim::FaultKind::PowerLoss, .at = rig.elapsed, .duration = Seconds(2.0)});
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.drives().survey, SurveyState::NotDone) << "who comes back may be another";
+    rig.run(Seconds(1.5));
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    rig.run(Seconds(0.2));
+    for (const DriveStatus& drive : {rig.drives().azimuth, rig.drives().elevation}) {
+        EXPECT_FALSE(drive.turnKnown);
+        ASSERT_TRUE(drive.turnQuestion);
+        EXPECT_FALSE(drive.turnQuestion->evidence.empty());
+    }
+    EXPECT_TRUE(rig.alarm("not known on which turn"));
+}
+
+TEST(DriveCare, OnAReleasedBusNothingIsSaidAndChangesAreToldAfterwards)
+{
+    CareRig rig;
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    rig.run(Seconds(0.2));
+    ASSERT_EQ(rig.ask(request::ReleaseBus{}), "");
+    rig.linkOpen = false;
+    rig.surveyed = false;
+    rig.run(Seconds(5.0));
+    EXPECT_FALSE(rig.surveyed);
+    EXPECT_THAT(rig.ask(kGo), HasSubstr("left to other tools"));
+    for (const Alarm& alarm : rig.control.status().alarms) {
+        EXPECT_FALSE(alarm.active) << "a silence that was asked for is no alarm: " << alarm.what.toStdString();
+    }
+    rig.otherToolSays(Axis::Azimuth, "conf set servo.timeout_mode 12");
+    ASSERT_EQ(rig.ask(request::TakeBus{}), "");
+    rig.linkOpen = true;
+    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    rig.run(Seconds(0.2));
+    EXPECT_TRUE(rig.logSays("changed meanwhile: azimuth: servo.timeout_mode was 10, is 12"));
+    EXPECT_THAT(rig.ask(kGo), HasSubstr("servo.timeout_mode is 12"));
+}
+
+}  // namespace
+}  // namespace boresight

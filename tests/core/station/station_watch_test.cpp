@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a drive does not tell by itself: it stalls, jumps or runs away, and says that all is well.
+#include "tests/core/station/station_rig.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace boresight {
+namespace {
+
+using ::testing::HasSubstr;
+
+// A mount whose azimuth drive reports what the test makes of it, between two ticks.
+struct WatchRig : StationRig
+{
+    WatchRig()
+    {
+        run(Seconds(0.5));
+        EXPECT_TRUE(ask(request::PointAxes{{100_deg, 45_deg}}));
+        settle();
+    }
+
+    // Until the station has stopped the mount; the time that took.
+    Seconds untilFault(const std::function<void()>& spoil, Seconds limit = Seconds(5.0))
+    {
+        Seconds time{0.0};
+        for (; time < limit && state() != StationState::Fault; time += kTick) {
+            tick();
+            spoil();
+        }
+        EXPECT_EQ(state(), StationState::Fault);
+        return time;
+    }
+
+    // The alarm with all its parts; empty if there is none.
+    [[nodiscard]] std::string alarm(const char* words) const
+    {
+        for (const Alarm& one : control.status().alarms) {
+            if (one.what.contains(QString::fromUtf8(words))) {
+                return (one.what + QLatin1Char(' ') + one.action + QLatin1Char(' ') + one.remedy).toStdString();
+            }
+        }
+        return {};
+    }
+
+    void expectStoppedAndRearmable()
+    {
+        run(Seconds(2.0));
+        const AxisStatus axis = control.status().azimuth;
+        ASSERT_TRUE(axis.commanded);
+        EXPECT_NEAR(axis.commanded->degrees(), axis.actual->degrees(), 0.01) << "it is not pulled to the old target";
+        EXPECT_EQ(point(10.0, 10.0, kOperator).error().code, ErrorCode::Refused);
+        ASSERT_TRUE(ask(request::Rearm{}));
+        run(Seconds(1.0));
+        EXPECT_EQ(state(), StationState::Standby) << control.status().stateReason.toStdString();
+    }
+};
+
+TEST(StationWatch, AStalledAxisStopsTheMountWithinASecond)
+{
+    WatchRig rig;
+    ASSERT_TRUE(rig.ask(request::PointAxes{{200_deg, 45_deg}}));
+    rig.run(Seconds(3.0));
+    const double stuck = rig.azimuth.position;
+    const Seconds time = rig.untilFault([&] { rig.azimuth.position = stuck; });
+    EXPECT_LE(time, Seconds(1.1));
+    const std::string said = rig.alarm("The azimuth");
+    EXPECT_THAT(said, HasSubstr("Both axes came to rest and hold where they are."));
+    EXPECT_THAT(said, HasSubstr("re-arm."));
+    rig.run(Seconds(0.5));
+    rig.expectStoppedAndRearmable();
+    ASSERT_TRUE(rig.ask(request::PointAxes{{110_deg, 45_deg}})) << "free again";
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 110.0, 0.01);
+}
+
+TEST(StationWatch, AnAxisThatRunsAwayFromItsPlaceStopsTheMount)
+{
+    WatchRig rig;
+    const double held = rig.azimuth.position;
+    int ticks = 0;
+    // 3°/s, whatever it is told.
+    const Seconds time =
+        rig.untilFault([&] { rig.azimuth.position = held + ++ticks * (3.0 * StationRig::kTick.count() / 360.0); });
+    EXPECT_LE(time, Seconds(1.7));
+    EXPECT_THAT(rig.control.status().stateReason.toStdString(), HasSubstr("azimuth"));
+    EXPECT_TRUE(rig.control.status().drives.azimuth.turnKnown) << "it was seen all the way";
+    rig.expectStoppedAndRearmable();
+}
+
+TEST(StationWatch, AJumpOfTheEncoderStopsTheMountAndMakesTheTurnUnknown)
+{
+    WatchRig rig;
+    ASSERT_TRUE(rig.ask(request::PointAxes{{200_deg, 45_deg}}));
+    rig.run(Seconds(3.0));
+    const double before = rig.azimuth.position;
+    const Seconds time = rig.untilFault([&] { rig.azimuth.position = before + 0.1; });
+    EXPECT_LE(time, Seconds(0.2));
+    EXPECT_THAT(rig.alarm("jumped by"), HasSubstr("more than the axis can turn"));
+    EXPECT_THAT(rig.control.status().stateReason.toStdString(), HasSubstr("jumped"));
+    rig.run(Seconds(1.0));
+    EXPECT_TRUE(rig.ask(request::Rearm{}));
+    rig.run(Seconds(0.5));
+    const DriveStatus drive = rig.control.status().drives.azimuth;
+    EXPECT_FALSE(drive.turnKnown);
+    EXPECT_TRUE(drive.turnQuestion);
+    EXPECT_TRUE(rig.control.status().drives.elevation.turnKnown);
+}
+
+TEST(StationWatch, ASilenceIsNotToldAsLateRepliesToo)
+{
+    WatchRig rig;
+    rig.azimuth.silent = rig.elevation.silent = true;
+    rig.run(Seconds(1.0));
+    rig.azimuth.silent = rig.elevation.silent = false;
+    rig.run(Seconds(2.0));
+    for (const LogEntry& line : rig.log.since(0, EventLog::kCapacity)) {
+        EXPECT_FALSE(line.text.contains(QLatin1String("after the one before"))) << line.text.toStdString();
+    }
+    EXPECT_FALSE(rig.alarm("No reply from the azimuth drive").empty());
+    rig.azimuth.silent = true;
+    rig.run(Seconds(0.16));
+    rig.azimuth.silent = false;
+    rig.run(Seconds(0.1));
+    EXPECT_THAT(rig.alarm("after the one before"), HasSubstr("The mount goes on."));
+}
+
+}  // namespace
+}  // namespace boresight
