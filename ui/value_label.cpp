@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include <algorithm>
 #include <cmath>
 
 namespace boresight::ui {
@@ -120,7 +121,7 @@ QString ValueLabel::fitted(QSize room, int flags) const
     }
     const auto fits = [&](const QString& text) {
         return fontMetrics().boundingRect(QRect(0, 0, room.width(), QWIDGETSIZE_MAX), flags, text).height() <=
-               room.height();
+               std::max(room.height(), linesHeight());
     };
     if (fits(m_text)) {
         return m_text;

@@ -66,7 +66,7 @@ AlarmText lost(const QString& drive, DriveLoss loss, int faultCode, Seconds watc
             return fault(drive, faultCode);
         case DriveLoss::TimedOut:
             return {.what = QStringLiteral("The %1 timed out: it got no command in time").arg(drive),
-                    .action = QStringLiteral("It stopped itself by its watchdog; the other axis holds"),
+                    .action = QStringLiteral("It stopped itself by its watchdog; the motion of both axes ended"),
                     .remedy = QStringLiteral("Check the bus and the load of this computer, then re-arm")};
         case DriveLoss::Released:
             return {
