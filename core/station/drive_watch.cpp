@@ -130,6 +130,7 @@ supervision::AxisObservation DriveWatch::observation(const Drive& drive, const t
             .received = drive.heard(),
             .fresh = report.received != m_observed,
             .actual = m_settings.geometry.toAxis(*report.position),
+            .engaging = drive.phase() == Drive::Phase::Capturing,
             .engaged = drive.phase() == Drive::Phase::Engaged,
             .commanded = setpoint.position,
             .commandedRate = setpoint.rate,
@@ -144,8 +145,12 @@ std::optional<DriveWatch::Trouble> DriveWatch::supervise(const Drive& drive, con
                                                          const Context& context)
 {
     const bool visible = drive.report() && drive.report()->position && drive.answering(context.now);
-    if (!visible || drive.phase() == Drive::Phase::Referencing) {
+    const bool referencing = drive.phase() == Drive::Phase::Referencing;
+    if (!visible || referencing) {
         m_supervisor.forgetReplies();  // a silence has its own alarm
+        if (referencing) {
+            m_supervisor.forgetMotion();  // the reported angle is changed on purpose
+        }
         endHints({});
         return std::nullopt;
     }
@@ -192,6 +197,11 @@ void DriveWatch::forgetMotion()
 {
     m_supervisor.forgetMotion();
     m_supervisor.forgetReplies();
+}
+
+void DriveWatch::engaged()
+{
+    m_supervisor.forgetCommand();
 }
 
 void DriveWatch::rearmed()

@@ -44,6 +44,7 @@ public:
     // The axis was re-armed, its turn was set, its drive restarted, or this computer stalled: what it did before says
     // nothing any more.
     void forgetMotion();
+    void engaged();  // its set-point was put where it stands
     void rearmed();
 
 private:

@@ -237,7 +237,7 @@ void StationControl::moveOn(Seconds step)
     for (const Axis axis : kAxes) {
         if (m_drives.drive(axis).takeEngaged()) {
             m_motion.start(axis, *m_drives.measured(axis));
-            watchOf(axis).forgetMotion();
+            watchOf(axis).engaged();
         }
     }
     if (m_drives.engaged()) {

@@ -15,6 +15,7 @@ struct AxisObservation
     SteadyTime received{};  // when the last reply came
     bool fresh = false;     // a new reply since the last tick
     Angle actual;           // of the last reply
+    bool engaging = false;  // the drive is told to hold where it is, and has not yet said that it does
     bool engaged = false;   // set-points are sent
     Angle commanded;        // the set-point last sent; these two count only while engaged
     AngularRate commandedRate;

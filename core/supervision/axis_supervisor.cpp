@@ -35,9 +35,10 @@ AxisSupervisor::AxisSupervisor(Axis axis, const profile::AxisSettings& limits,
 
 std::vector<Observed> AxisSupervisor::observe(const AxisObservation& seen)
 {
-    const bool engages = seen.engaged && !m_wasEngaged;
-    if (engages || seen.turnKnown != m_knewTurn) {
+    if (seen.turnKnown != m_knewTurn) {
         forgetMotion();
+    } else if (seen.engaged && !m_wasEngaged) {
+        forgetCommand();
     }
     m_wasEngaged = seen.engaged;
     m_knewTurn = seen.turnKnown;
@@ -65,12 +66,17 @@ std::vector<Observed> AxisSupervisor::observe(const AxisObservation& seen)
 
 void AxisSupervisor::forgetMotion()
 {
+    forgetCommand();
+    m_jumpGate.forget();
+    m_jump.forget();
+}
+
+void AxisSupervisor::forgetCommand()
+{
     m_progress.forget();
     m_standing.forget();
-    m_jumpGate.forget();
     m_outside.forget();
-    for (Watch* const watch :
-         {&m_following, &m_stalled, &m_wrongWay, &m_uncommanded, &m_jump, &m_travel, &m_torqueGuard}) {
+    for (Watch* const watch : {&m_following, &m_stalled, &m_wrongWay, &m_uncommanded, &m_travel, &m_torqueGuard}) {
         watch->forget();
     }
 }
@@ -154,7 +160,7 @@ void AxisSupervisor::judgeJump(const AxisObservation& seen)
         m_outside.forget();
     }
     WatchLimits limits{.hint = 1.0, .release = 1.0, .quietFor = Seconds(3.0)};
-    if (seen.engaged) {
+    if (seen.engaged || seen.engaging) {
         limits.stop = 1.0;
     }
     m_jump.update(seen.now, jump ? 1.0 : 0.0, limits, [&] {

@@ -33,6 +33,9 @@ public:
     void forgetMotion();
     // The drive was silent, which is not the same as late.
     void forgetReplies();
+    // Call when the axis gets a new set-point that is no motion, as when its drive was engaged. An angle that jumps
+    // meanwhile, as that of a drive that was power-cycled, is found all the same.
+    void forgetCommand();
     // Of the profile, while the mount runs.
     void setSettings(const profile::AxisSettings& limits, const profile::SupervisionSettings& settings);
 

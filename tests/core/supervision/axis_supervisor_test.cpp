@@ -95,7 +95,8 @@ TEST_F(AxisSupervisorTest, ReArmingForgetsWhatWasFoundInTheMotion)
     seen.commanded = seen.actual;
     seen.engaged = true;
     tick();
-    EXPECT_TRUE(last.empty()) << "engaging is a new beginning, too";
+    EXPECT_FALSE(found(Finding::FollowingError)) << "engaging is a new beginning, too";
+    EXPECT_TRUE(stops(Finding::EncoderJump)) << "but not for an angle that jumped";
 }
 
 TEST_F(AxisSupervisorTest, StopsComeFirstAndEachKindOnce)
@@ -142,6 +143,23 @@ TEST_F(AxisSupervisorTest, ATurnThatIsSetIsNoJumpOfTheEncoder)
     supervisor.forgetMotion();
     ticks(100);
     EXPECT_TRUE(last.empty());
+}
+
+// Story: a drive whose power blinked while it was enabled woke up on another turn, and the mount went there.
+TEST_F(AxisSupervisorTest, AJumpWhileEnablingStops)
+{
+    seen.engaged = false;
+    ticks(100);
+    seen.engaging = true;
+    ticks(2);
+    seen.engaging = false;
+    seen.engaged = true;
+    seen.actual -= 180_deg;
+    tick();
+    supervisor.forgetCommand();
+    ASSERT_FALSE(last.empty());
+    EXPECT_EQ(last.front().finding, Finding::EncoderJump);
+    EXPECT_EQ(last.front().weight, Weight::Stop);
 }
 
 TEST_F(AxisSupervisorTest, NoiseOfADirectDriveIsNoMotion)
