@@ -111,7 +111,11 @@ void GpredictClient::disengage()
 std::string GpredictClient::exchange(const std::string& command, int lines)
 {
     const std::size_t before = m_peer->segments().size();
-    std::string reply = m_peer->ask(command, lines);
+    m_peer->send(command);
+    const auto whole = [lines](const std::string& bytes) {  // an error is one line, whatever was asked
+        return std::ranges::count(bytes, '\n') >= (bytes.starts_with("RPRT") ? 1 : lines);
+    };
+    const std::string reply = m_peer->receive(whole, std::chrono::milliseconds(0), std::chrono::seconds(5));
     ++m_exchanges;
     m_longestReply = std::max(m_longestReply, reply.size());
     if (m_peer->segments().size() != before + 1 || reply.size() >= kReadSize) {

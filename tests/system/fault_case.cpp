@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/system/fault_case.h"
+
+#include "core/moteus/codec.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight::system_test {
+namespace {
+
+using sim::FaultKind;
+using sim::Injection;
+
+const std::vector<Moment> kEverywhere{Moment::AtRest, Moment::InSlew, Moment::InTrack, Moment::InJog,
+                                      Moment::WhileEnabling};
+const std::vector<Moment> kInMotion{Moment::InSlew, Moment::InTrack, Moment::InJog, Moment::WhileEnabling};
+const std::vector<Moment> kEverywhereAndAtTheEnds{Moment::AtRest,       Moment::InSlew,  Moment::WhileBraking,
+                                                  Moment::AtLowerEnd,   Moment::InTrack, Moment::InJog,
+                                                  Moment::WhileEnabling};
+const std::vector<Moment> kFast{Moment::InSlew, Moment::InTrack};
+
+// What an axis without power needs to coast to rest from full speed, by friction alone.
+constexpr Seconds kCoasting{2.6};
+// Silence of 0.25 s is noticed, then the watchdog of 0.1 s, the drive's own ramp and its settling.
+constexpr Seconds kUnheard{1.0};
+
+// An axis that was pushed against something, when that gives way: the drive's integrator is wound up.
+constexpr Angle kWoundUp = Angle::fromDegrees(0.3);
+
+struct Group
+{
+    Fault fault;
+    std::vector<Moment> moments;
+};
+
+std::string name(Axis axis)
+{
+    return axis == Axis::Azimuth ? "azimuth" : "elevation";
+}
+
+Hurt hurt(Axis axis)
+{
+    return axis == Axis::Azimuth ? Hurt::Azimuth : Hurt::Elevation;
+}
+
+// A frame of another program, heard by one drive; its answer is not for us.
+void order(SimulatedStation& rig, Axis axis, const moteus::Command& command)
+{
+    const auto frame =
+        moteus::encode({.destination = static_cast<std::uint8_t>(axis == Axis::Azimuth ? 1 : 2), .command = command});
+    ASSERT_TRUE(frame);
+    static_cast<void>(rig.link->pair().exchange(*frame, rig.link->pair().now()));
+}
+
+double reported(SimulatedStation& rig, Axis axis)
+{
+    return rig.link->pair().drive(axis).reportedPosition();
+}
+
+std::vector<Group> lostLines()
+{
+    const std::string noReply = "No reply from the ";
+    std::vector<Group> groups{
+        {.fault = {.name = "CAN cable cut",
+                   .injections = {{.kind = FaultKind::LostCommand, .value = 1.0}},
+                   .alarm = noReply},
+         .moments = kEverywhereAndAtTheEnds},
+        {.fault = {.name = "bus off", .injections = {{.kind = FaultKind::BusOff}}, .alarm = noReply},
+         .moments = kEverywhere},
+        {.fault = {.name = "every reply garbled",
+                   .injections = {{.kind = FaultKind::CorruptLine, .value = 1.0}},
+                   .alarm = noReply,
+                   .stillWithin = kUnheard},
+         .moments = kEverywhere},
+    };
+    for (const Axis axis : kAxes) {
+        groups.push_back({.fault = {.name = name(axis) + " drive cut off",
+                                    .injections = {{.kind = FaultKind::LostCommand, .axis = axis, .value = 1.0}},
+                                    .hurt = hurt(axis),
+                                    .alarm = noReply + name(axis)},
+                          .moments = kEverywhere});
+        groups.push_back({.fault = {.name = name(axis) + " drive hears and never answers",
+                                    .injections = {{.kind = FaultKind::Silence, .axis = axis}},
+                                    .hurt = hurt(axis),
+                                    .alarm = noReply + name(axis),
+                                    .stillWithin = kUnheard},
+                          .moments = kEverywhere});
+        groups.push_back(
+            {.fault = {.name = name(axis) + " drive starved for 0.16 s",
+                       .injections =
+                           {{.kind = FaultKind::LostCommand, .axis = axis, .duration = Seconds(0.16), .value = 1.0}},
+                       .hurt = hurt(axis),
+                       .alarm = name(axis) + " drive timed out"},
+             .moments = kEverywhere});
+    }
+    return groups;
+}
+
+std::vector<Group> roughLines()
+{
+    const auto goesOn = [](const std::string& name, const Injection& injection, const std::string& alarm = {}) {
+        return Fault{
+            .name = name, .injections = {injection}, .outcome = Outcome::GoesOn, .hurt = Hurt::None, .alarm = alarm};
+    };
+    return {
+        {.fault = goesOn("one reply lost",
+                         {.kind = FaultKind::LostReply, .duration = SimulatedStation::kTick, .value = 1.0}),
+         .moments = {Moment::InTrack}},
+        {.fault = goesOn("every fifth reply lost", {.kind = FaultKind::LostReply, .value = 0.2}),
+         .moments = {Moment::InSlew, Moment::InTrack}},
+        {.fault = goesOn("every fifth reply garbled", {.kind = FaultKind::CorruptLine, .value = 0.2}),
+         .moments = {Moment::InSlew, Moment::InTrack}},
+        {.fault = goesOn("replies 0.05 s late", {.kind = FaultKind::LateReply, .value = 0.05}),
+         .moments = {Moment::InSlew, Moment::InTrack}},
+    };
+}
+
+std::vector<Group> driveFaults()
+{
+    std::vector<Group> groups;
+    for (const Axis axis : kAxes) {
+        for (const int code : {33, 34, 35, 38, 39, 40, 49}) {
+            const bool everywhere = code == (axis == Axis::Azimuth ? 38 : 35);
+            groups.push_back({.fault = {.name = name(axis) + " drive fault " + std::to_string(code),
+                                        .injections = {{.kind = FaultKind::DriveFault, .axis = axis, .value = code}},
+                                        .hurt = hurt(axis),
+                                        .alarm = name(axis) + " drive fault " + std::to_string(code) + ": ",
+                                        .stillWithin = kCoasting},
+                              .moments = everywhere ? kEverywhere : std::vector{Moment::InSlew}});
+        }
+    }
+    return groups;
+}
+
+std::vector<Group> supplies()
+{
+    const auto volts = [](double value) { return Injection{.kind = FaultKind::SupplyVoltage, .value = value}; };
+    return {
+        {.fault = {.name = "loss of power for 3 s",
+                   .injections = {{.kind = FaultKind::PowerLoss}},
+                   .alarm = "No reply from the ",
+                   .stillWithin = kCoasting},
+         .moments = kEverywhere},
+        {.fault = {.name = "power blinks for 0.1 s",
+                   .injections = {{.kind = FaultKind::PowerLoss, .duration = Seconds(0.1)}},
+                   .alarm = "switched itself off",
+                   .stillWithin = kCoasting},
+         .moments = {Moment::AtRest, Moment::InSlew, Moment::InTrack, Moment::InJog}},
+        {.fault = {.name = "power blinks for 0.1 s",
+                   .injections = {{.kind = FaultKind::PowerLoss, .duration = Seconds(0.1)}},
+                   .alarm = "jumped by",
+                   .stillWithin = kCoasting},
+         .moments = {Moment::WhileEnabling}},
+        {.fault = {.name = "supply 18 V",
+                   .injections = {volts(18.0)},
+                   .outcome = Outcome::GoesOn,
+                   .hurt = Hurt::None,
+                   .alarm = "supply",
+                   .alarmWithin = Seconds(1.5)},
+         .moments = {Moment::AtRest, Moment::InSlew}},
+        {.fault = {.name = "supply 11 V",
+                   .injections = {volts(11.0)},
+                   .hurt = Hurt::None,
+                   .alarm = "supply",
+                   .alarmWithin = Seconds(1.5)},
+         .moments = kFast},
+        {.fault =
+             {.name = "supply 3 V", .injections = {volts(3.0)}, .alarm = "drive fault 40", .stillWithin = kCoasting},
+         .moments = kFast},
+        {.fault = {.name = "supply 45 V",
+                   .injections = {volts(45.0)},
+                   .outcome = Outcome::GoesOn,
+                   .hurt = Hurt::None,
+                   .alarm = "supply",
+                   .alarmWithin = Seconds(1.5)},
+         .moments = {Moment::AtRest, Moment::InSlew}},
+        {.fault =
+             {.name = "supply 60 V", .injections = {volts(60.0)}, .alarm = "drive fault 34", .stillWithin = kCoasting},
+         .moments = kFast},
+    };
+}
+
+std::vector<Group> mechanics()
+{
+    std::vector<Group> groups{
+        {.fault = {.name = "gust of 20 Nm for 2 s",
+                   .injections = {{.kind = FaultKind::Wind, .duration = Seconds(2.0), .value = 20.0}},
+                   .outcome = Outcome::GoesOn,
+                   .hurt = Hurt::None},
+         .moments = {Moment::AtRest, Moment::InSlew, Moment::InTrack}},
+        {.fault = {.name = "storm of 60 Nm for 1 s, 50 Nm allowed",
+                   .injections =
+                       {{.kind = FaultKind::Wind, .axis = Axis::Azimuth, .duration = Seconds(1.0), .value = -60.0}},
+                   .hurt = Hurt::Azimuth,
+                   .alarm = "azimuth",
+                   .alarmWithin = Seconds(1.0),
+                   .stillWithin = Seconds(3.0)},
+         .moments = {Moment::AtRest, Moment::InTrack}},
+    };
+    for (const Axis axis : kAxes) {
+        groups.push_back({.fault = {.name = name(axis) + " blocked",
+                                    .injections = {{.kind = FaultKind::Stall, .axis = axis}},
+                                    .hurt = hurt(axis),
+                                    .alarm = name(axis),
+                                    .alarmWithin = Seconds(1.5),
+                                    .springsBack = kWoundUp},
+                          .moments = kInMotion});
+    }
+    return groups;
+}
+
+std::vector<Group> others()
+{
+    std::vector<Group> groups{
+        {.fault = {.name = "this computer stalls for 0.5 s", .stall = Seconds(0.5), .alarm = "timed out"},
+         .moments = kEverywhereAndAtTheEnds},
+        {.fault = {.name = "this computer stalls for 20 s", .stall = Seconds(20.0), .alarm = "timed out"},
+         .moments = {Moment::AtRest, Moment::InSlew, Moment::InTrack, Moment::InJog}},
+        {.fault = {.name = "this computer stalls for 20 s",
+                   .stall = Seconds(20.0),
+                   .alarm = "does not do what it is told"},
+         .moments = {Moment::WhileEnabling}},
+        {.fault = {.name = "azimuth drive answers as the elevation drive",
+                   .injections = {{.kind = FaultKind::DuplicateId, .axis = Axis::Azimuth}},
+                   .alarm = "azimuth",
+                   .stillWithin = kUnheard},
+         .moments = kEverywhere},
+    };
+    for (const Axis axis : kAxes) {
+        groups.push_back({.fault = {.name = "another program stops the " + name(axis) + " drive",
+                                    .once = [axis](SimulatedStation& rig) { order(rig, axis, moteus::Stop{}); },
+                                    .hurt = hurt(axis),
+                                    .alarm = name(axis) + " drive switched itself off",
+                                    .stillWithin = kCoasting},
+                          .moments = {Moment::AtRest, Moment::InSlew, Moment::InTrack, Moment::InJog}});
+        groups.push_back({.fault = {.name = "another program stops the " + name(axis) + " drive",
+                                    .once = [axis](SimulatedStation& rig) { order(rig, axis, moteus::Stop{}); },
+                                    .outcome = Outcome::GoesOn,
+                                    .hurt = Hurt::None},
+                          .moments = {Moment::WhileEnabling}});
+        groups.push_back({.fault = {.name = "another program turns the count of " + name(axis) + " by 7.2°",
+                                    .once =
+                                        [axis](SimulatedStation& rig) {
+                                            order(rig, axis, moteus::SetOutputExact{reported(rig, axis) + 7.2 / 360.0});
+                                        },
+                                    .hurt = hurt(axis),
+                                    .alarm = name(axis),
+                                    .stillWithin = Seconds(2.0)},
+                          .moments = kEverywhere});
+    }
+    groups.push_back({.fault = {.name = "another program brakes the azimuth drive",
+                                .eachTick = [](SimulatedStation& rig) { order(rig, Axis::Azimuth, moteus::Brake{}); },
+                                .hurt = Hurt::Azimuth,
+                                .alarm = "azimuth drive",
+                                .stillWithin = kCoasting},
+                      .moments = kFast});
+    return groups;
+}
+
+}  // namespace
+
+std::string word(Moment moment)
+{
+    switch (moment) {
+        case Moment::AtRest:
+            return "at rest";
+        case Moment::InSlew:
+            return "in slew";
+        case Moment::WhileBraking:
+            return "while braking";
+        case Moment::AtLowerEnd:
+            return "at the lower ends";
+        case Moment::InTrack:
+            return "in track";
+        case Moment::InJog:
+            return "in jog";
+        case Moment::WhileEnabling:
+            return "while enabling";
+    }
+    return {};
+}
+
+std::vector<FaultCase> faultCases()
+{
+    std::vector<FaultCase> cases;
+    for (const auto& groups : {lostLines(), roughLines(), driveFaults(), supplies(), mechanics(), others()}) {
+        for (const Group& group : groups) {
+            for (const Moment moment : group.moments) {
+                cases.push_back({.fault = group.fault, .moment = moment});
+            }
+        }
+    }
+    return cases;
+}
+
+}  // namespace boresight::system_test

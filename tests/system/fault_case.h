@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/system/simulated_station.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+// What is put out of order and when, and what must come of it: the rows of FAULTS.md. Plain values.
+namespace boresight::system_test {
+
+enum class Moment
+{
+    AtRest,         // holding where a client has sent it
+    InSlew,         // at full speed, 14° before the upper end of azimuth
+    WhileBraking,   // of the same slew, 4° before the end
+    AtLowerEnd,     // the last 0.4° before the lower ends of both travels
+    InTrack,        // following Gpredict through a pass
+    InJog,          // an operator holds the keys, towards the upper end of azimuth
+    WhileEnabling,  // the first ticks of the first motion
+};
+
+enum class Outcome
+{
+    Latches,  // nothing moves before somebody re-arms
+    GoesOn,   // the mount does what it was asked to
+};
+
+// The axes whose drive was hurt; the others are healthy and hold.
+enum class Hurt
+{
+    None,
+    Azimuth,
+    Elevation,
+    Both,
+};
+
+struct Fault
+{
+    std::string name;
+    std::vector<sim::Injection> injections{};  // from the moment on; without a duration of their own for kLasts
+    std::function<void(SimulatedStation&)> once{};
+    std::function<void(SimulatedStation&)> eachTick{};  // another program at work, for kLasts
+    Seconds stall{0.0};                                 // this computer does nothing for so long
+    Outcome outcome = Outcome::Latches;
+    Hurt hurt = Hurt::Both;
+    std::string alarm{};  // words of the alarm; empty: there need not be one
+    Seconds alarmWithin{0.3};
+    Seconds stillWithin{0.7};                      // the hurt axes
+    Angle beyond = Angle::fromDegrees(0.2);        // the travel
+    Angle springsBack = Angle::fromDegrees(0.03);  // when the fault is over: backlash, and the drive coming to rest
+};
+
+struct FaultCase
+{
+    Fault fault;
+    Moment moment = Moment::AtRest;
+};
+
+[[nodiscard]] std::string word(Moment moment);
+[[nodiscard]] std::vector<FaultCase> faultCases();
+
+}  // namespace boresight::system_test

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/system/fault_case.h"
+#include "tests/system/gpredict_client.h"
+#include "tests/system/satellite_pass.h"
+
+#include <array>
+#include <optional>
+#include <string>
+
+// One row of FAULTS.md: brings a mount to the moment, puts it out of order, and looks where the antenna really is until
+// it was re-armed and has moved again. Meanwhile clients go on asking for motion. Times are seconds from the fault.
+namespace boresight::system_test {
+
+struct FaultOutcome
+{
+    std::optional<Seconds> alarm;    // empty: none with the expected words
+    std::array<Seconds, 2> still{};  // azimuth, elevation: the last motion
+    std::array<Angle, 2> beyond{};   // the farthest outside the travel
+    std::array<Angle, 2> moved{};    // from where it stood when the fault was over, until re-armed
+    std::array<bool, 2> off{};       // its drive gives no torque then
+    bool stoppedByThen = false;      // both axes, before the fault was over
+    std::string state;               // the word, just before the re-arming
+    std::string text;                // of the alarm
+    std::string again;               // what it took to move again; empty: it did not
+    Angle movedByRearming;
+};
+
+class FaultRun
+{
+public:
+    static constexpr Seconds kLasts{3.0};
+    static constexpr Seconds kAfter{5.0};  // clients ask, nobody re-arms
+
+    explicit FaultRun(const FaultCase& faultCase);
+    [[nodiscard]] FaultOutcome run();
+
+private:
+    void reach();
+    void breakDown();
+    void stayUntilRearmed();
+    void rearm();
+    void moveAgain();
+
+    void tick();
+    void look();
+    void ask();  // what clients and operator do in this tick
+    void jog();
+    void noteAlarm();
+    [[nodiscard]] Seconds sinceFault() const { return rig.clock.now() - m_began; }
+
+    FaultCase m_case;
+    SatellitePass m_pass{{.maxElevation = 60_deg, .culmination = 100_deg}};
+    Seconds m_passTime{-40.0};
+    SimulatedStation rig;
+    std::unique_ptr<fakes::TcpPeer> m_client;
+    std::optional<GpredictClient> m_gpredict;
+    std::vector<sim::FaultSchedule::Handle> m_handles;
+    SteadyTime m_began{};
+    SteadyTime m_nextAsk{};
+    bool m_faulty = false;
+    bool m_keysHeld = false;
+    FaultOutcome m_outcome;
+};
+
+}  // namespace boresight::system_test

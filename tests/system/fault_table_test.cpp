@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/system/fault_run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <set>
+#include <string>
+
+// Faults of every kind at every moment, with clients that go on asking, judged by where the antenna really is. Prints
+// the rows of FAULTS.md; with BORESIGHT_FAULT_TABLE set, writes them there.
+namespace boresight::system_test {
+namespace {
+
+const char* const kHeader =
+    "| fault | moment | alarm s | still az s | still el s | beyond travel ° | state | moved before re-arm ° | "
+    "drives then | again by | alarm |\n|---|---|---:|---:|---:|---:|---|---:|---|---|---|\n";
+
+std::string number(double value, int decimals)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+    return text.data();
+}
+
+std::string keyOf(const FaultCase& faultCase)
+{
+    return "| " + faultCase.fault.name + " | " + word(faultCase.moment) + " |";
+}
+
+std::string line(const FaultCase& faultCase, const FaultOutcome& outcome)
+{
+    const auto drive = [&](std::size_t i) { return std::string(outcome.off[i] ? "off" : "on"); };
+    const std::string alarm = outcome.alarm ? number(outcome.alarm->count(), 2) : "-";
+    const bool latches = faultCase.fault.outcome == Outcome::Latches;
+    return keyOf(faultCase) + " " + alarm + " | " + (latches ? number(outcome.still[0].count(), 2) : "-") + " | " +
+           (latches ? number(outcome.still[1].count(), 2) : "-") + " | " +
+           number(std::max(outcome.beyond[0], outcome.beyond[1]).degrees(), 3) + " | " + outcome.state + " | " +
+           (latches ? number(std::max(outcome.moved[0], outcome.moved[1]).degrees(), 3) : "-") + " | " +
+           (latches ? "az " + drive(0) + ", el " + drive(1) : "-") + " | " + outcome.again + " | " + outcome.text +
+           " |\n";
+}
+
+std::map<std::string, std::string>& rows()
+{
+    static std::map<std::string, std::string> rows;
+    return rows;
+}
+
+std::string textBeforeTheTable(const char* path)
+{
+    std::ifstream file(path);
+    std::string text;
+    for (std::string line; std::getline(file, line) && !line.starts_with('|');) {
+        text += line + "\n";
+    }
+    return text;
+}
+
+class FaultTable : public ::testing::TestWithParam<FaultCase>
+{
+public:
+    static void TearDownTestSuite()
+    {
+        const char* const path = std::getenv("BORESIGHT_FAULT_TABLE");
+        if (path == nullptr) {
+            return;
+        }
+        const std::string introduction = textBeforeTheTable(path);
+        std::ofstream file(path);
+        file << introduction << kHeader;
+        for (const FaultCase& faultCase : faultCases()) {
+            file << rows()[keyOf(faultCase)];
+        }
+    }
+};
+
+TEST_P(FaultTable, StopsTellsAndWaits)
+{
+    const Fault& fault = GetParam().fault;
+    const FaultOutcome outcome = FaultRun(GetParam()).run();
+    const std::string row = line(GetParam(), outcome);
+    rows()[keyOf(GetParam())] = row;
+    std::cout << row;
+    RecordProperty("row", row);
+    if (!fault.alarm.empty()) {
+        ASSERT_TRUE(outcome.alarm);
+        EXPECT_LE(*outcome.alarm, fault.alarmWithin + Seconds(1e-6));
+    }
+    EXPECT_LE(std::max(outcome.beyond[0], outcome.beyond[1]), fault.beyond);
+    if (fault.outcome == Outcome::GoesOn) {
+        EXPECT_NE(outcome.state, "FAULT");
+        return;
+    }
+    EXPECT_EQ(outcome.state, "FAULT");
+    for (std::size_t i = 0; i < 2; ++i) {
+        const bool hurt = fault.hurt == Hurt::Both || fault.hurt == (i == 0 ? Hurt::Azimuth : Hurt::Elevation);
+        EXPECT_LE(outcome.still[i], hurt ? fault.stall + fault.stillWithin : fault.stall + Seconds(2.0)) << i;
+        EXPECT_LE(outcome.moved[i], fault.springsBack) << i;
+    }
+    EXPECT_LE(outcome.movedByRearming, 0.1_deg);
+}
+
+std::string testName(const ::testing::TestParamInfo<FaultCase>& info)
+{
+    std::string text;
+    bool begins = true;
+    for (const char letter : info.param.fault.name + " " + word(info.param.moment)) {
+        const auto c = static_cast<unsigned char>(letter);
+        if (std::isalnum(c) != 0) {
+            text += static_cast<char>(begins ? std::toupper(c) : c);
+        }
+        begins = std::isalnum(c) == 0;
+    }
+    return text;
+}
+
+// The figures in the committed copy may be of yesterday; its rows may not.
+TEST(FaultTableFile, HasTheRowsOfThisTest)
+{
+    std::multiset<std::string> written;
+    std::ifstream file(FAULTS_MD);
+    for (std::string row; std::getline(file, row);) {
+        if (row.starts_with("| ") && !row.starts_with("| fault |")) {
+            written.insert(row.substr(0, row.find('|', row.find('|', 1) + 1) + 1));
+        }
+    }
+    std::multiset<std::string> expected;
+    for (const FaultCase& faultCase : faultCases()) {
+        expected.insert(keyOf(faultCase));
+    }
+    EXPECT_EQ(written, expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Row, FaultTable, ::testing::ValuesIn(faultCases()), testName);
+
+}  // namespace
+}  // namespace boresight::system_test
