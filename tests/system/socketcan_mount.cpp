@@ -120,7 +120,7 @@ bool MountOnCan::commandUntil(const std::string& command, const std::function<bo
     constexpr int kAttempts = 5;
     for (int i = 0; i < kAttempts; ++i) {
         const std::size_t logBefore = log().size();
-        const auto starved = [this, logBefore] { return log().find("then re-arm", logBefore) != std::string::npos; };
+        const auto starved = [this, logBefore] { return log().find("re-arm.", logBefore) != std::string::npos; };
         if (!accepts(command)) {
             return false;
         }
