@@ -143,6 +143,7 @@ private:
     void tellTurns();
     [[nodiscard]] supervision::DriveConditions conditions(Axis axis) const;
     void watchJog();
+    void watchFitness();
     [[nodiscard]] QString rearmObstacle() const;
     void beginRearm();
     void finishRearm();

@@ -43,6 +43,7 @@ std::array<CanFrame, 2> StationControl::tick()
     watchDrives();
     keepTurns();
     watchJog();
+    watchFitness();
     retry();
     finishRearm();
     stepProof();
@@ -164,6 +165,16 @@ void StationControl::watchJog()
     }
 }
 
+// A drive that is not as it should be any more is not moved on.
+void StationControl::watchFitness()
+{
+    if (!m_fitness && m_activity != Activity::None && m_activity != Activity::Holding && !m_motion.atRest()) {
+        m_log.add(Severity::Warning, QStringLiteral("station"),
+                  QStringLiteral("ends the motion: ") + QString::fromStdString(m_fitness.error().text));
+        holdHere(Activity::Holding);
+    }
+}
+
 supervision::DriveConditions StationControl::conditions(Axis axis) const
 {
     const auto& report = m_drives.drive(axis).report();
@@ -203,7 +214,8 @@ void StationControl::finishRearm()
 {
     const auto busy = [&](Axis axis) {
         const Drive::Phase phase = m_drives.drive(axis).phase();
-        return phase == Drive::Phase::Recovering || phase == Drive::Phase::Capturing;
+        return phase == Drive::Phase::Recovering || phase == Drive::Phase::Capturing ||
+               phase == Drive::Phase::Releasing;  // switched off meanwhile
     };
     if (!m_rearming || std::ranges::any_of(kAxes, busy)) {
         return;

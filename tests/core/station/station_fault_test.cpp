@@ -218,5 +218,42 @@ TEST(StationControl, AnActiveLimitIsAHintNotAFault)
     EXPECT_EQ(rig.control.status().alarms.front().severity, Severity::Warning);
 }
 
+// Story: a random walk took the fitness away in mid-motion, and the mount went on.
+TEST(StationControl, DrivesThatAreNotFitAnyMoreAreNotMovedOn)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.ask(request::Move{{.azimuth = 5_deg_s}}));
+    rig.run(Seconds(2.0));
+    ASSERT_TRUE(rig.moving());
+    rig.control.setFitness(failure(ErrorCode::Refused, "not as it should be"));
+    rig.run(Seconds(1.5));
+    EXPECT_FALSE(rig.moving());
+    EXPECT_EQ(rig.state(), StationState::Hold);
+    rig.control.setFitness({});
+    rig.run(Seconds(1.0));
+    EXPECT_FALSE(rig.moving()) << "and nothing comes back by itself";
+}
+
+// Story: a random walk switched the drives off in the midst of a re-arm; the fault was gone from the screen while a
+// drive was still in it.
+TEST(StationControl, ARearmIsNotDoneBeforeTheDrivesThatAreSwitchedOffAre)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.point(10.0, 10.0));
+    rig.settle();
+    rig.elevation.mode = moteus::Mode::Fault;
+    rig.elevation.fault = 38;
+    rig.elevation.deaf = true;
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.control.faultLatched());
+    ASSERT_TRUE(rig.ask(request::Rearm{}));
+    rig.tick();
+    ASSERT_TRUE(rig.ask(request::SwitchOff{}));
+    rig.run(Seconds(0.2));
+    EXPECT_TRUE(rig.control.faultLatched());
+}
+
 }  // namespace
 }  // namespace boresight
