@@ -40,7 +40,11 @@ struct StationRig
     {
         clock.advance(kTick);
         const SteadyTime now = clock.now();
-        for (const CanFrame& frame : control.tick()) {
+        const auto frames = control.tick();
+        if (control.busReleased()) {
+            return;  // the station's link is closed
+        }
+        for (const CanFrame& frame : frames) {
             for (fakes::IdealDrive* const drive : {&azimuth, &elevation}) {
                 if (const auto reply = drive->answer(frame, now)) {
                     control.take(*reply);

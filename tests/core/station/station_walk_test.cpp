@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random walks through the station's rules: whatever is asked, by whomever, and whatever the drives do, the promises
-// at the end of each tick hold.
-#include "tests/core/station/station_rig.h"
+// Random walks through the station's rules: whatever is asked, by whomever, and whatever happens to drives, survey, bus
+// and computer, the promises hold after each event.
+#include "tests/core/station/station_promises.h"
+
+#include <QLoggingCategory>
 
 #include <gtest/gtest.h>
 
@@ -11,155 +13,324 @@
 namespace boresight {
 namespace {
 
-constexpr int kSteps = 4000;
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int kEvents = 1000;
+#else
+constexpr int kEvents = 10000;
+#endif
+constexpr Angle kPlace = Angle::fromTurns(0.01);  // that look the same to a drive that has lost its turn
+
+// Re-arms by itself what may pass.
+profile::Profile unattended()
+{
+    profile::Profile profile;
+    profile.recovery = {.overTemperature = profile::Retry::Interval,
+                        .supply = profile::Retry::Interval,
+                        .bus = profile::Retry::Interval,
+                        .interval = Seconds(2.0)};
+    return profile;
+}
 
 class Walk
 {
 public:
-    explicit Walk(unsigned seed) : m_random(seed) {}
-
-    void step()
+    Walk(unsigned seed, const profile::Profile& profile) : m_random(seed), m_rig(profile), m_promises(m_rig)
     {
-        act(m_random() % 24);
-        const auto before = m_rig.control.status();
-        m_rig.tick();
-        check(before);
+        tick(StationRig::kTick);
     }
 
-private:
-    double number(double low, double high) { return std::uniform_real_distribution(low, high)(m_random); }
-    Source anybody() { return m_random() % 2 == 0 ? kOperator : m_random() % 2 == 0 ? kClient : kOtherClient; }
-    AngularRate rate() { return AngularRate::fromDegrees(number(-8.0, 8.0)); }
-
-    void act(unsigned long choice)
+    void event()
     {
-        switch (choice) {
+        switch (m_random() % 8) {
             case 0:
             case 1:
             case 2:
-                ask(request::PointSky{{Angle::fromDegrees(number(-400, 800)), Angle::fromDegrees(number(-90, 180))}});
+                askForMotion();
                 break;
             case 3:
-                ask(request::PointAxes{{Angle::fromDegrees(number(-200, 600)), Angle::fromDegrees(number(-30, 120))}});
+                askOtherwise();
                 break;
             case 4:
-                ask(request::Jog{{rate(), rate()}});
+                mend();
                 break;
             case 5:
-                ask(request::Move{{rate(), rate()}});
-                break;
-            case 6:
-                ask(request::Step{Angle::fromDegrees(number(-5, 5)), Angle::fromDegrees(number(-5, 5))});
-                break;
-            case 7:
-                ask(request::Hold{});
-                break;
-            case 8:
-                ask(request::Stop{}, kOperator);
-                break;
-            case 9:
-                ask(request::ResetStop{}, kOperator);
-                break;
-            case 10:
-                ask(request::Park{});
-                break;
-            case 11:
-                ask(request::Rearm{});
-                break;
-            case 12:
-                ask(request::GiveAuthority{}, kOperator);
-                break;
-            case 13:
-                m_rig.control.sourceGone(anybody());
-                break;
-            case 14:
-                disturb();
+                if (m_random() % 4 == 0) {
+                    disturb();
+                }
                 break;
             default:
                 break;  // time passes
         }
+        for (unsigned long ticks = 1 + m_random() % 8; ticks > 0; --ticks) {
+            tick(StationRig::kTick);
+        }
     }
 
-    void ask(const Request& request) { ask(request, anybody()); }
-    void ask(const Request& request, const Source& source) { (void)m_rig.ask(request, source); }
+    [[nodiscard]] const StationPromises& promises() const { return m_promises; }
+
+private:
+    double number(double low, double high) { return std::uniform_real_distribution(low, high)(m_random); }
+    Angle angle(double low, double high) { return Angle::fromDegrees(number(low, high)); }
+    Source anybody() { return m_random() % 2 == 0 ? kOperator : m_random() % 2 == 0 ? kClient : kOtherClient; }
+    AxisRates rates()
+    {
+        const double fastest = m_random() % 2 == 0 ? 2.0 : 8.0;  // 2°/s: what is allowed on an unknown turn
+        return {AngularRate::fromDegrees(number(-fastest, fastest)),
+                AngularRate::fromDegrees(number(-fastest, fastest))};
+    }
+    fakes::IdealDrive& drive(Axis axis) { return axis == Axis::Azimuth ? m_rig.azimuth : m_rig.elevation; }
+    Axis anyAxis() { return m_random() % 2 == 0 ? Axis::Azimuth : Axis::Elevation; }
+
+    void askForMotion()
+    {
+        switch (m_random() % 8) {
+            case 0:
+            case 1:
+                return ask(request::PointSky{{angle(-400, 800), angle(-90, 180)}}, anybody());
+            case 2:
+                return ask(request::PointAxes{{angle(-100, 460), angle(-5, 95)}}, anybody());
+            case 3:
+                return ask(request::Jog{rates()}, anybody());
+            case 4:
+                return ask(request::Move{rates()}, anybody());
+            case 5:
+                return ask(request::Step{angle(-5, 5), angle(-5, 5)}, anybody());
+            case 6:
+                return ask(m_random() % 2 == 0 ? Request(request::Park{}) : Request(request::Home{}), anybody());
+            default:
+                return ask(request::ProveCrashStop{AngularRate::fromDegrees(number(0.2, 6.0))}, anybody());
+        }
+    }
+
+    void askOtherwise()
+    {
+        switch (m_random() % 12) {
+            case 0:
+                return ask(request::Stop{}, anybody());
+            case 1:
+            case 2:
+                return ask(request::Hold{}, anybody());
+            case 3:
+                return ask(request::EndProof{}, anybody());
+            case 4:
+                return ask(request::TakeAuthority{}, kOperator);
+            case 5:
+                return ask(request::Jog{}, anybody());
+            case 6:
+                return ask(request::ReadDrives{}, anybody());
+            case 7:
+                return ask(request::FixDrives{}, anybody());
+            case 8:
+                return ask(request::SwitchOff{}, anybody());
+            case 9:
+                return ask(request::ReleaseBus{}, anybody());
+            case 10: {
+                const Source gone = anybody();
+                m_rig.control.sourceGone(gone);
+                return m_promises.sourceGone(gone);
+            }
+            default:
+                ask(request::AcknowledgeAlarms{}, kOperator);
+                return m_rig.control.positionRead(anybody().clientId);
+        }
+    }
+
+    // What brings the station back to work; else the walk would stand still for most of its length.
+    void mend()
+    {
+        if (m_random() % 2 == 0) {
+            return mendAll();
+        }
+        const Axis axis = anyAxis();
+        switch (m_random() % 8) {
+            case 0:
+                return ask(request::ResetStop{}, kOperator);
+            case 1:
+                return ask(request::Rearm{}, anybody());
+            case 2:
+                return ask(request::GiveAuthority{}, kOperator);
+            case 3:
+                return ask(request::TakeBus{}, kOperator);
+            case 4:
+                return look(axis);
+            case 5:
+                drive(axis).silent = drive(axis).deaf = false;
+                drive(axis).voltage = 24.0;
+                drive(axis).temperature = 31.0;
+                return;
+            case 6:
+                return m_rig.control.learn(axis, m_facts[index(axis)]);
+            default:
+                m_rig.control.setFitness({});
+                return m_promises.fitness(true);
+        }
+    }
+
+    void mendAll()
+    {
+        for (const Axis axis : kAxes) {
+            drive(axis).silent = drive(axis).deaf = false;
+            drive(axis).voltage = 24.0;
+            drive(axis).temperature = 31.0;
+            m_rig.control.learn(axis, m_facts[index(axis)]);
+        }
+        m_rig.control.setFitness({});
+        m_promises.fitness(true);
+        ask(request::TakeBus{}, kOperator);
+        wait();
+        ask(request::ResetStop{}, kOperator);
+        ask(request::Rearm{}, kOperator);
+        wait();
+        look(Axis::Azimuth);
+        look(Axis::Elevation);
+        wait();
+        ask(request::GiveAuthority{}, kOperator);
+    }
+
+    void wait()
+    {
+        for (int i = 0; i < 60; ++i) {
+            tick(StationRig::kTick);
+        }
+    }
+
+    // The operator at the mast tells the turn, now and then another one.
+    void look(Axis axis)
+    {
+        const StationStatus status = m_rig.control.status();
+        const auto& question =
+            axis == Axis::Azimuth ? status.drives.azimuth.turnQuestion : status.drives.elevation.turnQuestion;
+        if (question && !question->candidates.empty()) {
+            ask(request::ChooseTurn{axis, question->candidates[m_random() % question->candidates.size()]}, kOperator);
+        } else {
+            ask(request::ChooseTurn{axis, angle(-100, 460)}, anybody());
+        }
+    }
 
     void disturb()
     {
-        fakes::IdealDrive& drive = m_random() % 2 == 0 ? m_rig.azimuth : m_rig.elevation;
-        switch (m_random() % 8) {
+        const Axis axis = anyAxis();
+        switch (m_random() % 14) {
             case 0:
-                drive.mode = moteus::Mode::Fault;
-                drive.fault = 38;
+                drive(axis).mode = moteus::Mode::Fault;
+                drive(axis).fault = 38;
                 break;
             case 1:
-                drive.mode = moteus::Mode::PositionTimeout;
+                drive(axis).mode = moteus::Mode::PositionTimeout;
                 break;
             case 2:
-                drive.silent = true;
+            case 3:
+                drive(axis).silent = true;
+                break;
+            case 4:
+                drive(axis).deaf = true;
+                break;
+            case 5:
+            case 6:
+                restart(axis);
+                break;
+            case 7:
+                drive(axis).position += number(-0.05, 0.05);
+                break;
+            case 8:
+                drive(axis).voltage = number(8.0, 50.0);
+                break;
+            case 9:
+                drive(axis).temperature = number(20.0, 90.0);
+                break;
+            case 10:
+                m_rig.control.setFitness(failure(ErrorCode::Refused, "not as it should be"));
+                m_promises.fitness(false);
+                break;
+            case 11:
+                m_rig.control.learn(axis, std::nullopt);
+                break;
+            case 12:
+                stall();
                 break;
             default:
-                drive.silent = false;
+                m_rig.clock.stepUtc(Seconds(number(-7200.0, 7200.0)));
                 break;
         }
     }
 
-    void check(const StationStatus& before)
+    // A drive without its home: it knows its place only within one turn of its rotor.
+    void restart(Axis axis)
     {
-        const StationStatus now = m_rig.control.status();
-        const profile::Profile& profile = m_rig.profile;
-        for (const auto& [axis, was, limits] :
-             {std::tuple(now.azimuth, before.azimuth, profile.azimuth.limits),
-              std::tuple(now.elevation, before.elevation, profile.elevation.limits)}) {
-            if (!axis.commanded) {
-                continue;
-            }
-            ASSERT_GE(axis.commanded->degrees(), axis.travel.min.degrees() - 1e-6);
-            ASSERT_LE(axis.commanded->degrees(), axis.travel.max.degrees() + 1e-6);
-            ASSERT_LE(abs(*axis.commandedRate).degrees(), limits.speed.degrees() * 1.001);
-            if (was.commanded) {
-                const double step = 0.02;
-                const double moved = (*axis.commanded - *was.commanded).degrees();
-                const double mean = (axis.commandedRate->degrees() + was.commandedRate->degrees()) / 2.0;
-                ASSERT_NEAR(moved, mean * step, limits.acceleration.degrees() * step * step) << "a step in position";
-                ASSERT_LE(std::abs((*axis.commandedRate - *was.commandedRate).degrees()),
-                          limits.acceleration.degrees() * step * 1.01)
-                    << "a step in speed";
-                ASSERT_LE(abs(*axis.commanded - *was.commanded).degrees(), limits.speed.degrees() * 0.021);
-            }
-        }
-        if (now.state == StationState::Stopped || now.state == StationState::Fault) {
-            m_still += 1;
+        drive(axis).mode = moteus::Mode::Stopped;
+        drive(axis).fault = 0;
+        drive(axis).home = moteus::HomeState::Rotor;
+        drive(axis).position = std::remainder(drive(axis).position, kPlace.turns());
+        m_facts[index(axis)].bootedAt = m_rig.clock.now();
+        if (m_random() % 2 == 0) {
+            drive(axis).silent = true;  // for as long as it takes
         } else {
-            m_still = 0;
+            m_rig.control.driveRestarted(axis);
+            m_rig.control.learn(axis, m_facts[index(axis)]);
         }
-        if (m_still > 200) {  // 4 s: longer than any deceleration
-            ASSERT_NE(now.azimuth.state, AxisState::Moving);
-            ASSERT_NE(now.elevation.state, AxisState::Moving);
-        }
-        for (fakes::IdealDrive* const drive : {&m_rig.azimuth, &m_rig.elevation}) {
-            for (const auto& seen : drive->seen) {
-                if (seen.mode == moteus::Mode::Position) {
-                    ASSERT_GT(seen.fields.at(moteus::Register::CommandWatchdogTimeout), 0.0);
-                }
+    }
+
+    // This computer does nothing for a while: the drives' watchdogs end what they did.
+    void stall()
+    {
+        const Seconds time(number(0.02, 1.0));
+        for (const Axis axis : kAxes) {
+            if (time > m_rig.profile.control.watchdog && drive(axis).mode == moteus::Mode::Position) {
+                drive(axis).mode = moteus::Mode::PositionTimeout;
             }
-            drive->seen.clear();
         }
+        m_rig.clock.advance(time);
+        tick(StationRig::kTick + time);
+    }
+
+    void ask(const Request& request, const Source& source)
+    {
+        const StationStatus before = m_rig.control.status();
+        m_promises.asked(request, source, m_rig.ask(request, source).has_value(), before);
+    }
+
+    void tick(Seconds step)
+    {
+        m_rig.azimuth.seen.clear();
+        m_rig.elevation.seen.clear();
+        m_rig.tick();
+        m_promises.ticked(step);
     }
 
     std::minstd_rand m_random;
     StationRig m_rig;
-    int m_still = 0;
+    StationPromises m_promises;
+    std::array<survey::DriveFacts, 2> m_facts{m_rig.factsOf(Axis::Azimuth), m_rig.factsOf(Axis::Elevation)};
 };
 
 class StationWalk : public testing::TestWithParam<unsigned>
-{};
+{
+protected:
+    void SetUp() override { QLoggingCategory::setFilterRules(QStringLiteral("boresight.*=false")); }
+    void TearDown() override { QLoggingCategory::setFilterRules({}); }
+
+    static void go(const profile::Profile& profile)
+    {
+        Walk walk(GetParam(), profile);
+        for (int i = 0; i < kEvents; ++i) {
+            walk.event();
+            ASSERT_EQ(walk.promises().broken(), "") << "after " << i + 1 << " events";
+        }
+        EXPECT_GT(walk.promises().motions(), kEvents / 50) << "the walk must not stand still";
+        EXPECT_GT(walk.promises().losses(), kEvents / 400);
+        RecordProperty("motions", static_cast<int>(walk.promises().motions()));
+        RecordProperty("losses", static_cast<int>(walk.promises().losses()));
+    }
+};
 
 TEST_P(StationWalk, PromisesHold)
 {
-    Walk walk(GetParam());
-    for (int i = 0; i < kSteps && !HasFatalFailure(); ++i) {
-        walk.step();
-    }
+    go({});
+}
+
+TEST_P(StationWalk, PromisesHoldWhereNobodyRearms)
+{
+    go(unattended());
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, StationWalk, testing::Range(1U, 9U));
