@@ -102,7 +102,6 @@ Soak::Soak(unsigned seed)
 {
     m_bus.inject({.kind = sim::FaultKind::LostReply, .value = kLostReply});
     start(truth());
-    m_client = std::make_unique<fakes::TcpPeer>("127.0.0.1", m_port, &turnEventLoop);
     m_troubles = true;
 }
 
@@ -332,6 +331,8 @@ void Soak::stall()
 
 void Soak::planPass()
 {
+    // One connection for each pass; the peer also remembers each of its reads, which is not the station's memory.
+    m_client = std::make_unique<fakes::TcpPeer>("127.0.0.1", m_port, &turnEventLoop);
     m_pass.emplace(SatellitePass::Shape{
         .heightKm = random(400.0, 1200.0),
         .maxElevation = Angle::fromDegrees(random(10.0, 88.0)),

@@ -22,7 +22,7 @@ constexpr bool kMemoryIsOurs = true;
 #endif
 
 // The log of events fills up to its 2000 entries, which takes some hours.
-constexpr std::size_t kMemoryBound = 1024 * 1024;
+constexpr std::size_t kMemoryBound = 256 * 1024;
 
 double hours()
 {
