@@ -25,6 +25,7 @@ SimulatedMoteus::SimulatedMoteus(const MoteusSettings& settings)
     m_machine.motor = settings.motor;
     m_machine.motorPosition.rotorToOutputRatio = 1.0 / settings.gearRatio;
     powerUp();
+    m_uptime = settings.uptime;
     if (settings.referenced) {
         m_encoder->setNearest(settings.position);
     }

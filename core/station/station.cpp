@@ -91,7 +91,11 @@ TurnKeeper::Start Station::remembered(const std::optional<AxisPosition>& standin
     if (!loaded.problem.isEmpty()) {
         m_log.add(Severity::Warning, kMemoryCause, loaded.problem);
     }
-    return {.memory = std::move(loaded.memory), .problem = std::move(loaded.problem), .standingAt = standingAt};
+    TurnKeeper::Start start{.memory = std::move(loaded.memory), .problem = std::move(loaded.problem)};
+    if (standingAt) {
+        start.standingAt = {standingAt->azimuth, standingAt->elevation};
+    }
+    return start;
 }
 
 void Station::saveMemory()

@@ -40,8 +40,8 @@ std::array<CanFrame, 2> StationControl::tick()
     ++m_tick;
     m_drives.judge(now);
     watchConnection();
-    watchDrives();
     keepTurns();
+    watchDrives();
     watchJog();
     watchFitness();
     retry();
@@ -113,8 +113,12 @@ void StationControl::keepTurns()
         if (!std::exchange(m_answered[index(axis)], answering) && answering) {
             m_turns.forget(axis);  // who was silent may come back as another
         }
-        if (answering && facts(axis) && !m_released) {  // or it would be judged before the other tool had it
+        if (answering && facts(axis)) {
+            const bool before = m_turns.known(axis);
             m_turns.judge(axis, *facts(axis), drive, m_now);
+            if (m_turns.known(axis) != before) {
+                watchOf(axis).forgetMotion();  // what the drive reports may have leapt by whole turns
+            }
             const bool moving = drive.phase() != Drive::Phase::Listening && !m_motion.atRest();
             m_turns.note(axis, *facts(axis), drive, moving, m_now);
         }
@@ -131,14 +135,15 @@ void StationControl::keepTurns()
 void StationControl::tellTurns()
 {
     for (const Axis axis : kAxes) {
-        const QString name = drive_alarms::toQString(m_drives.drive(axis).name());
+        const Drive& drive = m_drives.drive(axis);
+        const QString name = drive_alarms::toQString(drive.name());
         const QString cause = name + QStringLiteral(" turn");
-        const auto question = turnQuestion(axis);
+        const auto question = m_turns.question(axis, drive);
         if (!question) {
             m_alarms.clear(cause);
         } else if (!m_alarms.active(cause)) {
-            m_alarms.raise(cause, Severity::Warning,
-                           {.what = QStringLiteral("it is not known on which turn the axis of the %1 stands").arg(name),
+            m_alarms.raise(cause, Severity::Alarm,
+                           {.what = QStringLiteral("%1: it is not known on which turn the axis stands").arg(name),
                             .action = QStringLiteral("Pointing is refused, clients get no position; slow jogging only"),
                             .remedy = QStringLiteral("Look at the mount and its cable, then tell where it stands")});
         }
@@ -249,7 +254,7 @@ void StationControl::moveOn(Seconds step)
     for (const Axis axis : kAxes) {
         if (m_drives.drive(axis).takeEngaged()) {
             m_motion.start(axis, *m_drives.measured(axis));
-            watchOf(axis).engaged();
+            watchOf(axis).forgetMotion();
         }
     }
     if (m_drives.engaged()) {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace boresight {
 namespace {
@@ -101,22 +100,22 @@ void TurnKeeper::judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& dr
     const bool trusted = settings(axis).powerUpPosition == profile::PowerUpPosition::Trusted ||
                          (m_start.trustFirstContact && !record(axis));
     const memory::Evidence evidence{.record = record(axis),
-                                    .recordProblem = m_start.problem,
+                                    .recordProblem = record(axis) ? QString() : m_start.problem,
                                     .now = m_clock.utc(),
                                     .host = memory::hostTime(m_clock),
                                     .trusted = trusted,
                                     .doubt = doubtOf(axis, *drive.report())};
     const memory::Judgement judgement = memory::reconcile(met, evidence, geometry);
-    const bool judgedBefore = std::exchange(m_judgedBefore[index(axis)], true);
     if (const auto* const certain = std::get_if<memory::Certain>(&judgement)) {
+        m_start.standingAt[index(axis)].reset();
         settle(axis, certain->angle, met.period, drive, QStringLiteral("station"), certain->why);
         return;
     }
     ask(axis, std::get<memory::TurnQuestion>(judgement), drive);
-    if (m_start.standingAt && !judgedBefore) {
-        const Angle place = axis == Axis::Azimuth ? m_start.standingAt->azimuth : m_start.standingAt->elevation;
-        if (const Result<> chosen = choose(axis, place, drive, QStringLiteral("command line")); !chosen) {
-            m_log.add(Severity::Warning, QStringLiteral("command line"), QString::fromStdString(chosen.error().text));
+    if (const auto place = std::exchange(m_start.standingAt[index(axis)], std::nullopt)) {
+        const QString source = QStringLiteral("command line");
+        if (const Result<> chosen = choose(axis, *place, drive, source); !chosen) {
+            m_log.add(Severity::Warning, source, QString::fromStdString(chosen.error().text));
         }
     }
 }

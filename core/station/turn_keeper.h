@@ -27,9 +27,9 @@ public:
         QString problem;  // why there is no journal, or not the newest: "the journal file is missing"
         // The built-in simulated mount is delivered standing where its drives say.
         bool trustFirstContact = false;
-        // Where the operator said at the start of the program that the mount stands, about. Counts once for each axis:
-        // later it may be anywhere.
-        std::optional<AxisPosition> standingAt{};
+        // Where the operator said at the start of the program that the mount stands, about. Answers the first question
+        // about each axis, and no later one.
+        std::array<std::optional<Angle>, 2> standingAt{};
     };
 
     TurnKeeper(const profile::Profile& profile, const Clock& clock, EventLog& log, Start start);
@@ -90,7 +90,6 @@ private:
     EventLog& m_log;
     Start m_start;
     std::array<State, 2> m_states;
-    std::array<bool, 2> m_judgedBefore{};
     bool m_changed = false;
 };
 

@@ -144,7 +144,6 @@ void checkMotion(std::map<Register, double>& fields, const profile::AxisSettings
     require(
         std::isfinite(fields[Register::CommandAccelerationLimit]) && fields[Register::CommandAccelerationLimit] > 0.0,
         "a motion command has an acceleration limit");
-    require(fields.count(Register::CommandIgnorePositionBounds) == 0, "the drive's own limits stay in force");
 }
 
 void checkOrders(StationRig& rig, bool asked)
@@ -152,12 +151,19 @@ void checkOrders(StationRig& rig, bool asked)
     for (const CanFrame& frame : rig.control.tick()) {
         require(legalCanLength(frame.size) == frame.size, "a command frame has a legal length");
         auto fields = writesOf(frame);
-        require(asked || fields.empty(), "nothing is commanded before anybody asked");
+        const bool orders = fields.count(Register::Mode) != 0;  // being told its place moves no axis
+        require(asked || !orders, "nothing is commanded before anybody asked");
         if (const auto mode = fields.find(Register::Mode); mode != fields.end()) {
             const bool moves = static_cast<Mode>(static_cast<int>(mode->second)) == Mode::Position;
             require(moves || mode->second == static_cast<double>(Mode::Stopped), "a drive holds, moves or stops");
             if (moves) {
                 const bool first = fromCanId(frame.id).destination == rig.profile.azimuth.id;
+                const StationStatus status = rig.control.status();
+                const AxisStatus& axis = first ? status.azimuth : status.elevation;
+                const DriveStatus& drive = first ? status.drives.azimuth : status.drives.elevation;
+                const bool lost = !drive.turnKnown || !axis.actual || !axis.travel.contains(*axis.actual);
+                require(lost || fields.count(Register::CommandIgnorePositionBounds) == 0,
+                        "the drive's own limits stay in force");
                 checkMotion(fields, first ? rig.profile.azimuth : rig.profile.elevation, rig.profile.control.watchdog);
             }
         }

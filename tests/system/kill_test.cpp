@@ -23,10 +23,6 @@ class KillTest : public ::testing::Test
 protected:
     void SetUp() override
     {
-        // Up for longer than the drives' clocks could be wrong: so the journal can prove that they never lost power.
-        constexpr std::chrono::seconds kUp{20};
-        pair.advanceTo(kUp);
-        epoch = clock.now() - kUp;
         auto created = sim::PtyServer::create(terminal, pair, clock);
         ASSERT_TRUE(created) << created.error().text;
         server = std::move(*created);
@@ -101,7 +97,7 @@ protected:
     const QString terminal = folder.filePath(QStringLiteral("mount"));
     SystemClock clock;
     sim::SimulatedPair pair{sim::commissionedPair()};
-    SteadyTime epoch{};  // of the pair
+    const SteadyTime epoch = clock.now();
     std::unique_ptr<sim::PtyServer> server;
     std::unique_ptr<BoresightdProcess> boresightd;
     std::unique_ptr<fakes::TcpPeer> client;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole path on real CAN interfaces: needs vcan0, CAN-FD, up, the right to change it (User-Mode Linux gives both),
 // and can-utils as an independent witness, as the cable and as a rude neighbour.
+#include "core/moteus/diagnostic.h"
 #include "tests/system/socketcan_mount.h"
 
 #include <QFile>
@@ -54,7 +55,10 @@ bool isMoteusId(const QString& text)
     const std::uint32_t id = text.toUInt(nullptr, 16);
     const std::uint32_t source = (id >> 8U) & 0x7fU;
     const std::uint32_t destination = id & 0x7fU;
-    return (id & ~0xff7fU) == 0 && (source == 0) != (destination == 0);
+    const auto isOurs = [](std::uint32_t number) {
+        return number == moteus::kHostId || number == moteus::kDiagnosticHostId;
+    };
+    return (id & ~0xff7fU) == 0 && isOurs(source) != isOurs(destination);
 }
 
 TEST(SocketCanSystem, PointsTheMountWithFramesOfCanFd)
@@ -73,7 +77,8 @@ TEST(SocketCanSystem, PointsTheMountWithFramesOfCanFd)
     EXPECT_GT(seen.frames, 400);
     EXPECT_GT(seen.padded, 100);
     EXPECT_EQ(seen.others, 0) << candump.output().left(300).toStdString();
-    // To drives 1 and 2 with the request for a reply (0x8000: an extended id), and their replies to host 0.
+    // To drives 1 and 2 with the request for a reply (0x8000: an extended id), and their replies to host 0;
+    // the survey has a source number of its own.
     for (const char* id : {"00008001", "00008002", "100", "200"}) {
         EXPECT_TRUE(seen.ids.contains(QLatin1String(id))) << id;
     }
