@@ -16,13 +16,14 @@ const Angle kAgreement = Angle::fromDegrees(5.0);     // scenario S10: as much m
 const Angle kWidePeriod = Angle::fromDegrees(20.0);
 // Below this they are no places: a ratio of zero, or nonsense.
 const Angle kSmallestPeriod = Angle::fromDegrees(0.01);
-constexpr std::size_t kNamedCandidates = 5;  // more are told as a range
+constexpr MotorTurns kPositionRange = MotorTurns::fromTurns(32768.0);  // where the drive's register wraps
+constexpr std::size_t kNamedCandidates = 5;                            // more are told as a range
 
 bool knowsItsPhase(const DriveFrame& frame)
 {
     const auto wanted = frame.outputEncoder ? moteus::HomeState::Output : moteus::HomeState::Rotor;
-    return frame.homeState >= wanted && frame.reported.isFinite() && frame.period.isFinite() &&
-           frame.period >= kSmallestPeriod;
+    const bool possible = frame.reported.isFinite() && abs(frame.reported) <= kPositionRange;
+    return frame.homeState >= wanted && possible && frame.period.isFinite() && frame.period >= kSmallestPeriod;
 }
 
 std::vector<Angle> candidatesOf(const DriveFrame& frame, const pointing::AxisGeometry& axis)
@@ -63,7 +64,8 @@ public:
     [[nodiscard]] Judgement judge() const
     {
         const Angle reported = m_axis.toAxis(m_frame.reported);
-        if (m_evidence.trusted && m_frame.homeState != moteus::HomeState::Relative && reported.isFinite()) {
+        if (m_evidence.trusted && !m_evidence.doubt && m_frame.homeState != moteus::HomeState::Relative &&
+            reported.isFinite()) {
             return Certain{reported, QStringLiteral("The profile trusts the drive's position")};
         }
         if (!m_evidence.doubt) {

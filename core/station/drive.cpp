@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/drive.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -18,6 +19,9 @@ constexpr Seconds kBrakingTime{0.6};
 
 const moteus::Field kIgnoreBounds{1.0, moteus::Resolution::Int8};
 
+// The position register wraps there; beyond it is no position.
+constexpr double kPositionRange = 32768.0;  // turns
+
 // A reply shows the state before the command in the same exchange, so the first one of a phase says nothing about it.
 constexpr int kFirstTellingReply = 2;
 
@@ -26,11 +30,12 @@ DriveReport toReport(const moteus::Reply& reply, SteadyTime received)
     using moteus::Register;
     const auto number = [&](Register reg) { return reply.value(reg).value_or(0.0); };
     const auto turns = reply.value(Register::Position);
+    const bool possible = turns && std::abs(*turns) <= kPositionRange;
     return {.received = received,
             .mode = *reply.mode(),
             .fault = reply.fault().value_or(0),
             .homeState = reply.homeState().value_or(moteus::HomeState::Relative),
-            .position = turns ? std::optional(MotorTurns::fromTurns(*turns)) : std::nullopt,
+            .position = possible ? std::optional(MotorTurns::fromTurns(*turns)) : std::nullopt,
             .rate = MotorRate::fromTurns(number(Register::Velocity)),
             .torque = number(Register::Torque),
             .current = number(Register::QCurrent),
@@ -53,6 +58,10 @@ void Drive::enter(Phase phase)
 void Drive::engage()
 {
     if (m_phase == Phase::Capturing || m_phase == Phase::Engaged) {
+        return;
+    }
+    if (m_phase == Phase::Referencing) {
+        m_heldWhenReferenced = true;  // its place first
         return;
     }
     m_captureAfterRecovery = true;
@@ -81,6 +90,7 @@ void Drive::recover()
 
 void Drive::reference(MotorTurns place, MotorTurns tolerance)
 {
+    m_justReferenced = false;
     m_reference = place;
     m_referenceTolerance = tolerance;
     m_heldWhenReferenced = m_phase == Phase::Engaged || m_phase == Phase::Capturing;
@@ -118,9 +128,10 @@ bool Drive::answering(SteadyTime now) const
     return m_report && now - m_heard < kSilence;
 }
 
-void Drive::excuse(Seconds stall)
+// Replies that waited meanwhile are stamped when they are read, so that the excuse must not reach beyond now.
+void Drive::excuse(Seconds stall, SteadyTime now)
 {
-    m_heard += std::chrono::duration_cast<SteadyTime::duration>(stall);
+    m_heard = std::min(m_heard + std::chrono::duration_cast<SteadyTime::duration>(stall), now);
 }
 
 bool Drive::activeUnordered() const
@@ -164,6 +175,7 @@ void Drive::judge(SteadyTime now)
     if (m_phase == Phase::Listening || m_phase == Phase::Braking) {
         return;
     }
+    m_holdNext = !m_holdNext;
     if (!m_phaseSince) {
         m_phaseSince = now;
     }
@@ -242,7 +254,7 @@ moteus::PositionCommand Drive::positionCommand(double position, double velocity)
 // No command, so it does not feed the watchdog: a held drive gets "hold" in every second tick.
 moteus::Command Drive::referenceCommand() const
 {
-    if (m_heldWhenReferenced && m_repliesInPhase % 2 == 0) {
+    if (m_heldWhenReferenced && m_holdNext) {
         return positionCommand(moteus::kKeepControlPosition, 0.0);
     }
     if (m_report && m_report->homeState == moteus::HomeState::Relative) {

@@ -77,11 +77,12 @@ public:
     void seize();   // engage, but only a drive that does something without our orders
     void listen();  // stop commanding; the drive's watchdog then ends what it did
     // Clears a fault or time-out. A drive that held an axis by its time-out mode is captured again, so that an
-    // unbalanced axis falls for no longer than the 13 ms of enabling; after a fault it is left off.
+    // unbalanced axis falls only until mode 0 was seen (two ticks) and for the 13 ms of enabling; after a fault it is
+    // left off.
     void recover();
-    // Tells the drive that it stands at `place`: it keeps the phase of its encoder and takes the nearest turn; without
-    // any reference (home state 0) it takes the place as it is. Done when it reports the place within `tolerance`.
-    // A drive that is Engaged holds meanwhile and is captured anew.
+    // Tells a drive that canBeReferenced() that it stands at `place`: it keeps the phase of its encoder and takes the
+    // nearest turn; without any reference (home state 0) it takes the place as it is. Done when it reports the place
+    // within `tolerance`. A drive that is Engaged holds meanwhile and is captured anew.
     void reference(MotorTurns place, MotorTurns tolerance);
     [[nodiscard]] bool canBeReferenced() const;
     void starve();  // Engaged -> Starving
@@ -98,11 +99,11 @@ public:
     void judge(SteadyTime now);
     [[nodiscard]] CanFrame frame() const;
     // We did not look at the bus for so long: this does not count as silence of the drive.
-    void excuse(Seconds stall);
+    void excuse(Seconds stall, SteadyTime now);
 
     // True once after the drive has become Engaged: the first set-point must be where it stands.
     [[nodiscard]] bool takeEngaged() { return std::exchange(m_justEngaged, false); }
-    // Given once when an engaged or capturing drive was lost; it is Listening then.
+    // Given once when a drive was lost, or is in fault; it is Listening then.
     [[nodiscard]] std::optional<DriveLoss> takeLoss() { return std::exchange(m_loss, std::nullopt); }
 
     [[nodiscard]] Phase phase() const { return m_phase; }
@@ -135,11 +136,12 @@ private:
     bool m_justEngaged = false;
     bool m_justReferenced = false;
     bool m_heldWhenReferenced = false;
+    bool m_holdNext = false;  // while Referencing: every second frame
     bool m_ignoreBounds = false;
     bool m_faultTold = false;
     SteadyTime m_heard{};  // last reply, stalls of our own excused
     int m_repliesInPhase = 0;
-    std::optional<SteadyTime> m_phaseSince;  // of Capturing and Recovering
+    std::optional<SteadyTime> m_phaseSince;  // of all but Listening and Braking
     MotorTurns m_setpoint;
     MotorRate m_setpointRate;
     MotorTurns m_reference;

@@ -103,15 +103,28 @@ void DriveCare::tellChanges()
     }
 }
 
+Result<> DriveCare::admits(const Request& request) const
+{
+    const bool touches = std::holds_alternative<request::ReadDrives>(request) ||
+                         std::holds_alternative<request::FixDrives>(request) ||
+                         std::holds_alternative<request::ReleaseBus>(request);
+    if (touches && m_survey.state() == survey::SurveyState::Fixing) {
+        return failure(ErrorCode::Refused, "the drives' settings are being written: wait until that is done");
+    }
+    return {};
+}
+
 Result<> DriveCare::carryOut(const Request& request, SteadyTime now)
 {
-    return std::visit(Overloaded{[&](const request::ReadDrives&) -> Result<> {
-                                     m_survey.begin(now);
-                                     return {};
-                                 },
-                                 [&](const request::FixDrives&) { return m_survey.fix(now); },
-                                 [](const auto&) -> Result<> { return {}; }},
-                      request);
+    const Result<> done = std::visit(Overloaded{[&](const request::ReadDrives&) -> Result<> {
+                                                    m_survey.begin(now);
+                                                    return {};
+                                                },
+                                                [&](const request::FixDrives&) { return m_survey.fix(now); },
+                                                [](const auto&) -> Result<> { return {}; }},
+                                     request);
+    tellControl();  // at once: a client's command may come before the next tick
+    return done;
 }
 
 void DriveCare::fill(DrivesStatus& drives) const

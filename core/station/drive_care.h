@@ -23,6 +23,8 @@ public:
     void take(const CanFrame& frame) { m_survey.take(frame); }
     // After the tick of StationControl; the frames to send beside its own.
     [[nodiscard]] std::vector<CanFrame> tick(SteadyTime now);
+    // While settings are being written, nothing else is done to the drives.
+    [[nodiscard]] Result<> admits(const Request& request) const;
     // Carries out what StationControl has admitted; other requests are not its business.
     [[nodiscard]] Result<> carryOut(const Request& request, SteadyTime now);
 

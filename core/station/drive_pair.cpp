@@ -3,6 +3,8 @@
 
 #include "core/survey/protections.h"
 
+#include <algorithm>
+
 namespace boresight {
 namespace {
 
@@ -84,10 +86,20 @@ void DrivePair::seize()
     m_elevation.seize();
 }
 
-void DrivePair::excuse(Seconds stall)
+void DrivePair::excuse(Seconds stall, SteadyTime now)
 {
-    m_azimuth.excuse(stall);
-    m_elevation.excuse(stall);
+    m_azimuth.excuse(stall, now);
+    m_elevation.excuse(stall, now);
+}
+
+// Left alone in the middle of it, a drive would be limp.
+bool DrivePair::changingHands() const
+{
+    return std::ranges::any_of(kAxes, [this](Axis axis) {
+        const Drive::Phase phase = drive(axis).phase();
+        return phase == Drive::Phase::Capturing || phase == Drive::Phase::Recovering ||
+               phase == Drive::Phase::Referencing || phase == Drive::Phase::Starving;
+    });
 }
 
 bool DrivePair::anyUnderOrders() const

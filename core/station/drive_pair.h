@@ -33,8 +33,9 @@ public:
 
     void engage();
     void seize();  // stop what a drive does without our orders
-    void excuse(Seconds stall);
+    void excuse(Seconds stall, SteadyTime now);
     [[nodiscard]] bool engaged() const;         // both take set-points
+    [[nodiscard]] bool changingHands() const;   // one is being captured, recovered or told its place
     [[nodiscard]] bool anyUnderOrders() const;  // at least one is not only listened to
     [[nodiscard]] bool answering(SteadyTime now) const;
     void leave(profile::OnExit how);  // drives that were never engaged stay as they are

@@ -61,8 +61,13 @@ std::optional<DriveWatch::Trouble> DriveWatch::watch(Drive& drive, const trackin
     }
     watchUnordered(drive, context);
     watchActiveLimit(drive, context.now);
-    const auto seen = supervise(drive, setpoint, context);
-    return lost ? lost : seen;
+    auto seen = supervise(drive, setpoint, context);
+    if (lost) {
+        const bool doubtful = lost->turnDoubtful || (seen && seen->turnDoubtful);
+        seen = lost;
+        seen->turnDoubtful = doubtful;
+    }
+    return seen;
 }
 
 std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive)
@@ -165,10 +170,9 @@ std::optional<DriveWatch::Trouble> DriveWatch::supervise(const Drive& drive, con
         }
         m_told[observed.finding] = observed.weight;
         m_alarms.raise(cause(observed.finding), severityOf(observed), drive_alarms::supervised(observed));
-        if (stop && !trouble) {
-            trouble = Trouble{.what = observed.what,
-                              .loss = LossClass::Motion,
-                              .turnDoubtful = observed.finding == Finding::EncoderJump};
+        const bool doubtful = observed.finding == Finding::EncoderJump;
+        if ((stop || doubtful) && !trouble) {
+            trouble = Trouble{.what = observed.what, .stops = stop, .turnDoubtful = doubtful};
         }
     }
     endHints(seen);

@@ -27,10 +27,10 @@ public:
         bool ownOrders = false;        // an active drive may still carry out what was ours
         bool silenceExpected = false;  // the bus is left to other tools
     };
-    // Why the mount must come to rest and be re-armed.
     struct Trouble
     {
         QString what;
+        bool stops = true;  // the mount must come to rest and be re-armed
         supervision::LossClass loss = supervision::LossClass::Motion;
         bool turnDoubtful = false;  // the reported angle is not to be believed without a look
     };

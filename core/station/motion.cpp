@@ -20,11 +20,6 @@ void Motion::start(Axis axis, Angle measured)
     (axis == Axis::Azimuth ? m_azimuth : m_elevation).reset(measured);
 }
 
-void Motion::setTravel(Axis axis, const TravelRange& travel)
-{
-    (axis == Axis::Azimuth ? m_azimuth : m_elevation).setTravel(travel);
-}
-
 void Motion::rest()
 {
     m_wanted = Resting{};

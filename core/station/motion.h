@@ -23,8 +23,6 @@ public:
     // Takes over an axis that stands at a measured angle, at rest there. What is wanted stays.
     void start(Axis axis, Angle measured);
 
-    void setTravel(Axis axis, const TravelRange& travel);
-
     void rest();  // decelerate, then stay
     void goTo(const AxisPosition& place);
     void follow(const AxisPosition& point, SteadyTime now);  // one point of a stream

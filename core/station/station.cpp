@@ -227,8 +227,9 @@ void Station::finish()
 void Station::request(const NumberedRequest& numbered)
 {
     static const Source kOperator{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
-    const Result<> answer =
-        m_control.request(numbered.request, kOperator).and_then([&] { return carryOut(numbered.request); });
+    const Result<> answer = m_care.admits(numbered.request)
+                                .and_then([&] { return m_control.request(numbered.request, kOperator); })
+                                .and_then([&] { return carryOut(numbered.request); });
     if (!answer) {
         m_log.add(Severity::Warning, kOperator.name,
                   QStringLiteral("refused: ") + QString::fromStdString(answer.error().text));

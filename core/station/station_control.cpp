@@ -106,6 +106,11 @@ Result<> StationControl::mayJog(const AxisRates& rates, const Source& source) co
         return mayPoint(source);
     }
     return mayMove(source).and_then([&]() -> Result<> {
+        for (const Axis axis : kAxes) {
+            if (!m_turns.known(axis) && !m_turns.asked(axis)) {
+                return failure(ErrorCode::Refused, "the place of the axes is being found out: wait a moment");
+            }
+        }
         const AngularRate fastest = m_profile.jog.unwind;
         if (std::max(abs(rates.azimuth), abs(rates.elevation)) > fastest) {
             return failure(ErrorCode::Refused, "the turn of an axis is not known: jog at " +
@@ -255,7 +260,7 @@ Result<> StationControl::handle(const request::Home&, const Source& source)
 
 Result<> StationControl::runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& what)
 {
-    return mayJog(rates, source).map([&] {
+    return (activity == Activity::Jogging ? mayJog(rates, source) : mayPoint(source)).map([&] {
         begin(activity, source, what);
         m_motion.run(rates);
     });
@@ -317,6 +322,9 @@ Result<> StationControl::handle(const request::Rearm&, const Source& source)
     }
     if (!m_interlock.fault()) {
         return failure(ErrorCode::Refused, "there is no fault to re-arm from");
+    }
+    if (m_shutDown != ShutDown::No) {
+        return failure(ErrorCode::Refused, "Boresight is closing");
     }
     if (!m_connected) {
         return failure(ErrorCode::NoAnswer, "both drives must answer before re-arming");
@@ -405,6 +413,7 @@ void StationControl::driveRestarted(Axis axis)
               QStringLiteral("was power-cycled: its turn must be judged anew"));
     m_turns.forget(axis);
     watchOf(axis).forgetMotion();
+    holdHere(Activity::None);
 }
 
 void StationControl::setSilenceAdvice(const QString& advice)

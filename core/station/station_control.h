@@ -140,6 +140,8 @@ private:
     void watchDrives();
     void stopFor(Axis axis, const DriveWatch::Trouble& trouble);
     void keepTurns();
+    void keepTurn(Axis axis);
+    void letBackInside(Axis axis);
     void tellTurns();
     [[nodiscard]] supervision::DriveConditions conditions(Axis axis) const;
     void watchJog();
@@ -188,6 +190,8 @@ private:
     bool m_limited = false;
     std::optional<SteadyTime> m_jogDeadline;
     std::array<bool, 2> m_answered{};
+    std::array<bool, 2> m_ignoringBounds{};
+    bool m_turnsWereKnown = false;
     bool m_connected = false;
     bool m_wasConnected = false;
     SteadyTime m_quietUntil{};  // no motion right after a connection came back

@@ -64,6 +64,9 @@ StationState StationControl::state() const
 
 bool StationControl::atTravelEnd(Axis axis) const
 {
+    if (!m_turns.known(axis)) {
+        return false;
+    }
     const TravelRange& travel = m_model.axis(axis).travel;
     const Angle place = m_motion.setpoint(axis).position;
     return place - travel.min < kAtTravelEnd || travel.max - place < kAtTravelEnd;

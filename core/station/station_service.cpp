@@ -26,6 +26,9 @@ Result<> StationControl::drivesRest() const
     if (m_drives.anyUnderOrders() && !m_motion.atRest()) {
         return failure(ErrorCode::Refused, "the mount moves: stop it first");
     }
+    if (m_drives.changingHands()) {
+        return failure(ErrorCode::Refused, "a drive is being taken over: try again in a second");
+    }
     return {};
 }
 
@@ -37,7 +40,7 @@ Result<> StationControl::handle(const request::ReadDrives&, const Source& source
 // Whatever is written while a drive is active ends in its fault 41, and the axis falls.
 Result<> StationControl::handle(const request::FixDrives&, const Source& source)
 {
-    return operatorOnly(source).and_then([this]() -> Result<> {
+    return operatorOnly(source).and_then([&]() -> Result<> {
         if (!m_connected) {
             return failure(ErrorCode::NoAnswer, "both drives must answer");
         }
@@ -48,18 +51,24 @@ Result<> StationControl::handle(const request::FixDrives&, const Source& source)
                                "the " + drive.name() + " is switched on: support the elevation, switch the drives off");
             }
         }
+        takeOver(source);  // else the next target of a client would switch them on in the middle of it
         return {};
     });
 }
 
 Result<> StationControl::handle(const request::SwitchOff&, const Source& source)
 {
-    return operatorOnly(source).and_then([this] { return drivesRest(); }).map([&] {
+    return operatorOnly(source).and_then([this] { return drivesRest(); }).and_then([&]() -> Result<> {
+        if (!m_connected) {
+            return failure(ErrorCode::NoAnswer, "both drives must answer");
+        }
+        takeOver(source);  // else the next target of a client would switch them on again
         holdHere(Activity::None);
         for (const Axis axis : kAxes) {
             m_drives.drive(axis).release();
         }
         m_log.add(Severity::Warning, source.name, QStringLiteral("switches both drives off: nothing holds the axes"));
+        return {};
     });
 }
 
@@ -67,10 +76,12 @@ Result<> StationControl::handle(const request::ReleaseBus&, const Source& source
 {
     return operatorOnly(source).and_then([this] { return drivesRest(); }).map([&] {
         m_released = true;
+        takeOver(source);
         holdHere(Activity::None);
         for (const Axis axis : kAxes) {
             m_drives.drive(axis).listen();
             m_turns.forgetAfterOthers(axis);
+            learn(axis, std::nullopt);
         }
         m_log.add(Severity::Warning, source.name,
                   QStringLiteral("leaves the bus to other tools; drives that held go on by their time-out mode"));
@@ -92,6 +103,7 @@ Result<> StationControl::handle(const request::TakeBus&, const Source& source)
 Result<> StationControl::handle(const request::ChooseTurn& wanted, const Source& source)
 {
     return operatorOnly(source).and_then([this] { return drivesRest(); }).and_then([&] {
+        takeOver(source);
         return m_turns.choose(wanted.axis, wanted.angle, m_drives.drive(wanted.axis), source.name);
     });
 }

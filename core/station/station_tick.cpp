@@ -16,8 +16,6 @@ constexpr Seconds kStall{0.125};
 constexpr std::chrono::milliseconds kLastOrder{150};
 // After a connection came back somebody may stand at the mast with a cable in the hand.
 constexpr std::chrono::seconds kQuietAfterReturn{1};
-// While the turn of an axis is not known its limits mean nothing: the operator watches instead.
-constexpr Angle kAnywhere = Angle::fromDegrees(36000.0);
 
 // From full speed, with a second to spare.
 Seconds longestStop(const profile::Profile& profile)
@@ -80,8 +78,12 @@ void StationControl::watchDrives()
                                           .faultLatched = faultLatched(),
                                           .ownOrders = faultLatched() || m_shutDown != ShutDown::No,
                                           .silenceExpected = m_released};
-        if (const auto trouble = watchOf(axis).watch(m_drives.drive(axis), m_motion.setpoint(axis), context)) {
+        const auto trouble = watchOf(axis).watch(m_drives.drive(axis), m_motion.setpoint(axis), context);
+        if (trouble && trouble->stops) {
             stopFor(axis, *trouble);
+        }
+        if (trouble && trouble->turnDoubtful) {
+            m_turns.forget(axis, trouble->what);
         }
     }
     if (!faultLatched()) {
@@ -100,36 +102,48 @@ void StationControl::stopFor(Axis axis, const DriveWatch::Trouble& trouble)
     if (const auto measured = m_drives.measured(axis)) {
         m_motion.start(axis, *measured);
     }
-    if (trouble.turnDoubtful) {
-        m_turns.forget(axis, trouble.what);
-    }
 }
 
 void StationControl::keepTurns()
 {
     for (const Axis axis : kAxes) {
-        Drive& drive = m_drives.drive(axis);
-        const bool answering = drive.answering(m_now);
-        if (!std::exchange(m_answered[index(axis)], answering) && answering) {
-            m_turns.forget(axis);  // who was silent may come back as another
-        }
-        if (answering && facts(axis)) {
-            const bool before = m_turns.known(axis);
-            m_turns.judge(axis, *facts(axis), drive, m_now);
-            if (m_turns.known(axis) != before) {
-                watchOf(axis).forgetMotion();  // what the drive reports may have leapt by whole turns
-            }
-            const bool moving = drive.phase() != Drive::Phase::Listening && !m_motion.atRest();
-            m_turns.note(axis, *facts(axis), drive, moving, m_now);
-        }
-        const TravelRange& travel = m_model.axis(axis).travel;
-        const auto measured = m_drives.measured(axis);
-        const bool known = m_turns.known(axis);
-        // Outside, its own bounds would refuse even the way back.
-        drive.setIgnoreBounds(!known || (measured && !travel.contains(*measured)));
-        m_motion.setTravel(axis, known ? travel : TravelRange{.min = -kAnywhere, .max = kAnywhere});
+        keepTurn(axis);
+    }
+    if (std::exchange(m_turnsWereKnown, turnsKnown()) && !turnsKnown()) {
+        holdHere(Activity::None);  // what was wanted is meant in a frame that is not true any more
     }
     tellTurns();
+}
+
+void StationControl::keepTurn(Axis axis)
+{
+    Drive& drive = m_drives.drive(axis);
+    const bool answering = drive.answering(m_now) && !m_released;
+    if (!std::exchange(m_answered[index(axis)], answering) && answering) {
+        m_turns.forget(axis);  // who was silent may come back as another
+    }
+    if (answering && facts(axis)) {
+        const bool before = m_turns.known(axis);
+        m_turns.judge(axis, *facts(axis), drive, m_now);
+        if (m_turns.known(axis) != before) {
+            watchOf(axis).forgetMotion();  // what the drive reports may have leapt by whole turns
+        }
+        const bool moving = drive.phase() != Drive::Phase::Listening && !m_motion.atRest();
+        m_turns.note(axis, *facts(axis), drive, moving, m_now);
+    }
+    letBackInside(axis);
+}
+
+// An axis that was pushed out beyond its drive's own bounds could not even be moved back: fault 39.
+void StationControl::letBackInside(Axis axis)
+{
+    const auto measured = m_drives.measured(axis);
+    const TravelRange& travel = m_model.axis(axis).travel;
+    const Angle margin = m_profile.control.driveLimitMargin;
+    bool& ignoring = m_ignoringBounds[index(axis)];
+    const bool beyond = measured && (*measured < travel.min - margin || *measured > travel.max + margin);
+    ignoring = m_turns.known(axis) && measured && (beyond || (ignoring && !travel.contains(*measured)));
+    m_drives.drive(axis).setIgnoreBounds(ignoring);
 }
 
 void StationControl::tellTurns()
@@ -153,7 +167,7 @@ void StationControl::tellTurns()
 void StationControl::watchStall(Seconds gap)
 {
     if (m_tick > 0 && gap > kStall) {
-        m_drives.excuse(gap);
+        m_drives.excuse(gap, m_now + std::chrono::duration_cast<SteadyTime::duration>(gap));
         m_azimuthWatch.forgetMotion();
         m_elevationWatch.forgetMotion();
         m_log.add(Severity::Warning, QStringLiteral("station"),
@@ -217,12 +231,7 @@ void StationControl::beginRearm()
 
 void StationControl::finishRearm()
 {
-    const auto busy = [&](Axis axis) {
-        const Drive::Phase phase = m_drives.drive(axis).phase();
-        return phase == Drive::Phase::Recovering || phase == Drive::Phase::Capturing ||
-               phase == Drive::Phase::Releasing;  // switched off meanwhile
-    };
-    if (!m_rearming || std::ranges::any_of(kAxes, busy)) {
+    if (!m_rearming || m_drives.changingHands()) {
         return;
     }
     m_rearming = false;
@@ -240,7 +249,7 @@ void StationControl::retry()
 {
     const auto due = m_retry.nextTry();
     if (!due || m_now < *due || m_rearming || !faultLatched() || m_interlock.stopLatched() || !m_connected ||
-        m_now < m_quietUntil || !rearmObstacle().isEmpty()) {
+        m_shutDown != ShutDown::No || m_now < m_quietUntil || !rearmObstacle().isEmpty()) {
         return;
     }
     m_retry.tried(m_now);
@@ -279,7 +288,8 @@ void StationControl::shutDown()
 
 void StationControl::shutDownFurther()
 {
-    if (m_shutDown == ShutDown::Slowing && (m_motion.atRest() || m_now > m_shutDownDeadline)) {
+    const bool still = m_motion.atRest() && !m_drives.changingHands();
+    if (m_shutDown == ShutDown::Slowing && (still || m_now > m_shutDownDeadline)) {
         m_drives.leave(m_profile.control.onExit);
         m_shutDownDeadline = m_now + kLastOrder;
         m_shutDown = ShutDown::Leaving;

@@ -17,6 +17,8 @@ constexpr std::chrono::minutes kRestingPeriod{5};
 constexpr Angle kWorthNoting = Angle::fromDegrees(0.1);
 // An eye at the mast is this good.
 constexpr Angle kEyeSight = Angle::fromDegrees(20.0);
+// The drive's millisecond counter begins anew.
+constexpr Seconds kCounterSpan{4294967.296};
 // Without candidates there is no period to derive it from.
 constexpr Angle kLoneTolerance = Angle::fromDegrees(1.0);
 
@@ -48,37 +50,94 @@ std::optional<memory::TurnRecord>& TurnKeeper::record(Axis axis)
 
 void TurnKeeper::forget(Axis axis, const std::optional<QString>& doubt)
 {
-    state(axis) = {.doubt = doubt ? doubt : state(axis).doubt, .otherHands = state(axis).otherHands};
+    State& mine = state(axis);
+    mine = {.doubt = doubt ? doubt : mine.doubt, .otherHands = mine.otherHands, .lent = mine.lent};
+    if (doubt) {
+        spoilRecord(axis);
+    }
 }
 
 void TurnKeeper::forgetAfterOthers(Axis axis)
 {
     forget(axis);
     state(axis).otherHands = true;
+    state(axis).lent = record(axis);
+    spoilRecord(axis);
+}
+
+// It must prove nothing any more, also after a restart of the program; it still tells where the axis may be.
+void TurnKeeper::spoilRecord(Axis axis)
+{
+    if (auto& last = record(axis)) {
+        last->host = {};
+        last->moving = true;
+        m_changed = true;
+    }
 }
 
 // A tool that moved the axis may also have set the drive's position, and nothing would show it.
 std::optional<QString> TurnKeeper::doubtOf(Axis axis, const DriveReport& report)
 {
+    const State& mine = state(axis);
     const pointing::AxisGeometry& geometry = settings(axis).geometry;
-    const bool untouched = record(axis) && abs(geometry.toAxis(*report.position) -
-                                               geometry.toAxis(record(axis)->reported)) < kWorthNoting * 2.0;
-    if (state(axis).otherHands && !untouched) {
+    const bool untouched =
+        mine.lent && abs(geometry.toAxis(*report.position) - geometry.toAxis(mine.lent->reported)) < kWorthNoting * 2.0;
+    if (mine.otherHands && !untouched) {
         return QStringLiteral("Other tools had the bus, and the drive reports another place than before");
     }
-    return state(axis).doubt;
+    return mine.doubt;
+}
+
+// The boards are interchanged: what is known of one says nothing of the other axis.
+bool TurnKeeper::ofTheOtherAxis(Axis axis, const survey::DriveFacts& facts) const
+{
+    const auto& other = m_start.memory.turns[1 - index(axis)];
+    return other && other->drive == facts.uuid;
 }
 
 void TurnKeeper::judge(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now)
 {
     State& mine = state(axis);
-    const bool reported = drive.report() && drive.report()->position && drive.answering(now);
-    if (mine.phase == Phase::Unjudged && reported && drive.canBeReferenced()) {
-        judgeAnew(axis, facts, drive, now);
-    } else if (mine.phase == Phase::Writing && drive.takeReferenced()) {
-        mine = {.phase = Phase::Known};
-        m_log.add(Severity::Advisory, drive_alarms::toQString(drive.name()),
-                  QStringLiteral("has taken its place: the turn is known"));
+    if (!drive.report() || !drive.report()->position || !drive.answering(now) || ofTheOtherAxis(axis, facts)) {
+        return;
+    }
+    switch (mine.phase) {
+        case Phase::Unjudged:
+            if (drive.canBeReferenced()) {
+                judgeAnew(axis, facts, drive, now);
+            }
+            break;
+        case Phase::Asked:
+            watchJog(axis, drive);
+            break;
+        case Phase::Writing:
+            if (drive.takeReferenced()) {
+                becomeKnown(axis, drive);
+            } else if (drive.phase() != Drive::Phase::Referencing) {
+                forget(axis);  // it was lost in the middle of it
+            }
+            break;
+        case Phase::Known:
+            if (drive.report()->homeState != mine.homeState) {
+                forget(axis);  // restarted, or told another place
+            }
+            break;
+    }
+}
+
+void TurnKeeper::becomeKnown(Axis axis, const Drive& drive)
+{
+    state(axis) = {.phase = Phase::Known, .homeState = drive.report()->homeState};
+    m_log.add(Severity::Advisory, drive_alarms::toQString(drive.name()),
+              QStringLiteral("the turn of its axis is known"));
+}
+
+// Jogged, the axis is not where the journal says.
+void TurnKeeper::watchJog(Axis axis, const Drive& drive)
+{
+    if (record(axis) && drive.phase() != Drive::Phase::Referencing && abs(movedSince(axis, drive)) > kWorthNoting) {
+        record(axis).reset();
+        m_changed = true;
     }
 }
 
@@ -88,7 +147,7 @@ memory::DriveFrame TurnKeeper::frame(Axis axis, const survey::DriveFacts& facts,
     return {.drive = facts.uuid,
             .reported = *report.position,
             .homeState = report.homeState,
-            .uptime = now - facts.bootedAt,
+            .uptime = Seconds(std::fmod(Seconds(now - facts.bootedAt).count(), kCounterSpan.count())),
             .outputEncoder = facts.outputEncoder,
             .period = memory::ambiguity(settings(axis).geometry, facts.rotorToOutputRatio, facts.outputEncoder)};
 }
@@ -99,12 +158,14 @@ void TurnKeeper::judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& dr
     const memory::DriveFrame met = frame(axis, facts, *drive.report(), now);
     const bool trusted = settings(axis).powerUpPosition == profile::PowerUpPosition::Trusted ||
                          (m_start.trustFirstContact && !record(axis));
-    const memory::Evidence evidence{.record = record(axis),
+    const auto doubt = doubtOf(axis, *drive.report());
+    const auto& lent = state(axis).lent;
+    const memory::Evidence evidence{.record = lent && !doubt ? lent : record(axis),
                                     .recordProblem = record(axis) ? QString() : m_start.problem,
                                     .now = m_clock.utc(),
                                     .host = memory::hostTime(m_clock),
                                     .trusted = trusted,
-                                    .doubt = doubtOf(axis, *drive.report())};
+                                    .doubt = doubt};
     const memory::Judgement judgement = memory::reconcile(met, evidence, geometry);
     if (const auto* const certain = std::get_if<memory::Certain>(&judgement)) {
         m_start.standingAt[index(axis)].reset();
@@ -112,15 +173,23 @@ void TurnKeeper::judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& dr
         return;
     }
     ask(axis, std::get<memory::TurnQuestion>(judgement), drive);
-    if (const auto place = std::exchange(m_start.standingAt[index(axis)], std::nullopt)) {
-        const QString source = QStringLiteral("command line");
-        if (const Result<> chosen = choose(axis, *place, drive, source); !chosen) {
-            m_log.add(Severity::Warning, source, QString::fromStdString(chosen.error().text));
-        }
+    const auto place = std::exchange(m_start.standingAt[index(axis)], std::nullopt);
+    if (!place || doubt || !chooseAsTold(axis, *place, drive)) {
+        countFromTheMiddle(axis, drive);
     }
 }
 
-void TurnKeeper::ask(Axis axis, const memory::TurnQuestion& question, Drive& drive)
+bool TurnKeeper::chooseAsTold(Axis axis, Angle place, Drive& drive)
+{
+    const QString source = QStringLiteral("command line");
+    const Result<> chosen = choose(axis, place, drive, source);
+    if (!chosen) {
+        m_log.add(Severity::Warning, source, QString::fromStdString(chosen.error().text));
+    }
+    return chosen.has_value();
+}
+
+void TurnKeeper::ask(Axis axis, const memory::TurnQuestion& question, const Drive& drive)
 {
     state(axis).phase = Phase::Asked;
     state(axis).question = question;
@@ -130,6 +199,28 @@ void TurnKeeper::ask(Axis axis, const memory::TurnQuestion& question, Drive& dri
         text += QStringLiteral(". ") + line;
     }
     m_log.add(Severity::Warning, drive_alarms::toQString(drive.name()), text);
+}
+
+// Outside its own bounds a drive refuses to move, and its time-out mode would pull the axis to the nearer bound.
+void TurnKeeper::countFromTheMiddle(Axis axis, Drive& drive)
+{
+    State& mine = state(axis);
+    const pointing::AxisGeometry& geometry = settings(axis).geometry;
+    const Angle middle = (geometry.travel.min + geometry.travel.max) * 0.5;
+    const Angle reported = geometry.toAxis(*drive.report()->position);
+    const Angle period = mine.question.period;
+    const bool phaseKnown = drive.report()->homeState != moteus::HomeState::Relative && period > Angle{};
+    const Angle place = phaseKnown ? reported + period * std::round((middle - reported) / period) : middle;
+    mine.reportedWhenAsked = geometry.toMotor(place);
+    drive.reference(geometry.toMotor(place), tolerance(axis, period));
+}
+
+// Of a place in the drive's own turns: less than half of what it cannot tell apart.
+MotorTurns TurnKeeper::tolerance(Axis axis, Angle period) const
+{
+    const pointing::AxisGeometry& geometry = settings(axis).geometry;
+    const Angle quarter = period > Angle{} ? period * 0.25 : kLoneTolerance;
+    return abs(geometry.toMotor(geometry.travel.min + quarter) - geometry.toMotor(geometry.travel.min));
 }
 
 Angle TurnKeeper::movedSince(Axis axis, const Drive& drive) const
@@ -145,7 +236,7 @@ std::optional<memory::TurnQuestion> TurnKeeper::question(Axis axis, const Drive&
         return std::nullopt;
     }
     memory::TurnQuestion question = mine.question;
-    question.movedSince = movedSince(axis, drive);
+    question.movedSince = drive.phase() == Drive::Phase::Referencing ? Angle{} : movedSince(axis, drive);
     for (Angle& candidate : question.candidates) {
         candidate += question.movedSince;
     }
@@ -183,18 +274,16 @@ void TurnKeeper::settle(Axis axis, Angle angle, Angle period, Drive& drive, cons
         QStringLiteral("%1 stands at %2: %3").arg(drive_alarms::toQString(drive.name()), degreesText(angle), why));
     const pointing::AxisGeometry& geometry = settings(axis).geometry;
     const MotorTurns place = geometry.toMotor(angle);
-    const Angle quarter = period > Angle{} ? period * 0.25 : kLoneTolerance;
-    const MotorTurns tolerance =
-        abs(geometry.toMotor(geometry.travel.min + quarter) - geometry.toMotor(geometry.travel.min));
     const DriveReport& report = *drive.report();
-    const bool there = abs(*report.position - place) < tolerance;
+    const MotorTurns near = tolerance(axis, period);
+    const bool there = abs(*report.position - place) < near;
     const bool trusted = settings(axis).powerUpPosition == profile::PowerUpPosition::Trusted;
     if (there && (trusted || report.homeState == moteus::HomeState::Output)) {
-        state(axis) = {.phase = Phase::Known};
+        becomeKnown(axis, drive);
         return;
     }
     state(axis) = {.phase = Phase::Writing};
-    drive.reference(place, tolerance);
+    drive.reference(place, near);
 }
 
 void TurnKeeper::note(Axis axis, const survey::DriveFacts& facts, const Drive& drive, bool moving, SteadyTime now)

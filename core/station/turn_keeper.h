@@ -14,8 +14,9 @@
 
 // Knows whether the turn of each axis is known, and keeps the journal that proves it later. A drive that was silent or
 // restarted is judged anew from journal, home state and reported position; what only the operator can tell becomes a
-// question. The answer is written into the drive, so that its own bounds guard the right place. Pure; mechanical
-// angles.
+// question. The answer is written into the drive, so that its own bounds guard the right place; until then it counts
+// from the middle of the travel, where its bounds leave room on both sides. Asks the kernel what this computer's clocks
+// are worth; else pure. Mechanical angles.
 namespace boresight {
 
 class TurnKeeper
@@ -45,6 +46,7 @@ public:
     Result<> choose(Axis axis, Angle angle, Drive& drive, const QString& source);
 
     [[nodiscard]] bool known(Axis axis) const { return state(axis).phase == Phase::Known; }
+    [[nodiscard]] bool asked(Axis axis) const { return state(axis).phase == Phase::Asked; }
     // The question that waits for the operator; the places move along when the axis is jogged.
     [[nodiscard]] std::optional<memory::TurnQuestion> question(Axis axis, const Drive& drive) const;
 
@@ -71,6 +73,8 @@ private:
         memory::TurnQuestion question{};
         MotorTurns reportedWhenAsked{};
         std::optional<SteadyTime> noted{};
+        moteus::HomeState homeState = moteus::HomeState::Relative;  // while the turn is known
+        std::optional<memory::TurnRecord> lent{};                   // the record before other tools had the bus
     };
 
     [[nodiscard]] State& state(Axis axis) { return m_states[index(axis)]; }
@@ -79,10 +83,17 @@ private:
     [[nodiscard]] std::optional<memory::TurnRecord>& record(Axis axis);
     [[nodiscard]] memory::DriveFrame frame(Axis axis, const survey::DriveFacts& facts, const DriveReport& report,
                                            SteadyTime now) const;
+    [[nodiscard]] bool ofTheOtherAxis(Axis axis, const survey::DriveFacts& facts) const;
     void judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now);
-    void ask(Axis axis, const memory::TurnQuestion& question, Drive& drive);
+    void ask(Axis axis, const memory::TurnQuestion& question, const Drive& drive);
+    [[nodiscard]] bool chooseAsTold(Axis axis, Angle place, Drive& drive);
+    void countFromTheMiddle(Axis axis, Drive& drive);
+    void watchJog(Axis axis, const Drive& drive);
+    void spoilRecord(Axis axis);
+    void becomeKnown(Axis axis, const Drive& drive);
     void settle(Axis axis, Angle angle, Angle period, Drive& drive, const QString& source, const QString& why);
     [[nodiscard]] std::optional<QString> doubtOf(Axis axis, const DriveReport& report);
+    [[nodiscard]] MotorTurns tolerance(Axis axis, Angle period) const;
     [[nodiscard]] Angle movedSince(Axis axis, const Drive& drive) const;
 
     profile::Profile m_profile;

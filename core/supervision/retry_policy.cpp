@@ -28,11 +28,11 @@ QString tooHot(const QString& what, double now, double needed)
 }
 
 // Fault 38 does not say whether the board or the motor was too hot: the motor, if the board was far from its limit.
-QString heatRefusal(double boardLimit, const DriveConditions& atLoss, const DriveConditions& now)
+QString heatRefusal(double boardLimit, double motorHot, const DriveConditions& atLoss, const DriveConditions& now)
 {
     const bool motorWasHot =
         atLoss.motorTemperature && now.motorTemperature && atLoss.boardTemperature < boardLimit - kCoolDown;
-    if (motorWasHot) {
+    if (motorWasHot && *atLoss.motorTemperature > motorHot - kCool) {
         return tooHot(QStringLiteral("motor"), *now.motorTemperature, *atLoss.motorTemperature - kCoolDown);
     }
     if (atLoss.boardTemperature < boardLimit - kCool) {
@@ -137,7 +137,7 @@ QString clearRefusal(const profile::SupervisionSettings& settings, LossClass los
                      const DriveConditions& now)
 {
     if (loss == LossClass::OverTemperature) {
-        return heatRefusal(settings.boardLimit, atLoss, now);
+        return heatRefusal(settings.boardLimit, settings.motorHot, atLoss, now);
     }
     if (loss == LossClass::Supply && now.voltage < settings.supplyLow) {
         return QStringLiteral("the supply is still at %1 V; %2 V are needed")

@@ -98,7 +98,8 @@ void Judge::judgeSwapped()
                             .action = QStringLiteral("nothing is moved: the orders of one axis would reach the other"),
                             .remedy = QStringLiteral(
                                 "Exchange the ids in the profile, or those of the boards (conf set id.id N, then conf "
-                                "write). If the boards themselves were exchanged, confirm the new ones.")});
+                                "write). If the boards themselves were exchanged, end Boresight, "
+                                "take the mount's .memory.json files out of the state folder and start again.")});
         return;
     }
 }

@@ -60,14 +60,15 @@ TEST(StationTurns, OnlyTheOperatorJogsMeanwhileAndSlowly)
     EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 2_deg_s}}, kClient));
     EXPECT_FALSE(rig.ask(request::Move{{.azimuth = 1_deg_s}}, kClient));
     EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 3_deg_s}}));
-    rig.azimuth.seen.clear();
     for (int i = 0; i < 25; ++i) {
         ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = -1_deg_s}}));
         rig.run(Seconds(0.1));
     }
-    EXPECT_NEAR(rig.question()->movedSince.degrees(), -2.5, 0.3) << "beyond the travel as the drive now counts";
-    // Its bounds, in a frame that nobody knows, would refuse with fault 39.
-    EXPECT_EQ(rig.azimuth.seen.back().fields.at(Register::CommandIgnorePositionBounds), 1.0);
+    EXPECT_NEAR(rig.question()->movedSince.degrees(), -2.5, 0.3);
+    // Its own bounds stay in force, and it counts from where they leave room.
+    EXPECT_EQ(rig.azimuth.seen.back().fields.count(Register::CommandIgnorePositionBounds), 0U);
+    EXPECT_NEAR(rig.azimuthDegrees(), 180.0, 5.0) << "the middle of the travel";
+    EXPECT_FALSE(rig.control.memory().turns[0]) << "jogged, the axis is not where the journal says";
 }
 
 TEST(StationTurns, TheAnswerIsWrittenIntoTheDriveAndThePlaceIsKept)
@@ -127,6 +128,86 @@ TEST(StationTurns, WhatTheDriveContradictsIsNotTaken)
     const auto refused = rig.ask(request::ChooseTurn{Axis::Azimuth, 100_deg});
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().text.find("contradicts"), std::string::npos) << refused.error().text;
+}
+
+// Story: a brown-out shorter than a silence left the turn known, and the place after it overwrote the journal.
+TEST(StationTurns, ARestartThatNobodyNoticedIsSeenByTheHomeState)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
+    rig.settle();
+    const auto before = rig.control.memory().turns[0]->angle;
+    rig.azimuth.mode = moteus::Mode::Stopped;
+    rig.azimuth.home = HomeState::Rotor;
+    rig.azimuth.position = std::remainder(rig.azimuth.position, 0.01);
+    rig.run(Seconds(0.1));
+    EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown);
+    ASSERT_TRUE(rig.control.memory().turns[0]);
+    EXPECT_NEAR(rig.control.memory().turns[0]->angle.degrees(), before.degrees(), 0.2);
+    EXPECT_FALSE(rig.point(10.0, 10.0));
+}
+
+TEST(StationTurns, AMotionEndsWhenTheTurnIsNotKnownAnyMore)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{200_deg, 45_deg}}));
+    rig.run(Seconds(3.0));
+    rig.control.driveRestarted(Axis::Azimuth);
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(rig.state(), StationState::Standby);
+    EXPECT_FALSE(rig.control.status().azimuth.target);
+}
+
+TEST(StationTurns, AJogRightAfterTheAnswerLeavesNothingHalfDone)
+{
+    RestartedRig rig;
+    ASSERT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 100_deg}));
+    (void)rig.ask(request::Jog{{.elevation = 1_deg_s}});
+    rig.run(Seconds(1.0));
+    EXPECT_TRUE(rig.control.status().drives.azimuth.turnKnown);
+    EXPECT_NEAR(rig.azimuthDegrees(), 100.0, 1e-4);
+}
+
+TEST(StationTurns, OtherToolsMayHaveSetTheDrivesPosition)
+{
+    for (const bool touched : {false, true}) {
+        StationRig rig;
+        const auto azimuth = rig.factsOf(Axis::Azimuth);
+        const auto elevation = rig.factsOf(Axis::Elevation);
+        rig.run(Seconds(0.5));
+        ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
+        rig.settle();
+        ASSERT_TRUE(rig.ask(request::ReleaseBus{}));
+        rig.run(Seconds(1.0));
+        EXPECT_FALSE(rig.control.measured());
+        EXPECT_FALSE(rig.point(10.0, 10.0));
+        if (touched) {
+            rig.azimuth.position += 0.1;
+        }
+        ASSERT_TRUE(rig.ask(request::TakeBus{}));
+        rig.control.learn(Axis::Azimuth, azimuth);
+        rig.control.learn(Axis::Elevation, elevation);
+        rig.run(Seconds(1.5));
+        EXPECT_EQ(rig.control.status().drives.azimuth.turnKnown, !touched);
+        EXPECT_TRUE(rig.control.status().drives.elevation.turnKnown);
+    }
+}
+
+// Story: the operator held the dish and switched the drives off; the next target of a client switched them on again.
+TEST(StationTurns, SwitchingOffIsNotUndoneByAClient)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.point(100.0, 45.0));
+    rig.settle();
+    ASSERT_TRUE(rig.ask(request::SwitchOff{}));
+    rig.run(Seconds(0.2));
+    EXPECT_EQ(rig.azimuth.mode, moteus::Mode::Stopped);
+    EXPECT_FALSE(rig.point(110.0, 45.0));
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.azimuth.mode, moteus::Mode::Stopped);
 }
 
 // Story: an adapter was pulled in mid-motion; when it came back, the place that the command line had told at the start
