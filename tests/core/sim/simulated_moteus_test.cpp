@@ -27,7 +27,8 @@ protected:
         MoteusSettings result{.config = commissionedDrive(Axis::Azimuth),
                               .plant = referenceAxis(Axis::Azimuth).plant,
                               .position = 0.25,
-                              .referenced = true};
+                              .referenced = true,
+                              .uptime = 0.0};
         result.config.uuid = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
         return result;
     }
