@@ -121,6 +121,7 @@ void StationControl::keepTurn(Axis axis)
     const bool answering = drive.answering(m_now) && !m_released;
     if (!std::exchange(m_answered[index(axis)], answering) && answering) {
         m_turns.forget(axis);  // who was silent may come back as another
+        watchOf(axis).forgetMotion();
     }
     if (answering && facts(axis)) {
         const bool before = m_turns.known(axis);
@@ -149,15 +150,14 @@ void StationControl::letBackInside(Axis axis)
 void StationControl::tellTurns()
 {
     for (const Axis axis : kAxes) {
-        const Drive& drive = m_drives.drive(axis);
-        const QString name = drive_alarms::toQString(drive.name());
+        const QString name = drive_alarms::toQString(m_drives.drive(axis).name());
         const QString cause = name + QStringLiteral(" turn");
-        const auto question = m_turns.question(axis, drive);
+        const auto question = turnQuestion(axis);
         if (!question) {
             m_alarms.clear(cause);
         } else if (!m_alarms.active(cause)) {
-            m_alarms.raise(cause, Severity::Alarm,
-                           {.what = QStringLiteral("%1: it is not known on which turn the axis stands").arg(name),
+            m_alarms.raise(cause, Severity::Warning,
+                           {.what = QStringLiteral("it is not known on which turn the axis of the %1 stands").arg(name),
                             .action = QStringLiteral("Pointing is refused, clients get no position; slow jogging only"),
                             .remedy = QStringLiteral("Look at the mount and its cable, then tell where it stands")});
         }
@@ -263,7 +263,7 @@ void StationControl::moveOn(Seconds step)
     for (const Axis axis : kAxes) {
         if (m_drives.drive(axis).takeEngaged()) {
             m_motion.start(axis, *m_drives.measured(axis));
-            watchOf(axis).forgetMotion();
+            watchOf(axis).engaged();
         }
     }
     if (m_drives.engaged()) {
