@@ -98,7 +98,8 @@ bool DrivePair::changingHands() const
     return std::ranges::any_of(kAxes, [this](Axis axis) {
         const Drive::Phase phase = drive(axis).phase();
         return phase == Drive::Phase::Capturing || phase == Drive::Phase::Recovering ||
-               phase == Drive::Phase::Referencing || phase == Drive::Phase::Starving;
+               phase == Drive::Phase::Referencing || phase == Drive::Phase::Starving ||
+               phase == Drive::Phase::Releasing;
     });
 }
 

@@ -35,7 +35,7 @@ public:
     void seize();  // stop what a drive does without our orders
     void excuse(Seconds stall, SteadyTime now);
     [[nodiscard]] bool engaged() const;         // both take set-points
-    [[nodiscard]] bool changingHands() const;   // one is being captured, recovered or told its place
+    [[nodiscard]] bool changingHands() const;   // one is being captured, recovered, switched off or told its place
     [[nodiscard]] bool anyUnderOrders() const;  // at least one is not only listened to
     [[nodiscard]] bool answering(SteadyTime now) const;
     void leave(profile::OnExit how);  // drives that were never engaged stay as they are

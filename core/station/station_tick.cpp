@@ -109,9 +109,6 @@ void StationControl::keepTurns()
     for (const Axis axis : kAxes) {
         keepTurn(axis);
     }
-    if (std::exchange(m_turnsWereKnown, turnsKnown()) && !turnsKnown()) {
-        holdHere(Activity::None);  // what was wanted is meant in a frame that is not true any more
-    }
     tellTurns();
 }
 
@@ -149,13 +146,16 @@ void StationControl::letBackInside(Axis axis)
 
 void StationControl::tellTurns()
 {
+    const bool lost = std::exchange(m_turnsWereKnown, turnsKnown()) && !turnsKnown();
+    if (lost) {
+        holdHere(Activity::None);  // what was wanted is meant in a frame that is not true any more
+    }
     for (const Axis axis : kAxes) {
         const QString name = drive_alarms::toQString(m_drives.drive(axis).name());
         const QString cause = name + QStringLiteral(" turn");
-        const auto question = turnQuestion(axis);
-        if (!question) {
+        if (m_turns.known(axis)) {
             m_alarms.clear(cause);
-        } else if (!m_alarms.active(cause)) {
+        } else if ((lost || turnQuestion(axis)) && !m_alarms.active(cause)) {
             m_alarms.raise(cause, Severity::Warning,
                            {.what = QStringLiteral("it is not known on which turn the axis of the %1 stands").arg(name),
                             .action = QStringLiteral("Pointing is refused, clients get no position; slow jogging only"),

@@ -19,6 +19,8 @@ constexpr Angle kWorthNoting = Angle::fromDegrees(0.1);
 constexpr Angle kEyeSight = Angle::fromDegrees(20.0);
 // The drive's millisecond counter begins anew.
 constexpr Seconds kCounterSpan{4294967.296};
+// What is known about the drive may be of before its restart; the survey's heartbeat tells within a second.
+constexpr std::chrono::milliseconds kHeartbeat{1500};
 // Without candidates there is no period to derive it from.
 constexpr Angle kLoneTolerance = Angle::fromDegrees(1.0);
 
@@ -103,7 +105,7 @@ void TurnKeeper::judge(Axis axis, const survey::DriveFacts& facts, Drive& drive,
     }
     switch (mine.phase) {
         case Phase::Unjudged:
-            if (drive.canBeReferenced()) {
+            if (drive.canBeReferenced() && now >= mine.notBefore) {
                 judgeAnew(axis, facts, drive, now);
             }
             break;
@@ -120,6 +122,7 @@ void TurnKeeper::judge(Axis axis, const survey::DriveFacts& facts, Drive& drive,
         case Phase::Known:
             if (drive.report()->homeState != mine.homeState) {
                 forget(axis);  // restarted, or told another place
+                state(axis).notBefore = now + kHeartbeat;
             }
             break;
     }

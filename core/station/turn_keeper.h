@@ -73,6 +73,7 @@ private:
         memory::TurnQuestion question{};
         MotorTurns reportedWhenAsked{};
         std::optional<SteadyTime> noted{};
+        SteadyTime notBefore{};                                     // when the next judgement may be made
         moteus::HomeState homeState = moteus::HomeState::Relative;  // while the turn is known
         std::optional<memory::TurnRecord> lent{};                   // the record before other tools had the bus
     };

@@ -148,7 +148,7 @@ std::vector<Group> supplies()
          .moments = {Moment::AtRest, Moment::InSlew, Moment::InTrack, Moment::InJog}},
         {.fault = {.name = "power blinks for 0.1 s",
                    .injections = {{.kind = FaultKind::PowerLoss, .duration = Seconds(0.1)}},
-                   .alarm = "jumped by",
+                   .alarm = "on which turn",
                    .stillWithin = kCoasting},
          .moments = {Moment::WhileEnabling}},
         {.fault = {.name = "supply 18 V",
