@@ -155,7 +155,7 @@ void StationControl::tellTurns()
         const QString cause = name + QStringLiteral(" turn");
         if (m_turns.known(axis)) {
             m_alarms.clear(cause);
-        } else if ((lost || turnQuestion(axis)) && !m_alarms.active(cause)) {
+        } else if (((lost && !m_released) || turnQuestion(axis)) && !m_alarms.active(cause)) {
             m_alarms.raise(cause, Severity::Warning,
                            {.what = QStringLiteral("it is not known on which turn the axis of the %1 stands").arg(name),
                             .action = QStringLiteral("Pointing is refused, clients get no position; slow jogging only"),
