@@ -58,7 +58,7 @@ bool isMoteusId(const QString& text)
     const auto isOurs = [](std::uint32_t number) {
         return number == moteus::kHostId || number == moteus::kDiagnosticHostId;
     };
-    return (id & ~0xff7fU) == 0 && isOurs(source) != isOurs(destination);
+    return (id & ~0xff7fU) == 0 && (isOurs(source) || isOurs(destination));  // the survey asks id 16 too, its own
 }
 
 TEST(SocketCanSystem, PointsTheMountWithFramesOfCanFd)
