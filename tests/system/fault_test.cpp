@@ -201,6 +201,38 @@ TEST_F(FaultTest, AfterALossOfPowerNothingIsPointedUntilThePositionIsKnown)
     expectMotionAgain();
 }
 
+// The profile's written policy for a station without an operator: it re-arms, and moves nothing. What the output off
+// does to an axis has happened before; the re-arming itself leaves the drive off.
+TEST(Recovery, ReArmsByTheProfileAndMovesNothing)
+{
+    profile::Profile profile = anyPort();
+    profile.recovery.supply = profile::Retry::Once;
+    profile.recovery.interval = Seconds(5.0);
+    SimulatedStation rig(profile);
+    ASSERT_EQ(rig.ask(request::PointAxes{{.azimuth = 40_deg, .elevation = 30_deg}}), "");
+    ASSERT_TRUE(rig.settle());
+    const auto fault = [&](double code) {
+        rig.link->inject(
+            {.kind = sim::FaultKind::DriveFault, .axis = Axis::Elevation, .duration = Seconds(0.1), .value = code});
+        rig.run(Seconds(1.0));
+        EXPECT_EQ(rig.status().state, StationState::Fault);
+    };
+    fault(40.0);
+    const AxisPosition here = rig.truth();
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(rig.status().state, StationState::Fault) << "not before the interval is over";
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(rig.status().state, StationState::Standby);
+    EXPECT_TRUE(rig.logSays(QStringLiteral("recovery policy")));
+    EXPECT_LT(rig.farthestFrom(here), 1_deg);
+
+    ASSERT_EQ(rig.ask(request::PointAxes{{.azimuth = 40_deg, .elevation = 30_deg}}), "");
+    ASSERT_TRUE(rig.settle());
+    fault(35.0);
+    rig.run(Seconds(20.0));
+    EXPECT_EQ(rig.status().state, StationState::Fault) << "never after a fault of the encoder";
+}
+
 TEST_F(FaultTest, AGustBendsThePathAndEndsWithoutHarm)
 {
     ASSERT_TRUE(rig.settle());
