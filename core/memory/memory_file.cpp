@@ -86,10 +86,9 @@ QString whatIsWrong(const QString& path, const Error& error)
     if (error.code == ErrorCode::NoDevice) {
         return QStringLiteral("The journal file %1 is missing").arg(path);
     }
-    // What cannot be read for now may be quite right: it stays where it is.
-    const QString fate = error.code == ErrorCode::Io ? QStringLiteral("it is left there") : keepAside(path);
+    // Also what cannot be read just now: left in its place, the next two saves would overwrite it.
     return QStringLiteral("The journal file %1 cannot be used: %2; %3")
-        .arg(path, QString::fromStdString(error.text), fate);
+        .arg(path, QString::fromStdString(error.text), keepAside(path));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QThread>
@@ -67,6 +68,15 @@ TEST_F(MemoryFileTest, AMissingFileIsAnEmptyMemoryAndSaid)
     const LoadedMemory loaded = load();
     EXPECT_EQ(loaded.memory, MountMemory());
     EXPECT_EQ(loaded.problem, QStringLiteral("The journal file %1 is missing").arg(path()));
+}
+
+// Story: what could not be opened was "left there", and the second save after that overwrote it.
+TEST_F(MemoryFileTest, WhatCannotBeOpenedIsKeptAsideToo)
+{
+    ASSERT_TRUE(QDir().mkdir(path()));  // nobody can read it as a file, not even root
+    EXPECT_TRUE(load().problem.contains(QStringLiteral("kept as")));
+    EXPECT_FALSE(QFileInfo::exists(path()));
+    EXPECT_EQ(QDir(m_dir.path()).entryList({QStringLiteral("*.corrupt-*")}).size(), 1);
 }
 
 TEST_F(MemoryFileTest, WhatWasSavedIsLoaded)
