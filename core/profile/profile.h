@@ -3,10 +3,12 @@
 
 #include "core/base/clock.h"
 #include "core/pointing/mount_model.h"
+#include "core/pointing/region.h"
 #include "core/tracking/axis_profile.h"
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 // All settings of one mount, as plain values. The initialisers below are the defaults and describe the reference mount:
 // azimuth 0…360° is 0…1 turn; the elevation drive is mounted inverted, 0° is -0.25 turn, 90° is -0.5 turn.
@@ -65,10 +67,18 @@ enum class AzimuthConvention
     Continuous  // the mechanical angle: 370° stays 370°
 };
 
+// Whether a person has seen that each axis turns the way the profile says. Before, the mount is only moved a little.
+enum class Directions
+{
+    Confirmed,
+    Unconfirmed
+};
+
 struct MountSettings
 {
     std::string name = "Boresight mount";
     Angle beamWidth = Angle::fromDegrees(10.0);
+    Directions directions = Directions::Confirmed;
 
     bool operator==(const MountSettings&) const = default;
 };
@@ -94,6 +104,26 @@ struct JogSettings
     bool operator==(const JogSettings&) const = default;
 };
 
+// Where the mount stands. Nothing is reckoned from it unless it is known.
+struct SiteSettings
+{
+    bool known = false;
+    Angle latitude;   // north positive
+    Angle longitude;  // east positive
+    double heightMetres = 0.0;
+
+    bool operator==(const SiteSettings&) const = default;
+};
+
+// A named direction of the operator's own.
+struct Preset
+{
+    std::string name;
+    SkyPointing direction;
+
+    bool operator==(const Preset&) const = default;
+};
+
 struct ListenAddress
 {
     std::string host = "127.0.0.1";
@@ -109,9 +139,20 @@ enum class DumpState
     AsHamlib    // byte for byte as Hamlib 4.5.1 and later; older clients then refuse every target
 };
 
+// Which of several clients moves the mount. Reading and stopping are open to all.
+enum class Lead
+{
+    First,  // keeps the lead until it has sent no motion command for 10 s, or left
+    Last,   // whoever sent the newest command, as Hamlib does
+    Locked  // only the one at `lockedTo`
+};
+
 struct RotctldSettings
 {
     ListenAddress listen;
+    std::vector<std::string> allow;  // addresses and networks ("10.0.0.0/8"); empty: whoever can reach the port
+    Lead lead = Lead::First;
+    std::string lockedTo;  // the address of the one client that may move the mount, while `lead` is Locked
     OutsideLimits outsideLimits = OutsideLimits::Nearest;
     AzimuthConvention azimuth = AzimuthConvention::ZeroTo360;
     DumpState dumpState = DumpState::OldAndNew;
@@ -173,7 +214,10 @@ struct Profile
     AxisSettings azimuth = referenceAzimuth();
     AxisSettings elevation = referenceElevation();
     ControlSettings control;
+    pointing::Region limits;
     AxisPosition park{};  // mechanical angles
+    std::vector<Preset> presets;
+    SiteSettings site;
     JogSettings jog;
     RotctldSettings rotctld;
     SupervisionSettings supervision;

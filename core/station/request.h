@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/profile/profile.h"
 #include "core/units/sky.h"
 
 #include <QMetaType>
@@ -34,6 +35,15 @@ struct Step  // move by a fixed amount from the present target
     Angle azimuth;
     Angle elevation;
 };
+struct Nudge  // while a stream is followed: shifts it, see StationStatus::trim; else as Step
+{
+    Angle azimuth;
+    Angle elevation;
+};
+struct ClearTrim
+{};
+struct Horizon  // elevation 0°, or the lowest permitted, at the present azimuth
+{};
 struct Hold  // decelerate and hold; not latched
 {};
 struct Stop  // decelerate and hold, latched until ResetStop
@@ -50,8 +60,33 @@ struct TakeAuthority  // clients' motion is refused until GiveAuthority
 {};
 struct GiveAuthority
 {};
+struct GiveLead  // this client moves the mount from now on, and the operator gives control back
+{
+    std::uint64_t clientId = 0;
+};
+struct SetReadOnly  // its motion commands are refused
+{
+    std::uint64_t clientId = 0;
+    bool readOnly = true;
+};
+struct Disconnect
+{
+    std::uint64_t clientId = 0;
+};
 struct AcknowledgeAlarms
 {};
+struct AcknowledgeAlarm
+{
+    std::uint64_t alarmId = 0;
+};
+struct ApplyProfile  // what applies now is in force with the next tick; the rest waits for Reconnect
+{
+    profile::Profile profile;
+};
+struct Reconnect  // decelerate, leave the drives as on_exit says, begin anew with this profile
+{
+    profile::Profile profile;
+};
 struct ReadDrives  // scan, identify, read the drives' protections anew
 {};
 struct FixDrives  // write the protections that differ; the drives must be switched off
@@ -78,11 +113,14 @@ struct EndProof
 
 namespace boresight {
 
-using Request = std::variant<request::PointSky, request::PointAxes, request::Jog, request::Move, request::Step,
-                             request::Hold, request::Stop, request::ResetStop, request::Park, request::Home,
-                             request::Rearm, request::TakeAuthority, request::GiveAuthority, request::AcknowledgeAlarms,
-                             request::ReadDrives, request::FixDrives, request::SwitchOff, request::ReleaseBus,
-                             request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof>;
+using Request =
+    std::variant<request::PointSky, request::PointAxes, request::Jog, request::Move, request::Step, request::Nudge,
+                 request::ClearTrim, request::Horizon, request::Hold, request::Stop, request::ResetStop, request::Park,
+                 request::Home, request::Rearm, request::TakeAuthority, request::GiveAuthority, request::GiveLead,
+                 request::SetReadOnly, request::Disconnect, request::AcknowledgeAlarms, request::AcknowledgeAlarm,
+                 request::ApplyProfile, request::Reconnect, request::ReadDrives, request::FixDrives, request::SwitchOff,
+                 request::ReleaseBus, request::TakeBus, request::ChooseTurn, request::ProveCrashStop,
+                 request::EndProof>;
 
 // A request of the screen, numbered so that the answer finds the control that sent it.
 struct NumberedRequest

@@ -118,6 +118,11 @@ private:
     Result<> handle(const request::ChooseTurn& wanted, const Source& source);
     Result<> handle(const request::ProveCrashStop& wanted, const Source& source);
     Result<> handle(const request::EndProof& wanted, const Source& source);
+    template <class Other>
+    Result<> handle(const Other&, const Source&)
+    {
+        return failure(ErrorCode::NotAvailable, "not available yet");
+    }
 
     // The drives answer, are fit, and nothing forbids motion.
     [[nodiscard]] Result<> mayMove(const Source& source) const;

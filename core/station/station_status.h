@@ -4,15 +4,19 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/can/can_link.h"
+#include "core/profile/profile.h"
 #include "core/station/drives_status.h"
 #include "core/units/sky.h"
 
 #include <QMetaType>
 #include <QString>
 
+#include <array>
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 // What the station tells the world: plain values, made on the station thread once per update, read by the screen, the
@@ -102,7 +106,12 @@ struct ClientStatus
     QString address;
     QString program;  // recognised, or empty
     QString lastCommand;
-    bool driving = false;
+    double commandsPerSecond = 0.0;  // over the last seconds
+    bool driving = false;            // the mount follows its target now
+    bool leading = false;            // its motion commands are accepted, other clients' are not
+    bool readOnly = false;
+    bool locked = false;  // the one that the profile names
+    QString advice;       // what would make it work better; mostly empty
 };
 
 struct Alarm
@@ -127,9 +136,11 @@ struct StationStatus
     std::optional<SkyPointing> actual;
     std::optional<SkyPointing> commanded;
     std::optional<SkyPointing> target;
-    QString targetText;    // "P 339.50 57.00", "go to 113.0° 10.0°", "park"; empty without a target
-    Source commander;      // whose target it is
-    bool limited = false;  // the target was outside the limits; the nearest permitted point is driven
+    QString targetText;               // "P 339.50 57.00", "go to 113.0° 10.0°", "park"; empty without a target
+    Source commander;                 // whose target it is
+    bool limited = false;             // the target was outside the limits; the nearest permitted point is driven
+    std::vector<AxisPosition> route;  // the way to the target around what is forbidden, its end included
+    std::optional<SkyPointing> trim;  // what the operator's nudges add to a client's targets
     Authority authority = Authority::Clients;
     DrivesStatus drives;
     LinkStatus bus;
@@ -140,6 +151,35 @@ struct StationStatus
     std::vector<Alarm> alarms;  // active or unacknowledged, worst first
     UtcTime utc;
     std::uint64_t tick = 0;
+    // What is in force: the object that is drawn and edited is the object that is obeyed. Never null.
+    std::shared_ptr<const profile::Profile> profile = std::make_shared<const profile::Profile>();
+    std::vector<std::string> waitingKeys;  // applied, and in force after Reconnect
+};
+
+// What an axis did in one tick, for the charts. Unknown is empty.
+struct AxisSample
+{
+    std::optional<Angle> commanded;
+    std::optional<Angle> actual;
+    std::optional<double> torque;            // Nm
+    std::optional<double> current;           // A, q axis
+    std::optional<double> busVoltage;        // V
+    std::optional<double> boardTemperature;  // °C
+    std::optional<double> motorTemperature;  // °C
+};
+
+struct TickSample
+{
+    SteadyTime time;
+    std::array<AxisSample, 2> axes;  // azimuth, elevation
+};
+
+// What a line of the log tells.
+enum class LogKind
+{
+    Event,
+    MotionStart,  // who moved the mount, and why
+    Alarm
 };
 
 struct LogEntry
@@ -149,6 +189,7 @@ struct LogEntry
     Severity severity = Severity::Advisory;
     QString source;  // "operator", "rotctld 127.0.0.1:51234", "station", "azimuth drive", "bus"
     QString text;
+    LogKind kind = LogKind::Event;
 };
 
 // The answer to one request of the screen; `error` empty means accepted.
@@ -165,6 +206,7 @@ struct StationUpdate
     StationStatus status;
     std::vector<LogEntry> log;
     std::vector<Answer> answers;
+    std::vector<TickSample> samples;  // of the ticks since the last update, the newest of them if there were many
 };
 
 // The words of ui.md and of every log line: "TRACK", "NO DATA".
