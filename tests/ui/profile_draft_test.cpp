@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/profile_draft.h"
+
+#include "ui/profile_merge.h"
+
+#include <QSignalSpy>
+
+#include <gtest/gtest.h>
+
+namespace boresight::ui {
+namespace {
+
+using profile::Profile;
+
+// A draft, and a station that answers when the test says so.
+class ProfileDraftTest : public ::testing::Test
+{
+protected:
+    ProfileDraftTest() : draft(desk), changes(&draft, &ProfileDraft::changed)
+    {
+        QObject::connect(&desk, &RequestDesk::requested, &desk,
+                         [this](const NumberedRequest& request) { requests.push_back(request); });
+        put(inForce);
+    }
+
+    void put(const Profile& profile, std::vector<std::string> waiting = {})
+    {
+        StationStatus status;
+        status.profile = std::make_shared<const Profile>(profile);
+        status.waitingKeys = std::move(waiting);
+        draft.showStatus(status);
+    }
+    void setParkAzimuth(Angle azimuth)
+    {
+        draft.edit([azimuth](Profile& p) { p.park.azimuth = azimuth; });
+    }
+    void apply()
+    {
+        draft.apply(&asker, [this](const std::optional<Error>& error) { answers.push_back(error); });
+    }
+    void undo()
+    {
+        draft.undo(&asker, [this](const std::optional<Error>& error) { answers.push_back(error); });
+    }
+    void accept() { desk.take({{requests.back().id, std::nullopt}}); }
+    const Profile& sent() const { return std::get<request::ApplyProfile>(requests.back().request).profile; }
+    void applyAndAccept()
+    {
+        apply();
+        accept();
+        put(sent());
+    }
+
+    Profile inForce;
+    RequestDesk desk;
+    ProfileDraft draft;
+    QSignalSpy changes;
+    QObject asker;
+    std::vector<NumberedRequest> requests;
+    std::vector<std::optional<Error>> answers;
+};
+
+TEST_F(ProfileDraftTest, AnEditChangesNothingInForceUntilItIsAppliedAndSeenInTheStatus)
+{
+    setParkAzimuth(12_deg);
+    EXPECT_TRUE(draft.hasEdits());
+    EXPECT_EQ(changes.count(), 1);
+    EXPECT_EQ(draft.inForce(), inForce);
+    EXPECT_EQ(draft.editedKeys(), std::vector<std::string>{"park.azimuth_deg"});
+    EXPECT_TRUE(requests.empty());
+
+    apply();
+    ASSERT_EQ(requests.size(), 1u);
+    EXPECT_EQ(sent().park.azimuth, 12_deg);
+    EXPECT_EQ(draft.inForce(), inForce);
+    accept();
+    ASSERT_EQ(answers.size(), 1u);
+    EXPECT_FALSE(answers[0].has_value());
+    put(sent());
+    EXPECT_EQ(draft.inForce().park.azimuth, 12_deg);
+    EXPECT_FALSE(draft.hasEdits());
+}
+
+TEST_F(ProfileDraftTest, ARefusalGoesToTheAskerAndTheEditsStay)
+{
+    setParkAzimuth(12_deg);
+    apply();
+    desk.take({{requests.back().id, Error{ErrorCode::Refused, "the mount is in motion"}}});
+    ASSERT_EQ(answers.size(), 1u);
+    EXPECT_EQ(answers[0]->text, "the mount is in motion");
+    EXPECT_TRUE(draft.hasEdits());
+    EXPECT_EQ(draft.whyNoApply(), QString());
+    EXPECT_FALSE(draft.whyNoUndo().isEmpty());
+}
+
+TEST_F(ProfileDraftTest, WhatTheLiveCheckFindsIsNotSent)
+{
+    draft.edit([](Profile& p) { p.elevation.id = p.azimuth.id; });
+    EXPECT_TRUE(draft.problem("elevation.id").contains(QStringLiteral("same as azimuth.id")));
+    EXPECT_EQ(draft.problem("azimuth.id"), QString());
+    apply();
+    EXPECT_TRUE(requests.empty());
+    ASSERT_EQ(answers.size(), 1u);
+    EXPECT_NE(answers[0]->text.find("elevation.id"), std::string::npos);
+    draft.edit([](Profile& p) { p.elevation.id = p.azimuth.id + 1; });
+    EXPECT_TRUE(draft.problems().empty());
+    EXPECT_FALSE(draft.hasEdits());
+}
+
+TEST_F(ProfileDraftTest, WithoutEditsThereIsNothingToApplyRevertOrUndo)
+{
+    apply();
+    undo();
+    EXPECT_TRUE(requests.empty());
+    EXPECT_EQ(answers.size(), 2u);
+    EXPECT_FALSE(draft.whyNoRevert().isEmpty());
+    put(inForce);
+    EXPECT_EQ(changes.count(), 0);  // an equal profile in another object is no change of what is applied
+}
+
+TEST_F(ProfileDraftTest, RevertDropsTheEdits)
+{
+    setParkAzimuth(12_deg);
+    draft.revert();
+    EXPECT_FALSE(draft.hasEdits());
+    EXPECT_EQ(draft.edited(), inForce);
+}
+
+TEST_F(ProfileDraftTest, UndoAppliesWhatWasAppliedBeforeStepByStep)
+{
+    setParkAzimuth(12_deg);
+    applyAndAccept();
+    setParkAzimuth(24_deg);
+    applyAndAccept();
+    undo();
+    EXPECT_EQ(sent().park.azimuth, 12_deg);
+    EXPECT_FALSE(draft.whyNoUndo().isEmpty()) << "one after the other";
+    accept();
+    put(sent());
+    undo();
+    EXPECT_EQ(sent().park.azimuth, 0_deg);
+    accept();
+    put(sent());
+    EXPECT_EQ(draft.edited(), inForce);
+    EXPECT_FALSE(draft.whyNoUndo().isEmpty());
+}
+
+TEST_F(ProfileDraftTest, UndoWaitsForTheEditsAndDiesWithAChangeFromElsewhere)
+{
+    setParkAzimuth(12_deg);
+    applyAndAccept();
+    EXPECT_TRUE(draft.whyNoUndo().isEmpty());
+    setParkAzimuth(13_deg);
+    EXPECT_FALSE(draft.whyNoUndo().isEmpty());
+    draft.revert();
+    EXPECT_TRUE(draft.whyNoUndo().isEmpty());
+    Profile other = draft.applied();
+    other.mount.name = "Somebody's";
+    put(other);
+    EXPECT_FALSE(draft.whyNoUndo().isEmpty());
+}
+
+TEST_F(ProfileDraftTest, EditsMadeWhileTheAnswerIsUnderWayStayEdits)
+{
+    setParkAzimuth(12_deg);
+    apply();
+    setParkAzimuth(30_deg);
+    put(sent());  // the status may come before the answer
+    accept();
+    EXPECT_EQ(draft.edited().park.azimuth, 30_deg);
+    EXPECT_TRUE(draft.overtakenKeys().empty());
+    EXPECT_TRUE(draft.whyNoApply().isEmpty());
+    draft.revert();
+    EXPECT_EQ(draft.edited().park.azimuth, 12_deg);
+}
+
+TEST_F(ProfileDraftTest, AChangeFromElsewhereIsTakenOverSilentlyOnlyWithoutEdits)
+{
+    Profile other = inForce;
+    other.mount.name = "Somebody's";
+    put(other);
+    EXPECT_EQ(draft.edited().mount.name, "Somebody's");
+
+    setParkAzimuth(12_deg);
+    other.jog.slow = 0.1_deg_s;
+    put(other);
+    EXPECT_EQ(draft.overtakenKeys(), std::vector<std::string>{"jog.slow_deg_s"});
+    EXPECT_FALSE(draft.whyNoApply().isEmpty());
+    EXPECT_EQ(draft.edited().park.azimuth, 12_deg);
+    EXPECT_EQ(draft.inForce().jog.slow, 0.1_deg_s);
+}
+
+TEST_F(ProfileDraftTest, KeptEditsComeUponWhatWasChangedElsewhere)
+{
+    setParkAzimuth(12_deg);
+    draft.edit([](Profile& p) { p.limits.horizon = {{10_deg, 5_deg}}; });
+    Profile other = inForce;
+    other.jog.slow = 0.1_deg_s;
+    other.limits.horizon = {{20_deg, 7_deg}};
+    other.limits.keepOuts = {{"mast", 80_deg, 90_deg, 0_deg, 40_deg}};
+    put(other);
+    draft.keepEdits();
+    EXPECT_TRUE(draft.overtakenKeys().empty());
+    EXPECT_TRUE(draft.whyNoApply().isEmpty());
+    EXPECT_NEAR(draft.edited().jog.slow.degrees(), 0.1, 1e-9);
+    EXPECT_NEAR(draft.edited().park.azimuth.degrees(), 12.0, 1e-9);
+    EXPECT_EQ(draft.edited().limits.horizon.front().azimuth, 10_deg);  // both changed it: the edit counts
+    EXPECT_EQ(draft.edited().limits.keepOuts, other.limits.keepOuts);
+    EXPECT_EQ(draft.editedKeys(), (std::vector<std::string>{"park.azimuth_deg", "limits.horizon"}));
+}
+
+TEST_F(ProfileDraftTest, RevertAfterAChangeFromElsewhereTakesThatChange)
+{
+    setParkAzimuth(12_deg);
+    Profile other = inForce;
+    other.park.azimuth = 50_deg;
+    put(other);
+    draft.revert();
+    EXPECT_EQ(draft.edited(), other);
+}
+
+TEST_F(ProfileDraftTest, WhatWaitsForAReconnectIsAppliedAndGoesWithIt)
+{
+    draft.edit([](Profile& p) { p.control.tickHz = 100; });
+    apply();
+    accept();
+    put(inForce, {"control.tick_hz"});  // not in force yet
+    EXPECT_EQ(draft.inForce().control.tickHz, 50);
+    EXPECT_EQ(draft.applied().control.tickHz, 100);
+    EXPECT_FALSE(draft.hasEdits());
+    EXPECT_EQ(draft.waitingKeys(), std::vector<std::string>{"control.tick_hz"});
+
+    EXPECT_TRUE(draft.whyNoReconnect().isEmpty());
+    draft.reconnect(&asker, [](const std::optional<Error>&) {});
+    EXPECT_EQ(std::get<request::Reconnect>(requests.back().request).profile.control.tickHz, 100);
+}
+
+TEST_F(ProfileDraftTest, AnAskerThatIsGoneDoesNotKeepTheDraftWaiting)
+{
+    setParkAzimuth(12_deg);
+    {
+        QObject gone;
+        draft.apply(&gone, [](const std::optional<Error>&) { FAIL() << "the asker is gone"; });
+    }
+    accept();
+    put(sent());
+    EXPECT_FALSE(draft.hasEdits());
+    EXPECT_TRUE(draft.whyNoUndo().isEmpty());
+}
+
+TEST(ProfileMerge, FindsEverySettingThatDiffersAndTakesItOver)
+{
+    const Profile from;
+    for (const profile::Setting& setting : profile::settings()) {
+        Profile to;
+        if (setting.type == profile::SettingType::Number) {
+            const bool atMax = std::get<double>(setting.get(to)) == setting.max;
+            ASSERT_TRUE(setting.set(to, atMax ? setting.min : setting.max).has_value()) << setting.key;
+            EXPECT_EQ(changedKeys(from, to), std::vector<std::string>{setting.key});
+            Profile into;
+            takeOver(into, to, changedKeys(from, to));
+            EXPECT_EQ(into, to) << setting.key;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace boresight::ui

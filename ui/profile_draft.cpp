@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/profile_draft.h"
+
+#include "ui/profile_merge.h"
+
+#include <QPointer>
+
+#include <algorithm>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr std::size_t kHistory = 20;  // changes that can be taken back, one after the other
+
+Error refused(const QString& reason)
+{
+    return {ErrorCode::Refused, reason.toStdString()};
+}
+
+}  // namespace
+
+ProfileDraft::ProfileDraft(RequestDesk& desk, QObject* parent)
+    : QObject(parent), m_desk(desk), m_inForce(std::make_shared<const profile::Profile>())
+{}
+
+void ProfileDraft::showStatus(const StationStatus& status)
+{
+    if (status.profile == m_inForce && status.waitingKeys == m_waitingKeys) {
+        return;
+    }
+    const bool same = *status.profile == *m_inForce && status.waitingKeys == m_waitingKeys;
+    m_inForce = status.profile;
+    m_waitingKeys = status.waitingKeys;
+    if (same) {
+        return;
+    }
+    profile::Profile applied = *m_inForce;
+    takeOver(applied, latestAsked(), m_waitingKeys);
+    takeApplied(applied);
+    Q_EMIT changed();
+}
+
+// The newest profile this window has put before the station; it holds the values that wait for a reconnect.
+const profile::Profile& ProfileDraft::latestAsked() const
+{
+    return m_asked ? *m_asked : m_accepted ? *m_accepted : *m_inForce;
+}
+
+void ProfileDraft::takeApplied(const profile::Profile& applied)
+{
+    if (applied == m_applied) {
+        return;
+    }
+    const bool ours = applied == latestAsked() && (m_asked || m_accepted);
+    if (!ours) {
+        m_history.clear();  // undoing would take back what somebody else has applied since
+    }
+    const bool hadEdits = hasEdits();
+    m_applied = applied;
+    if (!hadEdits) {
+        m_base = applied;
+        setEdited(applied);
+    } else if (ours || m_edited == applied) {
+        m_base = applied;  // edits made while the answer was under way stay edits
+    }
+}
+
+void ProfileDraft::setEdited(const profile::Profile& profile)
+{
+    m_edited = profile;
+    m_problems = profile::crossCheck(m_edited);
+}
+
+void ProfileDraft::edit(const std::function<void(profile::Profile&)>& change)
+{
+    profile::Profile profile = m_edited;
+    change(profile);
+    if (profile == m_edited) {
+        return;
+    }
+    setEdited(profile);
+    if (!hasEdits()) {
+        m_base = m_applied;  // all edits taken back by hand: nothing is left to be overtaken
+        setEdited(m_applied);
+    }
+    Q_EMIT changed();
+}
+
+std::vector<std::string> ProfileDraft::editedKeys() const
+{
+    return changedKeys(m_base, m_edited);
+}
+
+QString ProfileDraft::problem(std::string_view key) const
+{
+    const auto found = std::ranges::find(m_problems, key, &profile::Problem::key);
+    return found == m_problems.end() ? QString() : QString::fromStdString(found->text);
+}
+
+std::vector<std::string> ProfileDraft::overtakenKeys() const
+{
+    return changedKeys(m_base, m_applied);
+}
+
+void ProfileDraft::keepEdits()
+{
+    profile::Profile merged = m_applied;
+    takeOver(merged, m_edited, editedKeys());
+    m_base = m_applied;
+    setEdited(merged);
+    Q_EMIT changed();
+}
+
+void ProfileDraft::revert()
+{
+    m_base = m_applied;
+    setEdited(m_applied);
+    Q_EMIT changed();
+}
+
+QString ProfileDraft::whyNoApply() const
+{
+    if (m_asked) {
+        return tr("the station has not answered yet");
+    }
+    if (!hasEdits()) {
+        return tr("nothing has been changed");
+    }
+    if (m_base != m_applied) {
+        return tr("the profile was changed from elsewhere meanwhile: keep these edits or revert first");
+    }
+    if (!m_problems.empty()) {
+        return QString::fromStdString(m_problems.front().key + ": " + m_problems.front().text);
+    }
+    return {};
+}
+
+QString ProfileDraft::whyNoRevert() const
+{
+    return hasEdits() ? QString() : tr("nothing has been changed");
+}
+
+QString ProfileDraft::whyNoUndo() const
+{
+    if (m_asked) {
+        return tr("the station has not answered yet");
+    }
+    if (hasEdits()) {
+        return tr("apply or revert the edits first");
+    }
+    return m_history.empty() ? tr("no change has been applied here") : QString();
+}
+
+QString ProfileDraft::whyNoReconnect() const
+{
+    if (m_asked) {
+        return tr("the station has not answered yet");
+    }
+    return m_waitingKeys.empty() ? tr("nothing waits for a reconnect") : QString();
+}
+
+void ProfileDraft::apply(QObject* asker, const RequestDesk::Reply& reply)
+{
+    if (const QString reason = whyNoApply(); !reason.isEmpty()) {
+        reply(refused(reason));
+        return;
+    }
+    Profiles history = m_history;
+    if (history.size() >= kHistory) {
+        history.erase(history.begin());
+    }
+    history.push_back(m_applied);
+    send(m_edited, std::move(history), asker, reply);
+}
+
+void ProfileDraft::undo(QObject* asker, const RequestDesk::Reply& reply)
+{
+    if (const QString reason = whyNoUndo(); !reason.isEmpty()) {
+        reply(refused(reason));
+        return;
+    }
+    send(m_history.back(), Profiles(m_history.begin(), m_history.end() - 1), asker, reply);
+}
+
+void ProfileDraft::reconnect(QObject* asker, const RequestDesk::Reply& reply)
+{
+    if (const QString reason = whyNoReconnect(); !reason.isEmpty()) {
+        reply(refused(reason));
+        return;
+    }
+    m_desk.send(request::Reconnect{m_applied}, asker, reply);
+}
+
+void ProfileDraft::send(const profile::Profile& profile, Profiles historyThen, QObject* asker,
+                        const RequestDesk::Reply& reply)
+{
+    m_asked = profile;
+    Q_EMIT changed();
+    const auto answered = [this, historyThen = std::move(historyThen), reply,
+                           to = QPointer<QObject>(asker)](const std::optional<Error>& error) {
+        if (!error) {
+            m_accepted = m_asked;
+            m_history = historyThen;
+        }
+        m_asked.reset();
+        Q_EMIT changed();
+        if (to) {
+            reply(error);
+        }
+    };
+    m_desk.send(request::ApplyProfile{profile}, this, answered);  // known here also when the asker is gone
+}
+
+}  // namespace boresight::ui
