@@ -63,7 +63,7 @@ QString whyNoPointing(const StationStatus& status)
     for (const Axis axis : kAxes) {
         if (!isTurnKnown(status, axis)) {
             return (driveOf(status, axis).turnQuestion
-                        ? tr("which turn the %1 is on is not known: answer the question (Ctrl+5)")
+                        ? tr("which turn the %1 is on is not known: answer the question (Ctrl+9)")
                         : tr("which turn the %1 is on is not known yet"))
                 .arg(name(axis));
         }

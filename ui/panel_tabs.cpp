@@ -24,27 +24,45 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, const WindowSettings
 {
     setFont(fonts::label());
     setAccessibleName(tr("Panels"));
-    addPanel(*m_jog, tr("Jog"), tr("Jog panel (Ctrl+1)"), Qt::Key_1);
-    addPanel(*m_log, tr("Log"), tr("Log panel (Ctrl+2)"), Qt::Key_2);
-    addPanel(*m_drives, tr("Drives"), tr("Drives, bus and crash-stop proof (Ctrl+3)"), Qt::Key_3);
-    addPanel(*m_protection, tr("Protection"), tr("The drives' own protections (Ctrl+4)"), Qt::Key_4);
-    addPanel(*m_turn, tr("▲ Turn?"), tr("Which turn is the axis on? (Ctrl+5)"), Qt::Key_5);
+    addPanel(*this, *m_jog, tr("Jog"), tr("Jog panel (Ctrl+1)"), Qt::Key_1);
+    addPanel(*this, *m_log, tr("Log"), tr("Log panel (Ctrl+5)"), Qt::Key_5);
+    addTab(makeMountTabs(), tr("Mount"));
+    addPanel(*this, *m_turn, tr("▲ Turn?"), tr("Which turn is the axis on? (Ctrl+9)"), Qt::Key_9);
     setTabVisible(indexOf(m_turn), false);
     tabBar()->setTabTextColor(indexOf(m_turn), currentTheme().warning);
 }
 
-void PanelTabs::addPanel(QWidget& panel, const QString& text, const QString& help, Qt::Key key)
+QTabWidget* PanelTabs::makeMountTabs()
 {
-    const int tab = addTab(&panel, text);
-    setTabToolTip(tab, help);
+    auto* const tabs = new QTabWidget(this);
+    tabs->setFont(fonts::label());
+    tabs->setAccessibleName(tr("The mount itself"));
+    tabs->setDocumentMode(true);
+    addPanel(*tabs, *m_drives, tr("Drives"), tr("Drives, bus and crash-stop proof (Ctrl+6)"), Qt::Key_6);
+    addPanel(*tabs, *m_protection, tr("Protection"), tr("The drives' own protections (Ctrl+7)"), Qt::Key_7);
+    return tabs;
+}
+
+void PanelTabs::addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, const QString& help, Qt::Key key)
+{
+    tabs.setTabToolTip(tabs.addTab(&panel, text), help);
     auto* const shortcut = new QShortcut(Qt::CTRL | key, this);
     shortcut->setContext(Qt::WindowShortcut);
     shortcut->setAutoRepeat(false);
-    connect(shortcut, &QShortcut::activated, this, [this, tab] {
-        if (isTabVisible(tab)) {
-            setCurrentIndex(tab);
+    connect(shortcut, &QShortcut::activated, this, [this, &panel] { bringUp(panel); });
+}
+
+void PanelTabs::bringUp(QWidget& panel)
+{
+    for (int page = 0; page < count(); ++page) {
+        auto* const group = qobject_cast<QTabWidget*>(widget(page));
+        if (isTabVisible(page) && (widget(page) == &panel || (group != nullptr && group->indexOf(&panel) >= 0))) {
+            setCurrentIndex(page);
+            if (group != nullptr) {
+                group->setCurrentWidget(&panel);
+            }
         }
-    });
+    }
 }
 
 // The waiting question stands out among the tabs, by its shape in every theme.

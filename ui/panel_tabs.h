@@ -9,7 +9,8 @@
 
 #include <optional>
 
-// The panels, one at a time. The question about a turn is one of them, there only while it is open: it comes to the
+// The panels, one at a time: those for the night's work side by side, those about the mount itself behind one tab of
+// their own; each has its key. The question about a turn is one of them, there only while it is open: it comes to the
 // front by itself once, covers nothing but the other panels, and waits behind its tab when the operator leaves it.
 namespace boresight::ui {
 
@@ -28,6 +29,7 @@ public:
     PanelTabs(const Clock& clock, RequestDesk& desk, const WindowSettings& settings, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
+    void bringUp(QWidget& panel);  // to the front, also from behind "Mount"
 
     [[nodiscard]] JogPanel& jog() { return *m_jog; }
     [[nodiscard]] LogPanel& log() { return *m_log; }
@@ -36,7 +38,8 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void addPanel(QWidget& panel, const QString& text, const QString& help, Qt::Key key);
+    void addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, const QString& help, Qt::Key key);
+    [[nodiscard]] QTabWidget* makeMountTabs();
     void showQuestion(const StationStatus& status);
 
     JogPanel* m_jog;

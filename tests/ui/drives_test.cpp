@@ -2,12 +2,14 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/command_button.h"
 #include "ui/drives_panel.h"
+#include "ui/jog_panel.h"
+#include "ui/log_panel.h"
+#include "ui/panel_tabs.h"
 #include "ui/protection_model.h"
 #include "ui/protection_panel.h"
 
 #include <QDoubleSpinBox>
 #include <QPlainTextEdit>
-#include <QTabWidget>
 #include <QTableView>
 
 namespace boresight::ui {
@@ -20,7 +22,7 @@ protected:
     Panel& open()
     {
         auto* const panel = window.findChild<Panel*>();
-        window.findChild<QTabWidget*>()->setCurrentWidget(panel);
+        window.findChild<PanelTabs*>()->bringUp(*panel);
         return *panel;
     }
 
@@ -69,12 +71,18 @@ protected:
 
 TEST_F(DrivesTest, KeysOpenThePanels)
 {
-    auto* const panels = window.findChild<QTabWidget*>();
-    for (const auto& [key, index] : {std::pair(Qt::Key_3, 2), std::pair(Qt::Key_4, 3), std::pair(Qt::Key_2, 1),
-                                     std::pair(Qt::Key_1, 0), std::pair(Qt::Key_5, 0)}) {
-        QTest::keyClick(&window, key, Qt::ControlModifier);
-        EXPECT_EQ(panels->currentIndex(), index);
+    QWidget* shown = window.findChild<JogPanel*>();
+    for (const auto& [digit, panel] : {std::pair<char, QWidget*>('6', window.findChild<DrivesPanel*>()),
+                                       std::pair<char, QWidget*>('7', window.findChild<ProtectionPanel*>()),
+                                       std::pair<char, QWidget*>('5', window.findChild<LogPanel*>()),
+                                       std::pair<char, QWidget*>('1', window.findChild<JogPanel*>())}) {
+        openPanel(digit);
+        EXPECT_TRUE(panel->isVisible()) << digit;
+        EXPECT_FALSE(shown->isVisible()) << digit;
+        shown = panel;
     }
+    openPanel('9');
+    EXPECT_TRUE(shown->isVisible()) << "no question is open";
 }
 
 TEST_F(DrivesTest, ShowsWhoTheDrivesAre)
@@ -261,7 +269,7 @@ TEST_F(DrivesTest, AQuestionThatIsLeftDoesNotWaitForAPress)
 {
     auto& panel = open<ProtectionPanel>();
     click("Switch drives off …");
-    QTest::keyClick(&window, Qt::Key_1, Qt::ControlModifier);
+    openPanel('1');
     open<ProtectionPanel>();
     EXPECT_FALSE(panel.isAsking());
 }

@@ -4,7 +4,6 @@
 #include <QDir>
 #include <QImage>
 #include <QPushButton>
-#include <QTabWidget>
 
 // Pictures of every scene in every theme at both scales, for the eye; and what a program can judge of them.
 namespace boresight::ui {
@@ -14,7 +13,7 @@ struct Scene
 {
     const char* name;
     StationStatus (*status)();
-    int panel;
+    char panel;  // digit of its key
 };
 
 StationStatus midPass()
@@ -42,26 +41,26 @@ StationStatus elevationPlaces()
     return samples::asking(Axis::Elevation, 7, 12_deg, false);
 }
 
-constexpr Scene kScenes[] = {{"track", midPass, 0},
-                             {"log", midPass, 1},
-                             {"late", late, 0},
-                             {"stopped", samples::stopped, 0},
-                             {"fault", samples::faulted, 0},
-                             {"disconnected", samples::disconnected, 0},
-                             {"limited", samples::limited, 0},
-                             {"operator", samples::operatorMoving, 0},
-                             {"drives", samples::idle, 2},
-                             {"protection", samples::idle, 3},
-                             {"factory-drives", samples::factoryDrives, 2},
-                             {"factory-protection", samples::factoryDrives, 3},
-                             {"factory-jog", samples::factoryDrives, 0},
-                             {"reading", samples::reading, 3},
-                             {"released", samples::released, 2},
-                             {"proof", samples::proving, 2},
-                             {"turn", threePlaces, 4},
-                             {"turn-jog", threePlaces, 0},
-                             {"turns", manyPlaces, 4},
-                             {"turn-elevation", elevationPlaces, 4}};
+constexpr Scene kScenes[] = {{"track", midPass, '1'},
+                             {"log", midPass, '5'},
+                             {"late", late, '1'},
+                             {"stopped", samples::stopped, '1'},
+                             {"fault", samples::faulted, '1'},
+                             {"disconnected", samples::disconnected, '1'},
+                             {"limited", samples::limited, '1'},
+                             {"operator", samples::operatorMoving, '1'},
+                             {"drives", samples::idle, '6'},
+                             {"protection", samples::idle, '7'},
+                             {"factory-drives", samples::factoryDrives, '6'},
+                             {"factory-protection", samples::factoryDrives, '7'},
+                             {"factory-jog", samples::factoryDrives, '1'},
+                             {"reading", samples::reading, '7'},
+                             {"released", samples::released, '6'},
+                             {"proof", samples::proving, '6'},
+                             {"turn", threePlaces, '9'},
+                             {"turn-jog", threePlaces, '1'},
+                             {"turns", manyPlaces, '9'},
+                             {"turn-elevation", elevationPlaces, '9'}};
 
 class PicturesTest : public WindowFixture
 {
@@ -79,7 +78,7 @@ protected:
                 QStringLiteral("P 339.50 57.00: accepted")));
         }
         give(update);
-        window.findChild<QTabWidget*>()->setCurrentIndex(scene.panel);
+        openPanel(scene.panel);
         QTest::qWait(1);
     }
 
@@ -123,10 +122,10 @@ TEST_F(PicturesTest, AreWrittenForTheQuestions)
 {
     const QDir folder(QDir::current().filePath(QStringLiteral("pictures")));
     ASSERT_TRUE(QDir().mkpath(folder.path()));
-    const std::tuple<const char*, StationStatus (*)(), int, const char*> questions[] = {
-        {"question-fix", samples::factoryDrives, 3, "Fix …"},
-        {"question-off", samples::idle, 3, "Switch drives off …"},
-        {"question-proof", samples::idle, 2, "Run (both axes) …"}};
+    const std::tuple<const char*, StationStatus (*)(), char, const char*> questions[] = {
+        {"question-fix", samples::factoryDrives, '7', "Fix …"},
+        {"question-off", samples::idle, '7', "Switch drives off …"},
+        {"question-proof", samples::idle, '6', "Run (both axes) …"}};
     for (const ThemeKind kind : {ThemeKind::Day, ThemeKind::Night}) {
         applyTheme(kind);
         for (const auto& [title, status, panel, button] : questions) {
@@ -136,7 +135,7 @@ TEST_F(PicturesTest, AreWrittenForTheQuestions)
             const QString file = QStringLiteral("%1-%2.png").arg(QLatin1String(title), name(kind).toLower());
             EXPECT_TRUE(picture(1).save(folder.filePath(file), "PNG", 80));
             ASSERT_EQ(window.size(), QSize(1024, 700)) << title;
-            show({"away", samples::idle, 0});
+            show({"away", samples::idle, '1'});
         }
     }
     applyTheme(ThemeKind::Day);

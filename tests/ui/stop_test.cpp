@@ -10,7 +10,6 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QMessageBox>
-#include <QTabWidget>
 
 namespace boresight::ui {
 namespace {
@@ -19,7 +18,6 @@ class StopTest : public WindowFixture
 {
 protected:
     StopButton& stop() { return *window.findChild<StopButton*>(); }
-    QTabWidget& panels() { return *window.findChild<QTabWidget*>(); }
     std::size_t stops() const { return asked<request::Stop>().size(); }
 };
 
@@ -33,8 +31,9 @@ TEST_F(StopTest, ActsOnPressNotOnRelease)
 
 TEST_F(StopTest, IsWholeAndUncoveredInEveryPanelAndLargeEnough)
 {
-    for (int panel = 0; panel < panels().count(); ++panel) {
-        panels().setCurrentIndex(panel);
+    std::size_t presses = 0;
+    for (const char panel : kPanels) {
+        openPanel(panel);
         QTest::qWait(1);
         const QRect place(stop().mapTo(&window, QPoint()), stop().size());
         EXPECT_TRUE(window.rect().contains(place));
@@ -43,7 +42,7 @@ TEST_F(StopTest, IsWholeAndUncoveredInEveryPanelAndLargeEnough)
         EXPECT_EQ(window.childAt(place.center()), &stop());
         QTest::mousePress(&stop(), Qt::LeftButton);
         QTest::mouseRelease(&stop(), Qt::LeftButton);
-        EXPECT_EQ(stops(), static_cast<std::size_t>(panel + 1));
+        EXPECT_EQ(stops(), ++presses);
     }
     EXPECT_EQ(window.size(), QSize(1024, 700)) << "a panel does not fit into the smallest window";
 }
@@ -85,14 +84,14 @@ TEST_F(StopTest, PauseAndF12ReachThroughModalDialogsMenusAndFields)
     EXPECT_EQ(stops(), 2u);
     modal.close();
 
-    panels().setCurrentIndex(1);
+    openPanel('5');
     auto* const sources = named<QComboBox>("Filter by source");
     sources->showPopup();
     QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_Pause);
     EXPECT_EQ(stops(), 3u);
     sources->hidePopup();
 
-    panels().setCurrentIndex(0);
+    openPanel('1');
     auto* const azimuth = named<QLineEdit>("Azimuth");
     azimuth->setFocus();
     QTest::keyClick(azimuth, Qt::Key_F12);
@@ -118,7 +117,7 @@ TEST_F(StopTest, EscStopsUnlessAMenuOrDialogIsOpen)
     EXPECT_FALSE(help->isVisible());
     EXPECT_EQ(stops(), 2u);
 
-    panels().setCurrentIndex(1);
+    openPanel('5');
     auto* const sources = named<QComboBox>("Filter by source");
     sources->showPopup();
     QTest::keyClick(QApplication::activePopupWidget(), Qt::Key_Escape);

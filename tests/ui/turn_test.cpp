@@ -60,10 +60,10 @@ TEST_F(TurnTest, OpensByItselfOnceAndWaitsBehindItsTab)
     EXPECT_FALSE(panels().isTabVisible(panels().indexOf(&page())));
     give(samples::update(fewPlaces()));
     EXPECT_EQ(panels().currentWidget(), &page());
-    QTest::keyClick(&window, Qt::Key_1, Qt::ControlModifier);
+    openPanel('1');
     give(samples::update(fewPlaces()));
     EXPECT_EQ(panels().currentIndex(), 0) << "it does not come back by itself";
-    QTest::keyClick(&window, Qt::Key_5, Qt::ControlModifier);
+    openPanel('9');
     EXPECT_EQ(panels().currentWidget(), &page());
     give(samples::update(samples::idle()));
     EXPECT_EQ(panels().currentIndex(), 0);
@@ -202,7 +202,7 @@ TEST_F(TurnTest, UnwindingIsADeadManAtItsOwnRate)
     give(samples::update(samples::asking(Axis::Elevation, 3, 30_deg, false)));
     QTest::mousePress(named<QPushButton>("Raise at 1.0°/s while held"), Qt::LeftButton);
     EXPECT_EQ(asked<request::Jog>().back().rates, (AxisRates{0_deg_s, 1_deg_s}));
-    QTest::keyClick(&window, Qt::Key_1, Qt::ControlModifier);
+    openPanel('1');
     EXPECT_EQ(asked<request::Jog>().back().rates, AxisRates{}) << "leaving the page lets go";
 }
 
@@ -284,7 +284,7 @@ TEST_F(TurnTest, GoToIsDisabledAndJoggingIsSlow)
 TEST_F(TurnTest, AStepIsAPointingAndNotOfferedOnAnUnknownTurn)
 {
     give(samples::update(fewPlaces()));
-    QTest::keyClick(&window, Qt::Key_1, Qt::ControlModifier);
+    openPanel('1');
     auto* const right = named<QPushButton>("Azimuth clockwise while held");
     EXPECT_TRUE(right->isEnabled()) << "jogging is how the cable is unwound";
     auto* const pad = window.findChild<JogPad*>();

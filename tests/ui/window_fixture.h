@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <string_view>
 #include <vector>
 
 // A shown and active window at 1024×700 with a clock turned by hand, and everything it asks of the station.
@@ -39,6 +40,11 @@ protected:
         settings.unwind = 1_deg_s;
         return settings;
     }
+
+    // By its key, Ctrl+digit.
+    void openPanel(char digit) { QTest::keyClick(&window, digit, Qt::ControlModifier); }
+    // The keys of all panels that are always there.
+    static constexpr std::string_view kPanels = "1567";
 
     void give(const StationUpdate& update) { window.showUpdate(update); }
 

@@ -7,7 +7,6 @@
 #include <QAbstractButton>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QTabWidget>
 
 namespace boresight::ui {
 namespace {
@@ -287,9 +286,8 @@ TEST_F(WindowTest, EveryControlHasANameAndATouchableSize)
         }
     };
     give(samples::update(samples::tracking(1)));
-    auto* const panels = window.findChild<QTabWidget*>();
-    for (int panel = 0; panel < panels->count(); ++panel) {
-        panels->setCurrentIndex(panel);
+    for (const char panel : kPanels) {
+        openPanel(panel);
         expectUsable();
     }
     give(samples::update(samples::asking(Axis::Azimuth, 7, 60_deg, false)));
