@@ -192,8 +192,20 @@ void Station::tellStart()
     }
 }
 
+// Before the next tick: by now the drives have answered the last one, and the set-points are still those it sent.
+void Station::keepSample()
+{
+    if (const auto sample = m_control.sample()) {
+        m_samples.push_back(*sample);
+    }
+    while (!m_samples.empty() && m_samples.back().time - m_samples.front().time >= kSamplesKept) {
+        m_samples.pop_front();
+    }
+}
+
 void Station::tick()
 {
+    keepSample();
     const auto motion = m_control.tick();
     std::vector<CanFrame> frames(motion.begin(), motion.end());
     std::ranges::copy(m_care.tick(m_clock.now()), std::back_inserter(frames));
@@ -267,8 +279,11 @@ void Station::publish()
         return;
     }
     m_updateWanted = false;
-    StationUpdate update{
-        .status = status(), .log = m_log.since(m_lastLogSent, kMostLogLines), .answers = std::exchange(m_answers, {})};
+    StationUpdate update{.status = status(),
+                         .log = m_log.since(m_lastLogSent, kMostLogLines),
+                         .answers = std::exchange(m_answers, {}),
+                         .samples = {m_samples.begin(), m_samples.end()}};
+    m_samples.clear();
     m_lastLogSent = m_log.lastNumber();
     Q_EMIT updated(update);
 }

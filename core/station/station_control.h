@@ -57,6 +57,8 @@ public:
     [[nodiscard]] StationState state() const;
     // Everything this class knows; bus, clients and server are left to the Station.
     [[nodiscard]] StationStatus status() const;
+    // What the last tick commanded and what the drives have answered to it; empty before the first tick.
+    [[nodiscard]] std::optional<TickSample> sample() const;
     // The axes as measured; an error when unknown or older than 1 s.
     [[nodiscard]] Result<AxisPosition> measured() const;
     [[nodiscard]] AlarmBoard& alarms() { return m_alarms; }
@@ -162,6 +164,7 @@ private:
     void shutDownFurther();
 
     [[nodiscard]] AxisStatus axisStatus(Axis axis) const;
+    [[nodiscard]] AxisSample axisSample(Axis axis) const;
     [[nodiscard]] AxisState axisState(Axis axis) const;
     [[nodiscard]] bool atTravelEnd(Axis axis) const;
     [[nodiscard]] DrivesStatus drivesStatus() const;

@@ -22,6 +22,18 @@ bool near(const AxisPosition& a, const AxisPosition& b, Angle distance)
     return abs(a.azimuth - b.azimuth) < distance && abs(a.elevation - b.elevation) < distance;
 }
 
+// What an AxisStatus and an AxisSample say alike of the drive itself.
+void fillTelemetry(auto& values, const DriveReport& report)
+{
+    values.busVoltage = report.voltage;
+    values.boardTemperature = report.boardTemperature;
+    values.torque = report.torque;
+    values.current = report.current;
+    if (report.motorTemperature != 0.0) {  // reads 0 without a sensor
+        values.motorTemperature = report.motorTemperature;
+    }
+}
+
 }  // namespace
 
 StationState StationControl::state() const
@@ -110,15 +122,9 @@ AxisStatus StationControl::axisStatus(Axis axis) const
         status.target = axis == Axis::Azimuth ? target->azimuth : target->elevation;
     }
     if (const auto& report = m_drives.drive(axis).report()) {
-        status.busVoltage = report->voltage;
-        status.boardTemperature = report->boardTemperature;
-        status.torque = report->torque;
-        status.current = report->current;
+        fillTelemetry(status, *report);
         status.mode = static_cast<int>(report->mode);
         status.faultCode = report->fault;
-        if (report->motorTemperature != 0.0) {  // reads 0 without a sensor
-            status.motorTemperature = report->motorTemperature;
-        }
     }
     if (status.state == AxisState::Limit) {
         status.stateText = QStringLiteral("at the end of the travel");
@@ -126,6 +132,28 @@ AxisStatus StationControl::axisStatus(Axis axis) const
         status.stateText = QStringLiteral("turn not known");
     }
     return status;
+}
+
+// Only an answer to this very tick counts: an older one would be drawn as if it were new.
+AxisSample StationControl::axisSample(Axis axis) const
+{
+    AxisSample sample;
+    if (m_drives.drive(axis).phase() == Drive::Phase::Engaged) {
+        sample.commanded = m_motion.setpoint(axis).position;
+    }
+    if (const auto& report = m_drives.drive(axis).report(); report && report->received >= m_now) {
+        sample.actual = m_drives.measured(axis);
+        fillTelemetry(sample, *report);
+    }
+    return sample;
+}
+
+std::optional<TickSample> StationControl::sample() const
+{
+    if (m_tick == 0) {
+        return std::nullopt;
+    }
+    return TickSample{.time = m_now, .axes = {axisSample(Axis::Azimuth), axisSample(Axis::Elevation)}};
 }
 
 // Not of a drive whose gear or protections are wrong: that comes first, and what it reports may mean nothing.

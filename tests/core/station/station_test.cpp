@@ -117,6 +117,64 @@ TEST(Station, AStalledScreenGetsTheNewestStatusAndNoQueue)
     EXPECT_EQ(rig.updates.back().status.tick, 105U);
 }
 
+TEST(Station, EveryTickIsSampledOnceWithTheAnswerToIt)
+{
+    SurveyedRig rig;
+    rig.station->openAll();
+    rig.run(kSurvey);
+    rig.station->request({.id = 1, .request = kFarAway});
+    rig.run(100);
+    rig.station->publish();
+    rig.station->updateTaken();
+    for (int update = 0; update < 20; ++update) {
+        rig.run(3);
+        rig.station->publish();
+        rig.station->updateTaken();
+        const std::vector<TickSample>& samples = rig.updates.back().samples;
+        ASSERT_EQ(samples.size(), 3U);
+        EXPECT_EQ(samples[2].time, rig.clock.now() - std::chrono::milliseconds(20));
+        for (std::size_t i = 1; i < samples.size(); ++i) {
+            EXPECT_EQ(samples[i].time - samples[i - 1].time, std::chrono::milliseconds(20));
+        }
+        const AxisSample& azimuth = samples[2].axes[0];
+        ASSERT_TRUE(azimuth.commanded && azimuth.actual && azimuth.torque && azimuth.current && azimuth.busVoltage);
+        // At 2°/s and more a place of the tick before would be 0.04° away.
+        EXPECT_NEAR(azimuth.commanded->degrees(), azimuth.actual->degrees(), 0.03);
+        EXPECT_GT(*azimuth.actual, 1_deg);
+    }
+}
+
+TEST(Station, ALostReplyIsNotSampledAsTheOldValue)
+{
+    Rig rig;
+    rig.station->openAll();
+    rig.run(5);
+    rig.station->publish();
+    rig.station->updateTaken();
+    rig.azimuth.silent = true;
+    rig.run(2);
+    rig.station->publish();
+    const std::vector<TickSample>& samples = rig.updates.back().samples;
+    ASSERT_EQ(samples.size(), 2U);
+    EXPECT_TRUE(samples[0].axes[0].actual);
+    EXPECT_FALSE(samples[1].axes[0].actual || samples[1].axes[0].busVoltage);
+    EXPECT_TRUE(samples[1].axes[1].actual);
+}
+
+TEST(Station, AStalledScreenMissesTheSamplesBeyondTenSeconds)
+{
+    Rig rig;
+    rig.station->openAll();
+    rig.run(5);
+    rig.station->publish();
+    rig.run(600);
+    rig.station->updateTaken();
+    rig.station->publish();
+    const std::vector<TickSample>& samples = rig.updates.back().samples;
+    ASSERT_EQ(samples.size(), 500U);
+    EXPECT_EQ(samples.back().time, rig.clock.now() - std::chrono::milliseconds(20));
+}
+
 TEST(Station, LogLinesComeOnceAndInOrder)
 {
     Rig rig;
