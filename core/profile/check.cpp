@@ -2,7 +2,7 @@
 // The checks of a profile that are more than type and range.
 #include "core/base/control_characters.h"
 #include "core/base/numbers.h"
-#include "core/profile/setting.h"
+#include "core/profile/setting_groups.h"
 
 namespace boresight::profile {
 
@@ -55,6 +55,25 @@ void checkSupervision(std::vector<Problem>& problems, const Profile& profile)
     demand(supervision.boardHot < supervision.boardLimit, "board_hot_c", "must be below supervision.board_limit_c");
 }
 
+template <class Row>
+void checkRow(std::vector<Problem>& problems, const std::string& prefix, std::span<const SettingOf<Row>> all, Row row)
+{
+    for (const SettingOf<Row>& setting : all) {
+        if (const auto done = setting.counts(row) ? setting.set(row, setting.get(row)) : Result<>{}; !done) {
+            problems.push_back({prefix + setting.key, done.error().text});
+        }
+    }
+}
+
+template <class Row>
+void checkRows(std::vector<Problem>& problems, std::string_view list, std::span<const SettingOf<Row>> all,
+               const std::vector<Row>& rows)
+{
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        checkRow(problems, std::string(list) + "[" + std::to_string(i + 1) + "].", all, rows[i]);
+    }
+}
+
 }  // namespace
 
 std::vector<Problem> crossCheck(const Profile& profile)
@@ -74,7 +93,24 @@ std::vector<Problem> crossCheck(const Profile& profile)
     if (profile.jog.slow > profile.jog.normal || profile.jog.normal > profile.jog.fast) {
         problems.push_back({"jog.normal_deg_s", "must lie between jog.slow_deg_s and jog.fast_deg_s"});
     }
+    if (profile.rotctld.lead == Lead::Locked && profile.rotctld.lockedTo.empty()) {
+        problems.push_back({"rotctld.locked_to", "is needed while rotctld.lead is \"locked\""});
+    }
+    checkRegion(problems, profile);
     checkSupervision(problems, profile);
+    return problems;
+}
+
+std::vector<Problem> problemsOf(const Profile& profile)
+{
+    std::vector<Problem> problems;
+    checkRow(problems, "", settings(), profile);
+    checkRows(problems, kHorizonKey, horizonSettings(), profile.limits.horizon);
+    checkRows(problems, kKeepOutKey, keepOutSettings(), profile.limits.keepOuts);
+    checkRows(problems, kPresetKey, presetSettings(), profile.presets);
+    for (Problem& problem : crossCheck(profile)) {
+        problems.push_back(std::move(problem));
+    }
     return problems;
 }
 

@@ -2,7 +2,7 @@
 #include "core/profile/setting.h"
 
 #include "core/base/bus_name.h"
-#include "core/base/control_characters.h"
+#include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
 
 #include <algorithm>
@@ -16,20 +16,18 @@ namespace {
 
 void addMount(std::vector<Setting>& list)
 {
-    list.push_back(textual(
-        "mount.name", Applies::Now, "What clients and the window call this mount.",
-        [](const Profile& p) { return p.mount.name; },
-        [](Profile& p, const std::string& text) -> Result<> {
-            if (text.empty() || text.size() > 60 || hasControlCharacters(text)) {
-                return failure(ErrorCode::InvalidInput, "one line of 1 to 60 bytes is expected");
-            }
-            p.mount.name = text;
-            return {};
-        }));
+    list.push_back(name(
+        "mount.name", Applies::OnReconnect,
+        "What clients and the window call this mount; what it remembers is kept under this name.",
+        [](auto& p) -> auto& { return p.mount.name; }));
     list.push_back(number(
         "mount.beam_width_deg", "°", {0.01, 180.0}, Applies::Now,
         "Half-power beam width of the antenna, drawn in the polar plot.",
         [](auto& p) -> auto& { return p.mount.beamWidth; }));
+    list.push_back(choice(
+        "mount.directions", {"confirmed", "unconfirmed"}, Applies::Now,
+        "Whether a person has seen that each axis turns the way this file says; before, moves are short and slow.",
+        [](auto& p) -> auto& { return p.mount.directions; }));
     list.push_back(textual(
         "bus.name", Applies::OnReconnect,
         "How the drives are reached: \"fdcanusb:PATH\", \"socketcan:INTERFACE\" or \"simulated\".",
@@ -102,8 +100,7 @@ void addLimits(std::vector<Setting>& list, const std::string& table, AxisSetting
     list.push_back(choice(
         table + ".timeout_mode", {"hold", "brake"}, Applies::OnReconnect,
         "What the drive does by itself when its watchdog expires: \"hold\" (servo.timeout_mode 10) or \"brake\" (15, "
-        "for "
-        "self-locking gearboxes only).",
+        "for self-locking gearboxes only).",
         [axis](auto& p) -> auto& { return (p.*axis).timeoutMode; }));
 }
 
@@ -119,8 +116,7 @@ void addControl(std::vector<Setting>& list)
     list.push_back(choice(
         "control.on_exit", {"hold", "brake", "off"}, Applies::Now,
         "What the drives are left doing when the program ends. hold needs servo.timeout_mode 10 in the drives, else "
-        "they only "
-        "damp.",
+        "they only damp.",
         [](auto& p) -> auto& { return p.control.onExit; }));
     list.push_back(number(
         "control.drive_limit_margin_deg", "°", {0.5, 20.0}, Applies::OnReconnect,
@@ -135,7 +131,7 @@ void addControl(std::vector<Setting>& list)
         [](auto& p) -> auto& { return p.park.elevation; }));
 }
 
-void addOperation(std::vector<Setting>& list)
+void addJog(std::vector<Setting>& list)
 {
     constexpr Range kJogRate{0.001, 360.0};
     list.push_back(number(
@@ -151,6 +147,10 @@ void addOperation(std::vector<Setting>& list)
         "jog.unwind_deg_s", "°/s", {0.01, 5.0}, Applies::Now,
         "Fastest jog while it is not known on which turn an axis stands.",
         [](auto& p) -> auto& { return p.jog.unwind; }));
+}
+
+void addClients(std::vector<Setting>& list)
+{
     list.push_back(textual(
         "rotctld.listen", Applies::OnReconnect,
         "HOST:PORT for rotctld clients; port 0 takes any free one. 127.0.0.1 keeps other machines out.",
@@ -158,9 +158,25 @@ void addOperation(std::vector<Setting>& list)
         [](Profile& p, const std::string& text) {
             return parseListenAddress(text).map([&](const ListenAddress& listen) { p.rotctld.listen = listen; });
         }));
+    list.push_back(textList(
+        "rotctld.allow", Applies::Now,
+        "Addresses and networks (\"192.168.1.7\", \"10.0.0.0/8\") that may connect; empty: whoever reaches the port.",
+        [](auto& p) -> auto& { return p.rotctld.allow; }, checkNetwork));
+    list.push_back(choice(
+        "rotctld.lead", {"first", "last", "locked"}, Applies::Now,
+        "Which of several clients moves the mount: the \"first\" until it is silent for 10 s, whoever asked \"last\" "
+        "(as Hamlib), or \"locked\" to one.",
+        [](auto& p) -> auto& { return p.rotctld.lead; }));
+    list.push_back(textual(
+        "rotctld.locked_to", Applies::Now,
+        "Address of the one client that may move the mount while lead is \"locked\".",
+        [](const Profile& p) { return p.rotctld.lockedTo; },
+        [](Profile& p, const std::string& text) {
+            return (text.empty() ? Result<>{} : checkAddress(text)).map([&] { p.rotctld.lockedTo = text; });
+        }));
     list.push_back(choice(
         "rotctld.outside_limits", {"nearest", "refuse"}, Applies::Now,
-        "A direction outside the travel: drive to the nearest permitted point, or refuse it.",
+        "A direction where the mount may not go: drive to the nearest permitted point, or refuse it.",
         [](auto& p) -> auto& { return p.rotctld.outsideLimits; }));
     list.push_back(choice(
         "rotctld.azimuth", {"0..360", "-180..180", "continuous"}, Applies::Now,
@@ -176,106 +192,6 @@ void addOperation(std::vector<Setting>& list)
         [](auto& p) -> auto& { return p.rotctld.maxClients; }));
 }
 
-void addMotionSupervision(std::vector<Setting>& list)
-{
-    constexpr auto kNow = Applies::Now;
-    constexpr Range kError{0.1, 90.0};
-    list.push_back(number(
-        "supervision.following_hint_deg", "°", kError, kNow,
-        "A hint when set-point and axis stay so far apart for following_time_s.",
-        [](auto& p) -> auto& { return p.supervision.followingHint; }));
-    list.push_back(number(
-        "supervision.following_stop_deg", "°", kError, kNow,
-        "The mount stops when set-point and axis stay so far apart for following_time_s.",
-        [](auto& p) -> auto& { return p.supervision.followingStop; }));
-    list.push_back(number(
-        "supervision.following_time_s", "s", {0.1, 5.0}, kNow, "How long a following error may last.",
-        [](auto& p) -> auto& { return p.supervision.followingTime; }));
-    list.push_back(number(
-        "supervision.stall_time_s", "s", {0.2, 5.0}, kNow,
-        "The mount stops when an axis is commanded to move and has not moved for so long.",
-        [](auto& p) -> auto& { return p.supervision.stallTime; }));
-    list.push_back(number(
-        "supervision.uncommanded_deg", "°", kError, kNow,
-        "An axis that should stand and has moved by so much stops the mount, or is a hint while its drive is off.",
-        [](auto& p) -> auto& { return p.supervision.uncommanded; }));
-    list.push_back(number(
-        "supervision.encoder_jump_deg", "°", {0.1, 45.0}, kNow,
-        "The mount stops when an angle changes between two replies by so much more than the axis can turn.",
-        [](auto& p) -> auto& { return p.supervision.encoderJump; }));
-    list.push_back(number(
-        "supervision.outside_hint_deg", "°", kError, kNow, "A hint when an axis is so far beyond its travel.",
-        [](auto& p) -> auto& { return p.supervision.outsideHint; }));
-    list.push_back(number(
-        "supervision.outside_stop_deg", "°", kError, kNow,
-        "The mount stops when an axis is so far beyond its travel and moves farther out.",
-        [](auto& p) -> auto& { return p.supervision.outsideStop; }));
-    list.push_back(number(
-        "supervision.torque_hint_share", "", {0.1, 1.0}, kNow,
-        "A hint when an axis needs this share of its max_torque_nm for 2 s.",
-        [](auto& p) -> auto& { return p.supervision.torqueHint; }));
-    list.push_back(number(
-        "supervision.torque_unwind_share", "", {0.05, 1.0}, kNow,
-        "While the turn of an axis is unknown, the mount stops at this share of its max_torque_nm: a cable may pull.",
-        [](auto& p) -> auto& { return p.supervision.torqueUnwind; }));
-}
-
-void addDriveSupervision(std::vector<Setting>& list)
-{
-    constexpr auto kNow = Applies::Now;
-    constexpr Range kVoltage{5.0, 60.0};
-    constexpr Range kTemperature{30.0, 150.0};
-    list.push_back(number(
-        "supervision.reply_age_s", "s", {0.02, 0.25}, kNow, "A hint when the last reply of a drive is older.",
-        [](auto& p) -> auto& { return p.supervision.replyAge; }));
-    list.push_back(number(
-        "supervision.supply_low_v", "V", kVoltage, kNow, "A hint below this supply voltage.",
-        [](auto& p) -> auto& { return p.supervision.supplyLow; }));
-    list.push_back(number(
-        "supervision.supply_stop_v", "V", kVoltage, kNow,
-        "The mount stops below this supply voltage, while the drives still can.",
-        [](auto& p) -> auto& { return p.supervision.supplyStop; }));
-    list.push_back(number(
-        "supervision.supply_high_v", "V", kVoltage, kNow,
-        "A hint above this supply voltage; a stop would brake and drive it higher.",
-        [](auto& p) -> auto& { return p.supervision.supplyHigh; }));
-    list.push_back(number(
-        "supervision.board_hot_c", "°C", kTemperature, kNow, "A hint when the board of a drive is so hot.",
-        [](auto& p) -> auto& { return p.supervision.boardHot; }));
-    list.push_back(number(
-        "supervision.board_limit_c", "°C", kTemperature, kNow,
-        "Where the drive gives up with fault 38 (servo.fault_temperature); trends are reckoned to it.",
-        [](auto& p) -> auto& { return p.supervision.boardLimit; }));
-    list.push_back(number(
-        "supervision.motor_hot_c", "°C", kTemperature, kNow, "A hint when a motor with a sensor is so hot.",
-        [](auto& p) -> auto& { return p.supervision.motorHot; }));
-    list.push_back(number(
-        "supervision.trend_ahead_s", "s", {10.0, 3600.0}, kNow,
-        "A hint when supply or temperature, going on as in the last minute, reach their limit within this time.",
-        [](auto& p) -> auto& { return p.supervision.trendAhead; }));
-}
-
-void addRecovery(std::vector<Setting>& list)
-{
-    constexpr auto kNow = Applies::Now;
-    const std::vector<std::string> retry{"never", "once", "interval"};
-    list.push_back(choice(
-        "recovery.over_temperature", retry, kNow,
-        "Re-arm without a person when a drive that was too hot (fault 38) has cooled down by 5 °C.",
-        [](auto& p) -> auto& { return p.recovery.overTemperature; }));
-    list.push_back(choice(
-        "recovery.supply", retry, kNow,
-        "Re-arm without a person when the supply (faults 34, 40) is back between supply_low_v and supply_high_v.",
-        [](auto& p) -> auto& { return p.recovery.supply; }));
-    list.push_back(choice(
-        "recovery.bus", retry, kNow, "Re-arm without a person when silent or timed-out drives answer again.",
-        [](auto& p) -> auto& { return p.recovery.bus; }));
-    list.push_back(number(
-        "recovery.interval_s", "s", {5.0, 3600.0}, kNow,
-        "Time from a loss, or the last attempt, to the next attempt to re-arm.",
-        [](auto& p) -> auto& { return p.recovery.interval; }));
-}
-
 std::vector<Setting> makeSettings()
 {
     std::vector<Setting> list;
@@ -285,10 +201,12 @@ std::vector<Setting> makeSettings()
         addGeometry(list, table, axis);
         addLimits(list, table, axis);
     }
+    addRegion(list);
     addControl(list);
-    addOperation(list);
-    addMotionSupervision(list);
-    addDriveSupervision(list);
+    addSite(list);
+    addJog(list);
+    addClients(list);
+    addSupervision(list);
     addRecovery(list);
     return list;
 }

@@ -13,7 +13,8 @@
 #include <vector>
 
 // Every setting, described once: the file's reader and writer, the commented default file, the dialog and the manual's
-// table are made from this list. The default is what a default Profile holds.
+// table are made from this list. The default is what a default Profile holds. The rows of the profile's lists (horizon,
+// keep-outs, presets) are described in the same way, each with a list of its own.
 namespace boresight::profile {
 
 enum class SettingType
@@ -21,7 +22,8 @@ enum class SettingType
     Text,
     Integer,
     Number,
-    Choice  // one of `choices`
+    Choice,  // one of `choices`
+    TextList
 };
 
 enum class Applies
@@ -30,14 +32,16 @@ enum class Applies
     OnReconnect
 };
 
-using SettingValue = std::variant<std::string, std::int64_t, double>;  // Choice is a string
+using TextList = std::vector<std::string>;
+using SettingValue = std::variant<std::string, std::int64_t, double, TextList>;  // Choice is a string
 
 // Of the numbers in the file: a millionth of an arc second, and they hide the rounding between degrees and radians.
 inline constexpr int kDecimals = 9;
 
-struct Setting
+template <class Owner>
+struct SettingOf
 {
-    std::string key;  // "azimuth.travel_min_deg": table and key of the file
+    std::string key;  // "azimuth.travel_min_deg": table and key of the file; of a row only the key
     SettingType type = SettingType::Text;
     std::string unit;  // "°/s"; empty without one
     double min = 0.0;  // of Integer and Number, ends included
@@ -45,15 +49,31 @@ struct Setting
     std::vector<std::string> choices;
     std::string text;  // what it does, one sentence
     Applies applies = Applies::Now;
-    std::function<SettingValue(const Profile&)> get;
-    // Refuses, with the reason, what is not of the setting's type and range; the profile is then unchanged.
-    std::function<Result<>(Profile&, const SettingValue&)> set;
+    std::function<SettingValue(const Owner&)> get;
+    // Refuses, with the reason, what is not of the setting's type and range; the owner is then unchanged.
+    std::function<Result<>(Owner&, const SettingValue&)> set;
+    // Set where the keys of a table are given all together or not at all; then the value counts only if this holds.
+    std::function<bool(const Owner&)> isGiven = {};
+
+    [[nodiscard]] bool counts(const Owner& owner) const { return !isGiven || isGiven(owner); }
 };
+
+using Setting = SettingOf<Profile>;
 
 [[nodiscard]] std::span<const Setting> settings();
 [[nodiscard]] const Setting* findSetting(std::string_view key);
 
-// What one setting alone cannot tell: min below max, park inside the travel, different ids, ticks within the watchdog.
+// What the lists are called in the file; problems name a row "keep_out[2]" and what it holds "keep_out[2].name",
+// from 1.
+inline constexpr std::string_view kHorizonKey = "limits.horizon";
+inline constexpr std::string_view kKeepOutKey = "keep_out";
+inline constexpr std::string_view kPresetKey = "preset";
+
+// Of one row, in the order of the file. They apply at once.
+[[nodiscard]] std::span<const SettingOf<pointing::HorizonPoint>> horizonSettings();
+[[nodiscard]] std::span<const SettingOf<pointing::KeepOut>> keepOutSettings();
+[[nodiscard]] std::span<const SettingOf<Preset>> presetSettings();
+
 struct Problem
 {
     std::string key;
@@ -61,10 +81,15 @@ struct Problem
 
     bool operator==(const Problem&) const = default;
 };
+// What one setting alone cannot tell: min below max, park where the mount may be, different ids, names used once.
 [[nodiscard]] std::vector<Problem> crossCheck(const Profile& profile);
+// Everything that reading the profile's own file would complain of: ranges, then the above.
+[[nodiscard]] std::vector<Problem> problemsOf(const Profile& profile);
 
-// The texts of two settings, also for the command line that overrides them.
+// The text of rotctld.listen, also for the command line that overrides it.
 [[nodiscard]] Result<ListenAddress> parseListenAddress(std::string_view text);  // "127.0.0.1:4533", "[::1]:4533"
 [[nodiscard]] std::string toText(const ListenAddress& address);
+// What the setting would look like in the file, without its key.
+[[nodiscard]] std::string toText(const SettingValue& value);
 
 }  // namespace boresight::profile

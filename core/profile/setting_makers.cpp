@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/setting_makers.h"
 
+#include "core/base/control_characters.h"
 #include "core/base/numbers.h"
 
 #include <cmath>
-#include <utility>
 
 namespace boresight::profile::makers {
 
@@ -36,8 +36,9 @@ Result<> checkRange(double value, Range range)
 
 double rounded(double value)
 {
-    constexpr double kSteps = 1e9;  // 10 to the power of kDecimals
-    return std::round(value * kSteps) / kSteps;
+    constexpr double kSteps = 1e9;   // 10 to the power of kDecimals
+    constexpr double kWhole = 1e15;  // from here on a double has no decimals, and times kSteps may be too large for it
+    return std::abs(value) < kWhole ? std::round(value * kSteps) / kSteps : value;
 }
 
 std::string listed(const std::vector<std::string>& names)
@@ -49,22 +50,12 @@ std::string listed(const std::vector<std::string>& names)
     return text;
 }
 
-Setting textual(std::string key, Applies applies, std::string text, std::function<std::string(const Profile&)> read,
-                std::function<Result<>(Profile&, const std::string&)> write)
+Result<> checkName(const std::string& name)
 {
-    auto set = [write = std::move(write)](Profile& profile, const SettingValue& value) -> Result<> {
-        const auto* wanted = std::get_if<std::string>(&value);
-        return wanted != nullptr ? write(profile, *wanted)
-                                 : failure(ErrorCode::InvalidInput, "a text in quotes is expected");
-    };
-    return {.key = std::move(key),
-            .type = SettingType::Text,
-            .unit = {},
-            .choices = {},
-            .text = std::move(text),
-            .applies = applies,
-            .get = std::move(read),
-            .set = std::move(set)};
+    if (name.empty() || name.size() > 60 || hasControlCharacters(name)) {
+        return failure(ErrorCode::InvalidInput, "one line of 1 to 60 bytes is expected");
+    }
+    return {};
 }
 
 }  // namespace boresight::profile::makers

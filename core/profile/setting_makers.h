@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <vector>
 
-// How setting.cpp writes down one setting per line: each maker joins a key and its description to a field of Profile.
-// `access` gives that field of a profile, constant or not: [](auto& p) -> auto& { return p.control.tickHz; }.
+// How the settings are written down: each maker joins a key and its description to a field of its owner, a Profile or
+// one row of a list. `access` gives that field, constant or not: [](auto& p) -> auto& { return p.control.tickHz; }.
 namespace boresight::profile::makers {
 
 struct Range
@@ -63,19 +63,19 @@ inline void assign(double& field, double value)
     field = value;
 }
 
-template <class Access>
-Setting number(const std::string& key, const std::string& unit, Range range, Applies applies, const std::string& text,
-               Access access)
+template <class Owner = Profile, class Access>
+SettingOf<Owner> number(const std::string& key, const std::string& unit, Range range, Applies applies,
+                        const std::string& text, Access access)
 {
-    auto get = [access](const Profile& profile) -> SettingValue { return toNumber(access(profile)); };
-    auto set = [access, range](Profile& profile, const SettingValue& value) -> Result<> {
+    auto get = [access](const Owner& owner) -> SettingValue { return toNumber(access(owner)); };
+    auto set = [access, range](Owner& owner, const SettingValue& value) -> Result<> {
         const auto* whole = std::get_if<std::int64_t>(&value);
         const auto* real = std::get_if<double>(&value);
         if (whole == nullptr && real == nullptr) {
             return failure(ErrorCode::InvalidInput, "a number is expected");
         }
-        const double wanted = real != nullptr ? *real : static_cast<double>(*whole);
-        return checkRange(wanted, range).map([&] { assign(access(profile), rounded(wanted)); });
+        const double wanted = rounded(real != nullptr ? *real : static_cast<double>(*whole));
+        return checkRange(wanted, range).map([&] { assign(access(owner), wanted); });
     };
     return {.key = key,
             .type = SettingType::Number,
@@ -89,17 +89,17 @@ Setting number(const std::string& key, const std::string& unit, Range range, App
             .set = set};
 }
 
-template <class Access>
-Setting integer(const std::string& key, const std::string& unit, Range range, Applies applies, const std::string& text,
-                Access access)
+template <class Owner = Profile, class Access>
+SettingOf<Owner> integer(const std::string& key, const std::string& unit, Range range, Applies applies,
+                         const std::string& text, Access access)
 {
-    auto get = [access](const Profile& profile) -> SettingValue { return std::int64_t{access(profile)}; };
-    auto set = [access, range](Profile& profile, const SettingValue& value) -> Result<> {
+    auto get = [access](const Owner& owner) -> SettingValue { return std::int64_t{access(owner)}; };
+    auto set = [access, range](Owner& owner, const SettingValue& value) -> Result<> {
         const auto* whole = std::get_if<std::int64_t>(&value);
         if (whole == nullptr) {
             return failure(ErrorCode::InvalidInput, "a whole number is expected");
         }
-        return checkRange(static_cast<double>(*whole), range).map([&] { access(profile) = static_cast<int>(*whole); });
+        return checkRange(static_cast<double>(*whole), range).map([&] { access(owner) = static_cast<int>(*whole); });
     };
     return {.key = key,
             .type = SettingType::Integer,
@@ -114,14 +114,14 @@ Setting integer(const std::string& key, const std::string& unit, Range range, Ap
 }
 
 // `names` in the order of the enumerators.
-template <class Access>
-Setting choice(const std::string& key, const std::vector<std::string>& names, Applies applies, const std::string& text,
-               Access access)
+template <class Owner = Profile, class Access>
+SettingOf<Owner> choice(const std::string& key, const std::vector<std::string>& names, Applies applies,
+                        const std::string& text, Access access)
 {
-    auto get = [access, names](const Profile& profile) -> SettingValue {
-        return names.at(static_cast<std::size_t>(access(profile)));
+    auto get = [access, names](const Owner& owner) -> SettingValue {
+        return names.at(static_cast<std::size_t>(access(owner)));
     };
-    auto set = [access, names](Profile& profile, const SettingValue& value) -> Result<> {
+    auto set = [access, names](Owner& owner, const SettingValue& value) -> Result<> {
         const auto* wanted = std::get_if<std::string>(&value);
         if (wanted == nullptr) {
             return failure(ErrorCode::InvalidInput, "a text in quotes is expected");
@@ -130,7 +130,7 @@ Setting choice(const std::string& key, const std::vector<std::string>& names, Ap
         if (found == names.end()) {
             return failure(ErrorCode::InvalidInput, "\"" + *wanted + "\" is none of " + listed(names));
         }
-        auto& field = access(profile);
+        auto& field = access(owner);
         field = static_cast<std::remove_reference_t<decltype(field)>>(found - names.begin());
         return {};
     };
@@ -144,8 +144,64 @@ Setting choice(const std::string& key, const std::vector<std::string>& names, Ap
             .set = set};
 }
 
-// `read` turns the profile into the text; `write` takes a text, or says what is wrong with it.
-Setting textual(std::string key, Applies applies, std::string text, std::function<std::string(const Profile&)> read,
-                std::function<Result<>(Profile&, const std::string&)> write);
+// `read` turns the owner into the text; `write` takes a text, or says what is wrong with it.
+template <class Owner = Profile, class Read, class Write>
+SettingOf<Owner> textual(const std::string& key, Applies applies, const std::string& text, Read read, Write write)
+{
+    auto set = [write](Owner& owner, const SettingValue& value) -> Result<> {
+        const auto* wanted = std::get_if<std::string>(&value);
+        return wanted != nullptr ? Result<>(write(owner, *wanted))
+                                 : failure(ErrorCode::InvalidInput, "a text in quotes is expected");
+    };
+    return {.key = key,
+            .type = SettingType::Text,
+            .unit = {},
+            .choices = {},
+            .text = text,
+            .applies = applies,
+            .get = [read](const Owner& owner) -> SettingValue { return read(owner); },
+            .set = set};
+}
+
+// A name that people read: one line, not empty.
+[[nodiscard]] Result<> checkName(const std::string& name);
+
+template <class Owner = Profile, class Access>
+SettingOf<Owner> name(const std::string& key, Applies applies, const std::string& text, Access access)
+{
+    return textual<Owner>(
+        key, applies, text, [access](const Owner& owner) { return access(owner); },
+        [access](Owner& owner, const std::string& wanted) {
+            return checkName(wanted).map([&] { access(owner) = wanted; });
+        });
+}
+
+// `check` says what is wrong with one text of the list.
+template <class Owner = Profile, class Access>
+SettingOf<Owner> textList(const std::string& key, Applies applies, const std::string& text, Access access,
+                          Result<> (*check)(const std::string&))
+{
+    auto set = [access, check](Owner& owner, const SettingValue& value) -> Result<> {
+        const auto* wanted = std::get_if<TextList>(&value);
+        if (wanted == nullptr) {
+            return failure(ErrorCode::InvalidInput, "a list of texts in quotes is expected, like [\"one\", \"two\"]");
+        }
+        for (const std::string& one : *wanted) {
+            if (const auto fits = check(one); !fits) {
+                return fits;
+            }
+        }
+        access(owner) = *wanted;
+        return {};
+    };
+    return {.key = key,
+            .type = SettingType::TextList,
+            .unit = {},
+            .choices = {},
+            .text = text,
+            .applies = applies,
+            .get = [access](const Owner& owner) -> SettingValue { return access(owner); },
+            .set = set};
+}
 
 }  // namespace boresight::profile::makers

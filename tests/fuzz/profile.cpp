@@ -36,11 +36,10 @@ void checkError(const std::string& text, std::size_t inputSize)
 
 void checkAccepted(const Profile& profile)
 {
-    require(crossCheck(profile).empty(), "an accepted profile makes sense as a whole");
+    require(problemsOf(profile).empty(),
+            "an accepted profile has its values in their ranges and makes sense as a whole");
     for (const Setting& setting : settings()) {
         const SettingValue value = setting.get(profile);
-        Profile copy = profile;
-        require(setting.set(copy, value).has_value(), "an accepted value is within its range");
         if (const auto* const number = std::get_if<double>(&value)) {
             require(std::isfinite(*number), "an accepted number is finite");
         }
@@ -90,7 +89,16 @@ Grammar grammar()
         "version = 1\n[bus]\nname = \"socketcan:can0\"\n[azimuth]\nid = 3\nsign = -1\noffset_deg = -12.5\n"
         "gear_ratio = 61.5\ngear_in = \"host\"\ntravel_min_deg = -270\ntravel_max_deg = 270\n",
         "version = 1\n[control]\ntick_hz = 100\nwatchdog_s = 0.05\non_exit = \"brake\"\n[rotctld]\n"
-        "listen = \"[::1]:4533\"\nazimuth = \"-180..180\"\nmax_clients = 5\n"};
+        "listen = \"[::1]:4533\"\nazimuth = \"-180..180\"\nmax_clients = 5\n",
+        "version = 1\n[limits]\nazimuth_min_deg = -10\nhorizon = [[0, -5], [90.5, -3.25],]\n[[keep_out]]\nname = "
+        "\"mast\"\n"
+        "azimuth_from_deg = 350\nazimuth_to_deg = 10\nelevation_min_deg = 40\nelevation_max_deg = 90\n[[keep_out]]\n"
+        "name = \"roof\"\nazimuth_from_deg = 80\nazimuth_to_deg = 81.5\nelevation_min_deg = -90\nelevation_max_deg = "
+        "-5\n",
+        "version = 1\n[[preset]]\nname = \"north\"\nazimuth_deg = 0\nelevation_deg = 180\n[site]\nlatitude_deg = "
+        "-33.9\n"
+        "longitude_deg = 151.2\nheight_m = 12\n",
+        "version = 1\n[rotctld]\nallow = [\"10.0.0.0/8\", \"fe80::1%eth0\"]\nlead = \"locked\"\nlocked_to = \"::1\"\n"};
     grammar.tokens = {"=",
                       "[",
                       "]",
@@ -136,6 +144,12 @@ Grammar grammar()
         for (const std::string& choice : setting.choices) {
             grammar.tokens.push_back("\"" + choice + "\"");
         }
+    }
+    for (const char* const token :
+         {"[[keep_out]]\n", "[[preset]]\n", "horizon", "[0.0, 0.0],", "name", "azimuth_from_deg", "azimuth_to_deg",
+          "elevation_min_deg", "elevation_max_deg", "azimuth_deg", "elevation_deg", "[]", "359.999999", "\"::1\"",
+          "\"10.0.0.0/8\"", "%", "/"}) {
+        grammar.tokens.push_back(token);
     }
     grammar.separators = " \n=[]\"";
     grammar.maxLength = kMaxInput;

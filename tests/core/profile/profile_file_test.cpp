@@ -69,7 +69,18 @@ TEST(ProfileFile, EveryValueSurvivesTheRoundTrip)
     changed.azimuth.timeoutMode = TimeoutMode::Brake;
     changed.park = {.azimuth = -33.3_deg, .elevation = 89.99_deg};
     changed.control = {.tickHz = 200, .watchdog = Seconds(0.123), .onExit = OnExit::Brake, .driveLimitMargin = 7.5_deg};
+    changed.mount.directions = Directions::Unconfirmed;
+    changed.limits = {.azimuth = {-100.5_deg, 200.25_deg},
+                      .elevation = {-5_deg, 89.995_deg},
+                      .horizon = {{0_deg, 5_deg}, {123.456789012_deg, -90_deg}, {359.999999_deg, 5.5_deg}},
+                      .keepOuts = {{"mast \"2\"", 350_deg, 10_deg, 40_deg, 90_deg},
+                                   {"Sun's shed", 0_deg, 0.001_deg, -90_deg, -89_deg}}};
+    changed.presets = {{"north", {0_deg, 0_deg}}, {"over the top \\", {359.5_deg, 180_deg}}};
+    changed.site = {.known = true, .latitude = 38.7223_deg, .longitude = -9.1393_deg, .heightMetres = 102.25};
     changed.rotctld = {.listen = {"::", 0},
+                       .allow = {"10.0.0.0/8", "fe80::1%a\"b"},
+                       .lead = Lead::Locked,
+                       .lockedTo = "192.168.1.7",
                        .outsideLimits = OutsideLimits::Refuse,
                        .azimuth = AzimuthConvention::Continuous,
                        .maxClients = 7};
@@ -115,6 +126,79 @@ TEST(ProfileFile, TellsAllErrorsAtOnceInTheOrderOfTheirLines)
               "m.toml:18: park.elevation_deg: -5.00° is outside the travel 0.00°…90.00°\n"
               "m.toml:20: rotctld.listen: HOST:PORT with a port of 0…65535 is expected\n"
               "m.toml:21: rotctld.max_clients: 9223372036854775808 is outside 1…5000");
+}
+
+TEST(ProfileFile, TellsWhichRowsCannotBeRead)
+{
+    EXPECT_EQ(errorsOf("version = 1\n"                                   // 1
+                       "preset = 3\n"                                    // 2
+                       "[limits]\n"                                      // 3
+                       "horizon = [\n"                                   // 4
+                       "  [0, -5], [10], [20, \"low\"], [30.5, -91],\n"  // 5
+                       "  [360, -2], 7\n"                                // 6
+                       "]\n"                                             // 7
+                       "[[keep_out]]\n"                                  // 8
+                       "name = \"mast\"\n"                               // 9
+                       "azimuth_from_deg = 350\n"                        // 10
+                       "colour = \"red\"\n"                              // 11
+                       "[[keep_out]]\n"                                  // 12
+                       "name = \"two\\nlines\"\n"                        // 13
+                       "azimuth_from_deg = -10\n"                        // 14
+                       "azimuth_to_deg = 20\n"                           // 15
+                       "elevation_min_deg = 40\n"                        // 16
+                       "elevation_max_deg = true\n"                      // 17
+                       "[site]\n"                                        // 18
+                       "longitude_deg = -9.1\n"                          // 19
+                       "[rotctld]\n"                                     // 20
+                       "allow = [\"10.0.0.0/8\", 10]\n"                  // 21
+                       "locked_to = [\"::1\"]\n"),                       // 22
+              "m.toml:2: preset: \"[[preset]]\" is expected\n"
+              "m.toml:5: limits.horizon[2]: a point is [azimuth, elevation]\n"
+              "m.toml:5: limits.horizon[3]: a number is expected\n"
+              "m.toml:5: limits.horizon[4]: -91 is outside -90…90\n"
+              "m.toml:6: limits.horizon[5]: 360 is outside 0…359.999999\n"
+              "m.toml:6: limits.horizon[6]: a point is [azimuth, elevation]\n"
+              "m.toml:8: keep_out[1]: without azimuth_to_deg, elevation_min_deg, elevation_max_deg; its keys are "
+              "given all together\n"
+              "m.toml:11: keep_out[1].colour: unknown key\n"
+              "m.toml:13: keep_out[2].name: one line of 1 to 60 bytes is expected\n"
+              "m.toml:14: keep_out[2].azimuth_from_deg: -10 is outside 0…359.999999\n"
+              "m.toml:17: keep_out[2].elevation_max_deg: a number or a text in quotes is expected\n"
+              "m.toml:18: site: without latitude_deg, height_m; its keys are given all together\n"
+              "m.toml:21: rotctld.allow: a number or a text in quotes is expected\n"
+              "m.toml:22: rotctld.locked_to: a text in quotes is expected");
+}
+
+TEST(ProfileFile, TellsWhichRowsMakeNoSense)
+{
+    EXPECT_EQ(errorsOf("version = 1\n"                                       // 1
+                       "[limits]\n"                                          // 2
+                       "azimuth_min_deg = 460\n"                             // 3
+                       "horizon = [ [0, -5], [30.5, -6],\n"                  // 4
+                       "            [30.5, -2] ]\n"                          // 5
+                       "[[keep_out]]\n"                                      // 6
+                       "name = \"mast\"\n"                                   // 7
+                       "azimuth_from_deg = 350\n"                            // 8
+                       "azimuth_to_deg = 10\n"                               // 9
+                       "elevation_min_deg = 40\n"                            // 10
+                       "elevation_max_deg = 30\n"                            // 11
+                       "[[preset]]\n"                                        // 12
+                       "name = \"n\"\nazimuth_deg = 0\nelevation_deg = 0\n"  // 13
+                       "[[preset]]\n"                                        // 16
+                       "name = \"n\"\nazimuth_deg = 9\nelevation_deg = 0\n"  // 17
+                       "[rotctld]\n"                                         // 20
+                       "lead = \"locked\"\n"),                               // 21
+              "m.toml:3: limits.azimuth_min_deg: the limits 460.00°…3600.00° leave nothing of the travel "
+              "-90.00°…450.00°\n"
+              "m.toml:5: limits.horizon[3]: the azimuth 30.50° does not follow 30.50°; points ascend, each azimuth "
+              "once\n"
+              "m.toml:10: keep_out[1].elevation_min_deg: 40.00° is not below elevation_max_deg (30.00°)\n"
+              "m.toml:17: preset[2].name: \"n\" is there already\n"
+              "m.toml:20: rotctld.locked_to: is needed while rotctld.lead is \"locked\"");
+    EXPECT_EQ(errorsOf("version = 1\nrotctld.allow = [\"10.0.0.0/8\", \"10.1\"]\n"),
+              "m.toml:2: rotctld.allow: \"10.1\" is no address like 192.168.1.7 or ::1");
+    EXPECT_EQ(errorsOf("version = 1\n[preset]\nname = \"n\"\n"), "m.toml:2: preset: \"[[preset]]\" is expected");
+    EXPECT_EQ(errorsOf("version = 1\nkeep_out = [1]\n"), "m.toml:2: keep_out[1]: a table is expected");
 }
 
 TEST(ProfileFile, IsVersioned)

@@ -53,9 +53,10 @@ TEST(Settings, RefuseTheWrongTypeAndLeaveTheProfile)
 {
     for (const Setting& setting : settings()) {
         Profile profile;
-        const bool isText = setting.type == SettingType::Text || setting.type == SettingType::Choice;
-        const SettingValue wrong = isText ? SettingValue{std::int64_t{1}} : SettingValue{std::string("1")};
-        EXPECT_FALSE(setting.set(profile, wrong)) << setting.key;
+        const bool isNumber = setting.type == SettingType::Number || setting.type == SettingType::Integer;
+        EXPECT_FALSE(setting.set(profile, isNumber ? SettingValue{std::string("1")} : SettingValue{std::int64_t{1}}))
+            << setting.key;
+        EXPECT_EQ(setting.set(profile, TextList{}).has_value(), setting.type == SettingType::TextList) << setting.key;
         EXPECT_EQ(profile, Profile{}) << setting.key;
     }
 }
@@ -105,6 +106,83 @@ TEST(Settings, ChoicesAreAllTaken)
     EXPECT_EQ(profile.recovery.supply, Retry::Never) << "nothing recovers by itself unless it is asked for";
 }
 
+// The names of a row's keys, and that they are described like every setting.
+TEST(Settings, RowsAreDescribedToo)
+{
+    const auto check = [](const auto& fields) {
+        std::string keys;
+        for (const auto& field : fields) {
+            keys += field.key + " ";
+            EXPECT_TRUE(field.text.ends_with('.')) << field.key;
+            EXPECT_EQ(field.applies, Applies::Now) << field.key;
+        }
+        return keys;
+    };
+    EXPECT_EQ(check(horizonSettings()), "azimuth_deg elevation_deg ");
+    EXPECT_EQ(check(keepOutSettings()), "name azimuth_from_deg azimuth_to_deg elevation_min_deg elevation_max_deg ");
+    EXPECT_EQ(check(presetSettings()), "name azimuth_deg elevation_deg ");
+}
+
+// What the drives, the socket or the memory's file are set up with cannot change under a moving mount.
+TEST(Settings, SayWhatWaitsForAReconnect)
+{
+    for (const char* key : {"mount.name", "azimuth.travel_max_deg", "elevation.id", "control.watchdog_s",
+                            "rotctld.listen", "rotctld.dump_state", "bus.name"}) {
+        EXPECT_EQ(findSetting(key)->applies, Applies::OnReconnect) << key;
+    }
+    for (const char* key : {"mount.directions", "limits.azimuth_min_deg", "park.azimuth_deg", "site.height_m",
+                            "rotctld.lead", "rotctld.allow", "rotctld.locked_to", "jog.fast_deg_s"}) {
+        EXPECT_EQ(findSetting(key)->applies, Applies::Now) << key;
+    }
+}
+
+TEST(Settings, TheSiteIsKnownOnceItIsSet)
+{
+    Profile profile;
+    const Setting* const latitude = findSetting("site.latitude_deg");
+    EXPECT_FALSE(latitude->counts(profile));
+    EXPECT_FALSE(latitude->set(profile, 90.5));
+    EXPECT_FALSE(profile.site.known);
+    ASSERT_TRUE(latitude->set(profile, -33.5));
+    EXPECT_TRUE(profile.site.known);
+    EXPECT_TRUE(latitude->counts(profile));
+    EXPECT_EQ(profile.site.latitude, -33.5_deg);
+}
+
+TEST(Settings, ClientsAreAddressesAndNetworks)
+{
+    Profile profile;
+    const Setting* const allow = findSetting("rotctld.allow");
+    const TextList good{"127.0.0.1", "10.0.0.0/8", "::1", "fd00::/8", "fe80::1%eth0", "0.0.0.0/0"};
+    ASSERT_TRUE(allow->set(profile, good));
+    EXPECT_EQ(profile.rotctld.allow, good);
+    for (const char* bad :
+         {"", "10.1", "10.0.0.0/", "10.0.0.0/33", "::/129", "10.0.0.0/-1", "10.0.0.0/8/8", "/8", "shack.local",
+          "10.0.0.1:4533", " 10.0.0.1", "::1 ", "1.2.3.256", "10.0.0/24", "fe80::1%\x1b", "127.0.0.01"}) {
+        EXPECT_FALSE(allow->set(profile, TextList{"::1", bad})) << bad;
+        EXPECT_EQ(profile.rotctld.allow, good) << bad;
+    }
+    const Setting* const lockedTo = findSetting("rotctld.locked_to");
+    EXPECT_TRUE(lockedTo->set(profile, std::string("192.168.1.7")));
+    EXPECT_FALSE(lockedTo->set(profile, std::string("10.0.0.0/8"))) << "one client, not a network";
+    EXPECT_EQ(profile.rotctld.lockedTo, "192.168.1.7");
+    EXPECT_TRUE(lockedTo->set(profile, std::string()));
+}
+
+// Degrees become radians and degrees again; the ends of a range must still be inside it.
+TEST(Settings, TheEndsOfARangeStayInside)
+{
+    for (const Setting& setting : settings()) {
+        for (const double end : {setting.min, setting.max}) {
+            Profile profile;
+            if (setting.type == SettingType::Number) {
+                ASSERT_TRUE(setting.set(profile, end)) << setting.key;
+                EXPECT_TRUE(setting.set(profile, setting.get(profile))) << setting.key << " " << end;
+            }
+        }
+    }
+}
+
 TEST(CrossCheck, FindsEveryClashAtOnce)
 {
     Profile profile;
@@ -144,6 +222,58 @@ TEST(CrossCheck, SupervisionHintsComeBeforeStops)
               (std::vector<std::string>{"supervision.following_hint_deg", "supervision.outside_hint_deg",
                                         "supervision.reply_age_s", "supervision.supply_stop_v",
                                         "supervision.supply_low_v", "supervision.board_hot_c"}));
+}
+
+TEST(CrossCheck, LimitsLeaveSomethingOfTheTravel)
+{
+    Profile profile;
+    profile.limits.azimuth = {.min = 450_deg, .max = 500_deg};
+    profile.limits.elevation = {.min = 20_deg, .max = 20_deg};
+    EXPECT_EQ(keysOf(crossCheck(profile)),
+              (std::vector<std::string>{"limits.azimuth_min_deg", "limits.elevation_min_deg"}));
+    profile.limits.azimuth = {.min = -100_deg, .max = 500_deg};
+    profile.limits.elevation = {.min = -5_deg, .max = 0.1_deg};
+    EXPECT_TRUE(crossCheck(profile).empty()) << "as much as is left of the travel counts";
+}
+
+TEST(CrossCheck, RowsMakeSenseTogether)
+{
+    Profile profile;
+    profile.limits.horizon = {{10_deg, -5_deg}, {10_deg, -4_deg}, {5_deg, -5_deg}, {90_deg, -5_deg}};
+    profile.limits.keepOuts = {{"mast", 350_deg, 10_deg, 40_deg, 40_deg}, {"mast", 20_deg, 20_deg, 40_deg, 50_deg}};
+    profile.presets = {{"a", {}}, {"b", {}}, {"a", {}}};
+    EXPECT_EQ(
+        keysOf(crossCheck(profile)),
+        (std::vector<std::string>{"limits.horizon[2]", "limits.horizon[3]", "keep_out[2].name",
+                                  "keep_out[1].elevation_min_deg", "keep_out[2].azimuth_to_deg", "preset[3].name"}));
+}
+
+TEST(CrossCheck, ALockedMountSaysToWhom)
+{
+    Profile profile;
+    profile.rotctld.lead = Lead::Locked;
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"rotctld.locked_to"});
+    profile.rotctld.lockedTo = "::1";
+    EXPECT_TRUE(crossCheck(profile).empty());
+}
+
+// The screen makes profiles without the file's reader; nothing may be applied that could not be read again.
+TEST(ProblemsOf, CountRangesToo)
+{
+    Profile profile;
+    EXPECT_TRUE(problemsOf(profile).empty());
+    profile.mount.name = "two\nlines";
+    profile.site.latitude = 91_deg;  // does not count while the site is unknown
+    profile.limits.horizon = {{0_deg, 0_deg}, {359.9999999_deg, -90.5_deg}};
+    profile.limits.keepOuts = {{"", 350_deg, 10_deg, 40_deg, 90_deg}};
+    profile.presets = {{"zenith", {0_deg, 180.5_deg}}};
+    profile.jog.slow = 3_deg_s;
+    EXPECT_EQ(
+        keysOf(problemsOf(profile)),
+        (std::vector<std::string>{"mount.name", "limits.horizon[2].azimuth_deg", "limits.horizon[2].elevation_deg",
+                                  "keep_out[1].name", "preset[1].elevation_deg", "jog.normal_deg_s"}));
+    profile.site.known = true;
+    EXPECT_EQ(problemsOf(profile).size(), 7U);
 }
 
 TEST(CrossCheck, TwoTicksMustFitIntoTheReplyAge)

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The only file that includes toml++: it is large and slow to compile.
+#include "core/base/control_characters.h"
+#include "core/profile/profile_file.h"
+#include "core/profile/setting.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <span>
+
+namespace boresight::profile {
+
+namespace {
+
+struct FileProblem
+{
+    std::size_t line = 0;
+    std::string text;
+};
+
+// Reads one parsed file into a profile and gathers everything that is wrong with it.
+class Reader
+{
+public:
+    void read(const toml::table& root)
+    {
+        readVersion(root);
+        readTable(root, "");
+        checkTogether();
+        checkWhole();
+    }
+
+    [[nodiscard]] const Profile& profile() const { return m_profile; }
+
+    [[nodiscard]] std::vector<FileProblem> problems() const
+    {
+        std::vector<FileProblem> sorted = m_problems;
+        std::stable_sort(sorted.begin(), sorted.end(),
+                         [](const FileProblem& a, const FileProblem& b) { return a.line < b.line; });
+        return sorted;
+    }
+
+private:
+    void readVersion(const toml::table& root)
+    {
+        const toml::node* node = root.get("version");
+        const auto version = node != nullptr ? node->value_exact<std::int64_t>() : std::nullopt;
+        if (!version) {
+            add(node != nullptr ? node->source().begin.line : 1, "version", "\"version = 1\" is expected");
+        } else if (*version != kVersion) {
+            add(node->source().begin.line, "version",
+                std::to_string(*version) + " is not known to this program, which reads version " +
+                    std::to_string(kVersion));
+        }
+    }
+
+    void readTable(const toml::table& table, const std::string& prefix)
+    {
+        for (const auto& [name, node] : table) {
+            const std::string key = prefix + std::string(name.str());
+            const std::size_t line = name.source().begin.line;
+            m_lines[key] = line;
+            if (readList(key, node, line)) {
+                continue;
+            }
+            if (const auto* inner = node.as_table(); inner != nullptr && prefix.empty()) {
+                readInner(*inner, key, line);
+            } else if (const Setting* setting = findSetting(key)) {
+                readValue(*setting, m_profile, key, node, line);
+            } else if (key != "version") {
+                add(line, key, "unknown key");
+            }
+        }
+    }
+
+    // True if the key is that of a list.
+    bool readList(const std::string& key, const toml::node& node, std::size_t line)
+    {
+        const std::size_t problemsBefore = m_problems.size();
+        if (key == kHorizonKey) {
+            readHorizon(node, line);
+        } else if (key == kKeepOutKey) {
+            readRows(key, node, line, keepOutSettings(), m_profile.limits.keepOuts);
+        } else if (key == kPresetKey) {
+            readRows(key, node, line, presetSettings(), m_profile.presets);
+        } else {
+            return false;
+        }
+        if (m_problems.size() != problemsBefore) {
+            m_unreadLists.push_back(key);
+        }
+        return true;
+    }
+
+    void readInner(const toml::table& table, const std::string& name, std::size_t line)
+    {
+        const auto all = settings();
+        const bool known = std::any_of(all.begin(), all.end(),
+                                       [&](const Setting& setting) { return setting.key.starts_with(name + "."); });
+        if (known) {
+            readTable(table, name + ".");
+        } else {
+            add(line, name, "unknown table");
+        }
+    }
+
+    template <class Row>
+    void readRows(const std::string& key, const toml::node& node, std::size_t line,
+                  std::span<const SettingOf<Row>> fields, std::vector<Row>& rows)
+    {
+        const toml::array* list = node.as_array();
+        if (list == nullptr) {
+            add(line, key, "\"[[" + key + "]]\" is expected");
+            return;
+        }
+        for (const toml::node& one : *list) {
+            const std::string rowKey = key + "[" + std::to_string(rows.size() + 1) + "]";
+            m_lines[rowKey] = one.source().begin.line;
+            readRow(rowKey, one, fields, rows.emplace_back());
+        }
+    }
+
+    template <class Row>
+    void readRow(const std::string& rowKey, const toml::node& node, std::span<const SettingOf<Row>> fields, Row& row)
+    {
+        const toml::table* table = node.as_table();
+        if (table == nullptr) {
+            add(node.source().begin.line, rowKey, "a table is expected");
+            return;
+        }
+        for (const auto& [name, value] : *table) {
+            const std::string key = rowKey + "." + std::string(name.str());
+            const std::size_t line = name.source().begin.line;
+            m_lines[key] = line;
+            const auto field = std::find_if(fields.begin(), fields.end(),
+                                            [&](const SettingOf<Row>& one) { return one.key == name.str(); });
+            if (field != fields.end()) {
+                readValue(*field, row, key, value, line);
+            } else {
+                add(line, key, "unknown key");
+            }
+        }
+        std::vector<std::string> missing;
+        for (const SettingOf<Row>& field : fields) {
+            if (!table->contains(field.key)) {
+                missing.push_back(field.key);
+            }
+        }
+        addMissing(node.source().begin.line, rowKey, missing);
+    }
+
+    void readHorizon(const toml::node& node, std::size_t line)
+    {
+        const toml::array* points = node.as_array();
+        if (points == nullptr) {
+            add(line, std::string(kHorizonKey), "a list of points is expected, like [[0.0, 5.0], [180.0, 2.5]]");
+            return;
+        }
+        const auto fields = horizonSettings();
+        for (const toml::node& one : *points) {
+            auto& row = m_profile.limits.horizon.emplace_back();
+            const std::string key =
+                std::string(kHorizonKey) + "[" + std::to_string(m_profile.limits.horizon.size()) + "]";
+            const std::size_t pointLine = one.source().begin.line;
+            m_lines[key] = pointLine;
+            const toml::array* point = one.as_array();
+            if (point == nullptr || point->size() != fields.size()) {
+                add(pointLine, key, "a point is [azimuth, elevation]");
+                continue;
+            }
+            for (std::size_t i = 0; i < fields.size(); ++i) {
+                readValue(fields[i], row, key, (*point)[i], pointLine);
+            }
+        }
+    }
+
+    template <class Owner>
+    void readValue(const SettingOf<Owner>& setting, Owner& owner, const std::string& key, const toml::node& node,
+                   std::size_t line)
+    {
+        const std::optional<SettingValue> value = plainValue(node);
+        if (!value) {
+            add(line, key, "a number or a text in quotes is expected");
+            return;
+        }
+        if (const auto done = setting.set(owner, *value); !done) {
+            add(line, key, done.error().text);
+        }
+    }
+
+    static std::optional<SettingValue> plainValue(const toml::node& node)
+    {
+        if (const auto* text = node.as_string()) {
+            return text->get();
+        }
+        if (const auto* whole = node.as_integer()) {
+            return whole->get();
+        }
+        if (const auto* real = node.as_floating_point()) {
+            return real->get();
+        }
+        return textList(node);
+    }
+
+    static std::optional<SettingValue> textList(const toml::node& node)
+    {
+        const toml::array* list = node.as_array();
+        if (list == nullptr) {
+            return std::nullopt;
+        }
+        TextList texts;
+        for (const toml::node& one : *list) {
+            const auto* text = one.as_string();
+            if (text == nullptr) {
+                return std::nullopt;
+            }
+            texts.push_back(text->get());
+        }
+        return texts;
+    }
+
+    // Of the tables whose keys are given together.
+    void checkTogether()
+    {
+        std::map<std::string, std::vector<std::string>> missing;
+        for (const Setting& setting : settings()) {
+            if (setting.isGiven && setting.isGiven(m_profile) && !m_lines.contains(setting.key)) {
+                const auto dot = setting.key.find('.');
+                missing[setting.key.substr(0, dot)].push_back(setting.key.substr(dot + 1));
+            }
+        }
+        for (const auto& [table, keys] : missing) {
+            addMissing(lineOf(table), table, keys);
+        }
+    }
+
+    void checkWhole()
+    {
+        for (const Problem& problem : crossCheck(m_profile)) {
+            // Rows with holes would only be told of again.
+            const bool isUnread = std::any_of(m_unreadLists.begin(), m_unreadLists.end(),
+                                              [&](const std::string& list) { return problem.key.starts_with(list); });
+            if (!isUnread) {
+                add(lineOf(problem.key), problem.key, problem.text);
+            }
+        }
+    }
+
+    // Of the key, else of its row or table, else the first: a default can clash with what the file says elsewhere.
+    [[nodiscard]] std::size_t lineOf(const std::string& key) const
+    {
+        for (std::size_t end = key.size(); end != std::string::npos; end = key.find_last_of(".[", end - 1)) {
+            if (const auto found = m_lines.find(key.substr(0, end)); found != m_lines.end()) {
+                return found->second;
+            }
+        }
+        return 1;
+    }
+
+    void addMissing(std::size_t line, const std::string& table, const std::vector<std::string>& keys)
+    {
+        if (keys.empty()) {
+            return;
+        }
+        std::string text;
+        for (const std::string& key : keys) {
+            text += (text.empty() ? "" : ", ") + key;
+        }
+        add(line, table, "without " + text + "; its keys are given all together");
+    }
+
+    void add(std::size_t line, const std::string& key, const std::string& reason)
+    {
+        // A key or text of the file may hold anything.
+        m_problems.push_back({line, printable(key + ": " + reason)});
+    }
+
+    Profile m_profile;
+    std::map<std::string, std::size_t> m_lines;  // of every key, table and row of the file
+    std::vector<std::string> m_unreadLists;
+    std::vector<FileProblem> m_problems;
+};
+
+}  // namespace
+
+Result<Profile> parseProfile(std::string_view text, const std::string& fileName)
+{
+    Reader reader;
+    try {
+        reader.read(toml::parse(text, fileName));
+    } catch (const toml::parse_error& error) {
+        return failure(ErrorCode::InvalidInput, fileName + ":" + std::to_string(error.source().begin.line) + ": " +
+                                                    printable(std::string(error.description())));
+    }
+    std::string all;
+    for (const FileProblem& problem : reader.problems()) {
+        all += (all.empty() ? "" : "\n") + fileName + ":" + std::to_string(problem.line) + ": " + problem.text;
+    }
+    if (!all.empty()) {
+        return failure(ErrorCode::InvalidInput, all);
+    }
+    return reader.profile();
+}
+
+}  // namespace boresight::profile

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/numbers.h"
+#include "core/base/overloaded.h"
+#include "core/profile/profile_file.h"
+#include "core/profile/setting.h"
+
+#include <algorithm>
+#include <span>
+
+namespace boresight::profile {
+
+namespace {
+
+std::string quoted(const std::string& text)
+{
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') {
+            result += '\\';
+        }
+        result += c;
+    }
+    return result + "\"";
+}
+
+std::string number(double value)
+{
+    std::string text = formatFixed(value, kDecimals);
+    text.erase(std::max(text.find_last_not_of('0'), text.find('.') + 1) + 1);
+    return text;
+}
+
+std::string inBrackets(const TextList& list)
+{
+    std::string text;
+    for (const std::string& one : list) {
+        text += (text.empty() ? "" : ", ") + quoted(one);
+    }
+    return "[" + text + "]";
+}
+
+template <class Owner>
+std::string bounds(const SettingOf<Owner>& setting)
+{
+    switch (setting.type) {
+        case SettingType::Integer:
+            return formatFixed(setting.min, 0) + "…" + formatFixed(setting.max, 0);
+        case SettingType::Number:
+            return number(setting.min) + "…" + number(setting.max);
+        case SettingType::Choice: {
+            std::string text = "one of";
+            for (const std::string& name : setting.choices) {
+                text += " " + quoted(name);
+            }
+            return text;
+        }
+        case SettingType::TextList:
+            return "texts";
+        case SettingType::Text:
+            break;
+    }
+    return "text";
+}
+
+template <class Owner>
+std::string boundsAndUnit(const SettingOf<Owner>& setting)
+{
+    return bounds(setting) + (setting.unit.empty() ? "" : " " + setting.unit);
+}
+
+std::string comment(const Setting& setting)
+{
+    const Profile standard;
+    std::string facts = boundsAndUnit(setting);
+    facts += setting.counts(standard) ? "; default " + toText(setting.get(standard))
+                                      : "; not given by default, and then nothing else of this table";
+    facts += setting.applies == Applies::Now ? "; applies at once" : "; applies on reconnect";
+    return "# " + setting.text + "\n# " + facts + "\n";
+}
+
+std::string line(const Setting& setting, const Profile& profile)
+{
+    const std::string key = setting.key.substr(setting.key.find('.') + 1);
+    // What is not given stands there as a comment, ready to be filled in.
+    return (setting.counts(profile) ? "" : "# ") + key + " = " + toText(setting.get(profile)) + "\n";
+}
+
+std::string horizonText(const std::vector<pointing::HorizonPoint>& horizon)
+{
+    const auto fields = horizonSettings();
+    std::string text =
+        "# The horizon seen from the mount: the beam stays at or above the line through these points, "
+        "closed through\n# north; [azimuth, elevation], azimuths ascending, each once.\n# " +
+        boundsAndUnit(fields[0]) + ", " + boundsAndUnit(fields[1]) + "; default none; applies at once\nhorizon = [";
+    for (const pointing::HorizonPoint& point : horizon) {
+        text += "\n    [" + toText(fields[0].get(point)) + ", " + toText(fields[1].get(point)) + "],";
+    }
+    return text + (horizon.empty() ? "]\n" : "\n]\n");
+}
+
+template <class Row>
+std::string rowsText(std::string_view list, const std::string& meaning, std::span<const SettingOf<Row>> fields,
+                     const std::vector<Row>& rows)
+{
+    const std::string head = "[[" + std::string(list) + "]]\n";
+    std::string text = "\n# " + meaning + " Each begins with " + head;
+    for (const SettingOf<Row>& field : fields) {
+        text += "#   " + field.key + ": " + field.text + " " + boundsAndUnit(field) + "\n";
+    }
+    for (const Row& row : rows) {
+        text += "\n" + head;
+        for (const SettingOf<Row>& field : fields) {
+            text += field.key + " = " + toText(field.get(row)) + "\n";
+        }
+    }
+    return text;
+}
+
+// What follows the settings of one table: TOML wants the keys of a table in one place.
+std::string listsAfter(const std::string& table, const Profile& profile)
+{
+    if (table == "limits") {
+        return horizonText(profile.limits.horizon) +
+               rowsText(kKeepOutKey, "Parts of the sky that the beam stays out of; the edge is permitted.",
+                        keepOutSettings(), profile.limits.keepOuts);
+    }
+    if (table == "park") {
+        return rowsText(kPresetKey, "Named directions, to go there by one click.", presetSettings(), profile.presets);
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string toText(const SettingValue& value)
+{
+    return std::visit(
+        Overloaded{[](const std::string& text) { return quoted(text); },
+                   [](std::int64_t whole) { return std::to_string(whole); }, [](double real) { return number(real); },
+                   [](const TextList& list) { return inBrackets(list); }},
+        value);
+}
+
+std::string toToml(const Profile& profile)
+{
+    std::string text =
+        "# Boresight mount profile. A key that is left out has its default; an unknown one is an error.\n"
+        "# Angles of park, travel and limits are mechanical: 370° is not 10°.\n"
+        "version = " +
+        std::to_string(kVersion) + "\n";
+    std::string table;
+    for (const Setting& setting : settings()) {
+        const std::size_t dot = setting.key.find('.');
+        if (setting.key.substr(0, dot) != table) {
+            text += listsAfter(table, profile);
+            table = setting.key.substr(0, dot);
+            text += "\n[" + table + "]\n";
+        }
+        text += comment(setting) + line(setting, profile);
+    }
+    return text;
+}
+
+}  // namespace boresight::profile

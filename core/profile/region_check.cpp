@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The checks of a profile's region, presets and client addresses that are more than type and range.
+#include "core/base/numbers.h"
+#include "core/profile/setting_groups.h"
+
+#include <QHostAddress>
+
+#include <algorithm>
+#include <set>
+
+namespace boresight::profile {
+
+namespace {
+
+std::string degrees(Angle angle)
+{
+    return formatFixed(angle.degrees(), 2) + "°";
+}
+
+std::string rowKey(std::string_view list, std::size_t index)
+{
+    return std::string(list) + "[" + std::to_string(index + 1) + "]";
+}
+
+void checkLimits(std::vector<Problem>& problems, const std::string& axis, const TravelRange& limits,
+                 const TravelRange& travel)
+{
+    const std::string key = "limits." + axis + "_min_deg";
+    if (limits.min >= limits.max) {
+        problems.push_back(
+            {key, degrees(limits.min) + " is not below limits." + axis + "_max_deg (" + degrees(limits.max) + ")"});
+    } else if (travel.min < travel.max && std::max(limits.min, travel.min) >= std::min(limits.max, travel.max)) {
+        problems.push_back({key, "the limits " + degrees(limits.min) + "…" + degrees(limits.max) +
+                                     " leave nothing of the travel " + degrees(travel.min) + "…" +
+                                     degrees(travel.max)});
+    }
+}
+
+void checkHorizon(std::vector<Problem>& problems, const std::vector<pointing::HorizonPoint>& horizon)
+{
+    for (std::size_t i = 1; i < horizon.size(); ++i) {
+        if (horizon[i].azimuth <= horizon[i - 1].azimuth) {
+            problems.push_back({rowKey(kHorizonKey, i), "the azimuth " + degrees(horizon[i].azimuth) +
+                                                            " does not follow " + degrees(horizon[i - 1].azimuth) +
+                                                            "; points ascend, each azimuth once"});
+        }
+    }
+}
+
+template <class Row>
+void checkNames(std::vector<Problem>& problems, std::string_view list, const std::vector<Row>& rows)
+{
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (!names.insert(rows[i].name).second) {
+            problems.push_back({rowKey(list, i) + ".name", "\"" + rows[i].name + "\" is there already"});
+        }
+    }
+}
+
+void checkKeepOuts(std::vector<Problem>& problems, const std::vector<pointing::KeepOut>& keepOuts)
+{
+    checkNames(problems, kKeepOutKey, keepOuts);
+    for (std::size_t i = 0; i < keepOuts.size(); ++i) {
+        const pointing::KeepOut& keepOut = keepOuts[i];
+        const std::string row = rowKey(kKeepOutKey, i);
+        if (keepOut.elevationMin >= keepOut.elevationMax) {
+            problems.push_back({row + ".elevation_min_deg", degrees(keepOut.elevationMin) +
+                                                                " is not below elevation_max_deg (" +
+                                                                degrees(keepOut.elevationMax) + ")"});
+        }
+        if (keepOut.azimuthFrom == keepOut.azimuthTo) {
+            problems.push_back({row + ".azimuth_to_deg", "is the same as azimuth_from_deg; that is no width"});
+        }
+    }
+}
+
+}  // namespace
+
+void checkRegion(std::vector<Problem>& problems, const Profile& profile)
+{
+    checkLimits(problems, "azimuth", profile.limits.azimuth, profile.azimuth.geometry.travel);
+    checkLimits(problems, "elevation", profile.limits.elevation, profile.elevation.geometry.travel);
+    checkHorizon(problems, profile.limits.horizon);
+    checkKeepOuts(problems, profile.limits.keepOuts);
+    checkNames(problems, kPresetKey, profile.presets);
+}
+
+Result<> checkAddress(const std::string& text)
+{
+    const QString address = QString::fromStdString(text);
+    const QHostAddress parsed(address);
+    // QHostAddress also takes blanks and shorthand like "10.1": what is written must be what is meant.
+    const bool isLoose = parsed.protocol() == QAbstractSocket::IPv4Protocol && parsed.toString() != address;
+    const bool isPlain = std::all_of(text.begin(), text.end(), [](char c) { return c > ' ' && c < '\x7f'; });
+    if (parsed.isNull() || isLoose || !isPlain) {
+        return failure(ErrorCode::InvalidInput, "\"" + text + "\" is no address like 192.168.1.7 or ::1");
+    }
+    return {};
+}
+
+Result<> checkNetwork(const std::string& text)
+{
+    const auto slash = text.find('/');
+    if (slash == std::string::npos) {
+        return checkAddress(text);
+    }
+    const auto bits = parseInteger(std::string_view(text).substr(slash + 1));
+    const QHostAddress address(QString::fromStdString(text.substr(0, slash)));
+    const int widest = address.protocol() == QAbstractSocket::IPv4Protocol ? 32 : 128;
+    if (!checkAddress(text.substr(0, slash)) || !bits || *bits < 0 || *bits > widest) {
+        return failure(ErrorCode::InvalidInput, "\"" + text + "\" is no network like 10.0.0.0/8 or fd00::/8");
+    }
+    return {};
+}
+
+}  // namespace boresight::profile

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/profile/setting.h"
+
+#include <string>
+#include <vector>
+
+// The groups of settings that have a file of their own, put together in setting.cpp, and checks they need.
+namespace boresight::profile {
+
+void addRegion(std::vector<Setting>& list);
+void addSite(std::vector<Setting>& list);
+void addSupervision(std::vector<Setting>& list);
+void addRecovery(std::vector<Setting>& list);
+
+// Of clients: "192.168.1.7" or "fe80::1"; a network is an address with the number of its leading bits, "10.0.0.0/8".
+[[nodiscard]] Result<> checkAddress(const std::string& text);
+[[nodiscard]] Result<> checkNetwork(const std::string& text);
+
+// Cross checks of the region, the park place and the presets.
+void checkRegion(std::vector<Problem>& problems, const Profile& profile);
+
+}  // namespace boresight::profile
