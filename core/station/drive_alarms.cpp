@@ -8,10 +8,10 @@ namespace {
 
 AlarmText silenced(const QString& drive, Seconds watchdog)
 {
-    return {
-        .what = QStringLiteral("No reply from the %1").arg(drive),
-        .action = QStringLiteral("Motion ended; the drive stops itself by its watchdog (%1 s)").arg(watchdog.count()),
-        .remedy = QStringLiteral("Check the supply, the CAN cable and the adapter, then re-arm")};
+    return {.what = QStringLiteral("No reply from the %1").arg(drive),
+            .action = QStringLiteral("Motion ended; the drive, if it has power, stops itself by its watchdog (%1 s)")
+                          .arg(watchdog.count()),
+            .remedy = QStringLiteral("Check the supply, the CAN cable and the adapter, then re-arm")};
 }
 
 QString likely(const moteus::FaultText& text)
@@ -33,12 +33,12 @@ AlarmText fault(const QString& drive, int code)
 {
     if (code == 0) {
         return {.what = QStringLiteral("%1 is in fault and does not say which").arg(drive),
-                .action = QStringLiteral("The drive switched its output off; the other axis holds"),
+                .action = QStringLiteral("The drive switched its output off; the other axis holds if its drive can"),
                 .remedy = QStringLiteral("Look at it with boresightctl scan; then re-arm")};
     }
     const moteus::FaultText text = moteus::faultText(code);
     return {.what = QStringLiteral("%1 fault %2: %3").arg(drive).arg(code).arg(toQString(text.meaning)) + likely(text),
-            .action = QStringLiteral("The drive switched its output off; the other axis holds"),
+            .action = QStringLiteral("The drive switched its output off; the other axis holds if its drive can"),
             .remedy = thenRearm(toQString(text.remedy))};
 }
 
@@ -71,13 +71,13 @@ AlarmText lost(const QString& drive, DriveLoss loss, int faultCode, Seconds watc
         case DriveLoss::Released:
             return {
                 .what = QStringLiteral("The %1 switched itself off").arg(drive),
-                .action = QStringLiteral("Motion ended; the other axis holds"),
+                .action = QStringLiteral("Motion ended; the other axis holds if its drive can"),
                 .remedy = QStringLiteral("Its supply failed or another program stopped it: check both, then re-arm")};
         case DriveLoss::Disobeys:
             break;
     }
     return {.what = QStringLiteral("The %1 answers but does not do what it is told").arg(drive),
-            .action = QStringLiteral("Nothing is commanded any more; the other axis holds"),
+            .action = QStringLiteral("Nothing is commanded any more; the other axis holds if its drive can"),
             .remedy = QStringLiteral("Look at its mode and fault; another program may command it; then re-arm")};
 }
 

@@ -161,22 +161,35 @@ std::optional<DriveWatch::Trouble> DriveWatch::supervise(const Drive& drive, con
     }
     const auto seen = m_supervisor.observe(observation(drive, setpoint, context));
     m_observed = drive.report()->received;
+    // Danger is reported each time that it begins, also behind a fault that waits for its re-arm: the axis must then be
+    // held where it is now, not where it was.
     std::optional<Trouble> trouble;
+    std::set<Finding> stops;
     for (const supervision::Observed& observed : seen) {
-        const auto told = m_told.find(observed.finding);
+        tell(observed);
+        const bool jump = observed.finding == Finding::EncoderJump && m_supervisor.jumped();
         const bool stop = observed.weight == Weight::Stop;
-        if (told != m_told.end() && (told->second == Weight::Stop || !stop)) {
-            continue;
+        const bool begins = stop && !m_stops.contains(observed.finding);
+        if (stop) {
+            stops.insert(observed.finding);
         }
-        m_told[observed.finding] = observed.weight;
-        m_alarms.raise(cause(observed.finding), severityOf(observed), drive_alarms::supervised(observed));
-        const bool doubtful = observed.finding == Finding::EncoderJump;
-        if ((stop || doubtful) && !trouble) {
-            trouble = Trouble{.what = observed.what, .stops = stop, .turnDoubtful = doubtful};
+        if ((begins || jump) && !trouble) {
+            trouble = Trouble{.what = observed.what, .stops = stop, .turnDoubtful = jump};
         }
     }
+    m_stops = std::move(stops);
     endHints(seen);
     return trouble;
+}
+
+// Once, and again when it has become worse.
+void DriveWatch::tell(const supervision::Observed& observed)
+{
+    const auto told = m_told.find(observed.finding);
+    if (told == m_told.end() || (told->second == Weight::Hint && observed.weight == Weight::Stop)) {
+        m_told[observed.finding] = observed.weight;
+        m_alarms.raise(cause(observed.finding), severityOf(observed), drive_alarms::supervised(observed));
+    }
 }
 
 // What stopped the mount stays on the screen until it is re-armed; a hint ends with its cause.

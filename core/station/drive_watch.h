@@ -9,6 +9,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 
 // Watches one axis and its drive once per tick: raises and ends its alarms, and says when the mount must stop. Decides
 // nothing about motion itself. Station thread only.
@@ -56,6 +57,7 @@ private:
                                                    const Context& context);
     [[nodiscard]] supervision::AxisObservation observation(const Drive& drive, const tracking::Setpoint& setpoint,
                                                            const Context& context) const;
+    void tell(const supervision::Observed& observed);
     [[nodiscard]] QString cause(supervision::Finding finding) const;
     void endHints(const std::vector<supervision::Observed>& seen);
 
@@ -66,6 +68,7 @@ private:
     supervision::AxisSupervisor m_supervisor;
     QString m_silenceAdvice;
     std::map<supervision::Finding, supervision::Weight> m_told;  // what has an alarm now
+    std::set<supervision::Finding> m_stops;                      // what is dangerous now
     SteadyTime m_observed{};                                     // the reply last shown to the supervisor
     std::optional<SteadyTime> m_limitSeen;                       // when the drive last reported an active limit
 };

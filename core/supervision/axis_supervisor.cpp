@@ -35,6 +35,7 @@ AxisSupervisor::AxisSupervisor(Axis axis, const profile::AxisSettings& limits,
 
 std::vector<Observed> AxisSupervisor::observe(const AxisObservation& seen)
 {
+    m_jumped = false;
     if (seen.turnKnown != m_knewTurn) {
         forgetMotion();
     } else if (seen.engaged && !m_wasEngaged) {
@@ -145,8 +146,8 @@ void AxisSupervisor::judgeStanding(const AxisObservation& seen)
     }
     m_uncommanded.update(seen.now, abs(moved).degrees(), limits, [&] {
         return (seen.engaged ? QStringLiteral("%1 was to hold its place and has moved by %2, to %3")
-                             : QStringLiteral("%1 has moved by %2, to %3, while its drive was off: by its weight, a "
-                                              "hand or the wind, not by us"))
+                             : QStringLiteral("%1 has moved by %2, to %3, and not by us: by its weight, a hand, the "
+                                              "wind or another program"))
             .arg(m_name, words(moved), words(seen.actual));
     });
 }
@@ -154,6 +155,7 @@ void AxisSupervisor::judgeStanding(const AxisObservation& seen)
 void AxisSupervisor::judgeJump(const AxisObservation& seen)
 {
     const auto jump = m_jumpGate.look(seen, m_settings.encoderJump, m_limits.limits.speed);
+    m_jumped = jump.has_value();
     if (jump) {
         m_progress.forget();
         m_standing.forget();

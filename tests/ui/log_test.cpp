@@ -61,7 +61,8 @@ TEST_F(LogTest, FiltersBySeverityAndText)
 TEST_F(LogTest, ShowsTheCurrentLineWhole)
 {
     const QString alarm = QStringLiteral(
-        "No reply from the elevation drive. Motion ended; the drive stops itself by its watchdog (0.1 s). "
+        "No reply from the elevation drive. Motion ended; the drive, if it has power, stops itself by its watchdog "
+        "(0.1 s). "
         "Check the supply, the CAN cable and the adapter, then re-arm");
     panel.append({samples::logEntry(5, Severity::Alarm, QStringLiteral("elevation drive"), alarm)});
     auto* const table = panel.findChild<QTableView*>();

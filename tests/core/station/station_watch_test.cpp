@@ -110,6 +110,24 @@ TEST(StationWatch, AJumpOfTheEncoderStopsTheMountAndMakesTheTurnUnknown)
     EXPECT_TRUE(rig.control.status().drives.elevation.turnKnown);
 }
 
+// Story: the second jump behind a latched fault was no news, and the held axis drove the whole shift.
+TEST(StationWatch, EveryJumpBehindALatchedFaultIsFollowedByTheHeldPlace)
+{
+    WatchRig rig;
+    const double before = rig.azimuth.position;
+    rig.untilFault([&] { rig.azimuth.position = before + 0.1; });
+    rig.run(Seconds(0.5));
+    rig.azimuth.deaf = true;  // a real one would now be on its way to the set-point
+    for (int jump = 0; jump < 3; ++jump) {
+        rig.azimuth.position += 0.2;
+        rig.run(Seconds(jump == 0 ? 4.0 : 0.2));  // until the finding has passed, and while it lasts
+        const AxisStatus axis = rig.control.status().azimuth;
+        EXPECT_NEAR(axis.commanded->degrees(), axis.actual->degrees(), 0.01) << jump;
+        EXPECT_EQ(rig.state(), StationState::Fault);
+    }
+    EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown);
+}
+
 TEST(StationWatch, ASilenceIsNotToldAsLateRepliesToo)
 {
     WatchRig rig;

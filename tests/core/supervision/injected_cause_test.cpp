@@ -146,7 +146,7 @@ TEST_F(InjectedCause, WindTurnsAnAxisThatIsOffAndThatIsAHint)
     static_cast<void>(timeTo(Finding::MovesUncommanded, Weight::Hint, Seconds(4.0)));
     mount.run(Seconds(5.0));
     EXPECT_FALSE(mount.stopped());
-    EXPECT_THAT(text(Finding::MovesUncommanded, Weight::Hint), HasSubstr("while its drive was off"));
+    EXPECT_THAT(text(Finding::MovesUncommanded, Weight::Hint), HasSubstr("and not by us"));
     mount.engage();
     mount.clearFound();
     mount.run(Seconds(0.1));
