@@ -36,8 +36,21 @@ void checkLimits(std::vector<Problem>& problems, const std::string& axis, const 
     }
 }
 
+// Only of the limits; that it is inside the travel is checked with the axis.
+void checkPark(std::vector<Problem>& problems, const std::string& axis, const TravelRange& limits, Angle park)
+{
+    if (limits.min < limits.max && !limits.contains(park)) {
+        problems.push_back({"park." + axis + "_deg", degrees(park) + " is outside the limits of operation " +
+                                                         degrees(limits.min) + "…" + degrees(limits.max)});
+    }
+}
+
 void checkHorizon(std::vector<Problem>& problems, const std::vector<pointing::HorizonPoint>& horizon)
 {
+    if (horizon.size() > kMaxHorizonPoints) {
+        problems.push_back({std::string(kHorizonKey), std::to_string(horizon.size()) + " points are more than " +
+                                                          std::to_string(kMaxHorizonPoints)});
+    }
     for (std::size_t i = 1; i < horizon.size(); ++i) {
         if (horizon[i].azimuth <= horizon[i - 1].azimuth) {
             problems.push_back({rowKey(kHorizonKey, i), "the azimuth " + degrees(horizon[i].azimuth) +
@@ -81,6 +94,8 @@ void checkRegion(std::vector<Problem>& problems, const Profile& profile)
 {
     checkLimits(problems, "azimuth", profile.limits.azimuth, profile.azimuth.geometry.travel);
     checkLimits(problems, "elevation", profile.limits.elevation, profile.elevation.geometry.travel);
+    checkPark(problems, "azimuth", profile.limits.azimuth, profile.park.azimuth);
+    checkPark(problems, "elevation", profile.limits.elevation, profile.park.elevation);
     checkHorizon(problems, profile.limits.horizon);
     checkKeepOuts(problems, profile.limits.keepOuts);
     checkNames(problems, kPresetKey, profile.presets);

@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "core/profile/profile.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -68,6 +69,9 @@ using Setting = SettingOf<Profile>;
 inline constexpr std::string_view kHorizonKey = "limits.horizon";
 inline constexpr std::string_view kKeepOutKey = "keep_out";
 inline constexpr std::string_view kPresetKey = "preset";
+
+// One per tenth of a degree: the region is laid out anew whenever it changes.
+inline constexpr std::size_t kMaxHorizonPoints = 3600;
 
 // Of one row, in the order of the file. They apply at once.
 [[nodiscard]] std::span<const SettingOf<pointing::HorizonPoint>> horizonSettings();

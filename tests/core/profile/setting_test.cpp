@@ -230,10 +230,32 @@ TEST(CrossCheck, LimitsLeaveSomethingOfTheTravel)
     profile.limits.azimuth = {.min = 450_deg, .max = 500_deg};
     profile.limits.elevation = {.min = 20_deg, .max = 20_deg};
     EXPECT_EQ(keysOf(crossCheck(profile)),
-              (std::vector<std::string>{"limits.azimuth_min_deg", "limits.elevation_min_deg"}));
+              (std::vector<std::string>{"limits.azimuth_min_deg", "limits.elevation_min_deg", "park.azimuth_deg"}));
     profile.limits.azimuth = {.min = -100_deg, .max = 500_deg};
     profile.limits.elevation = {.min = -5_deg, .max = 0.1_deg};
     EXPECT_TRUE(crossCheck(profile).empty()) << "as much as is left of the travel counts";
+}
+
+TEST(CrossCheck, TheMountParksWhereItMayBe)
+{
+    Profile profile;
+    profile.limits.azimuth = {.min = 0.1_deg, .max = 500_deg};
+    profile.limits.elevation = {.min = -5_deg, .max = 30_deg};
+    profile.park.elevation = 30.1_deg;
+    EXPECT_EQ(keysOf(crossCheck(profile)), (std::vector<std::string>{"park.azimuth_deg", "park.elevation_deg"}));
+    profile.park = {.azimuth = 0.1_deg, .elevation = 30_deg};
+    EXPECT_TRUE(crossCheck(profile).empty());
+}
+
+TEST(CrossCheck, AHorizonHasNoMorePointsThanCanBeChecked)
+{
+    Profile profile;
+    for (int i = 0; i < 3600; ++i) {
+        profile.limits.horizon.push_back({Angle::fromDegrees(0.1 * i), -90_deg});
+    }
+    EXPECT_TRUE(crossCheck(profile).empty());
+    profile.limits.horizon.push_back({359.95_deg, -90_deg});
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"limits.horizon"});
 }
 
 TEST(CrossCheck, RowsMakeSenseTogether)

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/profile/profile_diff.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <string_view>
+
+namespace boresight::profile {
+
+namespace {
+
+// One key, and what can be done with it.
+struct Item
+{
+    std::string key;
+    Applies applies = Applies::Now;
+    std::function<std::string(const Profile&)> written;  // differs if the value does
+    std::function<std::string(const Profile& shown, const Profile& other)> text;
+    std::function<void(Profile& into, const Profile& from)> take;
+};
+
+template <class Owner>
+std::string withUnit(const SettingOf<Owner>& setting, const Owner& owner)
+{
+    return toText(setting.get(owner)) + (setting.unit.empty() ? "" : " " + setting.unit);
+}
+
+Item itemOf(const Setting& setting)
+{
+    return {.key = setting.key,
+            .applies = setting.applies,
+            .written = [&setting](const Profile& profile) { return toText(setting.get(profile)); },
+            .text = [&setting](const Profile& shown, const Profile&) { return withUnit(setting, shown); },
+            .take = [&setting](Profile& into, const Profile& from) { (void)setting.set(into, setting.get(from)); }};
+}
+
+std::string siteText(const Profile& profile)
+{
+    if (!profile.site.known) {
+        return "not given";
+    }
+    std::string text;
+    for (const char* const key : {"site.latitude_deg", "site.longitude_deg", "site.height_m"}) {
+        text += (text.empty() ? "" : ", ") + withUnit(*findSetting(key), profile);
+    }
+    return text;
+}
+
+Item siteItem()
+{
+    return {.key = "site",
+            .applies = Applies::Now,
+            .written = siteText,
+            .text = [](const Profile& shown, const Profile&) { return siteText(shown); },
+            .take = [](Profile& into, const Profile& from) { into.site = from.site; }};
+}
+
+template <class Row>
+std::string writtenRow(std::span<const SettingOf<Row>> fields, const Row& row)
+{
+    std::string text;
+    for (const SettingOf<Row>& field : fields) {
+        text += toText(field.get(row)) + " ";
+    }
+    return text;
+}
+
+// `rows` finds the list in a profile, constant or not; `text` tells the rows, and how they differ from the others.
+template <class Row, class Rows>
+Item listItem(std::string_view key, std::span<const SettingOf<Row>> fields, Rows rows,
+              std::string (*text)(const std::vector<Row>& shown, const std::vector<Row>& others))
+{
+    return {.key = std::string(key),
+            .applies = Applies::Now,
+            .written =
+                [fields, rows](const Profile& profile) {
+                    std::string all;
+                    for (const Row& row : rows(profile)) {
+                        all += writtenRow(fields, row) + "\n";
+                    }
+                    return all;
+                },
+            .text = [rows, text](const Profile& shown, const Profile& other) { return text(rows(shown), rows(other)); },
+            .take = [rows](Profile& into, const Profile& from) { rows(into) = rows(from); }};
+}
+
+std::string horizonText(const std::vector<pointing::HorizonPoint>& shown,
+                        const std::vector<pointing::HorizonPoint>& others)
+{
+    const std::string count = std::to_string(shown.size()) + (shown.size() == 1 ? " point" : " points");
+    if (shown.size() != others.size()) {
+        return count;
+    }
+    const auto moved =
+        std::ranges::count_if(shown, [&](const auto& point) { return std::ranges::count(others, point) == 0; });
+    return count + ", " + std::to_string(moved) + " different";
+}
+
+// The names; rows whose name the others have too, but not alike, are marked.
+template <class Row>
+std::string namesText(const std::vector<Row>& shown, const std::vector<Row>& others)
+{
+    std::string text;
+    for (const Row& row : shown) {
+        const bool isNamed = std::ranges::count(others, row.name, &Row::name) > 0;
+        const bool isAlike = std::ranges::count(others, row) > 0;
+        text += (text.empty() ? "" : ", ") + toText(row.name) + (isNamed && !isAlike ? " (different)" : "");
+    }
+    return text.empty() ? "none" : text;
+}
+
+std::vector<Item> makeItems()
+{
+    std::vector<Item> items;
+    for (const Setting& setting : settings()) {
+        if (!setting.isGiven) {
+            items.push_back(itemOf(setting));
+        }
+        // Where they are in the file.
+        if (setting.key == "limits.elevation_max_deg") {
+            items.push_back(listItem(
+                kHorizonKey, horizonSettings(), [](auto& p) -> auto& { return p.limits.horizon; }, &horizonText));
+            items.push_back(listItem(
+                kKeepOutKey, keepOutSettings(), [](auto& p) -> auto& { return p.limits.keepOuts; },
+                &namesText<pointing::KeepOut>));
+        } else if (setting.key == "park.elevation_deg") {
+            items.push_back(listItem(
+                kPresetKey, presetSettings(), [](auto& p) -> auto& { return p.presets; }, &namesText<Preset>));
+            items.push_back(siteItem());
+        }
+    }
+    return items;
+}
+
+const std::vector<Item>& items()
+{
+    static const std::vector<Item> list = makeItems();
+    return list;
+}
+
+bool differs(const Item& item, const Profile& a, const Profile& b)
+{
+    return item.written(a) != item.written(b);
+}
+
+// "limits" for "limits.horizon" and "keep_out[2].name": what is to be applied together or not at all.
+std::string groupOf(std::string_view key)
+{
+    const std::string table(key.substr(0, key.find_first_of(".[")));
+    return table == kKeepOutKey ? "limits" : table;
+}
+
+// Of the keys that differ, those that `waits` chooses, as they were.
+template <class Waits>
+Application applyBut(const Profile& inForce, const Profile& wanted, Waits waits)
+{
+    Application result{.inForce = wanted, .waitingKeys = {}};
+    for (const Item& item : items()) {
+        if (waits(item) && differs(item, inForce, wanted)) {
+            item.take(result.inForce, inForce);
+            result.waitingKeys.push_back(item.key);
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<Change> changesBetween(const Profile& from, const Profile& to)
+{
+    std::vector<Change> changes;
+    for (const Item& item : items()) {
+        if (differs(item, from, to)) {
+            changes.push_back({item.key, item.text(from, to), item.text(to, from), item.applies});
+        }
+    }
+    return changes;
+}
+
+std::vector<std::string> changedKeys(const Profile& from, const Profile& to)
+{
+    std::vector<std::string> keys;
+    for (const Item& item : items()) {
+        if (differs(item, from, to)) {
+            keys.push_back(item.key);
+        }
+    }
+    return keys;
+}
+
+void takeOver(Profile& into, const Profile& from, std::span<const std::string> keys)
+{
+    for (const Item& item : items()) {
+        if (std::ranges::find(keys, item.key) != keys.end()) {
+            item.take(into, from);
+        }
+    }
+}
+
+Application applied(const Profile& inForce, const Profile& wanted)
+{
+    std::set<std::string> groups;
+    const auto waits = [&](const Item& item) {
+        return item.applies == Applies::OnReconnect || groups.contains(groupOf(item.key));
+    };
+    Application result = applyBut(inForce, wanted, waits);
+    for (const Problem& problem : crossCheck(result.inForce)) {
+        groups.insert(groupOf(problem.key));
+    }
+    if (groups.empty()) {
+        return result;
+    }
+    result = applyBut(inForce, wanted, waits);
+    // Old and new do not go together in any simple way: all of it waits.
+    return crossCheck(result.inForce).empty() ? result : applyBut(inForce, wanted, [](const Item&) { return true; });
+}
+
+}  // namespace boresight::profile

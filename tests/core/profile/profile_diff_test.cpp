@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/profile/profile_diff.h"
+
+#include "core/profile/profile_file.h"
+
+#include <gtest/gtest.h>
+
+using namespace boresight;
+using namespace boresight::profile;
+
+namespace {
+
+using Keys = std::vector<std::string>;
+
+}  // namespace
+
+TEST(ProfileDiff, TellsEachKeyWithBothValuesAndWhenItApplies)
+{
+    const Profile from;
+    Profile to = from;
+    to.mount.name = "West \"2\"";
+    to.azimuth.geometry.travel.max = 270.5_deg;
+    to.control.onExit = OnExit::Brake;
+    to.rotctld.allow = {"10.0.0.0/8", "::1"};
+    EXPECT_EQ(changesBetween(from, to),
+              (std::vector<Change>{
+                  {"mount.name", "\"Boresight mount\"", "\"West \\\"2\\\"\"", Applies::OnReconnect},
+                  {"azimuth.travel_max_deg", "450.0 °", "270.5 °", Applies::OnReconnect},
+                  {"control.on_exit", "\"hold\"", "\"brake\"", Applies::Now},
+                  {"rotctld.allow", "[]", "[\"10.0.0.0/8\", \"::1\"]", Applies::Now},
+              }));
+    EXPECT_TRUE(changesBetween(to, to).empty());
+}
+
+TEST(ProfileDiff, ListsAndTheSiteAreOneLineEach)
+{
+    Profile from;
+    from.limits.horizon = {{0_deg, -5_deg}, {90_deg, -3_deg}};
+    from.limits.keepOuts = {{"mast", 350_deg, 10_deg, 40_deg, 90_deg}, {"tree", 50_deg, 60_deg, 40_deg, 90_deg}};
+    Profile to = from;
+    to.limits.horizon.push_back({180_deg, -2_deg});
+    to.limits.keepOuts = {{"mast", 340_deg, 10_deg, 40_deg, 90_deg}, {"roof", 50_deg, 60_deg, 40_deg, 90_deg}};
+    to.presets = {{"north", {}}};
+    to.site = {.known = true, .latitude = -33.9_deg, .longitude = 151.25_deg, .heightMetres = 12.0};
+    EXPECT_EQ(changesBetween(from, to),
+              (std::vector<Change>{
+                  {"limits.horizon", "2 points", "3 points", Applies::Now},
+                  {"keep_out", "\"mast\" (different), \"tree\"", "\"mast\" (different), \"roof\"", Applies::Now},
+                  {"preset", "none", "\"north\"", Applies::Now},
+                  {"site", "not given", "-33.9 °, 151.25 °, 12.0 m", Applies::Now},
+              }));
+    to = from;
+    to.limits.horizon[1].elevation = -3.5_deg;
+    EXPECT_EQ(
+        changesBetween(from, to),
+        (std::vector<Change>{{"limits.horizon", "2 points, 1 different", "2 points, 1 different", Applies::Now}}));
+}
+
+// Every setting is seen, and taken over by its key alone.
+TEST(ProfileDiff, KnowsEveryKey)
+{
+    for (const Setting& setting : settings()) {
+        const Profile from;
+        Profile to;
+        SettingValue other = setting.type == SettingType::TextList ? SettingValue(TextList{"::1"}) : setting.max;
+        if (setting.type == SettingType::Integer) {
+            other = static_cast<std::int64_t>(setting.max - 1.0);
+        } else if (setting.type == SettingType::Choice) {
+            other = setting.get(from) == SettingValue(setting.choices.front()) ? setting.choices.back()
+                                                                               : setting.choices.front();
+        } else if (setting.type == SettingType::Text) {
+            other = setting.key == "rotctld.listen" ? "[::1]:1" : setting.key == "bus.name" ? "socketcan:can7" : "::1";
+        }
+        if (setting.get(from) == other) {
+            other = setting.min;
+        }
+        ASSERT_TRUE(setting.set(to, other)) << setting.key;
+        const Keys keys = changedKeys(from, to);
+        ASSERT_EQ(keys.size(), 1U) << setting.key;
+        EXPECT_EQ(keys.front(), setting.key.starts_with("site.") ? "site" : setting.key);
+        Profile taken;
+        takeOver(taken, to, keys);
+        EXPECT_EQ(taken, to) << setting.key;
+        takeOver(taken, from, keys);
+        EXPECT_EQ(taken, from) << setting.key;
+    }
+}
+
+TEST(ProfileDiff, WhatIsWrittenAlikeIsTheSame)
+{
+    Profile from;
+    from.park.azimuth = Angle::fromDegrees(0.1 + 0.2);
+    from.limits.horizon = {{Angle::fromDegrees(0.1 + 0.2), -5_deg}};
+    const auto read = parseProfile(toToml(from), "m.toml");
+    ASSERT_TRUE(read) << read.error().text;
+    EXPECT_TRUE(changesBetween(from, *read).empty());
+}
+
+TEST(Applied, WhatNeedsAReconnectWaits)
+{
+    const Profile inForce;
+    Profile wanted;
+    wanted.jog.fast = 9_deg_s;
+    wanted.limits.azimuth.max = 200_deg;
+    wanted.limits.horizon = {{0_deg, -5_deg}};
+    wanted.azimuth.geometry.travel.max = 270_deg;
+    wanted.rotctld.listen.port = 4534;
+    wanted.rotctld.lead = Lead::Last;
+    const Application result = applied(inForce, wanted);
+    EXPECT_EQ(result.waitingKeys, (Keys{"azimuth.travel_max_deg", "rotctld.listen"}));
+    Profile expected = wanted;
+    expected.azimuth.geometry.travel.max = 450_deg;
+    expected.rotctld.listen.port = 4533;
+    EXPECT_EQ(result.inForce, expected);
+    EXPECT_EQ(applied(inForce, inForce), (Application{inForce, {}}));
+}
+
+// A park place in a travel that is not in force yet would be refused by the mount; nothing else has to wait for it.
+TEST(Applied, WhatMakesSenseOnlyWithWhatWaitsWaitsToo)
+{
+    const Profile inForce;
+    Profile wanted;
+    wanted.azimuth.geometry.travel.max = 600_deg;
+    wanted.park = {.azimuth = 540_deg, .elevation = 45_deg};
+    wanted.jog.fast = 9_deg_s;
+    const Application result = applied(inForce, wanted);
+    EXPECT_EQ(result.waitingKeys, (Keys{"azimuth.travel_max_deg", "park.azimuth_deg", "park.elevation_deg"}));
+    EXPECT_EQ(result.inForce.park, inForce.park);
+    EXPECT_EQ(result.inForce.jog.fast, 9_deg_s);
+    EXPECT_TRUE(crossCheck(result.inForce).empty());
+}
+
+// The new limits exclude the old park place, and the new park place is outside the old travel.
+TEST(Applied, WhereOldAndNewDoNotGoTogetherAllWaits)
+{
+    Profile inForce;
+    inForce.azimuth.geometry.travel = {-90_deg, 90_deg};
+    Profile wanted;
+    wanted.azimuth.geometry.travel = {-90_deg, 400_deg};
+    wanted.limits.azimuth = {80_deg, 350_deg};
+    wanted.park.azimuth = 200_deg;
+    wanted.jog.fast = 9_deg_s;
+    ASSERT_TRUE(crossCheck(inForce).empty());
+    ASSERT_TRUE(crossCheck(wanted).empty());
+    const Application result = applied(inForce, wanted);
+    EXPECT_EQ(result.inForce, inForce);
+    EXPECT_EQ(result.waitingKeys, changedKeys(inForce, wanted));
+}
