@@ -5,6 +5,7 @@
 #include "core/pointing/mount_model.h"
 #include "core/pointing/region.h"
 #include "core/tracking/axis_profile.h"
+#include "core/units/sky.h"
 
 #include <cstdint>
 #include <string>
@@ -223,6 +224,7 @@ struct Profile
     SupervisionSettings supervision;
     RecoverySettings recovery;
 
+    [[nodiscard]] const AxisSettings& axis(Axis which) const { return which == Axis::Azimuth ? azimuth : elevation; }
     bool operator==(const Profile&) const = default;
 };
 

@@ -46,7 +46,7 @@ Severity severityOf(const supervision::Observed& observed)
 
 DriveWatch::DriveWatch(Axis axis, const profile::Profile& profile, AlarmBoard& alarms)
     : m_axis(axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation")),
-      m_settings(axis == Axis::Azimuth ? profile.azimuth : profile.elevation),
+      m_settings(profile.axis(axis)),
       m_watchdog(profile.control.watchdog),
       m_alarms(alarms),
       m_supervisor(axis, m_settings, profile.supervision)

@@ -40,11 +40,6 @@ TurnKeeper::TurnKeeper(const profile::Profile& profile, const Clock& clock, Even
     : m_profile(profile), m_clock(clock), m_log(log), m_start(std::move(start))
 {}
 
-const profile::AxisSettings& TurnKeeper::settings(Axis axis) const
-{
-    return axis == Axis::Azimuth ? m_profile.azimuth : m_profile.elevation;
-}
-
 std::optional<memory::TurnRecord>& TurnKeeper::record(Axis axis)
 {
     return m_start.memory.turns[index(axis)];
@@ -81,7 +76,7 @@ void TurnKeeper::spoilRecord(Axis axis)
 std::optional<QString> TurnKeeper::doubtOf(Axis axis, const DriveReport& report)
 {
     const State& mine = state(axis);
-    const pointing::AxisGeometry& geometry = settings(axis).geometry;
+    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
     const bool untouched =
         mine.lent && abs(geometry.toAxis(*report.position) - geometry.toAxis(mine.lent->reported)) < kWorthNoting * 2.0;
     if (mine.otherHands && !untouched) {
@@ -152,14 +147,14 @@ memory::DriveFrame TurnKeeper::frame(Axis axis, const survey::DriveFacts& facts,
             .homeState = report.homeState,
             .uptime = Seconds(std::fmod(Seconds(now - facts.bootedAt).count(), kCounterSpan.count())),
             .outputEncoder = facts.outputEncoder,
-            .period = memory::ambiguity(settings(axis).geometry, facts.rotorToOutputRatio, facts.outputEncoder)};
+            .period = memory::ambiguity(m_profile.axis(axis).geometry, facts.rotorToOutputRatio, facts.outputEncoder)};
 }
 
 void TurnKeeper::judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now)
 {
-    const pointing::AxisGeometry& geometry = settings(axis).geometry;
+    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
     const memory::DriveFrame met = frame(axis, facts, *drive.report(), now);
-    const bool trusted = settings(axis).powerUpPosition == profile::PowerUpPosition::Trusted ||
+    const bool trusted = m_profile.axis(axis).powerUpPosition == profile::PowerUpPosition::Trusted ||
                          (m_start.trustFirstContact && !record(axis));
     const auto doubt = doubtOf(axis, *drive.report());
     const auto& lent = state(axis).lent;
@@ -208,7 +203,7 @@ void TurnKeeper::ask(Axis axis, const memory::TurnQuestion& question, const Driv
 void TurnKeeper::countFromTheMiddle(Axis axis, Drive& drive)
 {
     State& mine = state(axis);
-    const pointing::AxisGeometry& geometry = settings(axis).geometry;
+    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
     const Angle middle = (geometry.travel.min + geometry.travel.max) * 0.5;
     const Angle reported = geometry.toAxis(*drive.report()->position);
     const Angle period = mine.question.period;
@@ -221,14 +216,14 @@ void TurnKeeper::countFromTheMiddle(Axis axis, Drive& drive)
 // Of a place in the drive's own turns: less than half of what it cannot tell apart.
 MotorTurns TurnKeeper::tolerance(Axis axis, Angle period) const
 {
-    const pointing::AxisGeometry& geometry = settings(axis).geometry;
+    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
     const Angle quarter = period > Angle{} ? period * 0.25 : kLoneTolerance;
     return abs(geometry.toMotor(geometry.travel.min + quarter) - geometry.toMotor(geometry.travel.min));
 }
 
 Angle TurnKeeper::movedSince(Axis axis, const Drive& drive) const
 {
-    const pointing::AxisGeometry& geometry = settings(axis).geometry;
+    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
     return geometry.toAxis(*drive.report()->position) - geometry.toAxis(state(axis).reportedWhenAsked);
 }
 
@@ -275,12 +270,12 @@ void TurnKeeper::settle(Axis axis, Angle angle, Angle period, Drive& drive, cons
     m_log.add(
         Severity::Advisory, source,
         QStringLiteral("%1 stands at %2: %3").arg(drive_alarms::toQString(drive.name()), degreesText(angle), why));
-    const pointing::AxisGeometry& geometry = settings(axis).geometry;
+    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
     const MotorTurns place = geometry.toMotor(angle);
     const DriveReport& report = *drive.report();
     const MotorTurns near = tolerance(axis, period);
     const bool there = abs(*report.position - place) < near;
-    const bool trusted = settings(axis).powerUpPosition == profile::PowerUpPosition::Trusted;
+    const bool trusted = m_profile.axis(axis).powerUpPosition == profile::PowerUpPosition::Trusted;
     if (there && (trusted || report.homeState == moteus::HomeState::Output)) {
         becomeKnown(axis, drive);
         return;
@@ -295,13 +290,13 @@ void TurnKeeper::note(Axis axis, const survey::DriveFacts& facts, const Drive& d
     if (mine.phase != Phase::Known || !drive.report()->position || !drive.answering(now)) {
         return;
     }
-    const Angle angle = settings(axis).geometry.toAxis(*drive.report()->position);
+    const Angle angle = m_profile.axis(axis).geometry.toAxis(*drive.report()->position);
     auto& last = record(axis);
     const bool turned = !last || last->drive != facts.uuid || last->moving != moving;
     const SteadyTime::duration sinceNoted = mine.noted ? now - *mine.noted : SteadyTime::duration::max();
     const bool elsewhere = last && abs(last->angle - angle) > kWorthNoting && sinceNoted >= kMovingPeriod;
     if (turned || !mine.noted || elsewhere || sinceNoted >= kRestingPeriod) {
-        last = memory::recordOf(frame(axis, facts, *drive.report(), now), angle, settings(axis).geometry, moving,
+        last = memory::recordOf(frame(axis, facts, *drive.report(), now), angle, m_profile.axis(axis).geometry, moving,
                                 m_clock.utc(), memory::hostTime(m_clock));
         mine.noted = now;
         m_changed = true;

@@ -80,7 +80,6 @@ private:
 
     [[nodiscard]] State& state(Axis axis) { return m_states[index(axis)]; }
     [[nodiscard]] const State& state(Axis axis) const { return m_states[index(axis)]; }
-    [[nodiscard]] const profile::AxisSettings& settings(Axis axis) const;
     [[nodiscard]] std::optional<memory::TurnRecord>& record(Axis axis);
     [[nodiscard]] memory::DriveFrame frame(Axis axis, const survey::DriveFacts& facts, const DriveReport& report,
                                            SteadyTime now) const;

@@ -27,10 +27,7 @@ Reading asReading(const ConsoleRun::Answer& answer)
 }  // namespace
 
 AxisSurvey::AxisSurvey(const profile::Profile& profile, Axis axis)
-    : m_axis(axis),
-      m_id(axis == Axis::Azimuth ? profile.azimuth.id : profile.elevation.id),
-      m_protections(protectionsOf(profile, axis)),
-      m_heartbeat(m_id)
+    : m_axis(axis), m_id(profile.axis(axis).id), m_protections(protectionsOf(profile, axis)), m_heartbeat(m_id)
 {
     forget();
 }

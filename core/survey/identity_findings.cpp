@@ -19,7 +19,7 @@ struct Judge
     std::span<const FoundController> found;
     std::vector<Finding> findings{};
 
-    [[nodiscard]] int idOf(Axis axis) const { return (axis == Axis::Azimuth ? profile.azimuth : profile.elevation).id; }
+    [[nodiscard]] int idOf(Axis axis) const { return profile.axis(axis).id; }
     [[nodiscard]] const QString& knownBoard(Axis axis) const { return known[axis == Axis::Azimuth ? 0 : 1]; }
     [[nodiscard]] bool isOurs(int id) const { return id == profile.azimuth.id || id == profile.elevation.id; }
     [[nodiscard]] std::ptrdiff_t countOf(int id) const { return std::ranges::count(found, id, &FoundController::id); }

@@ -286,7 +286,7 @@ std::optional<double> Reading::value() const
 
 std::vector<Protection> protectionsOf(const profile::Profile& profile, Axis which)
 {
-    const profile::AxisSettings& axis = which == Axis::Azimuth ? profile.azimuth : profile.elevation;
+    const profile::AxisSettings& axis = profile.axis(which);
     const DriveScale scale{axis.geometry};
     List list;
     addIdentity(list, axis);

@@ -219,7 +219,7 @@ void FaultRun::look()
         if (m_faulty && abs(truth.rate) > kMoving) {
             m_outcome.still[i] = sinceFault();
         }
-        const TravelRange& travel = (axis == Axis::Azimuth ? profile.azimuth : profile.elevation).geometry.travel;
+        const TravelRange& travel = profile.axis(axis).geometry.travel;
         m_outcome.beyond[i] = std::max(m_outcome.beyond[i], outside(travel, truth.angle));
     }
 }

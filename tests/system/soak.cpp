@@ -81,7 +81,7 @@ private:
         const auto concerns = [&](int id) { return to.destination == id || to.destination == moteus::kBroadcastId; };
         for (const Axis axis : kAxes) {
             const profile::Profile& profile = m_soak.m_profile;
-            if (!to.replyWanted || !concerns(axis == Axis::Azimuth ? profile.azimuth.id : profile.elevation.id)) {
+            if (!to.replyWanted || !concerns(profile.axis(axis).id)) {
                 continue;
             }
             ++m_soak.m_counts.questions;
@@ -198,11 +198,9 @@ void Soak::judge()
 {
     for (const Axis axis : kAxes) {
         const sim::AxisTruth now = m_bus.truth(axis);
-        const TravelRange& travel =
-            axis == Axis::Azimuth ? m_profile.azimuth.geometry.travel : m_profile.elevation.geometry.travel;
+        const TravelRange& travel = m_profile.axis(axis).geometry.travel;
         m_findings.outside = std::max({m_findings.outside, travel.min - now.angle, now.angle - travel.max});
-        const AngularRate limit =
-            axis == Axis::Azimuth ? m_profile.azimuth.limits.speed : m_profile.elevation.limits.speed;
+        const AngularRate limit = m_profile.axis(axis).limits.speed;
         m_findings.fastest = std::max(m_findings.fastest, abs(now.rate) / limit);
     }
     if (m_lost && m_time - m_lostSince > kBraking) {

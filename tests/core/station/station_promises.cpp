@@ -272,8 +272,7 @@ void StationPromises::watchPath(Axis axis, const StationStatus& now, Seconds ste
     if (!is.commanded || !was.commanded || takesOver(axis, now) || !knowsBoth(now) || !knowsBoth(m_before)) {
         return;
     }
-    const tracking::MotionLimits& limits =
-        axis == Axis::Azimuth ? m_rig.profile.azimuth.limits : m_rig.profile.elevation.limits;
+    const tracking::MotionLimits& limits = m_rig.profile.axis(axis).limits;
     const double time = std::min(step.count(), kLongestStep);
     const auto outside = [&](const AxisStatus& axisThen) {
         return std::max({0.0, (axisThen.travel.min - *axisThen.commanded).degrees(),
