@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/memory/reconcile.h"
+#include "tests/core/memory/reconcile_scene.h"
+
+#include <gmock/gmock.h>
+
+#include <ostream>
+
+// What the operator is asked when the turn of an axis is not certain: the candidates, the proposal and its evidence.
+namespace boresight::memory {
+namespace {
+
+using std::chrono::hours;
+using std::chrono::minutes;
+using std::chrono::seconds;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(ReconcileQuestion, SaysWhatScenario10Says)
+{
+    Scene scene;
+    scene.dirty().powerCycledAt(405.0).evidence.sensorHeading = Angle::fromDegrees(98.0);
+    const TurnQuestion question = scene.question();
+    EXPECT_THAT(inDegrees(question.candidates), ElementsAre(-315.0, 45.0, 405.0));
+    EXPECT_THAT(question.proposed, proposes(405.0));
+    EXPECT_THAT(scene.sentences(),
+                ElementsAre("Direction 45.0° is known, the turn is not: -315.0°, 45.0° or 405.0° are possible",
+                            "The journal says 405.0°, 12 min old, written while moving",
+                            "The drive was restarted 34 s ago", "The sensor says 98.0°"));
+}
+
+TEST(ReconcileQuestion, MovedByHandHasNoDefault)
+{
+    Scene scene;
+    scene.powerCycledAt(100.0);
+    EXPECT_EQ(scene.question().proposed, std::nullopt);
+    EXPECT_THAT(inDegrees(scene.question().candidates), ElementsAre(-260.0, 100.0));
+    EXPECT_THAT(scene.sentences(),
+                Contains("The nearest of them is 305.0° from the journal: the axis was moved meanwhile"));
+    EXPECT_THAT(scene.sentences(), Contains("There is no sensor to compare with"));
+}
+
+// Nobody can tell a whole turn from none: so it is a question, even when clean and proposed.
+TEST(ReconcileQuestion, MovedByAFullTurnLooksUnmovedAndIsThereforeAsked)
+{
+    EXPECT_THAT(Scene().powerCycledAt(45.0).question().proposed, proposes(405.0));
+    EXPECT_THAT(Scene(Kind::HundredToOne).powerCycledAt(405.0 - 3.6).question().proposed, proposes(405.0));
+}
+
+struct ProposalCase
+{
+    const char* name;
+    Kind kind;
+    bool moving;
+    double now;
+    std::optional<double> proposed;
+
+    friend void PrintTo(const ProposalCase& test, std::ostream* out) { *out << test.name; }
+};
+
+class ReconcileProposal : public testing::TestWithParam<ProposalCase>
+{};
+
+TEST_P(ReconcileProposal, IsTheJournalsTurnWhereItAgrees)
+{
+    const ProposalCase& test = GetParam();
+    Scene scene(test.kind);
+    scene.evidence.record->moving = test.moving;
+    const auto proposed = scene.powerCycledAt(test.now).question().proposed;
+    ASSERT_EQ(proposed.has_value(), test.proposed.has_value());
+    if (proposed) {
+        EXPECT_NEAR(proposed->degrees(), *test.proposed, 1e-6);
+    }
+}
+
+// The journal says 405°.
+INSTANTIATE_TEST_SUITE_P(
+    All, ReconcileProposal,
+    testing::Values(ProposalCase{"OutputCleanUnmoved", Kind::OutputEncoder, false, 405.0, 405.0},
+                    ProposalCase{"OutputCleanWithinFive", Kind::OutputEncoder, false, 400.1, 400.1},
+                    ProposalCase{"OutputCleanBeyondFive", Kind::OutputEncoder, false, 399.9, std::nullopt},
+                    ProposalCase{"OutputDirtyUnmoved", Kind::OutputEncoder, true, 405.0, 405.0},
+                    ProposalCase{"OutputDirtyCoasted", Kind::OutputEncoder, true, 409.9, 409.9},
+                    ProposalCase{"OutputDirtyMoved", Kind::OutputEncoder, true, 200.0, std::nullopt},
+                    ProposalCase{"FiveToOneCleanUnmoved", Kind::FiveToOne, false, 405.0, 405.0},
+                    ProposalCase{"FiveToOneDirtyUnmoved", Kind::FiveToOne, true, 405.0, 405.0},
+                    ProposalCase{"FiveToOneCleanMovedByOneRotorTurn", Kind::FiveToOne, false, 333.0, 405.0},
+                    ProposalCase{"FiveToOneCleanMoved", Kind::FiveToOne, false, 380.0, std::nullopt},
+                    ProposalCase{"HundredCleanUnmoved", Kind::HundredToOne, false, 405.0, 405.0},
+                    ProposalCase{"HundredCleanWithinAQuarter", Kind::HundredToOne, false, 405.8, 405.8},
+                    ProposalCase{"HundredCleanBeyondAQuarter", Kind::HundredToOne, false, 406.0, std::nullopt},
+                    ProposalCase{"HundredDirtyUnmoved", Kind::HundredToOne, true, 405.0, std::nullopt}),
+    [](const testing::TestParamInfo<ProposalCase>& test) { return test.param.name; });
+
+TEST(ReconcileQuestion, ADirtyJournalOfAHighGearSaysWhyItProposesNothing)
+{
+    const auto sentences = Scene(Kind::HundredToOne).dirty().powerCycledAt(405.0).sentences();
+    EXPECT_THAT(sentences,
+                Contains("The axis was moving, and places 3.6° apart look the same to the drive: the journal "
+                         "cannot tell which"));
+    EXPECT_EQ(sentences.front(),
+              "The angle is known to a multiple of 3.6° only: 227 places from -361.8° to 451.8° are possible");
+}
+
+TEST(ReconcileQuestion, WithoutAJournalSaysSoAndProposesNothing)
+{
+    Scene scene(Kind::FiveToOne);
+    scene.powerCycledAt(405.0).evidence.record.reset();
+    EXPECT_EQ(scene.question().proposed, std::nullopt);
+    EXPECT_THAT(scene.sentences(), Contains("The journal says nothing about this axis"));
+    scene.evidence.recordProblem = QStringLiteral("The journal file x is missing");
+    EXPECT_THAT(scene.sentences(), Contains("The journal file x is missing"));
+    EXPECT_THAT(scene.sentences(), Not(Contains("The journal says nothing about this axis")));
+}
+
+TEST(ReconcileQuestion, AnOlderGenerationOfTheJournalSaysBoth)
+{
+    Scene scene;
+    scene.dirty().powerCycledAt(405.0).evidence.recordProblem =
+        QStringLiteral("The journal file x cannot be used: torn");
+    EXPECT_THAT(scene.sentences(), Contains("The journal file x cannot be used: torn"));
+    EXPECT_THAT(scene.sentences(), Contains("The journal says 405.0°, 12 min old, written while moving"));
+}
+
+TEST(ReconcileQuestion, AnotherDriveWithPowerProposesNothing)
+{
+    Scene scene(Kind::FiveToOne);
+    scene.powerCycledAt(405.0).frame.drive = kElevationDrive;
+    EXPECT_EQ(scene.question().proposed, std::nullopt);
+    EXPECT_FALSE(scene.question().candidates.empty());
+}
+
+TEST(ReconcileQuestion, NoTurnWithinTheTravelAsksForTheAngle)
+{
+    Scene scene;
+    scene.axis.travel = {0_deg, 90_deg};
+    scene.evidence.record.reset();
+    scene.powerCycledAt(120.0);
+    EXPECT_TRUE(scene.question().candidates.empty());
+    EXPECT_EQ(scene.sentences().front(),
+              "The drive reports 120.0°, and no turn of that lies within the travel: enter the angle");
+}
+
+TEST(ReconcileQuestion, ManyCandidatesAreAllKept)
+{
+    Scene scene(Kind::HundredToOne);
+    scene.frame.period = ambiguity(scene.axis, 0.001, false);
+    scene.powerCycledAt(0.0);
+    EXPECT_EQ(scene.question().candidates.size(), 2267U);  // 816° of 0.36°
+}
+
+TEST(ReconcileQuestion, AgesAreTold)
+{
+    const auto says = [](Seconds age, const char* text) {
+        Scene scene;
+        scene.powerCycledAt(405.0).evidence.record->when = kWhen - std::chrono::duration_cast<UtcTime::duration>(age);
+        EXPECT_THAT(scene.sentences(), Contains(HasSubstr(text)));
+    };
+    says(seconds(0), "405.0°, 0 s old");
+    says(seconds(119), "405.0°, 119 s old");
+    says(minutes(90), "405.0°, 90 min old");
+    says(hours(47), "405.0°, 47 h old");
+    says(hours(72), "405.0°, 3 days old");
+}
+
+}  // namespace
+}  // namespace boresight::memory
