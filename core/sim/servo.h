@@ -102,6 +102,7 @@ private:
     void advanceEnabling(const ServoInputs& inputs);
     void engage(const ServoInputs& inputs);
     void checkWatchdog();
+    [[nodiscard]] bool followsSetpoint() const;
     [[nodiscard]] int supervisionFault(const ServoInputs& inputs) const;
     [[nodiscard]] int entryFault(const ServoInputs& inputs) const;
 

@@ -62,6 +62,14 @@ bool Servo::controlsPosition() const
     return isPositionMode(m_mode) || m_mode == Mode::PositionTimeout || m_mode == Mode::ZeroVelocity;
 }
 
+// The device judges position and velocity error wherever its position control runs, so after a time-out too.
+bool Servo::followsSetpoint() const
+{
+    const bool holdsAfterTimeout =
+        m_mode == Mode::PositionTimeout && m_config.servo.timeoutMode == static_cast<int>(Mode::Position);
+    return m_mode == Mode::Position || holdsAfterTimeout;
+}
+
 void Servo::command(const ServoCommand& command, double age)
 {
     const bool passedThrough = command.mode == Mode::Fault || isEnabling(command.mode);
@@ -200,7 +208,7 @@ int Servo::supervisionFault(const ServoInputs& inputs) const
     if (motorHot || exceeds(inputs.fetTemperature, servo.faultTemperature)) {
         return kOverTemperature;
     }
-    if (m_mode != Mode::Position) {
+    if (!followsSetpoint()) {
         return 0;
     }
     if (exceeds(std::abs(inputs.position - control().position), servo.faultPositionError)) {

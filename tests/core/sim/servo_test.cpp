@@ -193,6 +193,35 @@ TEST_F(ServoOnPlant, AStalledAxisFarBehindItsOrderFaults)
     EXPECT_EQ(servo.faultCode(), 49);
 }
 
+// After a time-out the drive holds by position control, and gives up at the same distance as before.
+TEST_F(ServoOnPlant, AnAxisPushedFarFromWhereItHoldsAfterATimeoutFaults)
+{
+    hold(0.1);
+    run(0.2);
+    ASSERT_EQ(servo.mode(), Mode::PositionTimeout);
+    const double held = servo.control().position;
+    wind = 120.0;  // the drive has 83 Nm
+    for (int i = 0; i < 3000 && degrees(std::abs(plant.position() - held)) < 9.9; ++i) {
+        run(kStep);
+    }
+    EXPECT_EQ(servo.mode(), Mode::PositionTimeout);
+    run(0.1);
+    EXPECT_EQ(servo.mode(), Mode::Fault);
+    EXPECT_EQ(servo.faultCode(), 49);
+}
+
+TEST_F(ServoOnPlant, ABrakedAxisHasNoDistanceToKeep)
+{
+    config.servo.timeoutMode = 15;
+    hold(0.1);
+    run(0.2);
+    const double held = plant.position();
+    wind = 120.0;
+    run(2.0);
+    EXPECT_GT(degrees(std::abs(plant.position() - held)), 10.0);
+    EXPECT_EQ(servo.mode(), Mode::PositionTimeout);
+}
+
 TEST_F(ServoOnPlant, PushedOutsideTheBoundsTheOutwardCurrentFades)
 {
     config.servo.gains.ilimit = 0.0;
