@@ -25,8 +25,11 @@ void PseudoTerminal::write(const QByteArray& bytes)
     EXPECT_EQ(::write(m_device.number(), bytes.constData(), static_cast<std::size_t>(bytes.size())), bytes.size());
 }
 
+// The kernel gives the number to the next terminal as soon as both ends are closed, and QSerialPort closes its end
+// before it removes its lock file: another test could then find its new terminal locked. So the number is kept.
 void PseudoTerminal::unplug()
 {
+    m_numberKeeper = FileDescriptor(open(m_path.toLocal8Bit().constData(), O_RDWR | O_NOCTTY | O_CLOEXEC));
     m_notifier.reset();
     m_device.reset();
 }

@@ -29,6 +29,7 @@ private:
     void read();
 
     FileDescriptor m_device;
+    FileDescriptor m_numberKeeper;
     QString m_path;
     std::unique_ptr<QSocketNotifier> m_notifier;
 };

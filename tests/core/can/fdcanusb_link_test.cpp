@@ -300,6 +300,7 @@ protected:
     fakes::ManualClock clock;
     QTemporaryDir folder;
     fakes::PseudoTerminal first;
+    fakes::PseudoTerminal second;
     FdcanusbLink link{StablePort(first.path(), folder.filePath(QStringLiteral("by-id"))), clock};
 };
 
@@ -313,7 +314,6 @@ TEST_F(FdcanusbReplugTest, AdapterIsFoundAgainUnderItsStableName)
     EXPECT_THAT(absent.error().text,
                 HasSubstr("usb-mjbots_fdcanusb_F34E5D64-if00 is not there: is the adapter plugged"));
 
-    const fakes::PseudoTerminal second;
     name("usb-mjbots_fdcanusb_F34E5D64-if00", second);
     ASSERT_TRUE(link.open().has_value());
     EXPECT_EQ(link.name(), QStringLiteral("fdcanusb:") + first.path());  // as configured
@@ -348,12 +348,11 @@ TEST_F(FdcanusbReplugTest, ChosenLinkIsFollowed)
     FdcanusbLink chosen{StablePort(path("chosen"), folder.filePath(QStringLiteral("by-id"))), clock};
     ASSERT_TRUE(chosen.open().has_value());
     chosen.close();
-    const fakes::PseudoTerminal second;
     name("chosen", second);
     ASSERT_TRUE(chosen.open().has_value());
     CanFrame frame = frameTo(0x8001, {0x50});
     ASSERT_TRUE(chosen.send({&frame, 1}).has_value());
-    EXPECT_TRUE(waitUntil([&second] { return second.written.startsWith("can send"); }));
+    EXPECT_TRUE(waitUntil([this] { return second.written.startsWith("can send"); }));
 }
 
 TEST_F(FdcanusbLinkTest, AdapterGoneBetweenTwoSendsIsLost)
