@@ -41,14 +41,18 @@ Result<> SimulatedLink::send(std::span<const CanFrame> frames)
         return failure(ErrorCode::NoDevice, "the simulated bus is not open");
     }
     m_pair.advanceTo(pairTime());
-    if (m_pair.faults().isActive(sim::FaultKind::BusOff, Axis::Azimuth, m_pair.now())) {
+    if (isInjected(sim::FaultKind::BusOff)) {
         ++m_status.busErrors;
         setState(LinkState::Down, QStringLiteral("simulated: bus-off (injected)"));
         return failure(ErrorCode::Io, "the simulated bus is off (injected)");
     }
-    setState(LinkState::Up, {});
+    setState(LinkState::Up, adapterTrouble());
+    m_status.sent += frames.size();
+    m_status.busErrors += m_status.text.isEmpty() ? 0 : frames.size();
+    if (isInjected(sim::FaultKind::AdapterError)) {
+        return {};  // an adapter says so later, by its ERR
+    }
     for (const CanFrame& frame : frames) {
-        ++m_status.sent;
         for (const sim::PairReply& reply : m_pair.exchange(frame, pairTime())) {
             m_replies.add(reply.due, reply);
         }
@@ -87,6 +91,22 @@ sim::FaultSchedule::Handle SimulatedLink::inject(sim::Injection injection)
 {
     injection.at = pair().now();
     return m_pair.faults().add(injection);
+}
+
+// Those of the adapter, which are of no axis.
+bool SimulatedLink::isInjected(sim::FaultKind kind) const
+{
+    return m_pair.faults().isActive(kind, Axis::Azimuth, m_pair.now());
+}
+
+QString SimulatedLink::adapterTrouble() const
+{
+    if (isInjected(sim::FaultKind::AdapterError)) {
+        return QStringLiteral("simulated: the adapter refuses every frame (injected)");
+    }
+    return isInjected(sim::FaultKind::MissingOk)
+               ? QStringLiteral("simulated: the adapter acknowledges nothing (injected)")
+               : QString();
 }
 
 void SimulatedLink::setState(LinkState state, const QString& text)

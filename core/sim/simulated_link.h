@@ -38,6 +38,8 @@ public:
 
 private:
     [[nodiscard]] Seconds pairTime() const { return m_clock.now() - m_epoch; }
+    [[nodiscard]] bool isInjected(sim::FaultKind kind) const;
+    [[nodiscard]] QString adapterTrouble() const;
     void setState(LinkState state, const QString& text);
     void schedule();
 

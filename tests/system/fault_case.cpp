@@ -52,6 +52,15 @@ void order(SimulatedStation& rig, Axis axis, const moteus::Command& command)
     static_cast<void>(rig.link->pair().exchange(*frame, rig.link->pair().now()));
 }
 
+// Something that an axis runs into 0.1° farther on.
+void jamAhead(SimulatedStation& rig, Axis axis)
+{
+    const sim::AxisTruth now = rig.link->truth(axis);
+    const double ahead = now.rate < AngularRate::fromDegrees(-0.01) ? -0.1 : 0.1;
+    rig.link->inject(
+        {.kind = FaultKind::Jam, .axis = axis, .duration = kFaultLasts, .value = now.angle.degrees() + ahead});
+}
+
 double reported(SimulatedStation& rig, Axis axis)
 {
     return rig.link->pair().drive(axis).reportedPosition();
@@ -65,6 +74,10 @@ std::vector<Group> lostLines()
                    .injections = {{.kind = FaultKind::LostCommand, .value = 1.0}},
                    .alarm = noReply},
          .moments = kEverywhereAndAtTheEnds},
+        {.fault = {.name = "adapter answers ERR to every frame",
+                   .injections = {{.kind = FaultKind::AdapterError}},
+                   .alarm = noReply},
+         .moments = kEverywhere},
         {.fault = {.name = "bus off", .injections = {{.kind = FaultKind::BusOff}}, .alarm = noReply},
          .moments = kEverywhere},
         {.fault = {.name = "every reply garbled",
@@ -109,6 +122,8 @@ std::vector<Group> roughLines()
         {.fault = goesOn("every fifth reply lost", {.kind = FaultKind::LostReply, .value = 0.2}),
          .moments = {Moment::InSlew, Moment::InTrack}},
         {.fault = goesOn("every fifth reply garbled", {.kind = FaultKind::CorruptLine, .value = 0.2}),
+         .moments = {Moment::InSlew, Moment::InTrack}},
+        {.fault = goesOn("adapter's OK is missing", {.kind = FaultKind::MissingOk}),
          .moments = {Moment::InSlew, Moment::InTrack}},
         {.fault = goesOn("replies 0.05 s late", {.kind = FaultKind::LateReply, .value = 0.05}),
          .moments = {Moment::InSlew, Moment::InTrack}},
@@ -205,6 +220,14 @@ std::vector<Group> mechanics()
                                     .alarmWithin = Seconds(1.5),
                                     .springsBack = kWoundUp},
                           .moments = kInMotion});
+        groups.push_back({.fault = {.name = name(axis) + " jammed 0.1° farther on",
+                                    .once = [axis](SimulatedStation& rig) { jamAhead(rig, axis); },
+                                    .hurt = hurt(axis),
+                                    .alarm = name(axis),
+                                    .alarmWithin = Seconds(1.5),
+                                    .othersStillWithin = Seconds(2.5),
+                                    .springsBack = kWoundUp},
+                          .moments = kInMotion});
     }
     return groups;
 }
@@ -226,6 +249,13 @@ std::vector<Group> others()
                    .stillWithin = kUnheard},
          .moments = kEverywhere},
     };
+    groups.push_back({.fault = {.name = "power blinks, azimuth drive returns with another register map",
+                                .injections = {{.kind = FaultKind::PowerLoss, .duration = Seconds(0.1)},
+                                               {.kind = FaultKind::RegisterMap, .axis = Axis::Azimuth, .value = 6}},
+                                .alarm = "register map",
+                                .alarmWithin = Seconds(6.0),
+                                .stillWithin = kCoasting},
+                      .moments = kEverywhere});
     for (const Axis axis : kAxes) {
         groups.push_back({.fault = {.name = "another program stops the " + name(axis) + " drive",
                                     .once = [axis](SimulatedStation& rig) { order(rig, axis, moteus::Stop{}); },

@@ -36,18 +36,21 @@ enum class Hurt
     Both,
 };
 
+inline constexpr Seconds kFaultLasts{3.0};
+
 struct Fault
 {
     std::string name;
-    std::vector<sim::Injection> injections{};  // from the moment on; without a duration of their own for kLasts
+    std::vector<sim::Injection> injections{};  // from the moment on; without a duration of their own for kFaultLasts
     std::function<void(SimulatedStation&)> once{};
-    std::function<void(SimulatedStation&)> eachTick{};  // another program at work, for kLasts
+    std::function<void(SimulatedStation&)> eachTick{};  // another program at work, for kFaultLasts
     Seconds stall{0.0};                                 // this computer does nothing for so long
     Outcome outcome = Outcome::Latches;
     Hurt hurt = Hurt::Both;
     std::string alarm{};  // words of the alarm; empty: there need not be one
     Seconds alarmWithin{0.3};
-    Seconds stillWithin{0.7};                      // the hurt axes
+    Seconds stillWithin{0.7};  // the hurt axes
+    Seconds othersStillWithin{2.0};
     Angle beyond = Angle::fromDegrees(0.2);        // the travel
     Angle springsBack = Angle::fromDegrees(0.03);  // when the fault is over: backlash, and the drive coming to rest
 };

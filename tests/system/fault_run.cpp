@@ -132,7 +132,7 @@ void FaultRun::breakDown()
         look();
     }
     m_nextAsk = rig.clock.now() + kFirstAsk;
-    const SteadyTime over = rig.clock.now() + std::chrono::duration_cast<SteadyTime::duration>(kLasts);
+    const SteadyTime over = rig.clock.now() + std::chrono::duration_cast<SteadyTime::duration>(kFaultLasts);
     while (rig.clock.now() < over) {
         m_keysHeld = m_keysHeld && sinceFault() < m_case.fault.stall + kKeysHeldOn;
         if (m_case.fault.eachTick) {

@@ -30,7 +30,6 @@ struct FaultOutcome
 class FaultRun
 {
 public:
-    static constexpr Seconds kLasts{3.0};
     static constexpr Seconds kAfter{5.0};  // clients ask, nobody re-arms
 
     explicit FaultRun(const FaultCase& faultCase);

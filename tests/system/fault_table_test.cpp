@@ -102,7 +102,7 @@ TEST_P(FaultTable, StopsTellsAndWaits)
     EXPECT_EQ(outcome.state, "FAULT");
     for (std::size_t i = 0; i < 2; ++i) {
         const bool hurt = fault.hurt == Hurt::Both || fault.hurt == (i == 0 ? Hurt::Azimuth : Hurt::Elevation);
-        EXPECT_LE(outcome.still[i], hurt ? fault.stall + fault.stillWithin : fault.stall + Seconds(2.0)) << i;
+        EXPECT_LE(outcome.still[i], fault.stall + (hurt ? fault.stillWithin : fault.othersStillWithin)) << i;
         EXPECT_LE(outcome.moved[i], fault.springsBack) << i;
     }
     EXPECT_LE(outcome.movedByRearming, 0.1_deg);

@@ -379,6 +379,26 @@ TEST_F(SimulatedLinkTest, BusOffRefusesFramesAndRecovers)
     EXPECT_EQ(link.status().state, LinkState::Up);
 }
 
+TEST_F(SimulatedLinkTest, AdapterThatRefusesSendsNothingAndSaysSo)
+{
+    const auto handle = inject(FaultKind::AdapterError);
+    EXPECT_FALSE(ask(1));
+    EXPECT_EQ(link.status().state, LinkState::Up);
+    EXPECT_EQ(link.status().busErrors, 1U);
+    EXPECT_EQ(link.status().text, QStringLiteral("simulated: the adapter refuses every frame (injected)"));
+    link.pair().faults().remove(handle);
+    EXPECT_TRUE(ask(1));
+    EXPECT_EQ(link.status().text, QString());
+}
+
+TEST_F(SimulatedLinkTest, AdapterThatAcknowledgesNothingStillSends)
+{
+    inject(FaultKind::MissingOk);
+    EXPECT_TRUE(ask(1));
+    EXPECT_EQ(link.status().busErrors, 1U);
+    EXPECT_EQ(link.status().text, QStringLiteral("simulated: the adapter acknowledges nothing (injected)"));
+}
+
 TEST_F(SimulatedLinkTest, ClosedLinkRefuses)
 {
     link.close();
