@@ -59,6 +59,14 @@ struct CareRig
         return drives().survey == state;
     }
 
+    // And the station has heard what came of it.
+    [[nodiscard]] bool endsItsSurvey()
+    {
+        const bool ended = reaches(SurveyState::Done);
+        run(Seconds(0.2));
+        return ended;
+    }
+
     [[nodiscard]] DrivesStatus drives() const
     {
         DrivesStatus status = control.status().drives;
@@ -140,8 +148,7 @@ TEST(DriveCare, NothingMovesBeforeTheDrivesWereSurveyed)
     EXPECT_EQ(rig.drives().survey, SurveyState::Running) << "by itself, as soon as they answer";
     EXPECT_THAT(rig.ask(kGo), HasSubstr("being surveyed"));
     EXPECT_THAT(rig.drives().armingObstacle.toStdString(), HasSubstr("being surveyed"));
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
-    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.endsItsSurvey());
     EXPECT_TRUE(rig.drives().armingObstacle.isEmpty()) << rig.drives().armingObstacle.toStdString();
     EXPECT_EQ(rig.ask(kGo), "");
     rig.run(Seconds(20.0));
@@ -151,8 +158,7 @@ TEST(DriveCare, NothingMovesBeforeTheDrivesWereSurveyed)
 TEST(DriveCare, AWrongProtectionRefusesMotionWithTheReasonAndAnAlarm)
 {
     CareRig rig(dampingElevation());
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
-    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.endsItsSurvey());
     EXPECT_THAT(rig.ask(kGo), HasSubstr("servo.timeout_mode is 12"));
     EXPECT_THAT(rig.ask(request::Jog{{.elevation = 1_deg_s}}), HasSubstr("servo.timeout_mode"));
     EXPECT_TRUE(rig.alarm("servo.timeout_mode is 12"));
@@ -163,8 +169,7 @@ TEST(DriveCare, AWrongProtectionRefusesMotionWithTheReasonAndAnAlarm)
 TEST(DriveCare, FixingMakesTheDrivesFitAndEndsTheAlarm)
 {
     CareRig rig(dampingElevation());
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
-    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.endsItsSurvey());
     ASSERT_TRUE(rig.drives().fixable);
     const auto lines = rig.drives().elevation.protections;
     const auto wrong = std::ranges::find(lines, QStringLiteral("servo.timeout_mode"), &survey::ProtectionLine::key);
@@ -174,8 +179,7 @@ TEST(DriveCare, FixingMakesTheDrivesFitAndEndsTheAlarm)
     ASSERT_EQ(rig.ask(request::FixDrives{}), "");
     EXPECT_EQ(rig.drives().survey, SurveyState::Fixing);
     EXPECT_NE(rig.ask(kGo), "");
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
-    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.endsItsSurvey());
     EXPECT_EQ(rig.pair.drive(Axis::Elevation).driveConfig().servo.timeoutMode, 10);
     EXPECT_FALSE(rig.alarm("servo.timeout_mode"));
     EXPECT_FALSE(rig.drives().fixable);
@@ -186,16 +190,14 @@ TEST(DriveCare, FixingMakesTheDrivesFitAndEndsTheAlarm)
 TEST(DriveCare, NothingIsWrittenWhileADriveIsSwitchedOn)
 {
     CareRig rig;
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
-    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.endsItsSurvey());
     ASSERT_EQ(rig.ask(kGo), "");
     rig.run(Seconds(20.0));
     rig.otherToolSays(Axis::Elevation, "conf set servo.default_timeout_s 1");
     EXPECT_THAT(rig.ask(request::FixDrives{}), HasSubstr("switched on"));
     ASSERT_EQ(rig.ask(request::ReadDrives{}), "");
     rig.tick();
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
-    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.endsItsSurvey());
     EXPECT_TRUE(rig.alarm("servo.default_timeout_s is 1 s"));
     EXPECT_THAT(rig.ask(request::FixDrives{}), HasSubstr("switched on"));
     EXPECT_EQ(rig.pair.truth(Axis::Elevation).mode, moteus::Mode::Position) << "the reading has not disturbed it";
@@ -210,16 +212,14 @@ TEST(DriveCare, NothingIsWrittenWhileADriveIsSwitchedOn)
 TEST(DriveCare, ADriveThatLostItsPowerIsSurveyedAndItsTurnJudgedAnew)
 {
     CareRig rig;
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
-    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.endsItsSurvey());
     ASSERT_EQ(rig.ask(kGo), "");
     rig.run(Seconds(20.0));
     rig.pair.faults().add({.kind = sim::FaultKind::PowerLoss, .at = rig.elapsed, .duration = Seconds(2.0)});
     rig.run(Seconds(1.0));
     EXPECT_EQ(rig.drives().survey, SurveyState::NotDone) << "who comes back may be another";
     rig.run(Seconds(1.5));
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
-    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.endsItsSurvey());
     for (const DriveStatus& drive : {rig.drives().azimuth, rig.drives().elevation}) {
         EXPECT_FALSE(drive.turnKnown);
         ASSERT_TRUE(drive.turnQuestion);
@@ -231,8 +231,7 @@ TEST(DriveCare, ADriveThatLostItsPowerIsSurveyedAndItsTurnJudgedAnew)
 TEST(DriveCare, OnAReleasedBusNothingIsSaidAndChangesAreToldAfterwards)
 {
     CareRig rig;
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
-    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.endsItsSurvey());
     ASSERT_EQ(rig.ask(request::ReleaseBus{}), "");
     rig.linkOpen = false;
     rig.surveyed = false;
@@ -246,8 +245,7 @@ TEST(DriveCare, OnAReleasedBusNothingIsSaidAndChangesAreToldAfterwards)
     ASSERT_EQ(rig.ask(request::TakeBus{}), "");
     rig.linkOpen = true;
     rig.run(Seconds(0.2));
-    ASSERT_TRUE(rig.reaches(SurveyState::Done));
-    rig.run(Seconds(0.2));
+    ASSERT_TRUE(rig.endsItsSurvey());
     EXPECT_TRUE(rig.logSays("changed meanwhile: azimuth: servo.timeout_mode was 10, is 12"));
     EXPECT_THAT(rig.ask(kGo), HasSubstr("servo.timeout_mode is 12"));
 }

@@ -14,9 +14,7 @@ using moteus::Mode;
 TEST(StationControl, AFaultOnOneAxisHoldsTheOtherAndWaitsForRearm)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
-    ASSERT_TRUE(rig.point(100.0, 60.0));
-    rig.run(Seconds(2.0));
+    ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(2.0)));
     rig.azimuth.mode = Mode::Fault;
     rig.azimuth.fault = 38;
     rig.azimuth.temperature = 76.0;
@@ -52,9 +50,7 @@ TEST(StationControl, AFaultOnOneAxisHoldsTheOtherAndWaitsForRearm)
 TEST(StationControl, ASilentBusInMidMotionNeedsRearm)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
-    ASSERT_TRUE(rig.point(100.0, 60.0));
-    rig.run(Seconds(2.0));
+    ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(2.0)));
     rig.azimuth.silent = rig.elevation.silent = true;
     rig.azimuth.mode = rig.elevation.mode = Mode::PositionTimeout;  // what their watchdogs do
     rig.run(Seconds(0.32));
@@ -111,9 +107,7 @@ TEST(StationControl, AFaultInStandbyIsShownToo)
 TEST(StationControl, ReArmingIsTheOperatorsWhileTheOperatorHasTakenOver)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
-    ASSERT_TRUE(rig.point(100.0, 60.0));
-    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(1.0)));
     rig.azimuth.mode = Mode::Fault;
     rig.azimuth.fault = 38;
     rig.azimuth.temperature = 76.0;
@@ -129,9 +123,7 @@ TEST(StationControl, ReArmingIsTheOperatorsWhileTheOperatorHasTakenOver)
 TEST(StationControl, AStallOfThisComputerIsNotSilenceOfTheDrives)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
-    ASSERT_TRUE(rig.point(100.0, 60.0));
-    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(1.0)));
     rig.clock.advance(Seconds(0.4));
     rig.run(Seconds(0.5));
     EXPECT_EQ(rig.state(), StationState::Slew);
@@ -145,9 +137,7 @@ TEST(StationControl, AStallOfThisComputerIsNotSilenceOfTheDrives)
 TEST(StationControl, AFaultThatComesBackIsShownAgain)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
-    ASSERT_TRUE(rig.point(100.0, 60.0));
-    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(1.0)));
     for (int i = 0; i < 2; ++i) {
         rig.azimuth.mode = Mode::Fault;
         rig.azimuth.fault = 40;
@@ -179,9 +169,7 @@ TEST(StationControl, ADriveThatIgnoresUsIsAFault)
 {
     StationRig rig;
     rig.elevation.deaf = true;
-    rig.run(Seconds(0.1));
-    ASSERT_TRUE(rig.point(10.0, 10.0));
-    rig.run(Seconds(1.5));
+    ASSERT_TRUE(rig.setsOff(10.0, 10.0, Seconds(1.5)));
     EXPECT_EQ(rig.state(), StationState::Fault);
     EXPECT_EQ(rig.azimuthDegrees(), 0.0) << "no axis moves before both hold";
 }
@@ -189,9 +177,7 @@ TEST(StationControl, ADriveThatIgnoresUsIsAFault)
 TEST(StationControl, ADriveThatWasPowerCycledIsNotCommandedOn)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
-    ASSERT_TRUE(rig.point(100.0, 60.0));
-    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(1.0)));
     rig.azimuth.mode = Mode::Stopped;
     rig.azimuth.home = moteus::HomeState::Rotor;
     rig.azimuth.position = 0.4;
@@ -206,9 +192,7 @@ TEST(StationControl, ADriveThatWasPowerCycledIsNotCommandedOn)
 TEST(StationControl, AnActiveLimitIsAHintNotAFault)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
-    ASSERT_TRUE(rig.point(100.0, 60.0));
-    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(1.0)));
     rig.azimuth.deaf = true;  // keeps the code below from being cleared
     rig.azimuth.fault = 100;
     rig.tick();

@@ -124,9 +124,7 @@ TEST(StationControl, AnotherClientBeginsAStreamOfItsOwn)
 TEST(StationControl, AGoneClientLeavesTheMountGoingToItsLastPoint)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
-    ASSERT_TRUE(rig.point(40.0, 20.0));
-    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.setsOff(40.0, 20.0, Seconds(0.5)));
     rig.control.sourceGone(kClient);
     rig.settle();
     EXPECT_NEAR(rig.azimuthDegrees(), 40.0, 0.001);

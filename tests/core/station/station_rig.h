@@ -85,6 +85,15 @@ struct StationRig
                    source);
     }
 
+    // A client's first target, and `time` on the way there.
+    [[nodiscard]] bool setsOff(double azimuthDegrees, double elevationDegrees, Seconds time)
+    {
+        run(Seconds(0.1));
+        const bool accepted = point(azimuthDegrees, elevationDegrees).has_value();
+        run(time);
+        return accepted;
+    }
+
     [[nodiscard]] StationState state() const { return control.state(); }
     [[nodiscard]] double azimuthDegrees() const { return control.status().azimuth.actual->degrees(); }
     [[nodiscard]] double elevationDegrees() const { return control.status().elevation.actual->degrees(); }

@@ -25,9 +25,7 @@ TEST(StationControl, TheFirstCommandHoldsTheMeasuredPosition)
 {
     StationRig rig;
     rig.azimuth.position = 0.3;
-    rig.run(Seconds(0.1));
-    ASSERT_TRUE(rig.point(110.0, 2.0));
-    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.setsOff(110.0, 2.0, Seconds(0.1)));
     ASSERT_GE(rig.azimuth.seen.size(), 2U);
     const auto& first = rig.azimuth.seen.front();
     EXPECT_EQ(first.mode, Mode::Position);

@@ -14,9 +14,7 @@ using moteus::Register;
 TEST(StationControl, StopDeceleratesHoldsAndLatches)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
-    ASSERT_TRUE(rig.point(200.0, 60.0));
-    rig.run(Seconds(3.0));
+    ASSERT_TRUE(rig.setsOff(200.0, 60.0, Seconds(3.0)));
     ASSERT_TRUE(rig.ask(request::Stop{}));
     EXPECT_EQ(rig.state(), StationState::Stopped);
     rig.run(Seconds(3.0));
@@ -32,9 +30,7 @@ TEST(StationControl, StopDeceleratesHoldsAndLatches)
 TEST(StationControl, AfterResetOfStopNothingComesBackByItself)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
-    ASSERT_TRUE(rig.point(200.0, 60.0));
-    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.setsOff(200.0, 60.0, Seconds(1.0)));
     ASSERT_TRUE(rig.ask(request::Stop{}));
     rig.run(Seconds(2.0));
     ASSERT_TRUE(rig.ask(request::ResetStop{}));
@@ -50,9 +46,7 @@ TEST(StationControl, AfterResetOfStopNothingComesBackByItself)
 TEST(StationControl, TheOperatorGoesBeforeTheClients)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
-    ASSERT_TRUE(rig.point(100.0, 30.0));
-    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.setsOff(100.0, 30.0, Seconds(1.0)));
     ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = -1_deg_s}}));
     EXPECT_EQ(rig.control.status().authority, Authority::Operator);
     EXPECT_EQ(rig.point(100.0, 30.0).error().code, ErrorCode::Refused);
@@ -62,9 +56,7 @@ TEST(StationControl, TheOperatorGoesBeforeTheClients)
 TEST(StationControl, HoldFromAClientEndsTheMotionWithoutLatching)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
-    ASSERT_TRUE(rig.point(100.0, 30.0));
-    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.setsOff(100.0, 30.0, Seconds(1.0)));
     ASSERT_TRUE(rig.ask(request::Hold{}, kClient));
     EXPECT_EQ(rig.state(), StationState::Hold);
     EXPECT_TRUE(rig.point(20.0, 30.0));
@@ -92,9 +84,7 @@ TEST(StationControl, StopTakesOverWhatMovesWithoutOurOrders)
 TEST(StationControl, StopIsNotResetWhileTheMountStillBrakes)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
-    ASSERT_TRUE(rig.point(200.0, 60.0));
-    rig.run(Seconds(3.0));
+    ASSERT_TRUE(rig.setsOff(200.0, 60.0, Seconds(3.0)));
     ASSERT_TRUE(rig.ask(request::Stop{}));
     rig.tick();
     EXPECT_EQ(rig.control.status().azimuth.state, AxisState::Moving);
@@ -107,9 +97,7 @@ TEST(StationControl, StopIsNotResetWhileTheMountStillBrakes)
 TEST(StationControl, HoldOfTheOperatorIsNotUndoneByAClient)
 {
     StationRig rig;
-    rig.run(Seconds(0.1));
-    ASSERT_TRUE(rig.point(100.0, 30.0));
-    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.setsOff(100.0, 30.0, Seconds(1.0)));
     ASSERT_TRUE(rig.ask(request::Hold{}));
     EXPECT_EQ(rig.point(100.0, 30.0).error().code, ErrorCode::Refused);
 }
