@@ -113,6 +113,7 @@ MemoryFile::MemoryFile(const QString& stateDir, const QString& mountName, QObjec
 {
     m_writer.setMaxThreadCount(1);
     m_writer.setExpiryTimeout(-1);
+    connect(this, &MemoryFile::written, this, &MemoryFile::finishWriting, Qt::QueuedConnection);
 }
 
 MemoryFile::~MemoryFile()
@@ -157,7 +158,7 @@ void MemoryFile::startWriting(const MountMemory& memory)
     m_writing = true;
     m_writer.start([this, path = m_path, memory, outcome = m_outcome] {
         *outcome = write(path, memory);
-        QMetaObject::invokeMethod(this, &MemoryFile::finishWriting, Qt::QueuedConnection);
+        Q_EMIT written();
     });
 }
 

@@ -46,6 +46,7 @@ public:
 Q_SIGNALS:
     void saved();
     void saveFailed(const QString& reason);
+    void written();  // from the worker, to this object
 
 private:
     void startWriting(const MountMemory& memory);

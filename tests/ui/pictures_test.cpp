@@ -91,31 +91,34 @@ protected:
     }
 };
 
-TEST_F(PicturesTest, AreWrittenForEveryThemeSizeAndScale)
+class PicturesOfATheme : public PicturesTest, public ::testing::WithParamInterface<ThemeKind>
+{};
+
+TEST_P(PicturesOfATheme, AreWrittenForEverySizeAndScale)
 {
     const QDir folder(QDir::current().filePath(QStringLiteral("pictures")));
     ASSERT_TRUE(QDir().mkpath(folder.path()));
-    for (const ThemeKind kind : {ThemeKind::Day, ThemeKind::Night, ThemeKind::Red}) {
-        applyTheme(kind);
-        for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
-            window.resize(size);
-            for (const Scene& scene : kScenes) {
-                show(scene);
-                ASSERT_EQ(window.size(), size) << scene.name;
-                for (const int scale : size.width() == 1024 ? std::vector{1, 2} : std::vector{1}) {
-                    const QImage image = picture(scale);
-                    EXPECT_EQ(image.pixelColor(1, 1), currentTheme().window);
-                    const QString file = QStringLiteral("%1-%2-%3-%4.png")
-                                             .arg(QLatin1String(scene.name), name(kind).toLower())
-                                             .arg(size.width())
-                                             .arg(scale * 100);
-                    EXPECT_TRUE(image.save(folder.filePath(file), "PNG", 80));
-                }
+    applyTheme(GetParam());
+    for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
+        window.resize(size);
+        for (const Scene& scene : kScenes) {
+            show(scene);
+            ASSERT_EQ(window.size(), size) << scene.name;
+            for (const int scale : size.width() == 1024 ? std::vector{1, 2} : std::vector{1}) {
+                const QImage image = picture(scale);
+                EXPECT_EQ(image.pixelColor(1, 1), currentTheme().window);
+                const QString file = QStringLiteral("%1-%2-%3-%4.png")
+                                         .arg(QLatin1String(scene.name), name(GetParam()).toLower())
+                                         .arg(size.width())
+                                         .arg(scale * 100);
+                EXPECT_TRUE(image.save(folder.filePath(file), "PNG", 80));
             }
         }
     }
     applyTheme(ThemeKind::Day);
 }
+
+INSTANTIATE_TEST_SUITE_P(All, PicturesOfATheme, ::testing::Values(ThemeKind::Day, ThemeKind::Night, ThemeKind::Red));
 
 // The questions that stand before an act, opened by their buttons.
 TEST_F(PicturesTest, AreWrittenForTheQuestions)
