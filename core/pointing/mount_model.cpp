@@ -121,8 +121,16 @@ AxisPosition nearestAtEnd(const TravelRange& travel, Angle end, const SkyPointin
 }  // namespace
 
 MountModel::MountModel(const AxisGeometry& azimuth, const AxisGeometry& elevation)
-    : m_azimuth(azimuth), m_elevation(elevation)
+    : m_azimuth(azimuth), m_elevation(elevation), m_azimuths(azimuth.travel), m_elevations(elevation.travel)
 {}
+
+void MountModel::limitTo(const TravelRange& azimuths, const TravelRange& elevations)
+{
+    if (azimuths.min <= azimuths.max && elevations.min <= elevations.max) {
+        m_azimuths = azimuths;
+        m_elevations = elevations;
+    }
+}
 
 const AxisGeometry& MountModel::axis(Axis which) const
 {
@@ -131,20 +139,21 @@ const AxisGeometry& MountModel::axis(Axis which) const
 
 Resolved MountModel::resolve(const SkyPointing& direction, const AxisPosition& now) const
 {
-    const TravelRange& elevations = m_elevation.travel;
+    const TravelRange& elevations = m_elevations;
     if (direction.elevation > 90_deg && reaches(elevations, direction.elevation)) {
-        if (const auto azimuth = turnInside(m_azimuth.travel, direction.azimuth, now.azimuth)) {
+        if (const auto azimuth = turnInside(m_azimuths, direction.azimuth, now.azimuth)) {
             return {.position = {*azimuth, elevations.clamped(direction.elevation)}};
         }
     }
     const SkyPointing upright = toSky({direction.azimuth, direction.elevation});
     Resolved resolved;
-    if (const auto azimuth = turnInside(m_azimuth.travel, upright.azimuth, now.azimuth)) {
+    if (const auto azimuth = turnInside(m_azimuths, upright.azimuth, now.azimuth)) {
         resolved.position = {*azimuth, elevations.clamped(upright.elevation)};
     } else {
         resolved.position = nearestAcrossGap(upright, now);
-        addReason(resolved, "azimuth " + degrees(upright.azimuth) + " outside travel " + degrees(m_azimuth.travel.min) +
-                                "…" + degrees(m_azimuth.travel.max));
+        addReason(resolved, "azimuth " + degrees(upright.azimuth) + " outside " +
+                                (m_azimuths == m_azimuth.travel ? "travel " : "limits ") + degrees(m_azimuths.min) +
+                                "…" + degrees(m_azimuths.max));
     }
     if (!reaches(elevations, upright.elevation)) {
         addReason(resolved, outsideReason("elevation", upright.elevation, elevations));
@@ -154,12 +163,12 @@ Resolved MountModel::resolve(const SkyPointing& direction, const AxisPosition& n
 
 AxisPosition MountModel::nearestAcrossGap(const SkyPointing& direction, const AxisPosition& now) const
 {
-    const TravelRange& azimuths = m_azimuth.travel;
+    const TravelRange& azimuths = m_azimuths;
     const bool nearMin = abs(now.azimuth - azimuths.min) < abs(now.azimuth - azimuths.max);
     const Angle here = nearMin ? azimuths.min : azimuths.max;
     const Angle there = nearMin ? azimuths.max : azimuths.min;
-    const AxisPosition stay = nearestAtEnd(m_elevation.travel, here, direction);
-    const AxisPosition change = nearestAtEnd(m_elevation.travel, there, direction);
+    const AxisPosition stay = nearestAtEnd(m_elevations, here, direction);
+    const AxisPosition change = nearestAtEnd(m_elevations, there, direction);
     const auto distance = [&](const AxisPosition& axes) {
         return Angle::fromRadians(std::acos(std::clamp(nearness(axes, direction), -1.0, 1.0)));
     };
@@ -168,13 +177,12 @@ AxisPosition MountModel::nearestAcrossGap(const SkyPointing& direction, const Ax
 
 Resolved MountModel::resolve(const AxisPosition& position) const
 {
-    Resolved resolved{
-        .position = {m_azimuth.travel.clamped(position.azimuth), m_elevation.travel.clamped(position.elevation)}};
-    if (!reaches(m_azimuth.travel, position.azimuth)) {
-        addReason(resolved, outsideReason("azimuth", position.azimuth, m_azimuth.travel));
+    Resolved resolved{.position = {m_azimuths.clamped(position.azimuth), m_elevations.clamped(position.elevation)}};
+    if (!reaches(m_azimuths, position.azimuth)) {
+        addReason(resolved, outsideReason("azimuth", position.azimuth, m_azimuths));
     }
-    if (!reaches(m_elevation.travel, position.elevation)) {
-        addReason(resolved, outsideReason("elevation", position.elevation, m_elevation.travel));
+    if (!reaches(m_elevations, position.elevation)) {
+        addReason(resolved, outsideReason("elevation", position.elevation, m_elevations));
     }
     return resolved;
 }

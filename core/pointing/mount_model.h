@@ -42,7 +42,7 @@ private:
 // the nearest permitted point will do or the command is refused.
 struct Resolved
 {
-    AxisPosition position{};  // always inside both travel ranges
+    AxisPosition position{};  // always inside both ranges
     bool limited = false;
     std::string reason{};  // "elevation 95.0° above limit 90.0°"; empty unless limited
 };
@@ -56,7 +56,11 @@ public:
     [[nodiscard]] const AxisGeometry& elevation() const { return m_elevation; }
     [[nodiscard]] const AxisGeometry& axis(Axis which) const;
 
-    // The axis angles for a direction: of all turns inside the travel the one nearest to `now`, so that a path through
+    // Directions are resolved into these ranges, which are the travel of the axes until told otherwise: a place on a
+    // turn outside of the limits of operation is no answer. Ranges with nothing in them change nothing.
+    void limitTo(const TravelRange& azimuths, const TravelRange& elevations);
+
+    // The axis angles for a direction: of all turns inside the range the one nearest to `now`, so that a path through
     // north goes on as long as the cable allows. `now` is where the axes are heading (the last target), or where they
     // stand if there is none. Elevation above 90° is taken over the top if the travel allows it, else as the equal
     // direction (azimuth + 180°, 180° - elevation). A direction out of reach gives the permitted point nearest to it.
@@ -73,6 +77,8 @@ private:
 
     AxisGeometry m_azimuth;
     AxisGeometry m_elevation;
+    TravelRange m_azimuths;
+    TravelRange m_elevations;
 };
 
 }  // namespace boresight::pointing

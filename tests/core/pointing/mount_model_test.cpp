@@ -55,6 +55,21 @@ TEST(Resolve, TakesTheTurnNearestToNow)
     EXPECT_NEAR(azimuthFor(model, 1e6, 0), 1e6 - 2778 * 360, 1e-6);  // any finite azimuth is a direction
 }
 
+TEST(Resolve, TakesATurnInsideTheLimitsOfOperation)
+{
+    MountModel model = mount({-200_deg, 460_deg});
+    EXPECT_NEAR(azimuthFor(model, 10, 350), 370, 1e-9);
+    model.limitTo({-90_deg, 365_deg}, {5_deg, 80_deg});
+    EXPECT_NEAR(azimuthFor(model, 10, 350), 10, 1e-9);  // 370° is cable, but not allowed
+    EXPECT_NEAR(azimuthFor(model, 4, 350), 364, 1e-9);
+    const Resolved low = resolveDegrees(model, 100, 2, 100);
+    EXPECT_TRUE(low.limited);
+    EXPECT_NEAR(low.position.elevation.degrees(), 5, 1e-9);
+    EXPECT_EQ(low.reason, "elevation 2.0° below limit 5.0°");
+    model.limitTo({0_deg, 180_deg}, {0_deg, 90_deg});
+    EXPECT_EQ(resolveDegrees(model, 200, 30, 100).reason, "azimuth 200.0° outside limits 0.0°…180.0°");
+}
+
 TEST(Resolve, OtherTravels)
 {
     EXPECT_NEAR(azimuthFor(mount({-180_deg, 180_deg}), 190, 170), -170, 1e-9);
