@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/pointing/region.h"
+#include "core/pointing/skyline.h"
+#include "core/units/sky.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+// Where the axes may be: a Region and the travel of both axes, laid out in mechanical angles for quick answers, for
+// every turn of the azimuth and for elevations above 90°, where the beam looks to azimuth + 180°, 180° - elevation.
+// Edges are permitted where one can move along them (slits.h); rounding of 1e-9° is forgiven. A box is what two axes
+// that move independently of each other can sweep between two places. Pure values, any thread.
+namespace boresight::pointing {
+
+struct AxisBox
+{
+    TravelRange azimuth;
+    TravelRange elevation;
+
+    [[nodiscard]] static AxisBox at(const AxisPosition& place);
+    [[nodiscard]] static AxisBox between(const AxisPosition& a, const AxisPosition& b);
+    bool operator==(const AxisBox&) const = default;
+};
+
+class PermittedRegion
+{
+public:
+    PermittedRegion(const Region& region, const TravelRange& azimuthTravel, const TravelRange& elevationTravel);
+
+    // What travel and limits of operation leave of the axes; min > max if they have nothing in common.
+    [[nodiscard]] const AxisBox& ranges() const { return m_ranges; }
+    [[nodiscard]] bool permits(const AxisPosition& place) const { return permits(AxisBox::at(place)); }
+    [[nodiscard]] bool permits(const AxisBox& box) const;  // all of it
+    // Why a place is not permitted, in words: `azimuth 315.0° elevation 10.0° is in the keep-out "mast"`. Else empty.
+    [[nodiscard]] std::string reason(const AxisPosition& place) const;
+    // The keep-out, the horizon or the limit that a place is not permitted for: `the keep-out "mast"`. Else empty.
+    [[nodiscard]] std::string obstacle(const AxisPosition& place) const;
+
+    // How far a permitted box can be widened along one axis, the other as it is.
+    [[nodiscard]] TravelRange azimuthsAround(const AxisBox& box) const;
+    [[nodiscard]] TravelRange elevationsAround(const AxisBox& box) const;
+
+    // The permitted place nearest on the sky, azimuth counted as wide as it is at this elevation; the turn is kept.
+    // Empty when nothing at all is permitted.
+    [[nodiscard]] std::optional<AxisPosition> nearest(const AxisPosition& place) const;
+
+    // The horizon under these azimuths; its image over the top, which a beam that looks backwards has to stay below.
+    [[nodiscard]] Angle floor(const TravelRange& azimuths) const;
+    [[nodiscard]] Angle ceiling(const TravelRange& azimuths) const;
+    // The keep-outs as the axes see them, one for each turn and side of the zenith that can be reached.
+    [[nodiscard]] const std::vector<AxisBox>& keepOuts() const { return m_boxes; }
+
+private:
+    void layOut(const KeepOut& keepOut, std::size_t index);
+    void add(AxisBox box, std::size_t index);
+    void closeSlits();
+    void dropCovered();
+    [[nodiscard]] const KeepOut* keepOutAt(const AxisPosition& place) const;
+
+    AxisBox m_ranges;
+    Skyline m_skyline;
+    std::vector<KeepOut> m_keepOuts;
+    std::vector<AxisBox> m_boxes;
+    std::vector<std::size_t> m_owner;  // of each box, into m_keepOuts
+};
+
+}  // namespace boresight::pointing

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How fast the permitted region answers, with a horizon of 360 points and ten keep-outs on a mount of nearly two turns
+// that flips: what a control tick asks (a box, the room around it), and what a new target asks (the nearest permitted
+// place, a route).
+
+#include "core/pointing/route.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <ctime>
+#include <random>
+#include <string>
+
+namespace {
+
+using namespace boresight;
+using namespace boresight::pointing;
+
+Region drawn()
+{
+    Region region;
+    for (int i = 0; i < 360; ++i) {
+        const double wave = std::sin(i * 0.11) + std::sin(i * 0.031);
+        region.horizon.push_back(
+            {.azimuth = Angle::fromDegrees(i), .elevation = Angle::fromDegrees(15.0 + 7.0 * wave)});
+    }
+    for (int i = 0; i < 10; ++i) {
+        region.keepOuts.push_back({.name = "mast " + std::to_string(i),
+                                   .azimuthFrom = Angle::fromDegrees(36.0 * i),
+                                   .azimuthTo = Angle::fromDegrees(36.0 * i + 20.0),
+                                   .elevationMin = Angle::fromDegrees(i % 2 == 0 ? 0.0 : 30.0),
+                                   .elevationMax = Angle::fromDegrees(i % 2 == 0 ? 50.0 : 85.0)});
+    }
+    return region;
+}
+
+const PermittedRegion& region()
+{
+    static const PermittedRegion prepared(drawn(), {-200_deg, 460_deg}, {0_deg, 180_deg});
+    return prepared;
+}
+
+AxisPosition place(std::mt19937& random)
+{
+    return {.azimuth = Angle::fromDegrees(std::uniform_real_distribution<double>(-200, 460)(random)),
+            .elevation = Angle::fromDegrees(std::uniform_real_distribution<double>(0, 180)(random))};
+}
+
+AxisPosition permittedPlace(std::mt19937& random)
+{
+    return *region().nearest(place(random));
+}
+
+void prepare(benchmark::State& state)
+{
+    const Region plan = drawn();
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(PermittedRegion(plan, {-200_deg, 460_deg}, {0_deg, 180_deg}));
+    }
+}
+BENCHMARK(prepare);
+
+void permitsABox(benchmark::State& state)
+{
+    std::mt19937 random(1);
+    const AxisPosition here = permittedPlace(random);
+    const AxisBox box = AxisBox::between(here, {here.azimuth + 2_deg, here.elevation + 2_deg});
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(region().permits(box));
+    }
+}
+BENCHMARK(permitsABox);
+
+void roomAroundABox(benchmark::State& state)
+{
+    std::mt19937 random(1);
+    const AxisBox box = AxisBox::at(permittedPlace(random));
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(region().azimuthsAround(box));
+        benchmark::DoNotOptimize(region().elevationsAround(box));
+    }
+}
+BENCHMARK(roomAroundABox);
+
+void nearestPlace(benchmark::State& state)
+{
+    std::mt19937 random(1);
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(region().nearest(place(random)));
+    }
+}
+BENCHMARK(nearestPlace);
+
+void routeBetweenAny(benchmark::State& state)
+{
+    std::mt19937 random(1);
+    double worst = 0.0;
+    for (auto _ : state) {
+        const AxisPosition from = permittedPlace(random);
+        const AxisPosition to = permittedPlace(random);
+        const std::clock_t start = std::clock();
+        benchmark::DoNotOptimize(route(region(), from, to, {10_deg_s, 8_deg_s}));
+        worst = std::max(worst, 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    }
+    state.counters["worst_cpu_ms"] = worst;
+}
+BENCHMARK(routeBetweenAny);
+
+}  // namespace
