@@ -4,11 +4,11 @@
 #include "core/base/bus_name.h"
 #include "core/base/numbers.h"
 #include "core/profile/profile_file.h"
+#include "core/profile/profile_store.h"
 #include "core/profile/setting.h"
 
 #include <QCommandLineParser>
 #include <QDir>
-#include <QFileInfo>
 #include <QStandardPaths>
 
 namespace boresight::app {
@@ -26,7 +26,7 @@ void addOptions(QCommandLineParser& parser)
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addOption({kProfile,
-                      QStringLiteral("Settings of the mount; without it the user's own profile, else the "
+                      QStringLiteral("Settings of the mount; without it the user's current profile, else the "
                                      "built-in reference mount."),
                       QStringLiteral("FILE")});
     parser.addOption({kBus, QStringLiteral("fdcanusb:PATH, socketcan:IFACE or simulated; overrides the profile."),
@@ -46,16 +46,17 @@ void addOptions(QCommandLineParser& parser)
 
 Result<profile::Profile> readProfile(Options& options, const QCommandLineParser& parser)
 {
+    options.configDir = QStandardPaths::writableLocation(QStandardPaths::ConfigLocation) + QStringLiteral("/boresight");
     options.profilePath = parser.value(kProfile);
-    if (options.profilePath.isEmpty()) {
-        const QString own = QStandardPaths::writableLocation(QStandardPaths::ConfigLocation) +
-                            QStringLiteral("/boresight/profile.toml");
-        if (!QFileInfo::exists(own)) {
-            return profile::Profile{};
-        }
-        options.profilePath = own;
+    if (parser.isSet(kProfile)) {
+        return profile::loadProfile(options.profilePath);
     }
-    return profile::loadProfile(options.profilePath);
+    return profile::ProfileStore(options.configDir)
+        .findCurrent()
+        .and_then([&](const std::optional<QString>& path) -> Result<profile::Profile> {
+            options.profilePath = path.value_or(QString());
+            return path ? profile::loadProfile(*path) : profile::Profile{};
+        });
 }
 
 Result<> applyBus(profile::Profile& profile, const QCommandLineParser& parser)

@@ -15,9 +15,12 @@ namespace boresight::app {
 struct Options
 {
     profile::Profile profile;                // with the overrides applied
-    QString profilePath;                     // empty: built-in defaults
+    QString profilePath;                     // empty: built-in defaults, because there is no profile at all
+    QString configDir;                       // of the profile store
     QString stateDir;                        // created if absent
     std::optional<AxisPosition> standingAt;  // where the operator says that the mount stands
+
+    [[nodiscard]] bool isFirstStart() const { return profilePath.isEmpty(); }
 };
 
 // `arguments` with the program's name first. Prints help or version and ends the program when asked for them. The

@@ -2,33 +2,27 @@
 #include "core/profile/profile_file.h"
 
 #include "core/profile/setting.h"
-
-#include <QFile>
-#include <QSaveFile>
+#include "core/profile/text_file.h"
 
 namespace boresight::profile {
 
 Result<Profile> loadProfile(const QString& path)
 {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return failure(ErrorCode::NoDevice, path.toStdString() + ": " + file.errorString().toStdString());
-    }
-    const QByteArray bytes = file.readAll();
-    if (file.error() != QFileDevice::NoError) {
-        return failure(ErrorCode::Io, path.toStdString() + ": " + file.errorString().toStdString());
-    }
-    return parseProfile({bytes.constData(), static_cast<std::size_t>(bytes.size())}, path.toStdString());
+    return readFile(path).and_then([&](const QByteArray& bytes) {
+        return parseProfile({bytes.constData(), static_cast<std::size_t>(bytes.size())}, path.toStdString());
+    });
 }
 
 Result<> saveProfile(const Profile& profile, const QString& path)
 {
-    QSaveFile file(path);
-    const QByteArray bytes = QByteArray::fromStdString(toToml(profile));
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
-        return failure(ErrorCode::Io, path.toStdString() + ": " + file.errorString().toStdString());
+    std::string all;
+    for (const Problem& problem : problemsOf(profile)) {
+        all += (all.empty() ? "" : "\n") + problem.key + ": " + problem.text;
     }
-    return {};
+    if (!all.empty()) {
+        return failure(ErrorCode::InvalidInput, all);
+    }
+    return writeFile(path, QByteArray::fromStdString(toToml(profile)));
 }
 
 }  // namespace boresight::profile

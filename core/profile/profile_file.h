@@ -19,7 +19,7 @@ namespace boresight::profile {
 
 // The whole profile with a comment above every key: text, unit, range, default.
 [[nodiscard]] std::string toToml(const Profile& profile);
-// All or nothing: a failure leaves the old file untouched.
+// All or nothing: a failure leaves the old file untouched. What could not be read again is not written.
 [[nodiscard]] Result<> saveProfile(const Profile& profile, const QString& path);
 
 }  // namespace boresight::profile

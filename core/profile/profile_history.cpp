@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/profile/profile_history.h"
+
+#include "core/profile/profile_file.h"
+#include "core/profile/text_file.h"
+
+#include <QFileInfo>
+
+namespace boresight::profile {
+
+QString previousOf(const QString& path)
+{
+    return path + QLatin1Char('~');
+}
+
+bool hasPrevious(const QString& path)
+{
+    return QFileInfo::exists(previousOf(path));
+}
+
+Result<> saveKeepingPrevious(const Profile& profile, const QString& path)
+{
+    if (!QFileInfo::exists(path)) {
+        return saveProfile(profile, path);
+    }
+    return readFile(path).and_then([&](const QByteArray& before) -> Result<> {
+        if (before == QByteArray::fromStdString(toToml(profile))) {
+            return {};
+        }
+        return writeFile(previousOf(path), before).and_then([&] { return saveProfile(profile, path); });
+    });
+}
+
+Result<Profile> undoLastChange(const QString& path)
+{
+    const Result<QByteArray> now = readFile(path);
+    const Result<QByteArray> previous = readFile(previousOf(path));
+    if (!now || !previous) {
+        return tl::unexpected(now ? previous.error() : now.error());
+    }
+    // What is asked for comes first: if the second writing fails, only the undoing cannot be undone.
+    return loadProfile(previousOf(path)).and_then([&](const Profile& profile) {
+        return writeFile(path, *previous).and_then([&] { return writeFile(previousOf(path), *now); }).map([&] {
+            return profile;
+        });
+    });
+}
+
+}  // namespace boresight::profile

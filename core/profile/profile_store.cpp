@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/profile/profile_store.h"
+
+#include "core/memory/memory_file.h"
+#include "core/profile/profile_file.h"
+#include "core/profile/profile_history.h"
+#include "core/profile/text_file.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace boresight::profile {
+
+namespace {
+
+const QString kToml = QStringLiteral(".toml");
+
+QString firstLine(const Result<QByteArray>& bytes)
+{
+    return bytes ? QString::fromUtf8(*bytes).section(QLatin1Char('\n'), 0, 0).trimmed() : QString();
+}
+
+// Replaces `to` at once, unlike QFile::rename, which refuses to.
+bool renameOver(const QString& from, const QString& to)
+{
+    return std::rename(QFile::encodeName(from).constData(), QFile::encodeName(to).constData()) == 0;
+}
+
+}  // namespace
+
+ProfileStore::ProfileStore(const QString& folder) : m_folder(folder), m_profiles(folder + QStringLiteral("/profiles"))
+{}
+
+std::vector<StoredProfile> ProfileStore::list() const
+{
+    const QString current = firstLine(readFile(currentFile()));
+    std::vector<StoredProfile> all;
+    const auto files = QDir(m_profiles).entryInfoList({QLatin1Char('*') + kToml}, QDir::Files, QDir::Name);
+    for (const QFileInfo& file : files) {
+        StoredProfile stored{.path = file.filePath(),
+                             .mountName = file.completeBaseName(),
+                             .isCurrent = file.fileName() == current || files.size() == 1,
+                             .problem = {}};
+        if (const auto profile = loadProfile(stored.path)) {
+            stored.mountName = QString::fromStdString(profile->mount.name);
+        } else {
+            stored.problem = QString::fromStdString(profile.error().text);
+        }
+        all.push_back(stored);
+    }
+    std::ranges::stable_sort(
+        all, [](const QString& a, const QString& b) { return a.localeAwareCompare(b) < 0; }, &StoredProfile::mountName);
+    return all;
+}
+
+Result<std::optional<QString>> ProfileStore::findCurrent() const
+{
+    const QString single = m_folder + QStringLiteral("/profile.toml");
+    if (QFileInfo::exists(single)) {
+        return takeIn(single).map([](const QString& path) { return std::optional(path); });
+    }
+    const std::vector<StoredProfile> all = list();
+    const auto current = std::ranges::find(all, true, &StoredProfile::isCurrent);
+    if (current != all.end()) {
+        return current->path;
+    }
+    if (all.empty()) {
+        return std::nullopt;
+    }
+    return failure(ErrorCode::InvalidInput, "which mount? " + m_profiles.toStdString() +
+                                                " has the profiles of several, and " + currentFile().toStdString() +
+                                                " names none of them; choose one with --profile");
+}
+
+Result<> ProfileStore::setCurrent(const QString& path) const
+{
+    return checkIsMine(path).and_then(
+        [&] { return writeFile(currentFile(), QFileInfo(path).fileName().toUtf8() + '\n'); });
+}
+
+Result<QString> ProfileStore::add(const Profile& profile) const
+{
+    return checkNameIsFree(profile.mount.name, {}).and_then([&]() -> Result<QString> {
+        if (!QDir().mkpath(m_profiles)) {
+            return failure(ErrorCode::Io, m_profiles.toStdString() + ": the folder cannot be made");
+        }
+        const QString path = freePath(QString::fromStdString(profile.mount.name));
+        return saveProfile(profile, path).map([&] { return path; });
+    });
+}
+
+Result<QString> ProfileStore::duplicate(const QString& path, const QString& newMountName) const
+{
+    return loadProfile(path).and_then([&](Profile profile) {
+        profile.mount.name = newMountName.toStdString();
+        return add(profile);
+    });
+}
+
+Result<QString> ProfileStore::importFile(const QString& source) const
+{
+    return loadProfile(source).and_then([&](const Profile& profile) { return add(profile); });
+}
+
+Result<> ProfileStore::save(const Profile& profile, const QString& path) const
+{
+    return checkNameIsFree(profile.mount.name, path).and_then([&] { return saveKeepingPrevious(profile, path); });
+}
+
+Result<> ProfileStore::exportFile(const QString& path, const QString& target) const
+{
+    return readFile(path).and_then([&](const QByteArray& bytes) { return writeFile(target, bytes); });
+}
+
+Result<Profile> ProfileStore::undo(const QString& path) const
+{
+    return loadProfile(previousOf(path))
+        .and_then([&](const Profile& previous) { return checkNameIsFree(previous.mount.name, path); })
+        .and_then([&] { return undoLastChange(path); });
+}
+
+Result<> ProfileStore::remove(const QString& path) const
+{
+    if (const auto isMine = checkIsMine(path); !isMine) {
+        return isMine;
+    }
+    for (const StoredProfile& stored : list()) {
+        if (stored.isCurrent && QFileInfo(stored.path) == QFileInfo(path)) {
+            return failure(ErrorCode::Refused, "\"" + stored.mountName.toStdString() +
+                                                   "\" is the current mount; change to another one first");
+        }
+    }
+    QString kept = path + QStringLiteral(".removed");
+    for (int number = 2; QFileInfo::exists(kept); ++number) {
+        kept = path + QStringLiteral(".removed%1").arg(number);
+    }
+    if (!QFile::rename(path, kept)) {
+        return failure(ErrorCode::Io, path.toStdString() + ": cannot be renamed to " + kept.toStdString());
+    }
+    // Of another mount that gets the same file, this would not be the version before.
+    QFile::rename(previousOf(path), previousOf(kept));
+    return {};
+}
+
+QString ProfileStore::currentFile() const
+{
+    return m_profiles + QStringLiteral("/current");
+}
+
+// The mount's memory has a file of the same name. Another mount may have had this name before it was renamed.
+QString ProfileStore::freePath(const QString& mountName) const
+{
+    const QString base = m_profiles + QLatin1Char('/') + memory::safeFileName(mountName);
+    QString path = base + kToml;
+    for (int number = 2; QFileInfo::exists(path); ++number) {
+        path = base + QStringLiteral("-%1").arg(number) + kToml;
+    }
+    return path;
+}
+
+Result<> ProfileStore::checkIsMine(const QString& path) const
+{
+    const QFileInfo file(path);
+    if (!file.isFile() || file.suffix() != QLatin1String("toml") || QFileInfo(file.path()) != QFileInfo(m_profiles)) {
+        return failure(ErrorCode::NoDevice, path.toStdString() + ": there is no such profile");
+    }
+    return {};
+}
+
+Result<> ProfileStore::checkNameIsFree(const std::string& mountName, const QString& ownPath) const
+{
+    for (const StoredProfile& stored : list()) {
+        const bool isOwn = !ownPath.isEmpty() && QFileInfo(stored.path) == QFileInfo(ownPath);
+        if (!isOwn && stored.problem.isEmpty() && stored.mountName.toStdString() == mountName) {
+            return failure(ErrorCode::Refused, "there is a mount \"" + mountName + "\" already (" +
+                                                   stored.path.toStdString() + "); give this one another name");
+        }
+    }
+    return {};
+}
+
+Result<QString> ProfileStore::takeIn(const QString& single) const
+{
+    return loadProfile(single).and_then([&](const Profile& profile) -> Result<QString> {
+        const QString name = QString::fromStdString(profile.mount.name);
+        const std::vector<StoredProfile> all = list();
+        const auto known = std::ranges::find(all, name, &StoredProfile::mountName);
+        QDir().mkpath(m_profiles);
+        const QString path = known != all.end() ? known->path : freePath(name);
+        const Result<> kept = known == all.end() ? Result<>{} : readFile(path).and_then([&](const QByteArray& bytes) {
+            return writeFile(previousOf(path), bytes);
+        });
+        if (!kept || !renameOver(single, path)) {
+            return single;  // in a folder that may not be written to it is good where it is
+        }
+        return setCurrent(path).map([&] { return path; });
+    });
+}
+
+}  // namespace boresight::profile

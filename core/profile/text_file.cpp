@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/profile/text_file.h"
+
+#include <QFile>
+#include <QSaveFile>
+
+namespace boresight::profile {
+
+namespace {
+
+constexpr qint64 kMaxSize = 4 << 20;  // of a horizon with a point per 0.1° and long comments: 300 kB
+
+std::string told(const QFileDevice& file)
+{
+    return file.fileName().toStdString() + ": " + file.errorString().toStdString();
+}
+
+}  // namespace
+
+Result<QByteArray> readFile(const QString& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return failure(ErrorCode::NoDevice, told(file));
+    }
+    const QByteArray bytes = file.read(kMaxSize + 1);
+    if (file.error() != QFileDevice::NoError) {
+        return failure(ErrorCode::Io, told(file));
+    }
+    if (bytes.size() > kMaxSize) {
+        return failure(ErrorCode::Io, path.toStdString() + ": is larger than 4 MB");
+    }
+    return bytes;
+}
+
+Result<> writeFile(const QString& path, const QByteArray& bytes)
+{
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
+        return failure(ErrorCode::Io, told(file));
+    }
+    return {};
+}
+
+}  // namespace boresight::profile

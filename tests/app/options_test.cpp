@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/options.h"
+
+#include "core/profile/profile_file.h"
+#include "core/profile/profile_store.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+using namespace boresight;
+using namespace boresight::app;
+
+namespace {
+
+// With a home of its own.
+class OptionsTest : public testing::Test
+{
+protected:
+    OptionsTest() { qputenv("XDG_CONFIG_HOME", m_home.path().toUtf8()); }
+    ~OptionsTest() override { qputenv("XDG_CONFIG_HOME", m_before); }
+    OptionsTest(const OptionsTest&) = delete;
+    OptionsTest& operator=(const OptionsTest&) = delete;
+
+    [[nodiscard]] QString config() const { return m_home.filePath(QStringLiteral("boresight")); }
+
+    [[nodiscard]] Result<Options> read(const QStringList& words = {}) const
+    {
+        return readOptions(QStringList{QStringLiteral("boresightd"), QStringLiteral("--state-dir"),
+                                       m_home.filePath(QStringLiteral("state"))} +
+                               words,
+                           QStringLiteral("test"));
+    }
+
+    static profile::Profile named(const char* name)
+    {
+        profile::Profile profile;
+        profile.mount.name = name;
+        return profile;
+    }
+
+private:
+    QTemporaryDir m_home;
+    QByteArray m_before = qgetenv("XDG_CONFIG_HOME");
+};
+
+}  // namespace
+
+TEST_F(OptionsTest, WithoutAnyProfileItIsTheFirstStart)
+{
+    const auto options = read();
+    ASSERT_TRUE(options) << options.error().text;
+    EXPECT_TRUE(options->isFirstStart());
+    EXPECT_EQ(options->profile, profile::Profile{});
+    EXPECT_EQ(options->configDir, config());
+    EXPECT_FALSE(QFileInfo::exists(config())) << "looking makes nothing";
+}
+
+TEST_F(OptionsTest, TheCurrentMountOfTheStoreIsTaken)
+{
+    const profile::ProfileStore store(config());
+    ASSERT_TRUE(store.add(named("one")));
+    const auto two = store.add(named("two"));
+    ASSERT_TRUE(two);
+    EXPECT_FALSE(read()) << "nobody has said which";
+    ASSERT_TRUE(store.setCurrent(*two));
+    const auto options = read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")});
+    ASSERT_TRUE(options) << options.error().text;
+    EXPECT_FALSE(options->isFirstStart());
+    EXPECT_EQ(options->profilePath, *two);
+    EXPECT_EQ(options->profile.mount.name, "two");
+    EXPECT_EQ(options->profile.bus, "socketcan:can7");
+}
+
+TEST_F(OptionsTest, TheSingleProfileOfOldGoesOnWorking)
+{
+    ASSERT_TRUE(QDir().mkpath(config()));
+    ASSERT_TRUE(profile::saveProfile(named("old"), config() + QStringLiteral("/profile.toml")));
+    for (int start = 0; start < 2; ++start) {
+        const auto options = read();
+        ASSERT_TRUE(options) << options.error().text;
+        EXPECT_EQ(options->profile.mount.name, "old");
+        EXPECT_EQ(options->profilePath, config() + QStringLiteral("/profiles/old.toml"));
+        EXPECT_FALSE(options->isFirstStart());
+    }
+}
+
+TEST_F(OptionsTest, ANamedProfileLeavesTheStoreAlone)
+{
+    ASSERT_TRUE(QDir().mkpath(config()));
+    const QString single = config() + QStringLiteral("/profile.toml");
+    ASSERT_TRUE(profile::saveProfile(named("old"), single));
+    const QString other = config() + QStringLiteral("/other.toml");
+    ASSERT_TRUE(profile::saveProfile(named("other"), other));
+    const auto options = read({QStringLiteral("--profile"), other});
+    ASSERT_TRUE(options) << options.error().text;
+    EXPECT_EQ(options->profilePath, other);
+    EXPECT_EQ(options->profile.mount.name, "other");
+    EXPECT_TRUE(QFileInfo::exists(single));
+    EXPECT_FALSE(read({QStringLiteral("--profile"), config() + QStringLiteral("/absent.toml")}));
+}
