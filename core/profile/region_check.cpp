@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The checks of a profile's region, presets and client addresses that are more than type and range.
 #include "core/base/numbers.h"
+#include "core/pointing/permitted_region.h"
 #include "core/profile/setting_groups.h"
 
 #include <QHostAddress>
@@ -36,12 +37,31 @@ void checkLimits(std::vector<Problem>& problems, const std::string& axis, const 
     }
 }
 
-// Only of the limits; that it is inside the travel is checked with the axis.
-void checkPark(std::vector<Problem>& problems, const std::string& axis, const TravelRange& limits, Angle park)
+// That it is inside the travel is checked with the axis.
+bool checkParkLimits(std::vector<Problem>& problems, const std::string& axis, const TravelRange& limits, Angle park)
 {
-    if (limits.min < limits.max && !limits.contains(park)) {
-        problems.push_back({"park." + axis + "_deg", degrees(park) + " is outside the limits of operation " +
-                                                         degrees(limits.min) + "…" + degrees(limits.max)});
+    if (limits.contains(park)) {
+        return true;
+    }
+    problems.push_back({"park." + axis + "_deg", degrees(park) + " is outside the limits of operation " +
+                                                     degrees(limits.min) + "…" + degrees(limits.max)});
+    return false;
+}
+
+// In a region that is in order.
+void checkPark(std::vector<Problem>& problems, const Profile& profile)
+{
+    const TravelRange& azimuthTravel = profile.azimuth.geometry.travel;
+    const TravelRange& elevationTravel = profile.elevation.geometry.travel;
+    const bool isInAzimuth = checkParkLimits(problems, "azimuth", profile.limits.azimuth, profile.park.azimuth);
+    const bool isInElevation = checkParkLimits(problems, "elevation", profile.limits.elevation, profile.park.elevation);
+    if (!isInAzimuth || !isInElevation || !azimuthTravel.contains(profile.park.azimuth) ||
+        !elevationTravel.contains(profile.park.elevation)) {
+        return;
+    }
+    const pointing::PermittedRegion region(profile.limits, azimuthTravel, elevationTravel);
+    if (const std::string reason = region.reason(profile.park); !reason.empty()) {
+        problems.push_back({"park.elevation_deg", reason});
     }
 }
 
@@ -92,12 +112,14 @@ void checkKeepOuts(std::vector<Problem>& problems, const std::vector<pointing::K
 
 void checkRegion(std::vector<Problem>& problems, const Profile& profile)
 {
+    const std::size_t problemsBefore = problems.size();
     checkLimits(problems, "azimuth", profile.limits.azimuth, profile.azimuth.geometry.travel);
     checkLimits(problems, "elevation", profile.limits.elevation, profile.elevation.geometry.travel);
-    checkPark(problems, "azimuth", profile.limits.azimuth, profile.park.azimuth);
-    checkPark(problems, "elevation", profile.limits.elevation, profile.park.elevation);
     checkHorizon(problems, profile.limits.horizon);
     checkKeepOuts(problems, profile.limits.keepOuts);
+    if (problems.size() == problemsBefore) {
+        checkPark(problems, profile);
+    }
     checkNames(problems, kPresetKey, profile.presets);
 }
 

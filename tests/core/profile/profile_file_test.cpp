@@ -188,7 +188,6 @@ TEST(ProfileFile, TellsWhichRowsMakeNoSense)
                        "name = \"n\"\nazimuth_deg = 9\nelevation_deg = 0\n"  // 17
                        "[rotctld]\n"                                         // 20
                        "lead = \"locked\"\n"),                               // 21
-              "m.toml:1: park.azimuth_deg: 0.00° is outside the limits of operation 460.00°…3600.00°\n"
               "m.toml:3: limits.azimuth_min_deg: the limits 460.00°…3600.00° leave nothing of the travel "
               "-90.00°…450.00°\n"
               "m.toml:5: limits.horizon[3]: the azimuth 30.50° does not follow 30.50°; points ascend, each azimuth "

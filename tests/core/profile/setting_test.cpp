@@ -230,7 +230,7 @@ TEST(CrossCheck, LimitsLeaveSomethingOfTheTravel)
     profile.limits.azimuth = {.min = 450_deg, .max = 500_deg};
     profile.limits.elevation = {.min = 20_deg, .max = 20_deg};
     EXPECT_EQ(keysOf(crossCheck(profile)),
-              (std::vector<std::string>{"limits.azimuth_min_deg", "limits.elevation_min_deg", "park.azimuth_deg"}));
+              (std::vector<std::string>{"limits.azimuth_min_deg", "limits.elevation_min_deg"}));
     profile.limits.azimuth = {.min = -100_deg, .max = 500_deg};
     profile.limits.elevation = {.min = -5_deg, .max = 0.1_deg};
     EXPECT_TRUE(crossCheck(profile).empty()) << "as much as is left of the travel counts";
@@ -245,6 +245,17 @@ TEST(CrossCheck, TheMountParksWhereItMayBe)
     EXPECT_EQ(keysOf(crossCheck(profile)), (std::vector<std::string>{"park.azimuth_deg", "park.elevation_deg"}));
     profile.park = {.azimuth = 0.1_deg, .elevation = 30_deg};
     EXPECT_TRUE(crossCheck(profile).empty());
+
+    profile.limits.horizon = {{0_deg, 30.5_deg}};
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"park.elevation_deg"});
+    profile.limits.horizon = {{0_deg, 5_deg}};
+    EXPECT_TRUE(crossCheck(profile).empty());
+    profile.limits.keepOuts = {{"mast", 350_deg, 10_deg, 20_deg, 40_deg}};
+    const auto problems = crossCheck(profile);
+    ASSERT_EQ(keysOf(problems), std::vector<std::string>{"park.elevation_deg"});
+    EXPECT_NE(problems.front().text.find("is in the keep-out \"mast\""), std::string::npos) << problems.front().text;
+    profile.limits.keepOuts.front().elevationMin = 30_deg;
+    EXPECT_TRUE(crossCheck(profile).empty()) << "its edge is permitted";
 }
 
 TEST(CrossCheck, AHorizonHasNoMorePointsThanCanBeChecked)
