@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/profile/gpredict_qth.h"
+
+#include "core/base/numbers.h"
+#include "core/profile/setting.h"
+#include "core/profile/text_file.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include <algorithm>
+
+namespace boresight::profile {
+
+namespace {
+
+// The value of a key in a group of GLib's key files; the last one counts, as there.
+std::optional<QString> keyFileValue(const QByteArray& text, const QString& group, const QString& key)
+{
+    const QString heading = QLatin1Char('[') + group + QLatin1Char(']');
+    bool isInGroup = false;
+    std::optional<QString> value;
+    for (const QString& raw : QString::fromUtf8(text).split(QLatin1Char('\n'))) {
+        const QString line = raw.trimmed();
+        if (line.startsWith(QLatin1Char('['))) {
+            isInGroup = line == heading;
+        } else if (isInGroup && line.section(QLatin1Char('='), 0, 0).trimmed() == key) {
+            value = line.section(QLatin1Char('='), 1).trimmed();
+        }
+    }
+    return value;
+}
+
+Result<> readNumber(const QByteArray& text, const char* key, const char* setting, Profile& into)
+{
+    const auto value = keyFileValue(text, QStringLiteral("QTH"), QLatin1String(key));
+    const auto number = value ? parseFinite(value->toStdString()) : std::nullopt;
+    if (!number) {
+        return failure(ErrorCode::InvalidInput, std::string(key) + (value ? " is no number" : " is missing"));
+    }
+    return findSetting(setting)->set(into, *number).map_error([&](const Error& error) {
+        return Error{error.code, std::string(key) + ": " + error.text};
+    });
+}
+
+}  // namespace
+
+QString gpredictFolder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + QStringLiteral("/Gpredict");
+}
+
+Result<GpredictStation> parseQth(const QByteArray& text, const QString& name)
+{
+    Profile profile;
+    return readNumber(text, "LAT", "site.latitude_deg", profile)
+        .and_then([&] { return readNumber(text, "LON", "site.longitude_deg", profile); })
+        .and_then([&] { return readNumber(text, "ALT", "site.height_m", profile); })
+        .map([&] {
+            return GpredictStation{
+                .name = name,
+                .location = keyFileValue(text, QStringLiteral("QTH"), QStringLiteral("LOCATION")).value_or(QString()),
+                .site = profile.site};
+        });
+}
+
+GpredictStations findGpredictStations(const QString& folder)
+{
+    const auto settings = readFile(folder + QStringLiteral("/gpredict.cfg"));
+    const QString defaultFile =
+        keyFileValue(settings.value_or(QByteArray()), QStringLiteral("GLOBAL"), QStringLiteral("DEFAULT_QTH"))
+            .value_or(QStringLiteral("sample.qth"));
+    GpredictStations found;
+    const auto files = QDir(folder).entryInfoList({QStringLiteral("*.qth")}, QDir::Files, QDir::Name);
+    for (const QFileInfo& file : files) {
+        auto station = readFile(file.filePath()).and_then([&](const QByteArray& text) {
+            return parseQth(text, file.completeBaseName());
+        });
+        if (station) {
+            station->isDefault = file.fileName() == defaultFile;
+            found.stations.push_back(*station);
+        } else {
+            found.problems.push_back(file.fileName() + QStringLiteral(": ") +
+                                     QString::fromStdString(station.error().text));
+        }
+    }
+    std::ranges::stable_partition(found.stations, &GpredictStation::isDefault);
+    return found;
+}
+
+std::optional<QString> gpredictSatelliteFolder(const QString& folder)
+{
+    const QDir data(folder + QStringLiteral("/satdata"));
+    return data.entryList({QStringLiteral("*.sat")}, QDir::Files).isEmpty() ? std::nullopt : std::optional(data.path());
+}
+
+}  // namespace boresight::profile
