@@ -124,6 +124,22 @@ TEST_F(ProfileFile, CheckTellsAllErrorsAtOnce)
     EXPECT_THAT(bad.errors, HasSubstr("mount.toml:6: control.tick_hz"));
 }
 
+TEST_F(ProfileFile, CheckKnowsRegionPresetsAndSite)
+{
+    const std::string region =
+        "version = 1\n[limits]\nhorizon = [[0, -2], [180, -1]]\n"
+        "[[keep_out]]\nname = \"mast\"\nazimuth_from_deg = 350\nazimuth_to_deg = 10\n"
+        "elevation_min_deg = 40\nelevation_max_deg = 90\n"
+        "[[preset]]\nname = \"west\"\nazimuth_deg = 270\nelevation_deg = 5\n"
+        "[site]\nlatitude_deg = 38.7\nlongitude_deg = -9.1\nheight_m = 102\n";
+    const Outcome good = ctl({QStringLiteral("check"), write(region)});
+    EXPECT_EQ(good.status, 0) << good.errors;
+    const Outcome bad = ctl({QStringLiteral("check"), write(region + "[park]\nazimuth_deg = 5\nelevation_deg = 50\n")});
+    EXPECT_EQ(bad.status, 1);
+    EXPECT_THAT(bad.errors, HasSubstr("mount.toml:20: park.elevation_deg: "));
+    EXPECT_THAT(bad.errors, HasSubstr("is in the keep-out \"mast\""));
+}
+
 TEST_F(ProfileFile, CheckTellsOfAFileThatIsNotThere)
 {
     const Outcome absent = ctl({QStringLiteral("check"), folder.filePath(QStringLiteral("absent.toml"))});
