@@ -41,11 +41,11 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
       m_model(profile.azimuth.geometry, profile.elevation.geometry),
       m_drives(profile),
       m_motion(profile),
+      m_arming(profile, m_drives, log),
       m_alarms(log, clock),
       m_azimuthWatch(Axis::Azimuth, profile, m_alarms),
       m_elevationWatch(Axis::Elevation, profile, m_alarms),
       m_turns(profile, clock, log, std::move(start)),
-      m_retry(profile.recovery),
       m_clientLines(log, clock, kClientLinesPerSecond),
       m_started(clock.now()),
       m_now(m_started)
@@ -58,23 +58,10 @@ Result<> StationControl::request(const Request& request, const Source& source)
 
 Result<> StationControl::mayMove(const Source& source) const
 {
-    if (m_released) {
-        return failure(ErrorCode::NoAnswer, "the bus is left to other tools: take it back first");
-    }
-    if (!m_connected) {
-        const Axis silent = m_drives.drive(Axis::Azimuth).answering(m_now) ? Axis::Elevation : Axis::Azimuth;
-        return failure(ErrorCode::NoAnswer, "no reply from the " + m_drives.drive(silent).name());
-    }
-    if (m_shutDown != ShutDown::No) {
-        return failure(ErrorCode::Refused, "Boresight is closing");
-    }
-    if (m_now < m_quietUntil) {
-        return failure(ErrorCode::Refused, "the drives have only just come back: wait a second");
-    }
     if (m_proof) {
         return failure(ErrorCode::Refused, "the crash-stop proof moves the mount: end it first");
     }
-    return m_interlock.admits(source).and_then([this] { return m_fitness; });
+    return m_arming.admits(source);
 }
 
 Result<> StationControl::mayPoint(const Source& source) const
@@ -130,8 +117,8 @@ AxisPosition StationControl::heading() const
 
 void StationControl::takeOver(const Source& source)
 {
-    if (source.kind == SourceKind::Operator && m_interlock.authority() == Authority::Clients) {
-        m_interlock.setAuthority(Authority::Operator);
+    if (source.kind == SourceKind::Operator && m_arming.authority() == Authority::Clients) {
+        m_arming.setAuthority(Authority::Operator);
         tell(Severity::Advisory, source, QStringLiteral("takes over: motion commands of clients are refused"));
     }
 }
@@ -296,10 +283,10 @@ Result<> StationControl::handle(const request::Hold&, const Source& source)
 
 Result<> StationControl::handle(const request::Stop&, const Source& source)
 {
-    if (!m_interlock.stopLatched()) {
+    if (!m_arming.stopLatched()) {
         m_log.add(Severity::Warning, source.name, QStringLiteral("STOP: both axes decelerate and hold; latched"));
     }
-    m_interlock.latchStop();
+    m_arming.latchStop();
     m_drives.seize();
     holdHere(Activity::None);
     return {};
@@ -310,36 +297,14 @@ Result<> StationControl::handle(const request::ResetStop&, const Source& source)
     if (m_drives.anyUnderOrders() && !m_motion.atRest()) {
         return failure(ErrorCode::Refused, "the mount is still braking: reset STOP when it stands");
     }
-    return m_interlock.resetStop().map([&] {
+    return m_arming.resetStop().map([&] {
         m_log.add(Severity::Advisory, source.name, QStringLiteral("resets STOP: nothing moves until the next command"));
     });
 }
 
 Result<> StationControl::handle(const request::Rearm&, const Source& source)
 {
-    if (const Result<> admitted = m_interlock.admitsRearm(source); !admitted) {
-        return admitted;
-    }
-    if (!m_interlock.fault()) {
-        return failure(ErrorCode::Refused, "there is no fault to re-arm from");
-    }
-    if (m_shutDown != ShutDown::No) {
-        return failure(ErrorCode::Refused, "Boresight is closing");
-    }
-    if (!m_connected) {
-        return failure(ErrorCode::NoAnswer, "both drives must answer before re-arming");
-    }
-    if (const QString why = rearmObstacle(); !why.isEmpty()) {
-        return failure(ErrorCode::Refused, why.toStdString());
-    }
-    m_log.add(Severity::Advisory, source.name,
-              QStringLiteral("re-arms: drives in fault or time-out are stopped first"));
-    if (source.kind == SourceKind::Operator) {
-        m_interlock.setAuthority(Authority::Operator);  // clients still sending must not move the mount at once
-    }
-    m_retry.rearmed();
-    beginRearm();
-    return {};
+    return m_arming.rearm(source);
 }
 
 Result<> StationControl::handle(const request::TakeAuthority&, const Source& source)
@@ -353,10 +318,10 @@ Result<> StationControl::handle(const request::TakeAuthority&, const Source& sou
 
 Result<> StationControl::handle(const request::GiveAuthority&, const Source& source)
 {
-    if (m_interlock.stopLatched()) {
+    if (m_arming.stopLatched()) {
         return failure(ErrorCode::Refused, "STOP is latched: reset STOP first");
     }
-    m_interlock.setAuthority(Authority::Clients);
+    m_arming.setAuthority(Authority::Clients);
     m_log.add(Severity::Advisory, source.name, QStringLiteral("gives control back to the clients"));
     return {};
 }

@@ -7,24 +7,22 @@
 #include "core/pointing/mount_model.h"
 #include "core/profile/profile.h"
 #include "core/station/alarm_board.h"
+#include "core/station/arming.h"
 #include "core/station/crash_stop_proof.h"
 #include "core/station/drive_pair.h"
 #include "core/station/drive_watch.h"
 #include "core/station/event_log.h"
-#include "core/station/interlock.h"
 #include "core/station/log_throttle.h"
 #include "core/station/motion.h"
 #include "core/station/request.h"
 #include "core/station/station_status.h"
 #include "core/station/turn_keeper.h"
-#include "core/supervision/retry_policy.h"
 #include "core/survey/drive_survey.h"
 
 #include <QString>
 
 #include <array>
 #include <optional>
-#include <vector>
 
 // The only place that decides about motion: accepts or refuses every request, whoever sends it, and once per tick
 // turns the decision into one frame for each drive. Holds the rules: nothing moves before an explicit request, STOP
@@ -63,18 +61,21 @@ public:
     [[nodiscard]] Result<AxisPosition> measured() const;
     [[nodiscard]] AlarmBoard& alarms() { return m_alarms; }
     // A drive was lost and nobody has re-armed yet; also while DISCONNECTED hides the word FAULT.
-    [[nodiscard]] bool faultLatched() const { return m_interlock.fault().has_value(); }
+    [[nodiscard]] bool faultLatched() const { return m_arming.fault().has_value(); }
 
     // Whether the drives are fit to move the mount, by the survey of their protections. Nothing moves before.
-    void setFitness(const Result<>& fitness) { m_fitness = fitness; }
+    void setFitness(const Result<>& fitness) { m_arming.setFitness(fitness); }
     // What the survey knows about a drive now; empty: nothing, its turn is then judged anew.
     void learn(Axis axis, const std::optional<survey::DriveFacts>& facts);
     // The drive was power-cycled under our eyes.
     void driveRestarted(Axis axis);
     // What to do about a bus that is silent although it works: depends on what carries it.
     void setSilenceAdvice(const QString& advice);
-    [[nodiscard]] bool answering(Axis axis) const { return m_drives.drive(axis).answering(m_now) && !m_released; }
-    [[nodiscard]] bool busReleased() const { return m_released; }
+    [[nodiscard]] bool answering(Axis axis) const
+    {
+        return m_drives.drive(axis).answering(m_now) && !m_arming.released();
+    }
+    [[nodiscard]] bool busReleased() const { return m_arming.released(); }
     [[nodiscard]] const memory::MountMemory& memory() const { return m_turns.memory(); }
     [[nodiscard]] bool takeMemoryChange() { return m_turns.takeChange(); }
 
@@ -126,8 +127,7 @@ private:
         return failure(ErrorCode::NotAvailable, "not available yet");
     }
 
-    // The drives answer, are fit, and nothing forbids motion.
-    [[nodiscard]] Result<> mayMove(const Source& source) const;
+    [[nodiscard]] Result<> mayMove(const Source& source) const;   // armed, and no proof is running
     [[nodiscard]] Result<> mayPoint(const Source& source) const;  // and both axes know where they are
     [[nodiscard]] Result<> mayJog(const AxisRates& rates, const Source& source) const;  // or are jogged slowly
     [[nodiscard]] Result<> drivesRest() const;  // for what is done to the drives themselves
@@ -143,20 +143,15 @@ private:
     [[nodiscard]] AxisPosition heading() const;  // where the axes are going, else where they stand
 
     void watchStall(Seconds gap);
-    void watchConnection();
     void watchDrives();
     void stopFor(Axis axis, const DriveWatch::Trouble& trouble);
     void keepTurns();
     void keepTurn(Axis axis);
     void letBackInside(Axis axis);
     void tellTurns();
-    [[nodiscard]] supervision::DriveConditions conditions(Axis axis) const;
     void watchJog();
     void watchFitness();
-    [[nodiscard]] QString rearmObstacle() const;
-    void beginRearm();
     void finishRearm();
-    void retry();
     void stepProof();
     void keepStop(Axis axis);
     void endProof(const QString& how);
@@ -179,15 +174,13 @@ private:
     pointing::MountModel m_model;
     DrivePair m_drives;
     Motion m_motion;
-    Interlock m_interlock;
+    Arming m_arming;
     AlarmBoard m_alarms;
     DriveWatch m_azimuthWatch;
     DriveWatch m_elevationWatch;
     TurnKeeper m_turns;
-    supervision::RetryPolicy m_retry;
     LogThrottle m_clientLines;
     std::array<std::optional<survey::DriveFacts>, 2> m_facts;
-    Result<> m_fitness = failure(ErrorCode::Refused, "the drives have not been looked at yet");
     std::optional<CrashStopProof> m_proof;
     QString m_proofText;  // how the last proof ended
 
@@ -200,18 +193,6 @@ private:
     std::array<bool, 2> m_answered{};
     std::array<bool, 2> m_ignoringBounds{};
     bool m_turnsWereKnown = false;
-    bool m_connected = false;
-    bool m_wasConnected = false;
-    SteadyTime m_quietUntil{};  // no motion right after a connection came back
-    bool m_rearming = false;
-    bool m_released = false;  // the bus is left to other tools
-    struct Loss               // what latched the fault
-    {
-        Axis axis = Axis::Azimuth;
-        supervision::LossClass kind = supervision::LossClass::Motion;
-        supervision::DriveConditions conditions;
-    };
-    std::vector<Loss> m_losses;  // since the last re-arm
     ShutDown m_shutDown = ShutDown::No;
     SteadyTime m_shutDownDeadline{};
     SteadyTime m_started{};

@@ -38,13 +38,13 @@ void fillTelemetry(auto& values, const DriveReport& report)
 
 StationState StationControl::state() const
 {
-    if (!m_connected) {
+    if (!m_arming.connected()) {
         return StationState::Disconnected;
     }
-    if (m_interlock.fault()) {
+    if (m_arming.fault()) {
         return StationState::Fault;
     }
-    if (m_interlock.stopLatched()) {
+    if (m_arming.stopLatched()) {
         return StationState::Stopped;
     }
     const auto target = m_motion.target(m_now);
@@ -91,7 +91,7 @@ AxisState StationControl::axisState(Axis axis) const
     if (!age || *age > kNoData) {
         return AxisState::NoData;
     }
-    if (drive.latched() && m_interlock.fault()) {
+    if (drive.latched() && m_arming.fault()) {
         return AxisState::Fault;
     }
     if (drive.phase() != Drive::Phase::Engaged) {
@@ -100,7 +100,7 @@ AxisState StationControl::axisState(Axis axis) const
     if (abs(m_motion.setpoint(axis).rate) > kStanding) {
         return AxisState::Moving;
     }
-    if (m_interlock.stopLatched()) {
+    if (m_arming.stopLatched()) {
         return AxisState::Stopped;
     }
     const bool pressed = m_limited || m_activity == Activity::Jogging || m_activity == Activity::Running;
@@ -159,7 +159,7 @@ std::optional<TickSample> StationControl::sample() const
 // Not of a drive whose gear or protections are wrong: that comes first, and what it reports may mean nothing.
 std::optional<memory::TurnQuestion> StationControl::turnQuestion(Axis axis) const
 {
-    const bool readable = m_fitness || m_fitness.error().code == ErrorCode::Busy;
+    const bool readable = m_arming.fitness() || m_arming.fitness().error().code == ErrorCode::Busy;
     return readable ? m_turns.question(axis, m_drives.drive(axis)) : std::nullopt;
 }
 
@@ -179,8 +179,8 @@ DrivesStatus StationControl::drivesStatus() const
         return drive.phase() != Drive::Phase::Listening ||
                (drive.report() && drive.report()->mode != moteus::Mode::Stopped);
     };
-    return {.armingObstacle = m_fitness ? QString() : QString::fromStdString(m_fitness.error().text),
-            .released = m_released,
+    return {.armingObstacle = m_arming.fitness() ? QString() : QString::fromStdString(m_arming.fitness().error().text),
+            .released = m_arming.released(),
             .switchedOn = std::ranges::any_of(kAxes, isOn),
             .proofRunning = m_proof.has_value(),
             .proofText = m_proof ? m_proof->progress() : m_proofText,
@@ -196,14 +196,14 @@ StationStatus StationControl::status() const
                          .targetText = m_commandText,
                          .commander = m_commander,
                          .limited = m_limited,
-                         .authority = m_interlock.authority(),
+                         .authority = m_arming.authority(),
                          .drives = drivesStatus(),
                          .alarms = m_alarms.list(),
                          .utc = m_clock.utc(),
                          .tick = m_tick};
-    status.stopLatched = m_interlock.stopLatched();
-    status.stateReason =
-        m_released ? QStringLiteral("the bus is left to other tools") : m_interlock.fault().value_or(m_commandText);
+    status.stopLatched = m_arming.stopLatched();
+    status.stateReason = m_arming.released() ? QStringLiteral("the bus is left to other tools")
+                                             : m_arming.fault().value_or(m_commandText);
     if (const auto measured = m_drives.measured(); measured && turnsKnown()) {
         status.actual = pointing::MountModel::toSky(*measured);
     }

@@ -41,7 +41,7 @@ Result<> StationControl::handle(const request::ReadDrives&, const Source& source
 Result<> StationControl::handle(const request::FixDrives&, const Source& source)
 {
     return operatorOnly(source).and_then([&]() -> Result<> {
-        if (!m_connected) {
+        if (!m_arming.connected()) {
             return failure(ErrorCode::NoAnswer, "both drives must answer");
         }
         for (const Axis axis : kAxes) {
@@ -59,7 +59,7 @@ Result<> StationControl::handle(const request::FixDrives&, const Source& source)
 Result<> StationControl::handle(const request::SwitchOff&, const Source& source)
 {
     return operatorOnly(source).and_then([this] { return drivesRest(); }).and_then([&]() -> Result<> {
-        if (!m_connected) {
+        if (!m_arming.connected()) {
             return failure(ErrorCode::NoAnswer, "both drives must answer");
         }
         takeOver(source);  // else the next target of a client would switch them on again
@@ -75,7 +75,7 @@ Result<> StationControl::handle(const request::SwitchOff&, const Source& source)
 Result<> StationControl::handle(const request::ReleaseBus&, const Source& source)
 {
     return operatorOnly(source).and_then([this] { return drivesRest(); }).map([&] {
-        m_released = true;
+        m_arming.setReleased(true);
         takeOver(source);
         holdHere(Activity::None);
         for (const Axis axis : kAxes) {
@@ -91,10 +91,10 @@ Result<> StationControl::handle(const request::ReleaseBus&, const Source& source
 Result<> StationControl::handle(const request::TakeBus&, const Source& source)
 {
     return operatorOnly(source).and_then([&]() -> Result<> {
-        if (!m_released) {
+        if (!m_arming.released()) {
             return failure(ErrorCode::Refused, "the bus was not left to other tools");
         }
-        m_released = false;
+        m_arming.setReleased(false);
         m_log.add(Severity::Advisory, source.name, QStringLiteral("takes the bus back: the drives are read anew"));
         return {};
     });

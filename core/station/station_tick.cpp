@@ -14,9 +14,6 @@ constexpr Seconds kShutDownPatience{5.0};
 constexpr Seconds kStall{0.125};
 // How long the last order of the program is repeated, so that a lost frame does not matter.
 constexpr std::chrono::milliseconds kLastOrder{150};
-// After a connection came back somebody may stand at the mast with a cable in the hand.
-constexpr std::chrono::seconds kQuietAfterReturn{1};
-
 // From full speed, with a second to spare.
 Seconds longestStop(const profile::Profile& profile)
 {
@@ -37,36 +34,18 @@ std::array<CanFrame, 2> StationControl::tick()
     m_now = now;
     ++m_tick;
     m_drives.judge(now);
-    watchConnection();
+    if (m_arming.losesConnection(now)) {
+        holdHere(Activity::None);
+    }
     keepTurns();
     watchDrives();
     watchJog();
     watchFitness();
-    retry();
     finishRearm();
     stepProof();
     moveOn(step);
     shutDownFurther();
     return m_drives.frames();
-}
-
-void StationControl::watchConnection()
-{
-    const bool connected = m_drives.answering(m_now) && !m_released;
-    if (connected == m_connected) {
-        return;
-    }
-    m_connected = connected;
-    if (connected) {
-        m_log.add(Severity::Advisory, QStringLiteral("station"), QStringLiteral("both drives answer; nothing moves"));
-        m_quietUntil = m_wasConnected ? m_now + kQuietAfterReturn : m_now;
-        m_wasConnected = true;
-    } else {
-        m_log.add(Severity::Warning, QStringLiteral("station"),
-                  m_released ? QStringLiteral("the bus is left to other tools")
-                             : QStringLiteral("a drive has stopped answering"));
-        holdHere(Activity::None);
-    }
 }
 
 void StationControl::watchDrives()
@@ -76,8 +55,8 @@ void StationControl::watchDrives()
                                           .running = m_now - m_started,
                                           .turnKnown = m_turns.known(axis),
                                           .faultLatched = faultLatched(),
-                                          .ownOrders = faultLatched() || m_shutDown != ShutDown::No,
-                                          .silenceExpected = m_released};
+                                          .ownOrders = faultLatched() || m_arming.closing(),
+                                          .silenceExpected = m_arming.released()};
         const auto trouble = watchOf(axis).watch(m_drives.drive(axis), m_motion.setpoint(axis), context);
         if (trouble && trouble->stops) {
             stopFor(axis, *trouble);
@@ -86,18 +65,12 @@ void StationControl::watchDrives()
             m_turns.forget(axis, trouble->what);
         }
     }
-    if (!faultLatched()) {
-        m_retry.healthy(m_now);
-    }
 }
 
 // The motion ends, and the axis in trouble stays where it is: a target that it can not reach must not go on pulling.
 void StationControl::stopFor(Axis axis, const DriveWatch::Trouble& trouble)
 {
-    m_losses.push_back({.axis = axis, .kind = trouble.loss, .conditions = conditions(axis)});
-    m_interlock.latchFault(trouble.what);
-    m_retry.lost(trouble.loss, m_now);
-    m_rearming = false;
+    m_arming.lost(axis, trouble.loss, trouble.what);
     holdHere(Activity::None);
     if (const auto measured = m_drives.measured(axis)) {
         m_motion.start(axis, *measured);
@@ -115,7 +88,7 @@ void StationControl::keepTurns()
 void StationControl::keepTurn(Axis axis)
 {
     Drive& drive = m_drives.drive(axis);
-    const bool answering = drive.answering(m_now) && !m_released;
+    const bool answering = drive.answering(m_now) && !m_arming.released();
     if (!std::exchange(m_answered[index(axis)], answering) && answering) {
         m_turns.forget(axis);  // who was silent may come back as another
         watchOf(axis).forgetMotion();
@@ -155,7 +128,7 @@ void StationControl::tellTurns()
         const QString cause = name + QStringLiteral(" turn");
         if (m_turns.known(axis)) {
             m_alarms.clear(cause);
-        } else if (((lost && !m_released) || turnQuestion(axis)) && !m_alarms.active(cause)) {
+        } else if (((lost && !m_arming.released()) || turnQuestion(axis)) && !m_alarms.active(cause)) {
             m_alarms.raise(cause, Severity::Warning,
                            {.what = QStringLiteral("it is not known on which turn the axis of the %1 stands").arg(name),
                             .action = QStringLiteral("Pointing is refused, clients get no position; slow jogging only"),
@@ -187,75 +160,23 @@ void StationControl::watchJog()
 // A drive that is not as it should be any more is not moved on.
 void StationControl::watchFitness()
 {
-    if (!m_fitness && m_activity != Activity::None && m_activity != Activity::Holding && !m_motion.atRest()) {
+    if (!m_arming.fitness() && m_activity != Activity::None && m_activity != Activity::Holding && !m_motion.atRest()) {
         m_log.add(Severity::Warning, QStringLiteral("station"),
-                  QStringLiteral("ends the motion: ") + QString::fromStdString(m_fitness.error().text));
+                  QStringLiteral("ends the motion: ") + QString::fromStdString(m_arming.fitness().error().text));
         holdHere(Activity::Holding);
     }
 }
 
-supervision::DriveConditions StationControl::conditions(Axis axis) const
-{
-    const auto& report = m_drives.drive(axis).report();
-    if (!report) {
-        return {};
-    }
-    return {
-        .voltage = report->voltage,
-        .boardTemperature = report->boardTemperature,
-        .motorTemperature = report->motorTemperature != 0.0 ? std::optional(report->motorTemperature) : std::nullopt};
-}
-
-// The heat or the supply that led to a fault is still there.
-QString StationControl::rearmObstacle() const
-{
-    for (const Loss& loss : m_losses) {
-        const QString why =
-            supervision::clearRefusal(m_profile.supervision, loss.kind, loss.conditions, conditions(loss.axis));
-        if (!why.isEmpty()) {
-            return QStringLiteral("%1: %2").arg(drive_alarms::toQString(m_drives.drive(loss.axis).name()), why);
-        }
-    }
-    return {};
-}
-
-void StationControl::beginRearm()
-{
-    for (const Axis axis : kAxes) {
-        if (m_drives.drive(axis).latched()) {
-            m_drives.drive(axis).recover();
-        }
-    }
-    m_rearming = true;
-}
-
 void StationControl::finishRearm()
 {
-    if (!m_rearming || m_drives.changingHands()) {
+    if (!m_arming.completesRearm()) {
         return;
     }
-    m_rearming = false;
-    m_interlock.clearFault();
-    m_losses.clear();
     for (const Axis axis : kAxes) {
         m_alarms.clear(drive_alarms::toQString(m_drives.drive(axis).name()));
         watchOf(axis).rearmed();
     }
     m_log.add(Severity::Advisory, QStringLiteral("station"), QStringLiteral("re-armed; nothing moves"));
-}
-
-// The profile's written policy for a station without an operator: a re-arm, never a motion.
-void StationControl::retry()
-{
-    const auto due = m_retry.nextTry();
-    if (!due || m_now < *due || m_rearming || !faultLatched() || m_interlock.stopLatched() || !m_connected ||
-        m_shutDown != ShutDown::No || m_now < m_quietUntil || !rearmObstacle().isEmpty()) {
-        return;
-    }
-    m_retry.tried(m_now);
-    m_log.add(Severity::Warning, QStringLiteral("station"),
-              QStringLiteral("re-arms by the profile's recovery policy; nothing moves by itself"));
-    beginRearm();
 }
 
 void StationControl::moveOn(Seconds step)
@@ -281,6 +202,7 @@ void StationControl::shutDown()
 {
     if (m_shutDown == ShutDown::No) {
         m_shutDown = ShutDown::Slowing;
+        m_arming.close();
         m_shutDownDeadline = m_clock.now() + std::chrono::ceil<std::chrono::milliseconds>(longestStop(m_profile));
         holdHere(Activity::None);
     }

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/arming.h"
+
+#include "core/station/drive_alarms.h"
+
+namespace boresight {
+namespace {
+
+// After a connection came back somebody may stand at the mast with a cable in the hand.
+constexpr std::chrono::seconds kQuietAfterReturn{1};
+
+}  // namespace
+
+Arming::Arming(const profile::Profile& profile, DrivePair& drives, EventLog& log)
+    : m_drives(drives), m_log(log), m_supervision(profile.supervision), m_retry(profile.recovery)
+{}
+
+Result<> Arming::admits(const Source& source) const
+{
+    if (m_released) {
+        return failure(ErrorCode::NoAnswer, "the bus is left to other tools: take it back first");
+    }
+    if (!m_connected) {
+        const Axis silent = m_drives.drive(Axis::Azimuth).answering(m_now) ? Axis::Elevation : Axis::Azimuth;
+        return failure(ErrorCode::NoAnswer, "no reply from the " + m_drives.drive(silent).name());
+    }
+    if (m_closing) {
+        return failure(ErrorCode::Refused, "Boresight is closing");
+    }
+    if (m_now < m_quietUntil) {
+        return failure(ErrorCode::Refused, "the drives have only just come back: wait a second");
+    }
+    if (m_stopLatched) {
+        return failure(ErrorCode::Refused, "STOP is latched: reset STOP first");
+    }
+    if (const auto reason = fault()) {
+        return failure(ErrorCode::Refused, reason->toStdString() + ": re-arm first");
+    }
+    if (source.kind == SourceKind::Client && m_authority == Authority::Operator) {
+        return failure(ErrorCode::Refused, "the operator has taken over: give control back to the clients first");
+    }
+    return m_fitness;
+}
+
+void Arming::latchStop()
+{
+    m_stopLatched = true;
+    m_authority = Authority::Operator;
+}
+
+Result<> Arming::resetStop()
+{
+    if (!m_stopLatched) {
+        return failure(ErrorCode::Refused, "STOP is not latched");
+    }
+    m_stopLatched = false;
+    return {};
+}
+
+bool Arming::losesConnection(SteadyTime now)
+{
+    m_now = now;
+    const bool connected = m_drives.answering(now) && !m_released;
+    if (connected == m_connected) {
+        return false;
+    }
+    m_connected = connected;
+    if (connected) {
+        m_log.add(Severity::Advisory, QStringLiteral("station"), QStringLiteral("both drives answer; nothing moves"));
+        m_quietUntil = m_wasConnected ? now + kQuietAfterReturn : now;
+        m_wasConnected = true;
+        return false;
+    }
+    m_log.add(Severity::Warning, QStringLiteral("station"),
+              m_released ? QStringLiteral("the bus is left to other tools")
+                         : QStringLiteral("a drive has stopped answering"));
+    return true;
+}
+
+void Arming::lost(Axis axis, supervision::LossClass kind, const QString& reason)
+{
+    m_losses.push_back({.axis = axis, .kind = kind, .reason = reason, .conditions = conditions(axis)});
+    m_retry.lost(kind, m_now);
+    m_rearming = false;
+}
+
+std::optional<QString> Arming::fault() const
+{
+    return m_losses.empty() ? std::nullopt : std::optional(m_losses.front().reason);
+}
+
+supervision::DriveConditions Arming::conditions(Axis axis) const
+{
+    const auto& report = m_drives.drive(axis).report();
+    if (!report) {
+        return {};
+    }
+    return {
+        .voltage = report->voltage,
+        .boardTemperature = report->boardTemperature,
+        .motorTemperature = report->motorTemperature != 0.0 ? std::optional(report->motorTemperature) : std::nullopt};
+}
+
+// The heat or the supply that led to a fault is still there.
+QString Arming::rearmObstacle() const
+{
+    for (const Loss& loss : m_losses) {
+        const QString why = supervision::clearRefusal(m_supervision, loss.kind, loss.conditions, conditions(loss.axis));
+        if (!why.isEmpty()) {
+            return QStringLiteral("%1: %2").arg(drive_alarms::toQString(m_drives.drive(loss.axis).name()), why);
+        }
+    }
+    return {};
+}
+
+Result<> Arming::rearm(const Source& source)
+{
+    if (source.kind == SourceKind::Client && m_authority == Authority::Operator) {
+        return failure(ErrorCode::Refused, "the operator has taken over: re-arming is up to the operator");
+    }
+    if (m_losses.empty()) {
+        return failure(ErrorCode::Refused, "there is no fault to re-arm from");
+    }
+    if (m_closing) {
+        return failure(ErrorCode::Refused, "Boresight is closing");
+    }
+    if (!m_connected) {
+        return failure(ErrorCode::NoAnswer, "both drives must answer before re-arming");
+    }
+    if (const QString why = rearmObstacle(); !why.isEmpty()) {
+        return failure(ErrorCode::Refused, why.toStdString());
+    }
+    m_log.add(Severity::Advisory, source.name,
+              QStringLiteral("re-arms: drives in fault or time-out are stopped first"));
+    if (source.kind == SourceKind::Operator) {
+        m_authority = Authority::Operator;  // clients still sending must not move the mount at once
+    }
+    m_retry.rearmed();
+    beginRearm();
+    return {};
+}
+
+void Arming::beginRearm()
+{
+    for (const Axis axis : kAxes) {
+        if (m_drives.drive(axis).latched()) {
+            m_drives.drive(axis).recover();
+        }
+    }
+    m_rearming = true;
+}
+
+// The profile's written policy for a station without an operator: a re-arm, never a motion.
+void Arming::retry()
+{
+    const auto due = m_retry.nextTry();
+    if (!due || m_now < *due || m_rearming || m_losses.empty() || m_stopLatched || !m_connected || m_closing ||
+        m_now < m_quietUntil || !rearmObstacle().isEmpty()) {
+        return;
+    }
+    m_retry.tried(m_now);
+    m_log.add(Severity::Warning, QStringLiteral("station"),
+              QStringLiteral("re-arms by the profile's recovery policy; nothing moves by itself"));
+    beginRearm();
+}
+
+bool Arming::completesRearm()
+{
+    if (m_losses.empty()) {
+        m_retry.healthy(m_now);
+    }
+    retry();
+    if (!m_rearming || m_drives.changingHands()) {
+        return false;
+    }
+    m_rearming = false;
+    m_losses.clear();
+    return true;
+}
+
+}  // namespace boresight
