@@ -98,8 +98,12 @@ void DriveCare::tellFindings()
 
 void DriveCare::tellChanges()
 {
-    for (const QString& change : m_survey.takeChanges()) {
-        m_log.add(Severity::Warning, QStringLiteral("drives"), QStringLiteral("changed meanwhile: ") + change);
+    for (const survey::Change& change : m_survey.takeChanges()) {
+        if (change.written) {
+            m_log.add(Severity::Advisory, QStringLiteral("drives"), QStringLiteral("written: ") + change.text);
+        } else {
+            m_log.add(Severity::Warning, QStringLiteral("drives"), QStringLiteral("changed meanwhile: ") + change.text);
+        }
     }
 }
 

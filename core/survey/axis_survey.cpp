@@ -195,20 +195,28 @@ void AxisSurvey::noteChanges()
 {
     const CompleteReading before =
         std::exchange(m_last, CompleteReading{m_board, m_readings}).value_or(CompleteReading{m_board, m_readings});
-    const auto note = [this](const QString& what, const QString& was, const QString& is) {
-        m_changes.push_back(QStringLiteral("%1: %2 was %3, is %4").arg(axisName(m_axis), what, was, is));
+    const auto note = [this](const QString& what, const QString& was, const QString& is, bool written) {
+        m_changes.push_back({QStringLiteral("%1: %2 was %3, is %4").arg(axisName(m_axis), what, was, is), written});
     };
-    if (before.board != m_board) {
+    const bool otherBoard = before.board != m_board;
+    if (otherBoard) {
         note(QStringLiteral("the board"), QString::fromStdString(moteus::uuidText(before.board)),
-             QString::fromStdString(moteus::uuidText(m_board)));
+             QString::fromStdString(moteus::uuidText(m_board)), false);
     }
     for (std::size_t i = 0; i < m_protections.size(); ++i) {
         const Protection& protection = m_protections[i];
         if (before.readings[i] != m_readings[i]) {
             note(QString::fromStdString(protection.key), foundText(protection, before.readings[i]),
-                 foundText(protection, m_readings[i]));
+                 foundText(protection, m_readings[i]), !otherBoard && wroteItself(i));
         }
     }
+    m_written.clear();
+}
+
+bool AxisSurvey::wroteItself(std::size_t protection) const
+{
+    const bool told = std::ranges::find(m_written, protection) != m_written.end();
+    return told && tookEffect(*m_protections[protection].remedy, m_readings[protection]);
 }
 
 std::optional<double> AxisSurvey::value(std::string_view key) const
@@ -234,7 +242,7 @@ QString AxisSurvey::progress() const
              key.isEmpty() ? QStringLiteral("the settings") : key, axisName(m_axis));
 }
 
-std::vector<QString> AxisSurvey::takeChanges()
+std::vector<Change> AxisSurvey::takeChanges()
 {
     return std::exchange(m_changes, {});
 }

@@ -14,6 +14,15 @@
 // one frame a call. What changed since the last complete reading is told even after the bus was lost in between.
 namespace boresight::survey {
 
+// A setting, or the board itself, is not what it was at the reading before.
+struct Change
+{
+    QString text;          // "azimuth: servo.timeout_mode was 12, is 10"
+    bool written = false;  // by our own Fix
+
+    bool operator==(const Change&) const = default;
+};
+
 class AxisSurvey
 {
 public:
@@ -36,7 +45,7 @@ public:
     [[nodiscard]] std::span<const ProtectionLine> lines() const { return m_lines; }
     [[nodiscard]] std::optional<double> value(std::string_view key) const;
     [[nodiscard]] const Heartbeat& heartbeat() const { return m_heartbeat; }
-    [[nodiscard]] std::vector<QString> takeChanges();
+    [[nodiscard]] std::vector<Change> takeChanges();
 
 private:
     enum class Step
@@ -61,6 +70,7 @@ private:
     void fail(const std::string& why);
     void judge();
     void noteChanges();
+    [[nodiscard]] bool wroteItself(std::size_t protection) const;
 
     Axis m_axis;
     int m_id;
@@ -71,12 +81,12 @@ private:
     Heartbeat m_heartbeat;
     Step m_step = Step::Idle;
     std::optional<ConsoleRun> m_run;
-    std::vector<std::size_t> m_written;  // which protections Setting sets
+    std::vector<std::size_t> m_written;  // which protections fix() set since the last complete reading
     bool m_complete = false;
     QString m_trouble;
     QString m_fixTrouble;
     std::optional<CompleteReading> m_last;
-    std::vector<QString> m_changes;
+    std::vector<Change> m_changes;
 };
 
 }  // namespace boresight::survey

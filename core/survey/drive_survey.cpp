@@ -264,9 +264,9 @@ QString DriveSurvey::progress() const
     return texts.join(QStringLiteral(", "));
 }
 
-std::vector<QString> DriveSurvey::takeChanges()
+std::vector<Change> DriveSurvey::takeChanges()
 {
-    std::vector<QString> changes = m_sides[0].drive.takeChanges();
+    std::vector<Change> changes = m_sides[0].drive.takeChanges();
     std::ranges::move(m_sides[1].drive.takeChanges(), std::back_inserter(changes));
     return changes;
 }

@@ -55,8 +55,8 @@ public:
     [[nodiscard]] Result<> fitToMove() const;
     // Of the last survey that ended, the weightiest first; a running one keeps them.
     [[nodiscard]] const std::vector<Finding>& findings() const { return m_findings; }
-    // What differs from the reading before: "azimuth: servo.timeout_mode was 10, is 12".
-    [[nodiscard]] std::vector<QString> takeChanges();
+    // What differs from the reading before.
+    [[nodiscard]] std::vector<Change> takeChanges();
     // Power-ups noticed, also those behind a lost bus; the drives are then surveyed again by itself.
     [[nodiscard]] int rebootsSeen(Axis axis) const { return side(axis).drive.heartbeat().reboots(); }
 

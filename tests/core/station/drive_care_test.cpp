@@ -183,6 +183,8 @@ TEST(DriveCare, FixingMakesTheDrivesFitAndEndsTheAlarm)
     EXPECT_EQ(rig.pair.drive(Axis::Elevation).driveConfig().servo.timeoutMode, 10);
     EXPECT_FALSE(rig.alarm("servo.timeout_mode"));
     EXPECT_FALSE(rig.drives().fixable);
+    EXPECT_TRUE(rig.logSays("written: elevation: servo.timeout_mode was 12, is 10"));
+    EXPECT_FALSE(rig.logSays("changed meanwhile")) << "nobody else has touched it";
     EXPECT_EQ(rig.ask(kGo), "");
 }
 

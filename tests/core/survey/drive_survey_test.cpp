@@ -252,9 +252,10 @@ TEST(DriveSurvey, TellsWhatAnotherToolChanged)
     rig.otherToolSays(Axis::Elevation, "conf set servo.timeout_mode 12");
     rig.otherToolSays(Axis::Elevation, "conf set servopos.position_max nan");
     rig.survey();
-    EXPECT_THAT(rig.drives.takeChanges(),
-                ElementsAre(QStringLiteral("elevation: servopos.position_max was -0.241667 turns (-3.0°), is none"),
-                            QStringLiteral("elevation: servo.timeout_mode was 10, is 12")));
+    EXPECT_THAT(
+        rig.drives.takeChanges(),
+        ElementsAre(Change{QStringLiteral("elevation: servopos.position_max was -0.241667 turns (-3.0°), is none")},
+                    Change{QStringLiteral("elevation: servo.timeout_mode was 10, is 12")}));
     EXPECT_THAT(rig.drives.takeChanges(), IsEmpty());
     EXPECT_THAT(line(rig.drives, Axis::Elevation, "servopos.position_max").reason.toStdString(),
                 HasSubstr("no limit of its own"));

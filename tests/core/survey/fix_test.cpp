@@ -36,7 +36,8 @@ TEST(Fix, WritesAllButWhatOnlyAPersonMayChange)
         EXPECT_DOUBLE_EQ(rig.pair.drive(axis).driveConfig().motorPosition.rotorToOutputRatio, 1.0);
     }
     EXPECT_THAT(causes(rig.drives), UnorderedElementsAre("drives.dangerous.azimuth", "drives.dangerous.elevation"));
-    EXPECT_THAT(rig.drives.takeChanges(), Contains(QStringLiteral("azimuth: servo.timeout_mode was 12, is 10")));
+    EXPECT_THAT(rig.drives.takeChanges(),
+                Contains(Change{.text = QStringLiteral("azimuth: servo.timeout_mode was 12, is 10"), .written = true}));
     EXPECT_FALSE(rig.drives.fix(rig.now())) << "nothing is left that can be written";
 }
 
@@ -97,6 +98,32 @@ TEST(Fix, LostFramesDoNotBreakIt)
     }
 }
 
+// Story: the log blamed another tool for what Fix itself had written.
+TEST(Fix, WhatItWroteIsToldApartFromWhatAnotherToolChanged)
+{
+    sim::PairSettings pair = sim::commissionedPair();
+    pair.azimuth.config.servo.timeoutMode = 12;
+    SurveyRig rig(pair);
+    rig.survey();
+    rig.otherToolSays(Axis::Azimuth, "conf set servo.max_current_A 31");
+    ASSERT_TRUE(rig.drives.fix(rig.now()));
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    EXPECT_THAT(
+        rig.drives.takeChanges(),
+        UnorderedElementsAre(
+            Change{.text = QStringLiteral("azimuth: servo.timeout_mode was 12, is 10"), .written = true},
+            Change{.text = QStringLiteral("azimuth: servo.max_current_A was 30 A, is 31 A"), .written = false}));
+    rig.otherToolSays(Axis::Azimuth, "conf set servo.timeout_mode 12");
+    rig.survey();
+    EXPECT_THAT(rig.drives.takeChanges(),
+                ElementsAre(Change{QStringLiteral("azimuth: servo.timeout_mode was 10, is 12")}));
+    rig.otherToolSays(Axis::Azimuth, "conf set servo.timeout_mode 10");
+    rig.survey();
+    EXPECT_THAT(rig.drives.takeChanges(),
+                ElementsAre(Change{QStringLiteral("azimuth: servo.timeout_mode was 12, is 10")}))
+        << "a Fix of long ago is not to blame";
+}
+
 // What is in force but not stored would be gone after a power-up: Fix is offered again, though every line is right.
 TEST(Fix, AnInterruptedOneIsSaidAndCanBeRepeated)
 {
@@ -114,6 +141,9 @@ TEST(Fix, AnInterruptedOneIsSaidAndCanBeRepeated)
     ASSERT_TRUE(rig.reaches(SurveyState::Done));
     EXPECT_THAT(causes(rig.drives), ElementsAre("drives.unstored.azimuth"));
     EXPECT_EQ(wrongLines(rig.drives, Axis::Azimuth), 0);
+    EXPECT_THAT(
+        rig.drives.takeChanges(),
+        ElementsAre(Change{.text = QStringLiteral("azimuth: servo.timeout_mode was 12, is 10"), .written = true}));
     ASSERT_TRUE(rig.drives.fix(rig.now()));
     ASSERT_TRUE(rig.reaches(SurveyState::Done));
     EXPECT_THAT(causes(rig.drives), IsEmpty());
@@ -140,7 +170,7 @@ TEST(PowerUp, IsNoticedByTheUptimeAndEverythingIsReadAgain)
     ASSERT_TRUE(rig.reaches(SurveyState::Done));
     EXPECT_GT(rig.drives.facts(Axis::Azimuth)->bootedAt, booted + std::chrono::seconds(5));
     EXPECT_THAT(rig.drives.takeChanges(),
-                ElementsAre(QStringLiteral("azimuth: servo.max_current_A was 31 A, is 30 A")));
+                ElementsAre(Change{QStringLiteral("azimuth: servo.max_current_A was 31 A, is 30 A")}));
     rig.run(Seconds(5.0));
     EXPECT_EQ(rig.drives.rebootsSeen(Axis::Azimuth), 1) << "counted once";
 }
