@@ -158,6 +158,7 @@ bool Drive::take(const CanFrame& frame)
     if (reply->mode()) {
         m_report = toReport(*reply, frame.received);
         m_heard = frame.received;
+        m_replied = true;
         ++m_repliesInPhase;
     }
     return true;
@@ -171,6 +172,7 @@ void Drive::lose(DriveLoss loss)
 
 void Drive::judge(SteadyTime now)
 {
+    m_unanswered = std::exchange(m_replied, false) ? 0 : m_unanswered + 1;
     judgeFault();
     if (m_phase == Phase::Listening || m_phase == Phase::Braking) {
         return;

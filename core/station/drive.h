@@ -67,6 +67,7 @@ public:
         Releasing,    // stop is sent until the drive reports mode 0, then it is only listened to
     };
 
+    static constexpr int kMostUnanswered = 2;  // frames in a row that may be lost, as for the watchdog
     static constexpr std::chrono::milliseconds kSilence{250};
     static constexpr std::chrono::milliseconds kObedience{1000};  // enabling takes a drive some 13 ms
 
@@ -111,6 +112,9 @@ public:
     [[nodiscard]] const std::optional<DriveReport>& report() const { return m_report; }
     [[nodiscard]] bool answering(SteadyTime now) const;
     [[nodiscard]] SteadyTime heard() const { return m_heard; }  // the last reply, stalls of our own excused
+    // More frames in a row were not answered than can be lost by chance: nobody sees what the drive does. Counted in
+    // frames, so that a late tick of ours is no silence of the drive.
+    [[nodiscard]] bool unseen() const { return m_unanswered > kMostUnanswered; }
     // In fault or time-out: takes no command but stop.
     [[nodiscard]] bool latched() const;
     // Moves or holds the axis although we did not order it: another program, or an order without a watchdog.
@@ -139,7 +143,9 @@ private:
     bool m_holdNext = false;  // while Referencing: every second frame
     bool m_ignoreBounds = false;
     bool m_faultTold = false;
-    SteadyTime m_heard{};  // last reply, stalls of our own excused
+    SteadyTime m_heard{};    // last reply, stalls of our own excused
+    bool m_replied = false;  // since the last tick
+    int m_unanswered = 0;    // frames in a row
     int m_repliesInPhase = 0;
     std::optional<SteadyTime> m_phaseSince;  // of all but Listening and Braking
     MotorTurns m_setpoint;

@@ -34,7 +34,8 @@ public:
     void engage();
     void seize();  // stop what a drive does without our orders
     void excuse(Seconds stall, SteadyTime now);
-    [[nodiscard]] bool engaged() const;         // both take set-points
+    [[nodiscard]] bool engaged() const;  // both take set-points
+    [[nodiscard]] bool seen() const { return !m_azimuth.unseen() && !m_elevation.unseen(); }
     [[nodiscard]] bool changingHands() const;   // one is being captured, recovered, switched off or told its place
     [[nodiscard]] bool anyUnderOrders() const;  // at least one is not only listened to
     [[nodiscard]] bool answering(SteadyTime now) const;

@@ -187,10 +187,10 @@ void StationControl::moveOn(Seconds step)
             watchOf(axis).engaged();
         }
     }
-    if (m_drives.engaged()) {
+    if (m_drives.engaged() && m_drives.seen()) {
         m_motion.advance(m_now, step);
     } else {
-        m_motion.brake(step);  // one axis alone goes nowhere
+        m_motion.brake(step);  // one axis alone goes nowhere, nor does one that nobody sees
     }
     for (const Axis axis : kAxes) {
         const tracking::Setpoint& setpoint = m_motion.setpoint(axis);

@@ -33,13 +33,14 @@ public:
         }
         CanFrame reply = stateFrame(now);
         obey(frame);
-        return reply;
+        return mute ? std::nullopt : std::optional(reply);
     }
 
     moteus::Mode mode = moteus::Mode::Stopped;
     int fault = 0;
     moteus::HomeState home = moteus::HomeState::Output;
     bool silent = false;
+    bool mute = false;  // obeys, but its replies are lost
     bool deaf = false;  // answers, but ignores commands
     double position;    // output turns
     double voltage = 24.0;

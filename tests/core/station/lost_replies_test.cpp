@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What goes out to the drives while their replies are missing, before that is a fault.
+#include "tests/core/station/station_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+struct LostReplies : ::testing::Test
+{
+    LostReplies()
+    {
+        rig.run(Seconds(0.1));
+        EXPECT_TRUE(rig.ask(request::PointAxes{{.azimuth = 180_deg, .elevation = 60_deg}}));
+        rig.run(Seconds(3.0));
+    }
+
+    [[nodiscard]] double rate() const { return rig.control.status().azimuth.commandedRate->degrees(); }
+
+    StationRig rig;
+};
+
+// Story: set-points went out blind for a quarter of a second, at full speed, to a drive that may have been blocked.
+TEST_F(LostReplies, AnAxisThatNobodySeesIsBroughtToRestByCommand)
+{
+    const double cruise = rate();
+    ASSERT_GT(cruise, 5.0);
+    rig.azimuth.mute = true;
+    for (int tick = 0; tick < 3; ++tick) {
+        rig.tick();
+        EXPECT_EQ(rate(), cruise) << "two lost replies in a row are chance";
+    }
+    const std::size_t commands = rig.azimuth.seen.size();
+    const double elevationRate = std::abs(rig.control.status().elevation.commandedRate->degrees());
+    for (double before = rate(); rig.control.state() != StationState::Disconnected; before = rate()) {
+        rig.tick();
+        if (rig.control.state() != StationState::Disconnected) {
+            EXPECT_LT(rate(), before);
+        }
+    }
+    EXPECT_EQ(rig.azimuth.seen.size(), commands + 9) << "commanded on until the silence is certain";
+    EXPECT_LT(rig.azimuth.seen.back().fields.at(moteus::Register::CommandVelocity), 0.95 * cruise / 360.0);
+    EXPECT_LE(std::abs(rig.elevation.seen.back().fields.at(moteus::Register::CommandVelocity)) * 360.0, elevationRate);
+}
+
+TEST_F(LostReplies, RepliesThatComeBackInTimeLetTheMotionGoOn)
+{
+    rig.azimuth.mute = true;
+    rig.run(Seconds(0.2));
+    rig.azimuth.mute = false;
+    const double slowest = rate();
+    rig.run(Seconds(1.0));
+    EXPECT_GT(rate(), slowest);
+    EXPECT_EQ(rig.state(), StationState::Slew);
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 180.0, 0.001);
+    EXPECT_NEAR(rig.elevationDegrees(), 60.0, 0.001);
+    EXPECT_FALSE(rig.control.faultLatched());
+}
+
+TEST_F(LostReplies, OneOrTwoInARowChangeNoSetPoint)
+{
+    StationRig undisturbed;
+    undisturbed.run(Seconds(0.1));
+    ASSERT_TRUE(undisturbed.ask(request::PointAxes{{.azimuth = 180_deg, .elevation = 60_deg}}));
+    undisturbed.run(Seconds(3.0));
+    for (int tick = 0; tick < 500; ++tick) {
+        rig.azimuth.mute = tick % 5 == 0;
+        rig.elevation.mute = tick % 7 < 2;
+        rig.tick();
+        undisturbed.tick();
+        ASSERT_EQ(rig.control.status().azimuth.commanded, undisturbed.control.status().azimuth.commanded);
+        ASSERT_EQ(rig.control.status().elevation.commanded, undisturbed.control.status().elevation.commanded);
+    }
+}
+
+TEST_F(LostReplies, ALateTickOfThisComputerIsNone)
+{
+    const double cruise = rate();
+    rig.clock.advance(Seconds(0.1));
+    rig.run(Seconds(0.1));
+    EXPECT_NEAR(rate(), cruise, 1e-9);
+}
+
+}  // namespace
+}  // namespace boresight
