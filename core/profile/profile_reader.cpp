@@ -63,16 +63,22 @@ private:
             const std::string key = prefix + std::string(name.str());
             const std::size_t line = name.source().begin.line;
             m_lines[key] = line;
-            if (readList(key, node, line)) {
-                continue;
+            if (name.str().find('.') != std::string_view::npos) {
+                add(line, key, "unknown key");  // "azimuth.id" in quotes is one name, not the id of [azimuth]
+            } else if (!readList(key, node, line)) {
+                readEntry(key, node, line, prefix.empty());
             }
-            if (const auto* inner = node.as_table(); inner != nullptr && prefix.empty()) {
-                readInner(*inner, key, line);
-            } else if (const Setting* setting = findSetting(key)) {
-                readValue(*setting, m_profile, key, node, line);
-            } else if (key != "version") {
-                add(line, key, "unknown key");
-            }
+        }
+    }
+
+    void readEntry(const std::string& key, const toml::node& node, std::size_t line, bool isAtTop)
+    {
+        if (const auto* inner = node.as_table(); inner != nullptr && isAtTop) {
+            readInner(*inner, key, line);
+        } else if (const Setting* setting = findSetting(key)) {
+            readValue(*setting, m_profile, key, node, line);
+        } else if (key != "version") {
+            add(line, key, "unknown key");
         }
     }
 

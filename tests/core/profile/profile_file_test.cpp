@@ -214,6 +214,9 @@ TEST(ProfileFile, ASettingInTheWrongPlaceIsUnknown)
     EXPECT_EQ(errorsOf("version = 1\nazimuth = 3\n"), "m.toml:2: azimuth: unknown key");
     EXPECT_EQ(errorsOf("version = 1\n[azimuth.id]\nx = 1\n"),
               "m.toml:2: azimuth.id: a number or a text in quotes is expected");
+    EXPECT_EQ(errorsOf("version = 1\n\"azimuth.id\" = 3\n"), "m.toml:2: azimuth.id: unknown key");
+    EXPECT_EQ(errorsOf("version = 1\n\"limits.horizon\" = []\n"), "m.toml:2: limits.horizon: unknown key");
+    EXPECT_EQ(errorsOf("version = 1\nazimuth.id = 3\n"), "accepted");
     EXPECT_EQ(errorsOf("version = 1\n[[bus]]\nname = \"simulated\"\n"), "m.toml:2: bus: unknown key");
 }
 
