@@ -3,6 +3,8 @@
 
 #include "core/station/drive_alarms.h"
 
+#include <algorithm>
+
 namespace boresight {
 namespace {
 
@@ -79,7 +81,10 @@ bool Arming::losesConnection(SteadyTime now)
 
 void Arming::lost(Axis axis, supervision::LossClass kind, const QString& reason)
 {
-    m_losses.push_back({.axis = axis, .kind = kind, .reason = reason, .conditions = conditions(axis)});
+    const auto same = [&](const Loss& loss) { return loss.axis == axis && loss.kind == kind; };
+    if (std::ranges::none_of(m_losses, same)) {
+        m_losses.push_back({.axis = axis, .kind = kind, .reason = reason, .conditions = conditions(axis)});
+    }
     m_retry.lost(kind, m_now);
     m_rearming = false;
 }

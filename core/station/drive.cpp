@@ -84,6 +84,9 @@ void Drive::seize()
 
 void Drive::recover()
 {
+    if (m_report && m_report->mode == moteus::Mode::Fault && !m_faultTold) {
+        return;  // it came with the last reply: first it is told
+    }
     m_captureAfterRecovery = m_report && m_report->mode == moteus::Mode::PositionTimeout;
     enter(Phase::Recovering);
 }

@@ -80,10 +80,13 @@ bool DrivePair::engaged() const
     return m_azimuth.phase() == Drive::Phase::Engaged && m_elevation.phase() == Drive::Phase::Engaged;
 }
 
-void DrivePair::seize()
+void DrivePair::seize(SteadyTime now)
 {
-    m_azimuth.seize();
-    m_elevation.seize();
+    for (Drive* const drive : {&m_azimuth, &m_elevation}) {
+        if (drive->answering(now)) {
+            drive->seize();
+        }
+    }
 }
 
 void DrivePair::excuse(Seconds stall, SteadyTime now)

@@ -32,7 +32,7 @@ public:
     [[nodiscard]] std::array<CanFrame, 2> frames() const;  // azimuth, elevation
 
     void engage();
-    void seize();  // stop what a drive does without our orders
+    void seize(SteadyTime now);  // stop what a drive that answers does without our orders
     void excuse(Seconds stall, SteadyTime now);
     [[nodiscard]] bool engaged() const;  // both take set-points
     [[nodiscard]] bool seen() const { return !m_azimuth.unseen() && !m_elevation.unseen(); }

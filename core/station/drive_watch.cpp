@@ -14,6 +14,8 @@ using supervision::LossClass;
 using supervision::Weight;
 
 constexpr std::chrono::seconds kLimitLinger{2};
+// A drive that was lost goes on with our last order until its watchdog expires.
+constexpr std::chrono::milliseconds kLastOrderFades{500};
 // A drive that boots, or a bus that comes up, is not yet a reason for an alarm.
 constexpr Seconds kPatienceAtStart{1.0};
 
@@ -106,7 +108,12 @@ void DriveWatch::watchUnordered(const Drive& drive, const Context& context)
 {
     const QString name = drive_alarms::toQString(drive.name());
     const QString cause = name + QStringLiteral(" active");
-    if (drive.activeUnordered() && drive.answering(context.now) && !context.ownOrders) {
+    if (!drive.activeUnordered() || !drive.answering(context.now) || context.ownOrders) {
+        m_activeSince.reset();
+    } else if (!m_activeSince) {
+        m_activeSince = context.now;
+    }
+    if (m_activeSince && context.now - *m_activeSince >= kLastOrderFades) {
         m_alarms.raise(cause, Severity::Warning, drive_alarms::unordered(name, drive.report()->mode));
     } else {
         m_alarms.clear(cause);

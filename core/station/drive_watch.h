@@ -70,6 +70,7 @@ private:
     std::map<supervision::Finding, supervision::Weight> m_told;  // what has an alarm now
     std::set<supervision::Finding> m_stops;                      // what is dangerous now
     SteadyTime m_observed{};                                     // the reply last shown to the supervisor
+    std::optional<SteadyTime> m_activeSince;                     // without our orders
     std::optional<SteadyTime> m_limitSeen;                       // when the drive last reported an active limit
 };
 

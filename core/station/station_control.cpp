@@ -61,7 +61,15 @@ Result<> StationControl::mayMove(const Source& source) const
     if (m_proof) {
         return failure(ErrorCode::Refused, "the crash-stop proof moves the mount: end it first");
     }
-    return m_arming.admits(source);
+    return m_arming.admits(source).and_then([&]() -> Result<> {
+        for (const Axis axis : kAxes) {
+            if (!m_drives.measured(axis)) {
+                return failure(ErrorCode::NoAnswer,
+                               "the " + m_drives.drive(axis).name() + " reports no position: look at its encoder");
+            }
+        }
+        return {};
+    });
 }
 
 Result<> StationControl::mayPoint(const Source& source) const
@@ -287,7 +295,7 @@ Result<> StationControl::handle(const request::Stop&, const Source& source)
         m_log.add(Severity::Warning, source.name, QStringLiteral("STOP: both axes decelerate and hold; latched"));
     }
     m_arming.latchStop();
-    m_drives.seize();
+    keepStopped();
     holdHere(Activity::None);
     return {};
 }

@@ -144,6 +144,7 @@ private:
 
     void watchStall(Seconds gap);
     void watchDrives();
+    void keepStopped();
     void stopFor(Axis axis, const DriveWatch::Trouble& trouble);
     void keepTurns();
     void keepTurn(Axis axis);

@@ -39,6 +39,7 @@ std::array<CanFrame, 2> StationControl::tick()
     }
     keepTurns();
     watchDrives();
+    keepStopped();
     watchJog();
     watchFitness();
     finishRearm();
@@ -55,7 +56,7 @@ void StationControl::watchDrives()
                                           .running = m_now - m_started,
                                           .turnKnown = m_turns.known(axis),
                                           .faultLatched = faultLatched(),
-                                          .ownOrders = faultLatched() || m_arming.closing(),
+                                          .ownOrders = m_arming.closing(),
                                           .silenceExpected = m_arming.released()};
         const auto trouble = watchOf(axis).watch(m_drives.drive(axis), m_motion.setpoint(axis), context);
         if (trouble && trouble->stops) {
@@ -64,6 +65,14 @@ void StationControl::watchDrives()
         if (trouble && trouble->turnDoubtful) {
             m_turns.forget(axis, trouble->what);
         }
+    }
+}
+
+// Behind a latched STOP nothing is moved by others' orders either, nor by a drive that comes back with them.
+void StationControl::keepStopped()
+{
+    if (m_arming.stopLatched() && !m_arming.released() && !m_arming.closing()) {
+        m_drives.seize(m_now);
     }
 }
 

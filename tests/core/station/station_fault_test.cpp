@@ -174,6 +174,39 @@ TEST(StationControl, ADriveThatIgnoresUsIsAFault)
     EXPECT_EQ(rig.azimuthDegrees(), 0.0) << "no axis moves before both hold";
 }
 
+// Story: a fault of the second drive that came a moment before the re-arm was cleared with the first, untold.
+TEST(StationControl, AFaultThatNobodyWasToldIsNotClearedWithAnother)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(100.0, 30.0, Seconds(1.0)));
+    rig.azimuth.mode = Mode::Fault;
+    rig.azimuth.fault = 33;
+    rig.run(Seconds(2.0));
+    ASSERT_EQ(rig.state(), StationState::Fault);
+    rig.elevation.mode = Mode::Fault;
+    rig.elevation.fault = 32;
+    rig.tick();
+    ASSERT_TRUE(rig.ask(request::Rearm{}));
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.state(), StationState::Fault);
+    EXPECT_EQ(rig.elevation.mode, Mode::Fault) << "not before somebody has read why";
+    ASSERT_TRUE(rig.ask(request::Rearm{}));
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.state(), StationState::Standby);
+}
+
+TEST(StationControl, ADriveWithoutAPositionIsNotMoved)
+{
+    StationRig rig;
+    rig.elevation.position = std::numeric_limits<double>::quiet_NaN();
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.point(10.0, 10.0, kOperator).error().text,
+              "the elevation drive reports no position: look at its encoder");
+    EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 1_deg_s}}));
+    EXPECT_FALSE(rig.ask(request::ProveCrashStop{2_deg_s}));
+    EXPECT_EQ(rig.commands(), 0U);
+}
+
 TEST(StationControl, ADriveThatWasPowerCycledIsNotCommandedOn)
 {
     StationRig rig;

@@ -67,7 +67,7 @@ TEST(StationControl, StopTakesOverWhatMovesWithoutOurOrders)
 {
     StationRig rig;
     rig.azimuth.mode = Mode::Position;
-    rig.run(Seconds(0.5));
+    rig.run(Seconds(0.7));
     EXPECT_EQ(rig.state(), StationState::Standby);
     ASSERT_FALSE(rig.control.status().alarms.empty());
     EXPECT_EQ(rig.control.status().alarms.front().severity, Severity::Warning);
@@ -79,6 +79,41 @@ TEST(StationControl, StopTakesOverWhatMovesWithoutOurOrders)
     EXPECT_TRUE(rig.elevation.seen.empty()) << "a drive that is off stays off";
     EXPECT_EQ(rig.control.status().azimuth.state, AxisState::Stopped);
     EXPECT_EQ(rig.control.status().elevation.state, AxisState::Off);
+}
+
+// Story: a drive that another tool had set in motion turned on behind a latched STOP, and its silence meanwhile was
+// called a fault.
+TEST(StationControl, StopWhileTheBusIsWithOthersTakesTheDrivesOverWhenItIsBack)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(20.0, 30.0, Seconds(20.0)));
+    ASSERT_TRUE(rig.ask(request::ReleaseBus{}));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    rig.run(Seconds(1.0));
+    EXPECT_FALSE(rig.control.faultLatched());
+    rig.azimuth.seen.clear();
+    rig.azimuth.mode = Mode::Position;  // by the other tool
+    ASSERT_TRUE(rig.ask(request::TakeBus{}));
+    rig.run(Seconds(0.5));
+    ASSERT_FALSE(rig.azimuth.seen.empty());
+    EXPECT_TRUE(std::isnan(rig.azimuth.seen.front().fields.at(Register::CommandPosition))) << "hold where you are";
+    EXPECT_TRUE(rig.control.status().stopLatched);
+    EXPECT_FALSE(rig.control.faultLatched());
+}
+
+TEST(StationControl, StopWithoutConnectionTakesADriveOverWhenItAnswers)
+{
+    StationRig rig;
+    rig.azimuth.silent = true;
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    rig.run(Seconds(0.5));
+    rig.azimuth.mode = Mode::Position;
+    rig.azimuth.silent = false;
+    rig.run(Seconds(0.5));
+    EXPECT_FALSE(rig.azimuth.seen.empty());
+    EXPECT_TRUE(rig.elevation.seen.empty());
 }
 
 TEST(StationControl, StopIsNotResetWhileTheMountStillBrakes)
