@@ -4,6 +4,7 @@
 #include "ui/alarm_line.h"
 #include "ui/axis_readout.h"
 #include "ui/cable_bar.h"
+#include "ui/charts_panel.h"
 #include "ui/command_button.h"
 #include "ui/format.h"
 #include "ui/header_bar.h"
@@ -15,6 +16,7 @@
 #include "ui/polar_plot.h"
 #include "ui/prompt_bar.h"
 #include "ui/stop_keys.h"
+#include "ui/strip_charts.h"
 #include "ui/value_label.h"
 
 #include <QCloseEvent>
@@ -42,6 +44,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_header(new HeaderBar(this)),
       m_alarms(new AlarmLine(m_desk, this)),
       m_plot(new PolarPlot(settings.beamWidth, this)),
+      m_plotCell(new QGridLayout),
       m_readout(new AxisReadout(this)),
       m_cable(new CableBar(this)),
       m_panels(new PanelTabs(clock, m_desk, settings, this)),
@@ -62,6 +65,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(m_header, &HeaderBar::stopPressed, this, &MainWindow::stop);
     connect(m_stopKeys, &StopKeys::stopPressed, this, &MainWindow::stop);
     connect(m_plot, &PolarPlot::clicked, this, &MainWindow::pick);
+    connect(&m_panels->charts().charts(), &StripCharts::largeWanted, this, &MainWindow::placeCharts);
     connect(&m_beat, &QTimer::timeout, this, &MainWindow::beat);
     m_beat.start(kBeat);
     showStatus(m_status);
@@ -80,20 +84,19 @@ void MainWindow::build()
     auto* const grid = new QGridLayout(ground);
     grid->setContentsMargins(8, 8, 8, 6);
     grid->setSpacing(8);
-    auto* const plotCell = new QGridLayout;
     auto* const side = new QWidget(ground);  // as wide as it must be: the plot gets the rest
     auto* const right = new QVBoxLayout(side);
     grid->addWidget(m_header, 0, 0, 1, 2);
     grid->addWidget(m_alarms, 1, 0, 1, 2);
-    grid->addLayout(plotCell, 2, 0);
+    grid->addLayout(m_plotCell, 2, 0);
     grid->addWidget(side, 2, 1);
     grid->addWidget(m_cable, 3, 0);
     grid->addWidget(m_lastCommand, 3, 1);
     grid->setRowStretch(2, 1);
     grid->setColumnStretch(0, 1);
 
-    plotCell->addWidget(m_plot, 0, 0);
-    addPrompts(*plotCell);
+    m_plotCell->addWidget(m_plot, 0, 0);
+    addPrompts();
     side->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     right->setContentsMargins(0, 0, 0, 0);
     right->addWidget(m_readout);
@@ -103,10 +106,10 @@ void MainWindow::build()
     setCentralWidget(ground);
 }
 
-void MainWindow::addPrompts(QGridLayout& plotCell)
+void MainWindow::addPrompts()
 {
-    plotCell.addWidget(m_pickBar, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
-    plotCell.addWidget(m_closeBar, 0, 0, Qt::AlignHCenter | Qt::AlignTop);
+    m_plotCell->addWidget(m_pickBar, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
+    m_plotCell->addWidget(m_closeBar, 0, 0, Qt::AlignHCenter | Qt::AlignTop);
     const auto addButton = [this](PromptBar& bar, const QString& text, void (MainWindow::*act)()) {
         auto* const button = new QPushButton(text, &bar);
         button->setFont(fonts::label());
@@ -146,6 +149,7 @@ void MainWindow::showUpdate(const StationUpdate& update)
     m_status = update.status;
     m_lastUpdate = m_clock.now();
     m_panels->log().append(update.log);
+    m_panels->charts().charts().add(update.samples);
     if (!update.log.empty()) {
         const LogEntry& last = update.log.back();
         m_lastCommand->setValue(
@@ -245,6 +249,22 @@ void MainWindow::unpick()
     m_picked.reset();
     m_plot->setPicked(std::nullopt);
     m_pickBar->hide();
+}
+
+// The one takes the other's room, so that nothing else moves and nothing is covered.
+void MainWindow::placeCharts(bool inPlaceOfTheSky)
+{
+    StripCharts& charts = m_panels->charts().charts();
+    if (inPlaceOfTheSky) {
+        unpick();
+        m_plotCell->addWidget(&charts, 0, 0);
+        charts.setLarge(true);
+        charts.show();
+        m_closeBar->raise();
+    } else {
+        m_panels->charts().takeBack();
+    }
+    m_plot->setVisible(!inPlaceOfTheSky);
 }
 
 void MainWindow::goToPicked()

@@ -57,7 +57,8 @@ protected:
 
 private:
     void build();
-    void addPrompts(QGridLayout& plotCell);
+    void addPrompts();
+    void placeCharts(bool inPlaceOfTheSky);
     void addKeys();
     void addKey(const QKeySequence& key, void (MainWindow::*act)());
     void stop();
@@ -85,6 +86,7 @@ private:
     HeaderBar* m_header;
     AlarmLine* m_alarms;
     PolarPlot* m_plot;
+    QGridLayout* m_plotCell;  // the plot, or the charts in its place, and prompts over it
     AxisReadout* m_readout;
     CableBar* m_cable;
     PanelTabs* m_panels;

@@ -14,6 +14,7 @@
 // front by itself once, covers nothing but the other panels, and waits behind its tab when the operator leaves it.
 namespace boresight::ui {
 
+class ChartsPanel;
 class DrivesPanel;
 class JogPanel;
 class LogPanel;
@@ -32,6 +33,7 @@ public:
     void bringUp(QWidget& panel);  // to the front, also from behind "Mount"
 
     [[nodiscard]] JogPanel& jog() { return *m_jog; }
+    [[nodiscard]] ChartsPanel& charts() { return *m_charts; }
     [[nodiscard]] LogPanel& log() { return *m_log; }
 
 protected:
@@ -43,6 +45,7 @@ private:
     void showQuestion(const StationStatus& status);
 
     JogPanel* m_jog;
+    ChartsPanel* m_charts;
     LogPanel* m_log;
     DrivesPanel* m_drives;
     ProtectionPanel* m_protection;

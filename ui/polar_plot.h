@@ -12,9 +12,9 @@
 class QwtPolarGrid;
 class QwtPolarPlot;
 
-// The sky as the mount sees it, and the only place that touches Qwt. Qwt draws what stands still (ground, limits,
-// grid, labels) into a picture, again only when size, theme or travel change; SkyMarkers paints what moves over it.
-// A click picks a direction; it moves nothing.
+// The sky as the mount sees it, and the only place beside the strip charts that touches Qwt. Qwt draws what stands
+// still (ground, limits, grid, labels) into a picture, again only when size, theme or travel change; SkyMarkers paints
+// what moves over it. A click picks a direction; it moves nothing.
 namespace boresight::ui {
 
 class LabelsItem;

@@ -43,6 +43,8 @@ StationStatus elevationPlaces()
 
 constexpr Scene kScenes[] = {{"track", midPass, '1'},
                              {"log", midPass, '5'},
+                             {"charts", midPass, '2'},
+                             {"charts-turn", threePlaces, '2'},
                              {"late", late, '1'},
                              {"stopped", samples::stopped, '1'},
                              {"fault", samples::faulted, '1'},
@@ -71,6 +73,8 @@ protected:
             give(samples::update(samples::tracking(second)));  // the past path
         }
         StationUpdate update = samples::update(scene.status());
+        update.samples = samples::ticks(clock.now(), 400.0);
+        clock.advance(Seconds(400.0));
         for (std::uint64_t number = 1; number < 12; ++number) {
             update.log.push_back(samples::logEntry(
                 number, number % 5 == 0 ? Severity::Warning : Severity::Advisory,

@@ -138,6 +138,21 @@ AxisPosition passAt(double seconds)
     return {.azimuth = 285_deg + 150_deg * across, .elevation = 3_deg + 59_deg * height * height};
 }
 
+AxisSample sampleOf(Angle commanded, double seconds, double rate)
+{
+    const double noise = std::sin(seconds * 211.0) * std::sin(seconds * 37.0) + 0.5 * std::sin(seconds * 501.0);
+    const double jolt = std::fmod(seconds, 97.0) < 0.04 ? 0.09 : 0.0;
+    const double gust = 0.5 * std::sin(seconds / 3.1) * std::sin(seconds / 17.0);
+    AxisSample sample;
+    sample.commanded = commanded;
+    sample.actual = commanded - Angle::fromDegrees(0.012 * rate + 0.008 * noise + 0.02 * gust + jolt);
+    sample.torque = 1.2 * rate + gust + 0.08 * noise + 8.0 * jolt;
+    sample.current = 1.7 * *sample.torque;
+    sample.busVoltage = 24.1 - 0.15 * std::abs(*sample.torque) + 0.02 * noise;
+    sample.boardTemperature = 38.0 + 4.0 * std::sin(seconds / 700.0) + 0.1 * noise;
+    return sample;
+}
+
 void dropTarget(StationStatus& status)
 {
     status.target.reset();
@@ -392,6 +407,22 @@ StationStatus withClients(StationStatus status, int count)
         status.clients.push_back(client);
     }
     return status;
+}
+
+std::vector<TickSample> ticks(SteadyTime begin, double seconds)
+{
+    std::vector<TickSample> ticks;
+    for (int tick = 0; tick < static_cast<int>(seconds * 50.0); ++tick) {
+        const SteadyTime time = begin + tick * std::chrono::milliseconds(20);
+        const double since = Seconds(time.time_since_epoch()).count();
+        const AxisPosition at = passAt(std::fmod(since, kPassLength));
+        const AxisPosition before = passAt(std::fmod(since, kPassLength) - 0.1);
+        ticks.push_back(
+            {.time = time,
+             .axes = {sampleOf(at.azimuth, since, (at.azimuth - before.azimuth).degrees() * 10.0),
+                      sampleOf(at.elevation, since + 7.0, (at.elevation - before.elevation).degrees() * 10.0)}});
+    }
+    return ticks;
 }
 
 StationUpdate update(const StationStatus& status)

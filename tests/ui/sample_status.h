@@ -27,6 +27,9 @@ inline constexpr double kPassLength = 600.0;
 [[nodiscard]] StationStatus withAge(StationStatus status, std::chrono::milliseconds age);
 [[nodiscard]] StationStatus withClients(StationStatus status, int count);
 
+// The ticks of such passes, 50 a second, from `begin` on for `seconds`: gusts in the torque, a jolt each 97 s.
+[[nodiscard]] std::vector<TickSample> ticks(SteadyTime begin, double seconds);
+
 [[nodiscard]] StationUpdate update(const StationStatus& status);
 [[nodiscard]] StationUpdate refusal(const StationStatus& status, std::uint64_t requestId, const char* reason);
 [[nodiscard]] StationUpdate acceptance(const StationStatus& status, std::uint64_t requestId);

@@ -101,10 +101,13 @@ int main(int argc, char* argv[])
     QObject::connect(&window, &ui::MainWindow::closeRequested, &window, [&] { window.closeNow(); });
 
     std::uint64_t ticks = 0;
+    SteadyTime sampled = clock.now() - std::chrono::minutes(12);  // the charts begin with a past
     QTimer tick;
     QObject::connect(&tick, &QTimer::timeout, &window, [&] {
         StationUpdate update = samples::update(scene(options.value(QStringLiteral("scene")), double(ticks) * 0.05));
         update.answers.swap(answers);
+        update.samples = samples::ticks(sampled, Seconds(clock.now() - sampled).count());
+        sampled += std::chrono::milliseconds(20) * static_cast<int>(update.samples.size());
         if (ticks++ % 20 == 0) {
             update.log.push_back(samples::logEntry(ticks / 20, Severity::Advisory,
                                                    QStringLiteral("rotctld 127.0.0.1:51234"),

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts_panel.h"
+
+#include "ui/command_button.h"
+#include "ui/strip_charts.h"
+#include "ui/theme.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedLayout>
+#include <QVBoxLayout>
+
+namespace boresight::ui {
+
+ChartsPanel::ChartsPanel(const Clock& clock, QWidget* parent)
+    : QWidget(parent), m_charts(new StripCharts(clock, this)), m_places(new QStackedLayout(this))
+{
+    m_places->addWidget(makePlaceholder());
+    takeBack();
+}
+
+QWidget* ChartsPanel::makePlaceholder()
+{
+    auto* const page = new QWidget(this);
+    auto* const column = new QVBoxLayout(page);
+    auto* const text = new QLabel(tr("The charts stand in the place of the sky."), page);
+    text->setFont(fonts::label());
+    text->setAlignment(Qt::AlignCenter);
+    auto* const back = new QPushButton(tr("Back to this panel"), page);
+    back->setFont(fonts::label());
+    back->setAccessibleName(tr("Charts back to this panel"));
+    back->setToolTip(tr("Show the sky again (Ctrl+L)"));
+    back->setMinimumHeight(kTouchSize);
+    connect(back, &QPushButton::clicked, this, [this] { Q_EMIT m_charts->largeWanted(false); });
+    column->addStretch(1);
+    column->addWidget(text);
+    column->addWidget(back, 0, Qt::AlignHCenter);
+    column->addStretch(1);
+    return page;
+}
+
+void ChartsPanel::takeBack()
+{
+    m_places->addWidget(m_charts);
+    m_places->setCurrentWidget(m_charts);
+    m_charts->setLarge(false);
+}
+
+}  // namespace boresight::ui
