@@ -125,6 +125,7 @@ void FdcanusbLink::close()
     }
     m_port.clearError();
     m_adapterTrouble.clear();
+    m_busOff = false;
     reportBus(LinkState::Closed, {});
 }
 
@@ -200,6 +201,7 @@ void FdcanusbLink::handle(const CanFrame& frame)
     stamped.received = m_clock.now();
     m_lastCheck = stamped.received;
     ++m_status.received;
+    m_busOff = false;
     reportBus(LinkState::Up, {});
     Q_EMIT frameReceived(stamped);
 }
@@ -227,9 +229,11 @@ void FdcanusbLink::handle(const fdcanusb::Refusal& refusal)
     const Command command = takePending();
     if (refusal.notOnBus()) {
         ++m_status.busErrors;
-        reportBus(LinkState::Down,
-                  QStringLiteral("the adapter is not on the bus (\"not in BusOn state\"); it is switched on "
-                                 "again once a second: if that does not help, plug it in again"));
+        if (!m_busOff) {  // else the reason is known, and this its result
+            reportBus(LinkState::Down,
+                      QStringLiteral("the adapter is not on the bus (\"not in BusOn state\"); it is switched on "
+                                     "again once a second: if that does not help, plug it in again"));
+        }
         restartController();
     } else if (command == Command::Frame) {
         ++m_status.busErrors;
@@ -244,6 +248,7 @@ void FdcanusbLink::handle(const fdcanusb::Refusal& refusal)
 void FdcanusbLink::handle(const fdcanusb::BusStatus& bus)
 {
     takePending();
+    m_busOff = bus.busOff;
     if (bus.busOff) {
         ++m_status.busErrors;
         reportBus(LinkState::Down, QStringLiteral("bus-off after too many errors: check the cable, the 120 ohm at "

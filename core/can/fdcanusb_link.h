@@ -91,6 +91,7 @@ private:
     fdcanusb::LineSplitter m_splitter;
     std::deque<Pending> m_pending;
     LinkStatus m_status;
+    bool m_busOff = false;     // as its last status said, until a frame is received
     QString m_busTrouble;      // until a frame is received or the bus status is good
     QString m_adapterTrouble;  // until a frame is accepted again
     std::uint64_t m_unreadableLines = 0;

@@ -202,6 +202,23 @@ TEST_F(FdcanusbLinkTest, SilentBusIsAskedForItsStatusAndRestarted)
     ASSERT_TRUE(waitUntil([this] { return text().empty(); }));
 }
 
+// Story: a bus-off adapter refuses frames too, and the two texts took turns in the log five times a second.
+TEST_F(FdcanusbLinkTest, BusOffIsNotHiddenByTheRefusalsThatFollow)
+{
+    clock.advance(200ms);
+    sendOne();
+    adapter.write("OK\r\nlec=3 dlec=7 err=1 warn=1 busoff=1 pexc=0 tdc=0\r\n");
+    ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Down; }));
+    const QString told = link.status().text;
+    EXPECT_THAT(text(), HasSubstr("bus-off after too many errors"));
+    const std::uint64_t errors = link.status().busErrors;
+    adapter.write("OK\r\nOK\r\n");  // to its restart
+    sendOne();
+    adapter.write("ERR not in BusOn state\r\n");
+    ASSERT_TRUE(waitUntil([&] { return link.status().busErrors == errors + 1; }));
+    EXPECT_EQ(link.status().text, told);
+}
+
 // Down for good: asked five times a second, restarted once.
 TEST_F(FdcanusbLinkTest, ControllerIsRestartedOnceASecond)
 {
