@@ -101,7 +101,9 @@ Result<> FdcanusbLink::openPort(const QString& device)
     }
     const std::string name = device.toStdString();
     if (const std::optional<QString> holder = portHolder(device)) {
-        return failure(ErrorCode::Busy, name + " is in use by " + holder->toStdString() + ": end it first");
+        const bool ours = holder->startsWith(QStringLiteral("boresight"));
+        return failure(ErrorCode::Busy, name + " is in use by " + holder->toStdString() + ": end it first" +
+                                            (ours ? ", or press \"Release bus\" on its Drives page" : ""));
     }
     m_port.setPortName(canonicalPort(device));
     if (m_port.open(QIODevice::ReadWrite)) {
