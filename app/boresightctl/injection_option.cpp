@@ -52,7 +52,8 @@ constexpr std::array<InjectionOption, 16> kOptions{{
      .min = 1.0,
      .max = 255.0,
      .whole = true,
-     .text = "drive fault #"},
+     .text = "drive fault #; cleared while it lasts, it returns when the drive is switched on. 96…105: limits it tells "
+             "while it works"},
     {.name = "wind",
      .kind = FaultKind::Wind,
      .need = kNeeded,
@@ -306,6 +307,7 @@ std::string describe(const Injection& injection)
         text.replace(place, 1, numberText(injection.value.value_or(0.0)) + unitText(option));
     }
     if (option.kind == FaultKind::DriveFault) {
+        text.erase(text.find(';'));
         text += ", " + std::string(moteus::faultText(static_cast<int>(injection.value.value_or(0.0))).name);
     }
     return whom(option, injection) + text;

@@ -20,6 +20,7 @@ enum class ActiveLimit
     CommandedTorque = 102,
     PositionBounds = 103,
     FluxBraking = 104,
+    FieldWeakening = 105,  // told only when injected
 };
 
 struct ElectricalState

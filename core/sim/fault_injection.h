@@ -24,7 +24,8 @@ enum class FaultKind
     AdapterError,   // the adapter answers ERR and sends nothing
     BusOff,         // the adapter is off the bus
     DuplicateId,    // the drive answers under the other's id
-    DriveFault,     // value: fault code, at once; comes back on enabling for as long as it lasts
+    DriveFault,     // value: fault code, at once; comes back on enabling for as long as it lasts, as it does in a real
+                    // drive. A limit's code (96…105) is only told while the drive is on: it goes on working
     PowerLoss,      // of the whole mount; value: mount angle in degrees that a hand turns this axis to
     SupplyVoltage,  // value: V
     Wind,           // value: Nm towards larger angles

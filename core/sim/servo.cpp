@@ -2,6 +2,8 @@
 // The control part of Servo: set-points to torque, within all limits.
 #include "core/sim/servo.h"
 
+#include "core/moteus/faults.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -101,6 +103,9 @@ void Servo::control(double dt, const ServoInputs& inputs)
         default:  // no torque: stopped, fault, enabling, and the open-loop modes, which no antenna uses
             m_terms = {};
             break;
+    }
+    if (moteus::isLimit(inputs.persistentFault) && controlsPosition()) {
+        m_limit = static_cast<ActiveLimit>(inputs.persistentFault);
     }
 }
 

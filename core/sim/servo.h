@@ -48,7 +48,8 @@ struct ServoInputs
     bool commutationValid = true;
     bool encoderError = false;
     bool gateDriverFault = false;
-    int persistentFault = 0;  // code of an injected cause: returns whenever the driver is enabled
+    // Code of an injected cause: a fault returns whenever the driver is enabled, a limit (96…105) is told while it is.
+    int persistentFault = 0;
 };
 
 struct PidTerms

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The mode state machine of Servo: commands, enabling, watchdog, faults.
+#include "core/moteus/faults.h"
 #include "core/sim/servo.h"
 
 #include <cmath>
@@ -192,7 +193,7 @@ void Servo::checkWatchdog()
 int Servo::supervisionFault(const ServoInputs& inputs) const
 {
     const ServoConfig& servo = m_config.servo;
-    if (inputs.persistentFault != 0) {
+    if (inputs.persistentFault != 0 && !moteus::isLimit(inputs.persistentFault)) {
         return inputs.persistentFault;
     }
     if (inputs.gateDriverFault) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sim/simulated_pair.h"
 
+#include "core/moteus/faults.h"
 #include "core/sim/reference_mount.h"
 
 #include <algorithm>
@@ -115,7 +116,7 @@ void SimulatedPair::applyFaults(Side& side)
     side.drive->setRegisterMapVersion(
         static_cast<int>(faultValue(FaultKind::RegisterMap, side.axis, moteus::kRegisterMapVersion)));
     const int fault = static_cast<int>(faultValue(FaultKind::DriveFault, side.axis, 0.0));
-    if (fault != 0 && fault != side.injectedFault) {
+    if (fault != 0 && fault != side.injectedFault && !moteus::isLimit(fault)) {
         side.drive->raiseFault(fault);
     }
     side.injectedFault = fault;

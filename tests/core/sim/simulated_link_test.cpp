@@ -290,6 +290,20 @@ TEST_F(SimulatedLinkTest, DriveFaultComesAtOnceAndReturnsOnEnabling)
     EXPECT_EQ(ask(1)->mode(), Mode::Position);
 }
 
+// Story: an injected limit put the drive into fault mode, where a real one works on and names what holds it back.
+TEST_F(SimulatedLinkTest, ALimitIsToldWhileTheDriveWorksOn)
+{
+    inject(FaultKind::DriveFault, 100.0);
+    clock.advance(Seconds(0.01));
+    EXPECT_EQ(ask(1)->mode(), Mode::Stopped);
+    EXPECT_EQ(ask(1)->fault(), 0) << "a drive that is off is held back by nothing";
+    drive(1.0, 1, moveTo(0.01));
+    const auto reply = ask(1);
+    EXPECT_EQ(reply->mode(), Mode::Position);
+    EXPECT_EQ(reply->fault(), 100);
+    EXPECT_NEAR(*reply->value(Register::Position), 0.01, 1e-3);
+}
+
 TEST_F(SimulatedLinkTest, PowerCycleForgetsTheTurn)
 {
     drive(4.0, 1, moveTo(0.3));
