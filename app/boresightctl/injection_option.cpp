@@ -200,7 +200,10 @@ std::string takeAxis(const InjectionOption& option, const Parts& parts, Injectio
 
 std::string takeValue(const InjectionOption& option, const Parts& parts, Injection& injection)
 {
-    const std::string text(parts.value);
+    std::string text(parts.value);
+    if (option.need == kOptional && !parts.axis && text.starts_with(':')) {
+        text.erase(0, 1);  // "[AXIS][:VALUE]" without an axis
+    }
     if (text.empty()) {
         return option.need == kNeeded ? "the value is missing" : "";
     }

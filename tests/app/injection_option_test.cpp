@@ -52,6 +52,9 @@ TEST(InjectionOption, EveryPartCanBeLeftOut)
     EXPECT_EQ(parse("stall", "+2")->duration, Seconds(2.0));
     EXPECT_FALSE(parse("power-loss", "@20+2")->value);
     EXPECT_EQ(parse("power-loss", "el:30@20+2")->value, 30.0);
+    ASSERT_TRUE(parse("power-loss", ":300@20+2")) << "as its syntax [AXIS][:DEGREES] promises";
+    EXPECT_EQ(parse("power-loss", ":300@20+2")->value, 300.0);
+    EXPECT_FALSE(parse("power-loss", ":300")->axis);
     EXPECT_EQ(parse("duplicate-id", "")->axis, Axis::Elevation) << "with both swapped, no id would be there twice";
 }
 
