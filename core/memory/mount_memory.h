@@ -32,6 +32,10 @@ struct TurnRecord
     bool moving = false;  // dirty: the axis moved, so it may have come to rest elsewhere
 
     bool operator==(const TurnRecord&) const = default;
+
+    // It still tells where the axis may be. To be called, and saved, before the drive's count is set: that is no
+    // motion.
+    void proveNothing() { host = {}; }
 };
 
 // How an axis stopped when it was really not fed any more.

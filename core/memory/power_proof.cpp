@@ -44,6 +44,10 @@ std::optional<QString> obstacleInTime(const DriveFrame& frame, const Evidence& e
         return QStringLiteral("The journal is dated %1 in the future: this computer's clock was put back")
             .arg(inWords(-byUtc));
     }
+    if (record.host == HostTime{}) {
+        return QStringLiteral(
+            "The journal proves no turn any more: a doubt arose, or the drive's count was set, after it was written");
+    }
     const std::optional<Seconds> elapsed = vouchedElapsed(evidence, record);
     if (!elapsed) {
         return QStringLiteral(

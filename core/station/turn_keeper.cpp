@@ -66,7 +66,7 @@ void TurnKeeper::forgetAfterOthers(Axis axis)
 void TurnKeeper::spoilRecord(Axis axis)
 {
     if (auto& last = record(axis)) {
-        last->host = {};
+        last->proveNothing();
         last->moving = true;
         m_changed = true;
     }
@@ -210,7 +210,19 @@ void TurnKeeper::countFromTheMiddle(Axis axis, Drive& drive)
     const bool phaseKnown = drive.report()->homeState != moteus::HomeState::Relative && period > Angle{};
     const Angle place = phaseKnown ? reported + period * std::round((middle - reported) / period) : middle;
     mine.reportedWhenAsked = geometry.toMotor(place);
-    drive.reference(geometry.toMotor(place), tolerance(axis, period));
+    tell(axis, geometry.toMotor(place), tolerance(axis, period), drive);
+}
+
+// Setting its count is no motion of the axis: nobody may count on over that from the record, whenever this ends.
+void TurnKeeper::tell(Axis axis, MotorTurns place, MotorTurns near, Drive& drive)
+{
+    for (auto* const last : {&record(axis), &state(axis).lent}) {
+        if (*last) {
+            (*last)->proveNothing();
+            m_changed = true;
+        }
+    }
+    drive.reference(place, near);
 }
 
 // Of a place in the drive's own turns: less than half of what it cannot tell apart.
@@ -281,7 +293,7 @@ void TurnKeeper::settle(Axis axis, Angle angle, Angle period, Drive& drive, cons
         return;
     }
     state(axis) = {.phase = Phase::Writing};
-    drive.reference(place, near);
+    tell(axis, place, near, drive);
 }
 
 void TurnKeeper::note(Axis axis, const survey::DriveFacts& facts, const Drive& drive, bool moving, SteadyTime now)

@@ -88,6 +88,7 @@ private:
     void ask(Axis axis, const memory::TurnQuestion& question, const Drive& drive);
     [[nodiscard]] bool chooseAsTold(Axis axis, Angle place, Drive& drive);
     void countFromTheMiddle(Axis axis, Drive& drive);
+    void tell(Axis axis, MotorTurns place, MotorTurns near, Drive& drive);
     void watchJog(Axis axis, const Drive& drive);
     void spoilRecord(Axis axis);
     void becomeKnown(Axis axis, const Drive& drive);

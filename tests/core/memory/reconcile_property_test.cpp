@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Certain must be the truth. A mount, its drive and a computer live through random misfortunes after a record was made:
-// hands, power cuts, restarts, sleep, clocks that step, a zero set anew, another drive, another profile. What the drive
-// and the clocks then say is judged, and compared with where the axis really is.
+// hands, power cuts, restarts, sleep, clocks that step, a zero set anew, counting from the middle, another drive,
+// another profile. What the drive and the clocks then say is judged, and compared with where the axis really is.
 #include "core/memory/reconcile.h"
 #include "tests/core/memory/example_memory.h"
 
@@ -59,9 +59,9 @@ public:
 
     [[nodiscard]] TurnRecord record() { return recordOf(frame(), truth(), m_axis, chance(0.3), utc(), host()); }
 
-    void misfortune()
+    void misfortune(TurnRecord& written)
     {
-        switch (static_cast<int>(uniform(0.0, 10.0))) {
+        switch (static_cast<int>(uniform(0.0, 11.0))) {
             case 0:
             case 1:
                 moveByHand();
@@ -86,6 +86,9 @@ public:
                 setNearest();
                 break;
             case 8:
+                countFromTheMiddle(written);
+                break;
+            case 9:
                 chance(0.3) ? swapDrive() : moveByHand();
                 break;
             default:
@@ -195,6 +198,15 @@ private:
         }
     }
 
+    // While the operator is asked, and at any time: as the station does it.
+    void countFromTheMiddle(TurnRecord& written)
+    {
+        written.proveNothing();
+        const double middle = m_axis.toMotor((m_axis.travel.min + m_axis.travel.max) * 0.5).turns();
+        m_shift += std::round((middle - reported().turns()) / m_placeTurns) * m_placeTurns;
+        m_home = HomeState::Output;
+    }
+
     void swapDrive()
     {
         m_drive = kElevationDrive;
@@ -251,7 +263,7 @@ TEST(ReconcileProperty, WhatIsCertainIsTrue)
         Evidence evidence{.record = world.record()};
         const int misfortunes = static_cast<int>(world.uniform(0.0, 5.0));
         for (int k = 0; k < misfortunes; ++k) {
-            world.misfortune();
+            world.misfortune(*evidence.record);
         }
         if (!world.driveSwapped() && world.chance(0.1)) {
             evidence.record.reset();

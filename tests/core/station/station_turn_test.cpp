@@ -130,6 +130,95 @@ TEST(StationTurns, WhatTheDriveContradictsIsNotTaken)
     EXPECT_NE(refused.error().text.find("contradicts"), std::string::npos) << refused.error().text;
 }
 
+// A mount whose journal is dated an hour ahead, so that the operator is asked. It stands at 0°.
+memory::MountMemory journalOfTheFuture(const StationRig& rig)
+{
+    memory::MountMemory journal;
+    for (const Axis axis : kAxes) {
+        const bool azimuth = axis == Axis::Azimuth;
+        const auto& geometry = azimuth ? rig.profile.azimuth.geometry : rig.profile.elevation.geometry;
+        const auto& drive = azimuth ? rig.azimuth : rig.elevation;
+        const MotorTurns reported = MotorTurns::fromTurns(drive.position);
+        journal.turns[index(axis)] =
+            memory::recordOf({.drive = rig.factsOf(axis).uuid,
+                              .reported = reported,
+                              .homeState = drive.home,
+                              .uptime = Seconds(std::chrono::hours(1))},
+                             geometry.toAxis(reported), geometry, false, rig.clock.utc() + std::chrono::hours(1),
+                             memory::hostTime(rig.clock));
+    }
+    return journal;
+}
+
+// The program starts again with what was saved; drives and their power stay, the clock is right meanwhile.
+void restartInto(StationRig& next, const StationRig& before)
+{
+    next.azimuth = before.azimuth;
+    next.elevation = before.elevation;
+    next.run(Seconds(0.5));
+}
+
+memory::MountMemory withTheClockRight(memory::MountMemory journal)
+{
+    for (auto& turn : journal.turns) {
+        if (turn) {
+            turn->when -= std::chrono::hours(1);
+        }
+    }
+    return journal;
+}
+
+// Story: while the question stood, the drive had been set to the middle of its travel; the program was started anew,
+// the journal's date was right again, and the setting of the zero was counted as a motion: 180°, for certain.
+TEST(StationTurns, CountingFromTheMiddleIsNeverTakenForAMotion)
+{
+    const StationRig standing;
+    StationRig asked(profile::Profile{}, {.memory = journalOfTheFuture(standing)});
+    asked.run(Seconds(0.5));
+    ASSERT_TRUE(asked.control.status().drives.azimuth.turnQuestion);
+    ASSERT_NEAR(asked.azimuthDegrees(), 180.0, 3.6) << "it counts from the middle";
+    ASSERT_TRUE(asked.control.takeMemoryChange()) << "to be saved at once";
+
+    StationRig again(profile::Profile{}, {.memory = withTheClockRight(asked.control.memory())});
+    restartInto(again, asked);
+    EXPECT_FALSE(again.control.status().drives.azimuth.turnKnown);
+    const auto question = again.control.status().drives.azimuth.turnQuestion;
+    ASSERT_TRUE(question);
+    ASSERT_TRUE(question->proposed) << "the journal still tells where it was";
+    EXPECT_NEAR(question->proposed->degrees(), 0.0, 1e-6);
+}
+
+// The same without a new start: what was in the way of the proof may pass while the drive is silent.
+TEST(StationTurns, CountingFromTheMiddleProvesNothingAfterASilenceEither)
+{
+    const StationRig standing;
+    StationRig rig(profile::Profile{}, {.memory = journalOfTheFuture(standing)});
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.control.status().drives.azimuth.turnQuestion);
+    rig.azimuth.silent = true;
+    rig.clock.stepUtc(Seconds(std::chrono::hours(1)) + Seconds(1.0));
+    rig.run(Seconds(0.5));
+    rig.azimuth.silent = false;
+    rig.run(Seconds(0.5));
+    EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown);
+}
+
+// Killed right after the answer was written into the drive, before the new place was saved.
+TEST(StationTurns, AnAnswerHalfWrittenIsNeverTakenForAMotion)
+{
+    const StationRig standing;
+    StationRig told(profile::Profile{}, {.memory = journalOfTheFuture(standing), .standingAt = {100.8_deg, 43.2_deg}});
+    memory::MountMemory saved;
+    for (int i = 0; i < 25 && told.azimuth.position < 0.1; ++i) {
+        told.tick();
+        saved = told.control.memory();
+    }
+    ASSERT_NEAR(told.azimuth.position, 0.28, 1e-6);
+    StationRig again(profile::Profile{}, {.memory = withTheClockRight(saved)});
+    restartInto(again, told);
+    EXPECT_FALSE(again.control.status().drives.azimuth.turnKnown);
+}
+
 // Story: a brown-out shorter than a silence left the turn known, and the place after it overwrote the journal.
 TEST(StationTurns, ARestartThatNobodyNoticedIsSeenByTheHomeState)
 {
