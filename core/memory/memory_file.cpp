@@ -134,6 +134,7 @@ LoadedMemory MemoryFile::load()
     if (found) {
         for (auto& turn : found->turns) {
             if (turn) {
+                turn->proveNothing();  // the lost one may have been written because a doubt arose
                 turn->moving = true;
             }
         }
