@@ -39,7 +39,12 @@ void TurnChoice::pick(Angle angle)
 
 void TurnChoice::enter(Angle about)
 {
-    pick(nearest(about).value_or(about));
+    const std::optional<Angle> place = nearest(about);
+    if (place && abs(*place - about) > m_question.period / 2.0) {
+        clear();  // beyond the stops: what he means is none of them
+    } else {
+        pick(place.value_or(about));
+    }
 }
 
 void TurnChoice::clear()

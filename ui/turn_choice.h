@@ -17,7 +17,7 @@ public:
     void follow(const memory::TurnQuestion& question);  // the same, a moment later
 
     void pick(Angle angle);   // one of the candidates
-    void enter(Angle about);  // the nearest candidate; without candidates the angle itself
+    void enter(Angle about);  // the nearest candidate, if it is one; without candidates the angle itself
     void clear();
 
     [[nodiscard]] const memory::TurnQuestion& question() const { return m_question; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/memory/reconcile.h"
 
+#include "core/memory/places.h"
 #include "core/memory/power_proof.h"
 #include "core/memory/words.h"
 
@@ -10,8 +11,7 @@
 namespace boresight::memory {
 namespace {
 
-const Angle kBeyondTravel = Angle::fromDegrees(3.0);  // a mechanical stop yields, a drive coasts
-const Angle kAgreement = Angle::fromDegrees(5.0);     // scenario S10: as much may a mount move while nobody looks
+const Angle kAgreement = Angle::fromDegrees(5.0);  // scenario S10: as much may a mount move while nobody looks
 // With a shorter ambiguity an axis in motion is on another of its places within a second or two.
 const Angle kWidePeriod = Angle::fromDegrees(20.0);
 // Below this they are no places: a ratio of zero, or nonsense.
@@ -28,17 +28,8 @@ bool knowsItsPhase(const DriveFrame& frame)
 
 std::vector<Angle> candidatesOf(const DriveFrame& frame, const pointing::AxisGeometry& axis)
 {
-    std::vector<Angle> candidates;
-    if (!knowsItsPhase(frame)) {
-        return candidates;
-    }
-    const Angle reported = axis.toAxis(frame.reported);
-    const double first = std::ceil((axis.travel.min - kBeyondTravel - reported) / frame.period);
-    const double last = std::floor((axis.travel.max + kBeyondTravel - reported) / frame.period);
-    for (double k = first; k <= last; k += 1.0) {
-        candidates.push_back(reported + frame.period * k);
-    }
-    return candidates;
+    return knowsItsPhase(frame) ? placesAround(axis.toAxis(frame.reported), frame.period, axis.travel)
+                                : std::vector<Angle>();
 }
 
 std::optional<Angle> nearest(const std::vector<Angle>& candidates, Angle place)
@@ -141,8 +132,10 @@ private:
             return QStringLiteral("The drive does not know where the axis is: enter the angle");
         }
         if (m_candidates.empty()) {
-            return QStringLiteral("The drive reports %1, and no turn of that lies within the travel: enter the angle")
-                .arg(inWords(m_axis.toAxis(m_frame.reported)));
+            return QStringLiteral(
+                       "The drive reports %1, and no turn of that lies within %2° of the travel: enter the angle")
+                .arg(inWords(m_axis.toAxis(m_frame.reported)))
+                .arg(kBeyondTravel.degrees());
         }
         if (m_candidates.size() == 1) {
             return QStringLiteral("The drive reports a place that is possible at %1 only")

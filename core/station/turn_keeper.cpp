@@ -2,6 +2,7 @@
 #include "core/station/turn_keeper.h"
 
 #include "core/base/numbers.h"
+#include "core/memory/places.h"
 #include "core/station/drive_alarms.h"
 
 #include <algorithm>
@@ -32,6 +33,16 @@ QString degreesText(Angle angle)
 Angle nearestOf(const std::vector<Angle>& candidates, Angle angle)
 {
     return *std::ranges::min_element(candidates, {}, [angle](Angle one) { return abs(one - angle).radians(); });
+}
+
+// The one that `angle` is but for the noise of a report; nothing if it has left the stops.
+std::optional<Angle> sameAmong(const std::vector<Angle>& candidates, Angle angle, Angle period)
+{
+    if (candidates.empty()) {
+        return std::nullopt;
+    }
+    const Angle same = nearestOf(candidates, angle);
+    return abs(same - angle) < period * 0.25 ? std::optional(same) : std::nullopt;
 }
 
 }  // namespace
@@ -247,11 +258,16 @@ std::optional<memory::TurnQuestion> TurnKeeper::question(Axis axis, const Drive&
     }
     memory::TurnQuestion question = mine.question;
     question.movedSince = drive.phase() == Drive::Phase::Referencing ? Angle{} : movedSince(axis, drive);
-    for (Angle& candidate : question.candidates) {
-        candidate += question.movedSince;
+    if (question.candidates.empty()) {
+        return question;
     }
+    // Those of now: one that lay beyond the stops may have come inside by jogging, and others gone out.
+    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
+    question.candidates =
+        memory::placesAround(geometry.toAxis(*drive.report()->position), question.period, geometry.travel);
     if (question.proposed) {
-        *question.proposed += question.movedSince;
+        const Angle wandered = *question.proposed + question.movedSince;
+        question.proposed = sameAmong(question.candidates, wandered, question.period);
     }
     return question;
 }

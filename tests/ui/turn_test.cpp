@@ -144,6 +144,16 @@ TEST_F(TurnTest, AmongManyPlacesAnAngleSelectsTheNearest)
     expectAnswered(Axis::Azimuth, -30.5);
 }
 
+// Story: -30° was entered, -14.2° was sent, and nobody was told.
+TEST_F(TurnTest, AnAngleFarFromAllPlacesSelectsNone)
+{
+    give(samples::update(manyPlaces()));
+    field().setFocus();
+    QTest::keyClicks(&field(), QStringLiteral("-120"));
+    EXPECT_EQ(text("Selected place"), QStringLiteral("nothing selected"));
+    EXPECT_FALSE(answer().isEnabled());
+}
+
 TEST_F(TurnTest, WithoutPlacesTheAngleItselfIsTheAnswer)
 {
     give(samples::update(samples::asking(Axis::Elevation, 0, 0_deg, false)));

@@ -143,7 +143,7 @@ private:
     // Stops keep the axis near its travel; some moves are whole turns of what the drive can see.
     void moveByHand()
     {
-        const Angle margin = Angle::fromDegrees(2.9);
+        const Angle margin = Angle::fromDegrees(14.9);
         const TravelRange reach{m_axis.travel.min - margin, m_axis.travel.max + margin};
         Angle to = Angle::fromDegrees(uniform(reach.min.degrees(), reach.max.degrees()));
         if (chance(0.4)) {

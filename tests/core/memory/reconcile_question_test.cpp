@@ -36,9 +36,9 @@ TEST(ReconcileQuestion, MovedByHandHasNoDefault)
     Scene scene;
     scene.powerCycledAt(100.0);
     EXPECT_EQ(scene.question().proposed, std::nullopt);
-    EXPECT_THAT(inDegrees(scene.question().candidates), ElementsAre(-260.0, 100.0));
+    EXPECT_THAT(inDegrees(scene.question().candidates), ElementsAre(-260.0, 100.0, 460.0));
     EXPECT_THAT(scene.sentences(),
-                Contains("The nearest of them is 305.0° from the journal: the axis was moved meanwhile"));
+                Contains("The nearest of them is 55.0° from the journal: the axis was moved meanwhile"));
     EXPECT_THAT(scene.sentences(), Contains("There is no sensor to compare with"));
 }
 
@@ -101,7 +101,7 @@ TEST(ReconcileQuestion, ADirtyJournalOfAHighGearSaysWhyItProposesNothing)
                 Contains("The axis was moving, and places 3.6° apart look the same to the drive: the journal "
                          "cannot tell which"));
     EXPECT_EQ(sentences.front(),
-              "The angle is known to a multiple of 3.6° only: 227 places from -361.8° to 451.8° are possible");
+              "The angle is known to a multiple of 3.6° only: 233 places from -372.6° to 462.6° are possible");
 }
 
 TEST(ReconcileQuestion, WithoutAJournalSaysSoAndProposesNothing)
@@ -140,7 +140,7 @@ TEST(ReconcileQuestion, NoTurnWithinTheTravelAsksForTheAngle)
     scene.powerCycledAt(120.0);
     EXPECT_TRUE(scene.question().candidates.empty());
     EXPECT_EQ(scene.sentences().front(),
-              "The drive reports 120.0°, and no turn of that lies within the travel: enter the angle");
+              "The drive reports 120.0°, and no turn of that lies within 15° of the travel: enter the angle");
 }
 
 TEST(ReconcileQuestion, ManyCandidatesAreAllKept)
@@ -148,7 +148,7 @@ TEST(ReconcileQuestion, ManyCandidatesAreAllKept)
     Scene scene(Kind::HundredToOne);
     scene.frame.period = ambiguity(scene.axis, 0.001, false);
     scene.powerCycledAt(0.0);
-    EXPECT_EQ(scene.question().candidates.size(), 2267U);  // 816° of 0.36°
+    EXPECT_EQ(scene.question().candidates.size(), 2333U);  // 840° of 0.36°
 }
 
 TEST(ReconcileQuestion, AgesAreTold)

@@ -359,15 +359,27 @@ TEST(ReconcileOnlyPlace, ARotorEncoderIsNotEnough)
     EXPECT_EQ(scene.sentences().front(), "The drive reports a place that is possible at 30.0° only");
 }
 
-// Scenario S10 with a mount of one turn: two places near the end, one elsewhere.
-TEST(ReconcileOnlyPlace, TheEndsOfTheTravelCountThreeDegreesMore)
+// Scenario S10 with a mount of one turn: two places near the end, one elsewhere. Coasted or pushed, an axis stands
+// beyond its travel, in its stops.
+TEST(ReconcileOnlyPlace, TheEndsOfTheTravelCountFifteenDegreesMore)
 {
     Scene scene;
     scene.axis.travel = {0_deg, 360_deg};
     scene.evidence.record.reset();
-    EXPECT_THAT(scene.powerCycledAt(4.0).certain(), isAt(4.0));
-    EXPECT_THAT(inDegrees(scene.powerCycledAt(2.9).question().candidates), ElementsAre(2.9, 362.9));
-    EXPECT_THAT(inDegrees(scene.powerCycledAt(-2.9).question().candidates), ElementsAre(-2.9, 357.1));
+    EXPECT_THAT(scene.powerCycledAt(16.0).certain(), isAt(16.0));
+    EXPECT_THAT(inDegrees(scene.powerCycledAt(14.9).question().candidates), ElementsAre(14.9, 374.9));
+    EXPECT_THAT(inDegrees(scene.powerCycledAt(-14.9).question().candidates), ElementsAre(-14.9, 345.1));
+    scene.evidence.trusted = true;
+    EXPECT_THAT(scene.powerCycledAt(10.0).certain(), isAt(10.0)) << "the profile knows better";
+}
+
+// Story: an azimuth had coasted to 455.2°, its journal was gone, and 95.2° was certain: a full turn of cable.
+TEST(ReconcileOnlyPlace, CoastedBeyondTheTravelItIsNotCertainOfAnotherTurn)
+{
+    Scene scene;
+    scene.axis.travel = {-90_deg, 450_deg};
+    scene.evidence.record.reset();
+    EXPECT_THAT(inDegrees(scene.powerCycledAt(455.2).question().candidates), ElementsAre(95.2, 455.2));
 }
 
 }  // namespace

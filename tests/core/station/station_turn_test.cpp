@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace boresight {
@@ -217,6 +218,58 @@ TEST(StationTurns, AnAnswerHalfWrittenIsNeverTakenForAMotion)
     StationRig again(profile::Profile{}, {.memory = withTheClockRight(saved)});
     restartInto(again, told);
     EXPECT_FALSE(again.control.status().drives.azimuth.turnKnown);
+}
+
+// The elevation coasted beyond its travel (0…90°) without power, and nobody has a journal.
+struct CoastedRig : StationRig
+{
+    explicit CoastedRig(double place, std::optional<Angle> told = std::nullopt)
+        : StationRig(profile::Profile{},
+                     {.problem = QStringLiteral("The journal file is missing."), .standingAt = {0_deg, told}})
+    {
+        elevation.home = HomeState::Rotor;
+        elevation.position = profile.elevation.geometry.toMotor(Angle::fromDegrees(place)).turns();
+        run(Seconds(0.5));
+    }
+
+    [[nodiscard]] std::optional<memory::TurnQuestion> question() const
+    {
+        return control.status().drives.elevation.turnQuestion;
+    }
+
+    [[nodiscard]] bool mayBeAt(double place) const
+    {
+        return std::ranges::any_of(question().value().candidates,
+                                   [&](Angle one) { return std::abs(one.degrees() - place) < 0.01; });
+    }
+};
+
+// Story: "26 places from 0.2° to 90.2° are possible", and the true one, -7°, was said to contradict the drive.
+TEST(StationTurns, BeyondTheTravelTheTruePlaceCanBeTold)
+{
+    CoastedRig asked(-7.0);
+    ASSERT_TRUE(asked.question());
+    EXPECT_TRUE(asked.mayBeAt(-7.0));
+    const CoastedRig told(-7.0, -7_deg);
+    EXPECT_TRUE(told.control.status().drives.elevation.turnKnown);
+    EXPECT_NEAR(told.elevationDegrees(), -7.0, 1e-4);
+}
+
+// Story: the places were found once and only shifted along, so that none of them was true after jogging back.
+TEST(StationTurns, JoggedBackThePlacesAreThoseOfNow)
+{
+    CoastedRig rig(-20.0);
+    ASSERT_TRUE(rig.question());
+    EXPECT_FALSE(rig.mayBeAt(-20.0)) << "no stop lets it go so far";
+    for (int i = 0; i < 100; ++i) {
+        ASSERT_TRUE(rig.ask(request::Jog{{.elevation = 1_deg_s}}));
+        rig.run(Seconds(0.1));
+    }
+    const double moved = rig.question()->movedSince.degrees();
+    EXPECT_NEAR(moved, 10.0, 0.5);
+    EXPECT_TRUE(rig.mayBeAt(-20.0 + moved));
+    EXPECT_LE(rig.question()->candidates.back(), 105_deg);
+    EXPECT_GE(rig.question()->candidates.front(), -15_deg);
 }
 
 // Story: a brown-out shorter than a silence left the turn known, and the place after it overwrote the journal.
