@@ -35,6 +35,14 @@ Angle nearestOf(const std::vector<Angle>& candidates, Angle angle)
     return *std::ranges::min_element(candidates, {}, [angle](Angle one) { return abs(one - angle).radians(); });
 }
 
+// A drive that is on and told a place there pulls the axis to the nearer bound without a ramp, or lets it go in fault.
+// Its bounds may lie at half their margin (survey/protections.cpp).
+bool beyondBounds(Angle place, const TravelRange& travel, const profile::Profile& profile)
+{
+    const Angle margin = profile.control.driveLimitMargin * 0.5;
+    return place < travel.min - margin || place > travel.max + margin;
+}
+
 // The one that `angle` is but for the noise of a report; nothing if it has left the stops.
 std::optional<Angle> sameAmong(const std::vector<Angle>& candidates, Angle angle, Angle period)
 {
@@ -288,6 +296,13 @@ Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString&
             return failure(ErrorCode::Refused, "the drive's direction contradicts " + degreesText(angle).toStdString() +
                                                    ": the nearest it can be at is " + degreesText(place).toStdString());
         }
+    }
+    if (drive.report()->mode != moteus::Mode::Stopped &&
+        beyondBounds(place, m_profile.axis(axis).geometry.travel, m_profile)) {
+        return failure(ErrorCode::Refused, degreesText(place).toStdString() +
+                                               " is beyond the drive's own bounds, and "
+                                               "it would pull the axis to them at once: switch the drives off first "
+                                               "(support the elevation)");
     }
     settle(axis, place, asked->period, drive, source, QStringLiteral("chosen"));
     return {};

@@ -272,6 +272,32 @@ TEST(StationTurns, JoggedBackThePlacesAreThoseOfNow)
     EXPECT_GE(rig.question()->candidates.front(), -15_deg);
 }
 
+// Story: told a place beyond its own bounds, a drive that held clamped to the bound without a ramp: it yanked the axis.
+TEST(StationTurns, BeyondItsBoundsADriveIsToldItsPlaceOnlyWhenItIsOff)
+{
+    CoastedRig rig(-7.0);
+    ASSERT_TRUE(rig.ask(request::Jog{{.elevation = 0.1_deg_s}}));
+    rig.run(Seconds(2.0));
+    ASSERT_EQ(rig.elevation.mode, moteus::Mode::Position);
+    const request::ChooseTurn answer{Axis::Elevation, -7_deg};
+    const Result<> held = rig.ask(answer);
+    ASSERT_FALSE(held);
+    EXPECT_NE(held.error().text.find("switch the drives off first"), std::string::npos) << held.error().text;
+    ASSERT_TRUE(rig.ask(request::SwitchOff{}));
+    rig.run(Seconds(0.3));
+    rig.elevation.mode = moteus::Mode::PositionTimeout;
+    rig.run(Seconds(0.1));
+    EXPECT_FALSE(rig.ask(answer)) << "no frame could tell it to ignore its bounds";
+    rig.elevation.mode = moteus::Mode::Stopped;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.ask(answer));
+    rig.run(Seconds(0.5));
+    EXPECT_TRUE(rig.control.status().drives.elevation.turnKnown);
+    ASSERT_TRUE(rig.ask(request::Jog{{.elevation = 0.1_deg_s}}));
+    rig.run(Seconds(0.3));
+    EXPECT_EQ(rig.elevation.seen.back().fields.count(Register::CommandIgnorePositionBounds), 1U) << "let back inside";
+}
+
 // Story: a brown-out shorter than a silence left the turn known, and the place after it overwrote the journal.
 TEST(StationTurns, ARestartThatNobodyNoticedIsSeenByTheHomeState)
 {
