@@ -89,7 +89,7 @@ public:
     void starve();  // Engaged -> Starving
     void brake();
     void release();
-    // While nobody knows the turn, the drive's own position bounds mean nothing and would only refuse (fault 39).
+    // For an axis known to stand beyond the drive's own position bounds: they would refuse the way back (fault 39).
     void setIgnoreBounds(bool ignore) { m_ignoreBounds = ignore; }
     void setSetpoint(MotorTurns position, MotorRate rate);  // sent while Engaged
 
