@@ -174,7 +174,6 @@ void DriveSurvey::collectFacts(Side& side)
     const DriveIdentity identity = identityOf(*board);
     side.facts =
         DriveFacts{.uuid = identity.uuid,
-                   .words = board->known.uuid().value_or(moteus::Uuid{}),
                    .identity = identity,
                    .bootedAt = side.drive.heartbeat().bootedAt(),
                    .outputEncoder = side.drive.value("motor_position.output.reference_source").value_or(-1.0) >= 0.0,

@@ -21,7 +21,6 @@ namespace boresight::survey {
 struct DriveFacts
 {
     QString uuid;  // 8-4-4-4-12 digits
-    moteus::Uuid words{};
     DriveIdentity identity;
     SteadyTime bootedAt;         // its power-up
     bool outputEncoder = false;  // an encoder on the axis tells the turn after power-up
