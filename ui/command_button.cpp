@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/command_button.h"
 
-#include "ui/request_desk.h"
 #include "ui/value_label.h"
 
 namespace boresight::ui {
@@ -18,9 +17,14 @@ CommandButton::CommandButton(const QString& text, const QString& help, RequestDe
 
 void CommandButton::ask(const Request& request)
 {
+    await([&](QObject* asker, const RequestDesk::Reply& reply) { m_desk.send(request, asker, reply); });
+}
+
+void CommandButton::await(const std::function<void(QObject*, const RequestDesk::Reply&)>& send)
+{
     ++m_waiting;
     showWaiting();
-    m_desk.send(request, this, [this](const std::optional<Error>& error) {
+    send(this, [this](const std::optional<Error>& error) {
         --m_waiting;
         showWaiting();
         if (error) {

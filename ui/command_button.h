@@ -2,14 +2,16 @@
 #pragma once
 
 #include "core/station/request.h"
+#include "ui/request_desk.h"
 
 #include <QPushButton>
+
+#include <functional>
 
 // A button that asks the station for something. It shows "requested" until the station has answered, puts a refusal
 // into the notice line next to it, and while it cannot act it is disabled and its tooltip says why.
 namespace boresight::ui {
 
-class RequestDesk;
 class ValueLabel;
 
 class CommandButton : public QPushButton
@@ -22,6 +24,8 @@ public:
                   QWidget* parent = nullptr);
 
     void ask(const Request& request);
+    // The same for an asking that goes another way; `send` gets the asker and what must be called with the answer.
+    void await(const std::function<void(QObject*, const RequestDesk::Reply&)>& send);
     void setBlocked(const QString& reason);                     // empty: can act
     void setCommand(const QString& text, const QString& help);  // for a button that changes its part
 

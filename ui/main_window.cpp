@@ -6,10 +6,12 @@
 #include "ui/cable_bar.h"
 #include "ui/charts_panel.h"
 #include "ui/command_button.h"
+#include "ui/forbidden.h"
 #include "ui/format.h"
 #include "ui/header_bar.h"
 #include "ui/help_page.h"
 #include "ui/jog_panel.h"
+#include "ui/limits_panel.h"
 #include "ui/log_panel.h"
 #include "ui/motion_permission.h"
 #include "ui/panel_tabs.h"
@@ -40,14 +42,15 @@ constexpr std::chrono::seconds kStopUnanswered{1};
 MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidget* parent)
     : QMainWindow(parent),
       m_clock(clock),
+      m_draft(m_desk),
       m_lastUpdate(clock.now()),
       m_header(new HeaderBar(this)),
       m_alarms(new AlarmLine(m_desk, this)),
-      m_plot(new PolarPlot(settings.beamWidth, this)),
+      m_plot(new PolarPlot(m_draft, this)),
       m_plotCell(new QGridLayout),
       m_readout(new AxisReadout(this)),
       m_cable(new CableBar(this)),
-      m_panels(new PanelTabs(clock, m_desk, settings, this)),
+      m_panels(new PanelTabs(clock, m_desk, m_draft, settings, this)),
       m_lastCommand(new ValueLabel(tr("Last line of the log"), fonts::label(), {}, this)),
       m_pickBar(new PromptBar(tr("Direction under the cursor"), this)),
       m_closeBar(new PromptBar(tr("Close"), this)),
@@ -66,6 +69,8 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(m_stopKeys, &StopKeys::stopPressed, this, &MainWindow::stop);
     connect(m_plot, &PolarPlot::clicked, this, &MainWindow::pick);
     connect(&m_panels->charts().charts(), &StripCharts::largeWanted, this, &MainWindow::placeCharts);
+    connect(m_plot, &PolarPlot::editingChanged, this, &MainWindow::showEditing);
+    m_stopKeys->setFirstUse([this] { return m_plot->editor().cancelDrag(); });
     connect(&m_beat, &QTimer::timeout, this, &MainWindow::beat);
     m_beat.start(kBeat);
     showStatus(m_status);
@@ -132,6 +137,11 @@ void MainWindow::addKeys()
     addKey(Qt::CTRL | Qt::Key_H, &MainWindow::hold);
     addKey(Qt::CTRL | Qt::Key_P, &MainWindow::park);
     addKey(Qt::CTRL | Qt::Key_D, &MainWindow::nextTheme);
+    addKey(Qt::CTRL | Qt::Key_E, &MainWindow::toggleEditing);
+    addKey(Qt::CTRL | Qt::Key_0, &MainWindow::toggleZoom);
+    addKey(Qt::CTRL | Qt::Key_Plus, &MainWindow::zoomIn);
+    addKey(Qt::CTRL | Qt::Key_Equal, &MainWindow::zoomIn);  // the same key without Shift
+    addKey(Qt::CTRL | Qt::Key_Minus, &MainWindow::zoomOut);
     addKey(Qt::Key_F8, &MainWindow::acknowledge);
     addKey(Qt::Key_F11, &MainWindow::toggleFullScreen);
     addKey(Qt::Key_F1, &MainWindow::showHelp);
@@ -146,6 +156,7 @@ void MainWindow::addKey(const QKeySequence& key, void (MainWindow::*act)())
 
 void MainWindow::showUpdate(const StationUpdate& update)
 {
+    const bool newProfile = update.status.profile != m_status.profile;
     m_status = update.status;
     m_lastUpdate = m_clock.now();
     m_panels->log().append(update.log);
@@ -160,6 +171,10 @@ void MainWindow::showUpdate(const StationUpdate& update)
         m_stopSince.reset();
     }
     m_desk.take(update.answers);
+    m_draft.showStatus(update.status);
+    if (newProfile && m_picked) {
+        pick(*m_picked);  // what is forbidden may have changed
+    }
     showStatus(aged());
     Q_EMIT updateShown();
 }
@@ -172,7 +187,13 @@ void MainWindow::showStatus(const StationStatus& status)
     m_readout->showStatus(status);
     m_cable->showStatus(status);
     m_panels->showStatus(status);
-    m_goHere->setBlocked(whyNoPointing(status));
+    blockGoHere(status);
+}
+
+void MainWindow::blockGoHere(const StationStatus& status)
+{
+    const QString reason = whyNoPointing(status);
+    m_goHere->setBlocked(reason.isEmpty() ? m_forbidden : reason);
 }
 
 // Ten times a second, whether the station speaks or not: old numbers age, alarms flash, the pad disarms.
@@ -240,13 +261,16 @@ void MainWindow::pick(const SkyPointing& direction)
     m_picked = direction;
     m_plot->setPicked(direction);
     m_pickBar->setText(directionText(direction));
-    m_pickBar->notice().setValue({});
+    m_forbidden = whyForbidden(m_status, direction);
+    m_pickBar->notice().setValue(m_forbidden, Tone::Warning, m_forbidden.isEmpty() ? Symbol::None : Symbol::Warning);
+    blockGoHere(aged());
     m_pickBar->show();
 }
 
 void MainWindow::unpick()
 {
     m_picked.reset();
+    m_forbidden.clear();
     m_plot->setPicked(std::nullopt);
     m_pickBar->hide();
 }
@@ -311,6 +335,34 @@ void MainWindow::nextTheme()
 {
     applyTheme(next(currentTheme().kind));
     Q_EMIT themeChanged(currentTheme().kind);
+}
+
+void MainWindow::showEditing(bool on)
+{
+    unpick();
+    if (on) {
+        m_panels->bringUp(m_panels->limits());
+    }
+}
+
+void MainWindow::toggleEditing()
+{
+    m_plot->setEditing(!m_plot->editor().isEditing());
+}
+
+void MainWindow::toggleZoom()
+{
+    m_plot->toggleZoom();
+}
+
+void MainWindow::zoomIn()
+{
+    m_plot->zoomBy(1);
+}
+
+void MainWindow::zoomOut()
+{
+    m_plot->zoomBy(-1);
 }
 
 void MainWindow::toggleFullScreen()

@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/station/request.h"
 #include "core/station/station_status.h"
+#include "ui/profile_draft.h"
 #include "ui/request_desk.h"
 #include "ui/window_settings.h"
 
@@ -67,10 +68,16 @@ private:
     [[nodiscard]] StationStatus aged() const;
     void pick(const SkyPointing& direction);
     void unpick();
+    void blockGoHere(const StationStatus& status);
     void goToPicked();
     void confirmClose();
     void keepOpen();
     void nextTheme();
+    void showEditing(bool on);  // of the limits on the plot
+    void toggleEditing();
+    void toggleZoom();
+    void zoomIn();
+    void zoomOut();
     void toggleFullScreen();
     void showHelp();
     void goTo();
@@ -80,6 +87,7 @@ private:
 
     const Clock& m_clock;
     RequestDesk m_desk;
+    ProfileDraft m_draft;
     StationStatus m_status;
     SteadyTime m_lastUpdate;
     std::optional<SteadyTime> m_stopSince;  // a STOP the status does not show yet
@@ -97,6 +105,7 @@ private:
     HelpPage* m_help;
     StopKeys* m_stopKeys;
     std::optional<SkyPointing> m_picked;
+    QString m_forbidden;  // why the mount may not point there
     QTimer m_beat;
     int m_beats = 0;
     bool m_mayClose = false;

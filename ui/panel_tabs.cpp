@@ -5,6 +5,7 @@
 #include "ui/charts_panel.h"
 #include "ui/drives_panel.h"
 #include "ui/jog_panel.h"
+#include "ui/limits_panel.h"
 #include "ui/log_panel.h"
 #include "ui/protection_panel.h"
 #include "ui/strip_charts.h"
@@ -16,10 +17,12 @@
 
 namespace boresight::ui {
 
-PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, const WindowSettings& settings, QWidget* parent)
+PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft, const WindowSettings& settings,
+                     QWidget* parent)
     : QTabWidget(parent),
       m_jog(new JogPanel(clock, desk, settings, this)),
       m_charts(new ChartsPanel(clock, this)),
+      m_limits(new LimitsPanel(draft, desk, this)),
       m_log(new LogPanel(this)),
       m_drives(new DrivesPanel(desk, this)),
       m_protection(new ProtectionPanel(desk, this)),
@@ -29,6 +32,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, const WindowSettings
     setAccessibleName(tr("Panels"));
     addPanel(*this, *m_jog, tr("Jog"), tr("Jog panel (Ctrl+1)"), Qt::Key_1);
     addPanel(*this, *m_charts, tr("Charts"), tr("Position, error and drive over the time (Ctrl+2)"), Qt::Key_2);
+    addPanel(*this, *m_limits, tr("Limits"), tr("Limits, horizon and keep-outs (Ctrl+3)"), Qt::Key_3);
     addPanel(*this, *m_log, tr("Log"), tr("Log panel (Ctrl+5)"), Qt::Key_5);
     addTab(makeMountTabs(), tr("Mount"));
     addPanel(*this, *m_turn, tr("▲ Turn?"), tr("Which turn is the axis on? (Ctrl+9)"), Qt::Key_9);
@@ -82,6 +86,7 @@ void PanelTabs::showStatus(const StationStatus& status)
 {
     m_jog->showStatus(status);
     m_charts->charts().showStatus(status);
+    m_limits->showStatus(status);
     m_drives->showStatus(status);
     m_protection->showStatus(status);
     m_turn->showStatus(status);

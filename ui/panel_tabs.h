@@ -17,7 +17,9 @@ namespace boresight::ui {
 class ChartsPanel;
 class DrivesPanel;
 class JogPanel;
+class LimitsPanel;
 class LogPanel;
+class ProfileDraft;
 class ProtectionPanel;
 class RequestDesk;
 class TurnPage;
@@ -27,13 +29,15 @@ class PanelTabs : public QTabWidget
     Q_OBJECT
 
 public:
-    PanelTabs(const Clock& clock, RequestDesk& desk, const WindowSettings& settings, QWidget* parent = nullptr);
+    PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft, const WindowSettings& settings,
+              QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
     void bringUp(QWidget& panel);  // to the front, also from behind "Mount"
 
     [[nodiscard]] JogPanel& jog() { return *m_jog; }
     [[nodiscard]] ChartsPanel& charts() { return *m_charts; }
+    [[nodiscard]] LimitsPanel& limits() { return *m_limits; }
     [[nodiscard]] LogPanel& log() { return *m_log; }
 
 protected:
@@ -46,6 +50,7 @@ private:
 
     JogPanel* m_jog;
     ChartsPanel* m_charts;
+    LimitsPanel* m_limits;
     LogPanel* m_log;
     DrivesPanel* m_drives;
     ProtectionPanel* m_protection;

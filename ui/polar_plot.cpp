@@ -3,15 +3,17 @@
 
 #include "ui/axes.h"
 #include "ui/format.h"
+#include "ui/plot_tools.h"
 #include "ui/sky_items.h"
 #include "ui/theme.h"
 
 #include <QEvent>
 #include <QPainter>
-#include <QVBoxLayout>
+#include <QWheelEvent>
 #include <qwt_point_polar.h>
 #include <qwt_polar_grid.h>
 #include <qwt_polar_plot.h>
+#include <qwt_scale_div.h>
 #include <qwt_scale_map.h>
 
 #include <cmath>
@@ -20,6 +22,8 @@
 namespace boresight::ui {
 
 namespace {
+
+constexpr int kWheelStep = 120;  // eighths of a degree of a mouse wheel's notch
 
 // Off target means that the beam no longer covers the target: half a beam width on the sky.
 bool isOffTarget(const StationStatus& status, Angle beamWidth)
@@ -54,16 +58,33 @@ QString placeText(const QString& what, const std::optional<SkyPointing>& place)
     return place ? what + QLatin1Char(' ') + directionText(*place) + QStringLiteral(". ") : QString();
 }
 
+// From the set-point to the end of the route: straight in both axes between its points.
+std::vector<AxisPosition> wayAhead(const StationStatus& status)
+{
+    std::vector<AxisPosition> way;
+    if (!status.route.empty() && status.azimuth.commanded && status.elevation.commanded) {
+        way.push_back({*status.azimuth.commanded, *status.elevation.commanded});
+        way.insert(way.end(), status.route.begin(), status.route.end());
+    }
+    return way;
+}
+
+QwtScaleDiv scaleDiv(double from, double to, const std::vector<double>& lines)
+{
+    return QwtScaleDiv(from, to, {}, {}, QList<double>(lines.begin(), lines.end()));
+}
+
 }  // namespace
 
-PolarPlot::PolarPlot(Angle beamWidth, QWidget* parent)
+PolarPlot::PolarPlot(ProfileDraft& draft, QWidget* parent)
     : QWidget(parent),
       m_grid(std::make_unique<QwtPolarGrid>()),
-      m_sectors(std::make_unique<SectorsItem>()),
+      m_regionItem(std::make_unique<RegionItem>()),
       m_labels(std::make_unique<LabelsItem>()),
       m_plot(new QwtPolarPlot(this)),
       m_markers(new SkyMarkers(this)),
-      m_beamWidth(beamWidth)
+      m_editor(new PlotEditor(draft, this)),
+      m_tools(new PlotTools(this))
 {
     setAccessibleName(tr("Sky plot"));
     setToolTipDuration(5000);
@@ -72,13 +93,14 @@ PolarPlot::PolarPlot(Angle beamWidth, QWidget* parent)
     m_plot->setFrameStyle(QFrame::NoFrame);
     m_plot->hide();  // a draughtsman only: SkyMarkers shows what it draws
     setUpScales();
-    m_sectors->setZ(1.0);
+    m_regionItem->setZ(1.0);
     m_grid->setZ(2.0);
     m_labels->setZ(3.0);
-    m_sectors->attach(m_plot);
+    m_regionItem->attach(m_plot);
     m_grid->attach(m_plot);
     m_labels->attach(m_plot);
     setColours();
+    setUpTools();
     connect(m_markers, &SkyMarkers::clicked, this, &PolarPlot::clicked);
 }
 
@@ -87,10 +109,6 @@ PolarPlot::~PolarPlot() = default;
 void PolarPlot::setUpScales()
 {
     m_plot->setAzimuthOrigin(std::numbers::pi / 2.0);
-    m_plot->setScaleMaxMinor(QwtPolar::Azimuth, 1);
-    m_plot->setScaleMaxMinor(QwtPolar::Radius, 1);  // before the scales: it discards them
-    m_plot->setScale(QwtPolar::Azimuth, 360.0, 0.0, 30.0);
-    m_plot->setScale(QwtPolar::Radius, 90.0, 0.0, 30.0);
     m_grid->setGridAttribute(QwtPolarGrid::AutoScaling, false);  // else it chooses its own rings
     m_grid->setRenderHint(QwtPolarItem::RenderAntialiased);
     for (int axis = 0; axis < QwtPolar::AxesCount; ++axis) {
@@ -100,6 +118,22 @@ void PolarPlot::setUpScales()
         m_grid->showGrid(scale, true);
         m_grid->showMinorGrid(scale, false);
     }
+    setGrid(wholeSkyGrid());
+}
+
+void PolarPlot::setUpTools()
+{
+    m_tools->setPainter([this](QPainter& painter) { paintPicture(painter); });
+    connect(m_tools, &PlotTools::editToggled, this, &PolarPlot::setEditing);
+    connect(m_tools, &PlotTools::zoomToggled, this, &PolarPlot::toggleZoom);
+    connect(m_editor, &PlotEditor::readout, m_tools, &PlotTools::setReadout);
+}
+
+void PolarPlot::setGrid(const SkyGrid& grid)
+{
+    m_labels->setGrid(grid);
+    m_plot->setScaleDiv(QwtPolar::Azimuth, scaleDiv(360.0, 0.0, grid.azimuths));
+    m_plot->setScaleDiv(QwtPolar::Radius, scaleDiv(90.0, 0.0, grid.elevations));
 }
 
 void PolarPlot::setColours()
@@ -115,6 +149,48 @@ QRectF PolarPlot::square() const
     return {(width() - side) / 2.0, (height() - side) / 2.0, side, side};
 }
 
+// What Qwt draws into: the square, or one so large that the magnified part of it fills the widget.
+QRectF PolarPlot::canvas() const
+{
+    if (!m_zoom.isOn()) {
+        return square();
+    }
+    const SkyProjection zoomed = sky();
+    const double half = zoomed.radius + m_labels->marginHint();
+    return {zoomed.zenith.x() - half, zoomed.zenith.y() - half, 2.0 * half, 2.0 * half};
+}
+
+SkyProjection PolarPlot::sky() const
+{
+    const QRectF circle = m_plot->plotRect(square());
+    return m_zoom.projection({circle.center(), circle.width() / 2.0});
+}
+
+void PolarPlot::changeView()
+{
+    const SkyGrid grid = m_zoom.isOn() ? gridOf(sky(), rect()) : wholeSkyGrid();
+    setGrid(grid);
+    m_labels->setView(rect(), m_zoom.isOn());
+    m_regionItem->setView(rect());
+    m_tools->showZoom(m_zoom.isOn());
+    drawGround();
+}
+
+void PolarPlot::paintGround(QPainter& painter) const
+{
+    painter.fillRect(rect(), currentTheme().window);
+    m_plot->drawCanvas(&painter, canvas());
+    painter.setRenderHint(QPainter::Antialiasing);
+    const SkyProjection shown = sky();
+    painter.setPen(QPen(currentTheme().secondary, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(shown.zenith, shown.radius, shown.radius);
+    drawLegend(painter, QPointF(2.0, 2.0));
+    if (m_zoom.isOn()) {
+        drawZoomMark(painter, rect(), m_tools->readoutHeight(), shown, m_zoom.magnification());
+    }
+}
+
 void PolarPlot::drawGround()
 {
     if (width() < 2 || height() < 2) {
@@ -122,22 +198,65 @@ void PolarPlot::drawGround()
     }
     QPixmap ground(size() * devicePixelRatio());
     ground.setDevicePixelRatio(devicePixelRatio());
-    ground.fill(currentTheme().window);
     QPainter painter(&ground);
-    m_plot->drawCanvas(&painter, square());
-    painter.setRenderHint(QPainter::Antialiasing);
-    const QRectF circle = m_plot->plotRect(square());
-    painter.setPen(QPen(currentTheme().secondary, 1.0));
-    painter.drawEllipse(circle);
-    drawLegend(painter, QPointF(2.0, 2.0));
-    m_markers->setGround(ground, SkyProjection{circle.center(), circle.width() / 2.0});
+    paintGround(painter);
+    m_markers->setGround(ground, sky());
+    m_editor->setSky(sky());
+}
+
+void PolarPlot::paintPicture(QPainter& painter) const
+{
+    painter.setClipRect(rect());
+    paintGround(painter);
+    m_markers->paint(painter);
+    painter.setFont(fonts::label());
+    painter.setPen(currentTheme().text);
+    painter.drawText(rect().adjusted(4, 0, -4, -2), Qt::AlignRight | Qt::AlignBottom, m_caption);
 }
 
 void PolarPlot::resizeEvent(QResizeEvent*)
 {
     m_plot->resize(size());
-    m_markers->resize(size());
-    drawGround();
+    for (QWidget* const layer : std::initializer_list<QWidget*>{m_markers, m_editor, m_tools}) {
+        layer->resize(size());
+    }
+    changeView();
+}
+
+void PolarPlot::wheelEvent(QWheelEvent* event)
+{
+    m_wheel += event->angleDelta().y();
+    const int steps = m_wheel / kWheelStep;
+    m_wheel -= steps * kWheelStep;
+    if (steps != 0) {
+        zoomBy(steps);
+    }
+    event->accept();
+}
+
+void PolarPlot::toggleZoom()
+{
+    m_zoom.centreOn(m_focus);
+    m_zoom.toggle(m_beamWidth);
+    changeView();
+}
+
+void PolarPlot::zoomBy(int steps)
+{
+    if (!m_zoom.isOn()) {
+        m_zoom.centreOn(m_focus);
+    }
+    m_zoom.step(steps, m_beamWidth);
+    changeView();
+}
+
+void PolarPlot::setEditing(bool on)
+{
+    if (on != m_editor->isEditing()) {
+        m_editor->setEditing(on);
+        m_tools->showEditing(on);
+        Q_EMIT editingChanged(on);
+    }
 }
 
 void PolarPlot::changeEvent(QEvent* event)
@@ -151,30 +270,48 @@ void PolarPlot::changeEvent(QEvent* event)
 
 void PolarPlot::showStatus(const StationStatus& status)
 {
-    if (status.azimuth.travel != m_azimuthTravel || status.elevation.travel != m_elevationTravel) {
-        m_azimuthTravel = status.azimuth.travel;
-        m_elevationTravel = status.elevation.travel;
-        m_sectors->setSectors(unreachable(m_azimuthTravel, m_elevationTravel));
-        drawGround();
+    showRegion(status);
+    showMarkers(status);
+}
+
+void PolarPlot::showRegion(const StationStatus& status)
+{
+    const Travel travel{status.azimuth.travel, status.elevation.travel};
+    m_beamWidth = status.profile->mount.beamWidth;
+    m_focus = status.target ? *status.target : status.actual.value_or(m_focus);
+    const bool moved = !m_editor->isDragging() && m_zoom.follow(m_focus);
+    const bool changed = m_region != status.profile->limits || travel != m_travel;
+    if (changed) {
+        m_region = status.profile->limits;
+        m_travel = travel;
+        m_regionItem->setRegion(*m_region, travel);
+        m_editor->setTravel(travel);
     }
+    if (changed || moved) {
+        changeView();
+    }
+}
+
+void PolarPlot::showMarkers(const StationStatus& status)
+{
     const Freshness age = worseFreshness(status);
     MarkerData markers = m_markers->markers();
     markers.actual = status.actual;
     const bool known = areTurnsKnown(status);
     markers.commanded = age == Freshness::NoData || !known ? std::nullopt : status.commanded;
     markers.target = status.target;
+    markers.way = markers.commanded ? wayAhead(status) : std::vector<AxisPosition>();
     markers.targetLabel = targetLabel(status);
     markers.beamWidth = m_beamWidth;
     markers.live = age == Freshness::Live && known;
     markers.offTarget = markers.live && isOffTarget(status, m_beamWidth);
-    m_markers->setMarkers(markers);
+    m_markers->setMarkers(markers, status.utc);
+    m_caption = QString::fromStdString(status.profile->mount.name) + QStringLiteral("  ") + minuteText(status.utc);
 }
 
 void PolarPlot::setPicked(const std::optional<SkyPointing>& direction)
 {
-    MarkerData markers = m_markers->markers();
-    markers.picked = direction;
-    m_markers->setMarkers(markers);
+    m_markers->setPicked(direction);
 }
 
 void PolarPlot::describe(const StationStatus& status)
@@ -188,7 +325,7 @@ void PolarPlot::describe(const StationStatus& status)
 
 QPointF PolarPlot::qwtPixel(const SkyPointing& direction) const
 {
-    const QRectF circle = m_plot->plotRect(square());
+    const QRectF circle = m_plot->plotRect(canvas());
     const double radius = circle.width() / 2.0;
     return qwtPolar2Pos(circle.center(),
                         m_plot->scaleMap(QwtPolar::Radius, radius).transform(direction.elevation.degrees()),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/profile_draft.h"
 
-#include "ui/profile_merge.h"
+#include "core/profile/profile_diff.h"
 
 #include <QPointer>
 
@@ -36,7 +36,7 @@ void ProfileDraft::showStatus(const StationStatus& status)
         return;
     }
     profile::Profile applied = *m_inForce;
-    takeOver(applied, latestAsked(), m_waitingKeys);
+    profile::takeOver(applied, latestAsked(), m_waitingKeys);
     takeApplied(applied);
     Q_EMIT changed();
 }
@@ -69,7 +69,7 @@ void ProfileDraft::takeApplied(const profile::Profile& applied)
 void ProfileDraft::setEdited(const profile::Profile& profile)
 {
     m_edited = profile;
-    m_problems = profile::crossCheck(m_edited);
+    m_problems = profile::problemsOf(m_edited);
 }
 
 void ProfileDraft::edit(const std::function<void(profile::Profile&)>& change)
@@ -89,24 +89,26 @@ void ProfileDraft::edit(const std::function<void(profile::Profile&)>& change)
 
 std::vector<std::string> ProfileDraft::editedKeys() const
 {
-    return changedKeys(m_base, m_edited);
+    return profile::changedKeys(m_base, m_edited);
 }
 
-QString ProfileDraft::problem(std::string_view key) const
+QString ProfileDraft::problem(const std::string& key) const
 {
-    const auto found = std::ranges::find(m_problems, key, &profile::Problem::key);
+    const auto found = std::ranges::find_if(m_problems, [&key](const profile::Problem& one) {
+        return one.key == key || one.key.starts_with(key + '.') || one.key.starts_with(key + '[');
+    });
     return found == m_problems.end() ? QString() : QString::fromStdString(found->text);
 }
 
 std::vector<std::string> ProfileDraft::overtakenKeys() const
 {
-    return changedKeys(m_base, m_applied);
+    return profile::changedKeys(m_base, m_applied);
 }
 
 void ProfileDraft::keepEdits()
 {
     profile::Profile merged = m_applied;
-    takeOver(merged, m_edited, editedKeys());
+    profile::takeOver(merged, m_edited, editedKeys());
     m_base = m_applied;
     setEdited(merged);
     Q_EMIT changed();

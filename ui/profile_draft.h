@@ -12,7 +12,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 // The profile as the operator is about to change it, one for the whole window: plot, tables and guide edit it together.
@@ -42,7 +41,8 @@ public:
 
     // The live check of the edited profile.
     [[nodiscard]] const std::vector<profile::Problem>& problems() const { return m_problems; }
-    [[nodiscard]] QString problem(std::string_view key) const;  // of this setting; empty: none
+    // Of this setting, or of a part of it: "keep_out[2]" also finds "keep_out[2].name". Empty: none.
+    [[nodiscard]] QString problem(const std::string& key) const;
 
     // What was applied from elsewhere since the first edit; empty mostly. Then keepEdits() puts the edits upon it
     // (where both changed the same setting, the edit counts), revert() drops them.

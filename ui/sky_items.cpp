@@ -21,44 +21,6 @@ QString tr(const char* text)
     return QCoreApplication::translate("PolarPlot", text);
 }
 
-// The outline in steps of about a degree, which no eye tells from an arc.
-QPainterPath outline(const SkySector& sector, const SkyProjection& sky)
-{
-    const int steps = std::max(1, static_cast<int>(std::ceil((sector.toAzimuth - sector.fromAzimuth).degrees())));
-    const auto azimuth = [&](int step) {
-        return sector.fromAzimuth + (sector.toAzimuth - sector.fromAzimuth) * (double(step) / steps);
-    };
-    QPolygonF rim;
-    for (int step = 0; step <= steps; ++step) {
-        rim << sky.toPixel({azimuth(step), sector.fromElevation});
-    }
-    QPolygonF inner;
-    for (int step = steps; step >= 0; --step) {
-        inner << sky.toPixel({azimuth(step), sector.toElevation});
-    }
-    QPainterPath path;
-    if (sector.toAzimuth - sector.fromAzimuth >= 360_deg) {
-        path.addPolygon(rim);
-        path.addPolygon(inner);  // a ring: odd-even fill leaves the middle open
-    } else {
-        path.addPolygon(rim + inner);
-        path.closeSubpath();
-    }
-    return path;
-}
-
-void drawName(QPainter& painter, const SkySector& sector, const SkyProjection& sky)
-{
-    const bool ring = sector.toAzimuth - sector.fromAzimuth >= 360_deg;
-    const Angle azimuth = ring ? 15_deg : (sector.fromAzimuth + sector.toAzimuth) * 0.5;
-    const QPointF centre = sky.toPixel({azimuth, (sector.fromElevation + sector.toElevation) * 0.5});
-    QRectF box = painter.fontMetrics().boundingRect(sector.name);
-    box.moveCenter(centre);
-    painter.fillRect(box.adjusted(-3, -1, 3, 1), currentTheme().band);
-    painter.setPen(currentTheme().text);
-    painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, sector.name);
-}
-
 QString azimuthLabel(int degrees)
 {
     switch (degrees) {
@@ -77,13 +39,14 @@ QString azimuthLabel(int degrees)
 
 }  // namespace
 
-void SectorsItem::setSectors(std::vector<SkySector> sectors)
+void RegionItem::setRegion(const pointing::Region& region, const Travel& travel)
 {
-    m_sectors = std::move(sectors);
+    m_sectors = sectorsOf(region, travel);
+    m_horizon = region.horizon;
 }
 
-void SectorsItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap&, const QPointF& pole, double radius,
-                       const QRectF&) const
+void RegionItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap&, const QPointF& pole, double radius,
+                      const QRectF&) const
 {
     const SkyProjection sky{pole, radius};
     painter->save();
@@ -92,15 +55,59 @@ void SectorsItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap&
     for (const SkySector& sector : m_sectors) {
         const QPainterPath path = outline(sector, sky);
         painter->fillPath(path, currentTheme().band);
-        painter->fillPath(path, QBrush(currentTheme().secondary, Qt::BDiagPattern));
+        if (sector.kind != SectorKind::Band) {
+            const bool keepOut = sector.kind == SectorKind::KeepOut;
+            painter->fillPath(path, QBrush(currentTheme().secondary, keepOut ? Qt::FDiagPattern : Qt::BDiagPattern));
+        }
         painter->setPen(currentTheme().secondary);
         painter->setBrush(Qt::NoBrush);
         painter->drawPath(path);
     }
+    drawHorizon(*painter, sky);
     for (const SkySector& sector : m_sectors) {
         drawName(*painter, sector, sky);
     }
     painter->restore();
+}
+
+void RegionItem::drawHorizon(QPainter& painter, const SkyProjection& sky) const
+{
+    const QPainterPath line = horizonLine(m_horizon, sky);
+    if (line.isEmpty()) {
+        return;
+    }
+    QPainterPath below;  // between the rim and the line: odd-even fill
+    below.addEllipse(sky.zenith, sky.radius, sky.radius);
+    below.addPath(line);
+    painter.fillPath(below, currentTheme().band);
+    painter.setPen(QPen(currentTheme().text, 1.5));
+    painter.drawPath(line);
+}
+
+void RegionItem::drawName(QPainter& painter, const SkySector& sector, const SkyProjection& sky) const
+{
+    const bool ring = sector.toAzimuth - sector.fromAzimuth >= 360_deg;
+    const Angle elevation = (sector.fromElevation + sector.toElevation) * 0.5;
+    QPointF centre = sky.toPixel({ring ? 15_deg : (sector.fromAzimuth + sector.toAzimuth) * 0.5, elevation});
+    if (!m_view.contains(centre)) {
+        centre = ring ? sky.toPixel({sky.toSky(m_view.center()).azimuth, elevation})
+                      : (outline(sector, sky).boundingRect() & m_view).center();
+    }
+    QRectF box = painter.fontMetrics().boundingRect(sector.name);
+    const double thickness = (sector.toElevation - sector.fromElevation) / 90_deg * sky.radius;
+    if (ring && thickness < box.height()) {
+        return;  // a word would hide more than it tells
+    }
+    box.moveCenter(centre);
+    painter.fillRect(box.adjusted(-3, -1, 3, 1), currentTheme().band);
+    painter.setPen(currentTheme().text);
+    painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, sector.name);
+}
+
+void LabelsItem::setView(const QRectF& view, bool magnified)
+{
+    m_view = view;
+    m_magnified = magnified;
 }
 
 int LabelsItem::marginHint() const
@@ -114,21 +121,60 @@ void LabelsItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap&,
 {
     painter->save();
     painter->setFont(fonts::label());
-    const QFontMetricsF metrics(painter->font());
-    const SkyProjection rim{pole, radius + marginHint() / 2.0 + 1.0};
-    for (int degrees = 0; degrees < 360; degrees += 30) {
-        const QPointF centre = rim.toPixel({Angle::fromDegrees(degrees), 0_deg});
-        QRectF box(0, 0, 40, metrics.height());
-        box.moveCenter(centre);
-        painter->setPen(degrees % 90 == 0 ? currentTheme().text : currentTheme().secondary);
-        painter->drawText(box, Qt::AlignCenter, azimuthLabel(degrees));
-    }
-    const SkyProjection sky{pole, radius};
-    painter->setPen(currentTheme().secondary);
-    for (const Angle elevation : {30_deg, 60_deg}) {
-        painter->drawText(sky.toPixel({0_deg, elevation}) + QPointF(4.0, -3.0), angleText(elevation, 0));
+    if (m_magnified) {
+        drawInside(*painter, {pole, radius});
+    } else {
+        drawRim(*painter, {pole, radius + marginHint() / 2.0 + 1.0});
+        painter->setPen(currentTheme().secondary);
+        for (const double elevation : m_grid.elevations) {
+            painter->drawText(
+                SkyProjection{pole, radius}.toPixel({0_deg, Angle::fromDegrees(elevation)}) + QPointF(4.0, -3.0),
+                angleText(Angle::fromDegrees(elevation), 0));
+        }
     }
     painter->restore();
+}
+
+void LabelsItem::drawRim(QPainter& painter, const SkyProjection& rim) const
+{
+    for (const double azimuth : m_grid.azimuths) {
+        const int degrees = static_cast<int>(std::lround(azimuth));
+        QRectF box(0, 0, 40, painter.fontMetrics().height());
+        box.moveCenter(rim.toPixel({Angle::fromDegrees(degrees), 0_deg}));
+        painter.setPen(degrees % 90 == 0 ? currentTheme().text : currentTheme().secondary);
+        painter.drawText(box, Qt::AlignCenter, azimuthLabel(degrees));
+    }
+}
+
+void LabelsItem::drawInside(QPainter& painter, const SkyProjection& sky) const
+{
+    // Away from the middle, where the markers are.
+    const SkyPointing anchor = sky.toSky(m_view.center() + QPointF(-m_view.width(), m_view.height()) * 0.25);
+    const auto nearest = [](const std::vector<double>& lines, Angle to, bool circle) {
+        Angle best = to;
+        Angle gap = 360_deg;
+        for (const double line : lines) {
+            const Angle away = Angle::fromDegrees(line) - to;
+            if (const Angle distance = abs(circle ? away.wrapped180() : away); distance < gap) {
+                gap = distance;
+                best = Angle::fromDegrees(line);
+            }
+        }
+        return best;
+    };
+    const Angle ray = nearest(m_grid.azimuths, anchor.azimuth, true);
+    const Angle ring = nearest(m_grid.elevations, anchor.elevation, false);
+    painter.setPen(currentTheme().secondary);
+    for (const double elevation : m_grid.elevations) {
+        const Angle angle = Angle::fromDegrees(elevation);
+        painter.drawText(sky.toPixel({ray, angle}) + QPointF(4.0, -3.0), angleText(angle, m_grid.decimals));
+    }
+    painter.setPen(currentTheme().text);
+    for (const double azimuth : m_grid.azimuths) {
+        const Angle angle = Angle::fromDegrees(azimuth);
+        painter.drawText(sky.toPixel({angle, ring}) + QPointF(4.0, painter.fontMetrics().ascent()),
+                         QCoreApplication::translate("PolarPlot", "az %1").arg(angleText(angle, m_grid.decimals)));
+    }
 }
 
 void drawLegend(QPainter& painter, QPointF corner)
@@ -143,6 +189,9 @@ void drawLegend(QPainter& painter, QPointF corner)
                  {Symbol::Target, tr("target"), Tone::Accent}};
     painter.setFont(fonts::label());
     const QFontMetricsF metrics(painter.font());
+    const QRectF ground(corner, QSizeF(metrics.horizontalAdvance(lines[1].text) + 2.0 * metrics.ascent(),
+                                       std::size(lines) * metrics.lineSpacing()));
+    painter.fillRect(ground, currentTheme().window);
     double y = corner.y();
     for (const auto& line : lines) {
         const double size = metrics.ascent();
@@ -151,6 +200,35 @@ void drawLegend(QPainter& painter, QPointF corner)
         painter.drawText(QPointF(corner.x() + size * 1.5, y + metrics.ascent()), line.text);
         y += metrics.lineSpacing();
     }
+}
+
+void drawZoomMark(QPainter& painter, const QRectF& view, double above, const SkyProjection& sky, double magnification)
+{
+    const double perDegree = sky.radius / 90.0;
+    double length = 0.1;  // of the scale, in degrees: the longest round one that takes a quarter of the view
+    for (const double one : {0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0}) {
+        length = one * perDegree <= view.width() / 4.0 ? one : length;
+    }
+    painter.save();
+    painter.setFont(fonts::label());
+    const QFontMetricsF metrics(painter.font());
+    const QString text = tr("MAGNIFIED ×%1").arg(magnification, 0, 'f', magnification < 10.0 ? 1 : 0);
+    const QString scale = angleText(Angle::fromDegrees(length), length < 1.0 ? 1 : 0);
+    const double width = std::max(metrics.horizontalAdvance(text), length * perDegree);
+    const QRectF box(view.left() + 4.0, view.bottom() - above - 2.0 * metrics.lineSpacing() - 22.0, width + 12.0,
+                     2.0 * metrics.lineSpacing() + 14.0);
+    painter.fillRect(box, currentTheme().window);
+    painter.setPen(QPen(currentTheme().accent, 2.0));
+    painter.drawRect(view.adjusted(1.0, 1.0, -1.0, -1.0));
+    painter.drawText(box.topLeft() + QPointF(6.0, metrics.ascent() + 2.0), text);
+    const QPointF from = box.topLeft() + QPointF(6.0, metrics.lineSpacing() + 8.0);
+    const QPointF to = from + QPointF(length * perDegree, 0.0);
+    painter.drawLine(from, to);
+    for (const QPointF& end : {from, to}) {
+        painter.drawLine(end - QPointF(0.0, 3.0), end + QPointF(0.0, 3.0));
+    }
+    painter.drawText(from + QPointF(0.0, metrics.ascent() + 2.0), scale);
+    painter.restore();
 }
 
 }  // namespace boresight::ui

@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/pointing/region.h"
 #include "core/units/sky.h"
+#include "ui/sky_projection.h"
 
+#include <QPainterPath>
 #include <QString>
 
 #include <vector>
 
-// Which parts of the sky the travel of the two axes leaves out, for drawing only: the station decides what is
-// permitted.
+// Which parts of the sky travel, limits and keep-outs leave out, and their shapes on the plot. For drawing only: the
+// station decides what is permitted, from the same values.
 namespace boresight::ui {
+
+enum class SectorKind
+{
+    Band,    // below the lowest elevation: a tint
+    Sector,  // out of reach or limits: hatched
+    KeepOut  // named by the operator: hatched the other way
+};
 
 // A piece of sky between two azimuths (clockwise from the first) and two elevations.
 struct SkySector
@@ -19,9 +29,36 @@ struct SkySector
     Angle fromElevation;
     Angle toElevation;
     QString name;
+    SectorKind kind = SectorKind::Sector;
+
+    bool operator==(const SkySector&) const = default;
 };
 
-// An axis range over the top reaches a closed azimuth sector from the other side, from the elevation 180° - max on.
-[[nodiscard]] std::vector<SkySector> unreachable(const TravelRange& azimuth, const TravelRange& elevation);
+// How far the cable and the mechanics let the axes go.
+struct Travel
+{
+    TravelRange azimuth;
+    TravelRange elevation;
+
+    bool operator==(const Travel&) const = default;
+};
+
+// Where the mount may work: the limits, as far as the travel goes.
+[[nodiscard]] Travel permitted(const pointing::Region& region, const Travel& travel);
+
+// What the axes may not reach. An axis range over the top reaches a closed azimuth sector from the other side, from the
+// elevation 180° - max on.
+[[nodiscard]] std::vector<SkySector> unreachable(const Travel& permitted);
+
+[[nodiscard]] SkySector sectorOf(const pointing::KeepOut& keepOut);
+
+// All of it, from below.
+[[nodiscard]] std::vector<SkySector> sectorsOf(const pointing::Region& region, const Travel& travel);
+
+[[nodiscard]] QPainterPath outline(const SkySector& sector, const SkyProjection& sky);
+[[nodiscard]] QPainterPath ring(Angle elevation, const SkyProjection& sky);
+[[nodiscard]] QPainterPath meridian(Angle azimuth, Angle from, Angle to, const SkyProjection& sky);
+// The horizon as a closed line, empty without points; the sky below it is between the line and the rim.
+[[nodiscard]] QPainterPath horizonLine(const std::vector<pointing::HorizonPoint>& horizon, const SkyProjection& sky);
 
 }  // namespace boresight::ui

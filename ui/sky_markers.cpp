@@ -17,9 +17,12 @@ namespace {
 constexpr double kActualSize = 13.0;  // px; inside the diamond, inside the cross, when all is on target
 constexpr double kMarkerSize = 22.0;
 constexpr double kCommandedSize = 32.0;
-constexpr Angle kPathGap = 6_deg;          // three times what the fastest mount goes in one update
-constexpr Angle kPathStep = 0.2_deg;       // finer than a pixel of any screen
-constexpr std::size_t kPathLength = 4000;  // 800° of sky: several passes
+constexpr Angle kPathGap = 6_deg;     // three times what the fastest mount goes in one update
+constexpr Angle kPathStep = 0.2_deg;  // finer than a pixel of any screen
+constexpr std::chrono::minutes kPathAge{15};
+constexpr std::chrono::minutes kForgetEvery{1};
+constexpr std::size_t kPathLength = 20000;  // 15 minutes without rest at 4°/s
+constexpr Angle kWayStep = 2_deg;
 constexpr int kTextMargin = 3;
 
 // Good enough for small angles, also near the zenith.
@@ -49,21 +52,61 @@ void SkyMarkers::setGround(const QPixmap& ground, const SkyProjection& projectio
     m_ground = ground;
     m_projection = projection;
     rebuildPath();
+    rebuildWay();
     update();
 }
 
-void SkyMarkers::setMarkers(const MarkerData& markers)
+void SkyMarkers::setMarkers(const MarkerData& markers, UtcTime utc)
 {
+    forgetOldPath(utc);
     if (markers == m_markers) {
         return;
     }
     const QRegion before = occupied();
     m_markers = markers;
-    extendPath();
+    extendPath(utc);
+    rebuildWay();
     update(before + occupied());
 }
 
-void SkyMarkers::extendPath()
+void SkyMarkers::setPicked(const std::optional<SkyPointing>& direction)
+{
+    const QRegion before = occupied();
+    m_markers.picked = direction;
+    update(before + occupied());
+}
+
+// A whole minute at a time: the path is then built anew.
+void SkyMarkers::forgetOldPath(UtcTime utc)
+{
+    if (m_path.empty() || utc - m_path.front().utc < kPathAge + kForgetEvery) {
+        return;
+    }
+    const auto young = std::ranges::find_if(m_path, [&](const PastPlace& one) { return utc - one.utc < kPathAge; });
+    m_path.erase(m_path.begin(), young);
+    rebuildPath();
+    update();
+}
+
+void SkyMarkers::rebuildWay()
+{
+    m_wayPixels.clear();
+    QPolygonF line;
+    for (std::size_t i = 1; i < m_markers.way.size(); ++i) {
+        const AxisPosition& from = m_markers.way[i - 1];
+        const AxisPosition& to = m_markers.way[i];
+        const Angle longest = std::max(abs(to.azimuth - from.azimuth), abs(to.elevation - from.elevation));
+        const int steps = std::max(1, static_cast<int>(std::ceil(longest / kWayStep)));
+        for (int step = 0; step <= steps; ++step) {
+            const double part = double(step) / steps;
+            line << m_projection.toPixel({from.azimuth + (to.azimuth - from.azimuth) * part,
+                                          from.elevation + (to.elevation - from.elevation) * part});
+        }
+    }
+    m_wayPixels.addPolygon(line);
+}
+
+void SkyMarkers::extendPath(UtcTime utc)
 {
     if (!m_markers.live || !m_markers.actual) {
         return;
@@ -74,7 +117,7 @@ void SkyMarkers::extendPath()
     }
     const QPointF before = m_pathPixels.currentPosition();
     addToPath(place);
-    m_path.push_back(place);
+    m_path.push_back({place, utc});
     if (m_path.size() > kPathLength) {
         m_path.erase(m_path.begin(), m_path.begin() + kPathLength / 8);
         rebuildPath();
@@ -99,8 +142,8 @@ void SkyMarkers::rebuildPath()
 {
     m_pathPixels.clear();
     m_pathEnd.reset();
-    for (const SkyPointing& place : m_path) {
-        addToPath(place);
+    for (const PastPlace& one : m_path) {
+        addToPath(one.place);
     }
 }
 
@@ -121,6 +164,9 @@ QRect SkyMarkers::targetLabelBox() const
         return {};
     }
     const QRectF marker = markerBox(*m_markers.target, kMarkerSize);
+    if (!QRectF(rect()).contains(marker.center())) {
+        return {};  // outside the magnified part
+    }
     QRect box = fontMetrics().boundingRect(m_markers.targetLabel).adjusted(-kTextMargin, 0, kTextMargin, 0);
     const double gap = std::max(beamRadius() + 4.0, kMarkerSize);
     const QPointF offsets[] = {
@@ -163,6 +209,9 @@ QRegion SkyMarkers::occupied() const
     if (m_markers.offTarget && m_markers.actual && m_markers.target) {
         region += around(m_projection.toPixel(*m_markers.actual), m_projection.toPixel(*m_markers.target));
     }
+    if (!m_wayPixels.isEmpty()) {
+        region += m_wayPixels.boundingRect().toAlignedRect().adjusted(-3, -3, 3, 3) & rect();
+    }
     return region;
 }
 
@@ -171,10 +220,19 @@ void SkyMarkers::paintEvent(QPaintEvent* event)
     QPainter painter(this);
     painter.setClipRegion(event->region());
     painter.drawPixmap(0, 0, m_ground);
+    paint(painter);
+}
+
+void SkyMarkers::paint(QPainter& painter) const
+{
     painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(font());
     const Theme& colours = currentTheme();
+    painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(colours.secondary, 1.5));
     painter.drawPath(m_pathPixels);
+    painter.setPen(QPen(colours.accent, 1.5, Qt::DashLine));
+    painter.drawPath(m_wayPixels);
     if (m_markers.picked) {
         painter.setPen(QPen(colours.accent, 1.5, Qt::DashLine));
         painter.drawEllipse(markerBox(*m_markers.picked, kCommandedSize - 4.0));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/clock.h"
 #include "ui/sky_projection.h"
 
 #include <QPainterPath>
@@ -10,9 +11,11 @@
 
 #include <deque>
 #include <optional>
+#include <vector>
 
-// What moves in the polar plot: the past path and the markers, painted over a ready-made picture of what stands still.
-// A new status repaints only the few hundred pixels a marker leaves and enters. Pixels are the widget's own.
+// What moves in the polar plot: the past path (the last quarter of an hour), the way ahead and the markers, painted
+// over a ready-made picture of what stands still. A new status repaints only the few hundred pixels a marker leaves and
+// enters. Pixels are the widget's own.
 namespace boresight::ui {
 
 struct MarkerData
@@ -21,6 +24,7 @@ struct MarkerData
     std::optional<SkyPointing> commanded;
     std::optional<SkyPointing> target;
     std::optional<SkyPointing> picked;  // clicked by the operator
+    std::vector<AxisPosition> way;      // from the set-point to the target, its corners; straight in both angles
     QString targetLabel;
     Angle beamWidth;
     bool live = false;       // the actual place is measured now; else it is where the mount was last seen
@@ -37,13 +41,17 @@ public:
     explicit SkyMarkers(QWidget* parent = nullptr);
 
     void setGround(const QPixmap& ground, const SkyProjection& projection);
-    void setMarkers(const MarkerData& markers);
+    void setMarkers(const MarkerData& markers, UtcTime utc);
+    void setPicked(const std::optional<SkyPointing>& direction);
+    void paint(QPainter& painter) const;  // all but the ground, also for a picture of the plot
 
     [[nodiscard]] QRect targetLabelBox() const;  // empty without a target or its text
     [[nodiscard]] const MarkerData& markers() const { return m_markers; }
     [[nodiscard]] const SkyProjection& projection() const { return m_projection; }
     [[nodiscard]] std::size_t pathLength() const { return m_path.size(); }
     [[nodiscard]] const QPainterPath& pathPixels() const { return m_pathPixels; }
+    [[nodiscard]] const QPainterPath& wayPixels() const { return m_wayPixels; }
+    [[nodiscard]] const QPixmap& ground() const { return m_ground; }
 
 Q_SIGNALS:
     void clicked(const boresight::SkyPointing& direction);
@@ -53,9 +61,17 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
 
 private:
-    void extendPath();
+    struct PastPlace
+    {
+        SkyPointing place;
+        UtcTime utc;
+    };
+
+    void extendPath(UtcTime utc);
+    void forgetOldPath(UtcTime utc);
     void addToPath(const SkyPointing& place);
     void rebuildPath();
+    void rebuildWay();
     [[nodiscard]] QRectF markerBox(const SkyPointing& direction, double size) const;
     [[nodiscard]] double beamRadius() const;
     [[nodiscard]] bool covers(const QRect& box) const;
@@ -66,9 +82,10 @@ private:
     QPixmap m_ground;
     SkyProjection m_projection;
     MarkerData m_markers;
-    std::deque<SkyPointing> m_path;  // eldest first
+    std::deque<PastPlace> m_path;  // eldest first
     std::optional<SkyPointing> m_pathEnd;
     QPainterPath m_pathPixels;  // the same, for the present projection
+    QPainterPath m_wayPixels;
 };
 
 }  // namespace boresight::ui

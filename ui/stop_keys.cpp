@@ -22,7 +22,8 @@ bool StopKeys::eventFilter(QObject* watched, QEvent* event)
     if (!isStop(watched, press->key())) {
         return false;
     }
-    if (!press->isAutoRepeat()) {
+    const bool used = press->key() == Qt::Key_Escape && m_firstUse();
+    if (!press->isAutoRepeat() && !used) {
         Q_EMIT stopPressed();
     }
     return true;  // seen first by the native window, so no control below it gets the key

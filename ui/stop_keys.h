@@ -3,11 +3,14 @@
 
 #include <QObject>
 
+#include <functional>
+
 class QWidget;
 
 // The keys that stop the mount. Pause and F12 stop from anywhere in the program, a modal dialog or an open menu
 // included, which a QShortcut would not reach. Esc stops while the window itself has the keyboard; with a menu or a
-// dialog open it closes that, as everywhere. Auto-repeat is ignored. Gui thread.
+// dialog open it closes that, as everywhere, and a drag of the mouse it cancels first. Auto-repeat is ignored. Gui
+// thread.
 namespace boresight::ui {
 
 class StopKeys : public QObject
@@ -16,6 +19,9 @@ class StopKeys : public QObject
 
 public:
     explicit StopKeys(QWidget& window);
+
+    // What Esc does before it stops, for instance cancel a drag; it tells whether there was something to do.
+    void setFirstUse(const std::function<bool()>& firstUse) { m_firstUse = firstUse; }
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -26,6 +32,7 @@ private:
     [[nodiscard]] bool isStop(QObject* watched, int key) const;
 
     QWidget& m_window;
+    std::function<bool()> m_firstUse = [] { return false; };
 };
 
 }  // namespace boresight::ui

@@ -17,8 +17,7 @@ struct WindowSettings
     AngularRate fast = 6_deg_s;
     AngularRate unwind = 2_deg_s;  // while it is not known on which turn an axis stands
     std::array<Angle, 3> steps{0.1_deg, 1_deg, 5_deg};
-    AxisPosition park;        // shown in the tooltip of Park
-    Angle beamWidth = 5_deg;  // half-power width of the antenna, drawn around the actual position
+    AxisPosition park;  // shown in the tooltip of Park
     ThemeKind theme = ThemeKind::Day;
 };
 

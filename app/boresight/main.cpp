@@ -35,7 +35,6 @@ ui::WindowSettings windowSettings(const profile::Profile& profile, const QSettin
             .fast = profile.jog.fast,
             .unwind = profile.jog.unwind,
             .park = profile.park,
-            .beamWidth = profile.mount.beamWidth,
             .theme = static_cast<ui::ThemeKind>(layout.value(kThemeKey, 0).toInt())};
 }
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
+#include "ui/command_button.h"
+#include "ui/polar_plot.h"
 
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QImage>
 #include <QPushButton>
+#include <QTableView>
 
 // Pictures of every scene in every theme at both scales, for the eye; and what a program can judge of them.
 namespace boresight::ui {
@@ -51,6 +55,8 @@ constexpr Scene kScenes[] = {{"track", midPass, '1'},
                              {"disconnected", samples::disconnected, '1'},
                              {"limited", samples::limited, '1'},
                              {"operator", samples::operatorMoving, '1'},
+                             {"limits", samples::bounded, '3'},
+                             {"routed", samples::routed, '1'},
                              {"drives", samples::idle, '6'},
                              {"protection", samples::idle, '7'},
                              {"factory-drives", samples::factoryDrives, '6'},
@@ -143,6 +149,40 @@ TEST_F(PicturesTest, AreWrittenForTheQuestions)
             EXPECT_TRUE(picture(1).save(folder.filePath(file), "PNG", 80));
             ASSERT_EQ(window.size(), QSize(1024, 700)) << title;
             show({"away", samples::idle, '1'});
+        }
+    }
+    applyTheme(ThemeKind::Day);
+}
+
+// The plot while its limits are edited, and magnified.
+TEST_F(PicturesTest, AreWrittenForThePlotBeingEditedAndMagnified)
+{
+    const QDir folder(QDir::current().filePath(QStringLiteral("pictures")));
+    ASSERT_TRUE(QDir().mkpath(folder.path()));
+    auto& plot = *window.findChild<PolarPlot*>();
+    for (const ThemeKind kind : {ThemeKind::Day, ThemeKind::Night, ThemeKind::Red}) {
+        applyTheme(kind);
+        for (const int scale : {1, 2}) {
+            const auto save = [&](const char* title) {
+                const QString file =
+                    QStringLiteral("%1-%2-%3.png").arg(QLatin1String(title), name(kind).toLower()).arg(scale * 100);
+                EXPECT_TRUE(picture(scale).save(folder.filePath(file), "PNG", 80));
+                ASSERT_EQ(window.size(), QSize(1024, 700)) << title;
+            };
+            show({"edited", samples::bounded, '3'});
+            plot.setEditing(true);
+            QAbstractItemModel& keepOuts = *named<QTableView>("Keep-outs")->model();
+            EXPECT_TRUE(keepOuts.setData(keepOuts.index(0, 4), QStringLiteral("60"), Qt::EditRole));
+            QAbstractItemModel& horizon = *named<QTableView>("Horizon")->model();
+            EXPECT_TRUE(horizon.setData(horizon.index(3, 1), QStringLiteral("45"), Qt::EditRole));
+            named<QDoubleSpinBox>("Lowest elevation")->setValue(12.0);
+            save("edited");
+            QTest::mouseClick(named<CommandButton>("Revert"), Qt::LeftButton);
+            plot.setEditing(false);
+            show({"magnified", samples::routed, '3'});
+            plot.toggleZoom();
+            save("magnified");
+            plot.toggleZoom();
         }
     }
     applyTheme(ThemeKind::Day);

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/sample_status.h"
+#include "ui/plot_tools.h"
 #include "ui/polar_plot.h"
 #include "ui/sky_limits.h"
+#include "ui/sky_zoom.h"
 #include "ui/theme.h"
+#include "ui/value_label.h"
 
+#include <QApplication>
+#include <QPainter>
 #include <QSignalSpy>
+#include <QSvgRenderer>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QWheelEvent>
 
 #include <gtest/gtest.h>
 
@@ -51,7 +59,7 @@ TEST(SkyProjection, PixelAndSkyRoundTrip)
 class PlotTest : public ::testing::Test
 {
 protected:
-    PlotTest() : plot(5_deg)
+    PlotTest() : draft(desk), plot(draft)
     {
         plot.resize(500, 520);
         plot.show();
@@ -59,6 +67,8 @@ protected:
     }
     SkyMarkers& markers() { return *plot.findChild<SkyMarkers*>(); }
     QColor pixel(QPointF at) { return plot.grab().toImage().pixelColor(at.toPoint()); }
+    RequestDesk desk;
+    ProfileDraft draft;
     PolarPlot plot;
 };
 
@@ -177,10 +187,10 @@ TEST_F(PlotTest, IsDescribedInWords)
 
 TEST(SkyLimits, OnlyWhatTheAxesCannotReach)
 {
-    EXPECT_TRUE(unreachable({-90_deg, 450_deg}, {0_deg, 90_deg}).empty());
-    EXPECT_TRUE(unreachable({}, {}).empty());
+    EXPECT_TRUE(unreachable({{-90_deg, 450_deg}, {0_deg, 90_deg}}).empty());
+    EXPECT_TRUE(unreachable({}).empty());
 
-    const auto sectors = unreachable({-150_deg, 150_deg}, {10_deg, 85_deg});
+    const auto sectors = unreachable({{-150_deg, 150_deg}, {10_deg, 85_deg}});
     ASSERT_EQ(sectors.size(), 3u);
     EXPECT_EQ(sectors[0].toElevation, 10_deg);
     EXPECT_EQ(sectors[1].fromElevation, 85_deg);
@@ -190,10 +200,195 @@ TEST(SkyLimits, OnlyWhatTheAxesCannotReach)
 
 TEST(SkyLimits, OverTheTopReachesAClosedSectorFromTheOtherSide)
 {
-    EXPECT_TRUE(unreachable({-150_deg, 150_deg}, {0_deg, 180_deg}).empty());
-    const auto sectors = unreachable({-150_deg, 150_deg}, {0_deg, 150_deg});
+    EXPECT_TRUE(unreachable({{-150_deg, 150_deg}, {0_deg, 180_deg}}).empty());
+    const auto sectors = unreachable({{-150_deg, 150_deg}, {0_deg, 150_deg}});
     ASSERT_EQ(sectors.size(), 1u);
     EXPECT_NEAR(sectors[0].toElevation.degrees(), 30.0, 1e-9);
+}
+
+TEST(SkyLimits, TheLimitsCountAsFarAsTheTravelGoes)
+{
+    pointing::Region region;
+    const Travel travel{{-90_deg, 450_deg}, {0_deg, 90_deg}};
+    EXPECT_EQ(permitted(region, travel), travel);
+    EXPECT_TRUE(sectorsOf(region, travel).empty());
+    region.azimuth = {-30_deg, 200_deg};
+    region.elevation.min = 8_deg;
+    region.keepOuts = {{"mast", 350_deg, 10_deg, 0_deg, 40_deg}};
+    const auto sectors = sectorsOf(region, travel);
+    ASSERT_EQ(sectors.size(), 3u);
+    EXPECT_EQ(sectors[0].kind, SectorKind::Band);
+    EXPECT_EQ(sectors[1].fromAzimuth, 200_deg);
+    EXPECT_NEAR(sectors[1].toAzimuth.degrees(), 330.0, 1e-9);
+    EXPECT_EQ(sectors[2].name, QStringLiteral("mast"));
+    EXPECT_NEAR(sectors[2].toAzimuth.degrees(), 370.0, 1e-9);
+}
+
+TEST(SkyLimits, TheHorizonIsClosedThroughNorth)
+{
+    const SkyProjection sky{QPointF(250, 250), 225.0};
+    const QPainterPath line = horizonLine({{90_deg, 20_deg}, {270_deg, 40_deg}}, sky);
+    EXPECT_TRUE(horizonLine({}, sky).isEmpty());
+    // Half way between the points, on both sides: 30°. Inside the line is the sky above the horizon.
+    for (const Angle azimuth : {0_deg, 180_deg}) {
+        EXPECT_TRUE(line.contains(sky.toPixel({azimuth, 30.5_deg})));
+        EXPECT_FALSE(line.contains(sky.toPixel({azimuth, 29.5_deg})));
+    }
+    EXPECT_TRUE(line.contains(sky.toPixel({90_deg, 20.5_deg})));
+    EXPECT_FALSE(line.contains(sky.toPixel({270_deg, 39.5_deg})));
+}
+
+TEST_F(PlotTest, TheRegionInForceIsDrawnAndItsNewOneWithTheNextStatus)
+{
+    applyTheme(ThemeKind::Day);
+    StationStatus status = samples::bounded();
+    plot.showStatus(status);
+    const auto shade = [this](Angle azimuth, Angle elevation) {
+        return pixel(plot.markers().projection().toPixel({azimuth, elevation}));
+    };
+    EXPECT_EQ(shade(170_deg, 15_deg), currentTheme().band) << "below the hill";
+    EXPECT_EQ(shade(170_deg, 40_deg), currentTheme().plotGround);
+    profile::Profile changed = *status.profile;
+    changed.limits.horizon.clear();
+    status.profile = std::make_shared<const profile::Profile>(changed);
+    plot.showStatus(status);
+    EXPECT_EQ(shade(170_deg, 15_deg), currentTheme().plotGround);
+}
+
+TEST_F(PlotTest, TheGroundIsDrawnAgainOnlyWhenSomethingOfItChanged)
+{
+    plot.showStatus(samples::bounded());
+    const qint64 ground = plot.markers().ground().cacheKey();
+    plot.showStatus(samples::routed());  // the same profile: only markers move
+    EXPECT_EQ(plot.markers().ground().cacheKey(), ground);
+}
+
+TEST_F(PlotTest, TheWayAheadFollowsTheRouteAroundTheKeepOut)
+{
+    plot.showStatus(samples::bounded());
+    EXPECT_TRUE(plot.markers().wayPixels().isEmpty());
+    plot.showStatus(samples::routed());
+    const SkyProjection& sky = plot.markers().projection();
+    const QPainterPath& way = plot.markers().wayPixels();
+    expectNear(way.elementAt(0), sky.toPixel({33_deg, 22_deg}), 1e-6);
+    expectNear(way.currentPosition(), sky.toPixel({100_deg, 20_deg}), 1e-6);
+    bool overTheMast = false;
+    for (int i = 0; i < way.elementCount(); ++i) {
+        overTheMast = overTheMast || (sky.toPixel({68_deg, 48_deg}) - QPointF(way.elementAt(i))).manhattanLength() < 3;
+    }
+    EXPECT_TRUE(overTheMast);
+    plot.showStatus(samples::withAge(samples::routed(), std::chrono::milliseconds(2500)));
+    EXPECT_TRUE(plot.markers().wayPixels().isEmpty()) << "where the set-point is, nobody knows";
+}
+
+TEST_F(PlotTest, ThePastPathIsAQuarterOfAnHourLong)
+{
+    StationStatus status = samples::bounded();
+    for (int minute = 0; minute < 40; ++minute) {
+        status.actual = SkyPointing{Angle::fromDegrees(20.0 + minute), 45_deg};
+        status.utc += std::chrono::minutes(1);
+        plot.showStatus(status);
+    }
+    EXPECT_GE(plot.markers().pathLength(), 15u);
+    EXPECT_LE(plot.markers().pathLength(), 17u);
+}
+
+TEST_F(PlotTest, ZoomMagnifiesAroundTheTargetAndSaysSo)
+{
+    applyTheme(ThemeKind::Day);
+    StationStatus status = samples::bounded();
+    plot.showStatus(status);
+    const QPointF middle = QRectF(plot.rect()).center();
+    plot.toggleZoom();
+    EXPECT_TRUE(plot.zoom().isOn());
+    EXPECT_EQ(plot.zoom().halfView(), 25_deg);  // five beam widths of 5°
+    const SkyProjection& sky = plot.markers().projection();
+    expectNear(sky.toPixel(*status.target), middle, 1e-6);
+    for (const SkyPointing there : {SkyPointing{20_deg, 45_deg}, SkyPointing{300_deg, 60_deg}}) {
+        expectNear(plot.qwtPixel(there), sky.toPixel(there), 1e-6);
+    }
+    EXPECT_EQ(pixel(QPointF(1, plot.height() / 2.0)), currentTheme().accent) << "framed";
+    plot.toggleZoom();
+    EXPECT_FALSE(plot.zoom().isOn());
+}
+
+TEST_F(PlotTest, TheMagnifiedViewFollowsInStepsOnly)
+{
+    StationStatus status = samples::bounded();
+    plot.showStatus(status);
+    plot.toggleZoom();
+    const SkyProjection before = plot.markers().projection();
+    status.target = SkyPointing{22_deg, 46_deg};
+    plot.showStatus(status);
+    EXPECT_EQ(plot.markers().projection(), before);
+    status.target = SkyPointing{20_deg, 70_deg};
+    plot.showStatus(status);
+    EXPECT_NE(plot.markers().projection(), before);
+    expectNear(plot.markers().projection().toPixel(*status.target), QRectF(plot.rect()).center(), 1e-6);
+}
+
+TEST_F(PlotTest, TheWheelMagnifiesAndComesBackToTheWholeSky)
+{
+    plot.showStatus(samples::bounded());
+    const auto turn = [this](int notches) {
+        const QPointF at = QRectF(plot.rect()).center();
+        QWheelEvent event(at, plot.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&plot, &event);
+    };
+    turn(4);
+    EXPECT_NEAR(plot.zoom().magnification(), std::pow(1.25, 4), 1e-9);
+    turn(100);
+    EXPECT_NEAR(plot.zoom().magnification(), 18.0, 1e-9);  // one beam width from the middle to the edge
+    turn(-100);
+    EXPECT_FALSE(plot.zoom().isOn());
+}
+
+TEST(SkyZoom, TheGridIsFineEnoughAndOnlyWhereItIsSeen)
+{
+    SkyZoom zoom;
+    zoom.centreOn({350_deg, 20_deg});
+    zoom.toggle(0.5_deg);
+    const QRectF view(0, 0, 500, 500);
+    const SkyGrid grid = gridOf(zoom.projection({view.center(), 230.0}), view);
+    ASSERT_GE(grid.elevations.size(), 3u);
+    EXPECT_LE(grid.elevations.size(), 12u);
+    EXPECT_NEAR(grid.elevations.front(), 20.0, 5.0);
+    ASSERT_GE(grid.azimuths.size(), 3u);
+    EXPECT_LE(grid.azimuths.size(), 12u);
+    for (const double azimuth : grid.azimuths) {
+        EXPECT_NEAR(azimuth, 350.0, 6.0);
+    }
+}
+
+TEST_F(PlotTest, IsSavedAsPngAndSvg)
+{
+    QTemporaryDir folder;
+    plot.showStatus(samples::routed());
+    plot.tools().save(folder.filePath(QStringLiteral("sky.png")));
+    const QImage png(folder.filePath(QStringLiteral("sky.png")));
+    EXPECT_EQ(png.size(), plot.size() * 2);
+    plot.tools().save(folder.filePath(QStringLiteral("sky.svg")));
+    QSvgRenderer svg(folder.filePath(QStringLiteral("sky.svg")));
+    ASSERT_TRUE(svg.isValid());
+    EXPECT_EQ(svg.viewBox().size(), plot.size());
+    QImage drawn(plot.size(), QImage::Format_RGB32);
+    drawn.fill(Qt::black);
+    QPainter painter(&drawn);
+    svg.render(&painter);
+    painter.end();
+    const QPoint sky = plot.markers().projection().toPixel({345_deg, 50_deg}).toPoint();
+    EXPECT_EQ(drawn.pixelColor(sky), currentTheme().plotGround);
+    EXPECT_EQ(png.pixelColor(sky * 2), currentTheme().plotGround);
+}
+
+TEST_F(PlotTest, AFileThatCannotBeWrittenIsSaid)
+{
+    plot.tools().save(QStringLiteral("/nowhere/sky.png"));
+    bool said = false;
+    for (const ValueLabel* const label : plot.findChildren<ValueLabel*>()) {
+        said = said || label->text().startsWith(QStringLiteral("Not saved"));
+    }
+    EXPECT_TRUE(said);
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/profile_draft.h"
 
-#include "ui/profile_merge.h"
-
 #include <QSignalSpy>
 
 #include <gtest/gtest.h>
+
+#include <set>
 
 namespace boresight::ui {
 namespace {
@@ -193,10 +193,10 @@ TEST_F(ProfileDraftTest, AChangeFromElsewhereIsTakenOverSilentlyOnlyWithoutEdits
 TEST_F(ProfileDraftTest, KeptEditsComeUponWhatWasChangedElsewhere)
 {
     setParkAzimuth(12_deg);
-    draft.edit([](Profile& p) { p.limits.horizon = {{10_deg, 5_deg}}; });
+    draft.edit([](Profile& p) { p.limits.horizon = {{10_deg, -5_deg}}; });
     Profile other = inForce;
     other.jog.slow = 0.1_deg_s;
-    other.limits.horizon = {{20_deg, 7_deg}};
+    other.limits.horizon = {{20_deg, -7_deg}};
     other.limits.keepOuts = {{"mast", 80_deg, 90_deg, 0_deg, 40_deg}};
     put(other);
     draft.keepEdits();
@@ -206,7 +206,8 @@ TEST_F(ProfileDraftTest, KeptEditsComeUponWhatWasChangedElsewhere)
     EXPECT_NEAR(draft.edited().park.azimuth.degrees(), 12.0, 1e-9);
     EXPECT_EQ(draft.edited().limits.horizon.front().azimuth, 10_deg);  // both changed it: the edit counts
     EXPECT_EQ(draft.edited().limits.keepOuts, other.limits.keepOuts);
-    EXPECT_EQ(draft.editedKeys(), (std::vector<std::string>{"park.azimuth_deg", "limits.horizon"}));
+    const std::vector<std::string> keys = draft.editedKeys();
+    EXPECT_EQ(std::set(keys.begin(), keys.end()), (std::set<std::string>{"park.azimuth_deg", "limits.horizon"}));
 }
 
 TEST_F(ProfileDraftTest, RevertAfterAChangeFromElsewhereTakesThatChange)
@@ -246,22 +247,6 @@ TEST_F(ProfileDraftTest, AnAskerThatIsGoneDoesNotKeepTheDraftWaiting)
     put(sent());
     EXPECT_FALSE(draft.hasEdits());
     EXPECT_TRUE(draft.whyNoUndo().isEmpty());
-}
-
-TEST(ProfileMerge, FindsEverySettingThatDiffersAndTakesItOver)
-{
-    const Profile from;
-    for (const profile::Setting& setting : profile::settings()) {
-        Profile to;
-        if (setting.type == profile::SettingType::Number) {
-            const bool atMax = std::get<double>(setting.get(to)) == setting.max;
-            ASSERT_TRUE(setting.set(to, atMax ? setting.min : setting.max).has_value()) << setting.key;
-            EXPECT_EQ(changedKeys(from, to), std::vector<std::string>{setting.key});
-            Profile into;
-            takeOver(into, to, changedKeys(from, to));
-            EXPECT_EQ(into, to) << setting.key;
-        }
-    }
 }
 
 }  // namespace

@@ -174,11 +174,39 @@ void addAlarm(StationStatus& status, Severity severity, const QString& what, con
     status.alarms.push_back(alarm);
 }
 
+// One object for all statuses, as the station sends it.
+const std::shared_ptr<const profile::Profile>& sampleProfile()
+{
+    static const auto profile = [] {
+        profile::Profile made;
+        made.mount.beamWidth = 5_deg;
+        return std::make_shared<const profile::Profile>(made);
+    }();
+    return profile;
+}
+
+// A mast in the east, a hill to the south, a house in the west.
+const std::shared_ptr<const profile::Profile>& boundedProfile()
+{
+    static const auto profile = [] {
+        profile::Profile made = *sampleProfile();
+        made.limits.azimuth = {-60_deg, 420_deg};
+        made.limits.elevation = {5_deg, 88_deg};
+        made.park = {20_deg, 45_deg};
+        made.limits.horizon = {{0_deg, 6_deg},    {110_deg, 6_deg},  {140_deg, 22_deg},
+                               {180_deg, 28_deg}, {215_deg, 14_deg}, {240_deg, 7_deg}};
+        made.limits.keepOuts = {{"mast", 62_deg, 74_deg, 0_deg, 48_deg}, {"house", 262_deg, 308_deg, 0_deg, 30_deg}};
+        return std::make_shared<const profile::Profile>(made);
+    }();
+    return profile;
+}
+
 }  // namespace
 
 StationStatus idle()
 {
     StationStatus status;
+    status.profile = sampleProfile();
     status.state = StationState::Parked;
     status.stateReason = QStringLiteral("park position reached");
     status.azimuth = axis(0_deg, {-90_deg, 450_deg});
@@ -260,6 +288,28 @@ StationStatus disconnected()
     addAlarm(status, Severity::Alarm, QStringLiteral("No reply from azimuth and elevation"),
              QStringLiteral("The drives stop by their own watchdog (0.1 s)"),
              QStringLiteral("Check cable and supply; Re-arm when they answer"));
+    return status;
+}
+
+StationStatus bounded()
+{
+    StationStatus status = idle();
+    status.profile = boundedProfile();
+    status.state = StationState::Hold;
+    status.stateReason = QStringLiteral("target reached");
+    place(status, {20_deg, 45_deg}, {20_deg, 45_deg}, {20_deg, 45_deg});
+    status.targetText = QStringLiteral("go to 20.0° 45.0°");
+    return status;
+}
+
+StationStatus routed()
+{
+    StationStatus status = bounded();
+    status.state = StationState::Slew;
+    status.stateReason = QStringLiteral("on the way to the target");
+    place(status, {31_deg, 20_deg}, {33_deg, 22_deg}, {100_deg, 20_deg});
+    status.route = {{62_deg, 48_deg}, {74_deg, 48_deg}, {100_deg, 20_deg}};
+    status.targetText = QStringLiteral("go to 100.0° 20.0°");
     return status;
 }
 

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window_fixture.h"
+#include "ui/command_button.h"
+#include "ui/limits_panel.h"
+#include "ui/panel_tabs.h"
+#include "ui/plot_editor.h"
+#include "ui/polar_plot.h"
+
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLineEdit>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QToolButton>
+
+namespace boresight::ui {
+namespace {
+
+using pointing::HorizonPoint;
+using pointing::Region;
+
+// Limits changed as an operator does it: mouse on the plot, cells and fields in the panel.
+class LimitsTest : public WindowFixture
+{
+protected:
+    LimitsTest()
+    {
+        give(samples::update(samples::bounded()));
+        openPanel('3');
+    }
+
+    PolarPlot& plot() { return *window.findChild<PolarPlot*>(); }
+    PlotEditor& editor() { return plot().editor(); }
+    const Region& inForce() const { return samples::bounded().profile->limits; }
+
+    QPoint pixel(Angle azimuth, Angle elevation)
+    {
+        return plot().markers().projection().toPixel({azimuth, elevation}).toPoint();
+    }
+    // Where the mouse falls: on the editor while it takes the mouse, else on the markers below it.
+    QWidget* under()
+    {
+        QWidget* const markers = window.findChild<SkyMarkers*>();
+        return editor().isEditing() ? &editor() : markers;
+    }
+    void edit() { QTest::mouseClick(named<QToolButton>(kEdit), Qt::LeftButton); }
+    void press(Angle azimuth, Angle elevation)
+    {
+        QTest::mousePress(under(), Qt::LeftButton, {}, pixel(azimuth, elevation));
+    }
+    void move(Angle azimuth, Angle elevation, Qt::KeyboardModifiers keys = {})
+    {
+        QMouseEvent event(QEvent::MouseMove, pixel(azimuth, elevation), under()->mapToGlobal(pixel(azimuth, elevation)),
+                          Qt::NoButton, Qt::LeftButton, keys);
+        QApplication::sendEvent(under(), &event);
+    }
+    void release(Angle azimuth, Angle elevation)
+    {
+        QTest::mouseRelease(under(), Qt::LeftButton, {}, pixel(azimuth, elevation));
+    }
+    void drag(SkyPointing from, SkyPointing to)
+    {
+        press(from.azimuth, from.elevation);
+        move(from.azimuth + (to.azimuth - from.azimuth).wrapped180() * 0.5, (from.elevation + to.elevation) * 0.5);
+        move(to.azimuth, to.elevation);
+        release(to.azimuth, to.elevation);
+    }
+    // Applied by the button; what the station was sent.
+    Region applied()
+    {
+        QTest::mouseClick(named<CommandButton>("Apply"), Qt::LeftButton);
+        const auto sent = asked<request::ApplyProfile>();
+        EXPECT_EQ(sent.size(), 1u);
+        return sent.empty() ? Region() : sent.back().profile.limits;
+    }
+
+    static constexpr const char* kEdit = "Change limits, horizon and keep-outs on the plot (Ctrl+E)";
+};
+
+// A pixel of this plot is about half a degree: what is drawn is within one step of where the hand was.
+constexpr double kStep = 0.76;
+
+TEST_F(LimitsTest, WithoutEditModeNoDragChangesAnything)
+{
+    drag({180_deg, 28_deg}, {180_deg, 50_deg});
+    drag({70_deg, 30_deg}, {90_deg, 30_deg});
+    EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
+    EXPECT_EQ(text("Changes of the profile"), QStringLiteral("All changes are applied"));
+    edit();
+    edit();
+    drag({180_deg, 28_deg}, {180_deg, 50_deg});
+    EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
+}
+
+TEST_F(LimitsTest, InEditModeAClickPicksNoDirectionAndMovesNothing)
+{
+    edit();
+    QTest::mouseClick(under(), Qt::LeftButton, {}, pixel(30_deg, 60_deg));
+    EXPECT_FALSE(plot().markers().markers().picked.has_value());
+    EXPECT_TRUE(requests.empty());
+}
+
+TEST_F(LimitsTest, ADraggedHorizonPointIsWhatApplySends)
+{
+    edit();
+    EXPECT_TRUE(window.findChild<LimitsPanel*>()->isVisible());
+    drag({180_deg, 28_deg}, {170_deg, 40_deg});
+    EXPECT_TRUE(text("Changes of the profile").contains(QStringLiteral("limits.horizon")));
+    EXPECT_TRUE(asked<request::ApplyProfile>().empty()) << "nothing is in force before Apply";
+    const Region sent = applied();
+    EXPECT_NEAR(sent.horizon.at(3).azimuth.degrees(), 170.0, kStep);
+    EXPECT_NEAR(sent.horizon.at(3).elevation.degrees(), 40.0, kStep);
+    Region rest = sent;
+    rest.horizon[3] = inForce().horizon[3];
+    EXPECT_EQ(rest, inForce()) << "and nothing else";
+}
+
+TEST_F(LimitsTest, ADraggedElevationLimitIsWhatApplySends)
+{
+    edit();
+    drag({30_deg, 5_deg}, {30_deg, 15_deg});
+    const Region sent = applied();
+    EXPECT_NEAR(sent.elevation.min.degrees(), 15.0, kStep);
+    EXPECT_EQ(sent.keepOuts, inForce().keepOuts);
+}
+
+TEST_F(LimitsTest, ADraggedAzimuthLimitKeepsItsTurn)
+{
+    edit();
+    drag({300_deg, 2_deg}, {320_deg, 2_deg});  // -60°
+    EXPECT_NEAR(applied().azimuth.min.degrees(), -40.0, kStep);
+}
+
+TEST_F(LimitsTest, ADraggedEdgeCornerAndWholeOfAKeepOut)
+{
+    edit();
+    drag({285_deg, 30_deg}, {285_deg, 42_deg});  // upper edge of the house
+    drag({308_deg, 42_deg}, {320_deg, 50_deg});  // corner
+    drag({68_deg, 30_deg}, {90_deg, 40_deg});    // the whole mast
+    const Region sent = applied();
+    const auto& [mast, house] = std::tie(sent.keepOuts.at(0), sent.keepOuts.at(1));
+    EXPECT_NEAR(house.elevationMax.degrees(), 50.0, 2 * kStep);
+    EXPECT_NEAR(house.azimuthTo.degrees(), 320.0, 2 * kStep);
+    EXPECT_EQ(house.azimuthFrom, 262_deg);
+    EXPECT_NEAR(mast.azimuthFrom.degrees(), 84.0, 2 * kStep);
+    EXPECT_NEAR((mast.azimuthTo - mast.azimuthFrom).degrees(), 12.0, 1e-9);
+    EXPECT_NEAR((mast.elevationMax - mast.elevationMin).degrees(), 48.0, 1e-9);
+}
+
+TEST_F(LimitsTest, EscDuringADragCancelsItAndTheNextStops)
+{
+    edit();
+    press(180_deg, 28_deg);
+    move(180_deg, 60_deg);
+    EXPECT_TRUE(named<CommandButton>("Apply")->isEnabled());
+    QTest::keyClick(window.windowHandle(), Qt::Key_Escape);
+    EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
+    EXPECT_TRUE(asked<request::Stop>().empty());
+    move(180_deg, 70_deg);
+    release(180_deg, 70_deg);
+    EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled()) << "the rest of the movement is no drag";
+    QTest::keyClick(window.windowHandle(), Qt::Key_Escape);
+    EXPECT_EQ(asked<request::Stop>().size(), 1u);
+}
+
+TEST_F(LimitsTest, TheStopKeysStopAlsoDuringADrag)
+{
+    edit();
+    press(180_deg, 28_deg);
+    move(180_deg, 60_deg);
+    QTest::keyClick(window.windowHandle(), Qt::Key_F12);
+    EXPECT_EQ(asked<request::Stop>().size(), 1u);
+}
+
+TEST_F(LimitsTest, PointsAreAddedByDoubleClickAndPlusAndRemovedByDel)
+{
+    edit();
+    auto* const table = named<QTableView>("Horizon");
+    ASSERT_EQ(table->model()->rowCount(), 6);
+    QTest::mouseDClick(under(), Qt::LeftButton, {}, pixel(320_deg, 55_deg));
+    ASSERT_EQ(table->model()->rowCount(), 7);
+    EXPECT_NEAR(table->model()->index(6, 0).data().toString().toDouble(), 320.0, 2 * kStep);
+    move(330_deg, 60_deg);
+    editor().setFocus();
+    QTest::keyClick(&editor(), Qt::Key_Plus);
+    EXPECT_EQ(table->model()->rowCount(), 8);
+    QTest::keyClick(&editor(), Qt::Key_Delete);
+    EXPECT_EQ(table->model()->rowCount(), 7);
+    QTest::keyClick(&editor(), Qt::Key_Delete);
+    EXPECT_EQ(table->model()->rowCount(), 7) << "nothing is selected any more";
+}
+
+TEST_F(LimitsTest, TheNumbersUnderTheCursorAreShownWhileEditing)
+{
+    edit();
+    move(30_deg, 60_deg);
+    EXPECT_TRUE(text("Under the cursor").startsWith(QStringLiteral("az ")));
+    press(180_deg, 28_deg);
+    move(180_deg, 40_deg);
+    EXPECT_TRUE(text("Under the cursor").startsWith(QStringLiteral("horizon")));
+    release(180_deg, 40_deg);
+    edit();
+    EXPECT_EQ(text("Under the cursor"), QString());
+}
+
+TEST_F(LimitsTest, ShiftDrawsFiner)
+{
+    edit();
+    press(180_deg, 28_deg);
+    move(177.3_deg, 41.2_deg, Qt::ShiftModifier);
+    const HorizonPoint fine = [&] {
+        release(177.3_deg, 41.2_deg);
+        return applied().horizon.at(3);
+    }();
+    const double tenths = fine.elevation.degrees() * 10.0;
+    EXPECT_NEAR(tenths, std::round(tenths), 1e-6);
+}
+
+TEST_F(LimitsTest, AFieldOrACellChangesTheSameDraft)
+{
+    auto* const field = named<QDoubleSpinBox>("Lowest elevation");
+    EXPECT_EQ(field->value(), 5.0);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("12.5"));
+    QTest::keyClick(field, Qt::Key_Return);
+
+    auto* const keepOuts = named<QTableView>("Keep-outs");
+    const QModelIndex name = keepOuts->model()->index(0, 0);
+    keepOuts->setCurrentIndex(name);
+    keepOuts->edit(name);
+    auto* const cell = keepOuts->findChild<QLineEdit*>();
+    ASSERT_NE(cell, nullptr);
+    cell->selectAll();
+    QTest::keyClicks(cell, QStringLiteral("flag pole"));
+    QTest::keyClick(cell, Qt::Key_Return);
+
+    const Region sent = applied();
+    EXPECT_EQ(sent.elevation.min, 12.5_deg);
+    EXPECT_EQ(sent.keepOuts.at(0).name, "flag pole");
+}
+
+TEST_F(LimitsTest, ATextThatIsNoValueIsRefusedWithTheReason)
+{
+    auto* const horizon = named<QTableView>("Horizon");
+    QAbstractItemModel& model = *horizon->model();
+    EXPECT_FALSE(model.setData(model.index(2, 1), QStringLiteral("1O"), Qt::EditRole));
+    EXPECT_TRUE(text("Why the text was not taken").contains(QStringLiteral("not a number")));
+    EXPECT_FALSE(model.setData(model.index(2, 0), QStringLiteral("400"), Qt::EditRole));
+    EXPECT_FALSE(model.setData(model.index(2, 0), QStringLiteral("110"), Qt::EditRole));
+    EXPECT_TRUE(text("Why the text was not taken").contains(QStringLiteral("already")));
+    EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
+    EXPECT_TRUE(model.setData(model.index(2, 1), QStringLiteral("23.5°"), Qt::EditRole));
+    EXPECT_EQ(text("Why the text was not taken"), QString());
+    EXPECT_EQ(applied().horizon.at(2).elevation, 23.5_deg);
+}
+
+TEST_F(LimitsTest, TheLiveCheckSpeaksBeforeApply)
+{
+    QAbstractItemModel& model = *named<QTableView>("Keep-outs")->model();
+    EXPECT_TRUE(model.setData(model.index(0, 4), QStringLiteral("0"), Qt::EditRole));
+    EXPECT_TRUE(text("Changes of the profile").startsWith(QStringLiteral("keep_out[1]")));
+    EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
+    EXPECT_FALSE(model.index(0, 0).data(Qt::ToolTipRole).toString().isEmpty());
+    QTest::mouseClick(named<CommandButton>("Revert"), Qt::LeftButton);
+    EXPECT_EQ(model.index(0, 4).data().toString(), QStringLiteral("48.0"));
+}
+
+TEST_F(LimitsTest, UndoAsksForWhatWasInForceBefore)
+{
+    named<QDoubleSpinBox>("Lowest elevation")->setValue(9.0);
+    applied();
+    StationStatus status = samples::bounded();
+    status.profile = std::make_shared<const profile::Profile>(asked<request::ApplyProfile>().back().profile);
+    give(samples::acceptance(status, requests.back().id));
+    EXPECT_EQ(text("Changes of the profile"), QStringLiteral("All changes are applied"));
+    QTest::mouseClick(named<CommandButton>("Undo"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::ApplyProfile>().back().profile.limits, inForce());
+}
+
+TEST_F(LimitsTest, ARefusalStandsUnderTheButtonsAndTheEditsStay)
+{
+    named<QDoubleSpinBox>("Lowest elevation")->setValue(9.0);
+    applied();
+    give(samples::refusal(samples::bounded(), requests.back().id, "not while a proof runs"));
+    bool said = false;
+    for (const ValueLabel* const label : window.findChild<LimitsPanel*>()->findChildren<ValueLabel*>()) {
+        said = said || label->text().contains(QStringLiteral("not while a proof runs"));
+    }
+    EXPECT_TRUE(said);
+    EXPECT_EQ(named<QDoubleSpinBox>("Lowest elevation")->value(), 9.0);
+    EXPECT_TRUE(named<CommandButton>("Apply")->isEnabled());
+}
+
+TEST_F(LimitsTest, AChangeFromElsewhereUnderEditsIsSaidAndKeepEditsJoinsBoth)
+{
+    named<QDoubleSpinBox>("Lowest elevation")->setValue(9.0);
+    StationStatus status = samples::bounded();
+    profile::Profile other = *status.profile;
+    other.limits.keepOuts.clear();
+    status.profile = std::make_shared<const profile::Profile>(other);
+    give(samples::update(status));
+    EXPECT_TRUE(text("Changes of the profile").contains(QStringLiteral("keep_out")));
+    EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
+    QTest::mouseClick(named<CommandButton>("Keep edits"), Qt::LeftButton);
+    const Region sent = applied();
+    EXPECT_TRUE(sent.keepOuts.empty());
+    EXPECT_EQ(sent.elevation.min, 9_deg);
+}
+
+TEST_F(LimitsTest, KeepOutsAreAddedAndRemovedByButtons)
+{
+    auto* const table = named<QTableView>("Keep-outs");
+    QTest::mouseClick(named<QPushButton>("Add a keep-out around where the mount points"), Qt::LeftButton);
+    ASSERT_EQ(table->model()->rowCount(), 3);
+    EXPECT_EQ(table->currentIndex().row(), 2);
+    EXPECT_EQ(table->model()->index(2, 1).data().toString(), QStringLiteral("10.0"));  // the mount points to 20°
+    QTest::mouseClick(named<QPushButton>("Remove the current keep-out (Del)"), Qt::LeftButton);
+    EXPECT_EQ(table->model()->rowCount(), 2);
+    EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
+}
+
+TEST_F(LimitsTest, TheBarSaysWhyAPickedPlaceIsForbiddenAndOffersNoWayThere)
+{
+    const auto pick = [&](Angle azimuth, Angle elevation) {
+        QTest::mouseClick(under(), Qt::LeftButton, {}, pixel(azimuth, elevation));
+        return named<CommandButton>("Go here");
+    };
+    EXPECT_TRUE(pick(20_deg, 60_deg)->isEnabled());
+    EXPECT_FALSE(pick(68_deg, 30_deg)->isEnabled());
+    EXPECT_TRUE(named<CommandButton>("Go here")->toolTip().contains(QStringLiteral("mast")));
+    EXPECT_FALSE(pick(180_deg, 15_deg)->isEnabled()) << "below the hill";
+    // The same place is permitted once the profile in force says so.
+    StationStatus status = samples::bounded();
+    profile::Profile open = *status.profile;
+    open.limits.horizon.clear();
+    status.profile = std::make_shared<const profile::Profile>(open);
+    give(samples::update(status));
+    EXPECT_TRUE(named<CommandButton>("Go here")->isEnabled());
+}
+
+TEST_F(LimitsTest, AHorizonGoesOutAsTextAndComesBack)
+{
+    QTemporaryDir folder;
+    auto& panel = *window.findChild<LimitsPanel*>();
+    const QString path = folder.filePath(QStringLiteral("horizon.txt"));
+    panel.exportHorizon(path);
+    QAbstractItemModel& model = *named<QTableView>("Horizon")->model();
+    EXPECT_TRUE(model.setData(model.index(2, 1), QStringLiteral("40"), Qt::EditRole));
+    EXPECT_TRUE(named<CommandButton>("Apply")->isEnabled());
+    panel.importHorizon(path);
+    EXPECT_EQ(model.index(2, 1).data().toString(), QStringLiteral("22.0"));
+    EXPECT_TRUE(text("Why the text was not taken").contains(QStringLiteral("points read")));
+}
+
+TEST_F(LimitsTest, AHorizonFileThatCannotBeReadChangesNothingAndSaysWhichLine)
+{
+    QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("bad.txt")));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("0 5\n90 high\n");
+    file.close();
+    auto& panel = *window.findChild<LimitsPanel*>();
+    panel.importHorizon(file.fileName());
+    EXPECT_TRUE(text("Why the text was not taken").contains(QStringLiteral("bad.txt:2")));
+    EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
+    panel.importHorizon(folder.filePath(QStringLiteral("none.txt")));
+    EXPECT_FALSE(text("Why the text was not taken").isEmpty());
+    EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
+}
+
+}  // namespace
+}  // namespace boresight::ui

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFileDialog>
+
+namespace boresight::ui {
+
+// Asks for a file without stopping anything: not modal, in the lower half of the owner's window, so that STOP stays in
+// reach and in sight. Shown already; it deletes itself when it is closed. A name without a suffix gets that of the
+// chosen filter.
+QFileDialog* askForFile(QWidget& owner, const QString& title, QFileDialog::AcceptMode mode, const QStringList& filters);
+
+}  // namespace boresight::ui

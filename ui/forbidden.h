@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+#include <QString>
+
+namespace boresight::ui {
+
+// Why the profile in force does not let the mount point there, in the words of the core; empty if it does. Advice
+// before the click: the station decides again.
+[[nodiscard]] QString whyForbidden(const StationStatus& status, const SkyPointing& direction);
+
+}  // namespace boresight::ui

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/horizon_files.h"
+
+#include "core/profile/horizon_text.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr qint64 kLargest = 1'000'000;  // bytes: far beyond a point for each tenth of a degree
+
+QString tr(const char* text)
+{
+    return QCoreApplication::translate("HorizonFiles", text);
+}
+
+}  // namespace
+
+Result<QString> importHorizon(ProfileDraft& draft, const QString& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return failure(ErrorCode::Io, file.errorString().toStdString());
+    }
+    const QByteArray text = file.read(kLargest + 1);
+    if (text.size() > kLargest) {
+        return failure(ErrorCode::InvalidInput, tr("the file is too long for a horizon").toStdString());
+    }
+    const Result<profile::HorizonText> read =
+        profile::parseHorizon(std::string_view(text.constData(), static_cast<std::size_t>(text.size())),
+                              QFileInfo(path).fileName().toStdString());
+    if (!read) {
+        return tl::unexpected(read.error());
+    }
+    draft.edit([&read](profile::Profile& profile) { profile.limits.horizon = read->points; });
+    const QString taken = tr("%1 points read").arg(read->points.size());
+    return read->merged == 0 ? taken
+                             : taken + tr(", %1 more at an azimuth that has a higher one left out").arg(read->merged);
+}
+
+Result<> exportHorizon(const ProfileDraft& draft, const QString& path)
+{
+    const profile::Profile& profile = draft.edited();
+    QSaveFile file(path);
+    const std::string text = profile::toHorizonText(profile.limits.horizon, profile.mount.name);
+    if (!file.open(QIODevice::WriteOnly) || file.write(QByteArray::fromStdString(text)) < 0 || !file.commit()) {
+        return failure(ErrorCode::Io, file.errorString().toStdString());
+    }
+    return {};
+}
+
+}  // namespace boresight::ui
