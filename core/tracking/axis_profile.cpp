@@ -127,6 +127,12 @@ Setpoint AxisProfile::advance(const std::vector<Segment>& path)
     return m_setpoint;
 }
 
+TravelRange AxisProfile::untilRest() const
+{
+    const auto [lowest, highest] = m_motion.untilRestAt(stopPosition(m_motion.latest(), acceleration()));
+    return {.min = Angle::fromRadians(lowest), .max = Angle::fromRadians(highest)};
+}
+
 bool AxisProfile::atRest() const
 {
     return m_motion.atRest();

@@ -59,6 +59,8 @@ public:
     Setpoint brake(Seconds dt) { return run(dt, AngularRate{}); }
 
     [[nodiscard]] const Setpoint& setpoint() const { return m_setpoint; }
+    // All that the set-point still passes when the axis brakes from now on, where it is now included.
+    [[nodiscard]] TravelRange untilRest() const;
     // The set-point rests (exactly: rate and acceleration are zero and stay so until the goal changes).
     [[nodiscard]] bool atRest() const;
     // How long the averaging takes, hence how much later than the time-optimal profile the axis arrives.

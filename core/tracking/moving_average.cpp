@@ -57,4 +57,36 @@ bool MovingAverage::atRest() const
     return std::all_of(m_segments.begin(), m_segments.end(), [](const Segment& segment) { return segment.atRest(); });
 }
 
+// While the motion never turned, the average goes straight to the stop. Where it turned once, the average turns once,
+// too, and not beyond where the motion did; where it turned more often, all that is known is that it stays inside.
+MovingAverage::Extremes MovingAverage::untilRestAt(double stop) const
+{
+    const double now = sample().position;
+    Extremes motion{.lowest = latest().position, .highest = latest().position};
+    int turns = 0;
+    double way = 0.0;  // the sign of the last rate that was none
+    const auto look = [&](const MotionState& state) {
+        motion = {std::min(motion.lowest, state.position), std::max(motion.highest, state.position)};
+        if (state.rate != 0.0) {
+            turns += way * state.rate < 0.0 ? 1 : 0;
+            way = state.rate > 0.0 ? 1.0 : -1.0;
+        }
+    };
+    for (const Segment& segment : m_segments) {
+        look(segment.start);
+        if (segment.start.rate * segment.end().rate < 0.0) {
+            look(segment.at(-segment.start.rate / segment.acceleration));
+        }
+        look(segment.end());
+    }
+    Extremes straight{.lowest = std::min(now, stop), .highest = std::max(now, stop)};
+    if (turns > 1 || (turns == 1 && way > 0.0)) {
+        straight.lowest = std::min(straight.lowest, motion.lowest);
+    }
+    if (turns > 1 || (turns == 1 && way < 0.0)) {
+        straight.highest = std::max(straight.highest, motion.highest);
+    }
+    return straight;
+}
+
 }  // namespace boresight::tracking

@@ -21,6 +21,12 @@ public:
         double acceleration = 0.0;
     };
 
+    struct Extremes
+    {
+        double lowest = 0.0;
+        double highest = 0.0;
+    };
+
     // As if the motion had rested at `position` for ever.
     void reset(double position, double length);
     void append(std::span<const Segment> segments);
@@ -30,6 +36,9 @@ public:
     // The motion as it was last appended, not averaged.
     [[nodiscard]] MotionState latest() const { return m_segments.back().end(); }
     [[nodiscard]] bool atRest() const;
+    // Between which bounds the average stays on its way to `stop`, where the motion comes to rest without turning
+    // again.
+    [[nodiscard]] Extremes untilRestAt(double stop) const;
 
 private:
     std::deque<Segment> m_segments;  // oldest first; the oldest may begin before the averaging does

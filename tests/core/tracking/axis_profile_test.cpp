@@ -368,3 +368,27 @@ TEST(AxisProfile, ResetForgetsTheMotion)
     EXPECT_EQ(profile.setpoint(), (Setpoint{33_deg, {}, {}}));
     EXPECT_EQ(profile.brake(kTick), (Setpoint{33_deg, {}, {}}));
 }
+
+// What is guarded beneath a motion relies on it: all that a braking axis passes is known before.
+TEST(AxisProfile, TellsAllThatItStillPassesUntilRest)
+{
+    std::mt19937 random(42);
+    const auto uniform = [&random](double from, double to) {
+        return std::uniform_real_distribution<double>(from, to)(random);
+    };
+    for (int round = 0; round < 300; ++round) {
+        AxisProfile axis(limits(uniform(1, 20), uniform(2, 30), uniform(10, 300)), kTravel, 100_deg);
+        for (int change = 0; change < 5; ++change) {
+            const AngularRate rate = AngularRate::fromDegrees(uniform(-20, 20));
+            for (int i = 0, count = static_cast<int>(uniform(1, 60)); i < count; ++i) {
+                axis.run(kTick, rate);
+            }
+        }
+        const TravelRange rest = axis.untilRest();
+        while (!axis.atRest()) {
+            const Angle place = axis.brake(kTick).position;
+            EXPECT_GE(place.degrees(), rest.min.degrees() - 1e-9);
+            EXPECT_LE(place.degrees(), rest.max.degrees() + 1e-9);
+        }
+    }
+}
