@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/pointing/permitted_region.h"
+#include "core/profile/profile.h"
+#include "core/tracking/axis_profile.h"
+#include "core/units/sky.h"
+
+#include <array>
+#include <optional>
+#include <string>
+
+// The set-points of both axes, kept inside the permitted region whatever is asked of them and by whom: below every
+// source of motion this is what holds. In each step an axis gets as much room as is free while the other one is
+// anywhere between where it is and where it would come to rest; so both can always still brake, and along an edge they
+// slide. From a forbidden place (an edited mask, a mount that was pushed) they only move out. Pure, one thread;
+// README.md.
+namespace boresight {
+
+// What one axis is asked: to go to a target that moves at `rate`, or without a target to run at `rate`. Zero: brake.
+struct AxisWish
+{
+    std::optional<Angle> target;
+    AngularRate rate;
+};
+
+class GuardedAxes
+{
+public:
+    explicit GuardedAxes(const profile::Profile& profile);
+
+    // Takes over an axis that stands at a measured angle, at rest there.
+    void start(Axis axis, Angle measured);
+    void step(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
+
+    // From the next step on. New limits of motion take their time, as AxisProfile says.
+    void setRegion(const pointing::Region& region);
+    void setLimits(Axis axis, const tracking::MotionLimits& limits);
+    // While nobody knows on which turn an axis stands, nobody knows what is forbidden: only the travel counts.
+    void enforce(bool enforced);
+
+    [[nodiscard]] const pointing::PermittedRegion& region() const { return m_region; }
+    [[nodiscard]] bool enforced() const { return m_enforced; }
+    [[nodiscard]] const tracking::Setpoint& setpoint(Axis axis) const;
+    [[nodiscard]] AxisPosition place() const;
+    [[nodiscard]] bool atRest() const;
+    // The axis was asked to go on, but stands at, or brakes for, an edge of what is permitted.
+    [[nodiscard]] bool held(Axis axis) const { return m_held[axis == Axis::Azimuth ? 0 : 1] != 0; }
+    // What holds it: `the keep-out "mast"`. Empty if nothing does.
+    [[nodiscard]] std::string obstacle() const;
+
+private:
+    [[nodiscard]] pointing::AxisBox untilRest() const;
+    void stepFree(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
+    void stepInside(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
+    void stepOut(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
+    void brake(Seconds duration, const pointing::AxisBox& within);
+
+    pointing::AxisBox m_travel;
+    pointing::PermittedRegion m_region;
+    tracking::AxisProfile m_azimuth;
+    tracking::AxisProfile m_elevation;
+    bool m_enforced = true;
+    std::optional<pointing::AxisBox> m_swept;  // permitted, and all that was left to pass after the last step
+    std::array<int, 2> m_held{};               // which way each axis wants to go and may not: -1, 0, 1
+};
+
+}  // namespace boresight

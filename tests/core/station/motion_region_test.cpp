@@ -1,0 +1,430 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The permitted region, enforced below every source of motion: random regions, targets, streams, jogs, edits.
+#include "core/station/drive_pair.h"
+#include "core/station/motion.h"
+#include "tests/fakes/random_region.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace boresight;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr std::chrono::milliseconds kTick{20};
+
+AxisPosition at(double azimuth, double elevation)
+{
+    return {.azimuth = Angle::fromDegrees(azimuth), .elevation = Angle::fromDegrees(elevation)};
+}
+
+AxisRates rates(double azimuth, double elevation)
+{
+    return {.azimuth = AngularRate::fromDegrees(azimuth), .elevation = AngularRate::fromDegrees(elevation)};
+}
+
+pointing::KeepOut mast(Angle top = 40_deg)
+{
+    return {.name = "mast", .azimuthFrom = 300_deg, .azimuthTo = 330_deg, .elevationMin = 0_deg, .elevationMax = top};
+}
+
+profile::Profile mount(const pointing::Region& limits, TravelRange azimuth = {-200_deg, 460_deg},
+                       TravelRange elevation = {0_deg, 90_deg})
+{
+    profile::Profile profile;
+    profile.azimuth.geometry.travel = azimuth;
+    profile.elevation.geometry.travel = elevation;
+    profile.limits = limits;
+    return profile;
+}
+
+// Turns the clock, and after every tick sees to it that the set-points obey.
+class Ride
+{
+public:
+    Ride(const profile::Profile& profile, const AxisPosition& start) : motion(profile), region(profile.limits)
+    {
+        motion.start(Axis::Azimuth, start.azimuth);
+        motion.start(Axis::Elevation, start.elevation);
+        m_limits = {profile.azimuth.limits, profile.elevation.limits};
+    }
+
+    void tick()
+    {
+        now += kTick;
+        motion.advance(now, kTick);
+        const AxisPosition place = motion.place();
+        const bool permitted = motion.region().permits(place);
+        if (!permitted && m_wasPermitted && !m_edited) {
+            ADD_FAILURE() << "entered " << motion.region().reason(place);
+        }
+        if (permitted) {
+            EXPECT_LE(fakes::depthInside(region, place), 1e-6);
+        }
+        m_edited = m_edited && !motion.atRest();
+        m_wasPermitted = permitted;
+        for (const Axis axis : kAxes) {
+            const tracking::Setpoint& setpoint = motion.setpoint(axis);
+            EXPECT_LE(abs(setpoint.rate), m_limits[index(axis)].speed * 1.000001);
+            EXPECT_LE(abs(setpoint.acceleration), m_limits[index(axis)].acceleration * 1.000001);
+        }
+    }
+
+    void ticks(int count)
+    {
+        for (int i = 0; i < count; ++i) {
+            tick();
+        }
+    }
+
+    // True when it came to rest, and not only at a bend of its way.
+    bool untilRest(int most = 20000)
+    {
+        const auto rests = [this] { return motion.atRest() && motion.route().empty(); };
+        tick();
+        for (; most > 0 && !rests(); --most) {
+            tick();
+        }
+        return rests();
+    }
+
+    void draw(const pointing::Region& drawn)
+    {
+        region = drawn;
+        motion.setRegion(drawn);
+        m_edited = true;
+    }
+
+    Motion motion;
+    pointing::Region region;
+    SteadyTime now{};
+
+private:
+    std::array<tracking::MotionLimits, 2> m_limits;
+    bool m_wasPermitted = true;
+    bool m_edited = false;  // and not yet at rest: it may slide into what was drawn before it
+};
+
+void expectAt(const Motion& motion, double azimuth, double elevation, double tolerance = 1e-6)
+{
+    EXPECT_NEAR(motion.place().azimuth.degrees(), azimuth, tolerance);
+    EXPECT_NEAR(motion.place().elevation.degrees(), elevation, tolerance);
+}
+
+}  // namespace
+
+TEST(MotionRegion, GoesAroundAKeepOutAndArrives)
+{
+    Ride run(mount({.keepOuts = {mast()}}), at(290, 10));
+    run.motion.goTo(at(340, 5));
+    run.tick();
+    EXPECT_EQ(run.motion.route(), (std::vector{at(300, 40), at(330, 40), at(340, 5)}));
+    EXPECT_TRUE(run.untilRest());
+    expectAt(run.motion, 340, 5);
+    EXPECT_TRUE(run.motion.route().empty());
+    EXPECT_LT(run.now - SteadyTime{}, 16s);
+}
+
+TEST(MotionRegion, AJogBrakesBeforeTheEdgeAndIsLetBack)
+{
+    Ride run(mount({.keepOuts = {mast()}}), at(290, 10));
+    run.motion.run(rates(10, 0));
+    EXPECT_TRUE(run.untilRest());
+    expectAt(run.motion, 300, 10);
+    EXPECT_TRUE(run.motion.held(Axis::Azimuth));
+    EXPECT_FALSE(run.motion.held(Axis::Elevation));
+    EXPECT_EQ(run.motion.obstacle(), "the keep-out \"mast\"");
+    run.motion.run(rates(-1, 0));
+    run.ticks(100);
+    EXPECT_FALSE(run.motion.held(Axis::Azimuth));
+    EXPECT_LT(run.motion.place().azimuth, 299_deg);
+}
+
+TEST(MotionRegion, AJogSlidesAlongTheEdge)
+{
+    Ride run(mount({.keepOuts = {mast()}}), at(290, 10));
+    run.motion.run(rates(5, 2));
+    while (run.motion.place().azimuth < 335_deg && run.now < SteadyTime{} + 60s) {
+        run.tick();
+    }
+    EXPECT_GT(run.motion.place().elevation, 40_deg);  // up along its side, then over it
+    EXPECT_LT(run.now, SteadyTime{} + 30s);
+}
+
+TEST(MotionRegion, AJogIntoASlopeOfTheHorizonStopsOnIt)
+{
+    Ride run(mount({.horizon = {{0_deg, 0_deg}, {100_deg, 0_deg}, {120_deg, 40_deg}, {200_deg, 0_deg}}}), at(90, 20));
+    run.motion.run(rates(6, 0));
+    EXPECT_TRUE(run.untilRest());
+    expectAt(run.motion, 110, 20);
+    EXPECT_EQ(run.motion.obstacle(), "the horizon");
+}
+
+TEST(MotionRegion, AForbiddenTargetIsReplacedByTheNearestPlace)
+{
+    Ride run(mount({.keepOuts = {mast()}}), at(200, 10));
+    run.motion.goTo(at(302, 20));
+    run.tick();
+    EXPECT_TRUE(run.motion.limited());
+    EXPECT_TRUE(run.untilRest());
+    expectAt(run.motion, 300, 20);
+    run.motion.goTo(at(200, 20));
+    run.tick();
+    EXPECT_FALSE(run.motion.limited());
+}
+
+TEST(MotionRegion, AStreamBehindAKeepOutWaitsAtItsSideThenGoesAroundAndRejoins)
+{
+    Ride run(mount({.keepOuts = {mast()}}), at(280, 20));
+    double azimuth = 280;
+    bool limited = false;
+    for (int second = 0; second < 100; ++second, azimuth += 0.8) {
+        run.motion.follow(at(azimuth, 20), run.now);
+        run.motion.confirmStream(run.now);
+        run.ticks(50);
+        limited = limited || run.motion.limited();
+    }
+    EXPECT_TRUE(limited);
+    EXPECT_FALSE(run.motion.limited());
+    EXPECT_TRUE(run.motion.streaming(run.now));
+    expectAt(run.motion, azimuth, 20, 0.2);
+}
+
+TEST(MotionRegion, SaysWhyThereIsNoWayAndStands)
+{
+    Ride run(mount({.keepOuts = {mast(90_deg)}}), at(290, 10));
+    EXPECT_FALSE(run.motion.route(at(290, 10), at(340, 10)));
+    run.motion.goTo(at(340, 10));
+    EXPECT_TRUE(run.untilRest());
+    expectAt(run.motion, 290, 10);
+    EXPECT_EQ(run.motion.noWay(),
+              "there is no way from 290.0° 10.0° to 340.0° 10.0°: the keep-out \"mast\" is in between");
+}
+
+TEST(MotionRegion, AnEdgeDrawnBeforeAMovingMountStopsIt)
+{
+    Ride run(mount({}), at(280, 10));
+    run.motion.run(rates(10, 0));
+    run.ticks(100);
+    const Angle before = run.motion.place().azimuth;
+    pointing::KeepOut drawn = mast();
+    drawn.azimuthFrom = before + 1_deg;
+    run.draw({.keepOuts = {drawn}});
+    EXPECT_TRUE(run.untilRest());
+    const AxisPosition inside = run.motion.place();
+    EXPECT_LT(inside.azimuth, before + 6.5_deg);  // 10²/(2 × 10) and the filter
+    EXPECT_FALSE(run.motion.region().permits(inside));
+    EXPECT_TRUE(run.motion.held(Axis::Azimuth));
+    run.motion.run(rates(5, 5));  // deeper, and away from the nearest edge
+    run.ticks(100);
+    EXPECT_EQ(run.motion.place(), inside);
+    run.motion.run(rates(-5, 0));
+    run.ticks(100);
+    EXPECT_TRUE(run.motion.region().permits(run.motion.place()));
+}
+
+TEST(MotionRegion, AnEdgeDrawnFarAheadIsBrakedFor)
+{
+    Ride run(mount({}), at(260, 10));
+    run.motion.goTo(at(400, 10));
+    run.ticks(100);
+    run.draw({.keepOuts = {mast(90_deg)}});
+    EXPECT_TRUE(run.untilRest());
+    EXPECT_TRUE(run.motion.region().permits(run.motion.place()));
+    EXPECT_LT(run.motion.place().azimuth, 300.000001_deg);
+}
+
+TEST(MotionRegion, LowerLimitsOfMotionDoNotCarryItOverTheEdge)
+{
+    Ride run(mount({.keepOuts = {mast()}}), at(270, 10));
+    run.motion.run(rates(10, 0));
+    while (run.motion.place().azimuth < 293_deg) {
+        run.tick();
+    }
+    profile::Profile gentle;
+    gentle.azimuth.limits.acceleration = AngularAcceleration::fromDegrees(2);
+    run.motion.setLimits(Axis::Azimuth, gentle.azimuth.limits);
+    for (int i = 0; i < 1000; ++i) {
+        run.now += kTick;
+        run.motion.advance(run.now, kTick);  // it may brake harder than the new limit: the region wins
+        ASSERT_TRUE(run.motion.region().permits(run.motion.place()));
+    }
+}
+
+TEST(MotionRegion, WhileTheTurnIsNotKnownOnlyTheTravelCounts)
+{
+    Ride run(mount({.keepOuts = {mast()}}), at(290, 10));
+    run.motion.enforceRegion(false);
+    run.motion.run(rates(2, 0));
+    for (int i = 0; i < 800; ++i) {
+        run.now += kTick;
+        run.motion.advance(run.now, kTick);
+    }
+    EXPECT_GT(run.motion.place().azimuth, 301_deg);
+}
+
+namespace {
+
+class Walk
+{
+public:
+    explicit Walk(unsigned seed)
+        : m_random(seed),
+          m_make(m_random),
+          m_azimuth(m_make.azimuthTravel()),
+          m_elevation(m_make.elevationTravel()),
+          m_run(mount(m_make.region(), m_azimuth, m_elevation), {})
+    {
+        const auto start = m_run.motion.region().nearest(m_make.place(m_azimuth, m_elevation));
+        if (start) {
+            m_run.motion.start(Axis::Azimuth, start->azimuth);
+            m_run.motion.start(Axis::Elevation, start->elevation);
+        }
+        m_possible = start.has_value();
+    }
+
+    void go(int steps)
+    {
+        for (int i = 0; m_possible && i < steps; ++i) {
+            ask();
+            for (int tick = 0, count = 1 + m_make.dice(120); tick < count; ++tick) {
+                stream();
+                m_run.tick();
+                m_moved += abs(m_run.motion.setpoint(Axis::Azimuth).rate).degrees() * 0.02;
+                m_limited += m_run.motion.limited() ? 1 : 0;
+                m_bent += m_run.motion.route().empty() ? 0 : 1;
+            }
+        }
+    }
+
+    double m_moved = 0.0;  // degrees
+    int m_limited = 0;     // ticks
+    int m_bent = 0;
+
+private:
+    void ask()
+    {
+        Motion& motion = m_run.motion;
+        switch (m_make.dice(10)) {
+            case 0:
+            case 1:
+            case 2:
+                m_streaming = false;
+                return motion.goTo(m_make.place(m_azimuth, m_elevation));
+            case 3:
+            case 4:
+                m_streaming = false;
+                return motion.run(rates(m_make.uniform(-12, 12), m_make.uniform(-9, 9)));
+            case 5:
+            case 6:
+                motion.rest();
+                m_streaming = true;
+                m_point = m_make.place(m_azimuth, m_elevation);
+                m_drift = rates(m_make.uniform(-4, 4), m_make.uniform(-2, 2));
+                return;
+            case 7:
+                m_streaming = false;
+                return motion.rest();
+            case 8:
+                if (m_make.dice(4) == 0) {
+                    m_run.draw(m_make.region());
+                }
+                return;
+            default:
+                return m_run.ticks(100);
+        }
+    }
+
+    void stream()
+    {
+        if (m_streaming && m_run.now >= m_nextPoint) {
+            m_nextPoint = m_run.now + std::chrono::milliseconds(500 + m_make.dice(1000));
+            m_point.azimuth = m_azimuth.clamped(m_point.azimuth + m_drift.azimuth * Seconds(1.0));
+            m_point.elevation = m_elevation.clamped(m_point.elevation + m_drift.elevation * Seconds(1.0));
+            m_run.motion.follow(m_point, m_run.now);
+        }
+    }
+
+    std::mt19937 m_random;
+    fakes::RandomRegion m_make;
+    TravelRange m_azimuth;
+    TravelRange m_elevation;
+    Ride m_run;
+    bool m_possible = false;
+    bool m_streaming = false;
+    AxisPosition m_point;
+    AxisRates m_drift;
+    SteadyTime m_nextPoint{};
+};
+
+}  // namespace
+
+TEST(MotionRegion, HoldsWhateverIsAskedAndDrawn)
+{
+    double moved = 0.0;
+    int limited = 0;
+    int bent = 0;
+    for (unsigned seed = 1; seed <= 150 && !HasFailure(); ++seed) {
+        SCOPED_TRACE(seed);
+        Walk walk(seed);
+        walk.go(60);
+        moved += walk.m_moved;
+        limited += walk.m_limited;
+        bent += walk.m_bent;
+    }
+    EXPECT_GT(moved, 10000);
+    EXPECT_GT(limited, 1000);
+    EXPECT_GT(bent, 1000);
+}
+
+// Whoever is sent to a permitted place that has a way arrives there.
+TEST(MotionRegion, ArrivesWhereThereIsAWay)
+{
+    std::mt19937 random(17);
+    fakes::RandomRegion make(random);
+    int arrived = 0;
+    for (int round = 0; round < 150 && !HasFailure(); ++round) {
+        SCOPED_TRACE(round);
+        const profile::Profile profile = mount(make.region(), make.azimuthTravel(), make.elevationTravel());
+        const pointing::PermittedRegion region(profile.limits, profile.azimuth.geometry.travel,
+                                               profile.elevation.geometry.travel);
+        const auto from = region.nearest(make.place(region.ranges().azimuth, region.ranges().elevation));
+        const auto to = region.nearest(make.place(region.ranges().azimuth, region.ranges().elevation));
+        if (!from || !to) {
+            continue;
+        }
+        Ride run(profile, *from);
+        if (!run.motion.route(*from, *to)) {
+            continue;
+        }
+        run.motion.goTo(*to);
+        EXPECT_TRUE(run.untilRest());
+        expectAt(run.motion, to->azimuth.degrees(), to->elevation.degrees());
+        ++arrived;
+    }
+    EXPECT_GT(arrived, 50);
+}
+
+// Story: pushed beyond its travel and jogged back and forth, the axis crept out again: its set-point lags its motion.
+TEST(MotionRegion, OutsideTheTravelItOnlyMovesBackInside)
+{
+    for (const double azimuth : {451.7, -90.0002}) {
+        for (const double rate : {5.0, -5.0}) {
+            Ride run(mount({}, {-90_deg, 450_deg}), at(azimuth, 30));
+            const auto outside = [&run] {
+                return std::max(run.motion.place().azimuth - 450_deg, -90_deg - run.motion.place().azimuth);
+            };
+            Angle last = outside();
+            for (int i = 0; i < 200; ++i) {
+                run.motion.run(rates(i / 15 % 2 == 0 ? rate : -rate, 3));
+                run.now += kTick;
+                run.motion.advance(run.now, kTick);
+                EXPECT_LE(outside(), std::max(last, 0_deg) + Angle::fromDegrees(1e-9))
+                    << azimuth << " " << rate << " " << i;
+                last = outside();
+            }
+        }
+    }
+}
