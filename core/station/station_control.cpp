@@ -49,7 +49,9 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
       m_clientLines(log, clock, kClientLinesPerSecond),
       m_started(clock.now()),
       m_now(m_started)
-{}
+{
+    setRegion(profile.limits);
+}
 
 Result<> StationControl::request(const Request& request, const Source& source)
 {
@@ -115,6 +117,11 @@ Result<> StationControl::mayJog(const AxisRates& rates, const Source& source) co
     });
 }
 
+AxisPosition StationControl::standing() const
+{
+    return m_drives.engaged() ? m_motion.place() : m_drives.measured().value_or(AxisPosition{});
+}
+
 AxisPosition StationControl::heading() const
 {
     if (!m_drives.engaged()) {
@@ -173,19 +180,45 @@ void StationControl::holdHere(Activity activity)
 
 Result<> StationControl::goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& what)
 {
-    return mayPoint(source).and_then([&]() -> Result<> {
-        const pointing::Resolved resolved = m_model.resolve(place);
-        if (resolved.limited) {
-            return failure(ErrorCode::OutOfRange, resolved.reason);
-        }
+    return mayPoint(source).and_then([&] { return mayGoTo(place); }).map([&] {
         begin(activity, source, what);
-        m_motion.goTo(resolved.position);
-        return {};
+        m_motion.goTo(m_model.resolve(place).position);
     });
 }
 
-Result<> StationControl::streamTo(const pointing::Resolved& resolved, const SkyPointing& asked, const Source& source)
+Result<> StationControl::mayGoTo(const AxisPosition& place) const
 {
+    const pointing::Resolved resolved = m_model.resolve(place);
+    if (resolved.limited) {
+        return failure(ErrorCode::OutOfRange, resolved.reason);
+    }
+    if (const std::string why = m_motion.region().reason(resolved.position); !why.empty()) {
+        const auto nearest = m_motion.region().nearest(resolved.position);
+        return failure(ErrorCode::OutOfRange,
+                       nearest ? why + "; permitted nearest to it: " + text(*nearest).toStdString() : why);
+    }
+    return m_motion.route(standing(), resolved.position).map([](const auto&) {});
+}
+
+// Of the turns of a direction the one nearest to where it is sought that can be reached; if none can, the place itself.
+AxisPosition StationControl::turnWithAWay(const AxisPosition& place) const
+{
+    const TravelRange& range = m_motion.region().ranges().azimuth;
+    for (const double turns : {0.0, -1.0, 1.0, -2.0, 2.0}) {
+        const AxisPosition other{.azimuth = place.azimuth + Angle::fromTurns(turns), .elevation = place.elevation};
+        if (range.contains(other.azimuth) && m_motion.route(standing(), other)) {
+            return other;
+        }
+    }
+    return place;
+}
+
+Result<> StationControl::streamTo(pointing::Resolved resolved, const SkyPointing& asked, const Source& source)
+{
+    if (const std::string why = m_motion.region().reason(resolved.position); !resolved.limited && !why.empty()) {
+        resolved.limited = true;  // Motion finds the nearest permitted place, and goes on when the stream comes out
+        resolved.reason = why;
+    }
     if (resolved.limited && m_profile.rotctld.outsideLimits == profile::OutsideLimits::Refuse) {
         return failure(ErrorCode::OutOfRange, resolved.reason);
     }
@@ -220,7 +253,8 @@ Result<> StationControl::handle(const request::PointSky& wanted, const Source& s
             return failure(ErrorCode::OutOfRange, "elevation " + degreesText(wanted.direction.elevation).toStdString() +
                                                       " above limit " + degreesText(top).toStdString());
         }
-        return goTo(resolved.position, Activity::Pointing, source, QStringLiteral("go to ") + text(wanted.direction));
+        return goTo(turnWithAWay(resolved.position), Activity::Pointing, source,
+                    QStringLiteral("go to ") + text(wanted.direction));
     });
 }
 
@@ -248,9 +282,20 @@ Result<> StationControl::handle(const request::Park&, const Source& source)
 
 Result<> StationControl::handle(const request::Home&, const Source& source)
 {
-    const AxisPosition home{.azimuth = m_model.azimuth().travel.clamped(0_deg),
-                            .elevation = m_model.elevation().travel.clamped(0_deg)};
+    const pointing::AxisBox& ranges = m_motion.region().ranges();
+    const AxisPosition home{.azimuth = ranges.azimuth.clamped(0_deg), .elevation = ranges.elevation.clamped(0_deg)};
     return goTo(home, Activity::Pointing, source, QStringLiteral("home to ") + text(home));
+}
+
+// Down to 0°, or as far as it goes.
+Result<> StationControl::handle(const request::Horizon&, const Source& source)
+{
+    const AxisPosition here = standing();
+    AxisPosition low{.azimuth = here.azimuth, .elevation = 0_deg};
+    if (!m_motion.region().permits(low)) {
+        low.elevation = std::max(0_deg, m_motion.region().elevationsAround(pointing::AxisBox::at(here)).min);
+    }
+    return goTo(low, Activity::Pointing, source, QStringLiteral("horizon at ") + text(low));
 }
 
 Result<> StationControl::runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& what)
@@ -387,6 +432,21 @@ void StationControl::driveRestarted(Axis axis)
     m_turns.forget(axis);
     watchOf(axis).forgetMotion();
     holdHere(Activity::None);
+}
+
+void StationControl::setRegion(const pointing::Region& region)
+{
+    m_profile.limits = region;
+    m_motion.setRegion(region);
+    const pointing::AxisBox& ranges = m_motion.region().ranges();
+    m_model.limitTo(ranges.azimuth, ranges.elevation);
+    const auto target = m_motion.target(m_now);
+    const bool going = m_activity == Activity::Pointing || m_activity == Activity::Parking;
+    if (const std::string why = going && target ? m_motion.region().reason(*target) : ""; !why.empty()) {
+        m_log.add(Severity::Warning, QStringLiteral("station"),
+                  QStringLiteral("ends the motion: ") + QString::fromStdString(why));
+        holdHere(Activity::Holding);  // else a mount that stands would set off by itself
+    }
 }
 
 void StationControl::setSilenceAdvice(const QString& advice)

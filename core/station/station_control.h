@@ -69,6 +69,8 @@ public:
     void learn(Axis axis, const std::optional<survey::DriveFacts>& facts);
     // The drive was power-cycled under our eyes.
     void driveRestarted(Axis axis);
+    // The operator has drawn the limits anew: in force from the next tick on, also for what moves.
+    void setRegion(const pointing::Region& region);
     // What to do about a bus that is silent although it works: depends on what carries it.
     void setSilenceAdvice(const QString& advice);
     [[nodiscard]] bool answering(Axis axis) const
@@ -109,6 +111,7 @@ private:
     Result<> handle(const request::ResetStop& wanted, const Source& source);
     Result<> handle(const request::Park& wanted, const Source& source);
     Result<> handle(const request::Home& wanted, const Source& source);
+    Result<> handle(const request::Horizon& wanted, const Source& source);
     Result<> handle(const request::Rearm& wanted, const Source& source);
     Result<> handle(const request::TakeAuthority& wanted, const Source& source);
     Result<> handle(const request::GiveAuthority& wanted, const Source& source);
@@ -133,14 +136,17 @@ private:
     [[nodiscard]] Result<> drivesRest() const;  // for what is done to the drives themselves
     [[nodiscard]] bool turnsKnown() const;
     Result<> goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& text);
-    Result<> streamTo(const pointing::Resolved& resolved, const SkyPointing& asked, const Source& source);
+    [[nodiscard]] Result<> mayGoTo(const AxisPosition& place) const;  // it is permitted, and there is a way
+    [[nodiscard]] AxisPosition turnWithAWay(const AxisPosition& place) const;
+    Result<> streamTo(pointing::Resolved resolved, const SkyPointing& asked, const Source& source);
     Result<> runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& text);
     void takeOver(const Source& source);
     // Into the log; what clients can cause at will is throttled.
     void tell(Severity severity, const Source& source, const QString& what);
     void begin(Activity activity, const Source& source, const QString& text);
     void holdHere(Activity activity);
-    [[nodiscard]] AxisPosition heading() const;  // where the axes are going, else where they stand
+    [[nodiscard]] AxisPosition standing() const;  // where the set-points are, or the axes if nobody moves them
+    [[nodiscard]] AxisPosition heading() const;   // where the axes are going, else where they stand
 
     void watchStall(Seconds gap);
     void watchDrives();
@@ -152,6 +158,7 @@ private:
     void tellTurns();
     void watchJog();
     void watchFitness();
+    void watchRegion();
     void finishRearm();
     void stepProof();
     void keepStop(Axis axis);
@@ -163,6 +170,7 @@ private:
     [[nodiscard]] AxisSample axisSample(Axis axis) const;
     [[nodiscard]] AxisState axisState(Axis axis) const;
     [[nodiscard]] bool atTravelEnd(Axis axis) const;
+    [[nodiscard]] bool atLimit(Axis axis) const;
     [[nodiscard]] DrivesStatus drivesStatus() const;
     [[nodiscard]] std::optional<memory::TurnQuestion> turnQuestion(Axis axis) const;
     [[nodiscard]] DriveStatus driveStatus(Axis axis) const;
@@ -190,6 +198,7 @@ private:
     QString m_commandText;
     std::optional<SkyPointing> m_wantedDirection;  // as asked, before limits
     bool m_limited = false;
+    std::string m_heldAt;  // what the log last said the motion is held at
     std::optional<SteadyTime> m_jogDeadline;
     std::array<bool, 2> m_answered{};
     std::array<bool, 2> m_ignoringBounds{};

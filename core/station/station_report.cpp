@@ -84,6 +84,13 @@ bool StationControl::atTravelEnd(Axis axis) const
     return place - travel.min < kAtTravelEnd || travel.max - place < kAtTravelEnd;
 }
 
+// Wants to go on and can not: the end of the travel, a limit, a keep-out, the horizon.
+bool StationControl::atLimit(Axis axis) const
+{
+    const bool pressed = m_limited || m_activity == Activity::Jogging || m_activity == Activity::Running;
+    return pressed && (atTravelEnd(axis) || (turnsKnown() && (m_motion.held(axis) || m_motion.limited(axis))));
+}
+
 AxisState StationControl::axisState(Axis axis) const
 {
     const Drive& drive = m_drives.drive(axis);
@@ -103,8 +110,7 @@ AxisState StationControl::axisState(Axis axis) const
     if (m_arming.stopLatched()) {
         return AxisState::Stopped;
     }
-    const bool pressed = m_limited || m_activity == Activity::Jogging || m_activity == Activity::Running;
-    return pressed && atTravelEnd(axis) ? AxisState::Limit : AxisState::Holding;
+    return atLimit(axis) ? AxisState::Limit : AxisState::Holding;
 }
 
 AxisStatus StationControl::axisStatus(Axis axis) const
@@ -127,7 +133,9 @@ AxisStatus StationControl::axisStatus(Axis axis) const
         status.faultCode = report->fault;
     }
     if (status.state == AxisState::Limit) {
-        status.stateText = QStringLiteral("at the end of the travel");
+        const std::string what = m_motion.obstacle();
+        status.stateText = atTravelEnd(axis) || what.empty() ? QStringLiteral("at the end of the travel")
+                                                             : QStringLiteral("at ") + QString::fromStdString(what);
     } else if (!m_turns.known(axis)) {
         status.stateText = QStringLiteral("turn not known");
     }
@@ -195,7 +203,8 @@ StationStatus StationControl::status() const
                          .elevation = axisStatus(Axis::Elevation),
                          .targetText = m_commandText,
                          .commander = m_commander,
-                         .limited = m_limited,
+                         .limited = m_limited || m_motion.limited(),
+                         .route = m_motion.route(),
                          .authority = m_arming.authority(),
                          .drives = drivesStatus(),
                          .alarms = m_alarms.list(),

@@ -118,7 +118,9 @@ Result<> StationControl::handle(const request::ProveCrashStop& wanted, const Sou
         return failure(ErrorCode::OutOfRange, "a crash stop is proven at " + formatFixed(kSlowestProof.degrees(), 1) +
                                                   " to " + formatFixed(kFastestProof.degrees(), 1) + "°/s");
     }
-    return CrashStopProof::prepare(rate, *m_drives.measured(), m_model.azimuth().travel, m_model.elevation().travel)
+    const pointing::AxisBox here = pointing::AxisBox::at(*m_drives.measured());
+    return CrashStopProof::prepare(rate, *m_drives.measured(), m_motion.region().azimuthsAround(here),
+                                   m_motion.region().elevationsAround(here))
         .map([&](const CrashStopProof& proof) {
             begin(Activity::Proving, source,
                   QStringLiteral("crash-stop proof at %1°/s").arg(rate.degrees(), 0, 'f', 1));

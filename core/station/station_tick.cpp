@@ -45,6 +45,7 @@ std::array<CanFrame, 2> StationControl::tick()
     finishRearm();
     stepProof();
     moveOn(step);
+    watchRegion();
     shutDownFurther();
     return m_drives.frames();
 }
@@ -176,6 +177,27 @@ void StationControl::watchFitness()
     }
 }
 
+// Tells what holds a motion, and ends one that has no way left: the region was drawn anew. A stream of a client waits.
+void StationControl::watchRegion()
+{
+    const bool going = m_activity == Activity::Pointing || m_activity == Activity::Parking;
+    if (going && !m_motion.noWay().empty()) {
+        m_log.add(Severity::Warning, QStringLiteral("station"),
+                  QStringLiteral("ends the motion: ") + QString::fromStdString(m_motion.noWay()));
+        holdHere(Activity::Holding);
+    }
+    const bool held = m_motion.held(Axis::Azimuth) || m_motion.held(Axis::Elevation);
+    const std::string at = held                       ? "held at " + m_motion.obstacle()
+                           : m_motion.noWay().empty() ? ""
+                                                      : "held: " + m_motion.noWay();
+    const bool pressed = m_activity == Activity::Jogging || m_activity == Activity::Running ||
+                         (m_activity == Activity::Streaming && !m_motion.noWay().empty());
+    if (pressed && !at.empty() && at != m_heldAt) {
+        tell(Severity::Warning, m_commander, QString::fromStdString(at));
+    }
+    m_heldAt = pressed ? at : std::string();
+}
+
 void StationControl::finishRearm()
 {
     if (!m_arming.completesRearm()) {
@@ -196,6 +218,7 @@ void StationControl::moveOn(Seconds step)
             watchOf(axis).engaged();
         }
     }
+    m_motion.enforceRegion(turnsKnown());
     if (m_drives.engaged() && m_drives.seen()) {
         m_motion.advance(m_now, step);
     } else {
