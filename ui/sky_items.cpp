@@ -95,8 +95,8 @@ void RegionItem::drawName(QPainter& painter, const SkySector& sector, const SkyP
     }
     QRectF box = painter.fontMetrics().boundingRect(sector.name);
     const double thickness = (sector.toElevation - sector.fromElevation) / 90_deg * sky.radius;
-    if (ring && thickness < box.height()) {
-        return;  // a word would hide more than it tells
+    if (ring && thickness < 2.0 * box.height()) {
+        return;  // the word would be cut off by the rim, or hide more than it tells
     }
     box.moveCenter(centre);
     painter.fillRect(box.adjusted(-3, -1, 3, 1), currentTheme().band);
