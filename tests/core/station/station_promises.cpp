@@ -138,6 +138,7 @@ void StationPromises::ticked(Seconds step)
     watchLatches(now);
     watchEnds(now);
     watchFrames(now);
+    watchRegion(now);
     for (const Axis axis : kAxes) {
         watchPath(axis, now, step);
     }
@@ -262,6 +263,21 @@ void StationPromises::watchBounds(Axis axis, const fakes::IdealDrive::Seen& seen
     };
     if (ignored && inside(now) && inside(m_before)) {
         fail("the drive's own bounds are ignored though the axis is inside them");
+    }
+}
+
+void StationPromises::watchRegion(const StationStatus& now)
+{
+    const auto place = [](const StationStatus& status) -> std::optional<AxisPosition> {
+        const bool known = status.azimuth.commanded && status.elevation.commanded && knowsBoth(status);
+        return known ? std::optional(AxisPosition{*status.azimuth.commanded, *status.elevation.commanded})
+                     : std::nullopt;
+    };
+    const auto is = place(now);
+    const auto was = place(m_before);
+    if (is && was && m_region.permits(*was) && !m_region.permits(*is) && !takesOver(Axis::Azimuth, now) &&
+        !takesOver(Axis::Elevation, now)) {
+        fail("a set-point enters what is forbidden: " + m_region.reason(*is));
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/pointing/permitted_region.h"
 #include "tests/core/station/station_rig.h"
 
 #include <array>
@@ -54,9 +55,12 @@ private:
     void watchSetpoint(Axis axis, double position, const StationStatus& now);
     [[nodiscard]] bool takesOver(Axis axis, const StationStatus& now) const;
     void watchBounds(Axis axis, const fakes::IdealDrive::Seen& seen, const StationStatus& now);
+    void watchRegion(const StationStatus& now);
     void watchPath(Axis axis, const StationStatus& now, Seconds step);
 
     const StationRig& m_rig;
+    pointing::PermittedRegion m_region{m_rig.profile.limits, m_rig.profile.azimuth.geometry.travel,
+                                       m_rig.profile.elevation.geometry.travel};
     StationStatus m_before;
     std::array<AxisTrace, 2> m_traces;
     std::optional<Permit> m_permit;

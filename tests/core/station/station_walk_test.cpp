@@ -323,6 +323,15 @@ protected:
     }
 };
 
+TEST_P(StationWalk, PromisesHoldAmongHillsAndMasts)
+{
+    profile::Profile profile;
+    profile.limits.azimuth = {-60_deg, 430_deg};
+    profile.limits.horizon = {{20_deg, 5_deg}, {120_deg, 30_deg}, {200_deg, 0_deg}, {300_deg, 12_deg}};
+    profile.limits.keepOuts = {{"mast", 310_deg, 330_deg, 0_deg, 50_deg}, {"wires", 350_deg, 60_deg, 55_deg, 70_deg}};
+    go(profile);
+}
+
 TEST_P(StationWalk, PromisesHold)
 {
     go({});
