@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How fast the permitted region answers, with a horizon of 360 points and ten keep-outs on a mount of nearly two turns
-// that flips: what a control tick asks (a box, the room around it), and what a new target asks (the nearest permitted
-// place, a route).
+// that flips: what a control tick asks (a box, the room around it), what a new target asks (the nearest permitted
+// place, a route), and whole ticks of both axes, among all that and with nothing forbidden.
 
 #include "core/pointing/route.h"
+#include "core/station/motion.h"
 
 #include <benchmark/benchmark.h>
 
@@ -107,5 +108,27 @@ void routeBetweenAny(benchmark::State& state)
     state.counters["worst_cpu_ms"] = worst;
 }
 BENCHMARK(routeBetweenAny);
+
+void tickOfBothAxes(benchmark::State& state)
+{
+    profile::Profile profile;
+    profile.azimuth.geometry.travel = {-200_deg, 460_deg};
+    profile.elevation.geometry.travel = {0_deg, 180_deg};
+    profile.limits = state.range(0) != 0 ? drawn() : Region{};
+    Motion motion(profile);
+    motion.start(Axis::Azimuth, 100_deg);
+    motion.start(Axis::Elevation, 88_deg);
+    SteadyTime now{};
+    std::int64_t tick = 0;
+    for (auto _ : state) {
+        if (tick++ % 500 == 0) {
+            const double way = tick / 500 % 2 == 0 ? 1.0 : -1.0;
+            motion.run({AngularRate::fromDegrees(5.0 * way), AngularRate::fromDegrees(0.3 * way)});
+        }
+        now += std::chrono::milliseconds(20);
+        motion.advance(now, Seconds(0.02));
+    }
+}
+BENCHMARK(tickOfBothAxes)->Arg(0)->Arg(1);
 
 }  // namespace
