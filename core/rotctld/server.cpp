@@ -68,6 +68,7 @@ Server::Server(ServerSettings settings, Rotator& rotator, const Clock& clock, QO
       m_settings(std::move(settings)),
       m_rotator(rotator),
       m_clock(clock),
+      m_allowed(m_settings.allow),
       m_nextTurn(this),
       m_housekeeping(this)
 {
@@ -137,7 +138,10 @@ std::vector<ClientInfo> Server::clients() const
                             .address = session.client().address,
                             .program = std::string(session.program()),
                             .lastCommand = session.lastCommand(),
-                            .oddCommands = session.oddCommands()});
+                            .oddCommands = session.oddCommands(),
+                            .commandsPerSecond = session.commandsPerSecond(),
+                            .lastMotion = session.lastMotion(),
+                            .leap = session.leap()});
         }
     }
     std::ranges::sort(list, {}, &ClientInfo::id);
@@ -170,8 +174,7 @@ void Server::acceptWaiting()
             return;
         }
         const Client client{.id = ++m_lastId, .address = accepted->address};
-        if (m_served >= m_settings.maxClients) {
-            refuse(client);
+        if (turnedAway(client)) {
             continue;
         }
         auto connection =
@@ -184,12 +187,46 @@ void Server::acceptWaiting()
     }
 }
 
-void Server::refuse(const Client& client)
+bool Server::turnedAway(const Client& client)
 {
+    if (const std::string host = hostOf(client.address); !m_allowed.admits(host)) {
+        // Named without its port: who knocks again and again gets one line in the log, not one each time.
+        m_rotator.clientRemark({.address = host}, "refused: its address is not among those that may connect");
+        return true;
+    }
+    if (m_served < m_settings.maxClients) {
+        return false;
+    }
     if (!m_refusalTold) {
         m_rotator.clientRemark(client, "refused: " + std::to_string(m_served) + " clients are connected");
     }
     m_refusalTold = true;
+    return true;
+}
+
+void Server::setAllowed(const std::vector<std::string>& entries)
+{
+    m_allowed = AllowList(entries);
+    std::vector<std::uint64_t> unwanted;
+    for (const auto& [id, connection] : m_connections) {
+        if (!m_allowed.admits(hostOf(connection->session.client().address))) {
+            unwanted.push_back(id);
+        }
+    }
+    for (const std::uint64_t id : unwanted) {
+        disconnect(id, "its address may not connect any more");
+    }
+}
+
+bool Server::disconnect(std::uint64_t id, const std::string& reason)
+{
+    const auto found = m_connections.find(id);
+    if (found == m_connections.end() || found->second->left) {
+        return false;
+    }
+    farewell(*found->second, reason);
+    settle(*found->second);
+    return true;
 }
 
 void Server::watchListener(bool on)

@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/rotctld/handlers.h"
+#include "core/rotctld/peer_address.h"
 #include "core/rotctld/rotator.h"
 #include "core/rotctld/session.h"
 #include "core/rotctld/sockets.h"
@@ -13,6 +14,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -31,6 +33,7 @@ struct ServerSettings
     std::uint16_t port = 4533;       // 0 picks a free one
     std::size_t maxClients = 900;    // below the usual limit of 1024 descriptors
     DumpStateForm dumpState = DumpStateForm::OldAndNew;
+    std::vector<std::string> allow;  // addresses and networks; empty: whoever can reach the port
 };
 
 struct ClientInfo
@@ -40,6 +43,9 @@ struct ClientInfo
     std::string program;  // recognised, or empty
     std::string lastCommand;
     std::uint64_t oddCommands = 0;
+    double commandsPerSecond = 0.0;        // over the last seconds
+    std::optional<SteadyTime> lastMotion;  // its last command for a motion, accepted or not
+    std::optional<Angle> leap;             // what it moves the mount by at a time, while that is coarse
 };
 
 class Server : public QObject
@@ -58,6 +64,11 @@ public:
     [[nodiscard]] std::uint16_t port() const;
     [[nodiscard]] std::vector<ClientInfo> clients() const;
 
+    // Who may connect from now on, by address; who is connected and may not is hung up on.
+    void setAllowed(const std::vector<std::string>& entries);
+    // Hangs up on one client; its program may connect anew. False when there is none of this number.
+    bool disconnect(std::uint64_t id, const std::string& reason);
+
     // Ends pauses and drops clients that outlived a time limit. Its own timer calls it; tests turn the clock first.
     void housekeep();
 
@@ -67,7 +78,7 @@ private:
 
     void serveTurn();
     void acceptWaiting();
-    void refuse(const Client& client);
+    [[nodiscard]] bool turnedAway(const Client& client);
     void watchListener(bool on);
     void control(Connection& connection, int operation, std::uint32_t events);
     void watch(Connection& connection);
@@ -84,6 +95,7 @@ private:
     ServerSettings m_settings;
     Rotator& m_rotator;
     const Clock& m_clock;
+    AllowList m_allowed;
     Descriptor m_listener;
     Descriptor m_epoll;
     std::unique_ptr<QSocketNotifier> m_readiness;

@@ -27,7 +27,7 @@ std::string printable(std::string_view bytes)
 }  // namespace
 
 Session::Session(Client client, Rotator& rotator, const Clock& clock, DumpStateForm dumpState)
-    : m_client(std::move(client)), m_rotator(rotator), m_clock(clock), m_dumpState(dumpState)
+    : m_client(std::move(client)), m_rotator(rotator), m_clock(clock), m_dumpState(dumpState), m_rate(clock.now())
 {}
 
 void Session::receive(std::string_view bytes)
@@ -126,12 +126,14 @@ void Session::run(std::string& reply)
     ReplyWriter writer(command, reply);
     const Result<> outcome = execute(command, writer);
     writer.finish(outcome);
+    if (outcome || outcome.error().code == ErrorCode::Refused) {
+        m_program.observe(command);
+    }
     if (!outcome) {
         failed(outcome.error(), reply, before);
         return;
     }
     m_oddInARow = 0;
-    m_program.observe(command);
     if (paused()) {
         m_pauseReply = reply.substr(before);
         reply.resize(before);
@@ -203,6 +205,27 @@ void Session::rememberCommand(const Command& command)
     }
     for (std::size_t i = 0; i < command.argumentCount; ++i) {
         m_lastCommand.append(" ").append(command.arguments[i]);
+    }
+    const SteadyTime now = m_clock.now();
+    m_rate.count(now);
+    noteMotion(command, now);
+}
+
+void Session::noteMotion(const Command& command, SteadyTime now)
+{
+    const CommandId id = command.spec->id;
+    if (id == CommandId::SetPosition || id == CommandId::Move || id == CommandId::Park) {
+        m_lastMotion = now;
+    }
+    if (id != CommandId::SetPosition || command.argumentCount < 2) {
+        return;
+    }
+    const auto azimuth = leadingPosition(command.arguments[0]);
+    const auto elevation = leadingPosition(command.arguments[1]);
+    if (azimuth && elevation) {
+        m_steps.observe({.azimuth = Angle::fromDegrees(static_cast<double>(*azimuth)),
+                         .elevation = Angle::fromDegrees(static_cast<double>(*elevation))},
+                        now);
     }
 }
 

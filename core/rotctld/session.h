@@ -4,7 +4,9 @@
 #include "core/base/clock.h"
 #include "core/rotctld/client_program.h"
 #include "core/rotctld/command_parser.h"
+#include "core/rotctld/command_rate.h"
 #include "core/rotctld/handlers.h"
+#include "core/rotctld/point_steps.h"
 #include "core/rotctld/rotator.h"
 
 #include <cstdint>
@@ -40,6 +42,9 @@ public:
     [[nodiscard]] std::string_view program() const { return m_program.name(); }
     [[nodiscard]] std::string lastCommand() const;  // printable
     [[nodiscard]] std::uint64_t oddCommands() const { return m_oddCommands; }
+    [[nodiscard]] double commandsPerSecond() const { return m_rate.perSecond(m_clock.now()); }
+    [[nodiscard]] std::optional<SteadyTime> lastMotion() const { return m_lastMotion; }  // asked for, granted or not
+    [[nodiscard]] std::optional<Angle> leap() const { return m_steps.leap(); }
 
 private:
     bool resume(std::string& reply);
@@ -53,6 +58,7 @@ private:
     void unknown(std::string_view restOfLine);
     void odd(const std::string& text);
     void rememberCommand(const Command& command);
+    void noteMotion(const Command& command, SteadyTime now);
 
     Client m_client;
     Rotator& m_rotator;
@@ -60,6 +66,9 @@ private:
     DumpStateForm m_dumpState;
     CommandParser m_parser;
     ClientProgram m_program;
+    CommandRate m_rate;
+    PointSteps m_steps;
+    std::optional<SteadyTime> m_lastMotion;
     std::string m_input;
     std::size_t m_taken = 0;  // of m_input
     bool m_inputEnded = false;

@@ -46,7 +46,11 @@ std::string addressText(const sockaddr_storage& address, socklen_t length)
                       service.size(), NI_NUMERICHOST | NI_NUMERICSERV) != 0) {
         return "unknown";
     }
-    const std::string name = host.data();
+    constexpr std::string_view kMapped = "::ffff:";  // an IPv4 client of a socket that serves both
+    std::string name = host.data();
+    if (name.starts_with(kMapped) && name.find('.') != std::string::npos) {
+        name.erase(0, kMapped.size());
+    }
     const bool sixth = name.find(':') != std::string::npos;
     return (sixth ? "[" + name + "]" : name) + ":" + service.data();
 }

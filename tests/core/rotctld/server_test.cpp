@@ -246,6 +246,74 @@ TEST(RotctldServer, RefusesClientsAboveItsLimit)
     EXPECT_EQ(fixture.connect()->ask("p\n", 2), "0.00\n0.00\n");
 }
 
+TEST(RotctldServer, HangsUpOnOneClientOnRequest)
+{
+    ServerFixture fixture;
+    const auto one = fixture.connect();
+    const auto other = fixture.connect();
+    one->ask("p\n", 2);
+    other->ask("p\n", 2);
+    const std::uint64_t id = fixture.server->clients().at(0).id;
+    EXPECT_TRUE(fixture.server->disconnect(id, "disconnected by the operator"));
+    EXPECT_EQ(fixture.goneReason(), "disconnected by the operator");
+    one->send("P 90 45\n");
+    EXPECT_EQ(one->receiveUntilClosed(), "");
+    EXPECT_EQ(fixture.rotator.actions, 0) << "what it says behind that is not heard";
+    EXPECT_EQ(fixture.server->clients().size(), 1U);
+    EXPECT_FALSE(fixture.server->disconnect(id, "again"));
+    EXPECT_EQ(other->ask("p\n", 2), "0.00\n0.00\n");
+}
+
+TEST(RotctldServer, TurnsAwayWhoMayNotConnect)
+{
+    ServerFixture fixture({.allow = {"10.0.0.0/8"}});
+    const auto stranger = fixture.connect();
+    EXPECT_EQ(stranger->receiveUntilClosed(), "");
+    EXPECT_EQ(fixture.rotator.remarks,
+              std::vector<std::string>{"refused: its address is not among those that may connect"});
+    EXPECT_TRUE(fixture.rotator.connected.empty());
+    fixture.server->setAllowed({"10.0.0.0/8", "127.0.0.1"});
+    const auto friendly = fixture.connect();
+    EXPECT_EQ(friendly->ask("p\n", 2), "0.00\n0.00\n");
+    fixture.server->setAllowed({"192.168.0.0/16"});
+    EXPECT_EQ(friendly->receiveUntilClosed(), "");
+    EXPECT_EQ(fixture.goneReason(), "its address may not connect any more");
+    fixture.server->setAllowed({});
+    EXPECT_EQ(fixture.connect()->ask("p\n", 2), "0.00\n0.00\n");
+}
+
+TEST(RotctldServer, AnIpv4ClientOfADualListenerIsAnIpv4Client)
+{
+    ServerFixture fixture({.host = "::", .allow = {"127.0.0.0/8"}});
+    if (!fixture.listening) {
+        GTEST_SKIP() << "no IPv6 here";
+    }
+    const auto peer = fixture.connect();
+    EXPECT_EQ(peer->ask("p\n", 2), "0.00\n0.00\n");
+    EXPECT_EQ(fixture.server->clients().at(0).address.substr(0, 10), "127.0.0.1:");
+}
+
+TEST(RotctldServer, TellsHowAClientBehaves)
+{
+    ServerFixture fixture;
+    const auto peer = fixture.connect();
+    for (int i = 0; i < 20; ++i) {
+        peer->ask("p\n", 2);
+        fixture.elapse(500ms);
+    }
+    EXPECT_DOUBLE_EQ(fixture.server->clients().at(0).commandsPerSecond, 2.0);
+    EXPECT_FALSE(fixture.server->clients().at(0).lastMotion);
+    fixture.rotator.fault = Error{.code = ErrorCode::Refused, .text = "another client has the lead"};
+    for (const char* const azimuth : {"10.00", "16.00", "22.00", "28.00"}) {
+        EXPECT_EQ(peer->ask("P " + std::string(azimuth) + " 5.00\n"), "RPRT -9\n");
+        fixture.elapse(10s);
+    }
+    const ClientInfo refused = fixture.server->clients().at(0);
+    EXPECT_EQ(fixture.clock.now() - refused.lastMotion.value(), 10s) << "also when it was refused";
+    EXPECT_EQ(refused.program, "Gpredict or SatDump") << "also when it was refused";
+    EXPECT_NEAR(refused.leap.value().degrees(), 6.0, 1e-4);
+}
+
 TEST(RotctldServer, QueuesConnectsBackToBack)
 {
     ServerFixture fixture;

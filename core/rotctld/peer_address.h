@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QHostAddress>
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+// Whose connection it is: the host of a peer, and whether the profile lets it in. Addresses are numbers, nothing is
+// looked up, and an IPv4 address that came over IPv6 is the IPv4 address. Pure.
+namespace boresight::rotctld {
+
+// "127.0.0.1" of "127.0.0.1:51234", "::1" of "[::1]:51234".
+[[nodiscard]] std::string hostOf(std::string_view address);
+// However they are written: "::1" and "0:0:0:0:0:0:0:1".
+[[nodiscard]] bool sameHost(const std::string& one, const std::string& other);
+
+// Addresses and networks ("192.168.1.7", "10.0.0.0/8", "fd00::/8"); an empty list admits everybody, an entry that is
+// neither admits nobody.
+class AllowList
+{
+public:
+    AllowList() = default;
+    explicit AllowList(const std::vector<std::string>& entries);
+
+    [[nodiscard]] bool admits(const std::string& host) const;
+
+private:
+    std::vector<std::pair<QHostAddress, int>> m_networks;  // with the number of leading bits, or -1
+};
+
+}  // namespace boresight::rotctld

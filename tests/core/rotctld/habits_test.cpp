@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a client's habits tell about it: how often it asks, how coarsely it follows its target.
+#include "core/rotctld/command_rate.h"
+#include "core/rotctld/point_steps.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight::rotctld {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr SteadyTime kBegin{1h};
+
+TEST(CommandRate, IsSteadyForASteadyClient)
+{
+    CommandRate rate(kBegin);
+    EXPECT_EQ(rate.perSecond(kBegin), 0.0);
+    SteadyTime now = kBegin;
+    for (int i = 0; i < 200; ++i) {  // four a second
+        rate.count(now);
+        if (now - kBegin >= 1s) {
+            EXPECT_DOUBLE_EQ(rate.perSecond(now), 4.0) << i;
+        }
+        now += 250ms;
+    }
+}
+
+TEST(CommandRate, CountsTheFirstSecondAsItGrows)
+{
+    CommandRate rate(kBegin);
+    rate.count(kBegin + 10ms);
+    rate.count(kBegin + 20ms);
+    EXPECT_DOUBLE_EQ(rate.perSecond(kBegin + 30ms), 2.0);
+}
+
+TEST(CommandRate, ForgetsAfterSixSeconds)
+{
+    CommandRate rate(kBegin);
+    for (int i = 0; i < 10; ++i) {
+        rate.count(kBegin + 500ms);
+    }
+    EXPECT_DOUBLE_EQ(rate.perSecond(kBegin + 5900ms), 2.0);
+    EXPECT_DOUBLE_EQ(rate.perSecond(kBegin + 6s), 0.0);
+    rate.count(kBegin + 10min);
+    EXPECT_DOUBLE_EQ(rate.perSecond(kBegin + 10min + 1s), 0.2);
+}
+
+class PointStepsTest : public ::testing::Test
+{
+protected:
+    void point(double azimuth, double elevation, Seconds after)
+    {
+        now += std::chrono::duration_cast<SteadyTime::duration>(after);
+        steps.observe({.azimuth = Angle::fromDegrees(azimuth), .elevation = Angle::fromDegrees(elevation)}, now);
+    }
+
+    PointSteps steps;
+    SteadyTime now = kBegin;
+};
+
+TEST_F(PointStepsTest, LeapsOfAnUnhurriedClientShow)
+{
+    point(340.0, 10.0, 0s);
+    point(349.0, 12.0, 20s);
+    point(358.5, 14.0, 20s);
+    EXPECT_FALSE(steps.leap());
+    point(8.0, 16.0, 20s);  // through north
+    ASSERT_TRUE(steps.leap());
+    EXPECT_NEAR(steps.leap()->degrees(), 9.0, 1e-9);
+    point(8.0, 16.0, 5s);
+    EXPECT_TRUE(steps.leap()) << "the same again says nothing";
+}
+
+TEST_F(PointStepsTest, AFineStepAfterASilenceClearsIt)
+{
+    for (int i = 0; i < 6; ++i) {
+        point(5.0 * i, 10.0, 10s);
+    }
+    ASSERT_TRUE(steps.leap());
+    point(25.2, 10.0, 4s);
+    EXPECT_FALSE(steps.leap());
+}
+
+TEST_F(PointStepsTest, CorrectionsOfALeapDoNotHideIt)
+{
+    for (int i = 0; i < 6; ++i) {
+        point(9.5 * i, 10.0, 20s);
+        point(9.5 * i + 0.2, 10.0, Seconds(0.8));
+        point(9.5 * i + 0.4, 10.0, Seconds(0.8));
+    }
+    ASSERT_TRUE(steps.leap());
+    EXPECT_NEAR(steps.leap()->degrees(), 9.1, 1e-9);
+    for (int i = 0; i < 20; ++i) {
+        EXPECT_TRUE(steps.leap() || i > 15) << i;
+        point(48.0 + 0.4 * i, 10.0, Seconds(0.8));
+    }
+    EXPECT_FALSE(steps.leap()) << "now it follows closely";
+}
+
+TEST_F(PointStepsTest, AFastTargetIsNoLeap)
+{
+    for (int i = 0; i < 20; ++i) {
+        point(8.0 * i, 80.0, 1s);  // 8°/s near the zenith, said as often as can be
+    }
+    EXPECT_FALSE(steps.leap());
+}
+
+TEST_F(PointStepsTest, AnotherTargetIsNoLeap)
+{
+    for (int i = 0; i < 6; ++i) {
+        point(40.0 * i, 10.0, 20s);
+        point(40.0 * i, 20.0, 10min);
+    }
+    EXPECT_FALSE(steps.leap());
+}
+
+}  // namespace
+}  // namespace boresight::rotctld
