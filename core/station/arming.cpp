@@ -13,6 +13,14 @@ constexpr std::chrono::seconds kQuietAfterReturn{1};
 
 }  // namespace
 
+Result<> operatorOnly(const Source& source)
+{
+    if (source.kind != SourceKind::Operator) {
+        return failure(ErrorCode::Refused, "only the operator does this");
+    }
+    return {};
+}
+
 Arming::Arming(const profile::Profile& profile, DrivePair& drives, EventLog& log)
     : m_drives(drives), m_log(log), m_supervision(profile.supervision), m_retry(profile.recovery)
 {}

@@ -20,6 +20,9 @@
 // policy. Starts no motion and ends none. Station thread only.
 namespace boresight {
 
+// What no client may ask.
+[[nodiscard]] Result<> operatorOnly(const Source& source);
+
 class Arming
 {
 public:

@@ -30,7 +30,17 @@ rotctld::ServerSettings serverSettings(const profile::RotctldSettings& settings)
             .port = settings.listen.port,
             .maxClients = static_cast<std::size_t>(settings.maxClients),
             .dumpState = settings.dumpState == profile::DumpState::AsHamlib ? rotctld::DumpStateForm::AsHamlib
-                                                                            : rotctld::DumpStateForm::OldAndNew};
+                                                                            : rotctld::DumpStateForm::OldAndNew,
+            .allow = settings.allow};
+}
+
+QString advice(const rotctld::ClientInfo& client)
+{
+    if (!client.leap || !QString::fromStdString(client.program).startsWith(QLatin1String("Gpredict"))) {
+        return {};
+    }
+    return QStringLiteral("this Gpredict updates only every %1°: set Threshold to 0.1 in its Antenna Control")
+        .arg(client.leap->degrees(), 0, 'f', 0);
 }
 
 }  // namespace
@@ -265,6 +275,12 @@ Result<> Station::carryOut(const Request& request)
         openBus();
         return {};
     }
+    if (const auto* const wanted = std::get_if<request::Disconnect>(&request)) {
+        if (!m_server.disconnect(wanted->clientId, "disconnected by the operator")) {
+            return failure(ErrorCode::NotAvailable, "this client has left");
+        }
+        return {};
+    }
     return m_care.carryOut(request, m_clock.now());
 }
 
@@ -301,20 +317,22 @@ StationStatus Station::status() const
     status.simulated = simulated();
     m_care.fill(status.drives);
     status.listening = QString::fromStdString(m_server.address());
-    status.clients = clients(status);
+    status.clients = clients();
     return status;
 }
 
-std::vector<ClientStatus> Station::clients(const StationStatus& status) const
+std::vector<ClientStatus> Station::clients() const
 {
     std::vector<ClientStatus> list;
     for (const rotctld::ClientInfo& client : m_server.clients()) {
-        list.push_back({.id = client.id,
-                        .address = QString::fromStdString(client.address),
-                        .program = QString::fromStdString(client.program),
-                        .lastCommand = QString::fromStdString(client.lastCommand),
-                        .driving = status.commander.kind == SourceKind::Client &&
-                                   status.commander.clientId == client.id && !status.targetText.isEmpty()});
+        ClientStatus status{.id = client.id,
+                            .address = QString::fromStdString(client.address),
+                            .program = QString::fromStdString(client.program),
+                            .lastCommand = QString::fromStdString(client.lastCommand),
+                            .commandsPerSecond = client.commandsPerSecond,
+                            .advice = advice(client)};
+        m_control.describe(status, client.lastMotion);
+        list.push_back(std::move(status));
     }
     return list;
 }

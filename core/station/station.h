@@ -79,7 +79,7 @@ private:
     void finish();
     void keepSample();
     void writeEvents();
-    [[nodiscard]] std::vector<ClientStatus> clients(const StationStatus& status) const;
+    [[nodiscard]] std::vector<ClientStatus> clients() const;
 
     profile::Profile m_profile;
     const Clock& m_clock;

@@ -63,7 +63,10 @@ Result<> StationControl::mayMove(const Source& source) const
     if (m_proof) {
         return failure(ErrorCode::Refused, "the crash-stop proof moves the mount: end it first");
     }
-    return m_arming.admits(source).and_then([&]() -> Result<> {
+    const auto leads = [&]() -> Result<> {
+        return source.kind == SourceKind::Client ? m_lead.admits(m_profile.rotctld, source, m_now) : Result<>{};
+    };
+    return m_arming.admits(source).and_then(leads).and_then([&]() -> Result<> {
         for (const Axis axis : kAxes) {
             if (!m_drives.measured(axis)) {
                 return failure(ErrorCode::NoAnswer,
@@ -155,6 +158,9 @@ void StationControl::begin(Activity activity, const Source& source, const QStrin
     if (!continues) {
         tell(Severity::Advisory, source,
              QStringLiteral("moves the mount from ") + text(heading()) + QStringLiteral(": ") + what);
+    }
+    if (source.kind == SourceKind::Client) {
+        m_lead.moved(source, m_now);
     }
     m_activity = activity;
     m_commander = source;
@@ -357,26 +363,10 @@ Result<> StationControl::handle(const request::ResetStop&, const Source& source)
 
 Result<> StationControl::handle(const request::Rearm&, const Source& source)
 {
+    if (source.kind == SourceKind::Client && m_lead.readOnly(source.clientId)) {
+        return failure(ErrorCode::Refused, "the operator has made this client read-only");
+    }
     return m_arming.rearm(source);
-}
-
-Result<> StationControl::handle(const request::TakeAuthority&, const Source& source)
-{
-    takeOver(source);
-    if (m_commander.kind == SourceKind::Client && m_activity != Activity::None) {
-        holdHere(Activity::Holding);
-    }
-    return {};
-}
-
-Result<> StationControl::handle(const request::GiveAuthority&, const Source& source)
-{
-    if (m_arming.stopLatched()) {
-        return failure(ErrorCode::Refused, "STOP is latched: reset STOP first");
-    }
-    m_arming.setAuthority(Authority::Clients);
-    m_log.add(Severity::Advisory, source.name, QStringLiteral("gives control back to the clients"));
-    return {};
 }
 
 Result<> StationControl::handle(const request::AcknowledgeAlarms&, const Source&)
@@ -387,6 +377,7 @@ Result<> StationControl::handle(const request::AcknowledgeAlarms&, const Source&
 
 void StationControl::sourceGone(const Source& source)
 {
+    m_lead.gone(source);
     if (m_commander != source) {
         return;
     }

@@ -8,6 +8,7 @@
 #include "core/profile/profile.h"
 #include "core/station/alarm_board.h"
 #include "core/station/arming.h"
+#include "core/station/client_lead.h"
 #include "core/station/crash_stop_proof.h"
 #include "core/station/drive_pair.h"
 #include "core/station/drive_watch.h"
@@ -37,6 +38,8 @@ public:
 
     // Accepted, or the reason in words. Takes effect in the next tick.
     Result<> request(const Request& request, const Source& source);
+    // A client has connected; `host` is its address without the port.
+    void clientCame(const Source& client, const std::string& host) { m_lead.came(client, host); }
     // The source is gone for good: a `Move` of its own ends, a stream comes to rest at its last point.
     void sourceGone(const Source& source);
     // A client has read the measured position: if the running stream is its own, it is content until it sends a
@@ -57,6 +60,8 @@ public:
     [[nodiscard]] StationStatus status() const;
     // What the last tick commanded and what the drives have answered to it; empty before the first tick.
     [[nodiscard]] std::optional<TickSample> sample() const;
+    // What a client may do now, into its part of the status; `lastMotion` is when it last asked for a motion.
+    void describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const;
     // The axes as measured; an error when unknown or older than 1 s.
     [[nodiscard]] Result<AxisPosition> measured() const;
     [[nodiscard]] AlarmBoard& alarms() { return m_alarms; }
@@ -115,6 +120,9 @@ private:
     Result<> handle(const request::Rearm& wanted, const Source& source);
     Result<> handle(const request::TakeAuthority& wanted, const Source& source);
     Result<> handle(const request::GiveAuthority& wanted, const Source& source);
+    Result<> handle(const request::GiveLead& wanted, const Source& source);
+    Result<> handle(const request::SetReadOnly& wanted, const Source& source);
+    Result<> handle(const request::Disconnect& wanted, const Source& source);
     Result<> handle(const request::AcknowledgeAlarms& wanted, const Source& source);
     Result<> handle(const request::ReadDrives& wanted, const Source& source);
     Result<> handle(const request::FixDrives& wanted, const Source& source);
@@ -141,6 +149,8 @@ private:
     Result<> streamTo(pointing::Resolved resolved, const SkyPointing& asked, const Source& source);
     Result<> runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& text);
     void takeOver(const Source& source);
+    [[nodiscard]] Result<> mayGiveControl() const;
+    void endClientMotion();
     // Into the log; what clients can cause at will is throttled.
     void tell(Severity severity, const Source& source, const QString& what);
     void begin(Activity activity, const Source& source, const QString& text);
@@ -184,6 +194,7 @@ private:
     DrivePair m_drives;
     Motion m_motion;
     Arming m_arming;
+    ClientLead m_lead;
     AlarmBoard m_alarms;
     DriveWatch m_azimuthWatch;
     DriveWatch m_elevationWatch;

@@ -3,6 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/version.h"
+#include "core/rotctld/peer_address.h"
 
 #include <algorithm>
 
@@ -223,6 +224,7 @@ void StationRotator::logRefusal(const rotctld::Client& client, const QString& co
 void StationRotator::clientConnected(const rotctld::Client& client)
 {
     m_connections.add(Severity::Advisory, clientSource(client).name, QStringLiteral("connected"));
+    m_control.clientCame(clientSource(client), rotctld::hostOf(client.address));
 }
 
 void StationRotator::clientGone(const rotctld::Client& client, const std::string& reason)

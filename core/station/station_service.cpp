@@ -11,14 +11,6 @@ namespace {
 constexpr AngularRate kSlowestProof = AngularRate::fromDegrees(0.5);
 constexpr AngularRate kFastestProof = AngularRate::fromDegrees(5.0);
 
-Result<> operatorOnly(const Source& source)
-{
-    if (source.kind != SourceKind::Operator) {
-        return failure(ErrorCode::Refused, "only the operator does this");
-    }
-    return {};
-}
-
 }  // namespace
 
 Result<> StationControl::drivesRest() const

@@ -110,8 +110,9 @@ struct ClientStatus
     bool driving = false;            // the mount follows its target now
     bool leading = false;            // its motion commands are accepted, other clients' are not
     bool readOnly = false;
-    bool locked = false;  // the one that the profile names
-    QString advice;       // what would make it work better; mostly empty
+    bool locked = false;   // the one that the profile names
+    bool wanting = false;  // it goes on asking for motions, which are refused for another's lead
+    QString advice;        // what would make it work better; mostly empty
 };
 
 struct Alarm

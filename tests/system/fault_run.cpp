@@ -47,6 +47,14 @@ sim::PairSettings unbalanced(const AxisPosition& start)
     return pair;
 }
 
+// The two clients of a case take turns.
+profile::Profile lastMoves()
+{
+    profile::Profile profile = anyPort();
+    profile.rotctld.lead = profile::Lead::Last;
+    return profile;
+}
+
 Angle outside(const TravelRange& travel, Angle angle)
 {
     return std::max({angle - travel.max, travel.min - angle, Angle()});
@@ -56,7 +64,7 @@ Angle outside(const TravelRange& travel, Angle angle)
 
 FaultRun::FaultRun(const FaultCase& faultCase)
     : m_case(faultCase),
-      rig(anyPort(), unbalanced(startOf(faultCase.moment, m_pass, m_passTime))),
+      rig(lastMoves(), unbalanced(startOf(faultCase.moment, m_pass, m_passTime))),
       m_client(rig.connect())
 {
     // A little wind, always: 2 Nm on azimuth, 1 Nm on elevation with gravity.

@@ -14,17 +14,17 @@ constexpr Seconds kBeforeRead{0.1};
 constexpr Seconds kFinestLead{0.25};    // a quarter of the cycle
 constexpr std::size_t kReadSize = 128;  // of its one recv
 
-bool apart(const SatellitePass::Look& one, const SatellitePass::Look& other)
-{
-    return abs((one.azimuth - other.azimuth).wrapped180()) > GpredictClient::kThreshold ||
-           abs(one.elevation - other.elevation) > GpredictClient::kThreshold;
-}
-
 }  // namespace
 
-GpredictClient::GpredictClient(std::unique_ptr<fakes::TcpPeer> peer, const SatellitePass& pass)
-    : m_peer(std::move(peer)), m_pass(pass)
+GpredictClient::GpredictClient(std::unique_ptr<fakes::TcpPeer> peer, const SatellitePass& pass, Angle threshold)
+    : m_peer(std::move(peer)), m_pass(pass), m_threshold(threshold)
 {}
+
+bool GpredictClient::apart(const SatellitePass::Look& one, const SatellitePass::Look& other) const
+{
+    return abs((one.azimuth - other.azimuth).wrapped180()) > m_threshold ||
+           abs(one.elevation - other.elevation) > m_threshold;
+}
 
 void GpredictClient::tick(Seconds now)
 {

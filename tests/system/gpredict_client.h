@@ -21,11 +21,12 @@ class GpredictClient
 public:
     static constexpr Angle kThreshold = Angle::fromDegrees(0.1);
 
-    GpredictClient(std::unique_ptr<fakes::TcpPeer> peer, const SatellitePass& pass);
+    GpredictClient(std::unique_ptr<fakes::TcpPeer> peer, const SatellitePass& pass, Angle threshold = kThreshold);
 
     // Says what is due; time is that of the pass.
     void tick(Seconds now);
     void disengage();  // S, then q
+    void setThreshold(Angle threshold) { m_threshold = threshold; }
 
     [[nodiscard]] int exchanges() const { return m_exchanges; }
     [[nodiscard]] const std::vector<std::string>& complaints() const { return m_complaints; }
@@ -33,6 +34,7 @@ public:
 
 private:
     void decide(Seconds now);
+    [[nodiscard]] bool apart(const SatellitePass::Look& one, const SatellitePass::Look& other) const;
     [[nodiscard]] SatellitePass::Look leading(Seconds now) const;
     void sendTarget();
     void readPosition();
@@ -40,6 +42,7 @@ private:
 
     std::unique_ptr<fakes::TcpPeer> m_peer;
     const SatellitePass& m_pass;
+    Angle m_threshold;
     std::optional<SatellitePass::Look> m_due;
     std::optional<SatellitePass::Look> m_read;
     std::optional<Seconds> m_nextDecision;

@@ -78,7 +78,7 @@ TEST(StationControl, ClosingLeavesDrivesAloneThatWereNeverCommanded)
 
 TEST(StationControl, AClientCannotPushTheRestOutOfTheLog)
 {
-    StationRig rig;
+    StationRig rig({.rotctld = {.lead = profile::Lead::Last}});
     rig.run(Seconds(0.1));
     const std::uint64_t before = rig.log.lastNumber();
     for (int i = 0; i < 1000; ++i) {

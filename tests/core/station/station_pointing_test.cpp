@@ -108,7 +108,7 @@ TEST(StationControl, ARepeatedTargetDoesNotDisturbTheMotion)
 // Story: the points of two clients that both sent P made one path, and the mount ran ahead along it.
 TEST(StationControl, AnotherClientBeginsAStreamOfItsOwn)
 {
-    StationRig rig;
+    StationRig rig({.rotctld = {.lead = profile::Lead::Last}});
     rig.run(Seconds(0.1));
     for (int i = 0; i < 20; ++i) {
         ASSERT_TRUE(rig.point(10.0 + 0.5 * i, 30.0));

@@ -86,6 +86,7 @@ void StationPromises::asked(const Request& request, const Source& source, bool a
     if (!accepted) {
         return;
     }
+    watchLead(request, source);
     if (std::holds_alternative<request::ResetStop>(request)) {
         m_stopped = false;
     } else if (std::holds_alternative<request::Rearm>(request)) {
@@ -99,6 +100,35 @@ void StationPromises::asked(const Request& request, const Source& source, bool a
         end();  // zero rates
     } else if (std::holds_alternative<request::TakeAuthority>(request) && m_permit &&
                m_permit->source.kind == SourceKind::Client) {
+        end();
+    }
+}
+
+// Of clients only one moves the mount, and none that is read-only.
+void StationPromises::watchLead(const Request& request, const Source& source)
+{
+    if (const auto* const given = std::get_if<request::GiveLead>(&request)) {
+        m_readOnly.at(given->clientId) = false;
+        m_lead =
+            Permit{.source = {.kind = SourceKind::Client, .clientId = given->clientId}, .given = m_rig.clock.now()};
+    } else if (const auto* const set = std::get_if<request::SetReadOnly>(&request)) {
+        m_readOnly.at(set->clientId) = set->readOnly;
+        if (set->readOnly && m_lead && m_lead->source.clientId == set->clientId) {
+            m_lead.reset();
+        }
+    } else if (source.kind == SourceKind::Client && asksForMotion(request)) {
+        const bool led = m_lead && m_lead->source.clientId != source.clientId &&
+                         m_rig.clock.now() - m_lead->given < ClientLead::kRelease;
+        if ((led && m_rig.profile.rotctld.lead == profile::Lead::First) || m_readOnly.at(source.clientId)) {
+            fail("a client's motion was accepted though another leads or it is read-only");
+        }
+        m_lead = Permit{.source = source, .given = m_rig.clock.now()};
+    }
+    const bool ended =
+        m_permit && m_permit->source.kind == SourceKind::Client &&
+        ((std::holds_alternative<request::GiveLead>(request) && m_permit->source.clientId != m_lead->source.clientId) ||
+         m_readOnly.at(m_permit->source.clientId));
+    if (ended) {
         end();
     }
 }
@@ -129,6 +159,12 @@ void StationPromises::sourceGone(const Source& source)
 {
     if (m_permit && m_permit->run && m_permit->source == source) {
         end();
+    }
+    if (source.kind == SourceKind::Client) {
+        m_readOnly.at(source.clientId) = false;
+    }
+    if (m_lead && m_lead->source.clientId == source.clientId) {
+        m_lead.reset();
     }
 }
 

@@ -38,6 +38,7 @@ private:
         bool slow = false;  // the operator's jog at the speed for an unknown turn
         SteadyTime given{};
     };
+    static constexpr std::size_t kManyClients = 3;
     struct AxisTrace
     {
         std::optional<double> position;  // turns, of the last set-point, if the last frame had one
@@ -46,6 +47,7 @@ private:
     };
 
     void fail(const std::string& what);
+    void watchLead(const Request& request, const Source& source);
     void askedForMotion(const Request& request, const Source& source, const StationStatus& before);
     void end() { m_permit.reset(); }
     void watchLatches(const StationStatus& now);
@@ -64,8 +66,10 @@ private:
     StationStatus m_before;
     std::array<AxisTrace, 2> m_traces;
     std::optional<Permit> m_permit;
-    int m_sinceEnd = 0;      // ticks without a permit
-    int m_sinceUnknown = 0;  // ticks since the turns were known
+    std::optional<Permit> m_lead;  // of clients: whose motion was accepted last, or who was given control
+    std::array<bool, kManyClients> m_readOnly{};  // by client
+    int m_sinceEnd = 0;                           // ticks without a permit
+    int m_sinceUnknown = 0;                       // ticks since the turns were known
     bool m_fit = true;
     bool m_stopped = false;
     bool m_faulty = false;

@@ -20,7 +20,7 @@ constexpr int kEvents = 10000;
 #endif
 constexpr Angle kPlace = Angle::fromTurns(0.01);  // that look the same to a drive that has lost its turn
 
-// Re-arms by itself what may pass.
+// Re-arms by itself what may pass, and leaves the clients to themselves.
 profile::Profile unattended()
 {
     profile::Profile profile;
@@ -28,6 +28,7 @@ profile::Profile unattended()
                         .supply = profile::Retry::Interval,
                         .bus = profile::Retry::Interval,
                         .interval = Seconds(2.0)};
+    profile.rotctld.lead = profile::Lead::Last;
     return profile;
 }
 
@@ -36,6 +37,8 @@ class Walk
 public:
     Walk(unsigned seed, const profile::Profile& profile) : m_random(seed), m_rig(profile), m_promises(m_rig)
     {
+        come(kClient);
+        come(kOtherClient);
         tick(StationRig::kTick);
     }
 
@@ -72,6 +75,13 @@ private:
     double number(double low, double high) { return std::uniform_real_distribution(low, high)(m_random); }
     Angle angle(double low, double high) { return Angle::fromDegrees(number(low, high)); }
     Source anybody() { return m_random() % 2 == 0 ? kOperator : m_random() % 2 == 0 ? kClient : kOtherClient; }
+    std::uint64_t anyClient() { return m_random() % 2 == 0 ? kClient.clientId : kOtherClient.clientId; }
+    void come(const Source& client)
+    {
+        if (client.kind == SourceKind::Client) {
+            m_rig.control.clientCame(client, "10.0.0." + std::to_string(client.clientId));
+        }
+    }
     AxisRates rates()
     {
         const double fastest = m_random() % 2 == 0 ? 2.0 : 8.0;  // 2°/s: what is allowed on an unknown turn
@@ -104,7 +114,7 @@ private:
 
     void askOtherwise()
     {
-        switch (m_random() % 12) {
+        switch (m_random() % 14) {
             case 0:
                 return ask(request::Stop{}, anybody());
             case 1:
@@ -127,8 +137,13 @@ private:
             case 10: {
                 const Source gone = anybody();
                 m_rig.control.sourceGone(gone);
-                return m_promises.sourceGone(gone);
+                m_promises.sourceGone(gone);
+                return come(gone);
             }
+            case 11:
+                return ask(request::GiveLead{.clientId = anyClient()}, anybody());
+            case 12:
+                return ask(request::SetReadOnly{.clientId = anyClient(), .readOnly = m_random() % 4 == 0}, kOperator);
             default:
                 ask(request::AcknowledgeAlarms{}, kOperator);
                 return m_rig.control.positionRead(anybody().clientId);

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/client_lead.h"
+
+#include "core/rotctld/peer_address.h"
+
+namespace boresight {
+namespace {
+
+bool lockedOut(const ClientLead::Rules& rules, const std::string& host)
+{
+    return rules.lead == profile::Lead::Locked && !rotctld::sameHost(host, rules.lockedTo);
+}
+
+std::string ago(SteadyTime::duration age)
+{
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(age).count();
+    return seconds < 1 ? "a moment ago" : std::to_string(seconds) + " s ago";
+}
+
+}  // namespace
+
+void ClientLead::came(const Source& client, const std::string& host)
+{
+    m_clients[client.clientId] = {.client = client, .host = host};
+}
+
+// Some programs connect for each command. They would lose the lead between any two, so a client that leaves after a
+// single motion command leaves it to a later connection of its host until kRelease is over.
+void ClientLead::gone(const Source& client)
+{
+    m_clients.erase(client.clientId);
+    if (!m_leader || m_leader->client.clientId != client.clientId) {
+        return;
+    }
+    if (m_leader->motions == 1 && !m_leader->host.empty()) {
+        m_leader->left = true;
+    } else {
+        m_leader.reset();
+    }
+}
+
+std::string ClientLead::hostOf(std::uint64_t clientId) const
+{
+    const auto found = m_clients.find(clientId);
+    return found == m_clients.end() ? std::string() : found->second.host;
+}
+
+bool ClientLead::leadHeld(const Rules& rules, SteadyTime now) const
+{
+    return rules.lead != profile::Lead::Last && m_leader && now - m_leader->since < kRelease &&
+           !lockedOut(rules, m_leader->host);
+}
+
+bool ClientLead::continues(const Source& client) const
+{
+    const bool later = client.clientId > m_leader->client.clientId;
+    return client.clientId == m_leader->client.clientId ||
+           (m_leader->left && later && rotctld::sameHost(hostOf(client.clientId), m_leader->host));
+}
+
+std::string ClientLead::leaderText(SteadyTime now) const
+{
+    const std::string when = ago(now - m_leader->since);
+    if (m_leader->left) {
+        return m_leader->host + " has the lead: it connects for each command and sent its last " + when;
+    }
+    const std::string name = m_leader->client.name.toStdString();
+    return m_leader->given ? name + " was given the lead " + when
+                           : name + " has the lead: it sent its last command " + when;
+}
+
+Result<> ClientLead::admits(const Rules& rules, const Source& client, SteadyTime now) const
+{
+    if (readOnly(client.clientId)) {
+        return failure(ErrorCode::Refused, "the operator has made this client read-only");
+    }
+    if (lockedOut(rules, hostOf(client.clientId))) {
+        return failure(ErrorCode::Refused, "the mount is locked to " + rules.lockedTo);
+    }
+    if (leadHeld(rules, now) && !continues(client)) {
+        return failure(ErrorCode::Refused, leaderText(now));
+    }
+    return {};
+}
+
+void ClientLead::moved(const Source& client, SteadyTime now)
+{
+    const bool same = m_leader && m_leader->client.clientId == client.clientId;
+    const int motions = same ? m_leader->motions : 0;
+    m_leader = Leader{.client = client, .host = hostOf(client.clientId), .since = now, .motions = motions + 1};
+}
+
+Result<> ClientLead::give(const Rules& rules, std::uint64_t clientId, SteadyTime now)
+{
+    const auto found = m_clients.find(clientId);
+    if (found == m_clients.end()) {
+        return failure(ErrorCode::NotAvailable, "this client has left");
+    }
+    if (lockedOut(rules, found->second.host)) {
+        return failure(ErrorCode::Refused, "the mount is locked to " + rules.lockedTo + ": unlock it first");
+    }
+    found->second.readOnly = false;
+    m_leader = Leader{.client = found->second.client, .host = found->second.host, .since = now, .given = true};
+    return {};
+}
+
+Result<> ClientLead::setReadOnly(std::uint64_t clientId, bool readOnly)
+{
+    const auto found = m_clients.find(clientId);
+    if (found == m_clients.end()) {
+        return failure(ErrorCode::NotAvailable, "this client has left");
+    }
+    found->second.readOnly = readOnly;
+    if (readOnly && m_leader && m_leader->client.clientId == clientId) {
+        m_leader.reset();
+    }
+    return {};
+}
+
+void ClientLead::resume(SteadyTime now)
+{
+    if (m_leader && !m_leader->left) {
+        m_leader->since = now;
+    }
+}
+
+bool ClientLead::leads(const Rules& rules, std::uint64_t clientId, SteadyTime now) const
+{
+    return leadHeld(rules, now) && !m_leader->left && m_leader->client.clientId == clientId;
+}
+
+bool ClientLead::readOnly(std::uint64_t clientId) const
+{
+    const auto found = m_clients.find(clientId);
+    return found != m_clients.end() && found->second.readOnly;
+}
+
+bool ClientLead::locked(const Rules& rules, std::uint64_t clientId) const
+{
+    return rules.lead == profile::Lead::Locked && rotctld::sameHost(hostOf(clientId), rules.lockedTo);
+}
+
+QString ClientLead::name(std::uint64_t clientId) const
+{
+    const auto found = m_clients.find(clientId);
+    return found == m_clients.end() ? QString() : found->second.client.name;
+}
+
+}  // namespace boresight

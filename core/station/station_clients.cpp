@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of StationControl about its clients: who of them and of the operator moves the mount.
+#include "core/station/station_control.h"
+
+namespace boresight {
+namespace {
+
+// Longer than a tracking client pauses between two targets, short enough that the screen asks about what happens now.
+constexpr std::chrono::seconds kStillWanting{5};
+
+}  // namespace
+
+Result<> StationControl::mayGiveControl() const
+{
+    if (m_arming.stopLatched()) {
+        return failure(ErrorCode::Refused, "STOP is latched: reset STOP first");
+    }
+    return {};
+}
+
+Result<> StationControl::handle(const request::TakeAuthority&, const Source& source)
+{
+    takeOver(source);
+    if (m_commander.kind == SourceKind::Client && m_activity != Activity::None) {
+        holdHere(Activity::Holding);
+    }
+    return {};
+}
+
+Result<> StationControl::handle(const request::GiveAuthority&, const Source& source)
+{
+    return mayGiveControl().map([&] {
+        m_arming.setAuthority(Authority::Clients);
+        m_lead.resume(m_now);
+        m_log.add(Severity::Advisory, source.name, QStringLiteral("gives control back to the clients"));
+    });
+}
+
+Result<> StationControl::handle(const request::GiveLead& wanted, const Source& source)
+{
+    return operatorOnly(source)
+        .and_then([&] { return mayGiveControl(); })
+        .and_then([&] { return m_lead.give(m_profile.rotctld, wanted.clientId, m_now); })
+        .map([&] {
+            if (m_commander.clientId != wanted.clientId) {
+                endClientMotion();
+            }
+            m_arming.setAuthority(Authority::Clients);
+            m_log.add(Severity::Advisory, source.name,
+                      QStringLiteral("gives control to ") + m_lead.name(wanted.clientId));
+        });
+}
+
+Result<> StationControl::handle(const request::SetReadOnly& wanted, const Source& source)
+{
+    return operatorOnly(source).and_then([&] { return m_lead.setReadOnly(wanted.clientId, wanted.readOnly); }).map([&] {
+        if (wanted.readOnly && m_commander.clientId == wanted.clientId) {
+            endClientMotion();
+        }
+        m_log.add(Severity::Advisory, source.name,
+                  (wanted.readOnly ? QStringLiteral("lets %1 only read and stop")
+                                   : QStringLiteral("lets %1 move the mount again"))
+                      .arg(m_lead.name(wanted.clientId)));
+    });
+}
+
+// The Station does it, which has the server.
+Result<> StationControl::handle(const request::Disconnect&, const Source& source)
+{
+    return operatorOnly(source);
+}
+
+void StationControl::endClientMotion()
+{
+    const bool moves = m_activity != Activity::None && m_activity != Activity::Holding;
+    if (m_commander.kind == SourceKind::Client && moves) {
+        m_log.add(Severity::Advisory, m_commander.name, QStringLiteral("may not move the mount any more: hold"));
+        holdHere(Activity::Holding);
+    }
+}
+
+void StationControl::describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const
+{
+    const profile::RotctldSettings& rules = m_profile.rotctld;
+    const Source source{.kind = SourceKind::Client, .clientId = client.id};
+    client.driving =
+        m_commander.kind == SourceKind::Client && m_commander.clientId == client.id && !m_commandText.isEmpty();
+    client.leading = m_lead.leads(rules, client.id, m_now);
+    client.readOnly = m_lead.readOnly(client.id);
+    client.locked = m_lead.locked(rules, client.id);
+    const bool kept = rules.lead == profile::Lead::Locked && !client.locked;  // as the operator wants it
+    client.wanting = lastMotion && m_now - *lastMotion < kStillWanting && m_arming.authority() == Authority::Clients &&
+                     !client.readOnly && !kept && !m_lead.admits(rules, source, m_now);
+}
+
+}  // namespace boresight

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/client_lead.h"
+
+#include "tests/fakes/manual_clock.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight {
+namespace {
+
+Source client(std::uint64_t id)
+{
+    return {.kind = SourceKind::Client, .clientId = id, .name = QStringLiteral("rotctld client %1").arg(id)};
+}
+
+class ClientLeadTest : public ::testing::Test
+{
+protected:
+    ClientLeadTest()
+    {
+        lead.came(client(1), "10.0.0.7");
+        lead.came(client(2), "10.0.0.9");
+    }
+    // Asks for a motion, and moves if it may; else why not.
+    std::string moves(std::uint64_t id)
+    {
+        const Result<> may = lead.admits(rules, client(id), clock.now());
+        if (!may) {
+            EXPECT_EQ(may.error().code, ErrorCode::Refused);
+            return may.error().text;
+        }
+        lead.moved(client(id), clock.now());
+        return {};
+    }
+    void pass(double seconds) { clock.advance(Seconds(seconds)); }
+    bool leads(std::uint64_t id) { return lead.leads(rules, id, clock.now()); }
+
+    fakes::ManualClock clock;
+    profile::RotctldSettings rules;
+    ClientLead lead;
+};
+
+TEST_F(ClientLeadTest, TheFirstKeepsTheLeadWhileItSends)
+{
+    EXPECT_FALSE(leads(1));
+    for (int i = 0; i < 30; ++i) {
+        EXPECT_EQ(moves(1), "");
+        pass(3.0);
+        EXPECT_EQ(moves(2), "rotctld client 1 has the lead: it sent its last command 3 s ago");
+        EXPECT_TRUE(leads(1));
+        EXPECT_FALSE(leads(2));
+    }
+}
+
+TEST_F(ClientLeadTest, TenSecondsOfSilenceFreeTheLead)
+{
+    EXPECT_EQ(moves(1), "");
+    pass(9.99);
+    EXPECT_EQ(moves(2), "rotctld client 1 has the lead: it sent its last command 9 s ago");
+    pass(0.01);
+    EXPECT_EQ(moves(2), "");
+    EXPECT_EQ(moves(1), "rotctld client 2 has the lead: it sent its last command a moment ago");
+}
+
+TEST_F(ClientLeadTest, WhoLeavesFreesTheLead)
+{
+    EXPECT_EQ(moves(1), "");
+    EXPECT_EQ(moves(1), "");
+    lead.gone(client(2));
+    lead.came(client(3), "10.0.0.9");
+    EXPECT_NE(moves(3), "") << "another one has left";
+    lead.gone(client(1));
+    EXPECT_EQ(moves(3), "");
+}
+
+// `rotctl P 90 45` twice from a shell, or a program that connects for each command.
+TEST_F(ClientLeadTest, AHostThatConnectsForEachCommandKeepsTheLead)
+{
+    EXPECT_EQ(moves(1), "");
+    lead.gone(client(1));
+    pass(2.0);
+    EXPECT_EQ(moves(2), "10.0.0.7 has the lead: it connects for each command and sent its last 2 s ago");
+    for (std::uint64_t id = 3; id < 10; ++id) {
+        lead.came(client(id), "10.0.0.7");
+        EXPECT_EQ(moves(id), "");
+        lead.gone(client(id));
+        pass(9.0);
+        EXPECT_NE(moves(2), "");
+    }
+    pass(1.0);
+    EXPECT_EQ(moves(2), "");
+}
+
+TEST_F(ClientLeadTest, AnEarlierConnectionOfTheSameHostIsAnotherProgram)
+{
+    lead.came(client(3), "10.0.0.7");
+    EXPECT_EQ(moves(3), "");
+    lead.gone(client(3));
+    EXPECT_NE(moves(1), "");
+    pass(10.0);
+    EXPECT_EQ(moves(1), "");
+}
+
+TEST_F(ClientLeadTest, TheLastMovesWhereTheProfileSaysSo)
+{
+    rules.lead = profile::Lead::Last;
+    EXPECT_EQ(moves(1), "");
+    EXPECT_EQ(moves(2), "");
+    EXPECT_EQ(moves(1), "");
+    EXPECT_FALSE(leads(1)) << "nobody is kept out";
+}
+
+TEST_F(ClientLeadTest, OnlyTheLockedHostMoves)
+{
+    EXPECT_EQ(moves(1), "") << "before the lock";
+    rules.lead = profile::Lead::Locked;
+    rules.lockedTo = "10.0.0.9";
+    EXPECT_EQ(moves(1), "the mount is locked to 10.0.0.9");
+    EXPECT_EQ(moves(2), "");
+    EXPECT_TRUE(lead.locked(rules, 2));
+    EXPECT_FALSE(lead.locked(rules, 1));
+    lead.came(client(3), "10.0.0.9");
+    EXPECT_NE(moves(3), "") << "of two programs there the first";
+    EXPECT_FALSE(lead.give(rules, 1, clock.now()));
+}
+
+TEST_F(ClientLeadTest, OneHostWrittenTwoWaysIsOneHost)
+{
+    rules.lead = profile::Lead::Locked;
+    rules.lockedTo = "0:0:0:0:0:0:0:1";
+    lead.came(client(3), "::1");
+    EXPECT_EQ(moves(3), "");
+}
+
+TEST_F(ClientLeadTest, TheOperatorGivesTheLead)
+{
+    EXPECT_EQ(moves(1), "");
+    EXPECT_TRUE(lead.give(rules, 2, clock.now()));
+    EXPECT_TRUE(leads(2));
+    pass(4.0);
+    EXPECT_EQ(moves(1), "rotctld client 2 was given the lead 4 s ago");
+    EXPECT_EQ(moves(2), "");
+    EXPECT_TRUE(lead.give(rules, 1, clock.now()));
+    pass(10.0);
+    EXPECT_EQ(moves(2), "") << "who says nothing for 10 s does not keep it";
+}
+
+TEST_F(ClientLeadTest, ReadOnlyMovesNothingAndLeadsNot)
+{
+    EXPECT_EQ(moves(1), "");
+    EXPECT_TRUE(lead.setReadOnly(1, true));
+    EXPECT_EQ(moves(1), "the operator has made this client read-only");
+    EXPECT_FALSE(leads(1));
+    EXPECT_EQ(moves(2), "");
+    EXPECT_TRUE(lead.give(rules, 1, clock.now())) << "control given is no longer read-only";
+    EXPECT_FALSE(lead.readOnly(1));
+    EXPECT_EQ(moves(1), "");
+    rules.lead = profile::Lead::Last;
+    EXPECT_TRUE(lead.setReadOnly(2, true));
+    EXPECT_EQ(moves(2), "the operator has made this client read-only");
+    EXPECT_TRUE(lead.setReadOnly(2, false));
+    EXPECT_EQ(moves(2), "");
+}
+
+TEST_F(ClientLeadTest, WhoLedBeforeTheOperatorTookOverGoesOn)
+{
+    EXPECT_EQ(moves(1), "");
+    pass(60.0);  // jogged by hand meanwhile
+    lead.resume(clock.now());
+    EXPECT_NE(moves(2), "");
+    EXPECT_EQ(moves(1), "");
+}
+
+TEST_F(ClientLeadTest, NobodyThereCannotBeToldAnything)
+{
+    EXPECT_EQ(lead.give(rules, 77, clock.now()).error().code, ErrorCode::NotAvailable);
+    EXPECT_EQ(lead.setReadOnly(77, true).error().code, ErrorCode::NotAvailable);
+    EXPECT_EQ(moves(1), "");
+}
+
+}  // namespace
+}  // namespace boresight

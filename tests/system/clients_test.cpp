@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/system/gpredict_client.h"
+#include "tests/system/simulated_station.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+// Several rotctld clients over real sockets, and an operator between them: who moves the antenna, judged by where it
+// really turns.
+namespace boresight::system_test {
+namespace {
+
+const std::string kDone = "RPRT 0\n";
+const std::string kRefused = "RPRT -9\n";
+
+class ClientsTest : public ::testing::Test
+{
+protected:
+    ClientsTest() : one(rig.connect()), other(rig.connect())
+    {
+        one->ask("p\n", 2);
+        other->ask("p\n", 2);
+        rig.onTick = [this] { watchReversals(); };
+    }
+
+    // Both send a target each second; returns what they heard in the last one.
+    std::pair<std::string, std::string> bothAsk(int seconds)
+    {
+        std::pair<std::string, std::string> heard;
+        for (int i = 0; i < seconds; ++i) {
+            heard.first = one->ask("P 200 50\n");
+            rig.run(Seconds(0.5));
+            heard.second = other->ask("P 160 40\n");
+            rig.run(Seconds(0.5));
+        }
+        return heard;
+    }
+    [[nodiscard]] ClientStatus statusOf(std::size_t number) const { return rig.status().clients.at(number); }
+    [[nodiscard]] double azimuth() const { return rig.truth(Axis::Azimuth); }
+    // How often the antenna itself turned round.
+    void watchReversals()
+    {
+        const AngularRate rate = rig.link->truth(Axis::Azimuth).rate;
+        const int way = rate > kTurning ? 1 : rate < -kTurning ? -1 : 0;
+        reversals += way != 0 && m_way != 0 && way != m_way ? 1 : 0;
+        m_way = way != 0 ? way : m_way;
+    }
+
+    static constexpr AngularRate kTurning = AngularRate::fromDegrees(0.2);
+    SimulatedStation rig{anyPort(), sim::commissionedPair({.azimuth = 180_deg, .elevation = 45_deg})};
+    std::unique_ptr<fakes::TcpPeer> one;
+    std::unique_ptr<fakes::TcpPeer> other;
+    int reversals = 0;
+
+private:
+    int m_way = 0;
+};
+
+TEST_F(ClientsTest, OnlyTheDriverMovesTheAntenna)
+{
+    EXPECT_EQ(bothAsk(15), std::pair(kDone, kRefused));
+    EXPECT_TRUE(rig.settle());
+    EXPECT_NEAR(azimuth(), 200.0, 0.1);
+    EXPECT_EQ(reversals, 0);
+    EXPECT_EQ(std::lround(std::stod(other->ask("p\n", 2))), 200) << "reading is open to all";
+    EXPECT_TRUE(statusOf(0).leading && statusOf(0).driving && !statusOf(0).wanting);
+    EXPECT_TRUE(statusOf(1).wanting && !statusOf(1).leading && !statusOf(1).driving);
+    EXPECT_TRUE(rig.logSays(QStringLiteral("P 160.00 40.00 refused: rotctld 127.0.0.1:")));
+}
+
+TEST_F(ClientsTest, AnybodyStopsTheAntenna)
+{
+    ASSERT_EQ(one->ask("P 300 50\n"), kDone);
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(other->ask("S\n"), kDone);
+    EXPECT_TRUE(rig.settle(Seconds(5.0)));
+    EXPECT_LT(azimuth(), 250.0);
+    EXPECT_EQ(other->ask("P 160 40\n"), kRefused);
+}
+
+TEST_F(ClientsTest, WhoeverIsLeftTakesOver)
+{
+    EXPECT_EQ(bothAsk(3), std::pair(kDone, kRefused));
+    one.reset();
+    rig.run(Seconds(0.1));
+    EXPECT_EQ(other->ask("P 160 40\n"), kDone);
+    EXPECT_TRUE(rig.settle());
+    EXPECT_NEAR(azimuth(), 160.0, 0.1);
+}
+
+TEST_F(ClientsTest, ADriverThatVanishesIsReleasedAfterTenSeconds)
+{
+    EXPECT_EQ(bothAsk(10).first, kDone);
+    EXPECT_EQ(one->ask("P 201 50\n"), kDone);
+    rig.run(Seconds(9.5));  // its computer is gone: no FIN, no word
+    EXPECT_EQ(rig.status().state, StationState::Hold);
+    EXPECT_NEAR(azimuth(), 201.0, 0.1);
+    EXPECT_EQ(other->ask("P 160 40\n"), kRefused);
+    rig.run(Seconds(0.6));
+    EXPECT_EQ(other->ask("P 160 40\n"), kDone);
+    EXPECT_TRUE(rig.settle());
+    EXPECT_NEAR(azimuth(), 160.0, 0.1);
+}
+
+TEST_F(ClientsTest, TheOperatorGivesControlAndTakesIt)
+{
+    EXPECT_EQ(bothAsk(2), std::pair(kDone, kRefused));
+    const std::uint64_t otherId = statusOf(1).id;
+    EXPECT_EQ(rig.ask(request::GiveLead{.clientId = otherId}), "");
+    EXPECT_EQ(bothAsk(2), std::pair(kRefused, kDone));
+    EXPECT_EQ(rig.ask(request::TakeAuthority{}), "");
+    EXPECT_EQ(bothAsk(15), std::pair(kRefused, kRefused));
+    EXPECT_EQ(rig.ask(request::GiveAuthority{}), "");
+    EXPECT_EQ(bothAsk(2), std::pair(kRefused, kDone)) << "who led before";
+    EXPECT_EQ(rig.ask(request::SetReadOnly{.clientId = otherId}), "");
+    EXPECT_EQ(bothAsk(2), std::pair(kDone, kRefused));
+}
+
+TEST_F(ClientsTest, TheOperatorDisconnects)
+{
+    const std::uint64_t id = statusOf(0).id;
+    EXPECT_EQ(rig.ask(request::Disconnect{.clientId = id}), "");
+    EXPECT_EQ(one->receiveUntilClosed(), "");
+    EXPECT_EQ(rig.status().clients.size(), 1U);
+    EXPECT_EQ(rig.ask(request::Disconnect{.clientId = id}), "this client has left");
+}
+
+TEST_F(ClientsTest, AProgramThatConnectsForEachCommandKeepsTheLead)
+{
+    const auto once = [this](const std::string& command) { return rig.connect()->ask(command); };
+    for (int i = 0; i < 5; ++i) {
+        EXPECT_EQ(once("P 200 50\n"), kDone);
+        rig.run(Seconds(3.0));
+        EXPECT_EQ(one->ask("P 160 40\n"), kRefused);
+    }
+    rig.run(Seconds(7.1));
+    EXPECT_EQ(one->ask("P 160 40\n"), kDone);
+}
+
+// Each step of the profile's choice, with the same two clients.
+TEST(ClientsByProfile, LastAsHamlibAndLocked)
+{
+    profile::Profile profile = anyPort();
+    profile.rotctld.lead = profile::Lead::Last;
+    SimulatedStation last(profile);
+    const auto one = last.connect();
+    const auto other = last.connect();
+    EXPECT_EQ(one->ask("P 10 20\n"), kDone);
+    EXPECT_EQ(other->ask("P 20 20\n"), kDone);
+
+    profile.rotctld.lead = profile::Lead::Locked;
+    profile.rotctld.lockedTo = "127.0.0.1";
+    SimulatedStation here(profile);
+    const auto local = here.connect();
+    EXPECT_EQ(local->ask("P 10 20\n"), kDone);
+    EXPECT_TRUE(here.status().clients.at(0).locked);
+
+    profile.rotctld.lockedTo = "10.0.0.7";
+    SimulatedStation elsewhere(profile);
+    const auto lockedOut = elsewhere.connect();
+    EXPECT_EQ(lockedOut->ask("P 10 20\n"), kRefused);
+    EXPECT_EQ(lockedOut->ask("S\n"), kDone);
+    EXPECT_FALSE(elsewhere.status().clients.at(0).wanting) << "the operator wants it so";
+}
+
+// As Gpredict is delivered, with a Threshold of 5°, and after its user has followed the advice.
+TEST(ClientsAdvice, AGpredictThatLeapsIsToldWhatToSet)
+{
+    const SatellitePass pass({.maxElevation = 40_deg, .culmination = 180_deg});
+    SimulatedStation rig(anyPort(), sim::commissionedPair({.azimuth = 180_deg, .elevation = 45_deg}));
+    Seconds time = -pass.halfDuration() + Seconds(30.0);
+    const auto track = [&](GpredictClient& gpredict, Seconds until) {
+        for (; time < until; time += SimulatedStation::kTick) {
+            rig.tick();
+            gpredict.tick(time);
+        }
+        return rig.status().clients.back();
+    };
+    GpredictClient coarse(rig.connect(), pass, 5_deg);
+    const ClientStatus before = track(coarse, Seconds(-60.0));
+    EXPECT_EQ(before.program.toStdString(), "Gpredict or SatDump");
+    EXPECT_TRUE(before.advice.contains(QStringLiteral("set Threshold to 0.1"))) << before.advice.toStdString();
+    EXPECT_NEAR(before.commandsPerSecond, 1.25, 0.5);
+    coarse.setThreshold(0.1_deg);
+    EXPECT_EQ(track(coarse, Seconds(0.0)).advice.toStdString(), "");
+    EXPECT_EQ(coarse.complaints(), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace boresight::system_test
