@@ -3,35 +3,75 @@
 
 namespace boresight::app {
 
-StationThread::StationThread(std::unique_ptr<Station> station, QObject* parent)
-    : QObject(parent), m_station(std::move(station))
+StationThread::StationThread(std::unique_ptr<Station> station, Build build, QObject* parent)
+    : QObject(parent), m_build(std::move(build))
 {
     qRegisterMetaType<NumberedRequest>();
     qRegisterMetaType<StationUpdate>();
-    m_thread.setObjectName(QStringLiteral("station"));
-    m_station->moveToThread(&m_thread);
-    Station* const station_ = m_station.get();
-    connect(&m_thread, &QThread::started, station_, &Station::start);
+    qRegisterMetaType<profile::Profile>();
+    take(std::move(station));
+    // Without a station there is nothing to wait for.
+    connect(this, &StationThread::shutDownRequested, this, [this] {
+        if (!m_running) {
+            Q_EMIT finished();
+        }
+    });
+}
+
+void StationThread::take(std::unique_ptr<Station> station)
+{
+    m_running = std::make_unique<Running>();
+    m_running->station = std::move(station);
+    QThread& thread = m_running->thread;
+    Station* const station_ = m_running->station.get();
+    thread.setObjectName(QStringLiteral("station"));
+    station_->moveToThread(&thread);
+    connect(&thread, &QThread::started, station_, &Station::start);
     connect(this, &StationThread::requested, station_, &Station::request);
     connect(this, &StationThread::updateTaken, station_, &Station::updateTaken);
     connect(this, &StationThread::shutDownRequested, station_, &Station::shutDown);
     connect(station_, &Station::started, this, &StationThread::started);
     connect(station_, &Station::updated, this, &StationThread::updated);
     connect(station_, &Station::finished, this, &StationThread::finished);
+    connect(station_, &Station::profileApplied, this, &StationThread::profileApplied);
+    connect(station_, &Station::reconnectWanted, this, &StationThread::reconnect);
     // Its timers and sockets must end on the thread they live on.
     connect(
-        &m_thread, &QThread::finished, station_, [this] { m_station.reset(); }, Qt::DirectConnection);
+        &thread, &QThread::finished, station_, [running = m_running.get()] { running->station.reset(); },
+        Qt::DirectConnection);
 }
 
 StationThread::~StationThread()
 {
-    m_thread.quit();
-    m_thread.wait();
+    end();
+}
+
+void StationThread::end()
+{
+    if (m_running) {
+        m_running->thread.quit();
+        m_running->thread.wait();
+        m_running.reset();
+    }
+}
+
+// The old station has left its drives and closed its bus before it asked for this.
+void StationThread::reconnect(const profile::Profile& profile)
+{
+    end();
+    auto next = m_build(profile);
+    if (!next) {
+        Q_EMIT reconnected(profile, QString::fromStdString(next.error().text));
+        return;
+    }
+    take(std::move(*next));
+    start();
+    Q_EMIT reconnected(profile, {});
 }
 
 void StationThread::start()
 {
-    m_thread.start(QThread::TimeCriticalPriority);
+    m_running->thread.start(QThread::TimeCriticalPriority);
 }
 
 }  // namespace boresight::app

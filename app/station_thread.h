@@ -6,8 +6,11 @@
 #include <QObject>
 #include <QThread>
 
-// Runs a Station on a thread of its own. Made, used and destroyed on the main thread; everything between the two
-// threads is a queued signal carrying values.
+#include <functional>
+#include <memory>
+
+// Runs a Station on a thread of its own, and after a reconnect the next one on the next thread. Made, used and
+// destroyed on the main thread; everything between the two threads is a queued signal carrying values.
 namespace boresight::app {
 
 class StationThread : public QObject
@@ -15,8 +18,11 @@ class StationThread : public QObject
     Q_OBJECT
 
 public:
-    // Takes the station, which must not be started yet.
-    explicit StationThread(std::unique_ptr<Station> station, QObject* parent = nullptr);
+    // Builds a station that is not started yet, for the profile in question.
+    using Build = std::function<Result<std::unique_ptr<Station>>(const profile::Profile&)>;
+
+    // Takes the first station, which must not be started yet; `build` makes the others.
+    StationThread(std::unique_ptr<Station> station, Build build, QObject* parent = nullptr);
     // Ends the thread and destroys the station. Call shutDown() and await finished() first, else the drives are left to
     // their watchdog.
     ~StationThread() override;
@@ -32,10 +38,23 @@ Q_SIGNALS:
     void started(const QString& listening, const QString& problem);
     void updated(const boresight::StationUpdate& update);
     void finished();
+    void profileApplied(const boresight::profile::Profile& profile);
+    // The next station was built and started, or could not be: then `problem` says why and there is none any more.
+    void reconnected(const boresight::profile::Profile& profile, const QString& problem);
 
 private:
-    QThread m_thread;
-    std::unique_ptr<Station> m_station;
+    struct Running
+    {
+        QThread thread;
+        std::unique_ptr<Station> station;
+    };
+
+    void take(std::unique_ptr<Station> station);
+    void end();
+    void reconnect(const profile::Profile& profile);
+
+    Build m_build;
+    std::unique_ptr<Running> m_running;
 };
 
 }  // namespace boresight::app

@@ -256,6 +256,11 @@ void MainWindow::stop()
     });
 }
 
+void MainWindow::warn(const QString& what)
+{
+    m_alarms->notice().setValue(what, Tone::Warning, what.isEmpty() ? Symbol::None : Symbol::Warning);
+}
+
 void MainWindow::pick(const SkyPointing& direction)
 {
     m_picked = direction;

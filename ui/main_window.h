@@ -45,6 +45,8 @@ public:
 
 public Q_SLOTS:
     void showUpdate(const boresight::StationUpdate& update);
+    // What went wrong outside of the station, beside the alarm line; empty clears it.
+    void warn(const QString& what);
 
 Q_SIGNALS:
     void requested(const boresight::NumberedRequest& request);

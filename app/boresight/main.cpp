@@ -2,6 +2,7 @@
 // boresight: the desktop program. The window on this thread, the station on its own.
 #include "app/log_output.h"
 #include "app/options.h"
+#include "app/profile_saver.h"
 #include "app/station_thread.h"
 #include "app/unix_signals.h"
 #include "core/base/version.h"
@@ -66,6 +67,8 @@ void showFirst(ui::MainWindow& window)
 
 void connectWindow(ui::MainWindow& window, app::StationThread& station, QSettings& layout)
 {
+    QObject::connect(&station, &app::StationThread::reconnected, &window,
+                     [&window](const profile::Profile&, const QString& problem) { window.warn(problem); });
     QObject::connect(&window, &ui::MainWindow::requested, &station, &app::StationThread::requested);
     QObject::connect(&window, &ui::MainWindow::updateShown, &station, &app::StationThread::updateTaken);
     QObject::connect(&station, &app::StationThread::updated, &window, &ui::MainWindow::showUpdate);
@@ -81,16 +84,26 @@ void connectWindow(ui::MainWindow& window, app::StationThread& station, QSetting
 int run(QApplication& application, const app::Options& options, const QElapsedTimer& sinceStart)
 {
     const SystemClock clock;
+    const auto build = [&](const profile::Profile& profile) {
+        return makeLink(profile.bus, clock).map([&](std::unique_ptr<CanLink> link) {
+            return std::make_unique<Station>(profile, std::move(link), options.stateDir, clock);
+        });
+    };
     auto link = makeLink(options.profile.bus, clock);
     if (!link) {
         return complain(link.error().text);
     }
     app::StationThread station(
-        std::make_unique<Station>(options.profile, std::move(*link), options.stateDir, clock, options.standingAt));
+        std::make_unique<Station>(options.profile, std::move(*link), options.stateDir, clock, options.standingAt),
+        build);
+    app::ProfileSaver saver(options.configDir, options.profilePath, options.profile);
     QSettings layout(options.stateDir + QStringLiteral("/window.ini"), QSettings::IniFormat);
     ui::MainWindow window(clock, windowSettings(options.profile, layout));
     const bool known = window.restoreGeometry(layout.value(kGeometryKey).toByteArray());
     connectWindow(window, station, layout);
+    QObject::connect(&station, &app::StationThread::profileApplied, &saver, &app::ProfileSaver::save);
+    QObject::connect(&station, &app::StationThread::reconnected, &saver, &app::ProfileSaver::follow);
+    QObject::connect(&saver, &app::ProfileSaver::failed, &window, &ui::MainWindow::warn);
     app::UnixSignals signals;
     QObject::connect(&signals, &app::UnixSignals::endRequested, &station, &app::StationThread::shutDownRequested);
     reportStart(sinceStart, window);

@@ -47,14 +47,14 @@ void AlarmBoard::raise(const QString& cause, Severity severity, const AlarmText&
         QStringList line{text.what.startsWith(named) ? asSentence(text.what.sliced(named.size())) : whole.what,
                          whole.action, whole.remedy};
         line.removeAll(QString());
-        m_lines.add(severity, spoken(cause), line.join(QLatin1Char(' ')));
+        m_lines.add(severity, spoken(cause), line.join(QLatin1Char(' ')), LogKind::Alarm);
     }
 }
 
 void AlarmBoard::clear(const QString& cause)
 {
     if (m_alarms.clear(cause)) {
-        m_lines.add(Severity::Advisory, spoken(cause), QStringLiteral("the alarm is over"));
+        m_lines.add(Severity::Advisory, spoken(cause), QStringLiteral("the alarm is over"), LogKind::Alarm);
     }
 }
 

@@ -22,6 +22,7 @@ public:
     void raise(const QString& cause, Severity severity, const AlarmText& text);
     void clear(const QString& cause);
     void acknowledgeAll() { m_alarms.acknowledgeAll(); }
+    void acknowledge(std::uint64_t id) { m_alarms.acknowledge(id); }
 
     [[nodiscard]] bool active(const QString& cause) const { return m_alarms.active(cause); }
     [[nodiscard]] std::vector<Alarm> list() const { return m_alarms.list(); }

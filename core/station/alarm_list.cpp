@@ -50,6 +50,14 @@ void AlarmList::acknowledgeAll()
     forgetFinished();
 }
 
+void AlarmList::acknowledge(std::uint64_t id)
+{
+    for (Entry& entry : m_entries) {
+        entry.alarm.acknowledged = entry.alarm.acknowledged || entry.alarm.id == id;
+    }
+    forgetFinished();
+}
+
 bool AlarmList::active(const QString& cause) const
 {
     const auto entry = std::ranges::find(m_entries, cause, &Entry::cause);

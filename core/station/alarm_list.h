@@ -28,6 +28,7 @@ public:
     // The cause is gone. True if it was active.
     bool clear(const QString& cause);
     void acknowledgeAll();
+    void acknowledge(std::uint64_t id);  // one that is gone already stays gone
 
     [[nodiscard]] bool active(const QString& cause) const;
     // Active or not yet acknowledged, worst first; among equals what lasts and was not seen, then the oldest.

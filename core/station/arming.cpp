@@ -25,6 +25,12 @@ Arming::Arming(const profile::Profile& profile, DrivePair& drives, EventLog& log
     : m_drives(drives), m_log(log), m_supervision(profile.supervision), m_retry(profile.recovery)
 {}
 
+void Arming::setProfile(const profile::Profile& profile)
+{
+    m_supervision = profile.supervision;
+    m_retry.setSettings(profile.recovery);
+}
+
 Result<> Arming::admits(const Source& source) const
 {
     if (m_released) {

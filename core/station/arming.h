@@ -55,6 +55,8 @@ public:
     [[nodiscard]] bool losesConnection(SteadyTime now);
     [[nodiscard]] bool connected() const { return m_connected; }
 
+    void setProfile(const profile::Profile& profile);
+
     // Latches the fault. `reason` in words: "azimuth drive: over temperature (38)"; the first one of a series stays.
     void lost(Axis axis, supervision::LossClass kind, const QString& reason);
     [[nodiscard]] std::optional<QString> fault() const;

@@ -72,6 +72,7 @@ public:
     static constexpr std::chrono::milliseconds kObedience{1000};  // enabling takes a drive some 13 ms
 
     Drive(const DriveSettings& settings, std::string name);
+    void setSettings(const DriveSettings& settings) { m_settings = settings; }  // from the next frame on; the same id
 
     // Orders of the station; they take effect in the next frame.
     void engage();  // Listening -> (Recovering, after a time-out ->) Capturing -> Engaged

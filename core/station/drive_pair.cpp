@@ -26,6 +26,12 @@ DrivePair::DrivePair(const profile::Profile& profile)
       m_elevation(driveSettings(profile.elevation, profile.control), "elevation drive")
 {}
 
+void DrivePair::setProfile(const profile::Profile& profile)
+{
+    m_azimuth.setSettings(driveSettings(profile.azimuth, profile.control));
+    m_elevation.setSettings(driveSettings(profile.elevation, profile.control));
+}
+
 const pointing::AxisGeometry& DrivePair::geometry(Axis axis) const
 {
     return axis == Axis::Azimuth ? m_azimuthGeometry : m_elevationGeometry;

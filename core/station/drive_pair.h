@@ -23,6 +23,7 @@ class DrivePair
 {
 public:
     explicit DrivePair(const profile::Profile& profile);
+    void setProfile(const profile::Profile& profile);  // torque, and the guards of speed and acceleration
 
     [[nodiscard]] Drive& drive(Axis axis) { return axis == Axis::Azimuth ? m_azimuth : m_elevation; }
     [[nodiscard]] const Drive& drive(Axis axis) const { return axis == Axis::Azimuth ? m_azimuth : m_elevation; }

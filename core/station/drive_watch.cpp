@@ -47,12 +47,19 @@ Severity severityOf(const supervision::Observed& observed)
 }  // namespace
 
 DriveWatch::DriveWatch(Axis axis, const profile::Profile& profile, AlarmBoard& alarms)
-    : m_axis(axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation")),
+    : m_which(axis),
+      m_axis(axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation")),
       m_settings(profile.axis(axis)),
       m_watchdog(profile.control.watchdog),
       m_alarms(alarms),
       m_supervisor(axis, m_settings, profile.supervision)
 {}
+
+void DriveWatch::setProfile(const profile::Profile& profile)
+{
+    m_settings = profile.axis(m_which);
+    m_supervisor.setSettings(m_settings, profile.supervision);
+}
 
 std::optional<DriveWatch::Trouble> DriveWatch::watch(Drive& drive, const tracking::Setpoint& setpoint,
                                                      const Context& context)

@@ -40,6 +40,7 @@ public:
 
     [[nodiscard]] std::optional<Trouble> watch(Drive& drive, const tracking::Setpoint& setpoint,
                                                const Context& context);
+    void setProfile(const profile::Profile& profile);
     // What to do about a silent bus, when its kind is known.
     void setSilenceAdvice(const QString& advice) { m_silenceAdvice = advice; }
     // The axis was re-armed, its turn was set, its drive restarted, or this computer stalled: what it did before says
@@ -61,6 +62,7 @@ private:
     [[nodiscard]] QString cause(supervision::Finding finding) const;
     void endHints(const std::vector<supervision::Observed>& seen);
 
+    Axis m_which;
     QString m_axis;  // "azimuth"
     profile::AxisSettings m_settings;
     Seconds m_watchdog;

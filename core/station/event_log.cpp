@@ -9,15 +9,19 @@ Q_LOGGING_CATEGORY(lcStation, "boresight.station", QtInfoMsg)
 
 namespace boresight {
 
-void EventLog::add(Severity severity, const QString& source, const QString& text)
+void EventLog::add(Severity severity, const QString& source, const QString& text, LogKind kind)
 {
     if (severity == Severity::Advisory) {
         qCInfo(lcStation).noquote() << source + QStringLiteral(":") << text;
     } else {
         qCWarning(lcStation).noquote() << source + QStringLiteral(":") << text;
     }
-    m_entries.push_back(
-        {.number = ++m_lastNumber, .utc = m_clock.utc(), .severity = severity, .source = source, .text = text});
+    m_entries.push_back({.number = ++m_lastNumber,
+                         .utc = m_clock.utc(),
+                         .severity = severity,
+                         .source = source,
+                         .text = text,
+                         .kind = kind});
     if (m_entries.size() > kCapacity) {
         m_entries.pop_front();
     }

@@ -21,7 +21,7 @@ public:
 
     explicit EventLog(const Clock& clock) : m_clock(clock) {}
 
-    void add(Severity severity, const QString& source, const QString& text);
+    void add(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event);
 
     // Entries numbered above `number`, oldest first, at most `limit` of the newest.
     [[nodiscard]] std::vector<LogEntry> since(std::uint64_t number, std::size_t limit) const;

@@ -14,7 +14,7 @@ void LogThrottle::forgetOld(SteadyTime now)
     m_lastLines.removeIf([now](const auto& line) { return now - line->time >= kRepeat; });
 }
 
-void LogThrottle::add(Severity severity, const QString& source, const QString& text)
+void LogThrottle::add(Severity severity, const QString& source, const QString& text, LogKind kind)
 {
     const SteadyTime now = m_clock.now();
     if (now - m_second >= std::chrono::seconds(1)) {
@@ -33,7 +33,7 @@ void LogThrottle::add(Severity severity, const QString& source, const QString& t
     }
     m_lastLines.insert(source, {.text = text, .time = now});
     ++m_inSecond;
-    m_log.add(severity, source, text);
+    m_log.add(severity, source, text, kind);
 }
 
 }  // namespace boresight

@@ -19,7 +19,7 @@ public:
 
     LogThrottle(EventLog& log, const Clock& clock, int burst) : m_log(log), m_clock(clock), m_burst(burst) {}
 
-    void add(Severity severity, const QString& source, const QString& text);
+    void add(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event);
 
 private:
     struct Line

@@ -75,7 +75,7 @@ void Motion::settleStream()
 {
     if (const auto* const stream = std::get_if<tracking::TargetStream>(&m_wanted)) {
         if (const auto last = stream->lastPoint()) {
-            m_wanted = *last;
+            m_wanted = AxisPosition{last->azimuth + m_trim.azimuth, last->elevation + m_trim.elevation};
         }
     }
 }
@@ -110,7 +110,12 @@ std::optional<tracking::MovingTarget> Motion::movingTarget(SteadyTime now) const
         return tracking::MovingTarget{.position = *place, .rates = {}, .streaming = false};
     }
     if (const auto* const stream = std::get_if<tracking::TargetStream>(&m_wanted)) {
-        return stream->target(now);
+        auto target = stream->target(now);
+        if (target) {
+            target->position = {target->position.azimuth + m_trim.azimuth,
+                                target->position.elevation + m_trim.elevation};
+        }
+        return target;
     }
     return std::nullopt;
 }

@@ -34,6 +34,7 @@ public:
     void confirmStream(SteadyTime now);                      // its client has read the position
     void settleStream();                                     // no more points: come to rest at the last one
     void run(const AxisRates& rates);
+    void setTrim(const AxisPosition& trim) { m_trim = trim; }  // is added to the points of streams
 
     // Settings of the profile that apply at once, also in the middle of a motion.
     void setRegion(const pointing::Region& region);
@@ -88,6 +89,7 @@ private:
     void forgetWay();
 
     Wanted m_wanted;
+    AxisPosition m_trim{};
     GuardedAxes m_axes;
     AxisRates m_speed;
     Way m_way;

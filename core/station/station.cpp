@@ -243,7 +243,11 @@ void Station::finish()
     qCInfo(lcTick, "ticks %llu, late p50 %.1f ms, p99 %.1f ms, max %.1f ms",
            static_cast<unsigned long long>(m_lateness.count()), m_lateness.percentile(0.5).count() * 1e3,
            m_lateness.percentile(0.99).count() * 1e3, m_lateness.percentile(1.0).count() * 1e3);
-    Q_EMIT finished();
+    if (m_next) {
+        Q_EMIT reconnectWanted(*m_next);
+    } else {
+        Q_EMIT finished();
+    }
 }
 
 void Station::request(const NumberedRequest& numbered)
@@ -281,7 +285,35 @@ Result<> Station::carryOut(const Request& request)
         }
         return {};
     }
+    if (const auto* const applying = std::get_if<request::ApplyProfile>(&request)) {
+        apply(applying->profile);
+        return {};
+    }
+    if (const auto* const reconnect = std::get_if<request::Reconnect>(&request)) {
+        m_log.add(Severity::Advisory, QStringLiteral("operator"),
+                  QStringLiteral("connects anew to the mount \"%1\"")
+                      .arg(QString::fromStdString(reconnect->profile.mount.name)));
+        m_next = reconnect->profile;
+        m_control.shutDown();
+        return {};
+    }
     return m_care.carryOut(request, m_clock.now());
+}
+
+void Station::apply(const profile::Profile& wanted)
+{
+    for (const profile::Change& change : m_profile.apply(wanted)) {
+        m_log.add(Severity::Advisory, QStringLiteral("operator"),
+                  QStringLiteral("changes %1 from %2 to %3%4")
+                      .arg(QString::fromStdString(change.key), QString::fromStdString(change.before),
+                           QString::fromStdString(change.after),
+                           change.applies == profile::Applies::Now ? QString()
+                                                                   : QStringLiteral(", in force after Reconnect")));
+    }
+    m_control.setProfile(*m_profile.inForce());
+    m_rotator.setProfile(*m_profile.inForce());
+    m_server.setAllowed(m_profile.inForce()->rotctld.allow);
+    Q_EMIT profileApplied(wanted);
 }
 
 void Station::updateTaken()
@@ -314,6 +346,8 @@ StationStatus Station::status() const
     StationStatus status = m_control.status();
     status.bus = m_link->status();
     status.busName = m_link->name();
+    status.profile = m_profile.inForce();
+    status.waitingKeys = m_profile.waitingKeys();
     status.simulated = simulated();
     m_care.fill(status.drives);
     status.listening = QString::fromStdString(m_server.address());

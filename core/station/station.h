@@ -9,6 +9,7 @@
 #include "core/station/drive_care.h"
 #include "core/station/event_file.h"
 #include "core/station/event_log.h"
+#include "core/station/live_profile.h"
 #include "core/station/request.h"
 #include "core/station/station_control.h"
 #include "core/station/station_rotator.h"
@@ -67,11 +68,16 @@ Q_SIGNALS:
     void started(const QString& listening, const QString& problem);
     void updated(const boresight::StationUpdate& update);
     void finished();
+    // The operator's settings were taken over: they are worth saving.
+    void profileApplied(const boresight::profile::Profile& profile);
+    // In place of finished(): the mount shall be connected anew, with this profile.
+    void reconnectWanted(const boresight::profile::Profile& profile);
 
 private:
     void showBus(const LinkStatus& status);
     [[nodiscard]] TurnKeeper::Start remembered(const std::optional<AxisPosition>& standingAt);
-    [[nodiscard]] bool simulated() const { return m_profile.bus == "simulated"; }
+    [[nodiscard]] bool simulated() const { return m_profile.inForce()->bus == "simulated"; }
+    void apply(const profile::Profile& wanted);
     [[nodiscard]] Result<> carryOut(const Request& request);
     void saveMemory();
     void openServer();
@@ -81,7 +87,7 @@ private:
     void writeEvents();
     [[nodiscard]] std::vector<ClientStatus> clients() const;
 
-    profile::Profile m_profile;
+    LiveProfile m_profile;
     const Clock& m_clock;
     EventLog m_log;
     memory::MemoryFile m_memoryFile;
@@ -103,6 +109,7 @@ private:
     bool m_startTold = false;
     bool m_updateWanted = true;
     bool m_finished = false;
+    std::optional<profile::Profile> m_next;  // to begin anew with
 };
 
 }  // namespace boresight

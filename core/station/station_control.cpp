@@ -80,6 +80,10 @@ Result<> StationControl::mayMove(const Source& source) const
 Result<> StationControl::mayPoint(const Source& source) const
 {
     return mayMove(source).and_then([&]() -> Result<> {
+        if (m_profile.mount.directions != profile::Directions::Confirmed) {
+            return failure(ErrorCode::Refused,
+                           "it is not confirmed yet which way the axes turn: jog each a little and confirm it first");
+        }
         for (const Axis axis : kAxes) {
             if (!m_turns.known(axis)) {
                 return failure(ErrorCode::Refused, "it is not known on which turn the axis of the " +
@@ -141,12 +145,12 @@ void StationControl::takeOver(const Source& source)
     }
 }
 
-void StationControl::tell(Severity severity, const Source& source, const QString& what)
+void StationControl::tell(Severity severity, const Source& source, const QString& what, LogKind kind)
 {
     if (source.kind == SourceKind::Client) {
-        m_clientLines.add(severity, source.name, what);
+        m_clientLines.add(severity, source.name, what, kind);
     } else {
-        m_log.add(severity, source.name, what);
+        m_log.add(severity, source.name, what, kind);
     }
 }
 
@@ -157,7 +161,8 @@ void StationControl::begin(Activity activity, const Source& source, const QStrin
                            (activity == Activity::Streaming || activity == Activity::Jogging);
     if (!continues) {
         tell(Severity::Advisory, source,
-             QStringLiteral("moves the mount from ") + text(heading()) + QStringLiteral(": ") + what);
+             QStringLiteral("moves the mount from ") + text(heading()) + QStringLiteral(": ") + what,
+             LogKind::MotionStart);
     }
     if (source.kind == SourceKind::Client) {
         m_lead.moved(source, m_now);
@@ -306,7 +311,10 @@ Result<> StationControl::handle(const request::Horizon&, const Source& source)
 
 Result<> StationControl::runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& what)
 {
-    return (activity == Activity::Jogging ? mayJog(rates, source) : mayPoint(source)).map([&] {
+    const Result<> may = activity == Activity::Jogging
+                             ? mayJog(rates, source).and_then([&] { return mayJogFirst(rates); })
+                             : mayPoint(source);
+    return may.map([&] {
         begin(activity, source, what);
         m_motion.run(rates);
     });
@@ -409,6 +417,11 @@ Result<AxisPosition> StationControl::measured() const
         return failure(ErrorCode::NoAnswer, "it is not known on which turn an axis stands");
     }
     return *m_drives.measured();
+}
+
+std::optional<AxisPosition> StationControl::trimInUse() const
+{
+    return m_activity == Activity::Streaming ? std::optional(m_trim) : std::nullopt;
 }
 
 void StationControl::learn(Axis axis, const std::optional<survey::DriveFacts>& facts)

@@ -13,6 +13,7 @@
 #include "core/station/drive_pair.h"
 #include "core/station/drive_watch.h"
 #include "core/station/event_log.h"
+#include "core/station/first_moves.h"
 #include "core/station/log_throttle.h"
 #include "core/station/motion.h"
 #include "core/station/request.h"
@@ -64,18 +65,20 @@ public:
     void describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const;
     // The axes as measured; an error when unknown or older than 1 s.
     [[nodiscard]] Result<AxisPosition> measured() const;
+    // What is added to the targets of the client that is followed now: it is told positions without it.
+    [[nodiscard]] std::optional<AxisPosition> trimInUse() const;
     [[nodiscard]] AlarmBoard& alarms() { return m_alarms; }
     // A drive was lost and nobody has re-armed yet; also while DISCONNECTED hides the word FAULT.
     [[nodiscard]] bool faultLatched() const { return m_arming.fault().has_value(); }
 
     // Whether the drives are fit to move the mount, by the survey of their protections. Nothing moves before.
     void setFitness(const Result<>& fitness) { m_arming.setFitness(fitness); }
+    // What applies at once of a changed profile: in force from the next tick on, also for what moves.
+    void setProfile(const profile::Profile& profile);
     // What the survey knows about a drive now; empty: nothing, its turn is then judged anew.
     void learn(Axis axis, const std::optional<survey::DriveFacts>& facts);
     // The drive was power-cycled under our eyes.
     void driveRestarted(Axis axis);
-    // The operator has drawn the limits anew: in force from the next tick on, also for what moves.
-    void setRegion(const pointing::Region& region);
     // What to do about a bus that is silent although it works: depends on what carries it.
     void setSilenceAdvice(const QString& advice);
     [[nodiscard]] bool answering(Axis axis) const
@@ -132,11 +135,11 @@ private:
     Result<> handle(const request::ChooseTurn& wanted, const Source& source);
     Result<> handle(const request::ProveCrashStop& wanted, const Source& source);
     Result<> handle(const request::EndProof& wanted, const Source& source);
-    template <class Other>
-    Result<> handle(const Other&, const Source&)
-    {
-        return failure(ErrorCode::NotAvailable, "not available yet");
-    }
+    Result<> handle(const request::Nudge& wanted, const Source& source);
+    Result<> handle(const request::ClearTrim& wanted, const Source& source);
+    Result<> handle(const request::AcknowledgeAlarm& wanted, const Source& source);
+    Result<> handle(const request::ApplyProfile& wanted, const Source& source);
+    Result<> handle(const request::Reconnect& wanted, const Source& source);
 
     [[nodiscard]] Result<> mayMove(const Source& source) const;   // armed, and no proof is running
     [[nodiscard]] Result<> mayPoint(const Source& source) const;  // and both axes know where they are
@@ -148,11 +151,15 @@ private:
     [[nodiscard]] AxisPosition turnWithAWay(const AxisPosition& place) const;
     Result<> streamTo(pointing::Resolved resolved, const SkyPointing& asked, const Source& source);
     Result<> runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& text);
+    void setRegion(const pointing::Region& region);
+    [[nodiscard]] Result<> mayJogFirst(const AxisRates& rates);
+    void watchFirstMoves();
+    void setTrim(const AxisPosition& trim, const Source& source);
     void takeOver(const Source& source);
     [[nodiscard]] Result<> mayGiveControl() const;
     void endClientMotion();
     // Into the log; what clients can cause at will is throttled.
-    void tell(Severity severity, const Source& source, const QString& what);
+    void tell(Severity severity, const Source& source, const QString& what, LogKind kind = LogKind::Event);
     void begin(Activity activity, const Source& source, const QString& text);
     void holdHere(Activity activity);
     [[nodiscard]] AxisPosition standing() const;  // where the set-points are, or the axes if nobody moves them
@@ -209,7 +216,9 @@ private:
     QString m_commandText;
     std::optional<SkyPointing> m_wantedDirection;  // as asked, before limits
     bool m_limited = false;
-    std::string m_heldAt;  // what the log last said the motion is held at
+    std::string m_heldAt;   // what the log last said the motion is held at
+    AxisPosition m_trim{};  // what the operator adds to the targets of clients
+    FirstMoves m_firstMoves;
     std::optional<SteadyTime> m_jogDeadline;
     std::array<bool, 2> m_answered{};
     std::array<bool, 2> m_ignoringBounds{};

@@ -173,7 +173,7 @@ std::optional<memory::TurnQuestion> StationControl::turnQuestion(Axis axis) cons
 
 DriveStatus StationControl::driveStatus(Axis axis) const
 {
-    return {.id = axis == Axis::Azimuth ? m_profile.azimuth.id : m_profile.elevation.id,
+    return {.id = m_profile.axis(axis).id,
             .turnKnown = m_turns.known(axis),
             .turnQuestion = turnQuestion(axis),
             .crashStop = m_turns.memory().crashStops[index(axis)]};
@@ -218,6 +218,9 @@ StationStatus StationControl::status() const
     }
     if (m_drives.engaged() && turnsKnown()) {
         status.commanded = pointing::MountModel::toSky(m_motion.place());
+    }
+    if (m_trim != AxisPosition{}) {
+        status.trim = SkyPointing{.azimuth = m_trim.azimuth, .elevation = m_trim.elevation};
     }
     if (m_wantedDirection) {
         status.target = m_wantedDirection;

@@ -92,7 +92,11 @@ rotctld::Limits StationRotator::limits() const
 Result<SkyPointing> StationRotator::position(const rotctld::Client& client)
 {
     m_control.positionRead(client.id);
-    return m_control.measured().map([&](const AxisPosition& axes) {
+    return m_control.measured().map([&](AxisPosition axes) {
+        // In the client's own frame: else it would go on correcting what the operator has trimmed.
+        if (const auto trim = m_control.trimInUse()) {
+            axes = {axes.azimuth - trim->azimuth, axes.elevation - trim->elevation};
+        }
         switch (m_profile.rotctld.azimuth) {
             case profile::AzimuthConvention::ZeroTo360:
                 return SkyPointing{.azimuth = axes.azimuth.wrapped360(), .elevation = axes.elevation};

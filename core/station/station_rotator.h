@@ -15,6 +15,8 @@ class StationRotator final : public rotctld::Rotator
 public:
     StationRotator(StationControl& control, const profile::Profile& profile, EventLog& log, const Clock& clock);
 
+    void setProfile(const profile::Profile& profile) { m_profile = profile; }
+
     [[nodiscard]] std::string info() const override;
     [[nodiscard]] rotctld::Limits limits() const override;
     [[nodiscard]] Result<SkyPointing> position(const rotctld::Client& client) override;

@@ -41,6 +41,7 @@ std::array<CanFrame, 2> StationControl::tick()
     watchDrives();
     keepStopped();
     watchJog();
+    watchFirstMoves();
     watchFitness();
     finishRearm();
     stepProof();

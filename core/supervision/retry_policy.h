@@ -32,6 +32,7 @@ class RetryPolicy
 {
 public:
     explicit RetryPolicy(const profile::RecoverySettings& settings) : m_settings(settings) {}
+    void setSettings(const profile::RecoverySettings& settings) { m_settings = settings; }  // from the next loss on
 
     // A drive was lost. Several losses of one episode: the strictest one decides.
     void lost(LossClass loss, SteadyTime now);

@@ -190,7 +190,7 @@ TEST(StationRegion, DrawnOntoTheMountItHoldsAndOnlyLetsOut)
     RegionRig rig({});
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 310_deg, .elevation = 38_deg}}));
     rig.settle();
-    rig.control.setRegion({.keepOuts = {mast()}});
+    rig.draw({.keepOuts = {mast()}});
     rig.run(Seconds(2.0));
     EXPECT_NEAR(rig.elevationDegrees(), 38, 0.001) << "it does not move by itself";
     for (int i = 0; i < 10; ++i) {
@@ -211,7 +211,7 @@ TEST(StationRegion, AnEdgeDrawnAcrossAGoToEndsItWithTheReason)
     rig.settle();
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 400_deg, .elevation = 5_deg}}));
     rig.tick();
-    rig.control.setRegion({.keepOuts = {mast(90_deg)}});
+    rig.draw({.keepOuts = {mast(90_deg)}});
     rig.run(Seconds(3.0));
     EXPECT_EQ(rig.state(), StationState::Hold);
     EXPECT_LT(rig.azimuthDegrees(), 300.001);

@@ -94,6 +94,12 @@ struct StationRig
         return accepted;
     }
 
+    void draw(const pointing::Region& region)
+    {
+        profile.limits = region;
+        control.setProfile(profile);
+    }
+
     [[nodiscard]] StationState state() const { return control.state(); }
     [[nodiscard]] double azimuthDegrees() const { return control.status().azimuth.actual->degrees(); }
     [[nodiscard]] double elevationDegrees() const { return control.status().elevation.actual->degrees(); }

@@ -316,6 +316,57 @@ TEST(Station, FinishesAfterTheMountStandsStill)
     EXPECT_EQ(rig.link->status().state, LinkState::Closed);
 }
 
+TEST(Station, AppliedSettingsAreInForceAndShownAsTheObjectThatIsObeyed)
+{
+    SurveyedRig rig;
+    rig.station->openAll();
+    rig.run(kSurvey);
+    QSignalSpy applied(rig.station.get(), &Station::profileApplied);
+    profile::Profile wanted = anyPort();
+    wanted.limits.keepOuts = {
+        {.name = "mast", .azimuthFrom = 190_deg, .azimuthTo = 210_deg, .elevationMin = 0_deg, .elevationMax = 80_deg}};
+    wanted.control.tickHz = 100;
+    rig.station->request({.id = 1, .request = request::ApplyProfile{wanted}});
+    rig.run(2);
+    const StationStatus status = rig.station->status();
+    EXPECT_EQ(status.profile->limits, wanted.limits);
+    EXPECT_EQ(status.profile->control.tickHz, 50) << "waits for the new connection";
+    EXPECT_EQ(status.waitingKeys, std::vector<std::string>{"control.tick_hz"});
+    EXPECT_EQ(applied.size(), 1);
+    rig.station->request({.id = 2, .request = kFarAway});
+    rig.run(1);
+    rig.station->updateTaken();
+    rig.station->publish();
+    ASSERT_FALSE(rig.updates.empty());
+    const Answer& answer = rig.updates.back().answers.back();
+    ASSERT_TRUE(answer.error);
+    EXPECT_NE(answer.error->text.find("mast"), std::string::npos) << answer.error->text;
+}
+
+TEST(Station, ReconnectEndsInTheOrderlyWayAndAsksForTheNextStation)
+{
+    SurveyedRig rig;
+    rig.station->openAll();
+    rig.run(kSurvey);
+    QSignalSpy finished(rig.station.get(), &Station::finished);
+    QSignalSpy wanted(rig.station.get(), &Station::reconnectWanted);
+    rig.station->request({.id = 1, .request = kFarAway});
+    rig.run(50);
+    profile::Profile next = anyPort();
+    next.mount.name = "the other mount";
+    rig.station->request({.id = 2, .request = request::Reconnect{next}});
+    rig.run(300);
+    EXPECT_TRUE(wanted.isEmpty()) << "not while the mount moves";
+    rig.station->request({.id = 3, .request = request::Hold{}});
+    rig.run(200);
+    rig.station->request({.id = 4, .request = request::Reconnect{next}});
+    rig.run(50);
+    ASSERT_EQ(wanted.size(), 1);
+    EXPECT_EQ(wanted.front().front().value<profile::Profile>().mount.name, "the other mount");
+    EXPECT_TRUE(finished.isEmpty());
+    EXPECT_EQ(rig.link->status().state, LinkState::Closed);
+}
+
 TEST(Station, TheLogIsOnDisk)
 {
     Rig rig;

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/profile/profile.h"
+#include "core/units/sky.h"
+
+#include <optional>
+
+// Before a person has confirmed which way each axis turns, the mount is moved by hand only: slowly, and no farther than
+// a small way from where the first such motion began. A wrong sign then shows without harm. Pure.
+namespace boresight {
+
+class FirstMoves
+{
+public:
+    static constexpr AngularRate kFastest = AngularRate::fromDegrees(5.0);
+    static constexpr Angle kFarthest = Angle::fromDegrees(1.9);  // 2°, less what a tick adds
+
+    // May the axes, which are at `place`, be jogged so? `rest` is where they would come to rest from such a motion.
+    Result<> admits(const AxisRates& rates, const AxisPosition& place, const AxisPosition& rest);
+    // The axes, braking now, would come to rest beyond the small way.
+    [[nodiscard]] bool exceeded(const AxisPosition& rest) const;
+
+private:
+    std::optional<AxisPosition> m_origin;
+};
+
+// Where an axis that moves so comes to rest when it brakes now, by its own limits.
+[[nodiscard]] Angle restingPlace(const tracking::Setpoint& now, const tracking::MotionLimits& limits);
+
+}  // namespace boresight

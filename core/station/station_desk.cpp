@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of StationControl for the operator's desk: trim, settings, single alarms.
+#include "core/base/numbers.h"
+#include "core/profile/setting.h"
+#include "core/station/station_control.h"
+
+namespace boresight {
+namespace {
+
+// A trim corrects a pointing error; more is another target.
+constexpr Angle kLargestTrim = Angle::fromDegrees(10.0);
+
+Result<> makesSense(const profile::Profile& profile)
+{
+    const auto problems = profile::problemsOf(profile);
+    if (!problems.empty()) {
+        return failure(ErrorCode::InvalidInput, problems.front().key + ": " + problems.front().text);
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<> StationControl::handle(const request::Nudge& wanted, const Source& source)
+{
+    if (m_activity != Activity::Streaming || source.kind != SourceKind::Operator) {
+        return handle(request::Step{.azimuth = wanted.azimuth, .elevation = wanted.elevation}, source);
+    }
+    const AxisPosition trim{.azimuth = m_trim.azimuth + wanted.azimuth,
+                            .elevation = m_trim.elevation + wanted.elevation};
+    if (std::max(abs(trim.azimuth), abs(trim.elevation)) > kLargestTrim) {
+        return failure(ErrorCode::OutOfRange,
+                       "a trim beyond " + formatFixed(kLargestTrim.degrees(), 0) + "° is not a correction any more");
+    }
+    setTrim(trim, source);
+    return {};
+}
+
+Result<> StationControl::handle(const request::ClearTrim&, const Source& source)
+{
+    return operatorOnly(source).map([&] { setTrim({}, source); });
+}
+
+void StationControl::setTrim(const AxisPosition& trim, const Source& source)
+{
+    m_trim = trim;
+    m_motion.setTrim(trim);
+    m_log.add(Severity::Advisory, source.name,
+              QStringLiteral("trims the targets of clients by %1° in azimuth, %2° in elevation")
+                  .arg(trim.azimuth.degrees(), 0, 'f', 2)
+                  .arg(trim.elevation.degrees(), 0, 'f', 2));
+}
+
+Result<> StationControl::handle(const request::AcknowledgeAlarm& wanted, const Source&)
+{
+    m_alarms.acknowledge(wanted.alarmId);
+    return {};
+}
+
+// The station puts it into force; see setProfile().
+Result<> StationControl::handle(const request::ApplyProfile& wanted, const Source& source)
+{
+    return operatorOnly(source).and_then([&] { return makesSense(wanted.profile); });
+}
+
+Result<> StationControl::handle(const request::Reconnect& wanted, const Source& source)
+{
+    return operatorOnly(source).and_then([this] { return drivesRest(); }).and_then([&] {
+        return makesSense(wanted.profile);
+    });
+}
+
+void StationControl::setProfile(const profile::Profile& profile)
+{
+    if (profile.limits != m_profile.limits) {
+        setRegion(profile.limits);
+    }
+    m_profile = profile;
+    for (const Axis axis : kAxes) {
+        m_motion.setLimits(axis, profile.axis(axis).limits);
+    }
+    m_drives.setProfile(profile);
+    m_arming.setProfile(profile);
+    m_azimuthWatch.setProfile(profile);
+    m_elevationWatch.setProfile(profile);
+}
+
+// Nobody has confirmed yet that the axes turn as the profile says.
+Result<> StationControl::mayJogFirst(const AxisRates& rates)
+{
+    if (m_profile.mount.directions == profile::Directions::Confirmed) {
+        return {};
+    }
+    const AxisPosition place = m_drives.engaged() ? m_motion.place() : *m_drives.measured();
+    const auto rest = [&](Axis axis, Angle from, AngularRate wanted) {
+        tracking::Setpoint then = m_motion.setpoint(axis);
+        then.position = from;
+        then.rate = abs(then.rate) > abs(wanted) ? then.rate : wanted;
+        return restingPlace(then, m_profile.axis(axis).limits);
+    };
+    return m_firstMoves.admits(rates, place,
+                               {.azimuth = rest(Axis::Azimuth, place.azimuth, rates.azimuth),
+                                .elevation = rest(Axis::Elevation, place.elevation, rates.elevation)});
+}
+
+void StationControl::watchFirstMoves()
+{
+    if (m_profile.mount.directions == profile::Directions::Confirmed || m_activity != Activity::Jogging) {
+        return;
+    }
+    const auto rest = [this](Axis axis) { return restingPlace(m_motion.setpoint(axis), m_profile.axis(axis).limits); };
+    if (m_drives.engaged() && m_firstMoves.exceeded({rest(Axis::Azimuth), rest(Axis::Elevation)})) {
+        m_log.add(Severity::Advisory, m_commander.name,
+                  QStringLiteral("jog ends: no farther than 2° until the directions of the axes are confirmed"));
+        holdHere(Activity::Holding);
+    }
+}
+
+}  // namespace boresight

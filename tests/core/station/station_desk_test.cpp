@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the operator's desk asks: trim, settings at run time, first moves of an unproven mount, single alarms.
+#include "tests/core/station/station_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+using profile::Directions;
+
+TEST(StationDesk, ANudgeWhileTrackingTrimsWhatTheClientAsks)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(50.0, 30.0, Seconds(30.0)));
+    ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = 0.5_deg, .elevation = -0.25_deg}));
+    EXPECT_EQ(rig.control.status().authority, Authority::Clients) << "the client goes on leading";
+    ASSERT_TRUE(rig.point(50.0, 30.0));
+    rig.run(Seconds(5.0));
+    EXPECT_NEAR(rig.azimuthDegrees(), 50.5, 0.02);
+    EXPECT_NEAR(rig.elevationDegrees(), 29.75, 0.02);
+    ASSERT_TRUE(rig.control.trimInUse());
+    EXPECT_NEAR(rig.control.status().trim->azimuth.degrees(), 0.5, 1e-9);
+    ASSERT_TRUE(rig.ask(request::ClearTrim{}));
+    rig.run(Seconds(5.0));
+    EXPECT_NEAR(rig.azimuthDegrees(), 50.0, 0.02);
+    EXPECT_FALSE(rig.control.status().trim);
+}
+
+TEST(StationDesk, ATrimIsACorrectionNotAnotherTarget)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(50.0, 30.0, Seconds(1.0)));
+    EXPECT_EQ(rig.ask(request::Nudge{.azimuth = 11_deg}).error().code, ErrorCode::OutOfRange);
+    EXPECT_FALSE(rig.ask(request::ClearTrim{}, kClient));
+}
+
+TEST(StationDesk, ANudgeWithoutAStreamIsAStep)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(50.0, 30.0, Seconds(30.0)));
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = 1_deg, .elevation = 0_deg}));
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 51.0, 0.05);
+    EXPECT_FALSE(rig.control.status().trim);
+}
+
+TEST(StationDesk, HorizonKeepsTheAzimuth)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(50.0, 30.0, Seconds(30.0)));
+    ASSERT_TRUE(rig.ask(request::Horizon{}));
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 50.0, 0.05);
+    EXPECT_NEAR(rig.elevationDegrees(), 0.0, 0.05);
+}
+
+TEST(StationDesk, AProfileThatMakesNoSenseIsRefusedWithItsKey)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    profile::Profile odd = rig.profile;
+    odd.jog.slow = 9_deg_s;
+    const Result<> answer = rig.ask(request::ApplyProfile{odd});
+    ASSERT_FALSE(answer);
+    EXPECT_NE(answer.error().text.find("jog."), std::string::npos);
+    EXPECT_FALSE(rig.ask(request::ApplyProfile{rig.profile}, kClient)) << "settings are the operator's";
+}
+
+TEST(StationDesk, NewSettingsAreInForceWithTheNextRequest)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    profile::Profile changed = rig.profile;
+    changed.park = {.azimuth = 33_deg, .elevation = 12_deg};
+    rig.control.setProfile(changed);
+    ASSERT_TRUE(rig.ask(request::Park{}));
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 33.0, 0.05);
+}
+
+TEST(StationDesk, BeforeItsDirectionsAreConfirmedAMountIsJoggedALittleAndSlowly)
+{
+    profile::Profile fresh;
+    fresh.mount.directions = Directions::Unconfirmed;
+    StationRig rig(fresh);
+    rig.run(Seconds(0.1));
+    EXPECT_FALSE(rig.point(50.0, 30.0));
+    EXPECT_FALSE(rig.ask(request::Park{}));
+    EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 5.5_deg_s}}));
+    double farthest = 0.0;
+    for (int repeat = 0; repeat < 200; ++repeat) {
+        (void)rig.ask(request::Jog{{.azimuth = repeat < 100 ? 5_deg_s : 0.5_deg_s}});
+        rig.tick();
+        farthest = std::max(farthest, rig.azimuthDegrees());
+    }
+    EXPECT_LE(farthest, 2.0);
+    EXPECT_GE(farthest, 1.2);
+    EXPECT_TRUE(rig.ask(request::Jog{{.azimuth = -1_deg_s}})) << "the way back";
+    rig.run(Seconds(1.0));
+    fresh.mount.directions = Directions::Confirmed;
+    rig.control.setProfile(fresh);
+    EXPECT_TRUE(rig.point(50.0, 30.0, kOperator));
+}
+
+TEST(StationDesk, OneAlarmIsAcknowledgedAndTheOthersWait)
+{
+    StationRig rig;
+    rig.control.alarms().raise(QStringLiteral("a"), Severity::Warning, {.what = QStringLiteral("one")});
+    rig.control.alarms().raise(QStringLiteral("b"), Severity::Warning, {.what = QStringLiteral("two")});
+    const std::uint64_t first = rig.control.status().alarms.front().id;
+    ASSERT_TRUE(rig.ask(request::AcknowledgeAlarm{first}));
+    for (const Alarm& alarm : rig.control.status().alarms) {
+        EXPECT_EQ(alarm.acknowledged, alarm.id == first);
+    }
+}
+
+TEST(StationDesk, TheLogTellsStartsOfMotionAndAlarmsApart)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(50.0, 30.0, Seconds(1.0)));
+    rig.control.alarms().raise(QStringLiteral("a"), Severity::Warning, {.what = QStringLiteral("one")});
+    const auto lines = rig.log.since(0, EventLog::kCapacity);
+    const auto count = [&](LogKind kind) { return std::ranges::count(lines, kind, &LogEntry::kind); };
+    EXPECT_EQ(count(LogKind::MotionStart), 1);
+    EXPECT_EQ(count(LogKind::Alarm), 1);
+}
+
+}  // namespace
+}  // namespace boresight
