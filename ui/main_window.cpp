@@ -11,6 +11,7 @@
 #include "ui/header_bar.h"
 #include "ui/help_page.h"
 #include "ui/jog_panel.h"
+#include "ui/lead_prompt.h"
 #include "ui/limits_panel.h"
 #include "ui/log_panel.h"
 #include "ui/motion_permission.h"
@@ -52,6 +53,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_cable(new CableBar(this)),
       m_panels(new PanelTabs(clock, m_desk, m_draft, settings, this)),
       m_lastCommand(new ValueLabel(tr("Last line of the log"), fonts::label(), {}, this)),
+      m_leadBar(new LeadPrompt(m_desk, this)),
       m_pickBar(new PromptBar(tr("Direction under the cursor"), this)),
       m_closeBar(new PromptBar(tr("Close"), this)),
       m_goHere(new CommandButton(tr("Go here"), tr("Go to this direction by the nearest turn"), m_desk,
@@ -114,6 +116,7 @@ void MainWindow::build()
 void MainWindow::addPrompts()
 {
     m_plotCell->addWidget(m_pickBar, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
+    m_plotCell->addWidget(m_leadBar, 0, 0, Qt::AlignLeft | Qt::AlignBottom);
     m_plotCell->addWidget(m_closeBar, 0, 0, Qt::AlignHCenter | Qt::AlignTop);
     const auto addButton = [this](PromptBar& bar, const QString& text, void (MainWindow::*act)()) {
         auto* const button = new QPushButton(text, &bar);
@@ -187,6 +190,7 @@ void MainWindow::showStatus(const StationStatus& status)
     m_readout->showStatus(status);
     m_cable->showStatus(status);
     m_panels->showStatus(status);
+    m_leadBar->showStatus(status);
     blockGoHere(status);
 }
 
@@ -289,6 +293,7 @@ void MainWindow::placeCharts(bool inPlaceOfTheSky)
         m_plotCell->addWidget(&charts, 0, 0);
         charts.setLarge(true);
         charts.show();
+        m_leadBar->raise();
         m_closeBar->raise();
     } else {
         m_panels->charts().takeBack();

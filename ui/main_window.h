@@ -25,6 +25,7 @@ class CableBar;
 class CommandButton;
 class HeaderBar;
 class HelpPage;
+class LeadPrompt;
 class PanelTabs;
 class PolarPlot;
 class PromptBar;
@@ -101,6 +102,7 @@ private:
     CableBar* m_cable;
     PanelTabs* m_panels;
     ValueLabel* m_lastCommand;
+    LeadPrompt* m_leadBar;
     PromptBar* m_pickBar;
     PromptBar* m_closeBar;
     CommandButton* m_goHere;

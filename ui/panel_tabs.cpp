@@ -3,6 +3,7 @@
 
 #include "ui/axes.h"
 #include "ui/charts_panel.h"
+#include "ui/clients_panel.h"
 #include "ui/drives_panel.h"
 #include "ui/jog_panel.h"
 #include "ui/limits_panel.h"
@@ -23,6 +24,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
       m_jog(new JogPanel(clock, desk, settings, this)),
       m_charts(new ChartsPanel(clock, this)),
       m_limits(new LimitsPanel(draft, desk, this)),
+      m_clients(new ClientsPanel(draft, desk, this)),
       m_log(new LogPanel(this)),
       m_drives(new DrivesPanel(desk, this)),
       m_protection(new ProtectionPanel(desk, this)),
@@ -33,6 +35,8 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
     addPanel(*this, *m_jog, tr("Jog"), tr("Jog panel (Ctrl+1)"), Qt::Key_1);
     addPanel(*this, *m_charts, tr("Charts"), tr("Position, error and drive over the time (Ctrl+2)"), Qt::Key_2);
     addPanel(*this, *m_limits, tr("Limits"), tr("Limits, horizon and keep-outs (Ctrl+3)"), Qt::Key_3);
+    addPanel(*this, *m_clients, tr("Clients"), tr("rotctld clients, and who of them moves the mount (Ctrl+4)"),
+             Qt::Key_4);
     addPanel(*this, *m_log, tr("Log"), tr("Log panel (Ctrl+5)"), Qt::Key_5);
     addTab(makeMountTabs(), tr("Mount"));
     addPanel(*this, *m_turn, tr("▲ Turn?"), tr("Which turn is the axis on? (Ctrl+9)"), Qt::Key_9);
@@ -87,6 +91,7 @@ void PanelTabs::showStatus(const StationStatus& status)
     m_jog->showStatus(status);
     m_charts->charts().showStatus(status);
     m_limits->showStatus(status);
+    m_clients->showStatus(status);
     m_drives->showStatus(status);
     m_protection->showStatus(status);
     m_turn->showStatus(status);

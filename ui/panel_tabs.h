@@ -15,6 +15,7 @@
 namespace boresight::ui {
 
 class ChartsPanel;
+class ClientsPanel;
 class DrivesPanel;
 class JogPanel;
 class LimitsPanel;
@@ -51,6 +52,7 @@ private:
     JogPanel* m_jog;
     ChartsPanel* m_charts;
     LimitsPanel* m_limits;
+    ClientsPanel* m_clients;
     LogPanel* m_log;
     DrivesPanel* m_drives;
     ProtectionPanel* m_protection;

@@ -7,9 +7,9 @@
 
 namespace boresight::ui {
 
-PromptBar::PromptBar(const QString& accessibleName, QWidget* parent)
+PromptBar::PromptBar(const QString& accessibleName, QWidget* parent, const QString& widest)
     : QFrame(parent),
-      m_text(new ValueLabel(accessibleName, fonts::text(), QStringLiteral("Stopping and closing …"), this)),
+      m_text(new ValueLabel(accessibleName, fonts::text(), widest, this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_buttons(new QHBoxLayout)
 {
@@ -29,6 +29,11 @@ PromptBar::PromptBar(const QString& accessibleName, QWidget* parent)
 void PromptBar::addButton(QWidget& button)
 {
     m_buttons->addWidget(&button);
+}
+
+void PromptBar::setLines(int lines)
+{
+    m_text->setLines(lines);
 }
 
 void PromptBar::setText(const QString& text)

@@ -16,10 +16,13 @@ class PromptBar : public QFrame
     Q_OBJECT
 
 public:
-    PromptBar(const QString& accessibleName, QWidget* parent);
+    // `widest`: the longest text; a shorter one has its room.
+    PromptBar(const QString& accessibleName, QWidget* parent,
+              const QString& widest = QStringLiteral("Stopping and closing …"));
 
     void addButton(QWidget& button);
     void setText(const QString& text);
+    void setLines(int lines);  // of the text
 
     [[nodiscard]] ValueLabel& notice() { return *m_notice; }
 

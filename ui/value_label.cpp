@@ -114,13 +114,15 @@ QRect ValueLabel::textRect() const
 }
 
 // What there is room for; the whole is in the tooltip.
-QString ValueLabel::fitted(QSize room, int flags) const
+QString ValueLabel::fitted(QSize room) const
 {
     if (m_lines == 1) {
         return fontMetrics().elidedText(m_text, Qt::ElideRight, room.width());
     }
     const auto fits = [&](const QString& text) {
-        return fontMetrics().boundingRect(QRect(0, 0, room.width(), QWIDGETSIZE_MAX), flags, text).height() <=
+        // Without the alignment: in the middle of so high a rectangle the height is rounded up.
+        const QRect endless(0, 0, room.width(), QWIDGETSIZE_MAX);
+        return fontMetrics().boundingRect(endless, Qt::TextWordWrap, text).height() <=
                std::max(room.height(), linesHeight());
     };
     if (fits(m_text)) {
@@ -143,7 +145,7 @@ void ValueLabel::paintEvent(QPaintEvent*)
     const QColor colour = currentTheme().colour(m_tone);
     const QRect room = textRect();
     const int flags = int(m_alignment) | (m_lines > 1 ? int(Qt::TextWordWrap) : int(Qt::TextSingleLine));
-    const QString shown = fitted(room.size(), flags);
+    const QString shown = fitted(room.size());
     if (m_symbol != Symbol::None && m_symbolShown) {
         const QRect used = fontMetrics().boundingRect(room, flags, shown);
         const double size = symbolSize();

@@ -42,7 +42,7 @@ protected:
 
 private:
     [[nodiscard]] QRect textRect() const;
-    [[nodiscard]] QString fitted(QSize room, int flags) const;
+    [[nodiscard]] QString fitted(QSize room) const;
     [[nodiscard]] double symbolSize() const;
     [[nodiscard]] int linesHeight() const;
     [[nodiscard]] int symbolRoom() const;  // symbol and the gap behind it

@@ -47,6 +47,8 @@ StationStatus elevationPlaces()
 
 constexpr Scene kScenes[] = {{"track", midPass, '1'},
                              {"log", midPass, '5'},
+                             {"clients", samples::fighting, '4'},
+                             {"no-clients", samples::disconnected, '4'},
                              {"charts", midPass, '2'},
                              {"charts-turn", threePlaces, '2'},
                              {"late", late, '1'},

@@ -459,6 +459,34 @@ StationStatus withClients(StationStatus status, int count)
     return status;
 }
 
+StationStatus fighting()
+{
+    StationStatus status = withClients(tracking(330.0), 3);
+    status.listening = QStringLiteral("0.0.0.0:4533");
+    ClientStatus& leader = status.clients[0];
+    leader = {
+        .id = 1,
+        .address = QStringLiteral("127.0.0.1:51234"),
+        .program = QStringLiteral("Gpredict or SatDump"),
+        .lastCommand = QStringLiteral("P 339.50 57.00"),
+        .commandsPerSecond = 1.3,
+        .driving = true,
+        .leading = true,
+        .advice = QStringLiteral("this Gpredict updates only every 10°: set Threshold to 0.1 in its Antenna Control")};
+    status.clients[1] = {.id = 2,
+                         .address = QStringLiteral("192.168.100.109:50112"),
+                         .program = QStringLiteral("CQRLOG"),
+                         .lastCommand = QStringLiteral("P 57 0"),
+                         .commandsPerSecond = 2.0,
+                         .wanting = true};
+    status.clients[2] = {.id = 3,
+                         .address = QStringLiteral("10.0.0.12:40007"),
+                         .lastCommand = QStringLiteral("p"),
+                         .commandsPerSecond = 10.0,
+                         .readOnly = true};
+    return status;
+}
+
 std::vector<TickSample> ticks(SteadyTime begin, double seconds)
 {
     std::vector<TickSample> ticks;

@@ -28,6 +28,8 @@ inline constexpr double kPassLength = 600.0;
 [[nodiscard]] StationStatus asking(Axis axis, int places, Angle period, bool proposed);
 [[nodiscard]] StationStatus withAge(StationStatus status, std::chrono::milliseconds age);
 [[nodiscard]] StationStatus withClients(StationStatus status, int count);
+// A Gpredict that leaps leads, a logging program wants to, a third only reads.
+[[nodiscard]] StationStatus fighting();
 
 // The ticks of such passes, 50 a second, from `begin` on for `seconds`: gusts in the torque, a jolt each 97 s.
 [[nodiscard]] std::vector<TickSample> ticks(SteadyTime begin, double seconds);

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window_fixture.h"
+#include "ui/choice_button.h"
+#include "ui/client_model.h"
+#include "ui/lead_prompt.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QPushButton>
+#include <QTableView>
+
+namespace boresight::ui {
+namespace {
+
+// A leading Gpredict, a logging program that wants to drive, a third one that is read-only.
+class ClientsPanelTest : public WindowFixture
+{
+protected:
+    ClientsPanelTest()
+    {
+        give(samples::update(samples::fighting()));
+        openPanel('4');
+    }
+
+    QTableView& table() { return *named<QTableView>("Clients"); }
+    QString cell(int row, ClientModel::Column column) { return table().model()->index(row, column).data().toString(); }
+    void select(int row)
+    {
+        const QRect place = table().visualRect(table().model()->index(row, 0));
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, place.center());
+    }
+    void click(const char* name) { QTest::mouseClick(named<QPushButton>(name), Qt::LeftButton); }
+    void choose(const QString& text)
+    {
+        for (ChoiceButton* const button : window.findChildren<ChoiceButton*>()) {
+            if (button->text() == text && button->isVisible()) {
+                QTest::mouseClick(button, Qt::LeftButton);
+                return;
+            }
+        }
+        ADD_FAILURE() << "no choice " << text.toStdString();
+    }
+    static StationUpdate with(profile::Lead lead, const char* lockedTo)
+    {
+        StationStatus status = samples::fighting();
+        profile::Profile profile = *status.profile;
+        profile.rotctld.lead = lead;
+        profile.rotctld.lockedTo = lockedTo;
+        status.profile = std::make_shared<const profile::Profile>(profile);
+        return samples::update(status);
+    }
+};
+
+TEST_F(ClientsPanelTest, ShowsWhoIsThereAndWhatEachMayDo)
+{
+    ASSERT_EQ(table().model()->rowCount(), 3);
+    EXPECT_EQ(cell(0, ClientModel::Address).toStdString(), "127.0.0.1:51234");
+    EXPECT_EQ(cell(0, ClientModel::Program).toStdString(), "Gpredict or SatDump");
+    EXPECT_EQ(cell(0, ClientModel::Rate).toStdString(), "1.3");
+    EXPECT_EQ(cell(0, ClientModel::LastCommand).toStdString(), "P 339.50 57.00");
+    EXPECT_EQ(cell(0, ClientModel::Role).toStdString(), "● drives");
+    EXPECT_EQ(cell(1, ClientModel::Role).toStdString(), "▲ wants to");
+    EXPECT_EQ(cell(2, ClientModel::Role).toStdString(), "read-only");
+    EXPECT_EQ(cell(2, ClientModel::Program).toStdString(), "unknown");
+    EXPECT_TRUE(text("About the selected client").contains(QStringLiteral("set Threshold to 0.1")));
+    EXPECT_FALSE(named<ValueLabel>("About the selected client")->isElided());
+}
+
+TEST_F(ClientsPanelTest, NothingCanBeDoneAboutNobody)
+{
+    for (const char* const name : {"Give control", "Read-only", "Disconnect", "Lock"}) {
+        EXPECT_FALSE(named<QPushButton>(name)->isEnabled()) << name;
+        EXPECT_TRUE(named<QPushButton>(name)->toolTip().endsWith(QStringLiteral("select a client first"))) << name;
+        click(name);
+    }
+    EXPECT_TRUE(requests.empty());
+}
+
+TEST_F(ClientsPanelTest, GivesControlToTheSelectedOne)
+{
+    select(0);
+    EXPECT_FALSE(named<QPushButton>("Give control")->isEnabled()) << "it has it";
+    select(1);
+    click("Give control");
+    ASSERT_EQ(asked<request::GiveLead>().size(), 1U);
+    EXPECT_EQ(asked<request::GiveLead>()[0].clientId, 2U);
+}
+
+TEST_F(ClientsPanelTest, RowsThatMoveKeepTheirSelection)
+{
+    select(1);
+    StationStatus left = samples::fighting();
+    left.clients.erase(left.clients.begin());
+    give(samples::update(left));
+    EXPECT_EQ(table().currentIndex().row(), 0);
+    click("Disconnect");
+    ASSERT_EQ(asked<request::Disconnect>().size(), 1U);
+    EXPECT_EQ(asked<request::Disconnect>()[0].clientId, 2U);
+    left.clients.erase(left.clients.begin());
+    give(samples::update(left));
+    EXPECT_FALSE(named<QPushButton>("Disconnect")->isEnabled()) << "the selected one has left";
+}
+
+TEST_F(ClientsPanelTest, MakesReadOnlyAndBack)
+{
+    select(1);
+    click("Read-only");
+    select(2);
+    click("May move");
+    const auto set = asked<request::SetReadOnly>();
+    ASSERT_EQ(set.size(), 2U);
+    EXPECT_EQ(set[0].clientId, 2U);
+    EXPECT_TRUE(set[0].readOnly);
+    EXPECT_EQ(set[1].clientId, 3U);
+    EXPECT_FALSE(set[1].readOnly);
+}
+
+TEST_F(ClientsPanelTest, WorksByKeys)
+{
+    table().setFocus();  // the first line is then the current one
+    QTest::keyClick(&table(), Qt::Key_Down);
+    EXPECT_EQ(table().currentIndex().row(), 1);
+    QTest::keyClick(&table(), Qt::Key_Tab);
+    EXPECT_EQ(QApplication::focusWidget(), named<QPushButton>("Give control"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+    EXPECT_EQ(asked<request::GiveLead>().size(), 1U);
+}
+
+TEST_F(ClientsPanelTest, LocksToTheHostOfTheSelectedOne)
+{
+    select(1);
+    click("Lock");
+    const auto applied = asked<request::ApplyProfile>();
+    ASSERT_EQ(applied.size(), 1U);
+    EXPECT_EQ(applied[0].profile.rotctld.lead, profile::Lead::Locked);
+    EXPECT_EQ(applied[0].profile.rotctld.lockedTo, "192.168.100.109");
+    profile::Profile otherwise = applied[0].profile;
+    otherwise.rotctld.lead = profile::Lead::First;
+    otherwise.rotctld.lockedTo.clear();
+    EXPECT_EQ(otherwise, *samples::fighting().profile) << "nothing else is changed";
+}
+
+TEST_F(ClientsPanelTest, TheRuleFollowsTheStatusNotTheClick)
+{
+    choose(QStringLiteral("Last"));
+    const auto applied = asked<request::ApplyProfile>();
+    ASSERT_EQ(applied.size(), 1U);
+    EXPECT_EQ(applied[0].profile.rotctld.lead, profile::Lead::Last);
+    EXPECT_TRUE(named<ChoiceButton>("The first client moves the mount until it is silent for 10 s")->isChecked());
+    StationUpdate answer = with(profile::Lead::Last, "");
+    answer.answers.push_back({requests.back().id, std::nullopt});
+    give(answer);
+    EXPECT_TRUE(named<ChoiceButton>("Whoever sent the last target moves the mount, as with Hamlib")->isChecked());
+    select(1);
+    EXPECT_FALSE(named<QPushButton>("Give control")->isEnabled()) << "whoever sends last moves it";
+}
+
+TEST_F(ClientsPanelTest, ARefusedRuleSaysWhyAndLeavesNoEdit)
+{
+    choose(QStringLiteral("Last"));
+    give(samples::refusal(samples::fighting(), requests.back().id, "the mount moves"));
+    bool said = false;
+    for (const ValueLabel* const label : window.findChildren<ValueLabel*>()) {
+        said = said || label->text() == QStringLiteral("Who moves: the mount moves");
+    }
+    EXPECT_TRUE(said);
+    requests.clear();
+    choose(QStringLiteral("Last"));
+    EXPECT_EQ(asked<request::ApplyProfile>().size(), 1U);
+}
+
+TEST_F(ClientsPanelTest, WhoIsLockedOutCanNotBeGivenControl)
+{
+    give(with(profile::Lead::Locked, "10.0.0.77"));
+    select(1);
+    EXPECT_TRUE(
+        named<QPushButton>("Give control")->toolTip().endsWith(QStringLiteral("the mount is locked to 10.0.0.77")));
+    choose(QStringLiteral("First"));
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1U);
+    EXPECT_EQ(asked<request::ApplyProfile>()[0].profile.rotctld.lead, profile::Lead::First);
+    EXPECT_EQ(asked<request::ApplyProfile>()[0].profile.rotctld.lockedTo, "");
+}
+
+TEST_F(ClientsPanelTest, CopiesWhatGpredictMustBeTold)
+{
+    click("Copy the settings for Gpredict");
+    EXPECT_EQ(QApplication::clipboard()->text().toStdString(),
+              "Gpredict: Edit > Preferences > Interfaces > Rotators > Add New\n"
+              "Host: address of this computer\n"
+              "Port: 4533\n"
+              "Az type: 0° → 180° → 360°\n"
+              "Min Az: 0  Max Az: 360  Min El: 0  Max El: 90\n"
+              "Antenna Control: Cycle 1000 msec, Threshold 0.1 deg\n");
+}
+
+TEST_F(ClientsPanelTest, ShowsWhoMayConnect)
+{
+    EXPECT_EQ(text("Who may connect").toStdString(), "Whoever can reach 0.0.0.0:4533 may connect");
+    StationStatus status = samples::fighting();
+    profile::Profile profile = *status.profile;
+    profile.rotctld.allow = {"127.0.0.1", "10.0.0.0/8"};
+    status.profile = std::make_shared<const profile::Profile>(profile);
+    give(samples::update(status));
+    EXPECT_EQ(text("Who may connect").toStdString(), "May connect to 0.0.0.0:4533: 127.0.0.1, 10.0.0.0/8");
+    give(samples::update(samples::idle()));
+    EXPECT_EQ(text("Who may connect").toStdString(), "Any program on this computer may connect (127.0.0.1:4533)");
+}
+
+class LeadPromptTest : public WindowFixture
+{
+protected:
+    LeadPromptTest() { give(samples::update(samples::fighting())); }
+    LeadPrompt& prompt() { return *window.findChild<LeadPrompt*>(); }
+    void click(const char* name)
+    {
+        for (QPushButton* const button : prompt().findChildren<QPushButton*>()) {
+            if (button->accessibleName() == QLatin1String(name)) {
+                QTest::mouseClick(button, Qt::LeftButton);
+            }
+        }
+    }
+};
+
+TEST_F(LeadPromptTest, AsksOverThePlotWhateverPanelIsOpen)
+{
+    EXPECT_TRUE(prompt().isVisible());
+    EXPECT_EQ(text("A client wants to drive").toStdString(), "192.168.100.109 wants to drive");
+    EXPECT_FALSE(named<ValueLabel>("A client wants to drive")->isElided());
+    click("Give");
+    ASSERT_EQ(asked<request::GiveLead>().size(), 1U);
+    EXPECT_EQ(asked<request::GiveLead>()[0].clientId, 2U);
+    give(samples::update(samples::idle()));
+    EXPECT_FALSE(prompt().isVisible()) << "nobody wants to any more";
+}
+
+TEST_F(LeadPromptTest, WhoIsIgnoredIsNotAskedAboutAgain)
+{
+    click("Ignore");
+    give(samples::update(samples::fighting()));
+    EXPECT_FALSE(prompt().isVisible());
+    EXPECT_TRUE(asked<request::GiveLead>().empty());
+    StationStatus another = samples::fighting();
+    another.clients[1].id = 7;  // its program has connected anew
+    give(samples::update(another));
+    EXPECT_TRUE(prompt().isVisible());
+}
+
+TEST_F(LeadPromptTest, AsksAboutOneUntilThatIsAnswered)
+{
+    StationStatus two = samples::fighting();
+    two.clients[0].wanting = true;  // an earlier one wants it, too
+    two.clients[0].address = QStringLiteral("192.168.100.109:40001");
+    give(samples::update(two));
+    EXPECT_EQ(text("A client wants to drive").toStdString(), "Port 50112 wants to drive");
+    click("Give");
+    ASSERT_EQ(asked<request::GiveLead>().size(), 1U);
+    EXPECT_EQ(asked<request::GiveLead>()[0].clientId, 2U);
+}
+
+}  // namespace
+}  // namespace boresight::ui

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/client_model.h"
+
+#include "ui/theme.h"
+
+#include <algorithm>
+
+namespace boresight::ui {
+
+namespace {
+
+QString cell(const ClientStatus& client, int column)
+{
+    switch (column) {
+        case ClientModel::Address:
+            return client.address;
+        case ClientModel::Program:
+            return client.program.isEmpty() ? ClientModel::tr("unknown") : client.program;
+        case ClientModel::Rate:
+            return QString::number(client.commandsPerSecond, 'f', 1);
+        case ClientModel::LastCommand:
+            return client.lastCommand;
+        default:
+            return roleWord(client);
+    }
+}
+
+QString help(const ClientStatus& client)
+{
+    QString text = ClientModel::tr("%1, %2: %3 commands a second, last %4")
+                       .arg(client.address, cell(client, ClientModel::Program), cell(client, ClientModel::Rate),
+                            client.lastCommand.isEmpty() ? ClientModel::tr("none") : client.lastCommand);
+    if (!client.advice.isEmpty()) {
+        text += QLatin1Char('\n') + client.advice;
+    }
+    return text;
+}
+
+}  // namespace
+
+QString roleWord(const ClientStatus& client)
+{
+    QString word = client.readOnly  ? ClientModel::tr("read-only")
+                   : client.driving ? ClientModel::tr("● drives")
+                   : client.leading ? ClientModel::tr("leads")
+                   : client.wanting ? ClientModel::tr("▲ wants to")
+                                    : QString();
+    if (client.locked) {
+        word += (word.isEmpty() ? QString() : QStringLiteral(", ")) + ClientModel::tr("locked");
+    }
+    return word;
+}
+
+void ClientModel::show(const std::vector<ClientStatus>& clients)
+{
+    if (std::ranges::equal(clients, m_clients, {}, &ClientStatus::id, &ClientStatus::id)) {
+        m_clients = clients;
+        if (!m_clients.empty()) {
+            Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+        }
+        return;
+    }
+    beginResetModel();
+    m_clients = clients;
+    endResetModel();
+}
+
+std::optional<int> ClientModel::rowOf(std::uint64_t id) const
+{
+    const auto found = std::ranges::find(m_clients, id, &ClientStatus::id);
+    return found == m_clients.end() ? std::nullopt : std::optional(static_cast<int>(found - m_clients.begin()));
+}
+
+int ClientModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_clients.size());
+}
+
+int ClientModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant ClientModel::data(const QModelIndex& index, int role) const
+{
+    const ClientStatus& one = client(index.row());
+    switch (role) {
+        case Qt::DisplayRole:
+            return cell(one, index.column());
+        case Qt::ToolTipRole:
+            return help(one);
+        case Qt::TextAlignmentRole:
+            return index.column() == Rate ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
+        case Qt::ForegroundRole:
+            return one.wanting && index.column() == Role ? QVariant(currentTheme().warning) : QVariant();
+        default:
+            return {};
+    }
+}
+
+QVariant ClientModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
+        return {};
+    }
+    switch (section) {
+        case Address:
+            return tr("Address");
+        case Program:
+            return tr("Program");
+        case Rate:
+            return tr("1/s");
+        case LastCommand:
+            return tr("Last");
+        default:
+            return tr("Control");
+    }
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+#include <QString>
+
+// What a Gpredict must be told to use this mount, by the names of its own dialogs, ready to be copied.
+namespace boresight::ui {
+
+[[nodiscard]] QString gpredictSettings(const StationStatus& status);  // several lines
+[[nodiscard]] QString gpredictInBrief(const StationStatus& status);   // one line
+
+}  // namespace boresight::ui
