@@ -164,6 +164,25 @@ TEST(ClientsByProfile, LastAsHamlibAndLocked)
     EXPECT_FALSE(elsewhere.status().clients.at(0).wanting) << "the operator wants it so";
 }
 
+TEST(ClientsByProfile, TheRuleAndWhoMayConnectChangeWhileRunning)
+{
+    SimulatedStation rig;
+    const auto one = rig.connect();
+    const auto other = rig.connect();
+    ASSERT_EQ(one->ask("P 10 20\n"), kDone);
+    EXPECT_EQ(other->ask("P 20 20\n"), kRefused);
+    profile::Profile profile = *rig.status().profile;
+    profile.rotctld.lead = profile::Lead::Last;
+    ASSERT_EQ(rig.ask(request::ApplyProfile{profile}), "");
+    EXPECT_EQ(other->ask("P 20 20\n"), kDone);
+    profile.rotctld.allow = {"10.0.0.0/8"};
+    ASSERT_EQ(rig.ask(request::ApplyProfile{profile}), "");
+    EXPECT_EQ(other->receiveUntilClosed(), "");
+    EXPECT_TRUE(rig.status().clients.empty());
+    EXPECT_EQ(rig.connect()->receiveUntilClosed(), "");
+    EXPECT_TRUE(rig.logSays(QStringLiteral("refused: its address is not among those that may connect")));
+}
+
 // As Gpredict is delivered, with a Threshold of 5°, and after its user has followed the advice.
 TEST(ClientsAdvice, AGpredictThatLeapsIsToldWhatToSet)
 {
