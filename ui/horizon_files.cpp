@@ -2,11 +2,11 @@
 #include "ui/horizon_files.h"
 
 #include "core/profile/horizon_text.h"
+#include "ui/text_file.h"
 
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 
 namespace boresight::ui {
 
@@ -46,12 +46,7 @@ Result<QString> importHorizon(ProfileDraft& draft, const QString& path)
 Result<> exportHorizon(const ProfileDraft& draft, const QString& path)
 {
     const profile::Profile& profile = draft.edited();
-    QSaveFile file(path);
-    const std::string text = profile::toHorizonText(profile.limits.horizon, profile.mount.name);
-    if (!file.open(QIODevice::WriteOnly) || file.write(QByteArray::fromStdString(text)) < 0 || !file.commit()) {
-        return failure(ErrorCode::Io, file.errorString().toStdString());
-    }
-    return {};
+    return saveText(path, QString::fromStdString(profile::toHorizonText(profile.limits.horizon, profile.mount.name)));
 }
 
 }  // namespace boresight::ui

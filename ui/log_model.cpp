@@ -2,6 +2,7 @@
 #include "ui/log_model.h"
 
 #include "ui/format.h"
+#include "ui/lines_view.h"
 #include "ui/symbol.h"
 #include "ui/theme.h"
 
@@ -49,8 +50,11 @@ QVariant LogModel::data(const QModelIndex& index, int role) const
     if (role == Qt::ForegroundRole && line.severity != Severity::Advisory) {
         return currentTheme().colour(toneOf(line.severity));
     }
-    if (role == Qt::ToolTipRole) {
+    if (role == Qt::ToolTipRole || role == FileLineRole) {
         return logLine(line);
+    }
+    if (role == WholeTextRole) {
+        return QString(clockText(line.utc) + QStringLiteral("Z  ") + line.source + QLatin1Char('\n') + line.text);
     }
     if (role != Qt::DisplayRole) {
         return {};
@@ -59,7 +63,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const
         case Time:
             return clockText(line.utc);
         case From:
-            return line.source;
+            return shortSource(line);
         default:
             // Colour never stands alone: the same shapes as everywhere, as characters.
             return line.severity == Severity::Alarm     ? QStringLiteral("■ ") + line.text
@@ -83,6 +87,12 @@ QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role
     }
 }
 
+void LogFilter::setKind(LogKind kind)
+{
+    m_kind = kind;
+    invalidateFilter();
+}
+
 void LogFilter::setSource(LogSource source)
 {
     m_source = source;
@@ -104,7 +114,7 @@ void LogFilter::setText(const QString& text)
 bool LogFilter::filterAcceptsRow(int row, const QModelIndex&) const
 {
     const LogEntry& line = static_cast<const LogModel*>(sourceModel())->entry(row);
-    return (m_source == LogSource::All || sourceOf(line) == m_source) &&
+    return (!m_kind || line.kind == *m_kind) && (m_source == LogSource::All || sourceOf(line) == m_source) &&
            (!m_warningsOnly || line.severity != Severity::Advisory) &&
            (line.text.contains(m_text, Qt::CaseInsensitive) || line.source.contains(m_text, Qt::CaseInsensitive));
 }
@@ -115,6 +125,15 @@ LogSource sourceOf(const LogEntry& entry)
         return LogSource::Clients;
     }
     return entry.source == QLatin1String("operator") ? LogSource::Operator : LogSource::Station;
+}
+
+QString shortSource(const LogEntry& entry)
+{
+    if (sourceOf(entry) != LogSource::Clients) {
+        return entry.source;
+    }
+    const qsizetype port = entry.source.lastIndexOf(QLatin1Char(':'));
+    return port < 0 ? entry.source : QStringLiteral("rotctld ") + entry.source.mid(port);
 }
 
 QString logLine(const LogEntry& entry)

@@ -9,7 +9,8 @@
 #include <deque>
 #include <optional>
 
-// The station's log as a table (time, source, text), bounded; and the filter over it. Gui thread.
+// The station's log as a table (time, source, text) in the order in which the lines came, bounded; and the filter over
+// it. The lines' own numbers are not looked at: they begin anew with every station. Gui thread.
 namespace boresight::ui {
 
 class LogModel : public QAbstractTableModel
@@ -55,6 +56,7 @@ class LogFilter : public QSortFilterProxyModel
 public:
     using QSortFilterProxyModel::QSortFilterProxyModel;
 
+    void setKind(LogKind kind);  // only these
     void setSource(LogSource source);
     void setWarningsOnly(bool on);
     void setText(const QString& text);  // in source or text, any case
@@ -63,12 +65,14 @@ protected:
     [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
 
 private:
+    std::optional<LogKind> m_kind;
     LogSource m_source = LogSource::All;
     bool m_warningsOnly = false;
     QString m_text;
 };
 
 [[nodiscard]] LogSource sourceOf(const LogEntry& entry);
-[[nodiscard]] QString logLine(const LogEntry& entry);  // with date, for copying
+[[nodiscard]] QString shortSource(const LogEntry& entry);  // a client by its port: "rotctld :51234"
+[[nodiscard]] QString logLine(const LogEntry& entry);      // with date, for the clipboard and for a file
 
 }  // namespace boresight::ui

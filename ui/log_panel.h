@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/log_model.h"
+#include "core/station/station_status.h"
 
 #include <QWidget>
 
-class QModelIndex;
-class QTableView;
+class QHBoxLayout;
+class QStackedWidget;
 
-// Every command with its source and what became of it, faults and remarks: filter by source, by severity, by text;
-// copy the selected lines (or all that are shown); the current line is shown whole below the list. Follows the newest
-// line while it is scrolled to the end.
+// What happened, seen in two ways: who moved the mount and why; every event.
 namespace boresight::ui {
 
-class ValueLabel;
+class ChoiceButton;
+class LogModel;
+class LogPage;
 
 class LogPanel : public QWidget
 {
@@ -24,18 +24,17 @@ public:
 
     void append(const std::vector<LogEntry>& entries);
 
-    [[nodiscard]] const LogFilter& shown() const { return *m_filter; }
+    [[nodiscard]] const LogPage& events() const { return *m_events; }
+    [[nodiscard]] const LogPage& motions() const { return *m_motions; }
 
 private:
-    QWidget* makeFilterRow();
-    QTableView* makeTable();
-    void showWhole(const QModelIndex& current);
-    void copy() const;
+    ChoiceButton* addPage(QWidget& page, const QString& text, const QString& help);
 
     LogModel* m_model;
-    LogFilter* m_filter;
-    QTableView* m_table;
-    ValueLabel* m_whole;
+    LogPage* m_events;
+    LogPage* m_motions;
+    QHBoxLayout* m_choice;
+    QStackedWidget* m_pages;
 };
 
 }  // namespace boresight::ui
