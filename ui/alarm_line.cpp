@@ -100,8 +100,8 @@ void AlarmLine::showWorst(const StationStatus& status)
     m_advice->setValue(advice.join(QLatin1Char(' ')));
     QString all;
     for (const Alarm& alarm : status.alarms) {
-        all += dateText(alarm.since) + QLatin1Char('\n') + alarm.what + QLatin1Char('\n') + alarm.action +
-               QLatin1Char('\n') + alarm.remedy + QStringLiteral("\n\n");
+        all += dateText(alarm.since) + (alarm.active ? QString() : tr(", over")) + QLatin1Char('\n') + alarm.what +
+               QLatin1Char('\n') + alarm.action + QLatin1Char('\n') + alarm.remedy + QStringLiteral("\n\n");
     }
     m_what->setToolTip(all.trimmed());
     m_advice->setToolTip(m_what->toolTip());

@@ -39,8 +39,10 @@ AlarmBoard::AlarmBoard(EventLog& log, const Clock& clock) : m_clock(clock), m_li
 
 void AlarmBoard::raise(const QString& cause, Severity severity, const AlarmText& text)
 {
-    const AlarmText whole{
-        .what = asSentence(text.what), .action = asSentence(text.action), .remedy = asSentence(text.remedy)};
+    const AlarmText whole{.what = asSentence(text.what),
+                          .action = asSentence(text.action),
+                          .remedy = asSentence(text.remedy),
+                          .symptom = text.symptom};
     if (m_alarms.raise(cause, severity, whole, m_clock.utc())) {
         // The line begins with the cause: "azimuth drive: fault 38: …".
         const QString named = cause + QLatin1Char(' ');

@@ -15,7 +15,7 @@ bool AlarmList::raise(const QString& cause, Severity severity, const AlarmText& 
 {
     auto entry = find(cause);
     if (entry == m_entries.end()) {
-        m_entries.push_back({.cause = cause, .alarm = {}});
+        m_entries.push_back({.cause = cause, .alarm = {}, .symptom = text.symptom});
         entry = std::prev(m_entries.end());
         entry->alarm.active = false;
     }
@@ -24,6 +24,7 @@ bool AlarmList::raise(const QString& cause, Severity severity, const AlarmText& 
     if (isNew) {
         alarm = Alarm{.id = m_nextId++, .since = now};
     }
+    entry->symptom = text.symptom;
     alarm.severity = severity;
     alarm.what = text.what;
     alarm.action = text.action;
@@ -66,14 +67,16 @@ bool AlarmList::active(const QString& cause) const
 
 std::vector<Alarm> AlarmList::list() const
 {
-    std::vector<Alarm> alarms;
-    alarms.reserve(m_entries.size());
-    std::ranges::transform(m_entries, std::back_inserter(alarms), &Entry::alarm);
-    // What still lasts and was not seen comes first; among equals the oldest: it is more likely the cause than a
-    // result.
-    std::ranges::sort(alarms, {}, [](const Alarm& alarm) {
-        return std::tuple(-static_cast<int>(alarm.severity), !alarm.active, alarm.acknowledged, alarm.id);
+    std::vector<Entry> entries = m_entries;
+    // The oldest of equals is more likely the cause than a result.
+    std::ranges::sort(entries, {}, [](const Entry& entry) {
+        const Alarm& alarm = entry.alarm;
+        return std::tuple(!alarm.active, -static_cast<int>(alarm.severity), alarm.acknowledged, entry.symptom,
+                          alarm.id);
     });
+    std::vector<Alarm> alarms;
+    alarms.reserve(entries.size());
+    std::ranges::transform(entries, std::back_inserter(alarms), &Entry::alarm);
     return alarms;
 }
 

@@ -18,6 +18,7 @@ struct AlarmText
     QString what;
     QString action;
     QString remedy;
+    bool symptom = false;  // what else lasts and is as bad is more likely the cause, and is shown first
 };
 
 class AlarmList
@@ -31,7 +32,8 @@ public:
     void acknowledge(std::uint64_t id);  // one that is gone already stays gone
 
     [[nodiscard]] bool active(const QString& cause) const;
-    // Active or not yet acknowledged, worst first; among equals what lasts and was not seen, then the oldest.
+    // What lasts before what is over; then the worst first; among equals what was not seen, then causes before
+    // symptoms, then the oldest.
     [[nodiscard]] std::vector<Alarm> list() const;
 
 private:
@@ -39,6 +41,7 @@ private:
     {
         QString cause;
         Alarm alarm;
+        bool symptom = false;
     };
 
     [[nodiscard]] std::vector<Entry>::iterator find(const QString& cause);

@@ -11,7 +11,8 @@ AlarmText silenced(const QString& drive, Seconds watchdog)
     return {.what = QStringLiteral("No reply from the %1").arg(drive),
             .action = QStringLiteral("Motion ended; the drive, if it has power, stops itself by its watchdog (%1 s)")
                           .arg(watchdog.count()),
-            .remedy = QStringLiteral("Check the supply, the CAN cable and the adapter, then re-arm")};
+            .remedy = QStringLiteral("Check the supply, the CAN cable and the adapter, then re-arm"),
+            .symptom = true};
 }
 
 QString likely(const moteus::FaultText& text)
@@ -54,7 +55,16 @@ AlarmText silent(const QString& drive)
     return {.what = QStringLiteral("No reply from the %1").arg(drive),
             .action = QStringLiteral("Nothing is commanded"),
             .remedy = QStringLiteral("Check the supply, the CAN cable, the adapter and the drive's id in the profile; "
-                                     "boresightctl scan tells who answers")};
+                                     "boresightctl scan tells who answers"),
+            .symptom = true};
+}
+
+AlarmText answersAgain(const QString& drive)
+{
+    return {.what = QStringLiteral("The %1 fell silent; it answers again").arg(drive),
+            .action = QStringLiteral("Motion ended; nothing moves before a re-arm"),
+            .remedy = QStringLiteral("Look for a loose plug, a worn cable or a weak supply, then re-arm"),
+            .symptom = true};
 }
 
 AlarmText lost(const QString& drive, DriveLoss loss, int faultCode, Seconds watchdog)

@@ -14,7 +14,8 @@ namespace boresight::drive_alarms {
 
 [[nodiscard]] QString toQString(std::string_view text);
 
-[[nodiscard]] AlarmText silent(const QString& drive);  // nothing was commanded
+[[nodiscard]] AlarmText silent(const QString& drive);        // nothing was commanded
+[[nodiscard]] AlarmText answersAgain(const QString& drive);  // and waits for a re-arm
 [[nodiscard]] AlarmText lost(const QString& drive, DriveLoss loss, int faultCode, Seconds watchdog);
 [[nodiscard]] AlarmText activeLimit(const QString& drive, int code);
 [[nodiscard]] AlarmText supervised(const supervision::Observed& observed);

@@ -5,6 +5,7 @@
 #include "core/station/drive_alarms.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace boresight {
 namespace {
@@ -91,8 +92,11 @@ std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive)
         text.remedy = m_silenceAdvice + QStringLiteral(" Then re-arm");
     }
     m_alarms.raise(drive_alarms::toQString(drive.name()), Severity::Alarm, text);
+    m_silenceTold = *loss == DriveLoss::Silent;
     m_supervisor.forgetMotion();
-    return Trouble{.what = text.what, .loss = classOf(*loss, code)};
+    // The reason of a latch outlasts the silence itself.
+    const QString fellSilent = QStringLiteral("the %1 fell silent").arg(drive_alarms::toQString(drive.name()));
+    return Trouble{.what = m_silenceTold ? fellSilent : text.what, .loss = classOf(*loss, code)};
 }
 
 void DriveWatch::watchSilence(const Drive& drive, const Context& context)
@@ -101,12 +105,15 @@ void DriveWatch::watchSilence(const Drive& drive, const Context& context)
     if (drive.answering(context.now) || context.silenceExpected) {
         if (!context.faultLatched) {
             m_alarms.clear(name);
+        } else if (!context.silenceExpected && std::exchange(m_silenceTold, false)) {
+            m_alarms.raise(name, Severity::Alarm, drive_alarms::answersAgain(name));
         }
     } else if (context.running > kPatienceAtStart && !m_alarms.active(name)) {
         AlarmText text = drive_alarms::silent(name);
         if (!m_silenceAdvice.isEmpty()) {
             text.remedy = m_silenceAdvice;
         }
+        m_silenceTold = true;
         m_alarms.raise(name, Severity::Alarm, text);
     }
 }

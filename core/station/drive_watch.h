@@ -69,6 +69,7 @@ private:
     AlarmBoard& m_alarms;
     supervision::AxisSupervisor m_supervisor;
     QString m_silenceAdvice;
+    bool m_silenceTold = false;                                  // and not that it is over
     std::map<supervision::Finding, supervision::Weight> m_told;  // what has an alarm now
     std::set<supervision::Finding> m_stops;                      // what is dangerous now
     SteadyTime m_observed{};                                     // the reply last shown to the supervisor

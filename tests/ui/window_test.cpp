@@ -229,6 +229,16 @@ TEST_F(WindowTest, AlarmsAreShownAcknowledgedAndFaultsReArmed)
     EXPECT_FALSE(named<CommandButton>("Acknowledge")->isVisible());
 }
 
+TEST_F(WindowTest, TheListOfAlarmsSaysWhichAreOver)
+{
+    StationStatus status = samples::faulted();
+    status.alarms.back().active = false;
+    give(samples::update(status));
+    const QString list = named<ValueLabel>("Worst alarm")->toolTip();
+    EXPECT_EQ(list.count(QStringLiteral(", over\n")), 1) << list.toStdString();
+    EXPECT_GT(list.indexOf(QStringLiteral(", over")), list.indexOf(QStringLiteral("fault 38")));
+}
+
 TEST_F(WindowTest, AnOldRefusalNextToAnotherControlStaysThere)
 {
     QTest::keyClick(&window, Qt::Key_P, Qt::ControlModifier);

@@ -81,7 +81,34 @@ TEST(AlarmList, WorstFirstThenTheCauseBeforeItsResults)
     };
     EXPECT_EQ(ids(), (std::vector<std::uint64_t>{2, 3, 1}));
     alarms.clear(QStringLiteral("2"));
-    EXPECT_EQ(ids(), (std::vector<std::uint64_t>{3, 2, 1})) << "what is over is less urgent";
+    EXPECT_EQ(ids(), (std::vector<std::uint64_t>{3, 1, 2})) << "what is over is less urgent";
+}
+
+// Story: two red alarms that were over stood in the line while the elevation drive was getting hot, in amber.
+TEST(AlarmList, WhatLastsComesBeforeWhatIsOver)
+{
+    AlarmList alarms;
+    alarms.raise(QStringLiteral("1"), Severity::Alarm, kText, {});
+    alarms.raise(QStringLiteral("2"), Severity::Warning, kText, {});
+    alarms.acknowledgeAll();
+    alarms.raise(QStringLiteral("3"), Severity::Alarm, kText, {});
+    alarms.clear(QStringLiteral("1"));
+    alarms.clear(QStringLiteral("3"));
+    ASSERT_EQ(alarms.list().size(), 2U);
+    EXPECT_EQ(alarms.list().front().severity, Severity::Warning);
+}
+
+// Story: "no reply … are the drives powered?" hid that the adapter was gone, because it was noticed first.
+TEST(AlarmList, TheCauseComesBeforeASymptomThatWasSeenEarlier)
+{
+    AlarmList alarms;
+    AlarmText silence = kText;
+    silence.symptom = true;
+    alarms.raise(QStringLiteral("silence"), Severity::Alarm, silence, {});
+    alarms.raise(kCause, Severity::Alarm, kText, {});
+    EXPECT_EQ(alarms.list().front().id, 2U);
+    alarms.clear(kCause);
+    EXPECT_EQ(alarms.list().front().id, 1U) << "alone it comes first";
 }
 
 }  // namespace

@@ -74,6 +74,29 @@ TEST(StationControl, ASilentBusInMidMotionNeedsRearm)
     EXPECT_TRUE(rig.point(100.0, 60.0));
 }
 
+// Story: the drives had answered for ten seconds, and FAULT still said "no reply from the azimuth drive".
+TEST(StationControl, ADriveThatAnswersAgainSaysSoWhileItWaitsForTheRearm)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(2.0)));
+    rig.azimuth.silent = true;
+    rig.azimuth.mode = Mode::PositionTimeout;
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.control.status().alarms.front().what, QStringLiteral("No reply from the azimuth drive."));
+    rig.azimuth.silent = false;
+    rig.run(Seconds(0.5));
+    const StationStatus back = rig.control.status();
+    EXPECT_EQ(back.state, StationState::Fault);
+    EXPECT_EQ(back.alarms.front().what, QStringLiteral("The azimuth drive fell silent; it answers again."));
+    EXPECT_TRUE(back.alarms.front().remedy.contains(QStringLiteral("re-arm")));
+    EXPECT_EQ(back.stateReason, QStringLiteral("the azimuth drive fell silent"));
+    rig.control.alarms().acknowledgeAll();
+    rig.run(Seconds(1.5));
+    ASSERT_TRUE(rig.ask(request::Rearm{}));
+    rig.run(Seconds(0.5));
+    EXPECT_TRUE(rig.control.status().alarms.empty());
+}
+
 TEST(StationControl, AFaultAtStartIsShownAndNeedsRearm)
 {
     StationRig rig;
