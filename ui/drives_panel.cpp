@@ -62,6 +62,20 @@ QDoubleSpinBox* makeRate(QWidget* parent)
     return rate;
 }
 
+// "Also on the bus, not in the profile: id 5 (3f2a9c1d…e811, 1.1.0)".
+QString strangersText(const std::vector<survey::Stranger>& strangers)
+{
+    QStringList boards;
+    for (const survey::Stranger& one : strangers) {
+        boards << DrivesPanel::tr("id %1 (%2, %3)")
+                      .arg(one.id)
+                      .arg(shortened(one.identity.uuid), known(one.identity.firmware));
+    }
+    return boards.isEmpty()
+               ? QString()
+               : DrivesPanel::tr("Also on the bus, not in the profile: %1").arg(boards.join(QStringLiteral(", ")));
+}
+
 Sentence crashStopSentence(const DriveStatus& drive)
 {
     if (!drive.crashStop) {
@@ -82,6 +96,7 @@ Sentence crashStopSentence(const DriveStatus& drive)
 
 DrivesPanel::DrivesPanel(RequestDesk& desk, QWidget* parent)
     : AskingPanel(desk, parent),
+      m_strangers(new ValueLabel(tr("Unknown boards on the bus"), fonts::label(), {}, this)),
       m_survey(new ValueLabel(tr("Survey of the drives"), fonts::label(), {}, this)),
       m_arming(new ValueLabel(tr("May the mount move"), fonts::label(), {}, this)),
       m_proof(new ValueLabel(tr("Crash-stop proof"), fonts::label(), {}, this)),
@@ -141,7 +156,7 @@ QWidget* DrivesPanel::makeIdentities()
         row = {.id = value(tr("Id"), "126"),
                .uuid = value(tr("UUID"), "00000000…0000"),
                .firmware = value(tr("Firmware"), "00.00.00"),
-               .registerMap = value(tr("Register map"), "00"),
+               .registerMap = value(tr("Register map"), "---"),
                .turn = value(tr("Turn"), "unknown")};
         row.turn->setFont(fonts::label());
         row.turn->setSymbolRoom(true);
@@ -153,6 +168,8 @@ QWidget* DrivesPanel::makeIdentities()
         }
     }
     grid->setColumnStretch(column, 1);
+    m_strangers->setStretching(true);
+    grid->addWidget(m_strangers, 3, 0, 1, column + 1);
     return box;
 }
 
@@ -188,6 +205,8 @@ void DrivesPanel::showStatus(const StationStatus& status)
     for (const Axis axis : kAxes) {
         showDrive(axis);
     }
+    const QString strangers = strangersText(status.drives.strangers);
+    m_strangers->setValue(strangers, Tone::Warning, strangers.isEmpty() ? Symbol::None : Symbol::Warning);
     const Sentence survey = surveySentence(status.drives);
     m_survey->setValue(survey.text, survey.tone, survey.symbol);
     const Sentence arming = armingSentence(status.drives);

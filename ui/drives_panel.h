@@ -41,6 +41,7 @@ private:
     StationStatus m_status;
     std::array<Identity, 2> m_identities;       // by axis
     std::array<ValueLabel*, 2> m_crashStops{};  // by axis
+    ValueLabel* m_strangers;
     ValueLabel* m_survey;
     ValueLabel* m_arming;
     ValueLabel* m_proof;

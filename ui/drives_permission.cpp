@@ -78,7 +78,8 @@ QString whyNoRelease(const StationStatus& status)
     if (isMoving(status)) {
         return tr("the mount moves, press \"Hold\" first");
     }
-    return whyNoReading(status);
+    // A reading may be left in the midst, it changes nothing.
+    return status.drives.survey == survey::SurveyState::Fixing ? whyNoReading(status) : QString();
 }
 
 QString whyNoProof(const StationStatus& status)

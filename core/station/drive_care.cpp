@@ -136,6 +136,7 @@ void DriveCare::fill(DrivesStatus& drives) const
     drives.survey = m_survey.state();
     drives.surveyText = m_survey.progress();
     drives.fixable = m_survey.isFixable();
+    drives.strangers = m_survey.strangers();
     fill(Axis::Azimuth, drives.azimuth);
     fill(Axis::Elevation, drives.elevation);
 }

@@ -27,13 +27,14 @@ struct DriveStatus
 struct DrivesStatus
 {
     survey::SurveyState survey = survey::SurveyState::NotDone;
-    QString surveyText;         // while running: "reading servo.timeout_mode of azimuth"
-    QString armingObstacle;     // why nothing may move yet; empty when the drives are fit
-    bool released = false;      // the bus is left to other tools
-    bool switchedOn = false;    // a drive is under our orders: settings can not be written
-    bool fixable = false;       // Fix has something to write or to store
-    bool proofRunning = false;  // the crash-stop proof moves the mount
-    QString proofText;          // what it does now, or how it ended
+    QString surveyText;                       // while running: "reading servo.timeout_mode of azimuth"
+    QString armingObstacle;                   // why nothing may move yet; empty when the drives are fit
+    bool released = false;                    // the bus is left to other tools
+    bool switchedOn = false;                  // a drive is under our orders: settings can not be written
+    bool fixable = false;                     // Fix has something to write or to store
+    bool proofRunning = false;                // the crash-stop proof moves the mount
+    QString proofText;                        // what it does now, or how it ended
+    std::vector<survey::Stranger> strangers;  // boards that the profile does not know
     DriveStatus azimuth;
     DriveStatus elevation;
 };

@@ -37,6 +37,13 @@ DriveSurvey::DriveSurvey(const profile::Profile& profile, const KnownBoards& kno
 
 void DriveSurvey::begin(SteadyTime now)
 {
+    m_retrying = false;
+    m_fixed = false;
+    start(now);
+}
+
+void DriveSurvey::start(SteadyTime now)
+{
     m_retryAt.reset();
     m_state = SurveyState::Running;
     m_scan.begin(now);
@@ -46,6 +53,9 @@ void DriveSurvey::forget()
 {
     m_state = SurveyState::NotDone;
     m_retryAt.reset();
+    m_retrying = false;
+    m_fixed = false;
+    m_strangers.clear();
     m_findings.clear();
     for (Side& side : m_sides) {
         side.drive.forget();
@@ -69,6 +79,7 @@ Result<> DriveSurvey::fix(SteadyTime)
         }
     }
     m_state = SurveyState::Fixing;
+    m_fixed = false;
     return {};
 }
 
@@ -88,7 +99,7 @@ void DriveSurvey::setKnownBoards(const KnownBoards& known)
 std::vector<CanFrame> DriveSurvey::frames(SteadyTime now)
 {
     if (m_retryAt && now >= *m_retryAt) {
-        begin(now);
+        start(now);
     }
     if (m_state == SurveyState::Running && m_scan.isRunning()) {
         std::vector<CanFrame> frames = m_scan.frames(now);
@@ -156,12 +167,27 @@ bool DriveSurvey::anyBusy() const
 void DriveSurvey::endReading(SteadyTime now)
 {
     const bool complete = std::ranges::all_of(m_sides, [](const Side& side) { return side.drive.isComplete(); });
+    const bool stored =
+        std::ranges::all_of(m_sides, [](const Side& side) { return side.drive.fixTrouble().isEmpty(); });
+    m_fixed = m_state == SurveyState::Fixing && complete && stored;
+    m_retrying = !complete;
     m_state = complete ? SurveyState::Done : SurveyState::NotDone;
     m_retryAt = complete ? std::nullopt : std::optional(now + kRetryTime);
     for (Side& side : m_sides) {
         collectFacts(side);
     }
+    collectStrangers();
     collectFindings();
+}
+
+void DriveSurvey::collectStrangers()
+{
+    m_strangers.clear();
+    for (const FoundController& board : m_scan.controllers()) {
+        if (std::ranges::find(m_sides, board.id, &Side::id) == m_sides.end()) {
+            m_strangers.push_back({.id = board.id, .identity = identityOf(board)});
+        }
+    }
 }
 
 void DriveSurvey::collectFacts(Side& side)
@@ -249,8 +275,14 @@ Result<> DriveSurvey::fitToMove() const
 
 QString DriveSurvey::progress() const
 {
+    if (m_retrying) {  // one text for all that begins anew every 2 seconds
+        return QStringLiteral("not all drives can be read; they are looked for every 2 seconds");
+    }
     if (m_state == SurveyState::Running && m_scan.isRunning()) {
         return QStringLiteral("looking for the drives");
+    }
+    if (m_fixed) {
+        return QStringLiteral("the settings were written, read back and stored");
     }
     QStringList texts;
     for (const Side& side : m_sides) {

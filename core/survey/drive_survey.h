@@ -46,10 +46,15 @@ public:
     void take(const CanFrame& frame);
 
     [[nodiscard]] bool isFixable() const;  // there is something that fix() would write or store
-    [[nodiscard]] SurveyState state() const { return m_state; }
+    // A survey that is only repeated until all drives are there is NotDone.
+    [[nodiscard]] SurveyState state() const { return m_retrying ? SurveyState::NotDone : m_state; }
+    // Runs, or will again by itself.
+    [[nodiscard]] bool isUnderWay() const { return m_state != SurveyState::NotDone || m_retryAt; }
     [[nodiscard]] QString progress() const;  // what it does, or why it is not done; may be empty
     [[nodiscard]] const std::optional<DriveFacts>& facts(Axis axis) const { return side(axis).facts; }
     [[nodiscard]] std::span<const ProtectionLine> protections(Axis axis) const { return side(axis).drive.lines(); }
+    // Boards that the profile does not know, of the last scan that ended.
+    [[nodiscard]] const std::vector<Stranger>& strangers() const { return m_strangers; }
     // In the operator's words why nothing may move yet.
     [[nodiscard]] Result<> fitToMove() const;
     // Of the last survey that ended, the weightiest first; a running one keeps them.
@@ -69,10 +74,12 @@ private:
     };
 
     [[nodiscard]] const Side& side(Axis axis) const { return m_sides[axis == Axis::Azimuth ? 0 : 1]; }
+    void start(SteadyTime now);
     [[nodiscard]] bool anyBusy() const;
     void endScan(SteadyTime now);
     void endReading(SteadyTime now);
     void collectFacts(Side& side);
+    void collectStrangers();
     void collectFindings();
     void addProtectionFinding(const Side& side, Verdict verdict);
 
@@ -82,6 +89,9 @@ private:
     std::array<Side, 2> m_sides;
     SurveyState m_state = SurveyState::NotDone;
     std::optional<SteadyTime> m_retryAt;
+    bool m_retrying = false;  // a survey has ended without all drives, and is repeated
+    bool m_fixed = false;     // the last thing done was a Fix that worked
+    std::vector<Stranger> m_strangers;
     std::vector<Finding> m_findings;
 };
 

@@ -44,6 +44,15 @@ struct DriveIdentity
     bool operator==(const DriveIdentity&) const = default;
 };
 
+// A board on the bus that is none of ours.
+struct Stranger
+{
+    int id = 0;
+    DriveIdentity identity;
+
+    bool operator==(const Stranger&) const = default;
+};
+
 enum class FindingWeight
 {
     Advice,

@@ -102,6 +102,43 @@ TEST_F(DrivesTest, ShowsWhoTheDrivesAre)
     EXPECT_EQ(named<ValueLabel>("Turn of the azimuth drive")->symbol(), Symbol::Warning);
 }
 
+TEST_F(DrivesTest, ABoardThatTheProfileDoesNotKnowIsListed)
+{
+    EXPECT_EQ(text("Unknown boards on the bus"), QString());
+    StationStatus status = samples::idle();
+    status.drives.strangers = {{.id = 5,
+                                .identity = {.uuid = QStringLiteral("3f2a9c1d-77b0-4e0c-9a52-5b1d20c4e811"),
+                                             .firmware = QStringLiteral("1.1.0"),
+                                             .registerMap = 5}}};
+    open<DrivesPanel>();
+    give(samples::update(status));
+    EXPECT_EQ(text("Unknown boards on the bus"),
+              QStringLiteral("Also on the bus, not in the profile: id 5 (3f2a9c1d…e811, 1.1.0)"));
+    EXPECT_FALSE(named<ValueLabel>("Unknown boards on the bus")->isElided());
+}
+
+TEST_F(DrivesTest, WhatIsNotKnownIsShownWhole)
+{
+    open<DrivesPanel>();
+    give(samples::update(samples::released()));
+    for (const char* const one : {"Register map of the azimuth drive", "Firmware of the elevation drive",
+                                  "UUID of the elevation drive", "May the mount move"}) {
+        EXPECT_FALSE(named<ValueLabel>(one)->isElided()) << one;
+    }
+}
+
+// Story: with a board missing the drives were read again every two seconds, and Release bus was shut most of the time.
+TEST_F(DrivesTest, TheBusCanBeReleasedWhileTheDrivesAreRead)
+{
+    open<DrivesPanel>();
+    give(samples::update(samples::reading()));
+    EXPECT_TRUE(named<CommandButton>("Release bus")->isEnabled());
+    StationStatus fixing = samples::reading();
+    fixing.drives.survey = survey::SurveyState::Fixing;
+    give(samples::update(fixing));
+    expectBlocked("Release bus", "settings are being written");
+}
+
 TEST_F(DrivesTest, TheTableSetsFoundAgainstWantedWithShapeAndWord)
 {
     give(samples::update(samples::factoryDrives()));

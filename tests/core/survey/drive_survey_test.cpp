@@ -144,6 +144,27 @@ TEST(DriveSurvey, NoticesASilentBus)
     EXPECT_EQ(obstacle(rig.drives), "");
 }
 
+// Story: the page changed between "not read", "looking" and "reading …" every two seconds.
+TEST(DriveSurvey, RepeatsItselfWithOneTextAndListsStrangers)
+{
+    profile::Profile profile;
+    profile.elevation.id = 5;
+    SurveyRig rig(sim::commissionedPair(), profile);
+    rig.survey();
+    const QString text = rig.drives.progress();
+    EXPECT_THAT(text.toStdString(), HasSubstr("every 2 seconds"));
+    for (int i = 0; i < 400; ++i) {
+        rig.tick();
+        ASSERT_EQ(rig.drives.progress(), text) << i;
+        ASSERT_EQ(rig.drives.state(), SurveyState::NotDone) << i;
+        ASSERT_EQ(rig.drives.strangers().size(), 1U) << i;
+    }
+    EXPECT_EQ(rig.drives.strangers().front().id, 2);
+    EXPECT_FALSE(rig.drives.strangers().front().identity.uuid.isEmpty());
+    rig.drives.begin(rig.now());
+    EXPECT_EQ(rig.drives.state(), SurveyState::Running) << "when somebody asks for it";
+}
+
 TEST(DriveSurvey, RefusesAnUnknownRegisterMap)
 {
     SurveyRig rig;

@@ -51,9 +51,11 @@ TEST(Fix, IsStoredForThePowerUp)
     ASSERT_TRUE(rig.drives.fix(rig.now()));
     ASSERT_TRUE(rig.reaches(SurveyState::Done));
     EXPECT_EQ(obstacle(rig.drives), "");
+    EXPECT_EQ(rig.drives.progress(), QStringLiteral("the settings were written, read back and stored"));
     rig.pair.faults().add({.kind = FaultKind::PowerLoss, .at = rig.elapsed(), .duration = Seconds(3.0)});
     rig.run(Seconds(10.0));
     ASSERT_EQ(rig.drives.state(), SurveyState::Done);
+    EXPECT_EQ(rig.drives.progress(), QString()) << "this is a later reading";
     EXPECT_EQ(wrongLines(rig.drives, Axis::Elevation), 0);
     EXPECT_EQ(rig.pair.drive(Axis::Elevation).driveConfig().servo.timeoutMode, 10);
 }
