@@ -8,6 +8,9 @@
 namespace boresight {
 namespace {
 
+// Then the drives' silence is told too.
+constexpr std::chrono::seconds kSilencePatience{1};
+
 survey::KnownBoards knownBoards(const memory::MountMemory& memory)
 {
     survey::KnownBoards known;
@@ -66,6 +69,20 @@ void DriveCare::watchConnection(SteadyTime now)
     if (came) {
         m_survey.begin(now);
     }
+    watchSilence(now);
+}
+
+// Two boards with one id destroy each other's answers to all but the survey's own question: where nobody answers, it is
+// asked all the same.
+void DriveCare::watchSilence(SteadyTime now)
+{
+    if (m_control.busReleased() || m_answering[0] || m_answering[1]) {
+        m_silentSince.reset();
+    } else if (!m_silentSince) {
+        m_silentSince = now;
+    } else if (now - *m_silentSince >= kSilencePatience && !m_survey.isUnderWay()) {
+        m_survey.begin(now);
+    }
 }
 
 void DriveCare::tellControl()
@@ -84,6 +101,9 @@ void DriveCare::tellFindings()
 {
     std::vector<QString> causes;
     for (const survey::Finding& finding : m_survey.findings()) {
+        if (finding.cause == survey::kNobodyAnswers) {
+            continue;  // each drive has an alarm for its silence
+        }
         m_control.alarms().raise(finding.cause, severityOf(finding.weight),
                                  {.what = finding.what, .action = finding.action, .remedy = finding.remedy});
         causes.push_back(finding.cause);

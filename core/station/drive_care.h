@@ -33,6 +33,7 @@ public:
 
 private:
     void watchConnection(SteadyTime now);
+    void watchSilence(SteadyTime now);
     void tellControl();
     void tellFindings();
     void tellChanges();
@@ -43,7 +44,8 @@ private:
     survey::DriveSurvey m_survey;
     std::array<int, 2> m_rebootsTold{};
     std::array<bool, 2> m_answering{};
-    std::vector<QString> m_findingsTold;  // their causes
+    std::optional<SteadyTime> m_silentSince;  // of both drives, on a bus that is ours
+    std::vector<QString> m_findingsTold;      // their causes
 };
 
 }  // namespace boresight

@@ -177,7 +177,7 @@ std::vector<Finding> identityFindings(const profile::Profile& profile, const Kno
                                       std::span<const FoundController> found)
 {
     if (found.empty()) {
-        return {{.cause = QStringLiteral("drives.none"),
+        return {{.cause = kNobodyAnswers,
                  .weight = FindingWeight::Blocking,
                  .what = QStringLiteral("no drive answers on the bus"),
                  .action = QStringLiteral("they are looked for every 2 seconds"),

@@ -17,6 +17,7 @@ namespace {
 using survey::SurveyState;
 using survey::Verdict;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const Source kOperator{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
 constexpr Seconds kTick{0.02};
@@ -250,6 +251,32 @@ TEST(DriveCare, OnAReleasedBusNothingIsSaidAndChangesAreToldAfterwards)
     ASSERT_TRUE(rig.endsItsSurvey());
     EXPECT_TRUE(rig.logSays("changed meanwhile: azimuth: servo.timeout_mode was 10, is 12"));
     EXPECT_THAT(rig.ask(kGo), HasSubstr("servo.timeout_mode is 12"));
+}
+
+// Story: the screen said "no reply" for ever: each of two boards with the id 1 destroyed the other's answers, and the
+// survey that knows the one question both can answer waited for a drive to answer.
+TEST(DriveCare, TwoBoardsWithOneIdAreRecognisedByThemselves)
+{
+    CareRig rig(sim::factoryPair());
+    rig.run(Seconds(4.0));
+    EXPECT_TRUE(rig.alarm("No reply from the azimuth drive"));
+    ASSERT_TRUE(rig.alarm("wo boards have the id 1"));
+    EXPECT_TRUE(rig.control.status().alarms.front().what.contains(QStringLiteral("wo boards have the id 1")))
+        << "the cause before what it leads to";
+    EXPECT_THAT(rig.ask(kGo), Not(""));
+}
+
+TEST(DriveCare, NobodyAtAllIsToldOncePerDriveOnly)
+{
+    CareRig rig;
+    rig.linkOpen = false;
+    rig.run(Seconds(8.0));
+    EXPECT_EQ(rig.control.status().alarms.size(), 2U);
+    EXPECT_TRUE(rig.surveyed);
+    rig.linkOpen = true;
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    rig.run(Seconds(0.2));
+    EXPECT_EQ(rig.ask(kGo), "");
 }
 
 }  // namespace
