@@ -22,7 +22,7 @@ public:
     struct Context
     {
         SteadyTime now{};
-        Seconds running{0.0};  // since the start of the program
+        Seconds running{0.0};  // since the start of the program, or since the bus was taken back
         bool turnKnown = false;
         bool faultLatched = false;
         bool ownOrders = false;        // an active drive may still carry out what was ours

@@ -225,8 +225,8 @@ private:
     bool m_turnsWereKnown = false;
     ShutDown m_shutDown = ShutDown::No;
     SteadyTime m_shutDownDeadline{};
-    SteadyTime m_started{};
-    SteadyTime m_now{};  // of the running or last tick
+    SteadyTime m_started{};  // the program, or the use of a bus that was taken back
+    SteadyTime m_now{};      // of the running or last tick
     std::uint64_t m_tick = 0;
 };
 

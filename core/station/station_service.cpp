@@ -87,6 +87,7 @@ Result<> StationControl::handle(const request::TakeBus&, const Source& source)
             return failure(ErrorCode::Refused, "the bus was not left to other tools");
         }
         m_arming.setReleased(false);
+        m_started = m_clock.now();  // the drives have had no question yet
         m_log.add(Severity::Advisory, source.name, QStringLiteral("takes the bus back: the drives are read anew"));
         return {};
     });

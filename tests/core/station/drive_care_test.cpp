@@ -248,6 +248,7 @@ TEST(DriveCare, OnAReleasedBusNothingIsSaidAndChangesAreToldAfterwards)
     ASSERT_EQ(rig.ask(request::TakeBus{}), "");
     rig.linkOpen = true;
     rig.run(Seconds(0.2));
+    EXPECT_FALSE(rig.logSays("No reply")) << "they had no question yet";
     ASSERT_TRUE(rig.endsItsSurvey());
     EXPECT_TRUE(rig.logSays("changed meanwhile: azimuth: servo.timeout_mode was 10, is 12"));
     EXPECT_THAT(rig.ask(kGo), HasSubstr("servo.timeout_mode is 12"));
