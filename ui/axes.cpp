@@ -37,6 +37,12 @@ bool isTurnKnown(const StationStatus& status, Axis axis)
     return driveOf(status, axis).turnKnown;
 }
 
+bool isTurnAwaited(const StationStatus& status, Axis axis)
+{
+    const bool reading = status.drives.survey == survey::SurveyState::Running;
+    return reading && !isTurnKnown(status, axis) && !driveOf(status, axis).turnQuestion;
+}
+
 bool areTurnsKnown(const StationStatus& status)
 {
     return isTurnKnown(status, Axis::Azimuth) && isTurnKnown(status, Axis::Elevation);

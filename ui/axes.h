@@ -19,6 +19,8 @@ inline constexpr std::array kAxes{Axis::Azimuth, Axis::Elevation};
 [[nodiscard]] const AxisStatus& axisOf(const StationStatus& status, Axis axis);
 [[nodiscard]] const DriveStatus& driveOf(const StationStatus& status, Axis axis);
 [[nodiscard]] bool isTurnKnown(const StationStatus& status, Axis axis);
+// The survey of the drives, which may tell the turn, has not ended: nothing is said about it yet.
+[[nodiscard]] bool isTurnAwaited(const StationStatus& status, Axis axis);
 [[nodiscard]] bool areTurnsKnown(const StationStatus& status);
 // The axis whose turn the operator is asked for; when both ask, azimuth comes first.
 [[nodiscard]] std::optional<Axis> askingAxis(const StationStatus& status);

@@ -146,11 +146,11 @@ void AxisReadout::showStatus(const StationStatus& status)
 {
     m_shown = {status.azimuth, status.elevation};
     for (const Axis axis : kAxes) {
-        showRow(axis, isTurnKnown(status, axis));
+        showRow(axis, isTurnKnown(status, axis), isTurnAwaited(status, axis));
     }
 }
 
-void AxisReadout::showRow(Axis which, bool turnKnown)
+void AxisReadout::showRow(Axis which, bool turnKnown, bool turnAwaited)
 {
     const Row& row = m_rows[axisIndex(which)];
     const AxisStatus& axis = m_shown[axisIndex(which)];
@@ -165,7 +165,7 @@ void AxisReadout::showRow(Axis which, bool turnKnown)
     const bool comparable = known && turnKnown && axis.target;
     row.error->setValue(comparable ? signedAngleText(*axis.target - *axis.actual) : noValue(),
                         comparable ? tone : Tone::Secondary);
-    const Worded state = worded(axis, turnKnown);
+    const Worded state = worded(axis, turnKnown || turnAwaited);
     row.state->setValue(state.word, state.tone, state.symbol);
     row.detail->setValue(detailText(axis, turnKnown), age == Freshness::Live ? Tone::Secondary : Tone::Warning);
 }

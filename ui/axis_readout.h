@@ -37,7 +37,7 @@ private:
     };
 
     Row makeRow(Axis axis);
-    void showRow(Axis which, bool turnKnown);
+    void showRow(Axis which, bool turnKnown, bool turnAwaited);
 
     std::array<Row, 2> m_rows;  // by Axis
     std::array<AxisStatus, 2> m_shown;

@@ -48,7 +48,8 @@ void CableBar::showStatus(const StationStatus& status)
     const bool known = isTurnKnown(status, Axis::Azimuth);
     const std::optional<Angle> actual = age == Freshness::NoData || !known ? std::nullopt : axis.actual;
     const std::optional<Angle> commanded = known ? axis.commanded : std::nullopt;
-    const QString place = actual ? angleText(*actual, 0) : age == Freshness::NoData ? noValue() : tr("TURN?");
+    const bool mute = age == Freshness::NoData || isTurnAwaited(status, Axis::Azimuth);
+    const QString place = actual ? angleText(*actual, 0) : mute ? noValue() : tr("TURN?");
     const QString text = place + tr(" of ") + rangeText(axis.travel);
     const bool late = age == Freshness::Late;
     if (text == m_text && late == m_late && axis.travel == m_travel && !changedByAPixel(actual, m_actual) &&

@@ -139,7 +139,7 @@ void StationControl::tellTurns()
         const QString cause = name + QStringLiteral(" turn");
         if (m_turns.known(axis)) {
             m_alarms.clear(cause);
-        } else if (((lost && !m_arming.released()) || turnQuestion(axis)) && !m_alarms.active(cause)) {
+        } else if (turnQuestion(axis) && !m_alarms.active(cause)) {  // not before the survey could answer it
             m_alarms.raise(cause, Severity::Warning,
                            {.what = QStringLiteral("it is not known on which turn the axis of the %1 stands").arg(name),
                             .action = QStringLiteral("Pointing is refused, clients get no position; slow jogging only"),

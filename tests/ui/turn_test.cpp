@@ -260,6 +260,15 @@ TEST_F(TurnTest, AnUnknownTurnDoesNotLookKnown)
     EXPECT_FALSE(markers.commanded.has_value());
 }
 
+// Story: at each start TURN? stood there for two seconds, before the drives had been read.
+TEST_F(TurnTest, ATurnIsNotInQuestionWhileTheDrivesAreRead)
+{
+    give(samples::update(samples::reading()));
+    EXPECT_EQ(text("State of azimuth"), QStringLiteral("OFF"));
+    EXPECT_FALSE(window.findChild<CableBar*>()->text().startsWith(QStringLiteral("TURN?")));
+    EXPECT_TRUE(text("Actual azimuth").endsWith(QLatin1Char('?')));
+}
+
 TEST_F(TurnTest, WorseThanAnUnknownTurnIsSaidFirst)
 {
     StationStatus status = fewPlaces();

@@ -231,6 +231,21 @@ TEST(DriveCare, ADriveThatLostItsPowerIsSurveyedAndItsTurnJudgedAnew)
     EXPECT_TRUE(rig.alarm("not known on which turn"));
 }
 
+// Story: each time that a silent drive came back its turn was an alarm, until the survey had found that it was the
+// same.
+TEST(DriveCare, ATurnIsNoAlarmBeforeTheSurveyCouldTellIt)
+{
+    CareRig rig;
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    rig.run(Seconds(0.2));
+    rig.pair.faults().add({.kind = sim::FaultKind::Silence, .at = rig.elapsed, .duration = Seconds(2.0)});
+    rig.run(Seconds(2.5));
+    ASSERT_TRUE(rig.reaches(SurveyState::Done));
+    rig.run(Seconds(0.2));
+    EXPECT_TRUE(rig.drives().azimuth.turnKnown);
+    EXPECT_FALSE(rig.logSays("not known on which turn"));
+}
+
 TEST(DriveCare, OnAReleasedBusNothingIsSaidAndChangesAreToldAfterwards)
 {
     CareRig rig;
