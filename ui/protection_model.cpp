@@ -47,27 +47,27 @@ constexpr Label kLabels[] = {
     {"motor_position.rotor_to_output_ratio", QT_TRANSLATE_NOOP("ProtectionModel", "Gear ratio")},
 };
 
-QString labelOf(const QString& key)
+// The operator's way round: what the lower bound of a reversed drive guards is the upper end of the axis.
+QString labelOf(const ProtectionLine& line)
 {
+    const QString lower = QStringLiteral("servopos.position_min");
+    const QString upper = QStringLiteral("servopos.position_max");
+    const QString key = !line.reversed ? line.key : line.key == lower ? upper : lower;
     const auto* const label = std::find_if(std::begin(kLabels), std::end(kLabels),
                                            [&key](const Label& one) { return key == QLatin1String(one.key); });
     return label == std::end(kLabels) ? key : ProtectionModel::tr(label->text);
 }
 
-// There is room for a few characters: of "-0.2583 turns (-93.0°)" the angle, of "10 (brake, then hold)" the number. The
-// whole text is in the tooltip and in the line below the table.
+// There is room for a few characters: of "-0.2583 turns (-93.0°)" the angle. The whole text is in the tooltip.
 QString shortened(const QString& text)
 {
     const auto open = text.indexOf(QLatin1String(" ("));
     if (open < 0 || !text.endsWith(QLatin1Char(')'))) {
         return text;
     }
-    const QString head = text.left(open);
     const QString inner = text.mid(open + 2).chopped(1);
-    if (head.count(QLatin1Char(' ')) > 1 || !parseFinite(head.section(QLatin1Char(' '), 0, 0).toStdString())) {
-        return text;
-    }
-    return inner.contains(QStringLiteral("°")) ? inner : head;
+    const bool number = parseFinite(text.section(QLatin1Char(' '), 0, 0).toStdString()).has_value();
+    return number && inner.contains(QStringLiteral("°")) ? inner : text;
 }
 
 struct Shown
@@ -170,7 +170,6 @@ std::vector<ProtectionModel::Row> ProtectionModel::arranged() const
         }
     }
     for (Row& row : rows) {
-        row.label = labelOf(row.key);
         for (const Axis axis : kAxes) {
             const bool alone = !row.found[1 - axisIndex(axis)];
             row.label += alone ? QLatin1Char(' ') + shortName(axis) : QString();
@@ -185,16 +184,17 @@ std::vector<ProtectionModel::Row> ProtectionModel::arranged() const
 // The axes share a row where they want the same; else the second stands below the first.
 ProtectionModel::Row& ProtectionModel::rowFor(Axis axis, const ProtectionLine& line, std::vector<Row>& rows)
 {
-    const auto sameKey = [&line](const Row& row) { return row.key == line.key; };
+    const QString label = labelOf(line);
+    const auto sameLabel = [&label](const Row& row) { return row.label == label; };
     const auto same = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
-        return sameKey(row) && row.wanted == line.wanted && !row.found[axisIndex(axis)];
+        return sameLabel(row) && row.key == line.key && row.wanted == line.wanted && !row.found[axisIndex(axis)];
     });
     if (same != rows.end()) {
         return *same;
     }
-    const auto first = std::find_if(rows.begin(), rows.end(), sameKey);
+    const auto first = std::find_if(rows.begin(), rows.end(), sameLabel);
     return *rows.insert(first == rows.end() ? first : std::next(first),
-                        Row{.label = {}, .key = line.key, .wanted = line.wanted, .found = {}});
+                        Row{.label = label, .key = line.key, .wanted = line.wanted, .found = {}});
 }
 
 int ProtectionModel::count(survey::Verdict verdict) const
@@ -214,13 +214,14 @@ QString ProtectionModel::explanation(int row) const
     QStringList reasons;
     for (const Axis axis : kAxes) {
         if (const auto& line = one.found[axisIndex(axis)]) {
-            found << shortName(axis) + QLatin1Char(' ') + (line->found.isEmpty() ? tr("unread") : line->found);
+            found << shortName(axis) + QLatin1Char(' ') +
+                         (line->found.isEmpty() ? tr("unread") : shortened(line->found));
             reasons << line->reason;
         }
     }
     reasons.removeDuplicates();
     return tr("%1: wanted %2, found %3.\n%4")
-        .arg(one.key, one.wanted, found.join(QStringLiteral(", ")), reasons.join(QStringLiteral(" / ")));
+        .arg(one.key, shortened(one.wanted), found.join(QStringLiteral(", ")), reasons.join(QStringLiteral(" / ")));
 }
 
 QStringList ProtectionModel::changes() const

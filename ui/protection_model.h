@@ -35,7 +35,7 @@ public:
 
     void show(const DrivesStatus& drives);
 
-    [[nodiscard]] QString explanation(int row) const;  // the whole values, and why the setting matters
+    [[nodiscard]] QString explanation(int row) const;  // the values, and why the setting matters
     [[nodiscard]] int count(survey::Verdict verdict) const;
     [[nodiscard]] QStringList changes() const;    // what Fix would write, one line each
     [[nodiscard]] QStringList leftAlone() const;  // what differs and only a person may change

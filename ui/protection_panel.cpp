@@ -83,10 +83,8 @@ QTableView* ProtectionPanel::makeTable()
     header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     header->setHighlightSections(false);
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
-    for (const int column : {ProtectionModel::Setting, ProtectionModel::Wanted}) {
-        header->setSectionResizeMode(column, QHeaderView::Stretch);
-    }
-    const int found = table->fontMetrics().horizontalAdvance(QStringLiteral("00000°/s²")) + 26;  // shape, gaps
+    header->setSectionResizeMode(ProtectionModel::Wanted, QHeaderView::Stretch);
+    const int found = table->fontMetrics().horizontalAdvance(QStringLiteral("00000°/s²")) + 28;  // shape, gaps
     for (const int column : {ProtectionModel::FoundAzimuth, ProtectionModel::FoundElevation}) {
         header->setSectionResizeMode(column, QHeaderView::Fixed);
         header->resizeSection(column, found);

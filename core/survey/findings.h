@@ -23,6 +23,8 @@ struct ProtectionLine
     QString reason;  // why it matters, for the operator
     QString fix;     // what Fix would write, with its unit; empty: it is right, or only a person may change it
     Verdict verdict = Verdict::Unread;
+    // A bound of a drive that counts against the axis: its lower one is the axis's upper.
+    bool reversed = false;
 
     bool operator==(const ProtectionLine&) const = default;
 };

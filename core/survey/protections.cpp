@@ -12,13 +12,18 @@ namespace {
 using List = std::vector<Protection>;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr int kTimeoutHold = 10;
 constexpr int kTimeoutDamp = 12;
 constexpr int kTimeoutBrake = 15;
 
 QString number(double value)
 {
     return std::isnan(value) ? QStringLiteral("none") : QString::number(value, 'g', 6);
+}
+
+// For people: the drive keeps six decimals of a turn, and 10° read back as 10.0001°.
+QString rounded(double value)
+{
+    return QString::number(value, 'g', 3);
 }
 
 QString degrees(double value)
@@ -54,8 +59,16 @@ struct DriveScale
     }
     [[nodiscard]] std::function<QString(double)> asSpan(const QString& unit) const
     {
-        return
-            [perTurn = turns(Angle::fromDegrees(1.0)), unit](double turns) { return number(turns / perTurn) + unit; };
+        return [perDegree = turns(Angle::fromDegrees(1.0)), unit](double turns) {
+            return rounded(turns / perDegree) + unit;
+        };
+    }
+    // "0.0278 to 0.0556 turns/s (10 to 20°/s)".
+    [[nodiscard]] QString range(double least, double most, const QString& unit, const QString& ofAngle) const
+    {
+        const double perDegree = turns(Angle::fromDegrees(1.0));
+        return QStringLiteral("%1 to %2 %3 (%4 to %5%6)")
+            .arg(rounded(least), rounded(most), unit, rounded(least / perDegree), rounded(most / perDegree), ofAngle);
     }
 };
 
@@ -110,7 +123,8 @@ void addBound(List& list, const profile::Profile& profile, const DriveScale& sca
                          .remedy = travelEnd + outwards * scale.turns(margin),
                          .reason = QStringLiteral("the drive ends a move here by itself, a little beyond the travel"),
                          .consequence = [=](double found) { return boundConsequence(found, beyond(found) < nearest); },
-                         .explain = scale.asAngle()});
+                         .explain = scale.asAngle(),
+                         .reversed = scale.geometry.sign < 0});
 }
 
 void addIdentity(List& list, const profile::AxisSettings& axis)
@@ -139,17 +153,36 @@ QString timeoutModeConsequence(double found)
                                  : QStringLiteral("no mode in which a drive may be left alone");
 }
 
+QString timeoutModeWord(double mode)
+{
+    switch (static_cast<int>(mode)) {
+        case 0:
+            return QStringLiteral("off");
+        case kTimeoutHold:
+            return QStringLiteral("hold");
+        case kTimeoutDamp:
+            return QStringLiteral("damp");
+        case kTimeoutBrake:
+            return QStringLiteral("brake");
+        default:
+            return QStringLiteral("unknown");
+    }
+}
+
 void addTimeout(List& list, const profile::ControlSettings& control, const profile::AxisSettings& axis)
 {
     const bool holds = axis.timeoutMode == profile::TimeoutMode::Hold;
     const int mode = holds ? kTimeoutHold : kTimeoutBrake;
-    addWithRemedy(list, {.key = "servo.timeout_mode",
-                         .wanted = holds ? QStringLiteral("10 (brake, then hold)") : QStringLiteral("15 (brake)"),
-                         .isRight = [mode](double found) { return found == mode; },
-                         .otherwise = Verdict::Dangerous,
-                         .remedy = mode,
-                         .reason = QStringLiteral("what the drive does by itself when the computer dies"),
-                         .consequence = timeoutModeConsequence});
+    addWithRemedy(
+        list,
+        {.key = "servo.timeout_mode",
+         .isRight = [mode](double found) { return found == mode; },
+         .otherwise = Verdict::Dangerous,
+         .remedy = mode,
+         .reason = holds ? QStringLiteral("what the drive does by itself when the computer dies: brake, then hold")
+                         : QStringLiteral("what the drive does by itself when the computer dies: brake"),
+         .consequence = timeoutModeConsequence,
+         .explain = timeoutModeWord});
     addWithRemedy(list, {.key = "servo.default_timeout_s",
                          .unit = QStringLiteral("s"),
                          .wanted = QStringLiteral("0.05 to 0.2 s"),
@@ -170,7 +203,7 @@ void addElectrical(List& list)
     list.push_back(
         {.key = "servo.max_current_A",
          .unit = QStringLiteral("A"),
-         .wanted = QStringLiteral("above 0 A, for this motor"),
+         .wanted = QStringLiteral("above 0 A"),
          .isRight = [](double found) { return found > 0.0 && std::isfinite(found); },
          .otherwise = Verdict::Dangerous,
          .reason = QStringLiteral("without current the axis falls, without a limit the motor burns; the value "
@@ -206,17 +239,20 @@ void addLimits(List& list, const profile::AxisSettings& axis, const DriveScale& 
     const double speed = scale.turns(Angle::fromDegrees(axis.limits.speed.degrees()));
     addWithRemedy(list, {.key = "servo.default_velocity_limit",
                          .unit = QStringLiteral("turns/s"),
+                         .wanted = scale.range(speed, 2.0 * speed, QStringLiteral("turns/s"), QStringLiteral("°/s")),
                          .isRight = [speed](double found) { return isWithin(found, speed, 2.0 * speed); },
                          .remedy = kLimitGuard * speed,
                          .reason = QStringLiteral("the speed of every order that names none; the factory has no limit"),
                          .explain = scale.asSpan(QStringLiteral("°/s"))});
     const double braking = scale.turns(Angle::fromDegrees(brakingOf(axis)));
     const double least = kLimitGuard * scale.turns(Angle::fromDegrees(axis.limits.acceleration.degrees()));
+    const double lowest = std::min(least, braking);
     addWithRemedy(
         list,
         {.key = "servo.default_accel_limit",
          .unit = QStringLiteral("turns/s²"),
-         .isRight = [=](double found) { return isWithin(found, std::min(least, braking), 2.0 * braking); },
+         .wanted = scale.range(lowest, 2.0 * braking, QStringLiteral("turns/s²"), QStringLiteral("°/s²")),
+         .isRight = [=](double found) { return isWithin(found, lowest, 2.0 * braking); },
          .remedy = braking,
          .reason = QStringLiteral("with it the drive brakes when the computer dies: too low and the axis runs on, "
                                   "too high (the factory's 50 turns/s²) and the mount is hit hard"),
@@ -259,6 +295,7 @@ void addSecondLines(List& list, const DriveScale& scale)
     addWithRemedy(list,
                   {.key = "servo.fault_position_error",
                    .unit = QStringLiteral("turns"),
+                   .wanted = scale.range(least, most, QStringLiteral("turns"), QStringLiteral("°")),
                    .isRight = [=](double found) { return isWithin(found, least, most); },
                    .remedy = scale.turns(10.0_deg),
                    .reason = QStringLiteral("second line against a jam: so far behind its order the drive gives up "
@@ -267,7 +304,7 @@ void addSecondLines(List& list, const DriveScale& scale)
     const double slip = scale.turns(1.0_deg);
     addWithRemedy(list, {.key = "servo.max_position_slip",
                          .unit = QStringLiteral("turns"),
-                         .wanted = QStringLiteral("none, or above ") + number(slip) + QStringLiteral(" turns (1°)"),
+                         .wanted = QStringLiteral("none or ≥ 1°"),
                          .isRight = [slip](double found) { return std::isnan(found) || found >= slip; },
                          .remedy = kNone,
                          .reason = QStringLiteral("a small one lets the axis give way to the wind instead of holding"),
@@ -319,7 +356,8 @@ ProtectionLine judged(const Protection& protection, const Reading& reading)
     ProtectionLine line{.key = QString::fromStdString(protection.key),
                         .wanted = protection.wanted,
                         .found = foundText(protection, reading),
-                        .reason = protection.reason};
+                        .reason = protection.reason,
+                        .reversed = protection.reversed};
     if (reading.state == Reading::State::Unread) {
         return line;
     }

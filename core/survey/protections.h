@@ -16,6 +16,8 @@ namespace boresight::survey {
 // Room of the drive's own planner above what the host's profile asks for: it must never be the slower one.
 inline constexpr double kLimitGuard = 1.5;
 
+inline constexpr int kTimeoutHold = 10;  // servo.timeout_mode: brake, then hold
+
 // What was read of one key.
 struct Reading
 {
@@ -46,6 +48,7 @@ struct Protection
     std::function<QString(double)> consequence;
     // The value as the operator thinks of it, behind the drive's own; may be absent.
     std::function<QString(double)> explain;
+    bool reversed = false;  // see ProtectionLine
 };
 
 // In the order in which they are shown.

@@ -144,8 +144,8 @@ TEST_F(DrivesTest, TheTableSetsFoundAgainstWantedWithShapeAndWord)
     give(samples::update(samples::factoryDrives()));
     open<ProtectionPanel>();
     const int mode = rowOf("When not fed");
-    EXPECT_EQ(cell(mode, ProtectionModel::Wanted), QStringLiteral("10"));
-    EXPECT_EQ(cell(mode, ProtectionModel::FoundAzimuth), QStringLiteral("12"));
+    EXPECT_EQ(cell(mode, ProtectionModel::Wanted), QStringLiteral("10 (hold)"));
+    EXPECT_EQ(cell(mode, ProtectionModel::FoundAzimuth), QStringLiteral("12 (damp)"));
     EXPECT_EQ(cell(mode, ProtectionModel::Verdict), QStringLiteral("dangerous"));
     EXPECT_FALSE(model().index(mode, ProtectionModel::Verdict).data(Qt::DecorationRole).isNull());
     EXPECT_EQ(model().index(mode, ProtectionModel::Setting).data(Qt::ToolTipRole).toString(),
@@ -163,7 +163,7 @@ TEST_F(DrivesTest, NoSettingValueOrVerdictIsCutOff)
         give(samples::update(status));
         QTest::qWait(1);
         for (int row = 0; row < model().rowCount(); ++row) {
-            for (const int column : {ProtectionModel::Setting, ProtectionModel::FoundAzimuth,
+            for (const int column : {ProtectionModel::Setting, ProtectionModel::Wanted, ProtectionModel::FoundAzimuth,
                                      ProtectionModel::FoundElevation, ProtectionModel::Verdict}) {
                 EXPECT_LE(table().sizeHintForIndex(model().index(row, column)).width(), table().columnWidth(column))
                     << cell(row, ProtectionModel::Setting).toStdString() << ' ' << column;
@@ -191,6 +191,36 @@ TEST_F(DrivesTest, AxesThatWantDifferentValuesHaveARowEach)
     EXPECT_EQ(cell(azimuth + 1, ProtectionModel::FoundAzimuth), QString());
 }
 
+// Story: of an elevation that its drive counts the other way, the page said "lower limit 93°, upper limit -3°".
+TEST_F(DrivesTest, TheLimitsOfAReversedDriveAreShownTheOperatorsWayRound)
+{
+    StationStatus status = samples::idle();
+    for (survey::ProtectionLine& line : status.drives.elevation.protections) {
+        if (line.key.startsWith(QLatin1String("servopos.position_"))) {
+            const bool lower = line.key.endsWith(QLatin1String("min"));
+            line.wanted = line.found =
+                lower ? QStringLiteral("-0.258333 turns (93.0°)") : QStringLiteral("0.008333 turns (-3.0°)");
+            line.reversed = true;
+        }
+    }
+    give(samples::update(status));
+    EXPECT_EQ(cell(rowOf("Upper limit EL"), ProtectionModel::FoundElevation), QStringLiteral("93.0°"));
+    EXPECT_EQ(cell(rowOf("Lower limit EL"), ProtectionModel::FoundElevation), QStringLiteral("-3.0°"));
+    EXPECT_EQ(rowOf("Lower limit EL"), rowOf("Lower limit AZ") + 1);
+}
+
+TEST_F(DrivesTest, ARangeIsShownInDegreesNotInTurns)
+{
+    StationStatus status = samples::idle();
+    for (survey::ProtectionLine& line : status.drives.elevation.protections) {
+        if (line.key == QLatin1String("servo.default_velocity_limit")) {
+            line.wanted = QStringLiteral("0.0222 to 0.0444 turns/s (8 to 16°/s)");
+        }
+    }
+    give(samples::update(status));
+    EXPECT_EQ(cell(rowOf("Speed limit EL"), ProtectionModel::Wanted), QStringLiteral("8 to 16°/s"));
+}
+
 TEST_F(DrivesTest, WhatIsNotReadYetIsNotCalledRight)
 {
     give(samples::update(samples::reading()));
@@ -209,12 +239,12 @@ TEST_F(DrivesTest, TheReasonOfTheSelectedLineIsReadWithTheKeyboardAndStaysWhileV
         QTest::keyClick(&table(), Qt::Key_Down);
     }
     const QString reason = text("Why the selected setting matters");
-    EXPECT_EQ(reason, QStringLiteral("servo.timeout_mode: wanted 10 (brake, then hold), found AZ 12, EL 12.\n"
+    EXPECT_EQ(reason, QStringLiteral("servo.timeout_mode: wanted 10 (hold), found AZ 12 (damp), EL 12 (damp).\n"
                                      "mode 12 only damps: a loaded elevation creeps down when the computer dies"));
     EXPECT_FALSE(named<ValueLabel>("Why the selected setting matters")->isElided());
     give(samples::update(samples::reading()));
     EXPECT_EQ(table().currentIndex().row(), rowOf("When not fed")) << "the line moved, the selection with it";
-    EXPECT_TRUE(text("Why the selected setting matters").contains(QLatin1String("found AZ 12, EL unread")));
+    EXPECT_TRUE(text("Why the selected setting matters").contains(QLatin1String("found AZ 12 (damp), EL unread")));
     QTest::keyClick(&table(), Qt::Key_Tab);
     EXPECT_FALSE(table().hasFocus()) << "focus trap";
 }
@@ -240,7 +270,7 @@ TEST_F(DrivesTest, FixListsWhatItWritesAndWritesOnlyAfterASecondPress)
     EXPECT_TRUE(requests.empty());
     EXPECT_TRUE(questionText().contains(
         QStringLiteral("AZ  servopos.position_min: -0.01 turns (-3.6°) → -0.258333 turns (-93.0°)")));
-    EXPECT_TRUE(questionText().contains(QStringLiteral("EL  servo.timeout_mode: 12 → 10 (brake, then hold)")));
+    EXPECT_TRUE(questionText().contains(QStringLiteral("EL  servo.timeout_mode: 12 (damp) → 10 (hold)")));
     EXPECT_FALSE(questionText().contains(QLatin1String("max_voltage"))) << "it is right already";
     const QStringList parts = questionText().split(QStringLiteral("Left for you"));
     ASSERT_EQ(parts.size(), 2);

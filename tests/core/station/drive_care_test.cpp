@@ -176,7 +176,7 @@ TEST(DriveCare, FixingMakesTheDrivesFitAndEndsTheAlarm)
     const auto wrong = std::ranges::find(lines, QStringLiteral("servo.timeout_mode"), &survey::ProtectionLine::key);
     ASSERT_NE(wrong, lines.end());
     EXPECT_EQ(wrong->verdict, Verdict::Dangerous);
-    EXPECT_EQ(wrong->fix, QStringLiteral("10")) << "the screen lists it before it is written";
+    EXPECT_EQ(wrong->fix, QStringLiteral("10 (hold)")) << "the screen lists it before it is written";
     ASSERT_EQ(rig.ask(request::FixDrives{}), "");
     EXPECT_EQ(rig.drives().survey, SurveyState::Fixing);
     EXPECT_NE(rig.ask(kGo), "");
@@ -184,7 +184,7 @@ TEST(DriveCare, FixingMakesTheDrivesFitAndEndsTheAlarm)
     EXPECT_EQ(rig.pair.drive(Axis::Elevation).driveConfig().servo.timeoutMode, 10);
     EXPECT_FALSE(rig.alarm("servo.timeout_mode"));
     EXPECT_FALSE(rig.drives().fixable);
-    EXPECT_TRUE(rig.logSays("written: elevation: servo.timeout_mode was 12, is 10"));
+    EXPECT_TRUE(rig.logSays("written: elevation: servo.timeout_mode was 12 (damp), is 10 (hold)"));
     EXPECT_FALSE(rig.logSays("changed meanwhile")) << "nobody else has touched it";
     EXPECT_EQ(rig.ask(kGo), "");
 }
@@ -265,7 +265,7 @@ TEST(DriveCare, OnAReleasedBusNothingIsSaidAndChangesAreToldAfterwards)
     rig.run(Seconds(0.2));
     EXPECT_FALSE(rig.logSays("No reply")) << "they had no question yet";
     ASSERT_TRUE(rig.endsItsSurvey());
-    EXPECT_TRUE(rig.logSays("changed meanwhile: azimuth: servo.timeout_mode was 10, is 12"));
+    EXPECT_TRUE(rig.logSays("changed meanwhile: azimuth: servo.timeout_mode was 10 (hold), is 12 (damp)"));
     EXPECT_THAT(rig.ask(kGo), HasSubstr("servo.timeout_mode is 12"));
 }
 

@@ -130,7 +130,8 @@ TEST(DriveSurvey, NoticesAMissingAndAnUnknownBoard)
     rig.survey();
     EXPECT_THAT(causes(rig.drives), ElementsAre("drives.missing.elevation", "drives.stranger.7"));
     EXPECT_THAT(obstacle(rig.drives), HasSubstr("nobody answers under id 2"));
-    EXPECT_EQ(line(rig.drives, Axis::Azimuth, "servo.timeout_mode").found, QStringLiteral("10")) << "read all the same";
+    EXPECT_EQ(line(rig.drives, Axis::Azimuth, "servo.timeout_mode").found, QStringLiteral("10 (hold)"))
+        << "read all the same";
     EXPECT_EQ(line(rig.drives, Axis::Elevation, "servo.timeout_mode").verdict, Verdict::Unread);
 }
 
@@ -275,7 +276,7 @@ TEST(DriveSurvey, TellsWhatAnotherToolChanged)
     EXPECT_THAT(
         rig.drives.takeChanges(),
         ElementsAre(Change{QStringLiteral("elevation: servopos.position_max was -0.241667 turns (-3.0°), is none")},
-                    Change{QStringLiteral("elevation: servo.timeout_mode was 10, is 12")}));
+                    Change{QStringLiteral("elevation: servo.timeout_mode was 10 (hold), is 12 (damp)")}));
     EXPECT_THAT(rig.drives.takeChanges(), IsEmpty());
     EXPECT_THAT(line(rig.drives, Axis::Elevation, "servopos.position_max").reason.toStdString(),
                 HasSubstr("no limit of its own"));

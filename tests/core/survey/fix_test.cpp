@@ -37,7 +37,8 @@ TEST(Fix, WritesAllButWhatOnlyAPersonMayChange)
     }
     EXPECT_THAT(causes(rig.drives), UnorderedElementsAre("drives.dangerous.azimuth", "drives.dangerous.elevation"));
     EXPECT_THAT(rig.drives.takeChanges(),
-                Contains(Change{.text = QStringLiteral("azimuth: servo.timeout_mode was 12, is 10"), .written = true}));
+                Contains(Change{.text = QStringLiteral("azimuth: servo.timeout_mode was 12 (damp), is 10 (hold)"),
+                                .written = true}));
     EXPECT_FALSE(rig.drives.fix(rig.now())) << "nothing is left that can be written";
 }
 
@@ -113,16 +114,16 @@ TEST(Fix, WhatItWroteIsToldApartFromWhatAnotherToolChanged)
     EXPECT_THAT(
         rig.drives.takeChanges(),
         UnorderedElementsAre(
-            Change{.text = QStringLiteral("azimuth: servo.timeout_mode was 12, is 10"), .written = true},
+            Change{.text = QStringLiteral("azimuth: servo.timeout_mode was 12 (damp), is 10 (hold)"), .written = true},
             Change{.text = QStringLiteral("azimuth: servo.max_current_A was 30 A, is 31 A"), .written = false}));
     rig.otherToolSays(Axis::Azimuth, "conf set servo.timeout_mode 12");
     rig.survey();
     EXPECT_THAT(rig.drives.takeChanges(),
-                ElementsAre(Change{QStringLiteral("azimuth: servo.timeout_mode was 10, is 12")}));
+                ElementsAre(Change{QStringLiteral("azimuth: servo.timeout_mode was 10 (hold), is 12 (damp)")}));
     rig.otherToolSays(Axis::Azimuth, "conf set servo.timeout_mode 10");
     rig.survey();
     EXPECT_THAT(rig.drives.takeChanges(),
-                ElementsAre(Change{QStringLiteral("azimuth: servo.timeout_mode was 12, is 10")}))
+                ElementsAre(Change{QStringLiteral("azimuth: servo.timeout_mode was 12 (damp), is 10 (hold)")}))
         << "a Fix of long ago is not to blame";
 }
 
@@ -143,9 +144,9 @@ TEST(Fix, AnInterruptedOneIsSaidAndCanBeRepeated)
     ASSERT_TRUE(rig.reaches(SurveyState::Done));
     EXPECT_THAT(causes(rig.drives), ElementsAre("drives.unstored.azimuth"));
     EXPECT_EQ(wrongLines(rig.drives, Axis::Azimuth), 0);
-    EXPECT_THAT(
-        rig.drives.takeChanges(),
-        ElementsAre(Change{.text = QStringLiteral("azimuth: servo.timeout_mode was 12, is 10"), .written = true}));
+    EXPECT_THAT(rig.drives.takeChanges(),
+                ElementsAre(Change{.text = QStringLiteral("azimuth: servo.timeout_mode was 12 (damp), is 10 (hold)"),
+                                   .written = true}));
     ASSERT_TRUE(rig.drives.fix(rig.now()));
     ASSERT_TRUE(rig.reaches(SurveyState::Done));
     EXPECT_THAT(causes(rig.drives), IsEmpty());

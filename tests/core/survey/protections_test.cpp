@@ -63,6 +63,9 @@ TEST(Protections, BoundsFollowMarginGearAndSign)
     EXPECT_NEAR(remedy("servopos.position_max"), 18.0 / 360.0 * 40.0, 1e-9);
     EXPECT_EQ(judgedAs(profile, Axis::Elevation, "servopos.position_max", "2.000000").found,
               QStringLiteral("2 turns (-18.0°)"));
+    EXPECT_TRUE(judgedAs(profile, Axis::Elevation, "servopos.position_max", "2.000000").reversed)
+        << "the lower end of the axis";
+    EXPECT_FALSE(judgedAs(profile, Axis::Azimuth, "servopos.position_max", "1.258333").reversed);
     EXPECT_EQ(judgedAs(profile, Axis::Elevation, "motor_position.rotor_to_output_ratio", "1.000000").verdict,
               Verdict::Right)
         << "geared in the host, the drive counts turns of the rotor";
@@ -134,6 +137,19 @@ TEST(Protections, DefaultLimitsAreAdvisedOnly)
                      1.5 * 10.0 / 360.0);
     EXPECT_NEAR(*protection(reference(), Axis::Elevation, "servo.default_accel_limit").remedy, 80.0 / 360.0, 1e-12)
         << "from 8°/s to rest in 0.1 s";
+}
+
+// Story: "wanted 12°/s, found 14.4°/s: right", and a value that Fix had written read back as 10.0001°.
+TEST(Protections, WhatMayVaryIsWantedAsARangeAndReadInRoundNumbers)
+{
+    const ProtectionLine speed = judgedAs(reference(), Axis::Azimuth, "servo.default_velocity_limit", "0.040000");
+    EXPECT_EQ(speed.wanted, QStringLiteral("0.0278 to 0.0556 turns/s (10 to 20°/s)"));
+    EXPECT_EQ(speed.found, QStringLiteral("0.04 turns/s (14.4°/s)"));
+    EXPECT_EQ(speed.verdict, Verdict::Right);
+    EXPECT_EQ(judgedAs(reference(), Axis::Azimuth, "servo.fault_position_error", "0.027778").found,
+              QStringLiteral("0.027778 turns (10°)"));
+    EXPECT_EQ(judgedAs(reference(), Axis::Azimuth, "servo.timeout_mode", "12").found, QStringLiteral("12 (damp)"));
+    EXPECT_EQ(judgedAs(reference(), Axis::Azimuth, "servo.timeout_mode", "12").wanted, QStringLiteral("10 (hold)"));
 }
 
 TEST(Protections, TheGearIsComparedWithTheDrivesSixDecimals)
