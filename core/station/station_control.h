@@ -186,6 +186,8 @@ private:
     [[nodiscard]] AxisStatus axisStatus(Axis axis) const;
     [[nodiscard]] AxisSample axisSample(Axis axis) const;
     [[nodiscard]] AxisState axisState(Axis axis) const;
+    [[nodiscard]] AxisState ownState(Axis axis) const;
+    [[nodiscard]] QString axisText(Axis axis, AxisState state) const;
     [[nodiscard]] bool atTravelEnd(Axis axis) const;
     [[nodiscard]] bool atLimit(Axis axis) const;
     [[nodiscard]] DrivesStatus drivesStatus() const;

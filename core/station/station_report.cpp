@@ -101,8 +101,11 @@ AxisState StationControl::axisState(Axis axis) const
     if (drive.latched() && m_arming.fault()) {
         return AxisState::Fault;
     }
+    if (!drive.answering(m_now)) {
+        return AxisState::NoData;  // nobody knows what it does
+    }
     if (drive.phase() != Drive::Phase::Engaged) {
-        return drive.answering(m_now) ? AxisState::Off : AxisState::NoData;  // silent: nobody knows what it does
+        return ownState(axis);
     }
     if (abs(m_motion.setpoint(axis).rate) > kStanding) {
         return AxisState::Moving;
@@ -111,6 +114,41 @@ AxisState StationControl::axisState(Axis axis) const
         return AxisState::Stopped;
     }
     return atLimit(axis) ? AxisState::Limit : AxisState::Holding;
+}
+
+// Of a drive that follows no set-points of ours.
+AxisState StationControl::ownState(Axis axis) const
+{
+    switch (m_drives.drive(axis).report()->mode) {
+        case moteus::Mode::Stopped:
+        case moteus::Mode::Fault:
+            return AxisState::Off;
+        case moteus::Mode::PositionTimeout:
+            return facts(axis) && facts(axis)->holdsWhenNotFed ? AxisState::Holding : AxisState::On;
+        default:
+            return AxisState::On;
+    }
+}
+
+QString StationControl::axisText(Axis axis, AxisState state) const
+{
+    if (state == AxisState::Limit) {
+        const std::string what = m_motion.obstacle();
+        return atTravelEnd(axis) || what.empty() ? QStringLiteral("at the end of the travel")
+                                                 : QStringLiteral("at ") + QString::fromStdString(what);
+    }
+    if (!m_turns.known(axis)) {
+        return QStringLiteral("turn not known");
+    }
+    const Drive& drive = m_drives.drive(axis);
+    if ((state != AxisState::Holding && state != AxisState::On) || drive.phase() == Drive::Phase::Engaged) {
+        return {};
+    }
+    if (drive.report()->mode != moteus::Mode::PositionTimeout) {
+        return drive.activeUnordered() ? QStringLiteral("not by our orders") : QString();
+    }
+    return state == AxisState::Holding ? QStringLiteral("held by its own time-out mode")
+                                       : QStringLiteral("in its own time-out mode");
 }
 
 AxisStatus StationControl::axisStatus(Axis axis) const
@@ -132,13 +170,7 @@ AxisStatus StationControl::axisStatus(Axis axis) const
         status.mode = static_cast<int>(report->mode);
         status.faultCode = report->fault;
     }
-    if (status.state == AxisState::Limit) {
-        const std::string what = m_motion.obstacle();
-        status.stateText = atTravelEnd(axis) || what.empty() ? QStringLiteral("at the end of the travel")
-                                                             : QStringLiteral("at ") + QString::fromStdString(what);
-    } else if (!m_turns.known(axis)) {
-        status.stateText = QStringLiteral("turn not known");
-    }
+    status.stateText = axisText(axis, status.state);
     return status;
 }
 

@@ -45,6 +45,8 @@ QString word(AxisState state)
             return QStringLiteral("STOPPED");
         case AxisState::Fault:
             return QStringLiteral("FAULT");
+        case AxisState::On:
+            return QStringLiteral("ON");
         case AxisState::Off:
             return QStringLiteral("OFF");
     }

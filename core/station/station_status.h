@@ -46,6 +46,7 @@ enum class AxisState
     Limit,
     Stopped,
     Fault,
+    On,  // switched on, but following no set-points of ours
     Off
 };
 

@@ -203,7 +203,8 @@ void DriveSurvey::collectFacts(Side& side)
                    .identity = identity,
                    .bootedAt = side.drive.heartbeat().bootedAt(),
                    .outputEncoder = side.drive.value("motor_position.output.reference_source").value_or(-1.0) >= 0.0,
-                   .rotorToOutputRatio = side.drive.value("motor_position.rotor_to_output_ratio").value_or(0.0)};
+                   .rotorToOutputRatio = side.drive.value("motor_position.rotor_to_output_ratio").value_or(0.0),
+                   .holdsWhenNotFed = side.drive.value("servo.timeout_mode") == kTimeoutHold};
 }
 
 void DriveSurvey::collectFindings()

@@ -25,6 +25,7 @@ struct DriveFacts
     SteadyTime bootedAt;         // its power-up
     bool outputEncoder = false;  // an encoder on the axis tells the turn after power-up
     double rotorToOutputRatio = 0.0;
+    bool holdsWhenNotFed = false;  // its time-out mode holds the axis
 };
 
 class DriveSurvey

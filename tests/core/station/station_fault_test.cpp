@@ -180,7 +180,7 @@ TEST(StationControl, ATimeOutLeftFromAnEarlierProgramIsClearedByTheFirstCommand)
     rig.azimuth.mode = rig.elevation.mode = Mode::PositionTimeout;
     rig.run(Seconds(1.0));
     EXPECT_EQ(rig.state(), StationState::Standby);
-    EXPECT_EQ(rig.control.status().azimuth.state, AxisState::Off) << "it holds by itself: no fault of now";
+    EXPECT_EQ(rig.control.status().azimuth.state, AxisState::Holding) << "it holds by itself: no fault of now";
     EXPECT_EQ(rig.commands(), 0U);
     ASSERT_TRUE(rig.point(10.0, 10.0));
     rig.settle();

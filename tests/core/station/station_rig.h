@@ -33,7 +33,8 @@ struct StationRig
                                               : QStringLiteral("e0000000-0000-0000-0000-000000000002"),
                 .bootedAt = clock.now() - std::chrono::hours(1),
                 .outputEncoder = false,
-                .rotorToOutputRatio = 0.01};
+                .rotorToOutputRatio = 0.01,
+                .holdsWhenNotFed = true};
     }
 
     void tick()
