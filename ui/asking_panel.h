@@ -36,6 +36,7 @@ public:
     AskingPanel(RequestDesk& desk, QWidget* parent);
 
     [[nodiscard]] bool isAsking() const { return currentIndex() == 1; }
+    void cancel() { closeQuestion(); }  // Esc
 
 protected:
     [[nodiscard]] QWidget& controls() { return *m_controls; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/stop_keys.h"
 
+#include "ui/asking_panel.h"
+
 #include <QApplication>
 #include <QKeyEvent>
 #include <QWidget>
@@ -22,11 +24,23 @@ bool StopKeys::eventFilter(QObject* watched, QEvent* event)
     if (!isStop(watched, press->key())) {
         return false;
     }
-    const bool used = press->key() == Qt::Key_Escape && m_firstUse();
+    const bool used = press->key() == Qt::Key_Escape && (closeQuestion() || m_firstUse());
     if (!press->isAutoRepeat() && !used) {
         Q_EMIT stopPressed();
     }
     return true;  // seen first by the native window, so no control below it gets the key
+}
+
+// True if one was open.
+bool StopKeys::closeQuestion() const
+{
+    for (AskingPanel* const panel : m_window.findChildren<AskingPanel*>()) {
+        if (panel->isVisible() && panel->isAsking()) {
+            panel->cancel();
+            return true;
+        }
+    }
+    return false;
 }
 
 bool StopKeys::isStop(QObject* watched, int key) const

@@ -9,8 +9,8 @@ class QWidget;
 
 // The keys that stop the mount. Pause and F12 stop from anywhere in the program, a modal dialog or an open menu
 // included, which a QShortcut would not reach. Esc stops while the window itself has the keyboard; with a menu or a
-// dialog open it closes that, as everywhere, and a drag of the mouse it cancels first. Auto-repeat is ignored. Gui
-// thread.
+// dialog open, or a panel that asks, it closes that, as everywhere, and a drag of the mouse it cancels first.
+// Auto-repeat is ignored. Gui thread.
 namespace boresight::ui {
 
 class StopKeys : public QObject
@@ -29,6 +29,7 @@ Q_SIGNALS:
     void stopPressed();
 
 private:
+    [[nodiscard]] bool closeQuestion() const;
     [[nodiscard]] bool isStop(QObject* watched, int key) const;
 
     QWidget& m_window;

@@ -332,6 +332,19 @@ TEST_F(DrivesTest, SwitchOffWarnsOfTheFallAndCancelHasTheFocus)
     EXPECT_EQ(asked<request::SwitchOff>().size(), 1u);
 }
 
+// Story: Esc stopped the mount and left the question open, while the help says that it closes it.
+TEST_F(DrivesTest, EscClosesTheQuestionAndTheNextOneStops)
+{
+    auto& panel = open<ProtectionPanel>();
+    click("Switch drives off …");
+    ASSERT_TRUE(panel.isAsking());
+    QTest::keyClick(&window, Qt::Key_Escape);
+    EXPECT_FALSE(panel.isAsking());
+    EXPECT_TRUE(requests.empty());
+    QTest::keyClick(&window, Qt::Key_Escape);
+    EXPECT_EQ(asked<request::Stop>().size(), 1u);
+}
+
 TEST_F(DrivesTest, AQuestionThatIsLeftDoesNotWaitForAPress)
 {
     auto& panel = open<ProtectionPanel>();
