@@ -131,6 +131,7 @@ void StationControl::letBackInside(Axis axis)
 void StationControl::tellTurns()
 {
     const bool lost = std::exchange(m_turnsWereKnown, turnsKnown()) && !turnsKnown();
+    const bool interrupted = lost && m_activity != Activity::None;
     if (lost) {
         holdHere(Activity::None);  // what was wanted is meant in a frame that is not true any more
     }
@@ -139,7 +140,8 @@ void StationControl::tellTurns()
         const QString cause = name + QStringLiteral(" turn");
         if (m_turns.known(axis)) {
             m_alarms.clear(cause);
-        } else if (turnQuestion(axis) && !m_alarms.active(cause)) {  // not before the survey could answer it
+        } else if ((interrupted || turnQuestion(axis)) && !m_alarms.active(cause)) {
+            // Where nothing moved, the survey may answer it first.
             m_alarms.raise(cause, Severity::Warning,
                            {.what = QStringLiteral("it is not known on which turn the axis of the %1 stands").arg(name),
                             .action = QStringLiteral("Pointing is refused, clients get no position; slow jogging only"),
