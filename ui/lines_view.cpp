@@ -61,6 +61,7 @@ void LinesView::buildTable()
     m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().lineSpacing() + 4);
     QHeaderView* const header = m_table->horizontalHeader();
     header->setFont(fonts::label());
+    header->setStretchLastSection(true);
     header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     header->setHighlightSections(false);
     addCopyKey();
@@ -124,7 +125,6 @@ void LinesView::setColumnRoom(int column, const QString& widest)
 // A hidden list has no scroll range yet: it gets to its end when that is known, not when the line comes.
 void LinesView::setFollowing()
 {
-    m_table->horizontalHeader()->setStretchLastSection(true);
     QScrollBar* const bar = m_table->verticalScrollBar();
     connect(bar, &QScrollBar::rangeChanged, this, [this, bar](int, int end) {
         if (m_atEnd) {

@@ -66,9 +66,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const
             return shortSource(line);
         default:
             // Colour never stands alone: the same shapes as everywhere, as characters.
-            return line.severity == Severity::Alarm     ? QStringLiteral("■ ") + line.text
-                   : line.severity == Severity::Warning ? QStringLiteral("▲ ") + line.text
-                                                        : line.text;
+            return characterOf(line.severity) + line.text;
     }
 }
 

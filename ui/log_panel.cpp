@@ -1,23 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/log_panel.h"
 
+#include "ui/alarms_page.h"
 #include "ui/choice_button.h"
+#include "ui/log_model.h"
 #include "ui/log_page.h"
+#include "ui/symbol.h"
 
 #include <QHBoxLayout>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace boresight::ui {
 
-LogPanel::LogPanel(QWidget* parent)
+LogPanel::LogPanel(RequestDesk& desk, bool sound, QWidget* parent)
     : QWidget(parent),
       m_model(new LogModel(this)),
       m_events(new LogPage(*m_model, LogPage::Lines::All, this)),
       m_motions(new LogPage(*m_model, LogPage::Lines::MotionStarts, this)),
+      m_alarms(new AlarmsPage(desk, sound, this)),
       m_choice(new QHBoxLayout),
-      m_pages(new QStackedWidget(this))
+      m_pages(new QStackedWidget(this)),
+      m_alarmsChoice(addPage(*m_alarms, tr("Alarms"), tr("Alarms of now and since the start of the window")))
 {
+    connect(m_alarms, &AlarmsPage::beepWanted, this, &LogPanel::beepWanted);
+    connect(m_alarms, &AlarmsPage::soundChanged, this, &LogPanel::soundChanged);
     addPage(*m_motions, tr("Why did it move?"), tr("Who moved the mount, and why"));
     addPage(*m_events, tr("Events"), tr("Every line of the log"))->click();
     auto* const column = new QVBoxLayout(this);
@@ -31,6 +40,7 @@ ChoiceButton* LogPanel::addPage(QWidget& page, const QString& text, const QStrin
     m_pages->addWidget(&page);
     auto* const button = new ChoiceButton(text, help, this);
     button->setAutoExclusive(true);
+    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // equal, whatever stands on them
     connect(button, &ChoiceButton::toggled, this, [this, &page](bool on) {
         if (on) {
             m_pages->setCurrentWidget(&page);
@@ -38,6 +48,17 @@ ChoiceButton* LogPanel::addPage(QWidget& page, const QString& text, const QStrin
     });
     m_choice->addWidget(button, 1);
     return button;
+}
+
+void LogPanel::showStatus(const StationStatus& status)
+{
+    m_alarms->showStatus(status);
+    const auto waits = [](const Alarm& alarm) { return !alarm.acknowledged; };
+    const auto first = std::ranges::find_if(status.alarms, waits);
+    m_alarmsChoice->setText(first == status.alarms.end()
+                                ? tr("Alarms")
+                                : characterOf(first->severity) +
+                                      tr("Alarms (%1)").arg(std::ranges::count_if(status.alarms, waits)));
 }
 
 void LogPanel::append(const std::vector<LogEntry>& entries)

@@ -8,24 +8,32 @@
 class QHBoxLayout;
 class QStackedWidget;
 
-// What happened, seen in two ways: who moved the mount and why; every event.
+// What happened, seen in three ways: the alarms; who moved the mount and why; every event. How many alarms wait for
+// their acknowledgement stands on their button, whichever is chosen.
 namespace boresight::ui {
 
+class AlarmsPage;
 class ChoiceButton;
 class LogModel;
 class LogPage;
+class RequestDesk;
 
 class LogPanel : public QWidget
 {
     Q_OBJECT
 
 public:
-    explicit LogPanel(QWidget* parent = nullptr);
+    LogPanel(RequestDesk& desk, bool sound, QWidget* parent = nullptr);
 
+    void showStatus(const StationStatus& status);
     void append(const std::vector<LogEntry>& entries);
 
     [[nodiscard]] const LogPage& events() const { return *m_events; }
     [[nodiscard]] const LogPage& motions() const { return *m_motions; }
+
+Q_SIGNALS:
+    void beepWanted();  // a new alarm should be heard
+    void soundChanged(bool on);
 
 private:
     ChoiceButton* addPage(QWidget& page, const QString& text, const QString& help);
@@ -33,8 +41,10 @@ private:
     LogModel* m_model;
     LogPage* m_events;
     LogPage* m_motions;
+    AlarmsPage* m_alarms;
     QHBoxLayout* m_choice;
     QStackedWidget* m_pages;
+    ChoiceButton* m_alarmsChoice;
 };
 
 }  // namespace boresight::ui

@@ -22,6 +22,7 @@
 #include "ui/strip_charts.h"
 #include "ui/value_label.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QGridLayout>
 #include <QIcon>
@@ -71,6 +72,8 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(m_stopKeys, &StopKeys::stopPressed, this, &MainWindow::stop);
     connect(m_plot, &PolarPlot::clicked, this, &MainWindow::pick);
     connect(&m_panels->charts().charts(), &StripCharts::largeWanted, this, &MainWindow::placeCharts);
+    connect(&m_panels->log(), &LogPanel::beepWanted, this, &QApplication::beep);
+    connect(&m_panels->log(), &LogPanel::soundChanged, this, &MainWindow::alarmSoundChanged);
     connect(m_plot, &PolarPlot::editingChanged, this, &MainWindow::showEditing);
     m_stopKeys->setFirstUse([this] { return m_plot->editor().cancelDrag(); });
     connect(&m_beat, &QTimer::timeout, this, &MainWindow::beat);

@@ -55,6 +55,7 @@ Q_SIGNALS:
     // The operator closes the window (and, asked because the mount was moving, said yes): stop, then closeNow().
     void closeRequested();
     void themeChanged(boresight::ui::ThemeKind theme);
+    void alarmSoundChanged(bool on);
 
 protected:
     void closeEvent(QCloseEvent* event) override;

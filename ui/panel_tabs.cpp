@@ -25,7 +25,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
       m_charts(new ChartsPanel(clock, this)),
       m_limits(new LimitsPanel(draft, desk, this)),
       m_clients(new ClientsPanel(draft, desk, this)),
-      m_log(new LogPanel(this)),
+      m_log(new LogPanel(desk, settings.alarmSound, this)),
       m_drives(new DrivesPanel(desk, this)),
       m_protection(new ProtectionPanel(desk, this)),
       m_turn(new TurnPage(desk, settings.unwind, this))
@@ -92,6 +92,7 @@ void PanelTabs::showStatus(const StationStatus& status)
     m_charts->charts().showStatus(status);
     m_limits->showStatus(status);
     m_clients->showStatus(status);
+    m_log->showStatus(status);
     m_drives->showStatus(status);
     m_protection->showStatus(status);
     m_turn->showStatus(status);

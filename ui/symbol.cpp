@@ -91,6 +91,19 @@ Symbol symbolOf(Severity severity)
     return Symbol::Advisory;
 }
 
+QString characterOf(Severity severity)
+{
+    switch (severity) {
+        case Severity::Warning:
+            return QStringLiteral("▲ ");
+        case Severity::Alarm:
+            return QStringLiteral("■ ");
+        case Severity::Advisory:
+            break;
+    }
+    return {};
+}
+
 Tone toneOf(Severity severity)
 {
     switch (severity) {

@@ -30,5 +30,7 @@ void drawSymbol(QPainter& painter, Symbol symbol, const QRectF& box, const QColo
 
 [[nodiscard]] Symbol symbolOf(Severity severity);
 [[nodiscard]] Tone toneOf(Severity severity);
+// The same shape before a line of text, with the gap behind it; an advisory has none: most lines of a log are.
+[[nodiscard]] QString characterOf(Severity severity);
 
 }  // namespace boresight::ui

@@ -19,6 +19,7 @@ struct WindowSettings
     std::array<Angle, 3> steps{0.1_deg, 1_deg, 5_deg};
     AxisPosition park;  // shown in the tooltip of Park
     ThemeKind theme = ThemeKind::Day;
+    bool alarmSound = true;  // at a new alarm, once; silence is the operator's choice
 };
 
 }  // namespace boresight::ui

@@ -21,6 +21,7 @@ namespace {
 using namespace boresight;
 
 const QString kThemeKey = QStringLiteral("theme");
+const QString kSoundKey = QStringLiteral("alarm_sound");
 const QString kGeometryKey = QStringLiteral("geometry");
 
 int complain(const std::string& text)
@@ -36,7 +37,8 @@ ui::WindowSettings windowSettings(const profile::Profile& profile, const QSettin
             .fast = profile.jog.fast,
             .unwind = profile.jog.unwind,
             .park = profile.park,
-            .theme = static_cast<ui::ThemeKind>(layout.value(kThemeKey, 0).toInt())};
+            .theme = static_cast<ui::ThemeKind>(layout.value(kThemeKey, 0).toInt()),
+            .alarmSound = layout.value(kSoundKey, true).toBool()};
 }
 
 // What the start costs, for tests/bench: from main() to the first picture with a live status in it.
@@ -79,6 +81,8 @@ void connectWindow(ui::MainWindow& window, app::StationThread& station, QSetting
     });
     QObject::connect(&window, &ui::MainWindow::themeChanged, &window,
                      [&layout](ui::ThemeKind theme) { layout.setValue(kThemeKey, static_cast<int>(theme)); });
+    QObject::connect(&window, &ui::MainWindow::alarmSoundChanged, &window,
+                     [&layout](bool on) { layout.setValue(kSoundKey, on); });
 }
 
 int run(QApplication& application, const app::Options& options, const QElapsedTimer& sinceStart)

@@ -3,6 +3,7 @@
 #include "ui/choice_button.h"
 #include "ui/log_page.h"
 #include "ui/log_panel.h"
+#include "ui/request_desk.h"
 #include "ui/value_label.h"
 
 #include <QApplication>
@@ -70,7 +71,8 @@ protected:
         QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, place.center());
     }
     QString outcome() const { return events().findChild<ValueLabel*>()->text(); }
-    LogPanel panel;
+    RequestDesk desk;
+    LogPanel panel{desk, true};
 };
 
 TEST_F(LogTest, FiltersBySource)
@@ -120,7 +122,7 @@ TEST_F(LogTest, TellsWhyItMovedFromTheMotionStartsAlone)
     EXPECT_EQ(on<QPlainTextEdit>(panel.motions()).toPlainText(),
               QStringLiteral("17:06:01Z  rotctld 10.0.0.7:40112\n"
                              "moves the mount from 0.00° 0.00°: P 339.50° 57.00°"));
-    // By keys too: the choices are one stop of the Tab key, and an arrow chooses.
+    // By keys too: an arrow goes to the next choice.
     (*why)->setFocus();
     QTest::keyClick(*why, Qt::Key_Right);
     EXPECT_TRUE(events().isVisible());

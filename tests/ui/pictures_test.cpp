@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
+#include "ui/choice_button.h"
 #include "ui/command_button.h"
 #include "ui/polar_plot.h"
 
@@ -151,6 +152,33 @@ TEST_F(PicturesTest, AreWrittenForTheQuestions)
             EXPECT_TRUE(picture(1).save(folder.filePath(file), "PNG", 80));
             ASSERT_EQ(window.size(), QSize(1024, 700)) << title;
             show({"away", samples::idle, '1'});
+        }
+    }
+    applyTheme(ThemeKind::Day);
+}
+
+// The views of the log: alarms with a past, and who moved the mount.
+TEST_F(PicturesTest, AreWrittenForTheViewsOfTheLog)
+{
+    const QDir folder(QDir::current().filePath(QStringLiteral("pictures")));
+    ASSERT_TRUE(QDir().mkpath(folder.path()));
+    LogEntry motion = samples::logEntry(12, Severity::Advisory, QStringLiteral("rotctld 127.0.0.1:51234"),
+                                        QStringLiteral("moves the mount from 10.00° 20.00°: P 339.50° 57.00°"));
+    motion.kind = LogKind::MotionStart;
+    for (const ThemeKind kind : {ThemeKind::Day, ThemeKind::Night, ThemeKind::Red}) {
+        applyTheme(kind);
+        show({"past", samples::disconnected, '5'});
+        show({"alarms", samples::faulted, '5'});
+        StationUpdate update = samples::update(samples::faulted());
+        update.log.push_back(motion);
+        give(update);
+        for (const auto& [title, choice] : {std::pair("log-alarms", "Alarms of now and since the start of the window"),
+                                            std::pair("log-motions", "Who moved the mount, and why")}) {
+            QTest::mouseClick(named<ChoiceButton>(choice), Qt::LeftButton);
+            QTest::qWait(1);
+            const QString file = QStringLiteral("%1-%2.png").arg(QLatin1String(title), name(kind).toLower());
+            EXPECT_TRUE(picture(1).save(folder.filePath(file), "PNG", 80));
+            ASSERT_EQ(window.size(), QSize(1024, 700)) << title;
         }
     }
     applyTheme(ThemeKind::Day);

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window_fixture.h"
+#include "ui/alarm_model.h"
+#include "ui/choice_button.h"
+#include "ui/command_button.h"
+#include "ui/log_panel.h"
+
+#include <QCheckBox>
+#include <QPlainTextEdit>
+#include <QTableView>
+
+namespace boresight::ui {
+namespace {
+
+class AlarmsTest : public WindowFixture
+{
+protected:
+    AlarmsTest()
+    {
+        openPanel('5');
+        QTest::mouseClick(named<ChoiceButton>(kChoice), Qt::LeftButton);
+        EXPECT_TRUE(table().isVisible());
+    }
+    void show(const StationStatus& status) { give(samples::update(status)); }
+    // What a station does when the cause of its first alarm goes, and when the alarm is acknowledged.
+    static StationStatus over(StationStatus status)
+    {
+        status.alarms.front().active = false;
+        return status;
+    }
+    static StationStatus acknowledged(StationStatus status)
+    {
+        status.alarms.front().acknowledged = true;
+        return status;
+    }
+    static StationStatus without(StationStatus status)
+    {
+        status.alarms.erase(status.alarms.begin());
+        return status;
+    }
+    QTableView& table() { return *named<QTableView>("Alarms"); }
+    QString cell(int row, int column) { return table().model()->index(row, column).data().toString(); }
+    QString state(int row)
+    {
+        return cell(row, AlarmModel::State) + QLatin1Char(' ') + cell(row, AlarmModel::Acknowledged);
+    }
+    int rows() { return table().model()->rowCount(); }
+    QString reading() { return table().parentWidget()->findChild<QPlainTextEdit*>()->toPlainText(); }
+    void clickRow(int row)
+    {
+        const QRect place = table().visualRect(table().model()->index(row, AlarmModel::What));
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, place.center());
+    }
+    CommandButton& acknowledge() { return *named<CommandButton>("Acknowledge the selected alarm"); }
+
+    static constexpr const char* kChoice = "Alarms of now and since the start of the window";
+};
+
+TEST_F(AlarmsTest, SaysWhatHappenedWhatWasDoneAndWhatToDo)
+{
+    show(samples::faulted());
+    ASSERT_EQ(rows(), 2);
+    EXPECT_EQ(cell(0, AlarmModel::Time), QStringLiteral("17:05:52"));
+    EXPECT_TRUE(cell(0, AlarmModel::What).startsWith(QStringLiteral("■ Azimuth drive fault 38")));
+    EXPECT_TRUE(cell(1, AlarmModel::What).startsWith(QStringLiteral("▲ ")));
+    EXPECT_EQ(reading(), QStringLiteral("2026-11-21 17:05:52.000Z, active, not acknowledged\n"
+                                        "■ Azimuth drive fault 38: over temperature, 81 °C\n"
+                                        "Boresight: Azimuth is off, elevation holds\n"
+                                        "To do: Let the drive cool below 60 °C, then press Re-arm"))
+        << "the worst is read without a click";
+    clickRow(1);
+    EXPECT_TRUE(reading().contains(QStringLiteral("Boresight: Speed reduced")));
+}
+
+TEST_F(AlarmsTest, AcknowledgesTheSelectedOne)
+{
+    show(samples::faulted());
+    clickRow(1);
+    QTest::mouseClick(&acknowledge(), Qt::LeftButton);
+    ASSERT_EQ(asked<request::AcknowledgeAlarm>().size(), 1u);
+    EXPECT_EQ(asked<request::AcknowledgeAlarm>().front().alarmId, 2u);
+    give(samples::acceptance(acknowledged(samples::faulted()), requests.back().id));
+    clickRow(1);
+    table().setFocus();
+    QTest::keyClick(&table(), Qt::Key_Home, Qt::ControlModifier);
+    EXPECT_EQ(state(0), QStringLiteral("active yes"));
+    EXPECT_FALSE(acknowledge().isEnabled());
+    EXPECT_TRUE(acknowledge().toolTip().contains(QStringLiteral("it is acknowledged")));
+    QTest::keyClick(&table(), Qt::Key_Down);
+    ASSERT_TRUE(acknowledge().isEnabled());
+    acknowledge().setFocus();
+    QTest::keyClick(&acknowledge(), Qt::Key_Space);
+    EXPECT_EQ(asked<request::AcknowledgeAlarm>().size(), 2u);
+}
+
+TEST_F(AlarmsTest, AcknowledgesAllByButtonAndKey)
+{
+    EXPECT_FALSE(named<CommandButton>("Acknowledge all")->isEnabled());
+    show(samples::faulted());
+    QTest::mouseClick(named<CommandButton>("Acknowledge all"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::AcknowledgeAlarms>().size(), 1u);
+    QTest::keyClick(&table(), Qt::Key_F8);
+    EXPECT_EQ(asked<request::AcknowledgeAlarms>().size(), 2u);
+}
+
+TEST_F(AlarmsTest, FollowsAnAlarmToItsEndAndKeepsIt)
+{
+    const StationStatus both = samples::faulted();
+    show(both);
+    show(acknowledged(both));
+    EXPECT_EQ(state(0), QStringLiteral("active yes"));
+    StationStatus later = without(both);
+    later.utc += std::chrono::seconds(60);
+    show(later);
+    ASSERT_EQ(rows(), 2);
+    EXPECT_TRUE(cell(0, AlarmModel::What).startsWith(QStringLiteral("▲"))) << "what lasts stands first";
+    EXPECT_EQ(state(1), QStringLiteral("over yes"));
+    show(over(later));
+    EXPECT_EQ(state(0), QStringLiteral("over no")) << "it waits for its acknowledgement";
+    show(without(later));
+    EXPECT_EQ(rows(), 2);
+    EXPECT_EQ(state(0), QStringLiteral("over yes")) << "only that takes it from the station's list";
+    EXPECT_EQ(named<ChoiceButton>(kChoice)->text(), QStringLiteral("Alarms"));
+}
+
+// Story: a new station counts its alarms from 1 again, as it does its lines.
+TEST_F(AlarmsTest, TakesTheAlarmsOfANewStationForNewOnes)
+{
+    StationStatus first = samples::faulted();
+    first.tick = 5000;
+    show(first);
+    StationStatus second = without(samples::faulted());
+    second.tick = 3;
+    second.alarms.front().id = 1;
+    second.alarms.front().since += std::chrono::seconds(60);
+    show(second);
+    ASSERT_EQ(rows(), 3);
+    EXPECT_EQ(state(0), QStringLiteral("active no"));
+    EXPECT_EQ(cell(0, AlarmModel::Time), QStringLiteral("17:06:52"));
+    EXPECT_EQ(state(1), QStringLiteral("over no")) << "nobody has acknowledged it";
+    EXPECT_EQ(state(2), QStringLiteral("over no"));
+    EXPECT_TRUE(reading().startsWith(QStringLiteral("2026-11-21 17:06:52"))) << "not about one that is over";
+}
+
+TEST_F(AlarmsTest, SoundsOnceForEachNewAlarmUnlessSilenceIsChosen)
+{
+    QSignalSpy beeps(window.findChild<LogPanel*>(), &LogPanel::beepWanted);
+    QSignalSpy settings(&window, &MainWindow::alarmSoundChanged);
+    StationStatus one = samples::faulted();
+    one.alarms.pop_back();
+    show(one);
+    show(one);
+    EXPECT_EQ(beeps.count(), 1);
+    show(samples::faulted());
+    EXPECT_EQ(beeps.count(), 2);
+    show(samples::idle());
+    StationStatus remark = samples::disconnected();
+    remark.alarms.front().severity = Severity::Advisory;
+    show(remark);
+    EXPECT_EQ(beeps.count(), 2) << "a remark is silent";
+    auto* const sound = named<QCheckBox>("Sound at a new alarm");
+    EXPECT_TRUE(sound->isChecked()) << "silence is a setting, not a default";
+    sound->setFocus();
+    QTest::keyClick(sound, Qt::Key_Space);
+    ASSERT_EQ(settings.count(), 1);
+    EXPECT_FALSE(settings.front().front().toBool());
+    show(samples::idle());
+    show(samples::faulted());
+    EXPECT_EQ(beeps.count(), 2);
+}
+
+TEST_F(AlarmsTest, ListsASilentStationOnce)
+{
+    show(samples::idle());
+    clock.advance(Seconds(3.0));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return rows() > 0; }));
+    clock.advance(Seconds(1.0));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return cell(0, AlarmModel::What).contains(QStringLiteral("4.0 s")); }));
+    EXPECT_EQ(rows(), 1);
+    show(samples::idle());
+    EXPECT_EQ(state(0), QStringLiteral("over yes"));
+}
+
+TEST_F(AlarmsTest, SaysOnItsButtonHowManyWait)
+{
+    show(samples::faulted());
+    EXPECT_EQ(named<ChoiceButton>(kChoice)->text(), QStringLiteral("■ Alarms (2)"));
+    show(acknowledged(samples::faulted()));
+    EXPECT_EQ(named<ChoiceButton>(kChoice)->text(), QStringLiteral("▲ Alarms (1)"));
+}
+
+}  // namespace
+}  // namespace boresight::ui

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+#include <QWidget>
+
+#include <optional>
+
+// The alarms: what happened, what Boresight did, what to do, and whether it is over; one is acknowledged, or all of
+// them. It also says when a new one should be heard: once, unless the operator has chosen silence.
+namespace boresight::ui {
+
+class AlarmModel;
+class AlarmOrder;
+class CommandButton;
+class LinesView;
+class RequestDesk;
+
+class AlarmsPage : public QWidget
+{
+    Q_OBJECT
+
+public:
+    AlarmsPage(RequestDesk& desk, bool sound, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+Q_SIGNALS:
+    void beepWanted();
+    void soundChanged(bool on);
+
+private:
+    void addSound();
+    void acknowledgeSelected();
+    void blockAcknowledge();
+    [[nodiscard]] std::optional<int> selectedRow() const;
+    [[nodiscard]] QString whyNotSelected() const;
+
+    AlarmModel* m_model;
+    AlarmOrder* m_order;
+    LinesView* m_view;
+    CommandButton* m_acknowledge;
+    CommandButton* m_acknowledgeAll;
+    bool m_sound;
+};
+
+}  // namespace boresight::ui
