@@ -136,7 +136,9 @@ void LinesView::setFollowing()
 
 void LinesView::select(int row)
 {
-    m_table->selectRow(row);
+    // Not selectRow(): that would add to what is selected while Ctrl or Shift is held.
+    m_table->selectionModel()->setCurrentIndex(m_lines.index(row, 0),
+                                               QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
 }
 
 QModelIndex LinesView::current() const

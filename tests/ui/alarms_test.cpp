@@ -133,8 +133,10 @@ TEST_F(AlarmsTest, TakesTheAlarmsOfANewStationForNewOnes)
     second.tick = 3;
     second.alarms.front().id = 1;
     second.alarms.front().since += std::chrono::seconds(60);
+    openPanel('5');  // with Ctrl: whatever key is down, the selection follows whole
     show(second);
     ASSERT_EQ(rows(), 3);
+    EXPECT_EQ(table().selectionModel()->selectedRows().size(), 1);
     EXPECT_EQ(state(0), QStringLiteral("active no"));
     EXPECT_EQ(cell(0, AlarmModel::Time), QStringLiteral("17:06:52"));
     EXPECT_EQ(state(1), QStringLiteral("over no")) << "nobody has acknowledged it";
