@@ -53,7 +53,8 @@ std::vector<StoredProfile> ProfileStore::list() const
         all.push_back(stored);
     }
     std::ranges::stable_sort(
-        all, [](const QString& a, const QString& b) { return a.localeAwareCompare(b) < 0; }, &StoredProfile::mountName);
+        all, [](const QString& a, const QString& b) { return QString::compare(a, b, Qt::CaseInsensitive) < 0; },
+        &StoredProfile::mountName);
     return all;
 }
 
