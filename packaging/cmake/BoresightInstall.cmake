@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What belongs to an installed Boresight beside the programs: service, adapter rules, manual pages, menu entry, icon.
+# What belongs to an installed Boresight beside the programs: service, adapter rules, manual pages, menu entry,
+# metadata for software centres, icon.
 include(GNUInstallDirs)
 
 configure_file("${CMAKE_SOURCE_DIR}/packaging/systemd/boresightd.service.in" boresightd.service @ONLY)
@@ -10,6 +11,6 @@ install(FILES packaging/man/boresightctl.1 packaging/man/boresightd.1 DESTINATIO
 if(BORESIGHT_UI)
   install(FILES packaging/man/boresight.1 DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
   install(FILES packaging/boresight.desktop DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
-  install(FILES resources/icons/boresight.svg DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps"
-    OPTIONAL)
+  install(FILES packaging/boresight.metainfo.xml DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo")
+  install(FILES resources/icons/boresight.svg DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps")
 endif()

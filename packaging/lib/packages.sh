@@ -17,9 +17,11 @@ readonly build_packages=(
 readonly qwt_source_packages=(bzip2 debian-archive-keyring)
 
 # What the tests run: User-Mode Linux for a real SocketCAN interface and can-utils as the witness there, Hamlib's rotctl
-# and rotctld as peers, one font so that screens look alike, the formatter and the checker of shell scripts.
+# and rotctld as peers, one font so that screens look alike, the formatter, and the checkers of shell scripts, of the
+# manual pages, of the menu entry and of the metadata.
 readonly test_packages=(
     user-mode-linux kmod iproute2 can-utils libhamlib-utils fonts-dejavu-core clang-format-14 shellcheck
+    man-db desktop-file-utils appstream
 )
 
 # What showing the window on a real display needs beyond the libraries that are linked.
