@@ -7,16 +7,16 @@ namespace boresight::ui {
 
 namespace {
 
-QString tr(const char* text)
+class ClientsPermission
 {
-    return QCoreApplication::translate("ClientsPermission", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(ClientsPermission)
+};
 
 }  // namespace
 
 QString whyNoClient(const ClientStatus* client)
 {
-    return client == nullptr ? tr("select a client first") : QString();
+    return client == nullptr ? ClientsPermission::tr("select a client first") : QString();
 }
 
 QString whyNoGiving(const StationStatus& status, const ClientStatus* client)
@@ -25,19 +25,19 @@ QString whyNoGiving(const StationStatus& status, const ClientStatus* client)
         return whyNoClient(client);
     }
     if (status.stopLatched) {
-        return tr("STOP is latched, press \"Reset stop\" first");
+        return ClientsPermission::tr("STOP is latched, press \"Reset stop\" first");
     }
     const profile::RotctldSettings& rules = status.profile->rotctld;
     if (rules.lead == profile::Lead::Locked && !client->locked) {
-        return tr("the mount is locked to %1").arg(QString::fromStdString(rules.lockedTo));
+        return ClientsPermission::tr("the mount is locked to %1").arg(QString::fromStdString(rules.lockedTo));
     }
     if (status.authority == Authority::Operator || client->readOnly) {
         return {};
     }
     if (rules.lead == profile::Lead::Last) {
-        return tr("whoever sends last moves the mount");
+        return ClientsPermission::tr("whoever sends last moves the mount");
     }
-    return client->leading ? tr("it has the control") : QString();
+    return client->leading ? ClientsPermission::tr("it has the control") : QString();
 }
 
 }  // namespace boresight::ui

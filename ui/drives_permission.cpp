@@ -12,10 +12,10 @@ namespace boresight::ui {
 
 namespace {
 
-QString tr(const char* text)
+class DrivesPermission
 {
-    return QCoreApplication::translate("DrivesPermission", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(DrivesPermission)
+};
 
 bool nothingDiffers(const StationStatus& status)
 {
@@ -35,13 +35,13 @@ bool differs(const survey::ProtectionLine& line)
 QString whyNoReading(const StationStatus& status)
 {
     if (status.drives.released) {
-        return tr("the bus is released to other tools");
+        return DrivesPermission::tr("the bus is released to other tools");
     }
     switch (status.drives.survey) {
         case survey::SurveyState::Running:
-            return tr("the drives are being read");
+            return DrivesPermission::tr("the drives are being read");
         case survey::SurveyState::Fixing:
-            return tr("settings are being written");
+            return DrivesPermission::tr("settings are being written");
         case survey::SurveyState::NotDone:
         case survey::SurveyState::Done:
             break;
@@ -56,27 +56,29 @@ QString whyNoFix(const StationStatus& status)
         return reason;
     }
     if (status.drives.survey != survey::SurveyState::Done) {
-        return tr("the drives have not been read");
+        return DrivesPermission::tr("the drives have not been read");
     }
     if (!status.drives.fixable) {
-        return nothingDiffers(status) ? tr("every setting is right")
-                                      : tr("what differs is for a person to change: select its line");
+        return nothingDiffers(status) ? DrivesPermission::tr("every setting is right")
+                                      : DrivesPermission::tr("what differs is for a person to change: select its line");
     }
-    return status.drives.switchedOn ? tr("the drives are switched on, press \"Switch drives off\" first") : QString();
+    return status.drives.switchedOn
+               ? DrivesPermission::tr("the drives are switched on, press \"Switch drives off\" first")
+               : QString();
 }
 
 QString whyNoSwitchOff(const StationStatus& status)
 {
     if (status.drives.released) {
-        return tr("the bus is released to other tools");
+        return DrivesPermission::tr("the bus is released to other tools");
     }
-    return status.state == StationState::Disconnected ? tr("no connection to the drives") : QString();
+    return status.state == StationState::Disconnected ? DrivesPermission::tr("no connection to the drives") : QString();
 }
 
 QString whyNoRelease(const StationStatus& status)
 {
     if (isMoving(status)) {
-        return tr("the mount moves, press \"Hold\" first");
+        return DrivesPermission::tr("the mount moves, press \"Hold\" first");
     }
     // A reading may be left in the midst, it changes nothing.
     return status.drives.survey == survey::SurveyState::Fixing ? whyNoReading(status) : QString();
@@ -85,7 +87,8 @@ QString whyNoRelease(const StationStatus& status)
 QString whyNoProof(const StationStatus& status)
 {
     const QString reason = whyNoPointing(status);
-    return reason.isEmpty() && isMoving(status) ? tr("the mount moves, press \"Hold\" first") : reason;
+    return reason.isEmpty() && isMoving(status) ? DrivesPermission::tr("the mount moves, press \"Hold\" first")
+                                                : reason;
 }
 
 }  // namespace boresight::ui

@@ -7,17 +7,17 @@ namespace boresight::ui {
 
 namespace {
 
-QString tr(const char* text)
+class GpredictSettings
 {
-    return QCoreApplication::translate("GpredictSettings", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(GpredictSettings)
+};
 
 // A server that listens on all addresses is reached by whichever of them the other computer sees.
 QString host(const StationStatus& status)
 {
     const QString listening = status.listening.section(QLatin1Char(':'), 0, -2);
     const bool everywhere = listening == QLatin1String("0.0.0.0") || listening == QLatin1String("[::]");
-    return everywhere ? tr("address of this computer") : listening;
+    return everywhere ? GpredictSettings::tr("address of this computer") : listening;
 }
 
 QString port(const StationStatus& status)
@@ -40,19 +40,20 @@ QString azimuthType(const StationStatus& status)
 
 QString gpredictInBrief(const StationStatus& status)
 {
-    return status.listening.isEmpty()
-               ? tr("Gpredict: rotctld does not listen")
-               : tr("Gpredict: Host %1, Port %2, Az type %3").arg(host(status), port(status), azimuthType(status));
+    return status.listening.isEmpty() ? GpredictSettings::tr("Gpredict: rotctld does not listen")
+                                      : GpredictSettings::tr("Gpredict: Host %1, Port %2, Az type %3")
+                                            .arg(host(status), port(status), azimuthType(status));
 }
 
 QString gpredictSettings(const StationStatus& status)
 {
-    return tr("Gpredict: Edit > Preferences > Interfaces > Rotators > Add New\n"
-              "Host: %1\n"
-              "Port: %2\n"
-              "Az type: %3\n"
-              "Min Az: %4  Max Az: %5  Min El: 0  Max El: 90\n"
-              "Antenna Control: Cycle 1000 msec, Threshold 0.1 deg\n")
+    return GpredictSettings::tr(
+               "Gpredict: Edit > Preferences > Interfaces > Rotators > Add New\n"
+               "Host: %1\n"
+               "Port: %2\n"
+               "Az type: %3\n"
+               "Min Az: %4  Max Az: %5  Min El: 0  Max El: 90\n"
+               "Antenna Control: Cycle 1000 msec, Threshold 0.1 deg\n")
         .arg(host(status), port(status), azimuthType(status),
              aroundNorth(status) ? QStringLiteral("-180") : QStringLiteral("0"),
              aroundNorth(status) ? QStringLiteral("180") : QStringLiteral("360"));

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/help_page.h"
 
+#include "ui/language.h"
 #include "ui/theme.h"
 
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+
+#include <algorithm>
 
 namespace boresight::ui {
 
@@ -19,37 +24,45 @@ struct Line
 
 // The keys of the window; MainWindow and JogPad act on them.
 constexpr Line kLines[] = {
-    {QT_TRANSLATE_NOOP("HelpPage", "Pause, F12"), QT_TRANSLATE_NOOP("HelpPage", "STOP from anywhere")},
-    {QT_TRANSLATE_NOOP("HelpPage", "Esc"),
-     QT_TRANSLATE_NOOP("HelpPage", "close the menu or dialog, cancel a drag; else STOP")},
-    {QT_TRANSLATE_NOOP("HelpPage", "arrows"),
-     QT_TRANSLATE_NOOP("HelpPage", "jog while held, after a click on the pad; up and down move elevation")},
-    {QT_TRANSLATE_NOOP("HelpPage", "Shift + arrow"), QT_TRANSLATE_NOOP("HelpPage", "jog fast")},
-    {QT_TRANSLATE_NOOP("HelpPage", "Ctrl + arrow"), QT_TRANSLATE_NOOP("HelpPage", "one step")},
-    {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+G"), QT_TRANSLATE_NOOP("HelpPage", "to the go-to fields; Enter = Go")},
-    {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+H"), QT_TRANSLATE_NOOP("HelpPage", "hold")},
-    {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+P"), QT_TRANSLATE_NOOP("HelpPage", "park")},
-    {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+1 … Ctrl+5"),
-     QT_TRANSLATE_NOOP("HelpPage", "panels Jog, Charts, Limits, Clients, Log")},
-    {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+6, Ctrl+7"),
-     QT_TRANSLATE_NOOP("HelpPage", "the mount itself: Drives, Protection")},
-    {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+9"),
-     QT_TRANSLATE_NOOP("HelpPage", "which turn is the axis on? (while asked)")},
-    {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+L"),
-     QT_TRANSLATE_NOOP("HelpPage", "charts in the place of the sky, and back")},
-    {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+E"),
-     QT_TRANSLATE_NOOP("HelpPage", "change the limits on the plot: drag (Shift: 0.1°), + adds, Del removes")},
-    {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+0, Ctrl++, Ctrl+-"),
-     QT_TRANSLATE_NOOP("HelpPage", "magnify the plot around the target; also the wheel")},
-    {QT_TRANSLATE_NOOP("HelpPage", "F8"), QT_TRANSLATE_NOOP("HelpPage", "acknowledge the alarms")},
-    {QT_TRANSLATE_NOOP("HelpPage", "Ctrl+D"), QT_TRANSLATE_NOOP("HelpPage", "theme: day, night, red")},
-    {QT_TRANSLATE_NOOP("HelpPage", "F11"), QT_TRANSLATE_NOOP("HelpPage", "full screen")},
-    {QT_TRANSLATE_NOOP("HelpPage", "F1"), QT_TRANSLATE_NOOP("HelpPage", "this page")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Pause, F12"),
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "STOP from anywhere")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Esc"),
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "close the menu or dialog, cancel a drag; else STOP")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "arrows"),
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage",
+                       "jog while held, after a click on the pad; up and down move elevation")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Shift + arrow"),
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "jog fast")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl + arrow"),
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "one step")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+G"),
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "to the go-to fields; Enter = Go")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+H"), QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "hold")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+P"), QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "park")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+1 … Ctrl+5"),
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "panels Jog, Charts, Limits, Clients, Log")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+6, Ctrl+7"),
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "the mount itself: Drives, Protection")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+9"),
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "which turn is the axis on? (while asked)")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+L"),
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "charts in the place of the sky, and back")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+E"),
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage",
+                       "change the limits on the plot: drag (Shift: 0.1°), + adds, Del removes")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+0, Ctrl++, Ctrl+-"),
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "magnify the plot around the target; also the wheel")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "F8"),
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "acknowledge the alarms")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+D"),
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "theme: day, night, red")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "F11"), QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "full screen")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "F1"), QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "this page")},
 };
 
 }  // namespace
 
-HelpPage::HelpPage(QWidget* parent) : QDialog(parent)
+HelpPage::HelpPage(const QString& language, QWidget* parent) : QDialog(parent)
 {
     setWindowTitle(tr("Keys"));
     auto* const grid = new QGridLayout(this);
@@ -75,9 +88,37 @@ HelpPage::HelpPage(QWidget* parent) : QDialog(parent)
                                   this);
     stop->setFont(fonts::label());
     grid->addWidget(stop, row++, 0, 1, 2);
+    grid->addLayout(languageRow(language), row++, 0, 1, 2);
     auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     grid->addWidget(buttons, row, 0, 1, 2);
+}
+
+QLayout* HelpPage::languageRow(const QString& chosen)
+{
+    auto* const label = new QLabel(tr("&Language"), this);
+    auto* const choice = new QComboBox(this);
+    auto* const since = new QLabel(this);  // says so once another one is chosen
+    choice->addItem(tr("System"), QString());
+    for (const QString& language : languages()) {
+        choice->addItem(languageName(language), language);
+    }
+    choice->setCurrentIndex(std::max(0, choice->findData(chosen)));
+    choice->setAccessibleName(tr("Language"));
+    choice->setToolTip(tr("The language of the program's texts, from its next start on"));
+    label->setBuddy(choice);
+    connect(choice, &QComboBox::activated, this, [this, choice, since] {
+        since->setText(tr("in force at the next start"));
+        Q_EMIT languageChosen(choice->currentData().toString());
+    });
+    auto* const row = new QHBoxLayout;
+    for (QWidget* const part :
+         {static_cast<QWidget*>(label), static_cast<QWidget*>(choice), static_cast<QWidget*>(since)}) {
+        part->setFont(fonts::label());
+        row->addWidget(part);
+    }
+    row->addStretch();
+    return row;
 }
 
 }  // namespace boresight::ui

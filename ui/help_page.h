@@ -3,7 +3,8 @@
 
 #include <QDialog>
 
-// One page with every key and every mark of the screen. Not modal: STOP stays in reach.
+// One page with every key and every mark of the screen, and the choice of the language. Not modal: STOP stays in
+// reach.
 namespace boresight::ui {
 
 class HelpPage : public QDialog
@@ -11,7 +12,14 @@ class HelpPage : public QDialog
     Q_OBJECT
 
 public:
-    explicit HelpPage(QWidget* parent = nullptr);
+    // `language` is the one chosen now (ui/language.h).
+    explicit HelpPage(const QString& language, QWidget* parent = nullptr);
+
+Q_SIGNALS:
+    void languageChosen(const QString& language);
+
+private:
+    QLayout* languageRow(const QString& chosen);
 };
 
 }  // namespace boresight::ui

@@ -14,10 +14,10 @@ namespace {
 
 constexpr qint64 kLargest = 1'000'000;  // bytes: far beyond a point for each tenth of a degree
 
-QString tr(const char* text)
+class HorizonFiles
 {
-    return QCoreApplication::translate("HorizonFiles", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(HorizonFiles)
+};
 
 }  // namespace
 
@@ -29,7 +29,7 @@ Result<QString> importHorizon(ProfileDraft& draft, const QString& path)
     }
     const QByteArray text = file.read(kLargest + 1);
     if (text.size() > kLargest) {
-        return failure(ErrorCode::InvalidInput, tr("the file is too long for a horizon").toStdString());
+        return failure(ErrorCode::InvalidInput, HorizonFiles::tr("the file is too long for a horizon").toStdString());
     }
     const Result<profile::HorizonText> read =
         profile::parseHorizon(std::string_view(text.constData(), static_cast<std::size_t>(text.size())),
@@ -38,9 +38,10 @@ Result<QString> importHorizon(ProfileDraft& draft, const QString& path)
         return tl::unexpected(read.error());
     }
     draft.edit([&read](profile::Profile& profile) { profile.limits.horizon = read->points; });
-    const QString taken = tr("%1 points read").arg(read->points.size());
-    return read->merged == 0 ? taken
-                             : taken + tr(", %1 more at an azimuth that has a higher one left out").arg(read->merged);
+    const QString taken = HorizonFiles::tr("%1 points read").arg(read->points.size());
+    return read->merged == 0
+               ? taken
+               : taken + HorizonFiles::tr(", %1 more at an azimuth that has a higher one left out").arg(read->merged);
 }
 
 Result<> exportHorizon(const ProfileDraft& draft, const QString& path)

@@ -59,7 +59,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_closeBar(new PromptBar(tr("Close"), this)),
       m_goHere(new CommandButton(tr("Go here"), tr("Go to this direction by the nearest turn"), m_desk,
                                  m_pickBar->notice(), m_pickBar)),
-      m_help(new HelpPage(this)),
+      m_help(new HelpPage(settings.language, this)),
       m_stopKeys(new StopKeys(*this))
 {
     applyTheme(settings.theme);
@@ -74,6 +74,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(&m_panels->charts().charts(), &StripCharts::largeWanted, this, &MainWindow::placeCharts);
     connect(&m_panels->log(), &LogPanel::beepWanted, this, &QApplication::beep);
     connect(&m_panels->log(), &LogPanel::soundChanged, this, &MainWindow::alarmSoundChanged);
+    connect(m_help, &HelpPage::languageChosen, this, &MainWindow::languageChanged);
     connect(m_plot, &PolarPlot::editingChanged, this, &MainWindow::showEditing);
     m_stopKeys->setFirstUse([this] { return m_plot->editor().cancelDrag(); });
     connect(&m_beat, &QTimer::timeout, this, &MainWindow::beat);

@@ -56,6 +56,7 @@ Q_SIGNALS:
     void closeRequested();
     void themeChanged(boresight::ui::ThemeKind theme);
     void alarmSoundChanged(bool on);
+    void languageChanged(const QString& language);  // for the next start
 
 protected:
     void closeEvent(QCloseEvent* event) override;

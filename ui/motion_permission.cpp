@@ -13,10 +13,10 @@ namespace {
 // Closer to the end of travel than this is at the end: five times the resolution of the screen.
 constexpr Angle kAtLimit = 0.05_deg;
 
-QString tr(const char* text)
+class MotionPermission
 {
-    return QCoreApplication::translate("MotionPermission", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(MotionPermission)
+};
 
 // Where the axis is at the end of its travel, the way on. On an unknown turn the numbers say nothing of that.
 QString whyNotOn(const StationStatus& status, Axis which, bool upwards)
@@ -26,10 +26,10 @@ QString whyNotOn(const StationStatus& status, Axis which, bool upwards)
         return {};
     }
     if (upwards && *axis.actual > axis.travel.max - kAtLimit) {
-        return tr("at the upper limit %1").arg(angleText(axis.travel.max, 1));
+        return MotionPermission::tr("at the upper limit %1").arg(angleText(axis.travel.max, 1));
     }
     if (!upwards && *axis.actual < axis.travel.min + kAtLimit) {
-        return tr("at the lower limit %1").arg(angleText(axis.travel.min, 1));
+        return MotionPermission::tr("at the lower limit %1").arg(angleText(axis.travel.min, 1));
     }
     return {};
 }
@@ -40,18 +40,20 @@ QString whyNoMotion(const StationStatus& status)
 {
     switch (status.state) {
         case StationState::Disconnected:
-            return status.drives.released ? tr("the bus is released to other tools, press \"Take bus back\" first")
-                                          : tr("no connection to the drives");
+            return status.drives.released
+                       ? MotionPermission::tr("the bus is released to other tools, press \"Take bus back\" first")
+                       : MotionPermission::tr("no connection to the drives");
         case StationState::Stopped:
-            return tr("STOP is latched, press \"Reset stop\" first");
+            return MotionPermission::tr("STOP is latched, press \"Reset stop\" first");
         case StationState::Fault:
-            return tr("drive fault, press \"Re-arm\" first");
+            return MotionPermission::tr("drive fault, press \"Re-arm\" first");
         case StationState::Calibrate:
-            return tr("a calibration is running");
+            return MotionPermission::tr("a calibration is running");
         default:
             break;
     }
-    return status.drives.proofRunning ? tr("the crash-stop proof moves the mount") : status.drives.armingObstacle;
+    return status.drives.proofRunning ? MotionPermission::tr("the crash-stop proof moves the mount")
+                                      : status.drives.armingObstacle;
 }
 
 QString whyNoPointing(const StationStatus& status)
@@ -63,8 +65,8 @@ QString whyNoPointing(const StationStatus& status)
     for (const Axis axis : kAxes) {
         if (!isTurnKnown(status, axis)) {
             return (driveOf(status, axis).turnQuestion
-                        ? tr("which turn the %1 is on is not known: answer the question (Ctrl+9)")
-                        : tr("which turn the %1 is on is not known yet"))
+                        ? MotionPermission::tr("which turn the %1 is on is not known: answer the question (Ctrl+9)")
+                        : MotionPermission::tr("which turn the %1 is on is not known yet"))
                 .arg(name(axis));
         }
     }

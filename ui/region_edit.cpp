@@ -19,10 +19,10 @@ using pointing::Region;
 constexpr Angle kNarrowest = 0.5_deg;  // of a range or keep-out that was dragged together
 constexpr Angle kKeepOutSize = 20_deg;
 
-QString tr(const char* text)
+class RegionEdit
 {
-    return QCoreApplication::translate("RegionEdit", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(RegionEdit)
+};
 
 QString rangeText(Angle from, Angle to)
 {
@@ -56,7 +56,7 @@ Angle inCircle(Angle azimuth)
 std::string freeName(const std::vector<KeepOut>& keepOuts)
 {
     for (int number = 1;; ++number) {
-        const std::string name = tr("keep-out %1").arg(number).toStdString();
+        const std::string name = RegionEdit::tr("keep-out %1").arg(number).toStdString();
         if (std::ranges::find(keepOuts, name, &KeepOut::name) == keepOuts.end()) {
             return name;
         }
@@ -77,20 +77,21 @@ QString describe(const Region& region, const Travel& travel, const Grip& grip)
     const Travel limits = permitted(region, travel);
     switch (grip.part) {
         case RegionPart::AzimuthMin:
-            return tr("azimuth limit\nfrom %1").arg(angleText(limits.azimuth.min, 1));
+            return RegionEdit::tr("azimuth limit\nfrom %1").arg(angleText(limits.azimuth.min, 1));
         case RegionPart::AzimuthMax:
-            return tr("azimuth limit\nto %1").arg(angleText(limits.azimuth.max, 1));
+            return RegionEdit::tr("azimuth limit\nto %1").arg(angleText(limits.azimuth.max, 1));
         case RegionPart::ElevationMin:
-            return tr("lowest elevation\n%1").arg(angleText(limits.elevation.min, 1));
+            return RegionEdit::tr("lowest elevation\n%1").arg(angleText(limits.elevation.min, 1));
         case RegionPart::ElevationMax:
-            return tr("highest elevation\n%1").arg(angleText(limits.elevation.max, 1));
+            return RegionEdit::tr("highest elevation\n%1").arg(angleText(limits.elevation.max, 1));
         case RegionPart::HorizonPoint: {
             const HorizonPoint& point = region.horizon.at(grip.index);
-            return tr("horizon\naz %1\nel %2").arg(angleText(point.azimuth, 1), angleText(point.elevation, 1));
+            return RegionEdit::tr("horizon\naz %1\nel %2")
+                .arg(angleText(point.azimuth, 1), angleText(point.elevation, 1));
         }
         case RegionPart::KeepOut: {
             const KeepOut& keepOut = region.keepOuts.at(grip.index);
-            return tr("%1\naz %2\nel %3")
+            return RegionEdit::tr("%1\naz %2\nel %3")
                 .arg(QString::fromStdString(keepOut.name), rangeText(keepOut.azimuthFrom, keepOut.azimuthTo),
                      rangeText(keepOut.elevationMin, keepOut.elevationMax));
         }

@@ -16,22 +16,22 @@ namespace boresight::ui {
 
 namespace {
 
-QString tr(const char* text)
+class SkyItems
 {
-    return QCoreApplication::translate("PolarPlot", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(SkyItems)
+};
 
 QString azimuthLabel(int degrees)
 {
     switch (degrees) {
         case 0:
-            return tr("N");
+            return SkyItems::tr("N");
         case 90:
-            return tr("E");
+            return SkyItems::tr("E");
         case 180:
-            return tr("S");
+            return SkyItems::tr("S");
         case 270:
-            return tr("W");
+            return SkyItems::tr("W");
         default:
             return QString::number(degrees);
     }
@@ -173,7 +173,7 @@ void LabelsItem::drawInside(QPainter& painter, const SkyProjection& sky) const
     for (const double azimuth : m_grid.azimuths) {
         const Angle angle = Angle::fromDegrees(azimuth);
         painter.drawText(sky.toPixel({angle, ring}) + QPointF(4.0, painter.fontMetrics().ascent()),
-                         QCoreApplication::translate("PolarPlot", "az %1").arg(angleText(angle, m_grid.decimals)));
+                         SkyItems::tr("az %1").arg(angleText(angle, m_grid.decimals)));
     }
 }
 
@@ -184,9 +184,9 @@ void drawLegend(QPainter& painter, QPointF corner)
         Symbol symbol;
         QString text;
         Tone tone;
-    } lines[] = {{Symbol::Actual, tr("actual"), Tone::Normal},
-                 {Symbol::Commanded, tr("commanded"), Tone::Normal},
-                 {Symbol::Target, tr("target"), Tone::Accent}};
+    } lines[] = {{Symbol::Actual, SkyItems::tr("actual"), Tone::Normal},
+                 {Symbol::Commanded, SkyItems::tr("commanded"), Tone::Normal},
+                 {Symbol::Target, SkyItems::tr("target"), Tone::Accent}};
     painter.setFont(fonts::label());
     const QFontMetricsF metrics(painter.font());
     const QRectF ground(corner, QSizeF(metrics.horizontalAdvance(lines[1].text) + 2.0 * metrics.ascent(),
@@ -212,7 +212,7 @@ void drawZoomMark(QPainter& painter, const QRectF& view, double above, const Sky
     painter.save();
     painter.setFont(fonts::label());
     const QFontMetricsF metrics(painter.font());
-    const QString text = tr("MAGNIFIED ×%1").arg(magnification, 0, 'f', magnification < 10.0 ? 1 : 0);
+    const QString text = SkyItems::tr("MAGNIFIED ×%1").arg(magnification, 0, 'f', magnification < 10.0 ? 1 : 0);
     const QString scale = angleText(Angle::fromDegrees(length), length < 1.0 ? 1 : 0);
     const double width = std::max(metrics.horizontalAdvance(text), length * perDegree);
     const QRectF box(view.left() + 4.0, view.bottom() - above - 2.0 * metrics.lineSpacing() - 22.0, width + 12.0,

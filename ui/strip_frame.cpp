@@ -10,10 +10,10 @@ namespace boresight::ui {
 
 namespace {
 
-QString tr(const char* text)
+class StripTexts
 {
-    return QCoreApplication::translate("Charts", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(StripTexts)
+};
 
 // Shares of the beam's width that are drawn beside the error, the widest that fits. A tenth of the half-power width
 // off the axis costs 0.1 dB, half of it 3 dB.
@@ -41,11 +41,11 @@ std::vector<Trace> tracesOf(const TelemetryStore& store, Strip strip, const Char
         return trace(word, line, store.ring(choice.axis, channel), span);
     };
     if (strip == Strip::Position) {
-        return {of(tr("commanded"), TraceLine::Band, Channel::Commanded),
-                of(tr("actual"), TraceLine::Line, Channel::Actual)};
+        return {of(StripTexts::tr("commanded"), TraceLine::Band, Channel::Commanded),
+                of(StripTexts::tr("actual"), TraceLine::Line, Channel::Actual)};
     }
     if (strip == Strip::Error) {
-        return {of(tr("commanded − actual"), TraceLine::Line, Channel::Error)};
+        return {of(StripTexts::tr("commanded − actual"), TraceLine::Line, Channel::Error)};
     }
     switch (choice.quantity) {
         case DriveQuantity::Torque:
@@ -57,8 +57,8 @@ std::vector<Trace> tracesOf(const TelemetryStore& store, Strip strip, const Char
         case DriveQuantity::Temperature:
             break;
     }
-    return {of(tr("motor"), TraceLine::Band, Channel::MotorTemperature),
-            of(tr("board"), TraceLine::Line, Channel::BoardTemperature)};
+    return {of(StripTexts::tr("motor"), TraceLine::Band, Channel::MotorTemperature),
+            of(StripTexts::tr("board"), TraceLine::Line, Channel::BoardTemperature)};
 }
 
 std::vector<ReferenceLine> referencesOf(Strip strip, const ChartChoice& choice, const profile::Profile& profile)
@@ -70,7 +70,7 @@ std::vector<ReferenceLine> referencesOf(Strip strip, const ChartChoice& choice, 
     if (strip == Strip::Error) {
         for (const double share : kBeamShares) {
             const double level = profile.mount.beamWidth.degrees() * share / 100.0;
-            lines.push_back({level, tr("%1 % of the beam").arg(share)});
+            lines.push_back({level, StripTexts::tr("%1 % of the beam").arg(share)});
             lines.push_back({-level, {}});
         }
         return lines;
@@ -79,15 +79,15 @@ std::vector<ReferenceLine> referencesOf(Strip strip, const ChartChoice& choice, 
     const profile::AxisSettings& axis = choice.axis == Axis::Azimuth ? profile.azimuth : profile.elevation;
     switch (choice.quantity) {
         case DriveQuantity::Torque:
-            return {{axis.maxTorque, tr("greatest")}, {-axis.maxTorque, {}}};
+            return {{axis.maxTorque, StripTexts::tr("greatest")}, {-axis.maxTorque, {}}};
         case DriveQuantity::Current:
             return {};
         case DriveQuantity::Voltage:
-            return {{limits.supplyLow, tr("low")}, {limits.supplyHigh, tr("high")}};
+            return {{limits.supplyLow, StripTexts::tr("low")}, {limits.supplyHigh, StripTexts::tr("high")}};
         case DriveQuantity::Temperature:
             break;
     }
-    return {{limits.boardHot, tr("board hot")}, {limits.motorHot, tr("motor hot")}};
+    return {{limits.boardHot, StripTexts::tr("board hot")}, {limits.motorHot, StripTexts::tr("motor hot")}};
 }
 
 }  // namespace
@@ -111,10 +111,10 @@ ChartSpan spanOf(std::chrono::seconds window, int columns, SteadyTime newest, st
 StripForm formOf(Strip strip, DriveQuantity quantity)
 {
     if (strip == Strip::Position) {
-        return {.title = tr("Position"), .unit = QStringLiteral("°"), .decimals = 2, .leastSpan = 1.0};
+        return {.title = StripTexts::tr("Position"), .unit = QStringLiteral("°"), .decimals = 2, .leastSpan = 1.0};
     }
     if (strip == Strip::Error) {
-        return {.title = tr("Error"),
+        return {.title = StripTexts::tr("Error"),
                 .unit = QStringLiteral("°"),
                 .decimals = 3,
                 .leastSpan = 0.1,
@@ -147,15 +147,15 @@ QString name(DriveQuantity quantity)
 {
     switch (quantity) {
         case DriveQuantity::Torque:
-            return tr("Torque");
+            return StripTexts::tr("Torque");
         case DriveQuantity::Current:
-            return tr("q current");
+            return StripTexts::tr("q current");
         case DriveQuantity::Voltage:
-            return tr("Voltage");
+            return StripTexts::tr("Voltage");
         case DriveQuantity::Temperature:
             break;
     }
-    return tr("Temperature");
+    return StripTexts::tr("Temperature");
 }
 
 QString valueText(const std::optional<PeakRange>& value, int decimals)
@@ -182,13 +182,14 @@ QString describe(const StripForm& form, const StripFrame& frame)
             whole->include(column.range);
         }
         if (whole) {
-            parts << tr("%1 %2%3, in between %4%3")
+            parts << StripTexts::tr("%1 %2%3, in between %4%3")
                          .arg(trace.word, valueText(trace.value, form.decimals), form.unit,
                               valueText(whole, form.decimals))
                          .trimmed();
         }
     }
-    return tr("%1: %2").arg(form.title, parts.isEmpty() ? tr("no data") : parts.join(QStringLiteral("; ")));
+    return StripTexts::tr("%1: %2").arg(form.title,
+                                        parts.isEmpty() ? StripTexts::tr("no data") : parts.join(QStringLiteral("; ")));
 }
 
 }  // namespace boresight::ui

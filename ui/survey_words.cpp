@@ -7,10 +7,10 @@ namespace boresight::ui {
 
 namespace {
 
-QString tr(const char* text)
+class SurveyWords
 {
-    return QCoreApplication::translate("SurveyWords", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(SurveyWords)
+};
 
 Sentence inWork(const QString& progress, const QString& otherwise)
 {
@@ -22,31 +22,32 @@ Sentence inWork(const QString& progress, const QString& otherwise)
 Sentence surveySentence(const DrivesStatus& drives)
 {
     if (drives.released) {
-        return {tr("The bus is released to other tools"), Tone::Advisory, Symbol::Advisory};
+        return {SurveyWords::tr("The bus is released to other tools"), Tone::Advisory, Symbol::Advisory};
     }
     switch (drives.survey) {
         case survey::SurveyState::Running:
-            return inWork(drives.surveyText, tr("reading the drives"));
+            return inWork(drives.surveyText, SurveyWords::tr("reading the drives"));
         case survey::SurveyState::Fixing:
-            return inWork(drives.surveyText, tr("writing the drives"));
+            return inWork(drives.surveyText, SurveyWords::tr("writing the drives"));
         case survey::SurveyState::Done:
-            return {drives.surveyText.isEmpty() ? tr("The drives have been read") : drives.surveyText};
+            return {drives.surveyText.isEmpty() ? SurveyWords::tr("The drives have been read") : drives.surveyText};
         case survey::SurveyState::NotDone:
             break;
     }
-    return {drives.surveyText.isEmpty() ? tr("The drives have not been read") : drives.surveyText, Tone::Warning,
-            Symbol::Warning};
+    return {drives.surveyText.isEmpty() ? SurveyWords::tr("The drives have not been read") : drives.surveyText,
+            Tone::Warning, Symbol::Warning};
 }
 
 Sentence armingSentence(const DrivesStatus& drives)
 {
     if (drives.released) {
-        return {tr("Nothing moves until it is taken back; then the drives are read anew")};
+        return {SurveyWords::tr("Nothing moves until it is taken back; then the drives are read anew")};
     }
     if (!drives.armingObstacle.isEmpty()) {
-        return {tr("Nothing may move: %1").arg(drives.armingObstacle), Tone::Alarm, Symbol::Alarm};
+        return {SurveyWords::tr("Nothing may move: %1").arg(drives.armingObstacle), Tone::Alarm, Symbol::Alarm};
     }
-    return {drives.switchedOn ? tr("Fit to move, drives switched on") : tr("Fit to move, drives switched off")};
+    return {drives.switchedOn ? SurveyWords::tr("Fit to move, drives switched on")
+                              : SurveyWords::tr("Fit to move, drives switched off")};
 }
 
 }  // namespace boresight::ui

@@ -4,6 +4,8 @@
 #include "core/units/sky.h"
 #include "ui/theme.h"
 
+#include <QString>
+
 #include <array>
 
 // What the window is told once, by value, when it is built. Rates and angles are those of the axes; everything that
@@ -19,6 +21,7 @@ struct WindowSettings
     std::array<Angle, 3> steps{0.1_deg, 1_deg, 5_deg};
     AxisPosition park;  // shown in the tooltip of Park
     ThemeKind theme = ThemeKind::Day;
+    QString language;        // what was chosen (ui/language.h); the texts have it already
     bool alarmSound = true;  // at a new alarm, once; silence is the operator's choice
 };
 

@@ -7,6 +7,7 @@
 #include "app/unix_signals.h"
 #include "core/base/version.h"
 #include "core/station/link_factory.h"
+#include "ui/language.h"
 #include "ui/main_window.h"
 
 #include <QApplication>
@@ -22,6 +23,7 @@ using namespace boresight;
 
 const QString kThemeKey = QStringLiteral("theme");
 const QString kSoundKey = QStringLiteral("alarm_sound");
+const QString kLanguageKey = QStringLiteral("language");
 const QString kGeometryKey = QStringLiteral("geometry");
 
 int complain(const std::string& text)
@@ -38,6 +40,7 @@ ui::WindowSettings windowSettings(const profile::Profile& profile, const QSettin
             .unwind = profile.jog.unwind,
             .park = profile.park,
             .theme = static_cast<ui::ThemeKind>(layout.value(kThemeKey, 0).toInt()),
+            .language = layout.value(kLanguageKey).toString(),
             .alarmSound = layout.value(kSoundKey, true).toBool()};
 }
 
@@ -83,10 +86,14 @@ void connectWindow(ui::MainWindow& window, app::StationThread& station, QSetting
                      [&layout](ui::ThemeKind theme) { layout.setValue(kThemeKey, static_cast<int>(theme)); });
     QObject::connect(&window, &ui::MainWindow::alarmSoundChanged, &window,
                      [&layout](bool on) { layout.setValue(kSoundKey, on); });
+    QObject::connect(&window, &ui::MainWindow::languageChanged, &window,
+                     [&layout](const QString& language) { layout.setValue(kLanguageKey, language); });
 }
 
 int run(QApplication& application, const app::Options& options, const QElapsedTimer& sinceStart)
 {
+    QSettings layout(options.stateDir + QStringLiteral("/window.ini"), QSettings::IniFormat);
+    const ui::Translation translation(layout.value(kLanguageKey).toString());
     const SystemClock clock;
     const auto build = [&](const profile::Profile& profile) {
         return makeLink(profile.bus, clock).map([&](std::unique_ptr<CanLink> link) {
@@ -101,7 +108,6 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
         std::make_unique<Station>(options.profile, std::move(*link), options.stateDir, clock, options.standingAt),
         build);
     app::ProfileSaver saver(options.configDir, options.profilePath, options.profile);
-    QSettings layout(options.stateDir + QStringLiteral("/window.ini"), QSettings::IniFormat);
     ui::MainWindow window(clock, windowSettings(options.profile, layout));
     const bool known = window.restoreGeometry(layout.value(kGeometryKey).toByteArray());
     connectWindow(window, station, layout);

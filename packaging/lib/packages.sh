@@ -10,6 +10,7 @@
 readonly build_packages=(
     g++ cmake ninja-build ca-certificates
     qt6-base-dev 'qt6-svg-dev|libqt6svg6-dev' 'qt6-serialport-dev|libqt6serialport6-dev'
+    qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools
     libgl-dev libexpected-dev libtomlplusplus-dev libgtest-dev libgmock-dev libbenchmark-dev
 )
 
@@ -24,8 +25,9 @@ readonly test_packages=(
     man-db desktop-file-utils appstream
 )
 
-# What showing the window on a real display needs beyond the libraries that are linked.
-readonly display_packages=(qt6-wayland libqt6svg6 fonts-dejavu-core)
+# What showing the window on a real display needs beyond the libraries that are linked: with Qt's own texts in other
+# languages.
+readonly display_packages=(qt6-wayland libqt6svg6 qt6-translations-l10n fonts-dejavu-core)
 
 # What tests/bench/run needs.
 readonly bench_packages=(libhamlib-utils xvfb xauth)
