@@ -20,12 +20,23 @@ Result<> saveNew(const QString& configDir, const profile::Profile& profile, QStr
     });
 }
 
-Result<> saveChanges(const QString& path, const profile::Profile& wanted, const std::vector<std::string>& keys)
+Result<> saveChanges(const QString& configDir, const QString& path, const profile::Profile& wanted,
+                     const std::vector<std::string>& keys)
 {
     return profile::loadProfile(path).and_then([&](profile::Profile kept) {
+        const std::string name = kept.mount.name;
         profile::takeOver(kept, wanted, keys);
-        return profile::saveKeepingPrevious(kept, path);
+        // A new name must not be another mount's.
+        return kept.mount.name == name ? profile::saveKeepingPrevious(kept, path)
+                                       : profile::ProfileStore(configDir).save(kept, path);
     });
+}
+
+QString fileOf(const profile::ProfileStore& store, const QString& mountName)
+{
+    const auto mounts = store.list();
+    const auto found = std::ranges::find(mounts, mountName, &profile::StoredProfile::mountName);
+    return found != mounts.end() ? found->path : QString();
 }
 
 }  // namespace
@@ -47,7 +58,8 @@ void ProfileSaver::save(const profile::Profile& wanted)
 {
     const auto keys = profile::changedKeys(std::exchange(m_last, wanted), wanted);
     m_writer.start([this, wanted, keys, configDir = m_configDir, path = m_path] {
-        const Result<> saved = path->isEmpty() ? saveNew(configDir, wanted, *path) : saveChanges(*path, wanted, keys);
+        const Result<> saved =
+            path->isEmpty() ? saveNew(configDir, wanted, *path) : saveChanges(configDir, *path, wanted, keys);
         if (!saved) {
             Q_EMIT failed(QString::fromStdString(saved.error().text));
         }
@@ -57,14 +69,19 @@ void ProfileSaver::save(const profile::Profile& wanted)
 void ProfileSaver::follow(const profile::Profile& connected)
 {
     m_last = connected;
-    m_writer.start([name = QString::fromStdString(connected.mount.name), configDir = m_configDir, path = m_path] {
+    m_writer.start([this, name = QString::fromStdString(connected.mount.name), configDir = m_configDir, path = m_path] {
         const auto kept = profile::loadProfile(*path);
         if (kept && QString::fromStdString(kept->mount.name) == name) {
             return;
         }
-        const auto mounts = profile::ProfileStore(configDir).list();
-        const auto found = std::ranges::find(mounts, name, &profile::StoredProfile::mountName);
-        *path = found != mounts.end() ? found->path : QString();
+        const profile::ProfileStore store(configDir);
+        *path = fileOf(store, name);
+        if (path->isEmpty()) {
+            return;  // of a mount that is not kept yet; its first change makes its file
+        }
+        if (const Result<> chosen = store.setCurrent(*path); !chosen) {
+            Q_EMIT failed(QString::fromStdString(chosen.error().text));
+        }
     });
 }
 

@@ -26,7 +26,7 @@ public:
 
 public Q_SLOTS:
     void save(const boresight::profile::Profile& wanted);
-    // Another mount was connected: what is applied from now on belongs to its file.
+    // Another mount was connected: what is applied from now on belongs to its file, and the next start begins with it.
     void follow(const boresight::profile::Profile& connected);
 
 Q_SIGNALS:

@@ -10,12 +10,7 @@ StationThread::StationThread(std::unique_ptr<Station> station, Build build, QObj
     qRegisterMetaType<StationUpdate>();
     qRegisterMetaType<profile::Profile>();
     take(std::move(station));
-    // Without a station there is nothing to wait for.
-    connect(this, &StationThread::shutDownRequested, this, [this] {
-        if (!m_running) {
-            Q_EMIT finished();
-        }
-    });
+    connect(this, &StationThread::shutDownRequested, this, &StationThread::shutDown);
 }
 
 void StationThread::take(std::unique_ptr<Station> station)
@@ -55,10 +50,29 @@ void StationThread::end()
     }
 }
 
+// Without a station there is nothing to wait for.
+void StationThread::shutDown()
+{
+    m_shuttingDown = true;
+    if (!m_running) {
+        Q_EMIT finished();
+    }
+}
+
 // The old station has left its drives and closed its bus before it asked for this.
 void StationThread::reconnect(const profile::Profile& profile)
 {
+    connect(&m_running->thread, &QThread::finished, this, [this, profile] { beginNext(profile); });
+    m_running->thread.quit();
+}
+
+void StationThread::beginNext(const profile::Profile& profile)
+{
     end();
+    if (m_shuttingDown) {
+        Q_EMIT finished();
+        return;
+    }
     auto next = m_build(profile);
     if (!next) {
         Q_EMIT reconnected(profile, QString::fromStdString(next.error().text));

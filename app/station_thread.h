@@ -10,7 +10,8 @@
 #include <memory>
 
 // Runs a Station on a thread of its own, and after a reconnect the next one on the next thread. Made, used and
-// destroyed on the main thread; everything between the two threads is a queued signal carrying values.
+// destroyed on the main thread; everything between the two threads is a queued signal carrying values. A reconnect
+// blocks nobody: the old thread ends by itself, what its station still writes included, before the next one is built.
 namespace boresight::app {
 
 class StationThread : public QObject
@@ -52,9 +53,12 @@ private:
     void take(std::unique_ptr<Station> station);
     void end();
     void reconnect(const profile::Profile& profile);
+    void beginNext(const profile::Profile& profile);
+    void shutDown();
 
     Build m_build;
     std::unique_ptr<Running> m_running;
+    bool m_shuttingDown = false;  // then no next station is begun
 };
 
 }  // namespace boresight::app

@@ -112,7 +112,12 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     const bool known = window.restoreGeometry(layout.value(kGeometryKey).toByteArray());
     connectWindow(window, station, layout);
     QObject::connect(&station, &app::StationThread::profileApplied, &saver, &app::ProfileSaver::save);
-    QObject::connect(&station, &app::StationThread::reconnected, &saver, &app::ProfileSaver::follow);
+    QObject::connect(&station, &app::StationThread::reconnected, &saver,
+                     [&saver](const profile::Profile& profile, const QString& problem) {
+                         if (problem.isEmpty()) {
+                             saver.follow(profile);
+                         }
+                     });
     QObject::connect(&saver, &app::ProfileSaver::failed, &window, &ui::MainWindow::warn);
     app::UnixSignals signals;
     QObject::connect(&signals, &app::UnixSignals::endRequested, &station, &app::StationThread::shutDownRequested);

@@ -240,6 +240,8 @@ void Station::finish()
     m_reopenTimer.stop();
     m_server.close();
     m_link->close();
+    m_updateWanted = true;  // the last words, also to a screen that is slow: who asked for the end has an answer to get
+    publish();
     qCInfo(lcTick, "ticks %llu, late p50 %.1f ms, p99 %.1f ms, max %.1f ms",
            static_cast<unsigned long long>(m_lateness.count()), m_lateness.percentile(0.5).count() * 1e3,
            m_lateness.percentile(0.99).count() * 1e3, m_lateness.percentile(1.0).count() * 1e3);

@@ -74,6 +74,30 @@ TEST(ProfileSaver, AfterAnotherMountWasConnectedItsFileIsWritten)
     }
     EXPECT_EQ(profile::loadProfile(*fieldFile)->park.azimuth, 77_deg);
     EXPECT_EQ(*profile::loadProfile(*roofFile), roof);
+    EXPECT_EQ(*store.findCurrent(), fieldFile.value()) << "the next start begins where the operator was";
+}
+
+TEST(ProfileSaver, ANewNameMustNotBeAnotherMounts)
+{
+    Rig rig;
+    const profile::ProfileStore store(rig.folder.path());
+    profile::Profile roof;
+    roof.mount.name = "Roof";
+    profile::Profile field;
+    field.mount.name = "Field";
+    const auto roofFile = store.add(roof);
+    ASSERT_TRUE(roofFile && store.add(field));
+    QString reason;
+    {
+        ProfileSaver saver(rig.folder.path(), *roofFile, roof);
+        QObject::connect(
+            &saver, &ProfileSaver::failed, &saver, [&](const QString& text) { reason = text; }, Qt::DirectConnection);
+        profile::Profile renamed = roof;
+        renamed.mount.name = "Field";
+        saver.save(renamed);
+    }
+    EXPECT_TRUE(reason.contains(QStringLiteral("there is a mount \"Field\" already"))) << reason.toStdString();
+    EXPECT_EQ(profile::loadProfile(*roofFile)->mount.name, "Roof");
 }
 
 TEST(ProfileSaver, SaysWhyItCouldNot)

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/station_thread.h"
+
+#include "core/base/clock.h"
+#include "core/station/link_factory.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace boresight::app {
+namespace {
+
+profile::Profile mount(const char* name)
+{
+    profile::Profile profile;
+    profile.mount.name = name;
+    profile.rotctld.listen.port = 0;
+    return profile;
+}
+
+// Real threads and a real event loop; the drives are the simulated ones.
+class StationThreadTest : public ::testing::Test
+{
+protected:
+    StationThreadTest()
+    {
+        QObject::connect(&thread, &StationThread::updated, &thread, [this](const StationUpdate& update) {
+            inForce = update.status.profile;
+            for (const Answer& answer : update.answers) {
+                answers.push_back(answer);
+            }
+            Q_EMIT thread.updateTaken();
+        });
+    }
+    ~StationThreadTest() override
+    {
+        QSignalSpy finished(&thread, &StationThread::finished);
+        Q_EMIT thread.shutDownRequested();
+        EXPECT_TRUE(finished.count() > 0 || finished.wait());
+    }
+
+    std::unique_ptr<Station> station(const profile::Profile& profile)
+    {
+        return std::make_unique<Station>(profile, std::move(*makeLink(profile.bus, clock)), folder.path(), clock);
+    }
+    Result<std::unique_ptr<Station>> build(const profile::Profile& profile)
+    {
+        ++built;
+        if (!refusal.empty()) {
+            return failure(ErrorCode::NoDevice, refusal);
+        }
+        return station(profile);
+    }
+    void ask(const Request& request) { Q_EMIT thread.requested({.id = ++lastId, .request = request}); }
+    bool shows(const std::string& name)
+    {
+        return QTest::qWaitFor([&] { return inForce && inForce->mount.name == name; });
+    }
+
+    QTemporaryDir folder;
+    SystemClock clock;
+    std::shared_ptr<const profile::Profile> inForce;
+    std::vector<Answer> answers;
+    std::uint64_t lastId = 0;
+    int built = 0;
+    std::string refusal;
+    StationThread thread{station(mount("Roof")), [this](const profile::Profile& profile) { return build(profile); }};
+};
+
+TEST_F(StationThreadTest, AReconnectRunsTheOtherMountInItsPlace)
+{
+    thread.start();
+    ASSERT_TRUE(shows("Roof"));
+    QSignalSpy reconnected(&thread, &StationThread::reconnected);
+    QSignalSpy finished(&thread, &StationThread::finished);
+    ask(request::Reconnect{mount("Field")});
+    ASSERT_TRUE(reconnected.wait());
+    EXPECT_EQ(reconnected.front().at(0).value<profile::Profile>().mount.name, "Field");
+    EXPECT_EQ(reconnected.front().at(1).toString(), QString());
+    ASSERT_TRUE(shows("Field"));
+    EXPECT_TRUE(finished.isEmpty()) << "the window would close";
+
+    ask(request::TakeAuthority{});
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !answers.empty() && answers.back().requestId == lastId; }))
+        << "the requests reach the station that runs";
+    ask(request::Reconnect{mount("Roof")});
+    EXPECT_TRUE(shows("Roof")) << "and back";
+    EXPECT_EQ(built, 2);
+}
+
+TEST_F(StationThreadTest, TheAskerOfAReconnectHasItsAnswer)
+{
+    thread.start();
+    ASSERT_TRUE(shows("Roof"));
+    ask(request::Reconnect{mount("Field")});
+    ASSERT_TRUE(shows("Field"));
+    ASSERT_FALSE(answers.empty());
+    EXPECT_EQ(answers.front().requestId, 1u);
+    EXPECT_FALSE(answers.front().error);
+}
+
+TEST_F(StationThreadTest, TheNextStationListensWhereTheOldOneDid)
+{
+    QSignalSpy started(&thread, &StationThread::started);
+    thread.start();
+    ASSERT_TRUE(started.wait());
+    const QString listening = started.front().at(0).toString();
+    profile::Profile next = mount("Field");
+    next.rotctld.listen = *profile::parseListenAddress(listening.toStdString());
+    ask(request::Reconnect{next});
+    ASSERT_TRUE(started.wait());
+    EXPECT_EQ(started.back().at(0).toString(), listening);
+    EXPECT_EQ(started.back().at(1).toString(), QString());
+}
+
+TEST_F(StationThreadTest, WhatCanNotBeBuiltIsTold)
+{
+    thread.start();
+    ASSERT_TRUE(shows("Roof"));
+    refusal = "no such adapter";
+    QSignalSpy reconnected(&thread, &StationThread::reconnected);
+    ask(request::Reconnect{mount("Field")});
+    ASSERT_TRUE(reconnected.wait());
+    EXPECT_EQ(reconnected.front().at(1).toString(), QStringLiteral("no such adapter"));
+}
+
+TEST_F(StationThreadTest, NothingIsBegunAnewOnceTheProgramIsToEnd)
+{
+    thread.start();
+    ASSERT_TRUE(shows("Roof"));
+    QSignalSpy finished(&thread, &StationThread::finished);
+    QSignalSpy reconnected(&thread, &StationThread::reconnected);
+    ask(request::Reconnect{mount("Field")});
+    Q_EMIT thread.shutDownRequested();  // comes to a station that is ending already
+    ASSERT_TRUE(finished.wait());
+    EXPECT_EQ(built, 0);
+    EXPECT_TRUE(reconnected.isEmpty());
+}
+
+}  // namespace
+}  // namespace boresight::app
