@@ -8,11 +8,17 @@
 // the port is opened, and counts from then on. A symbolic link that the operator chose stays what counts.
 namespace boresight {
 
+inline const QString kStableNames = QStringLiteral("/dev/serial/by-id");  // where udev keeps them
+
+// Of both adapters that mjbots makes, and of those it may make later.
+[[nodiscard]] bool isAdapterName(const QString& name);
+// The stable name that leads to this port; empty if there is none.
+[[nodiscard]] QString stableNameOf(const QString& port, const QString& namesFolder = kStableNames);
+
 class StablePort
 {
 public:
-    // `namesFolder` is where udev keeps the stable names.
-    StablePort(QString path, QString namesFolder = QStringLiteral("/dev/serial/by-id"))
+    StablePort(QString path, QString namesFolder = kStableNames)
         : m_path(std::move(path)), m_namesFolder(std::move(namesFolder))
     {}
 
@@ -25,8 +31,6 @@ public:
     void remember();
 
 private:
-    [[nodiscard]] QString nameOf(const QString& port) const;
-
     QString m_path;
     QString m_namesFolder;
     QString m_name;

@@ -75,6 +75,9 @@ void StationControl::setProfile(const profile::Profile& profile)
     if (profile.limits != m_profile.limits) {
         setRegion(profile.limits);
     }
+    if (profile.mount.directions != m_profile.mount.directions) {
+        m_firstMoves = {};  // the small way begins where the mount stands now
+    }
     m_profile = profile;
     for (const Axis axis : kAxes) {
         m_motion.setLimits(axis, profile.axis(axis).limits);

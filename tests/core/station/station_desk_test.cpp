@@ -106,6 +106,29 @@ TEST(StationDesk, BeforeItsDirectionsAreConfirmedAMountIsJoggedALittleAndSlowly)
     EXPECT_TRUE(rig.point(50.0, 30.0, kOperator));
 }
 
+TEST(StationDesk, DirectionsThatAreDoubtedAgainAllowASmallWayFromWhereTheMountStandsNow)
+{
+    profile::Profile fresh;
+    fresh.mount.directions = Directions::Unconfirmed;
+    StationRig rig(fresh);
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = 1_deg_s}}));
+    rig.run(Seconds(1.0));
+    fresh.mount.directions = Directions::Confirmed;
+    rig.control.setProfile(fresh);
+    ASSERT_TRUE(rig.point(50.0, 30.0, kOperator));
+    rig.settle();
+    fresh.mount.directions = Directions::Unconfirmed;  // the motors are swapped, for instance
+    rig.control.setProfile(fresh);
+    EXPECT_FALSE(rig.point(60.0, 30.0, kOperator));
+    for (int repeat = 0; repeat < 200; ++repeat) {
+        (void)rig.ask(request::Jog{{.azimuth = 5_deg_s}});
+        rig.tick();
+    }
+    EXPECT_GE(rig.azimuthDegrees(), 51.2);
+    EXPECT_LE(rig.azimuthDegrees(), 52.0);
+}
+
 TEST(StationDesk, OneAlarmIsAcknowledgedAndTheOthersWait)
 {
     StationRig rig;

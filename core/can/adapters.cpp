@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/can/adapters.h"
+
+#include "core/can/stable_port.h"
+
+#include <QDir>
+#include <QFile>
+#include <QSerialPortInfo>
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+constexpr std::uint16_t kMjbotsVendor = 0x1209;  // pid.codes, shared by many
+constexpr std::uint16_t kMjcanfd = 0x2323;       // mjcanfd-usb-1x
+constexpr int kTypeOfCan = 280;                  // ARPHRD_CAN of linux/if_arp.h
+constexpr unsigned kInterfaceUp = 1;             // IFF_UP of linux/if.h
+
+QString joined(const QStringList& parts)
+{
+    QStringList given = parts;
+    given.removeAll(QString());
+    return given.join(QStringLiteral(", "));
+}
+
+bool isRecognised(const SerialPortFacts& port)
+{
+    const bool isMjcanfd = port.vendor == kMjbotsVendor && port.product == kMjcanfd;
+    return isMjcanfd || isAdapterName(port.stableName) || isAdapterName(port.manufacturer) ||
+           isAdapterName(port.description);
+}
+
+Adapter serialAdapter(const SerialPortFacts& port)
+{
+    const QString path = port.stableName.isEmpty() ? port.device : port.stableName;
+    QString name = joined({port.manufacturer, port.description}).replace(QStringLiteral(", "), QStringLiteral(" "));
+    name.replace(QLatin1Char('_'), QLatin1Char(' '));
+    return {.bus = QStringLiteral("fdcanusb:") + path,
+            .name = name.isEmpty() ? QStringLiteral("USB serial port") : name,
+            .detail = joined({port.serialNumber, port.device}),
+            .recognised = isRecognised(port)};
+}
+
+Adapter canAdapter(const CanInterfaceFacts& interface)
+{
+    return {.bus = QStringLiteral("socketcan:") + interface.name,
+            .name = QStringLiteral("CAN interface"),
+            .detail = interface.name + (interface.up ? QString() : QStringLiteral(", down")),
+            .recognised = true};
+}
+
+QByteArray contents(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll().trimmed() : QByteArray();
+}
+
+std::vector<SerialPortFacts> serialPorts()
+{
+    std::vector<SerialPortFacts> ports;
+    for (const QSerialPortInfo& info : QSerialPortInfo::availablePorts()) {
+        ports.push_back(
+            {.device = info.systemLocation(),
+             .stableName = stableNameOf(info.systemLocation()),
+             .manufacturer = info.manufacturer(),
+             .description = info.description(),
+             .serialNumber = info.serialNumber(),
+             .vendor = info.hasVendorIdentifier() ? std::optional(info.vendorIdentifier()) : std::nullopt,
+             .product = info.hasProductIdentifier() ? std::optional(info.productIdentifier()) : std::nullopt});
+    }
+    return ports;
+}
+
+}  // namespace
+
+std::vector<Adapter> adaptersOf(const std::vector<SerialPortFacts>& ports,
+                                const std::vector<CanInterfaceFacts>& interfaces)
+{
+    std::vector<Adapter> all;
+    for (const SerialPortFacts& port : ports) {
+        if (port.vendor || isRecognised(port)) {
+            all.push_back(serialAdapter(port));
+        }
+    }
+    const auto others = std::ranges::stable_partition(all, &Adapter::recognised);
+    std::vector<Adapter> can;
+    std::ranges::transform(interfaces, std::back_inserter(can), canAdapter);
+    all.insert(others.begin(), can.begin(), can.end());
+    all.push_back({.bus = QStringLiteral("simulated"),
+                   .name = QStringLiteral("Simulated mount"),
+                   .detail = QStringLiteral("built in, to try everything without a mount"),
+                   .recognised = true});
+    return all;
+}
+
+std::vector<CanInterfaceFacts> canInterfacesIn(const QString& folder)
+{
+    std::vector<CanInterfaceFacts> found;
+    const auto names = QDir(folder).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
+    for (const QString& name : names) {
+        const QString own = folder + QLatin1Char('/') + name;
+        if (contents(own + QStringLiteral("/type")).toInt() == kTypeOfCan) {
+            const unsigned flags = contents(own + QStringLiteral("/flags")).toUInt(nullptr, 0);  // "0x40081"
+            found.push_back({.name = name, .up = (flags & kInterfaceUp) != 0});
+        }
+    }
+    return found;
+}
+
+std::vector<Adapter> findAdapters()
+{
+    return adaptersOf(serialPorts(), canInterfacesIn(QStringLiteral("/sys/class/net")));
+}
+
+}  // namespace boresight

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/profile/commissioning.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight::profile {
+
+namespace {
+
+AxisSettings& settingsOf(Profile& profile, Axis axis)
+{
+    return axis == Axis::Azimuth ? profile.azimuth : profile.elevation;
+}
+
+TravelRange& limitsOf(Profile& profile, Axis axis)
+{
+    return axis == Axis::Azimuth ? profile.limits.azimuth : profile.limits.elevation;
+}
+
+Angle& parkOf(Profile& profile, Axis axis)
+{
+    return axis == Axis::Azimuth ? profile.park.azimuth : profile.park.elevation;
+}
+
+bool within(const TravelRange& inner, const TravelRange& outer)
+{
+    return inner.min >= outer.min && inner.max <= outer.max;
+}
+
+// Limits that were wider than the travel never counted, and stay as wide as they are.
+void bringInside(Profile& profile, Axis axis)
+{
+    const TravelRange& travel = settingsOf(profile, axis).geometry.travel;
+    TravelRange& limits = limitsOf(profile, axis);
+    if (limits.max <= travel.min || limits.min >= travel.max) {
+        limits = travel;
+    }
+    const TravelRange allowed{.min = std::max(limits.min, travel.min), .max = std::min(limits.max, travel.max)};
+    parkOf(profile, axis) = allowed.clamped(parkOf(profile, axis));
+}
+
+// A hundredth of a degree is finer than any end of a cable, and numbers of a file stay readable.
+Angle rounded(Angle angle)
+{
+    return Angle::fromDegrees(std::round(angle.degrees() * 100.0) / 100.0);
+}
+
+void shift(TravelRange& range, Angle by)
+{
+    range = {.min = rounded(range.min + by), .max = rounded(range.max + by)};
+}
+
+}  // namespace
+
+void useBus(Profile& profile, const std::string& bus, std::span<const int> ids)
+{
+    const auto has = [&ids](int id) { return std::ranges::find(ids, id) != ids.end(); };
+    if (ids.size() == 2 && ids[0] != ids[1] && !(has(profile.azimuth.id) && has(profile.elevation.id))) {
+        profile.azimuth.id = ids[0];
+        profile.elevation.id = ids[1];
+        profile.mount.directions = Directions::Unconfirmed;
+    }
+    if (bus != profile.bus) {
+        profile.bus = bus;
+        profile.mount.directions = Directions::Unconfirmed;
+    }
+}
+
+void swapMotors(Profile& profile)
+{
+    std::swap(profile.azimuth.id, profile.elevation.id);
+    profile.mount.directions = Directions::Unconfirmed;
+}
+
+void reverse(Profile& profile, Axis axis, const std::optional<Angle>& reading)
+{
+    pointing::AxisGeometry& geometry = settingsOf(profile, axis).geometry;
+    geometry.sign = -geometry.sign;
+    if (reading) {
+        geometry.offset = -geometry.offset - *reading * 2.0;  // sign × (reading + offset) stays the same
+    }
+    profile.mount.directions = Directions::Unconfirmed;
+}
+
+void setTravel(Profile& profile, Axis axis, const TravelRange& travel)
+{
+    settingsOf(profile, axis).geometry.travel = travel;
+    bringInside(profile, axis);
+}
+
+void setReading(Profile& profile, Axis axis, Angle reading, Angle truth, Ends ends)
+{
+    pointing::AxisGeometry& geometry = settingsOf(profile, axis).geometry;
+    const Angle by = truth - reading;
+    geometry.offset -= by;
+    if (ends == Ends::KeepTheirNumbers) {
+        return;
+    }
+    TravelRange& limits = limitsOf(profile, axis);
+    const bool limited = !within(geometry.travel, limits);
+    shift(geometry.travel, by);
+    if (limited) {
+        shift(limits, by);
+    }
+    parkOf(profile, axis) = rounded(parkOf(profile, axis) + by);
+    bringInside(profile, axis);
+}
+
+}  // namespace boresight::profile

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/profile/profile.h"
+
+#include <optional>
+#include <span>
+#include <string>
+
+// The changes of a profile that commissioning a mount consists of, each as one act: what hangs together is changed
+// together, so that the profile goes on making sense. Nothing here moves anything. Pure.
+namespace boresight::profile {
+
+// The mount is reached by this bus, whose controllers answer under `ids`. Two ids that are not the profile's become
+// azimuth and elevation in this order; which is which is seen when they move. Another bus is another mount: its
+// directions are not confirmed.
+void useBus(Profile& profile, const std::string& bus, std::span<const int> ids);
+
+// The motor that was taken for the azimuth's is the elevation's. Directions are to be confirmed anew.
+void swapMotors(Profile& profile);
+
+// The motor turns the axis the other way than the profile says. The axis goes on reading what it reads now, if that is
+// known. Directions are to be confirmed anew.
+void reverse(Profile& profile, Axis axis, const std::optional<Angle>& reading);
+
+// The axis may go from here to there. What lay outside (limits of operation, park) is brought inside.
+void setTravel(Profile& profile, Axis axis, const TravelRange& travel);
+
+// What becomes of travel, limits of operation and park when the angles of an axis get another zero.
+enum class Ends
+{
+    StayOnTheMount,  // cable and stops are where they were: their numbers change
+    KeepTheirNumbers
+};
+
+// What the axis reads now is really `truth`.
+void setReading(Profile& profile, Axis axis, Angle reading, Angle truth, Ends ends);
+
+}  // namespace boresight::profile

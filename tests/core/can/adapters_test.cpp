@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/can/adapters.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+
+namespace boresight {
+namespace {
+
+using testing::ElementsAre;
+using testing::Field;
+
+const SerialPortFacts kFdcanusb{.device = QStringLiteral("/dev/ttyACM1"),
+                                .stableName = QStringLiteral("/dev/serial/by-id/usb-mjbots_fdcanusb_1A2B-if00"),
+                                .manufacturer = QStringLiteral("mjbots"),
+                                .description = QStringLiteral("fdcanusb"),
+                                .serialNumber = QStringLiteral("1A2B"),
+                                .vendor = 0x0483,
+                                .product = 0x5740};
+const SerialPortFacts kRadio{.device = QStringLiteral("/dev/ttyUSB0"),
+                             .stableName = QStringLiteral("/dev/serial/by-id/usb-FTDI_FT232R-if00"),
+                             .manufacturer = QStringLiteral("FTDI"),
+                             .description = QStringLiteral("FT232R USB UART"),
+                             .serialNumber = {},
+                             .vendor = 0x0403,
+                             .product = 0x6001};
+
+std::vector<QString> busesOf(const std::vector<Adapter>& adapters)
+{
+    std::vector<QString> buses;
+    std::ranges::transform(adapters, std::back_inserter(buses), &Adapter::bus);
+    return buses;
+}
+
+TEST(Adapters, WhatIsMadeForTheDrivesComesFirstAndTheSimulatedMountIsAlwaysThere)
+{
+    EXPECT_THAT(
+        busesOf(adaptersOf({kRadio, kFdcanusb}, {{QStringLiteral("can0"), true}})),
+        ElementsAre(QStringLiteral("fdcanusb:/dev/serial/by-id/usb-mjbots_fdcanusb_1A2B-if00"),
+                    QStringLiteral("socketcan:can0"), QStringLiteral("fdcanusb:/dev/serial/by-id/usb-FTDI_FT232R-if00"),
+                    QStringLiteral("simulated")));
+    EXPECT_THAT(busesOf(adaptersOf({}, {})), ElementsAre(QStringLiteral("simulated")));
+}
+
+TEST(Adapters, AreCalledAsTheyCallThemselves)
+{
+    const auto all = adaptersOf({kRadio, kFdcanusb}, {{QStringLiteral("can0"), false}});
+    EXPECT_EQ(all[0].name, QStringLiteral("mjbots fdcanusb"));
+    EXPECT_EQ(all[0].detail, QStringLiteral("1A2B, /dev/ttyACM1"));
+    EXPECT_TRUE(all[0].recognised);
+    EXPECT_EQ(all[1].detail, QStringLiteral("can0, down"));
+    EXPECT_EQ(all[2].name, QStringLiteral("FTDI FT232R USB UART"));
+    EXPECT_FALSE(all[2].recognised);
+}
+
+TEST(Adapters, AnAdapterIsKnownByItsNumbersToo)
+{
+    SerialPortFacts mjcanfd{.device = QStringLiteral("/dev/ttyACM0"),
+                            .stableName = {},
+                            .manufacturer = {},
+                            .description = {},
+                            .serialNumber = {},
+                            .vendor = 0x1209,
+                            .product = 0x2323};
+    EXPECT_TRUE(adaptersOf({mjcanfd}, {}).front().recognised);
+    EXPECT_EQ(adaptersOf({mjcanfd}, {}).front().bus, QStringLiteral("fdcanusb:/dev/ttyACM0"));
+    mjcanfd.product = 0x0001;  // the vendor's number is shared by many makers
+    EXPECT_FALSE(adaptersOf({mjcanfd}, {}).front().recognised);
+}
+
+TEST(Adapters, APortThatIsSolderedToTheBoardIsNotOffered)
+{
+    const SerialPortFacts onBoard{.device = QStringLiteral("/dev/ttyS0"),
+                                  .stableName = {},
+                                  .manufacturer = {},
+                                  .description = {},
+                                  .serialNumber = {},
+                                  .vendor = {},
+                                  .product = {}};
+    EXPECT_EQ(adaptersOf({onBoard}, {}).size(), 1u);
+}
+
+class NetFolder : public testing::Test
+{
+protected:
+    void add(const QString& name, const QByteArray& type, const QByteArray& flags)
+    {
+        ASSERT_TRUE(QDir(folder.path()).mkpath(name));
+        write(name + QStringLiteral("/type"), type);
+        write(name + QStringLiteral("/flags"), flags);
+    }
+    void write(const QString& path, const QByteArray& text)
+    {
+        QFile file(folder.filePath(path));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(text);
+    }
+
+    QTemporaryDir folder;
+};
+
+TEST_F(NetFolder, ACanInterfaceIsToldByItsTypeAndUpByItsFlags)
+{
+    add(QStringLiteral("eth0"), "1\n", "0x1003\n");
+    add(QStringLiteral("can-mount"), "280\n", "0x40081\n");
+    add(QStringLiteral("can1"), "280\n", "0x40080\n");
+    const auto found = canInterfacesIn(folder.path());
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found[0].name, QStringLiteral("can-mount"));
+    EXPECT_TRUE(found[0].up);
+    EXPECT_FALSE(found[1].up);
+    EXPECT_TRUE(canInterfacesIn(folder.filePath(QStringLiteral("none"))).empty());
+}
+
+TEST(Adapters, TheseOfThisComputerAreFound)
+{
+    EXPECT_EQ(findAdapters().back().bus, QStringLiteral("simulated"));
+}
+
+}  // namespace
+}  // namespace boresight

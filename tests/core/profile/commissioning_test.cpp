@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/profile/commissioning.h"
+
+#include "core/profile/setting.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace boresight::profile {
+namespace {
+
+constexpr Angle kTiny = Angle::fromDegrees(1e-9);
+
+void expectMakesSense(const Profile& profile)
+{
+    for (const Problem& problem : problemsOf(profile)) {
+        ADD_FAILURE() << problem.key << ": " << problem.text;
+    }
+}
+
+TEST(Commissioning, AnotherBusHasItsDirectionsUnconfirmedAndTakesTheIdsThatAnswer)
+{
+    Profile profile;
+    useBus(profile, "simulated", std::array{1, 2});
+    EXPECT_EQ(profile, Profile{}) << "nothing is new";
+    useBus(profile, "socketcan:can0", std::array{2, 1});
+    EXPECT_EQ(profile.bus, "socketcan:can0");
+    EXPECT_EQ(profile.mount.directions, Directions::Unconfirmed);
+    EXPECT_EQ(profile.azimuth.id, 1) << "both of the profile's ids answer: which is which is known already";
+    profile.mount.directions = Directions::Confirmed;
+    useBus(profile, "socketcan:can0", std::array{5, 7});
+    EXPECT_EQ(profile.azimuth.id, 5);
+    EXPECT_EQ(profile.elevation.id, 7);
+    EXPECT_EQ(profile.mount.directions, Directions::Unconfirmed) << "other motors";
+    expectMakesSense(profile);
+}
+
+TEST(Commissioning, OneIdOrThreeTellNothing)
+{
+    Profile profile;
+    useBus(profile, "socketcan:can0", std::array{5});
+    useBus(profile, "socketcan:can0", std::array{5, 6, 7});
+    useBus(profile, "socketcan:can0", std::array{5, 5});
+    EXPECT_EQ(profile.azimuth.id, 1);
+    EXPECT_EQ(profile.elevation.id, 2);
+}
+
+TEST(Commissioning, SwappedMotorsAreToBeConfirmedAnew)
+{
+    Profile profile;
+    swapMotors(profile);
+    EXPECT_EQ(profile.azimuth.id, 2);
+    EXPECT_EQ(profile.elevation.id, 1);
+    EXPECT_EQ(profile.mount.directions, Directions::Unconfirmed);
+    expectMakesSense(profile);
+}
+
+TEST(Commissioning, AReversedAxisReadsTheSameAndCountsTheOtherWay)
+{
+    for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
+        Profile profile;
+        const MotorTurns here = profile.axis(axis).geometry.toMotor(31.5_deg);
+        const MotorTurns on = profile.axis(axis).geometry.toMotor(32.5_deg);
+        reverse(profile, axis, 31.5_deg);
+        EXPECT_NEAR(profile.axis(axis).geometry.toAxis(here).degrees(), 31.5, 1e-9);
+        EXPECT_NEAR(profile.axis(axis).geometry.toAxis(on).degrees(), 30.5, 1e-9);
+        EXPECT_EQ(profile.mount.directions, Directions::Unconfirmed);
+        expectMakesSense(profile);
+    }
+    Profile unknown;
+    reverse(unknown, Axis::Azimuth, std::nullopt);
+    EXPECT_EQ(unknown.azimuth.geometry.sign, -1);
+    EXPECT_EQ(unknown.azimuth.geometry.offset, Angle{});
+}
+
+TEST(Commissioning, ANarrowerTravelTakesParkAndLimitsInside)
+{
+    Profile profile;
+    profile.park = {.azimuth = 400_deg, .elevation = 80_deg};
+    profile.limits.azimuth = {.min = 300_deg, .max = 420_deg};
+    setTravel(profile, Axis::Azimuth, {.min = -10_deg, .max = 270_deg});
+    setTravel(profile, Axis::Elevation, {.min = 2_deg, .max = 70_deg});
+    EXPECT_EQ(profile.azimuth.geometry.travel, (TravelRange{.min = -10_deg, .max = 270_deg}));
+    EXPECT_EQ(profile.limits.azimuth, profile.azimuth.geometry.travel) << "nothing was left of them";
+    EXPECT_EQ(profile.park, (AxisPosition{.azimuth = 270_deg, .elevation = 70_deg}));
+    EXPECT_EQ(profile.limits.elevation, Profile{}.limits.elevation) << "no limits of operation stay none";
+    expectMakesSense(profile);
+}
+
+TEST(Commissioning, ANewZeroLeavesCableAndStopsWhereTheyAre)
+{
+    Profile profile;
+    profile.park = {.azimuth = 10_deg, .elevation = 20_deg};
+    profile.limits.azimuth = {.min = 0_deg, .max = 360_deg};
+    const pointing::AxisGeometry before = profile.azimuth.geometry;
+    setReading(profile, Axis::Azimuth, 10_deg, 47.4_deg, Ends::StayOnTheMount);
+    const pointing::AxisGeometry& after = profile.azimuth.geometry;
+    EXPECT_NEAR(after.toAxis(before.toMotor(10_deg)).degrees(), 47.4, 1e-9);
+    for (const Angle end : {before.travel.min, before.travel.max}) {
+        EXPECT_TRUE(abs(after.toAxis(before.toMotor(end)) - (end + 37.4_deg)) < kTiny);
+    }
+    EXPECT_NEAR(after.travel.min.degrees(), -52.6, 1e-9);
+    EXPECT_NEAR(after.travel.max.degrees(), 487.4, 1e-9);
+    EXPECT_NEAR(profile.limits.azimuth.max.degrees(), 397.4, 1e-9);
+    EXPECT_NEAR(profile.park.azimuth.degrees(), 47.4, 1e-9);
+    EXPECT_EQ(profile.park.elevation, 20_deg);
+    EXPECT_EQ(profile.limits.elevation, Profile{}.limits.elevation);
+    expectMakesSense(profile);
+}
+
+TEST(Commissioning, ANewZeroOfAReversedMotorCountsTheRightWay)
+{
+    Profile profile;  // the elevation drive is mounted inverted
+    const MotorTurns here = profile.elevation.geometry.toMotor(3.25_deg);
+    setReading(profile, Axis::Elevation, 3.25_deg, 0_deg, Ends::KeepTheirNumbers);
+    EXPECT_NEAR(profile.elevation.geometry.toAxis(here).degrees(), 0.0, 1e-9);
+    EXPECT_EQ(profile.elevation.geometry.travel, Profile{}.elevation.geometry.travel);
+    EXPECT_EQ(profile.mount.directions, Directions::Confirmed) << "it turns as before";
+    expectMakesSense(profile);
+}
+
+TEST(Commissioning, ShiftedEndsAreNumbersThatCanBeRead)
+{
+    Profile profile;
+    setReading(profile, Axis::Azimuth, 10_deg, 10_deg + Angle::fromDegrees(1.0 / 3.0), Ends::StayOnTheMount);
+    EXPECT_NEAR(profile.azimuth.geometry.travel.max.degrees(), 450.33, 1e-9);
+    expectMakesSense(profile);
+}
+
+}  // namespace
+}  // namespace boresight::profile
