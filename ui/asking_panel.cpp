@@ -6,6 +6,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPlainTextEdit>
 
 namespace boresight::ui {
@@ -15,13 +16,16 @@ AskingPanel::AskingPanel(RequestDesk& desk, QWidget* parent)
       m_controls(new QWidget(this)),
       m_title(new QLabel(this)),
       m_text(new QPlainTextEdit(this)),
+      m_typedName(new QLabel(this)),
+      m_typed(new QLineEdit(this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_act(new CommandButton({}, {}, desk, *m_notice, this)),
       m_cancel(new QPushButton(tr("Cancel"), this))
 {
     addWidget(m_controls);
     addWidget(makeQuestionPage());
-    connect(m_act, &QPushButton::clicked, this, [this] { m_act->ask(m_question.request); });
+    connect(m_act, &QPushButton::clicked, this, &AskingPanel::carryOut);
+    connect(m_typed, &QLineEdit::returnPressed, m_act, &QPushButton::click);
     connect(m_act, &CommandButton::accepted, this, &AskingPanel::closeQuestion);
     connect(m_cancel, &QPushButton::clicked, this, &AskingPanel::closeQuestion);
 }
@@ -35,6 +39,11 @@ QWidget* AskingPanel::makeQuestionPage()
     m_text->setReadOnly(true);
     m_text->setTabChangesFocus(true);
     m_text->setAccessibleName(tr("What will happen"));
+    for (QWidget* const one : {static_cast<QWidget*>(m_typedName), static_cast<QWidget*>(m_typed)}) {
+        one->setFont(fonts::label());
+    }
+    m_typed->setMinimumHeight(kTouchSize);
+    m_typedName->setBuddy(m_typed);
     m_notice->setStretching(true);
     m_notice->setLines(2);
     m_cancel->setFont(fonts::label());
@@ -47,9 +56,11 @@ QWidget* AskingPanel::makeQuestionPage()
     grid->setContentsMargins(6, 6, 6, 6);
     grid->addWidget(m_title, 0, 0, 1, 2);
     grid->addWidget(m_text, 1, 0, 1, 2);
-    grid->addWidget(m_act, 2, 0);
-    grid->addWidget(m_cancel, 2, 1);
-    grid->addWidget(m_notice, 3, 0, 1, 2);
+    grid->addWidget(m_typedName, 2, 0, 1, 2);
+    grid->addWidget(m_typed, 3, 0, 1, 2);
+    grid->addWidget(m_act, 4, 0);
+    grid->addWidget(m_cancel, 4, 1);
+    grid->addWidget(m_notice, 5, 0, 1, 2);
     return page;
 }
 
@@ -62,9 +73,32 @@ void AskingPanel::askFirst(const Question& question, const StationStatus& status
     m_act->setCommand(question.act, question.title);
     m_act->setBlocked({});
     m_notice->setValue({});
+    const bool typing = !question.typedName.isEmpty();
+    m_typedName->setText(question.typedName);
+    m_typedName->setVisible(typing);
+    m_typed->setAccessibleName(question.typedName);
+    m_typed->setText(question.typed);
+    m_typed->setVisible(typing);
     setCurrentIndex(1);
-    m_cancel->setFocus();
+    if (typing) {
+        m_typed->selectAll();
+        m_typed->setFocus();
+    } else {
+        m_cancel->setFocus();
+    }
     showWhetherPossible(status);
+}
+
+void AskingPanel::carryOut()
+{
+    if (!m_question.perform) {
+        m_act->ask(m_question.request);
+        return;
+    }
+    const auto perform = m_question.perform;
+    const QString typed = m_typed->text().trimmed();
+    closeQuestion();
+    perform(typed);
 }
 
 // Once it can not be done, what the question says may be out of date: it must be asked anew.

@@ -6,13 +6,17 @@
 
 #include <QStackedWidget>
 
+#include <functional>
+
 class QLabel;
+class QLineEdit;
 class QPlainTextEdit;
 class QPushButton;
 
 // A panel some of whose buttons ask before they act. The question takes the place of the panel's controls, so that it
-// covers nothing else: what will happen in words, one button that does it, and Cancel, which has the focus. It closes
-// when the station has accepted, on Cancel, and when the panel is left; a refusal stays with its reason.
+// covers nothing else: what will happen in words, sometimes a text to type, one button that does it, and Cancel, which
+// has the focus where there is nothing to type. It closes when the station has accepted, on Cancel, and when the panel
+// is left; a refusal stays with its reason.
 namespace boresight::ui {
 
 class CommandButton;
@@ -26,6 +30,10 @@ struct Question
     QString act;  // on the button that does it
     Request request;
     QString (*whyNot)(const StationStatus&) = nullptr;  // why it can not be done (any more)
+    // In place of the request, where it is nothing for the station; gets what was typed.
+    std::function<void(const QString&)> perform = {};
+    QString typedName = {};  // of the text to type; empty: there is none
+    QString typed = {};      // what stands there at first
 };
 
 class AskingPanel : public QStackedWidget
@@ -46,12 +54,15 @@ protected:
 
 private:
     QWidget* makeQuestionPage();
+    void carryOut();
     void closeQuestion();
 
     Question m_question;
     QWidget* m_controls;
     QLabel* m_title;
     QPlainTextEdit* m_text;
+    QLabel* m_typedName;
+    QLineEdit* m_typed;
     ValueLabel* m_notice;
     CommandButton* m_act;
     QPushButton* m_cancel;

@@ -8,6 +8,7 @@
 #include "ui/jog_panel.h"
 #include "ui/limits_panel.h"
 #include "ui/log_panel.h"
+#include "ui/profile_page.h"
 #include "ui/protection_panel.h"
 #include "ui/strip_charts.h"
 #include "ui/turn_page.h"
@@ -28,6 +29,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
       m_log(new LogPanel(desk, settings.alarmSound, this)),
       m_drives(new DrivesPanel(desk, this)),
       m_protection(new ProtectionPanel(desk, this)),
+      m_profile(new ProfilePage(draft, desk, settings.configDir, this)),
       m_turn(new TurnPage(desk, settings.unwind, this))
 {
     setFont(fonts::label());
@@ -52,6 +54,7 @@ QTabWidget* PanelTabs::makeMountTabs()
     tabs->setDocumentMode(true);
     addPanel(*tabs, *m_drives, tr("Drives"), tr("Drives, bus and crash-stop proof (Ctrl+6)"), Qt::Key_6);
     addPanel(*tabs, *m_protection, tr("Protection"), tr("The drives' own protections (Ctrl+7)"), Qt::Key_7);
+    addPanel(*tabs, *m_profile, tr("Profile"), tr("All settings, and the mounts that are kept (Ctrl+8)"), Qt::Key_8);
     return tabs;
 }
 
@@ -95,6 +98,7 @@ void PanelTabs::showStatus(const StationStatus& status)
     m_log->showStatus(status);
     m_drives->showStatus(status);
     m_protection->showStatus(status);
+    m_profile->showStatus(status);
     m_turn->showStatus(status);
     showQuestion(status);
 }

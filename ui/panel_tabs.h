@@ -21,6 +21,7 @@ class JogPanel;
 class LimitsPanel;
 class LogPanel;
 class ProfileDraft;
+class ProfilePage;
 class ProtectionPanel;
 class RequestDesk;
 class TurnPage;
@@ -56,6 +57,7 @@ private:
     LogPanel* m_log;
     DrivesPanel* m_drives;
     ProtectionPanel* m_protection;
+    ProfilePage* m_profile;
     TurnPage* m_turn;
     std::optional<Axis> m_asking;  // the question that was brought to the front
 };

@@ -23,6 +23,7 @@ struct WindowSettings
     ThemeKind theme = ThemeKind::Day;
     QString language;        // what was chosen (ui/language.h); the texts have it already
     bool alarmSound = true;  // at a new alarm, once; silence is the operator's choice
+    QString configDir;       // with the profiles of the mounts; empty: none are kept
 };
 
 }  // namespace boresight::ui

@@ -32,8 +32,9 @@ int complain(const std::string& text)
     return 2;
 }
 
-ui::WindowSettings windowSettings(const profile::Profile& profile, const QSettings& layout)
+ui::WindowSettings windowSettings(const app::Options& options, const QSettings& layout)
 {
+    const profile::Profile& profile = options.profile;
     return {.slow = profile.jog.slow,
             .normal = profile.jog.normal,
             .fast = profile.jog.fast,
@@ -41,7 +42,8 @@ ui::WindowSettings windowSettings(const profile::Profile& profile, const QSettin
             .park = profile.park,
             .theme = static_cast<ui::ThemeKind>(layout.value(kThemeKey, 0).toInt()),
             .language = layout.value(kLanguageKey).toString(),
-            .alarmSound = layout.value(kSoundKey, true).toBool()};
+            .alarmSound = layout.value(kSoundKey, true).toBool(),
+            .configDir = options.configDir};
 }
 
 // What the start costs, for tests/bench: from main() to the first picture with a live status in it.
@@ -108,7 +110,7 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
         std::make_unique<Station>(options.profile, std::move(*link), options.stateDir, clock, options.standingAt),
         build);
     app::ProfileSaver saver(options.configDir, options.profilePath, options.profile);
-    ui::MainWindow window(clock, windowSettings(options.profile, layout));
+    ui::MainWindow window(clock, windowSettings(options, layout));
     const bool known = window.restoreGeometry(layout.value(kGeometryKey).toByteArray());
     connectWindow(window, station, layout);
     QObject::connect(&station, &app::StationThread::profileApplied, &saver, &app::ProfileSaver::save);

@@ -7,8 +7,11 @@
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QImage>
+#include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QTableView>
+#include <QTreeView>
 
 // Pictures of every scene in every theme at both scales, for the eye; and what a program can judge of them.
 namespace boresight::ui {
@@ -62,6 +65,7 @@ constexpr Scene kScenes[] = {{"track", midPass, '1'},
                              {"routed", samples::routed, '1'},
                              {"drives", samples::idle, '6'},
                              {"protection", samples::idle, '7'},
+                             {"profile", samples::bounded, '8'},
                              {"factory-drives", samples::factoryDrives, '6'},
                              {"factory-protection", samples::factoryDrives, '7'},
                              {"factory-jog", samples::factoryDrives, '1'},
@@ -179,6 +183,42 @@ TEST_F(PicturesTest, AreWrittenForTheViewsOfTheLog)
             const QString file = QStringLiteral("%1-%2.png").arg(QLatin1String(title), name(kind).toLower());
             EXPECT_TRUE(picture(1).save(folder.filePath(file), "PNG", 80));
             ASSERT_EQ(window.size(), QSize(1024, 700)) << title;
+        }
+    }
+    applyTheme(ThemeKind::Day);
+}
+
+// The page of the profile with edits that are not applied, and what it asks before a mount gets a new name.
+TEST_F(PicturesTest, AreWrittenForTheProfile)
+{
+    const QDir folder(QDir::current().filePath(QStringLiteral("pictures")));
+    ASSERT_TRUE(QDir().mkpath(folder.path()));
+    for (const ThemeKind kind : {ThemeKind::Day, ThemeKind::Night, ThemeKind::Red}) {
+        applyTheme(kind);
+        for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
+            window.resize(size);
+            show({"profile", samples::bounded, '8'});
+            auto* const search = named<QLineEdit>("Search the settings");
+            QTest::keyClicks(search, QStringLiteral("azimuth speed"));
+            auto* const tree = named<QTreeView>("Settings of the mount");
+            const QModelIndex group = tree->model()->index(0, 0);
+            EXPECT_TRUE(tree->model()->setData(tree->model()->index(0, 1, group), QStringLiteral("4.5")));
+            search->setText(QStringLiteral("a"));
+            tree->setCurrentIndex(tree->model()->index(3, 1, tree->model()->index(2, 0)));
+            const auto save = [&](const char* title) {
+                QTest::qWait(1);
+                const QString file =
+                    QStringLiteral("%1-%2-%3.png").arg(QLatin1String(title), name(kind).toLower()).arg(size.width());
+                EXPECT_TRUE(picture(1).save(folder.filePath(file), "PNG", 80));
+                ASSERT_EQ(window.size(), size) << title;
+            };
+            save("profile-edited");
+            auto* const menu = named<QPushButton>("Duplicate, rename, import, export the chosen mount")->menu();
+            menu->actions().at(1)->trigger();
+            save("profile-rename");
+            search->clear();
+            QTest::mouseClick(named<CommandButton>("Revert"), Qt::LeftButton);
+            show({"away", samples::idle, '1'});
         }
     }
     applyTheme(ThemeKind::Day);

@@ -20,7 +20,7 @@ namespace boresight::ui {
 class WindowFixture : public ::testing::Test
 {
 protected:
-    WindowFixture() : window(clock, settings())
+    explicit WindowFixture(const WindowSettings& windowSettings = settings()) : window(clock, windowSettings)
     {
         QObject::connect(&window, &MainWindow::requested, &window,
                          [this](const NumberedRequest& request) { requests.push_back(request); });
@@ -44,7 +44,7 @@ protected:
     // By its key, Ctrl+digit.
     void openPanel(char digit) { QTest::keyClick(&window, digit, Qt::ControlModifier); }
     // The keys of all panels that are always there.
-    static constexpr std::string_view kPanels = "1234567";
+    static constexpr std::string_view kPanels = "12345678";
 
     void give(const StationUpdate& update) { window.showUpdate(update); }
 
