@@ -38,7 +38,7 @@ SettingsView::SettingsView(ProfileDraft& draft, QWidget* parent)
     column->addWidget(m_tree, 1);
     column->addWidget(m_explanation);
     m_explanation->setStretching(true);
-    m_explanation->setLines(3);
+    m_explanation->setLines(2);
     connect(m_model, &SettingTree::refused, this, [this](const QString& reason) {
         m_refusal = reason;
         explain();
