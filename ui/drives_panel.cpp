@@ -258,7 +258,9 @@ void DrivesPanel::release()
     askFirst(
         {.title = tr("Leave the bus while the drives are switched on?"),
          .text = tr("Nobody feeds the drives any more, and each does what its own setting says (\"When not fed\" on "
-                    "the Protection panel). With the factory setting an unbalanced elevation creeps down."),
+                    "the Protection panel). With the factory setting an unbalanced elevation creeps down.\n\nA drive "
+                    "that is switched on again later gives no torque for a moment (13 ms and the two ticks before): an "
+                    "unbalanced elevation then drops a little."),
          .act = tr("Leave the bus"),
          .request = request::ReleaseBus{},
          .whyNot = whyNoRelease},
@@ -272,15 +274,18 @@ void DrivesPanel::prove()
         return;
     }
     const AngularRate rate = Angle::fromDegrees(m_rate->value()) / Seconds(1.0);
-    askFirst({.title = tr("Move the mount at %1 and let it run out?").arg(rateText(rate)),
-              .text = tr("One axis after the other moves at %1. Then Boresight really stops feeding its drive, as if "
-                         "the cable were cut, and measures how far and how long the axis goes on.\n\nKeep people and "
-                         "ropes clear of the antenna. STOP ends the proof.")
-                          .arg(rateText(rate)),
-              .act = tr("Move the mount"),
-              .request = request::ProveCrashStop{rate},
-              .whyNot = whyNoProof},
-             m_status);
+    askFirst(
+        {.title = tr("Move the mount at %1 and let it run out?").arg(rateText(rate)),
+         .text = tr("One axis after the other moves at %1. Then Boresight really stops feeding its drive, as if "
+                    "the cable were cut, and measures how far and how long the axis goes on. To be "
+                    "switched on again a drive gives no torque for a moment (13 ms and the two ticks before): an "
+                    "unbalanced elevation drops a little.\n\nKeep people and ropes clear of the antenna. STOP ends "
+                    "the proof.")
+                     .arg(rateText(rate)),
+         .act = tr("Move the mount"),
+         .request = request::ProveCrashStop{rate},
+         .whyNot = whyNoProof},
+        m_status);
 }
 
 }  // namespace boresight::ui
