@@ -17,7 +17,7 @@ using sim::Injection;
 constexpr auto kNeeded = NeedOfValue::Needed;
 constexpr auto kOptional = NeedOfValue::Optional;
 
-constexpr std::array<InjectionOption, 16> kOptions{{
+constexpr std::array<InjectionOption, 17> kOptions{{
     {.name = "silence", .kind = FaultKind::Silence, .text = "receives and acts, but answers nothing"},
     {.name = "late",
      .kind = FaultKind::LateReply,
@@ -78,6 +78,7 @@ constexpr std::array<InjectionOption, 16> kOptions{{
      .max = 1000.0,
      .whole = true,
      .text = "tells register map version #"},
+    {.name = "board-power-loss", .kind = FaultKind::BoardPowerLoss, .text = "the drive has no power"},
     {.name = "power-loss",
      .kind = FaultKind::PowerLoss,
      .need = kOptional,

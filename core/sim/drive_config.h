@@ -40,6 +40,7 @@ struct ServoConfig
     double faultVelocityError = kNone;
     double positionDerate = 0.02;
     ServoGains gains;
+    double inertiaFeedforward = 0.0;  // kg·m² at the output: torque per acceleration of the drive's own planner
     double defaultVelocityLimit = kNone;
     double defaultAccelLimit = 50.0;
     double maxPositionSlip = kNone;

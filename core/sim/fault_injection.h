@@ -15,23 +15,24 @@ namespace boresight::sim {
 
 enum class FaultKind
 {
-    Silence,        // the drive receives and acts, and never answers
-    LateReply,      // value: seconds
-    LostReply,      // value: probability that a reply is lost, 0…1
-    LostCommand,    // value: probability that the drive does not hear a frame, 0…1 (1 is a cut cable)
-    CorruptLine,    // value: probability that the adapter damages the line of a reply, 0…1
-    MissingOk,      // the adapter does not acknowledge
-    AdapterError,   // the adapter answers ERR and sends nothing
-    BusOff,         // the adapter is off the bus
-    DuplicateId,    // the drive answers under the other's id
-    DriveFault,     // value: fault code, at once; comes back on enabling for as long as it lasts, as it does in a real
-                    // drive. A limit's code (96…105) is only told while the drive is on: it goes on working
-    PowerLoss,      // of the whole mount; value: mount angle in degrees that a hand turns this axis to
-    SupplyVoltage,  // value: V
-    Wind,           // value: Nm towards larger angles
-    Jam,            // value: mount angle in degrees where something is in the way
-    Stall,          // the axis is blocked where it is
-    RegisterMap,    // value: another register map version
+    Silence,         // the drive receives and acts, and never answers
+    LateReply,       // value: seconds
+    LostReply,       // value: probability that a reply is lost, 0…1
+    LostCommand,     // value: probability that the drive does not hear a frame, 0…1 (1 is a cut cable)
+    CorruptLine,     // value: probability that the adapter damages the line of a reply, 0…1
+    MissingOk,       // the adapter does not acknowledge
+    AdapterError,    // the adapter answers ERR and sends nothing
+    BusOff,          // the adapter is off the bus
+    DuplicateId,     // the drive answers under the other's id
+    DriveFault,      // value: fault code, at once; comes back on enabling for as long as it lasts, as it does in a real
+                     // drive. A limit's code (96…105) is only told while the drive is on: it goes on working
+    BoardPowerLoss,  // of one drive: a loose plug
+    PowerLoss,       // of the whole mount; value: mount angle in degrees that a hand turns this axis to
+    SupplyVoltage,   // value: V
+    Wind,            // value: Nm towards larger angles
+    Jam,             // value: mount angle in degrees where something is in the way
+    Stall,           // the axis is blocked where it is
+    RegisterMap,     // value: another register map version
 };
 
 struct Injection

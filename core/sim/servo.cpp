@@ -180,7 +180,9 @@ void Servo::applyGains(double dt, const ServoInputs& inputs, const ServoCommand&
     m_terms.proportional = -gains.kp * command.kpScale * error;
     m_terms.derivative = -gains.kd * command.kdScale * velocityError;
     m_terms.feedforward = command.feedforwardTorque;
-    m_terms.total = m_terms.proportional + m_terms.integral + m_terms.derivative + m_terms.feedforward;
+    const double accelerating =
+        2.0 * std::numbers::pi * m_planner.state().acceleration * m_config.servo.inertiaFeedforward;
+    m_terms.total = m_terms.proportional + m_terms.integral + m_terms.derivative + m_terms.feedforward + accelerating;
 }
 
 void Servo::driveTorque(const ServoInputs& inputs, const ServoCommand& command)

@@ -135,7 +135,7 @@ void SimulatedPair::applyPower()
             side.drive->place(referenceAxis(side.axis).toTurns(Angle::fromDegrees(*side.handAngle)));
             side.handAngle.reset();
         }
-        side.drive->setPowered(!off);
+        side.drive->setPowered(!off && !m_faults.isActive(FaultKind::BoardPowerLoss, side.axis, m_stepped));
     }
     if (m_supply.isOn() == off) {
         m_supply.setOn(!off);

@@ -57,7 +57,7 @@ void Drive::enter(Phase phase)
 
 void Drive::engage()
 {
-    if (m_phase == Phase::Capturing || m_phase == Phase::Engaged) {
+    if (m_phase == Phase::Capturing || m_phase == Phase::Engaged || m_phase == Phase::Unseen) {
         return;
     }
     if (m_phase == Phase::Referencing) {
@@ -180,6 +180,9 @@ void Drive::judge(SteadyTime now)
     if (m_phase == Phase::Listening || m_phase == Phase::Braking) {
         return;
     }
+    if (m_phase == Phase::Engaged && unseen()) {
+        enter(Phase::Unseen);
+    }
     m_holdNext = !m_holdNext;
     if (!m_phaseSince) {
         m_phaseSince = now;
@@ -188,7 +191,7 @@ void Drive::judge(SteadyTime now)
         lose(DriveLoss::Silent);
     } else if (mustObey() && now - *m_phaseSince > kObedience) {
         lose(DriveLoss::Disobeys);
-    } else if (m_repliesInPhase >= kFirstTellingReply) {
+    } else if (m_repliesInPhase >= (m_phase == Phase::Unseen ? 1 : kFirstTellingReply)) {
         judgePhase(m_report->mode, now - *m_phaseSince);
     }
 }
@@ -230,8 +233,10 @@ void Drive::judgePhase(moteus::Mode mode, Seconds inPhase)
             enter(Phase::Engaged);
             m_justEngaged = true;
         }
-    } else if (m_phase == Phase::Engaged && mode != moteus::Mode::Position) {
+    } else if ((m_phase == Phase::Engaged || m_phase == Phase::Unseen) && mode != moteus::Mode::Position) {
         lose(DriveLoss::Released);
+    } else if (m_phase == Phase::Unseen) {
+        enter(Phase::Capturing);
     }
 }
 
@@ -256,11 +261,19 @@ moteus::PositionCommand Drive::positionCommand(double position, double velocity)
             .ignorePositionBounds = m_ignoreBounds ? std::optional(kIgnoreBounds) : std::nullopt};
 }
 
+// Brakes an axis that moves, as hard as its drive does that is left alone: nobody sees it, or it is not ours yet.
+moteus::PositionCommand Drive::holdCommand() const
+{
+    moteus::PositionCommand command = positionCommand(moteus::kKeepControlPosition, 0.0);
+    command.accelerationLimit = m_settings.emergencyBraking.turns();
+    return command;
+}
+
 // No command, so it does not feed the watchdog: a held drive gets "hold" in every second tick.
 moteus::Command Drive::referenceCommand() const
 {
     if (m_heldWhenReferenced && m_holdNext) {
-        return positionCommand(moteus::kKeepControlPosition, 0.0);
+        return holdCommand();
     }
     if (m_report && m_report->homeState == moteus::HomeState::Relative) {
         return moteus::SetOutputExact{m_reference.turns()};
@@ -277,7 +290,8 @@ std::optional<moteus::Command> Drive::command() const
         case Phase::Referencing:
             return referenceCommand();
         case Phase::Capturing:
-            return positionCommand(moteus::kKeepControlPosition, 0.0);
+        case Phase::Unseen:
+            return holdCommand();
         case Phase::Engaged: {
             const bool tooSlow = abs(m_setpointRate) < kSmallestVelocity;
             return positionCommand(m_setpoint.turns(), tooSlow ? 0.0 : m_setpointRate.turns());

@@ -14,7 +14,8 @@
 // One moteus controller as the station uses it: turns what the axis shall do into the one frame of this tick (command
 // and query together) and replies into a report. Knows the drive's rules: a hold at the measured position comes before
 // any set-point, a drive in fault or time-out is never commanded before it has shown mode 0, and every motion frame
-// carries the watchdog time. Pure: time is passed in. Units are the drive's: output turns, Nm, A, V, °C.
+// carries the watchdog time. A drive that answers no more may still hear, so it is told to brake. Pure: time is passed
+// in. Units are the drive's: output turns, Nm, A, V, °C.
 namespace boresight {
 
 // The last reply, and when it came.
@@ -40,6 +41,7 @@ struct DriveSettings
     double maxTorque = 0.0;
     MotorRate velocityLimit;  // above the host's own limits: the host leads, the drive guards
     MotorAcceleration accelerationLimit;
+    MotorAcceleration emergencyBraking;  // of "hold where you are"
 };
 
 // Why a drive can not be commanded any more. All but a fault arise only while it is under orders.
@@ -58,8 +60,9 @@ public:
     enum class Phase
     {
         Listening,    // only queries are sent
-        Capturing,    // "hold where you are" is sent until the drive reports position mode
+        Capturing,    // "brake and hold" is sent until the drive reports position mode and stands
         Engaged,      // set-points are sent
+        Unseen,       // was Engaged and answers no more: "brake and hold" is sent to a drive that may still hear
         Recovering,   // stop is sent until the drive reports mode 0; from a time-out it is captured again at once
         Referencing,  // the drive is told on which turn it stands; an axis that was held is held meanwhile
         Starving,     // under orders, but only asked: its watchdog shall stop it, and that is watched
@@ -133,6 +136,7 @@ private:
     [[nodiscard]] std::optional<moteus::Command> command() const;
     [[nodiscard]] moteus::Command referenceCommand() const;
     [[nodiscard]] moteus::PositionCommand positionCommand(double position, double velocity) const;
+    [[nodiscard]] moteus::PositionCommand holdCommand() const;
 
     DriveSettings m_settings;
     std::string m_name;

@@ -14,7 +14,8 @@ DriveSettings driveSettings(const profile::AxisSettings& axis, const profile::Co
             .watchdog = control.watchdog,
             .maxTorque = axis.maxTorque,
             .velocityLimit = abs(axis.geometry.toMotor(axis.limits.speed)) * survey::kLimitGuard,
-            .accelerationLimit = abs(axis.geometry.toMotor(axis.limits.acceleration)) * survey::kLimitGuard};
+            .accelerationLimit = abs(axis.geometry.toMotor(axis.limits.acceleration)) * survey::kLimitGuard,
+            .emergencyBraking = abs(axis.geometry.toMotor(survey::emergencyBraking(axis)))};
 }
 
 }  // namespace

@@ -156,7 +156,7 @@ supervision::AxisObservation DriveWatch::observation(const Drive& drive, const t
             .received = drive.heard(),
             .fresh = report.received != m_observed,
             .actual = m_settings.geometry.toAxis(*report.position),
-            .engaging = drive.phase() == Drive::Phase::Capturing,
+            .engaging = drive.phase() == Drive::Phase::Capturing || drive.phase() == Drive::Phase::Unseen,
             .engaged = drive.phase() == Drive::Phase::Engaged,
             .commanded = setpoint.position,
             .commandedRate = setpoint.rate,

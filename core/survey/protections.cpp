@@ -225,15 +225,6 @@ void addElectrical(List& list)
                                                   "energy into heat")});
 }
 
-// A drive left alone brakes with its default limits. It shall stand 0.1 s later, 0.2 s after the last order, but with
-// no more than ten times what the profile asks of the mount.
-double brakingOf(const profile::AxisSettings& axis)
-{
-    const double wanted = axis.limits.speed.degrees() / 0.1;
-    const double asked = axis.limits.acceleration.degrees();
-    return std::clamp(wanted, kLimitGuard * asked, 10.0 * asked);
-}
-
 void addLimits(List& list, const profile::AxisSettings& axis, const DriveScale& scale)
 {
     const double speed = scale.turns(Angle::fromDegrees(axis.limits.speed.degrees()));
@@ -244,9 +235,8 @@ void addLimits(List& list, const profile::AxisSettings& axis, const DriveScale& 
                          .remedy = kLimitGuard * speed,
                          .reason = QStringLiteral("the speed of every order that names none; the factory has no limit"),
                          .explain = scale.asSpan(QStringLiteral("°/s"))});
-    const double braking = scale.turns(Angle::fromDegrees(brakingOf(axis)));
-    const double least = kLimitGuard * scale.turns(Angle::fromDegrees(axis.limits.acceleration.degrees()));
-    const double lowest = std::min(least, braking);
+    const double braking = scale.turns(Angle::fromDegrees(emergencyBraking(axis).degrees()));
+    const double lowest = 0.8 * braking;  // 0.1 s from full speed
     addWithRemedy(
         list,
         {.key = "servo.default_accel_limit",
@@ -319,6 +309,14 @@ std::optional<double> Reading::value() const
         return std::nullopt;
     }
     return text == "nan" || text == "-nan" ? std::optional(kNone) : parseFinite(text);
+}
+
+AngularAcceleration emergencyBraking(const profile::AxisSettings& axis)
+{
+    constexpr double kRamp = 0.08;  // s
+    const double asked = axis.limits.acceleration.degrees();
+    return AngularAcceleration::fromDegrees(
+        std::clamp(axis.limits.speed.degrees() / kRamp, kLimitGuard * asked, 15.0 * asked));
 }
 
 std::vector<Protection> protectionsOf(const profile::Profile& profile, Axis which)

@@ -49,7 +49,7 @@ struct Fault
     Hurt hurt = Hurt::Both;
     std::string alarm{};  // words of the alarm; empty: there need not be one
     Seconds alarmWithin{0.3};
-    Seconds stillWithin{0.7};  // the hurt axes
+    Seconds stillWithin{0.2};  // the hurt axes
     Seconds othersStillWithin{2.0};
     Angle beyond = Angle::fromDegrees(0.2);        // the travel
     Angle springsBack = Angle::fromDegrees(0.03);  // when the fault is over: backlash, and the drive coming to rest

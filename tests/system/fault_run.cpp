@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/system/fault_run.h"
 
+#include "tests/system/standing.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,8 +11,7 @@
 namespace boresight::system_test {
 namespace {
 
-// Slower than this the drive only pulls the axis the last hundredths of a degree to its place, against friction.
-constexpr AngularRate kMoving = AngularRate::fromDegrees(0.3);
+constexpr Seconds kLook{0.001};
 // The drives have been on for a while: else the journal can not prove that they kept their power.
 constexpr Seconds kOn{15.0};
 constexpr Seconds kAskPeriod{0.8};  // of a client's stream
@@ -136,8 +137,9 @@ void FaultRun::breakDown()
     }
     // Nobody looks at the bus meanwhile; what comes is found afterwards.
     for (Seconds stalled{0.0}; stalled < m_case.fault.stall; stalled += SimulatedStation::kTick) {
+        watchUntilTick();
         rig.clock.advance(SimulatedStation::kTick);
-        look();
+        look(sinceFault());
     }
     m_nextAsk = rig.clock.now() + kFirstAsk;
     const SteadyTime over = rig.clock.now() + std::chrono::duration_cast<SteadyTime::duration>(kFaultLasts);
@@ -212,20 +214,35 @@ void FaultRun::moveAgain()
 
 void FaultRun::tick()
 {
+    watchUntilTick();
     rig.tick();
     m_passTime += SimulatedStation::kTick;
     ask();
-    look();
+    look(sinceFault());
 }
 
-void FaultRun::look()
+// Between the ticks nothing reaches the drives: the mount goes on ahead of the clock.
+void FaultRun::watchUntilTick()
+{
+    if (!m_faulty) {
+        return;
+    }
+    sim::SimulatedPair& pair = rig.link->pair();
+    const Seconds now = pair.now();
+    for (Seconds ahead = kLook; ahead < SimulatedStation::kTick; ahead += kLook) {
+        pair.advanceTo(now + ahead);
+        look(sinceFault() + ahead);
+    }
+}
+
+void FaultRun::look(Seconds sinceFault)
 {
     const profile::Profile profile = anyPort();
     for (const Axis axis : kAxes) {
-        const sim::AxisTruth truth = rig.link->truth(axis);
+        const sim::AxisTruth truth = rig.link->pair().truth(axis);
         const auto i = index(axis);
-        if (m_faulty && abs(truth.rate) > kMoving) {
-            m_outcome.still[i] = sinceFault();
+        if (m_faulty && abs(truth.rate) > kStandingStill) {
+            m_outcome.still[i] = sinceFault + kLook;
         }
         const TravelRange& travel = profile.axis(axis).geometry.travel;
         m_outcome.beyond[i] = std::max(m_outcome.beyond[i], outside(travel, truth.angle));
@@ -260,8 +277,13 @@ void FaultRun::noteAlarm()
     if (m_outcome.alarm || m_case.fault.alarm.empty()) {
         return;
     }
+    // Where the motion is ended for good it is the alarm that says so, not an amber hint before it.
+    const bool latches = m_case.fault.outcome == Outcome::Latches;
+    const auto tells = [latches](Severity severity) {
+        return latches ? severity == Severity::Alarm : severity != Severity::Advisory;
+    };
     for (const Alarm& alarm : rig.status().alarms) {
-        if (alarm.severity != Severity::Advisory &&
+        if (tells(alarm.severity) &&
             alarm.what.contains(QString::fromStdString(m_case.fault.alarm), Qt::CaseInsensitive)) {
             m_outcome.alarm = sinceFault() - m_case.fault.stall;
             m_outcome.text = alarm.what.toStdString();

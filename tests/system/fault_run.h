@@ -43,7 +43,8 @@ private:
     void moveAgain();
 
     void tick();
-    void look();
+    void watchUntilTick();
+    void look(Seconds sinceFault);
     void ask();  // what clients and operator do in this tick
     void jog();
     void noteAlarm();

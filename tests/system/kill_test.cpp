@@ -2,6 +2,7 @@
 #include "core/sim/pty_server.h"
 #include "tests/fakes/wait_until.h"
 #include "tests/system/boresightd_process.h"
+#include "tests/system/standing.h"
 
 #include <QTest>
 
@@ -62,13 +63,17 @@ protected:
     {
         Seconds time;
         AxisPosition place;
+        AngularRate fastest;  // of both axes
     };
     std::vector<Sample> watch(Seconds duration)
     {
         std::vector<Sample> samples;
         const SteadyTime begin = clock.now();
         for (SteadyTime now = begin; now - begin < duration; now = clock.now()) {
-            samples.push_back({now - begin, {truth(Axis::Azimuth).angle, truth(Axis::Elevation).angle}});
+            const sim::AxisTruth azimuth = truth(Axis::Azimuth);
+            const sim::AxisTruth elevation = truth(Axis::Elevation);
+            samples.push_back(
+                {now - begin, {azimuth.angle, elevation.angle}, std::max(abs(azimuth.rate), abs(elevation.rate))});
             QTest::qWait(1);
         }
         return samples;
@@ -77,12 +82,11 @@ protected:
     {
         return std::max(abs(one.azimuth - other.azimuth), abs(one.elevation - other.elevation));
     }
-    // When the mount was where it stayed.
+    // When it stood for good.
     static Seconds restTime(const std::vector<Sample>& samples)
     {
-        const auto moving = std::find_if(samples.rbegin(), samples.rend(), [&](const Sample& sample) {
-            return apart(sample.place, samples.back().place) > kStill;
-        });
+        const auto moving = std::find_if(samples.rbegin(), samples.rend(),
+                                         [](const Sample& sample) { return sample.fastest > kStandingStill; });
         return moving == samples.rend() ? Seconds(0.0) : moving->time;
     }
     void expectNothingMovesFor(Seconds duration)

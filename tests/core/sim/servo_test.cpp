@@ -128,19 +128,33 @@ TEST_F(ServoOnPlant, TimeoutModeBrakeDampsButDoesNotHold)
 // 6 °/s when the last command arrives: watchdog 0.1 s, then the default deceleration.
 TEST_F(ServoOnPlant, WatchdogStopsAMovingAxisWithinTwoTenths)
 {
-    servo.command({.mode = Mode::Position,
-                   .position = kNone,
-                   .velocity = 6.0 / 360.0,
-                   .watchdogTimeout = 2.0,
-                   .accelerationLimit = 0.05});
+    const ServoCommand full{.mode = Mode::Position,
+                            .position = kNone,
+                            .velocity = 8.0 / 360.0,
+                            .watchdogTimeout = 2.0,
+                            .accelerationLimit = 0.05};
+    servo.command(full);
     run(1.9);
-    ASSERT_NEAR(degrees(plant.velocity()), 6.0, 0.05);
-    servo.command({.mode = Mode::Position, .position = kNone, .velocity = 6.0 / 360.0, .accelerationLimit = 0.05});
+    ASSERT_NEAR(degrees(plant.velocity()), 8.0, 0.05);
+    ServoCommand last = full;
+    last.watchdogTimeout = 0.1;
+    servo.command(last);
     run(0.2);
     EXPECT_EQ(servo.mode(), Mode::PositionTimeout);
-    EXPECT_LT(std::abs(degrees(plant.velocity())), 0.6) << "a tenth of the speed is left";
-    run(0.1);
-    EXPECT_LT(std::abs(degrees(plant.velocity())), 0.3) << "settling";
+    EXPECT_LT(std::abs(degrees(plant.velocity())), 0.3);
+}
+
+// The firmware: 2·pi · kg·m² · turns/s² of its own planner.
+TEST_F(ServoOnPlant, InertiaFeedforwardGivesTheTorqueOfThePlannedAcceleration)
+{
+    config.servo.inertiaFeedforward = 20.0;
+    const ServoCommand start{.mode = Mode::Position, .position = kNone, .velocity = 0.02, .accelerationLimit = 0.05};
+    servo.command(start);
+    run(0.02);
+    servo.command(start);
+    run(0.01);
+    const double pid = servo.terms().proportional + servo.terms().integral + servo.terms().derivative;
+    EXPECT_NEAR(servo.terms().total - pid, 20.0 * 2.0 * std::numbers::pi * 0.05, 1e-9);
 }
 
 TEST_F(ServoOnPlant, BrakingFeedsPowerBack)

@@ -130,13 +130,13 @@ TEST(Protections, DefaultLimitsAreAdvisedOnly)
     EXPECT_EQ(verdict("servo.default_velocity_limit", "0.041667"), Verdict::Right);
     EXPECT_EQ(verdict("servo.default_velocity_limit", "0.020000"), Verdict::Advised);
     EXPECT_EQ(verdict("servo.default_velocity_limit", "nan"), Verdict::Advised);
-    EXPECT_EQ(verdict("servo.default_accel_limit", "0.250000"), Verdict::Right);
-    EXPECT_EQ(verdict("servo.default_accel_limit", "0.030000"), Verdict::Advised);
+    EXPECT_EQ(verdict("servo.default_accel_limit", "0.350000"), Verdict::Right);
+    EXPECT_EQ(verdict("servo.default_accel_limit", "0.250000"), Verdict::Advised) << "0.11 s from full speed";
     EXPECT_EQ(verdict("servo.default_accel_limit", "50.000000"), Verdict::Advised);
     EXPECT_DOUBLE_EQ(*protection(reference(), Axis::Azimuth, "servo.default_velocity_limit").remedy,
                      1.5 * 10.0 / 360.0);
-    EXPECT_NEAR(*protection(reference(), Axis::Elevation, "servo.default_accel_limit").remedy, 80.0 / 360.0, 1e-12)
-        << "from 8°/s to rest in 0.1 s";
+    EXPECT_NEAR(*protection(reference(), Axis::Elevation, "servo.default_accel_limit").remedy, 100.0 / 360.0, 1e-12)
+        << "from 8°/s to rest in 0.08 s";
 }
 
 // Story: "wanted 12°/s, found 14.4°/s: right", and a value that Fix had written read back as 10.0001°.
