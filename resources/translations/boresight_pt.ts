@@ -1134,7 +1134,9 @@ moteus mode %1, fault %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nobody feeds the drives any more, and each does what its own setting says (&quot;When not fed&quot; on the Protection panel). With the factory setting an unbalanced elevation creeps down.</source>
+        <source>Nobody feeds the drives any more, and each does what its own setting says (&quot;When not fed&quot; on the Protection panel). With the factory setting an unbalanced elevation creeps down.
+
+A drive that is switched on again later gives no torque for a moment (13 ms and the two ticks before): an unbalanced elevation then drops a little.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1146,7 +1148,7 @@ moteus mode %1, fault %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One axis after the other moves at %1. Then Boresight really stops feeding its drive, as if the cable were cut, and measures how far and how long the axis goes on.
+        <source>One axis after the other moves at %1. Then Boresight really stops feeding its drive, as if the cable were cut, and measures how far and how long the axis goes on. To be switched on again a drive gives no torque for a moment (13 ms and the two ticks before): an unbalanced elevation drops a little.
 
 Keep people and ropes clear of the antenna. STOP ends the proof.</source>
         <translation type="unfinished"></translation>
