@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/diagnostics/bundle.h"
+
+#include "core/base/version.h"
+#include "core/diagnostics/report.h"
+#include "core/memory/memory_file.h"
+#include "core/profile/profile_file.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+namespace boresight::diagnostics {
+
+namespace {
+
+QString compact(UtcTime when)
+{
+    return utcText(when).remove(QLatin1Char('-')).remove(QLatin1Char(':'));
+}
+
+void addText(std::vector<BundleFile>& files, const QString& name, const QString& text, const QString& about)
+{
+    files.push_back({.file = {.name = name, .bytes = text.toUtf8()}, .about = about});
+}
+
+// A file that is there and cannot be read is worth knowing of.
+void addFile(std::vector<BundleFile>& files, const QString& path, const QString& about)
+{
+    QFile file(path);
+    const QString name = QFileInfo(path).fileName();
+    if (file.open(QIODevice::ReadOnly)) {
+        files.push_back({.file = {.name = name, .bytes = file.readAll()}, .about = about});
+    } else if (file.exists()) {
+        addText(files, name, QStringLiteral("could not be read: %1\n").arg(file.errorString()), about);
+    }
+}
+
+QString readme(const std::vector<BundleFile>& files, UtcTime when)
+{
+    QString text = QStringLiteral(
+                       "Diagnostics of Boresight %1, saved %2 (UTC).\n\n"
+                       "For a bug report. There are no passwords in it; the logs name the addresses of the\n"
+                       "rotctld clients, and the profile says where the mount stands. Read it before you\n"
+                       "give it away. What happened, and what was expected, is for you to add.\n\n")
+                       .arg(QString::fromUtf8(kVersion.data(), int(kVersion.size())), utcText(when));
+    for (const BundleFile& one : files) {
+        text += QStringLiteral("%1\n    %2\n").arg(one.file.name, one.about);
+    }
+    return text;
+}
+
+}  // namespace
+
+QString proposedName(UtcTime when)
+{
+    return QStringLiteral("boresight-%1.tar.gz").arg(compact(when));
+}
+
+std::vector<BundleFile> collect(const Snapshot& snapshot)
+{
+    std::vector<BundleFile> files;
+    const profile::Profile& inForce = *snapshot.status.profile;
+    addText(files, QStringLiteral("versions.txt"), versionsText(snapshot.status),
+            QStringLiteral("Versions of the program, its libraries, the system and the drives' firmware."));
+    addText(files, QStringLiteral("station.txt"), stationText(snapshot.status),
+            QStringLiteral("State of the station, its axes, clients and alarms at that moment."));
+    addText(files, QStringLiteral("drives.txt"), drivesText(snapshot.status),
+            QStringLiteral("Configuration of the drives as the survey read it, and the last crash-stop proofs."));
+    addText(files, QStringLiteral("profile.toml"), QString::fromStdString(profile::toToml(inForce)),
+            QStringLiteral("The mount's settings that were in force."));
+    if (!snapshot.status.waitingKeys.empty()) {
+        addText(files, QStringLiteral("profile-waiting.toml"),
+                QString::fromStdString(profile::toToml(snapshot.applied)),
+                QStringLiteral("The same with what waits for a reconnect."));
+    }
+    const QString folder = snapshot.stateDir + QLatin1Char('/');
+    const QString memory =
+        folder + memory::safeFileName(QString::fromStdString(inForce.mount.name)) + QStringLiteral(".memory.json");
+    addFile(files, memory, QStringLiteral("What the mount remembers: the journal of the turns, crash-stop proofs."));
+    addFile(files, memory + QStringLiteral(".previous"), QStringLiteral("The version before it."));
+    addFile(files, folder + QStringLiteral("events.log"), QStringLiteral("The log, times in UTC."));
+    addFile(files, folder + QStringLiteral("events.log.1"), QStringLiteral("The log before that."));
+    return files;
+}
+
+Result<> writeBundle(const QString& path, const std::vector<BundleFile>& files, UtcTime when)
+{
+    const QString folder = QStringLiteral("boresight-%1/").arg(compact(when));
+    std::vector<ArchiveFile> all{{folder + QStringLiteral("README.txt"), readme(files, when).toUtf8()}};
+    for (const BundleFile& one : files) {
+        all.push_back({folder + one.file.name, one.file.bytes});
+    }
+    return writeArchive(path, all, when);
+}
+
+}  // namespace boresight::diagnostics

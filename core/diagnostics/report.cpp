@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/diagnostics/report.h"
+
+#include "core/base/version.h"
+
+#include <QDateTime>
+#include <QStringList>
+#include <QSysInfo>
+
+#include <archive.h>
+
+#include <utility>
+
+namespace boresight::diagnostics {
+
+namespace {
+
+QString angleText(const std::optional<Angle>& angle)
+{
+    return angle ? QString::number(angle->degrees(), 'f', 3) + QStringLiteral("°") : QStringLiteral("unknown");
+}
+
+QString numberText(const std::optional<double>& value, const char* unit)
+{
+    return value ? QString::number(*value, 'f', 2) + QLatin1Char(' ') + QString::fromUtf8(unit)
+                 : QStringLiteral("unknown");
+}
+
+QString orUnknown(const QString& text)
+{
+    return text.isEmpty() ? QStringLiteral("unknown") : text;
+}
+
+QString driveVersion(const char* axis, const DriveStatus& drive)
+{
+    return QStringLiteral("%1 drive: id %2, firmware %3, register map %4, UUID %5")
+        .arg(QLatin1String(axis))
+        .arg(drive.id)
+        .arg(orUnknown(drive.identity.firmware))
+        .arg(drive.identity.registerMap)
+        .arg(orUnknown(drive.identity.uuid));
+}
+
+QString verdictText(survey::Verdict verdict)
+{
+    switch (verdict) {
+        case survey::Verdict::Unread:
+            return QStringLiteral("unread");
+        case survey::Verdict::Right:
+            return QStringLiteral("right");
+        case survey::Verdict::Advised:
+            return QStringLiteral("ADVISED");
+        case survey::Verdict::Dangerous:
+            return QStringLiteral("DANGEROUS");
+    }
+    return {};
+}
+
+QStringList driveLines(const char* axis, const DriveStatus& drive)
+{
+    QStringList lines{driveVersion(axis, drive),
+                      drive.turnKnown ? QStringLiteral("turn: known") : QStringLiteral("turn: not known")};
+    lines << (drive.crashStop ? QStringLiteral("crash stop proven %1: from %2°/s stood after %3° and %4 ms (drive %5)")
+                                    .arg(utcText(drive.crashStop->when))
+                                    .arg(drive.crashStop->rate.degrees(), 0, 'f', 2)
+                                    .arg(drive.crashStop->angle.degrees(), 0, 'f', 2)
+                                    .arg(drive.crashStop->time.count())
+                                    .arg(drive.crashStop->drive)
+                              : QStringLiteral("crash stop: not proven"));
+    for (const survey::ProtectionLine& line : drive.protections) {
+        lines << QStringLiteral("%1  %2  found %3  wanted %4")
+                     .arg(verdictText(line.verdict), line.key, orUnknown(line.found), line.wanted);
+    }
+    lines << QString();
+    return lines;
+}
+
+QString axisLine(const char* name, const AxisStatus& axis)
+{
+    return QStringLiteral(
+               "%1: %2, actual %3, commanded %4, target %5, age %6, supply %7, board %8, motor %9, mode %10, "
+               "fault register %11 %12")
+        .arg(QLatin1String(name), word(axis.state), angleText(axis.actual), angleText(axis.commanded),
+             angleText(axis.target),
+             axis.age ? QStringLiteral("%1 ms").arg(axis.age->count()) : QStringLiteral("unknown"),
+             numberText(axis.busVoltage, "V"), numberText(axis.boardTemperature, "°C"),
+             numberText(axis.motorTemperature, "°C"))
+        .arg(axis.mode)
+        .arg(axis.faultCode)
+        .arg(axis.stateText);
+}
+
+QString joined(const QStringList& lines)
+{
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+}  // namespace
+
+QString utcText(UtcTime time)
+{
+    const auto sinceEpoch = std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch());
+    return QDateTime::fromSecsSinceEpoch(sinceEpoch.count(), Qt::UTC).toString(Qt::ISODate);
+}
+
+QString versionsText(const StationStatus& status)
+{
+    return joined(
+        {QStringLiteral("Boresight %1").arg(QString::fromUtf8(kVersion.data(), int(kVersion.size()))),
+         QStringLiteral("Qt %1, built with %2").arg(QLatin1String(qVersion()), QStringLiteral(QT_VERSION_STR)),
+         QLatin1String(archive_version_string()), QStringLiteral("system: %1").arg(QSysInfo::prettyProductName()),
+         QStringLiteral("kernel: %1 %2").arg(QSysInfo::kernelType(), QSysInfo::kernelVersion()),
+         QStringLiteral("processor: %1").arg(QSysInfo::currentCpuArchitecture()),
+         driveVersion("azimuth", status.drives.azimuth), driveVersion("elevation", status.drives.elevation)});
+}
+
+QString drivesText(const StationStatus& status)
+{
+    const DrivesStatus& drives = status.drives;
+    QStringList lines{QStringLiteral("survey: %1")
+                          .arg(drives.survey == survey::SurveyState::Done
+                                   ? QStringLiteral("done")
+                                   : QStringLiteral("not done %1").arg(drives.surveyText))};
+    if (!drives.armingObstacle.isEmpty()) {
+        lines << QStringLiteral("nothing may move: %1").arg(drives.armingObstacle);
+    }
+    for (const survey::Stranger& stranger : drives.strangers) {
+        lines << QStringLiteral("not in the profile: id %1, firmware %2, UUID %3")
+                     .arg(stranger.id)
+                     .arg(orUnknown(stranger.identity.firmware), orUnknown(stranger.identity.uuid));
+    }
+    lines << QString() << driveLines("azimuth", drives.azimuth) << driveLines("elevation", drives.elevation);
+    return joined(lines);
+}
+
+QString stationText(const StationStatus& status)
+{
+    QStringList lines{
+        QStringLiteral("UTC %1").arg(utcText(status.utc)),
+        QStringLiteral("state %1 (%2)%3")
+            .arg(word(status.state), status.stateReason,
+                 status.stopLatched ? QStringLiteral(", STOP is latched") : QString()),
+        QStringLiteral("target: %1 by %2").arg(orUnknown(status.targetText), status.commander.name),
+        QStringLiteral("bus: %1%2").arg(status.busName, status.simulated ? QStringLiteral(" (simulated)") : QString()),
+        QStringLiteral("rotctld: listens on %1").arg(orUnknown(status.listening)),
+        axisLine("azimuth", status.azimuth),
+        axisLine("elevation", status.elevation)};
+    for (const std::string& key : status.waitingKeys) {
+        lines << QStringLiteral("waits for a reconnect: %1").arg(QString::fromStdString(key));
+    }
+    for (const ClientStatus& client : status.clients) {
+        lines << QStringLiteral("client %1 %2, %3 commands/s, last: %4%5")
+                     .arg(client.address, client.program)
+                     .arg(client.commandsPerSecond, 0, 'f', 1)
+                     .arg(client.lastCommand, client.leading ? QStringLiteral(", leads") : QString());
+    }
+    for (const Alarm& alarm : status.alarms) {
+        lines << QStringLiteral("alarm since %1%2: %3. %4. %5")
+                     .arg(utcText(alarm.since), alarm.active ? QString() : QStringLiteral(", over"), alarm.what,
+                          alarm.action, alarm.remedy);
+    }
+    return joined(lines);
+}
+
+}  // namespace boresight::diagnostics
