@@ -3,11 +3,13 @@
 
 #include "ui/alarms_page.h"
 #include "ui/choice_button.h"
+#include "ui/command_button.h"
 #include "ui/log_model.h"
 #include "ui/log_page.h"
 #include "ui/symbol.h"
 
 #include <QHBoxLayout>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -29,10 +31,24 @@ LogPanel::LogPanel(RequestDesk& desk, bool sound, QWidget* parent)
     connect(m_alarms, &AlarmsPage::soundChanged, this, &LogPanel::soundChanged);
     addPage(*m_motions, tr("Why did it move?"), tr("Who moved the mount, and why"));
     addPage(*m_events, tr("Events"), tr("Every line of the log"))->click();
+    addDiagnosticsButton();
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(6, 6, 6, 6);
     column->addLayout(m_choice);
     column->addWidget(m_pages, 1);
+}
+
+void LogPanel::addDiagnosticsButton()
+{
+    auto* const button = new QPushButton(tr("Bundle …"), this);
+    button->setFont(fonts::label());
+    button->setAccessibleName(tr("Save diagnostics …"));
+    button->setToolTip(tr("Save diagnostics for a bug report: profile, logs, drives, the last minutes (Ctrl+B)"));
+    button->setAutoDefault(false);
+    button->setMinimumHeight(kTouchSize);
+    button->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Expanding);
+    connect(button, &QPushButton::clicked, this, &LogPanel::diagnosticsWanted);
+    m_choice->addWidget(button);
 }
 
 ChoiceButton* LogPanel::addPage(QWidget& page, const QString& text, const QString& help)

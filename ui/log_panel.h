@@ -34,8 +34,10 @@ public:
 Q_SIGNALS:
     void beepWanted();  // a new alarm should be heard
     void soundChanged(bool on);
+    void diagnosticsWanted();
 
 private:
+    void addDiagnosticsButton();
     ChoiceButton* addPage(QWidget& page, const QString& text, const QString& help);
 
     LogModel* m_model;

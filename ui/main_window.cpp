@@ -6,6 +6,7 @@
 #include "ui/cable_bar.h"
 #include "ui/charts_panel.h"
 #include "ui/command_button.h"
+#include "ui/diagnostics_saver.h"
 #include "ui/forbidden.h"
 #include "ui/format.h"
 #include "ui/header_bar.h"
@@ -60,7 +61,9 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_goHere(new CommandButton(tr("Go here"), tr("Go to this direction by the nearest turn"), m_desk,
                                  m_pickBar->notice(), m_pickBar)),
       m_help(new HelpPage(settings.language, this)),
-      m_stopKeys(new StopKeys(*this))
+      m_stopKeys(new StopKeys(*this)),
+      m_diagnostics(new DiagnosticsSaver(this)),
+      m_stateDir(settings.stateDir)
 {
     applyTheme(settings.theme);
     setWindowTitle(tr("Boresight"));
@@ -76,6 +79,12 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(&m_panels->log(), &LogPanel::soundChanged, this, &MainWindow::alarmSoundChanged);
     connect(m_help, &HelpPage::languageChosen, this, &MainWindow::languageChanged);
     connect(m_plot, &PolarPlot::editingChanged, this, &MainWindow::showEditing);
+    connect(&m_panels->log(), &LogPanel::diagnosticsWanted, this, &MainWindow::saveDiagnostics);
+    connect(m_diagnostics, &DiagnosticsSaver::saved, this,
+            [this](const QString& path) { m_alarms->notice().setValue(tr("Diagnostics saved: %1").arg(path)); });
+    connect(m_diagnostics, &DiagnosticsSaver::failed, this,
+            [this](const QString& reason) { warn(tr("Diagnostics not saved: %1").arg(reason)); });
+    m_panels->arrange(settings.layout);
     m_stopKeys->setFirstUse([this] { return m_plot->editor().cancelDrag(); });
     connect(&m_beat, &QTimer::timeout, this, &MainWindow::beat);
     m_beat.start(kBeat);
@@ -149,6 +158,7 @@ void MainWindow::addKeys()
     addKey(Qt::CTRL | Qt::Key_Plus, &MainWindow::zoomIn);
     addKey(Qt::CTRL | Qt::Key_Equal, &MainWindow::zoomIn);  // the same key without Shift
     addKey(Qt::CTRL | Qt::Key_Minus, &MainWindow::zoomOut);
+    addKey(Qt::CTRL | Qt::Key_B, &MainWindow::saveDiagnostics);
     addKey(Qt::Key_F8, &MainWindow::acknowledge);
     addKey(Qt::Key_F11, &MainWindow::toggleFullScreen);
     addKey(Qt::Key_F1, &MainWindow::showHelp);
@@ -391,6 +401,22 @@ void MainWindow::showHelp()
     m_help->show();
     m_help->raise();
     m_help->activateWindow();
+}
+
+void MainWindow::saveDiagnostics()
+{
+    m_diagnostics->askWhere(*this, m_clock.utc(), [this] {
+        return std::pair(
+            diagnostics::Snapshot{
+                .status = m_status, .applied = m_draft.applied(), .stateDir = m_stateDir, .when = m_clock.utc()},
+            takeExcerpt(m_panels->charts().charts().store(), DiagnosticsSaver::kTelemetry, m_clock.now(),
+                        m_clock.utc()));
+    });
+}
+
+WindowLayout MainWindow::arrangement() const
+{
+    return m_panels->arrangement();
 }
 
 void MainWindow::goTo()

@@ -23,6 +23,7 @@ class AlarmLine;
 class AxisReadout;
 class CableBar;
 class CommandButton;
+class DiagnosticsSaver;
 class HeaderBar;
 class HelpPage;
 class LeadPrompt;
@@ -43,6 +44,8 @@ public:
 
     // What the owner calls when the station has ended: closes without a question.
     void closeNow();
+
+    [[nodiscard]] WindowLayout arrangement() const;
 
 public Q_SLOTS:
     void showUpdate(const boresight::StationUpdate& update);
@@ -85,6 +88,7 @@ private:
     void zoomOut();
     void toggleFullScreen();
     void showHelp();
+    void saveDiagnostics();
     void goTo();
     void hold();
     void park();
@@ -110,6 +114,8 @@ private:
     CommandButton* m_goHere;
     HelpPage* m_help;
     StopKeys* m_stopKeys;
+    DiagnosticsSaver* m_diagnostics;
+    QString m_stateDir;
     std::optional<SkyPointing> m_picked;
     QString m_forbidden;  // why the mount may not point there
     QTimer m_beat;

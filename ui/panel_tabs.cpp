@@ -17,6 +17,8 @@
 #include <QShortcut>
 #include <QTabBar>
 
+#include <algorithm>
+
 namespace boresight::ui {
 
 PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft, const WindowSettings& settings,
@@ -40,7 +42,8 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
     addPanel(*this, *m_clients, tr("Clients"), tr("rotctld clients, and who of them moves the mount (Ctrl+4)"),
              Qt::Key_4);
     addPanel(*this, *m_log, tr("Log"), tr("Log panel (Ctrl+5)"), Qt::Key_5);
-    addTab(makeMountTabs(), tr("Mount"));
+    m_mountTabs = makeMountTabs();
+    addTab(m_mountTabs, tr("Mount"));
     addPanel(*this, *m_turn, tr("▲ Turn?"), tr("Which turn is the axis on? (Ctrl+9)"), Qt::Key_9);
     setTabVisible(indexOf(m_turn), false);
     tabBar()->setTabTextColor(indexOf(m_turn), currentTheme().warning);
@@ -62,6 +65,7 @@ void PanelTabs::addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, 
 {
     tabs.setTabToolTip(tabs.addTab(&panel, text), help);
     auto* const shortcut = new QShortcut(Qt::CTRL | key, this);
+    m_keys[key - Qt::Key_0] = &panel;
     shortcut->setContext(Qt::WindowShortcut);
     shortcut->setAutoRepeat(false);
     connect(shortcut, &QShortcut::activated, this, [this, &panel] { bringUp(panel); });
@@ -78,6 +82,35 @@ void PanelTabs::bringUp(QWidget& panel)
             }
         }
     }
+}
+
+int PanelTabs::keyOf(const QWidget* panel) const
+{
+    const auto found = std::ranges::find_if(m_keys, [panel](const auto& one) { return one.second == panel; });
+    return found == m_keys.end() ? 0 : found->first;
+}
+
+void PanelTabs::bringUp(int key)
+{
+    if (const auto found = m_keys.find(key); found != m_keys.end()) {
+        bringUp(*found->second);
+    }
+}
+
+WindowLayout PanelTabs::arrangement() const
+{
+    const int mountPanel = keyOf(m_mountTabs->currentWidget());
+    const bool inMount = currentWidget() == m_mountTabs;
+    return {.panel = inMount ? mountPanel : keyOf(currentWidget()),
+            .mountPanel = mountPanel,
+            .charts = m_charts->charts().choice()};
+}
+
+void PanelTabs::arrange(const WindowLayout& layout)
+{
+    bringUp(layout.mountPanel);
+    bringUp(layout.panel);
+    m_charts->charts().choose(layout.charts);
 }
 
 // The waiting question stands out among the tabs, by its shape in every theme.

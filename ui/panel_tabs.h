@@ -7,6 +7,7 @@
 
 #include <QTabWidget>
 
+#include <map>
 #include <optional>
 
 // The panels, one at a time: those for the night's work side by side, those about the mount itself behind one tab of
@@ -35,6 +36,8 @@ public:
               QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
+    [[nodiscard]] WindowLayout arrangement() const;
+    void arrange(const WindowLayout& layout);
     void bringUp(QWidget& panel);  // to the front, also from behind "Mount"
 
     [[nodiscard]] JogPanel& jog() { return *m_jog; }
@@ -49,7 +52,10 @@ private:
     void addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, const QString& help, Qt::Key key);
     [[nodiscard]] QTabWidget* makeMountTabs();
     void showQuestion(const StationStatus& status);
+    [[nodiscard]] int keyOf(const QWidget* panel) const;  // its digit; 0: none
+    void bringUp(int key);
 
+    std::map<int, QWidget*> m_keys;  // panels by the digit of their key
     JogPanel* m_jog;
     ChartsPanel* m_charts;
     LimitsPanel* m_limits;
@@ -59,6 +65,7 @@ private:
     ProtectionPanel* m_protection;
     ProfilePage* m_profile;
     TurnPage* m_turn;
+    QTabWidget* m_mountTabs = nullptr;
     std::optional<Axis> m_asking;  // the question that was brought to the front
 };
 

@@ -18,7 +18,6 @@ namespace boresight::ui {
 ProfilePage::ProfilePage(ProfileDraft& draft, RequestDesk& desk, const QString& configDir, QWidget* parent)
     : AskingPanel(desk, parent),
       m_draft(draft),
-      m_desk(desk),
       m_hasStore(!configDir.isEmpty()),
       m_store(configDir),
       m_choice(new QComboBox(this)),

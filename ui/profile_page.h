@@ -72,7 +72,6 @@ private:
     void warn(const QString& reason);
 
     ProfileDraft& m_draft;
-    RequestDesk& m_desk;
     bool m_hasStore;
     profile::ProfileStore m_store;
     std::vector<profile::StoredProfile> m_mounts;

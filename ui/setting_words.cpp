@@ -38,10 +38,10 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"supervision", QT_TRANSLATE_NOOP("SettingWords", "Supervision")},
                              {"recovery", QT_TRANSLATE_NOOP("SettingWords", "Recovery")}};
 
-QString tr(const char* text)
+class SettingWords
 {
-    return QCoreApplication::translate("SettingWords", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(SettingWords)
+};
 
 bool isNumber(const Setting& setting)
 {
@@ -78,15 +78,16 @@ Result<SettingValue> numberOf(const Setting& setting, const std::string& typed)
         if (const auto whole = parseInteger(typed)) {
             return SettingValue(*whole);
         }
-        return failure(ErrorCode::InvalidInput,
-                       tr("\"%1\" is not a whole number").arg(QString::fromStdString(typed)).toStdString());
+        return failure(
+            ErrorCode::InvalidInput,
+            SettingWords::tr("\"%1\" is not a whole number").arg(QString::fromStdString(typed)).toStdString());
     }
     if (const auto real = parseFinite(typed)) {
         return SettingValue(*real);
     }
-    return failure(
-        ErrorCode::InvalidInput,
-        tr("\"%1\" is not a number (decimal point, e.g. 113.5)").arg(QString::fromStdString(typed)).toStdString());
+    return failure(ErrorCode::InvalidInput, SettingWords::tr("\"%1\" is not a number (decimal point, e.g. 113.5)")
+                                                .arg(QString::fromStdString(typed))
+                                                .toStdString());
 }
 
 Result<SettingValue> valueOf(const Setting& setting, const QString& typed)
@@ -111,7 +112,7 @@ QString groupTitle(const QString& table)
 {
     const auto* const found =
         std::ranges::find_if(kTitles, [&table](const Title& one) { return table == QLatin1String(one.table); });
-    return found == std::end(kTitles) ? table : tr(found->title);
+    return found == std::end(kTitles) ? table : SettingWords::tr(found->title);
 }
 
 QString typedText(const Setting& setting, const profile::Profile& profile)
@@ -133,7 +134,7 @@ QString valueText(const Setting& setting, const profile::Profile& profile)
 {
     const QString typed = typedText(setting, profile);
     if (typed.isEmpty()) {
-        return setting.type == SettingType::TextList ? tr("none") : tr("not given");
+        return setting.type == SettingType::TextList ? SettingWords::tr("none") : SettingWords::tr("not given");
     }
     return setting.unit.empty() ? typed : typed + QLatin1Char(' ') + QString::fromStdString(setting.unit);
 }

@@ -142,15 +142,6 @@ void SettingsView::expandIfSought()
     }
 }
 
-void SettingsView::showKey(const QString& key)
-{
-    m_shown->setCurrentIndex(0);
-    m_search->setText(key);
-    const QModelIndex group = m_filter->index(0, 0);
-    m_tree->setCurrentIndex(m_filter->index(0, SettingTree::Value, group));
-    m_tree->setFocus();
-}
-
 void SettingsView::explain()
 {
     if (!m_refusal.isEmpty()) {

@@ -25,8 +25,6 @@ class SettingsView : public QWidget
 public:
     explicit SettingsView(ProfileDraft& draft, QWidget* parent = nullptr);
 
-    void showKey(const QString& key);  // finds this setting and selects it
-
 private:
     void buildTree();
     QWidget* makeSearch();

@@ -36,6 +36,9 @@ constexpr std::chrono::seconds kDescribePeriod{1};
 StripCharts::StripCharts(const Clock& clock, QWidget* parent)
     : QWidget(parent),
       m_clock(clock),
+      m_windows(new QButtonGroup(this)),
+      m_axes(new QButtonGroup(this)),
+      m_quantity(new QComboBox(this)),
       m_time(new TimeAxis(this)),
       m_notice(new ValueLabel(tr("Remark on the charts"), fonts::label(), QStringLiteral("turn not known"), this)),
       m_pause(new ChoiceButton(tr("Pause"), tr("Hold the picture; the data are collected on (Space in the charts)"))),
@@ -91,13 +94,12 @@ QWidget* StripCharts::makeControls()
 
 void StripCharts::addWindowButtons(QGridLayout& grid)
 {
-    auto* const group = new QButtonGroup(this);
     int place = 0;
     for (const std::chrono::seconds window : kWindows) {
         auto* const button =
             new ChoiceButton(timeText(window), tr("Show the last %1").arg(timeText(window)), grid.parentWidget());
         button->setChecked(window == m_choice.window);
-        group->addButton(button);
+        m_windows->addButton(button, static_cast<int>(window.count()));
         connect(button, &QAbstractButton::clicked, this, [this, window] { chooseWindow(window); });
         grid.addWidget(button, place / 2, place % 2);
         ++place;
@@ -106,11 +108,10 @@ void StripCharts::addWindowButtons(QGridLayout& grid)
 
 void StripCharts::addAxisButtons(QGridLayout& grid)
 {
-    auto* const group = new QButtonGroup(this);
     for (const Axis axis : kAxes) {
         auto* const button = new ChoiceButton(shortName(axis), tr("Charts of the %1").arg(name(axis)));
         button->setChecked(axis == m_choice.axis);
-        group->addButton(button);
+        m_axes->addButton(button, static_cast<int>(axis));
         connect(button, &QAbstractButton::clicked, this, [this, axis] { chooseAxis(axis); });
         grid.addWidget(button, 2, static_cast<int>(axisIndex(axis)));
     }
@@ -118,7 +119,7 @@ void StripCharts::addAxisButtons(QGridLayout& grid)
 
 void StripCharts::addQuantityBox(QGridLayout& grid)
 {
-    auto* const box = new QComboBox(grid.parentWidget());
+    QComboBox* const box = m_quantity;
     box->setFont(fonts::label());
     box->setAccessibleName(tr("Quantity of the drive"));
     box->setToolTip(tr("What the lowest strip shows of the drive"));
@@ -146,6 +147,20 @@ void StripCharts::addViewButtons(QGridLayout& grid)
 void StripCharts::setLarge(bool large)
 {
     m_large->setChecked(large);
+}
+
+void StripCharts::choose(const ChartChoice& choice)
+{
+    for (QAbstractButton* const button :
+         {m_windows->button(static_cast<int>(choice.window.count())), m_axes->button(static_cast<int>(choice.axis))}) {
+        if (button != nullptr) {
+            button->click();
+        }
+    }
+    const auto quantity = std::find(kQuantities.begin(), kQuantities.end(), choice.quantity);
+    if (quantity != kQuantities.end()) {
+        m_quantity->setCurrentIndex(static_cast<int>(quantity - kQuantities.begin()));
+    }
 }
 
 void StripCharts::chooseWindow(std::chrono::seconds window)

@@ -12,6 +12,8 @@
 #include <memory>
 #include <optional>
 
+class QButtonGroup;
+class QComboBox;
 class QGridLayout;
 
 // The charts of one axis, one above the other: position, error, and a quantity of its drive; with the buttons that
@@ -37,6 +39,8 @@ public:
     void setLarge(bool large);
 
     [[nodiscard]] StripChart& strip(Strip strip) { return *m_strips[static_cast<std::size_t>(strip)]; }
+    [[nodiscard]] const ChartChoice& choice() const { return m_choice; }
+    void choose(const ChartChoice& choice);  // what is not offered is passed over
     [[nodiscard]] const TelemetryStore& store() const { return *m_store; }
 
 Q_SIGNALS:
@@ -71,6 +75,9 @@ private:
     const Clock& m_clock;
     std::unique_ptr<TelemetryStore> m_store = std::make_unique<TelemetryStore>();
     ChartChoice m_choice;
+    QButtonGroup* m_windows;
+    QButtonGroup* m_axes;
+    QComboBox* m_quantity;
     std::shared_ptr<const profile::Profile> m_profile = std::make_shared<const profile::Profile>();
     std::array<bool, 2> m_turnKnown{true, true};  // by Axis
     std::optional<SteadyTime> m_pausedAt;

@@ -2,11 +2,24 @@
 #pragma once
 
 #include "core/units/sky.h"
+#include "ui/strip_frame.h"
 #include "ui/theme.h"
 
 #include <QString>
 
 #include <array>
+
+// How the window looks, kept from one run to the next; its size and place are kept besides.
+namespace boresight::ui {
+
+struct WindowLayout
+{
+    int panel = 1;       // in front, by the digit of its key
+    int mountPanel = 6;  // the same within Mount
+    ChartChoice charts;
+};
+
+}  // namespace boresight::ui
 
 // What the window is told once, by value, when it is built. Rates and angles are those of the axes; everything that
 // can change while the program runs comes with the status.
@@ -23,7 +36,9 @@ struct WindowSettings
     ThemeKind theme = ThemeKind::Day;
     QString language;        // what was chosen (ui/language.h); the texts have it already
     bool alarmSound = true;  // at a new alarm, once; silence is the operator's choice
-    QString configDir;       // with the profiles of the mounts; empty: none are kept
+    WindowLayout layout;
+    QString stateDir;   // with logs and memory, for the diagnostics
+    QString configDir;  // with the profiles of the mounts; empty: none are kept
 };
 
 }  // namespace boresight::ui

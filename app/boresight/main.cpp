@@ -25,11 +25,36 @@ const QString kThemeKey = QStringLiteral("theme");
 const QString kSoundKey = QStringLiteral("alarm_sound");
 const QString kLanguageKey = QStringLiteral("language");
 const QString kGeometryKey = QStringLiteral("geometry");
+const QString kPanelKey = QStringLiteral("panel");
+const QString kMountPanelKey = QStringLiteral("mount_panel");
+const QString kChartWindowKey = QStringLiteral("chart_seconds");
+const QString kChartAxisKey = QStringLiteral("chart_axis");
+const QString kChartQuantityKey = QStringLiteral("chart_quantity");
 
 int complain(const std::string& text)
 {
     std::fprintf(stderr, "boresight: %s\n", text.c_str());
     return 2;
+}
+
+ui::WindowLayout readLayout(const QSettings& kept)
+{
+    const ui::WindowLayout usual;
+    const auto number = [&kept](const QString& key, int otherwise) { return kept.value(key, otherwise).toInt(); };
+    return {.panel = number(kPanelKey, usual.panel),
+            .mountPanel = number(kMountPanelKey, usual.mountPanel),
+            .charts = {.axis = static_cast<Axis>(number(kChartAxisKey, 0)),
+                       .window = std::chrono::seconds(number(kChartWindowKey, int(usual.charts.window.count()))),
+                       .quantity = static_cast<ui::DriveQuantity>(number(kChartQuantityKey, 0))}};
+}
+
+void keepLayout(const ui::WindowLayout& layout, QSettings& kept)
+{
+    kept.setValue(kPanelKey, layout.panel);
+    kept.setValue(kMountPanelKey, layout.mountPanel);
+    kept.setValue(kChartWindowKey, int(layout.charts.window.count()));
+    kept.setValue(kChartAxisKey, static_cast<int>(layout.charts.axis));
+    kept.setValue(kChartQuantityKey, static_cast<int>(layout.charts.quantity));
 }
 
 ui::WindowSettings windowSettings(const app::Options& options, const QSettings& layout)
@@ -43,6 +68,8 @@ ui::WindowSettings windowSettings(const app::Options& options, const QSettings& 
             .theme = static_cast<ui::ThemeKind>(layout.value(kThemeKey, 0).toInt()),
             .language = layout.value(kLanguageKey).toString(),
             .alarmSound = layout.value(kSoundKey, true).toBool(),
+            .layout = readLayout(layout),
+            .stateDir = options.stateDir,
             .configDir = options.configDir};
 }
 
@@ -82,6 +109,7 @@ void connectWindow(ui::MainWindow& window, app::StationThread& station, QSetting
     QObject::connect(&window, &ui::MainWindow::closeRequested, &station, &app::StationThread::shutDownRequested);
     QObject::connect(&station, &app::StationThread::finished, &window, [&window, &layout] {
         layout.setValue(kGeometryKey, window.saveGeometry());
+        keepLayout(window.arrangement(), layout);
         window.closeNow();
     });
     QObject::connect(&window, &ui::MainWindow::themeChanged, &window,

@@ -5,6 +5,7 @@
 #include "ui/polar_plot.h"
 
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QLineEdit>
 #include <QPushButton>
 
@@ -274,6 +275,33 @@ TEST_F(WindowTest, ClosingAsksOnceOnlyWhileTheMountMoves)
     EXPECT_TRUE(window.isVisible()) << "the owner closes it when the mount stands";
     window.closeNow();
     EXPECT_FALSE(window.isVisible());
+}
+
+TEST_F(WindowTest, TheChosenPanelsAndChartsAreRemembered)
+{
+    openPanel('2');
+    QTest::mouseClick(named<QAbstractButton>("Charts of the elevation"), Qt::LeftButton);
+    QTest::mouseClick(named<QAbstractButton>("Show the last 5 min"), Qt::LeftButton);
+    named<QComboBox>("Quantity of the drive")->setCurrentIndex(2);
+    openPanel('7');
+    openPanel('3');
+    WindowSettings next = settings();
+    next.layout = window.arrangement();
+    const MainWindow again(clock, next);
+    EXPECT_EQ(again.arrangement().panel, 3);
+    EXPECT_EQ(again.arrangement().mountPanel, 7);
+    EXPECT_EQ(again.arrangement().charts.axis, Axis::Elevation);
+    EXPECT_EQ(again.arrangement().charts.window, std::chrono::seconds(300));
+    EXPECT_EQ(again.arrangement().charts.quantity, DriveQuantity::Voltage);
+
+    openPanel('8');
+    next.layout = window.arrangement();
+    EXPECT_EQ(next.layout.panel, 8) << "a panel within Mount";
+    next.layout.panel = 77;  // of a file that somebody has edited
+    next.layout.charts.window = std::chrono::seconds(7);
+    const MainWindow wrong(clock, next);
+    EXPECT_EQ(wrong.arrangement().panel, 8) << "that of Mount was brought up";
+    EXPECT_EQ(wrong.arrangement().charts.window, std::chrono::seconds(60));
 }
 
 TEST_F(WindowTest, ClosingAStandingMountDoesNotAsk)

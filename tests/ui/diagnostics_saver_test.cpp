@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window_fixture.h"
+#include "ui/telemetry_excerpt.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QProcess>
+#include <QPushButton>
+#include <QTemporaryDir>
+
+namespace boresight::ui {
+namespace {
+
+struct StateFolder
+{
+    StateFolder()
+    {
+        QFile log(folder.filePath(QStringLiteral("events.log")));
+        EXPECT_TRUE(log.open(QIODevice::WriteOnly));
+        log.write("the log\n");
+    }
+    [[nodiscard]] WindowSettings settings() const
+    {
+        WindowSettings settings;
+        settings.stateDir = folder.path();
+        return settings;
+    }
+
+    QTemporaryDir folder;
+};
+
+class DiagnosticsSaverTest : public StateFolder, public WindowFixture
+{
+protected:
+    DiagnosticsSaverTest() : WindowFixture(StateFolder::settings())
+    {
+        StationUpdate update = samples::update(samples::tracking(10));
+        update.samples = samples::ticks(clock.now(), 10.0);
+        give(update);
+        clock.advance(Seconds(10.0));
+    }
+
+    void chooseFile(const QString& path)
+    {
+        auto* const dialog = window.findChild<QFileDialog*>();
+        ASSERT_NE(dialog, nullptr);
+        auto* const name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+        EXPECT_TRUE(name->text().endsWith(QStringLiteral(".tar.gz"))) << name->text().toStdString();
+        name->setText(path);
+        QTest::keyClick(name, Qt::Key_Return);
+    }
+    bool says(const char* words)
+    {
+        return QTest::qWaitFor([&] {
+            for (const ValueLabel* const label : window.findChildren<ValueLabel*>()) {
+                if (label->isVisible() && label->text().contains(QString::fromUtf8(words))) {
+                    return true;
+                }
+            }
+            return false;
+        });
+    }
+    QByteArray fileOf(const QString& archive, const char* name)
+    {
+        QProcess tar;
+        tar.start(QStringLiteral("tar"), {QStringLiteral("-xzOf"), archive, QStringLiteral("--wildcards"),
+                                          QStringLiteral("*/") + QLatin1String(name)});
+        EXPECT_TRUE(tar.waitForFinished());
+        return tar.readAllStandardOutput();
+    }
+};
+
+TEST_F(DiagnosticsSaverTest, AreSavedByKeyWithLogAndTelemetry)
+{
+    const QString path = folder.filePath(QStringLiteral("bundle.tar.gz"));
+    QTest::keyClick(&window, Qt::Key_B, Qt::ControlModifier);
+    chooseFile(path);
+    ASSERT_TRUE(says("Diagnostics saved: "));
+    EXPECT_EQ(fileOf(path, "events.log"), "the log\n");
+    EXPECT_TRUE(fileOf(path, "README.txt").contains("telemetry.csv"));
+    EXPECT_TRUE(fileOf(path, "station.txt").contains("state TRACK"));
+    const QByteArray telemetry = fileOf(path, "telemetry.csv");
+    EXPECT_TRUE(telemetry.startsWith("utc,azimuth_commanded_deg,azimuth_actual_deg,"));
+    EXPECT_NEAR(double(telemetry.count('\n')), 501.0, 3.0) << "10 s at 50 Hz and a header";
+    EXPECT_TRUE(requests.empty());
+}
+
+TEST_F(DiagnosticsSaverTest, AreSavedFromTheLogAndAnUnwritablePlaceIsTold)
+{
+    openPanel('5');
+    QTest::mouseClick(named<QPushButton>("Save diagnostics …"), Qt::LeftButton);
+    auto* const dialog = window.findChild<QFileDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_FALSE(dialog->isModal()) << "STOP stays in reach";
+    Q_EMIT dialog->fileSelected(QStringLiteral("/proc/none.tar.gz"));
+    EXPECT_TRUE(says("Diagnostics not saved: /proc/none.tar.gz: "));
+}
+
+TEST(TelemetryExcerpt, HasTheValuesAndTheirTimes)
+{
+    TelemetryStore store;
+    const SteadyTime begin{std::chrono::seconds(1000)};
+    const UtcTime utc{std::chrono::seconds(1795285050)};
+    TickSample sample;
+    sample.axes[0].commanded = 10.5_deg;
+    sample.axes[0].actual = 10.25_deg;
+    sample.axes[1].torque = -3.0;
+    for (int tick = 0; tick < 50; ++tick) {
+        sample.time = begin + tick * TelemetryStore::kBin;
+        store.add({sample});
+    }
+    const SteadyTime now = begin + std::chrono::seconds(1);
+    const QByteArray csv = toCsv(takeExcerpt(store, std::chrono::seconds(60), now, utc));
+    const QList<QByteArray> lines = csv.trimmed().split('\n');
+    ASSERT_EQ(lines.size(), 51) << "nothing is written of the time without data";
+    EXPECT_EQ(lines[1], "2026-11-21T18:17:29.010Z,10.500,10.250,0.250,,,,,,,,,-3.000,,,,");
+    EXPECT_EQ(lines[50].left(24), "2026-11-21T18:17:29.990Z");
+}
+
+// On the gui thread: a frame is late after 50 ms.
+TEST(TelemetryExcerpt, IsTakenWithoutHoldingTheWindowUp)
+{
+    TelemetryStore store;
+    const SteadyTime begin{std::chrono::seconds(1000)};
+    store.add(samples::ticks(begin, 360.0));
+    QElapsedTimer timer;
+    timer.start();
+    const auto excerpt = takeExcerpt(store, std::chrono::seconds(300), begin + std::chrono::seconds(360), UtcTime{});
+    EXPECT_LT(timer.elapsed(), 50);
+    EXPECT_EQ(excerpt.rows.size(), 15000u);
+}
+
+}  // namespace
+}  // namespace boresight::ui
