@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/can/bit_timing.h"
 
+#include "core/base/text.h"
+
 #include <QStringList>
 
 #include <cmath>
@@ -19,14 +21,20 @@ QString samplePointText(double samplePoint)
     return QString::number(samplePoint, 'f', 3);
 }
 
-void comparePhase(const QString& phase, const PhaseTiming& found, const PhaseTiming& wanted, QStringList& wrong)
+// The sentences have places for what was found and what is wanted.
+struct PhaseTexts
+{
+    QString bitRate;
+    QString samplePoint;
+};
+
+void comparePhase(const PhaseTexts& texts, const PhaseTiming& found, const PhaseTiming& wanted, QStringList& wrong)
 {
     if (std::abs(static_cast<double>(found.bitRate) - wanted.bitRate) > kBitRateTolerance * wanted.bitRate) {
-        wrong << QStringLiteral("%1bit rate %2 (wanted %3)").arg(phase).arg(found.bitRate).arg(wanted.bitRate);
+        wrong << texts.bitRate.arg(found.bitRate).arg(wanted.bitRate);
     }
     if (found.samplePoint > 0.0 && std::abs(found.samplePoint - wanted.samplePoint) > kSamplePointTolerance) {
-        wrong << QStringLiteral("%1sample point %2 (wanted %3)")
-                     .arg(phase, samplePointText(found.samplePoint), samplePointText(wanted.samplePoint));
+        wrong << texts.samplePoint.arg(samplePointText(found.samplePoint), samplePointText(wanted.samplePoint));
     }
 }
 
@@ -34,12 +42,14 @@ QStringList differences(const InterfaceReport& report)
 {
     QStringList wrong;
     if (report.nominal) {
-        comparePhase({}, *report.nominal, kWantedNominal, wrong);
+        comparePhase({Text::tr("bit rate %1 (wanted %2)"), Text::tr("sample point %1 (wanted %2)")}, *report.nominal,
+                     kWantedNominal, wrong);
     }
     if (report.flexibleData == false) {
-        wrong << QStringLiteral("CAN-FD off (wanted on)");
+        wrong << Text::tr("CAN-FD off (wanted on)");
     } else if (report.data) {
-        comparePhase(QStringLiteral("data "), *report.data, kWantedData, wrong);
+        comparePhase({Text::tr("data bit rate %1 (wanted %2)"), Text::tr("data sample point %1 (wanted %2)")},
+                     *report.data, kWantedData, wrong);
     }
     return wrong;
 }
@@ -72,9 +82,9 @@ QString timingTrouble(const InterfaceReport& report)
         return {};
     }
     const QString interface = QString::fromStdString(report.name);
-    return QStringLiteral(
-               "wrong bit timing, the drives may stay silent: %1; `ip link set %2 down`, then `%3`; `ip "
-               "-details link show %2` shows what is set")
+    return Text::tr(
+               "wrong bit timing, the drives may stay silent: %1; `ip link set %2 down`, then `%3`; `ip -details link "
+               "show %2` shows what is set")
         .arg(wrong.join(QLatin1String(", ")), interface, bringUpCommand(interface, false));
 }
 

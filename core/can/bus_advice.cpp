@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/can/bus_advice.h"
 
+#include "core/base/text.h"
 #include "core/can/bit_timing.h"
 
 namespace boresight {
@@ -11,13 +12,13 @@ QString timingAdvice(const BusName& bus)
     const QString target = QString::fromStdString(bus.target);
     if (bus.kind == BusKind::SocketCan) {
         return socketcan::looksVirtual(target)
-                   ? QStringLiteral("%1 is a virtual bus: does `boresightctl simulate --can %1` run?").arg(target)
-                   : QStringLiteral(
+                   ? Text::tr("%1 is a virtual bus: does `boresightctl simulate --can %1` run?").arg(target)
+                   : Text::tr(
                          "Bit timing must be 1M/5M with the sample point at 0.666 in both phases: `ip -details link "
                          "show %1` shows what is set, `packaging/can-up %1` sets it.")
                          .arg(target);
     }
-    return QStringLiteral(
+    return Text::tr(
         "Bit timing must be 1M/5M with the sample point at 0.666 in both phases: the adapter's can.bitrate 1000000, "
         "can.fd_bitrate 5000000, can.sample_point and can.fd_sample_point 0.666 (its factory settings).");
 }
@@ -26,14 +27,14 @@ QString timingAdvice(const BusName& bus)
 
 QString acknowledgeAdvice()
 {
-    return QStringLiteral(
+    return Text::tr(
         "nobody acknowledges our frames: check the drives' power, the cable, the 120 ohm at both ends and the bit "
         "rate");
 }
 
 QString errorAdvice()
 {
-    return QStringLiteral(
+    return Text::tr(
         "check the drives' power, the cable and its length, the 120 ohm at both ends, the bit rates and the sample "
         "points");
 }
@@ -41,19 +42,20 @@ QString errorAdvice()
 QString silenceAdvice(const BusName& bus)
 {
     if (bus.kind == BusKind::Simulated) {
-        return QStringLiteral(
-            "The simulated drives do not answer: a fault was asked for, or their ids are not those "
-            "of the profile.");
+        return Text::tr(
+            "The simulated drives do not answer: a fault was asked for, or their ids are not those of the profile.");
     }
-    return QStringLiteral(
-               "Are the drives powered, is the cable plugged in at both ends, is there 120 ohm at both ends of the "
-               "bus? ") +
-           timingAdvice(bus) +
-           QStringLiteral(
-               " Do the ids in the profile belong to these drives? `boresightctl scan %1` shows who "
-               "answers%2.")
-               .arg(QString::fromStdString(toString(bus)),
-                    bus.kind == BusKind::Fdcanusb ? QStringLiteral(" (release the bus first)") : QString());
+    const QString who =
+        bus.kind == BusKind::Fdcanusb
+            ? Text::tr(
+                  "Do the ids in the profile belong to these drives? `boresightctl scan %1` shows who answers (release "
+                  "the bus first).")
+            : Text::tr("Do the ids in the profile belong to these drives? `boresightctl scan %1` shows who answers.");
+    const QStringList sentences{
+        Text::tr(
+            "Are the drives powered, is the cable plugged in at both ends, is there 120 ohm at both ends of the bus?"),
+        timingAdvice(bus), who.arg(toQString(toString(bus)))};
+    return sentences.join(QLatin1Char(' '));
 }
 
 }  // namespace boresight

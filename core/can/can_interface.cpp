@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/can/can_interface.h"
 
+#include "core/base/text.h"
 #include "core/can/bit_timing.h"
 
 #include <QFile>
@@ -40,7 +41,7 @@ Result<> configure(const FileDescriptor& socket)
     constexpr int kOn = 1;
     constexpr can_err_mask_t kAllErrors = CAN_ERR_MASK;
     if (!setOption(socket, SOL_CAN_RAW, CAN_RAW_FD_FRAMES, kOn)) {
-        return failure(ErrorCode::NotAvailable, "this kernel's SocketCAN has no CAN-FD");
+        return failure(ErrorCode::NotAvailable, Text::tr("this kernel's SocketCAN has no CAN-FD"));
     }
     // The rest makes diagnosis better; the bus works without it.
     setOption(socket, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, kAllErrors);
@@ -73,7 +74,7 @@ int indexOf(const std::string& name)
 
 std::string systemError(const std::string& name)
 {
-    return name + ": " + std::strerror(errno);
+    return name + ": " + std::string(std::strerror(errno));
 }
 
 }  // namespace
@@ -84,8 +85,8 @@ Result<FileDescriptor> KernelCanInterface::openSocket()
     if (!socket.isOpen()) {
         if (errno == EAFNOSUPPORT || errno == EPROTONOSUPPORT) {
             return failure(ErrorCode::NotAvailable,
-                           "this kernel has no SocketCAN: load it with `modprobe can-raw`, or use the adapter as a "
-                           "serial port with --bus fdcanusb:PATH");
+                           Text::tr("this kernel has no SocketCAN: load it with `modprobe can-raw`, or use the adapter "
+                                    "as a serial port with --bus fdcanusb:PATH"));
         }
         return failure(ErrorCode::Io, systemError("CAN socket"));
     }
@@ -110,21 +111,20 @@ Result<> KernelCanInterface::findInterface(int socket)
     const std::string name = m_name.toStdString();
     m_index = indexOf(name);
     if (m_index == 0) {
-        return failure(ErrorCode::NoDevice, "there is no interface " + name +
-                                                ": is the adapter plugged in and its driver loaded? (`ip -brief link` "
-                                                "shows what is there)");
+        return failure(ErrorCode::NoDevice, Text::tr("there is no interface %1: is the adapter plugged in and its "
+                                                     "driver loaded? (`ip -brief link` shows what is there)")
+                                                .arg(toQString(name)));
     }
     ifreq request = requestFor(m_name);
     if (ioctl(socket, SIOCGIFHWADDR, &request) != 0 || request.ifr_hwaddr.sa_family != ARPHRD_CAN) {
-        return failure(ErrorCode::InvalidInput, name + " is not a CAN interface");
+        return failure(ErrorCode::InvalidInput, Text::tr("%1 is not a CAN interface").arg(toQString(name)));
     }
     const std::optional<InterfaceReport> known = report();
     const bool isVirtual = known ? known->kind != "can" : looksVirtual(m_name);
     if (ioctl(socket, SIOCGIFMTU, &request) != 0 || request.ifr_mtu < static_cast<int>(CANFD_MTU)) {
-        return failure(ErrorCode::NotAvailable, name + " is not a CAN-FD interface (mtu " +
-                                                    std::to_string(request.ifr_mtu) + "): `ip link set " + name +
-                                                    " down`, then `" + bringUpCommand(m_name, isVirtual).toStdString() +
-                                                    "`");
+        return failure(ErrorCode::NotAvailable,
+                       Text::tr("%1 is not a CAN-FD interface (mtu %2): `ip link set %1 down`, then `%3`")
+                           .arg(toQString(name), QString::number(request.ifr_mtu), bringUpCommand(m_name, isVirtual)));
     }
     return {};
 }

@@ -2,6 +2,7 @@
 #include "core/can/fdcanusb_link.h"
 
 #include "core/base/control_characters.h"
+#include "core/base/text.h"
 #include "core/can/bus_advice.h"
 #include "core/can/line_checksum.h"
 #include "core/can/port_holder.h"
@@ -102,8 +103,10 @@ Result<> FdcanusbLink::openPort(const QString& device)
     const std::string name = device.toStdString();
     if (const std::optional<QString> holder = portHolder(device)) {
         const bool ours = holder->startsWith(QStringLiteral("boresight"));
-        return failure(ErrorCode::Busy, name + " is in use by " + holder->toStdString() + ": end it first" +
-                                            (ours ? ", or press \"Release bus\" on its Drives page" : ""));
+        return failure(ErrorCode::Busy,
+                       (ours ? Text::tr("%1 is in use by %2: end it first, or press \"Release bus\" on its Drives page")
+                             : Text::tr("%1 is in use by %2: end it first"))
+                           .arg(device, *holder));
     }
     m_port.setPortName(canonicalPort(device));
     if (m_port.open(QIODevice::ReadWrite)) {
@@ -111,10 +114,11 @@ Result<> FdcanusbLink::openPort(const QString& device)
     }
     const std::string reason = m_port.errorString().toStdString();
     if (m_port.error() == QSerialPort::PermissionError) {
-        return failure(ErrorCode::Busy, name + " is in use by another program (" + reason + "): `sudo fuser -v " +
-                                            name + "` shows which; end it first");
+        return failure(ErrorCode::Busy,
+                       Text::tr("%1 is in use by another program (%2): `sudo fuser -v %1` shows which; end it first")
+                           .arg(toQString(name), toQString(reason)));
     }
-    return failure(ErrorCode::Io, name + " cannot be opened: " + reason);
+    return failure(ErrorCode::Io, Text::tr("%1 cannot be opened: %2").arg(toQString(name), toQString(reason)));
 }
 
 void FdcanusbLink::close()
@@ -134,13 +138,13 @@ void FdcanusbLink::close()
 Result<> FdcanusbLink::send(std::span<const CanFrame> frames)
 {
     if (m_status.state == LinkState::Closed || m_status.state == LinkState::Lost) {
-        const QString text = m_status.text.isEmpty() ? name() + QStringLiteral(" is not open") : m_status.text;
+        const QString text = m_status.text.isEmpty() ? Text::tr("%1 is not open").arg(name()) : m_status.text;
         return failure(ErrorCode::NoDevice, text.toStdString());
     }
     checkDeadlines();
     if (m_port.bytesToWrite() > kMaxUnwritten) {
         return failure(ErrorCode::NoAnswer,
-                       name().toStdString() + ": the adapter takes no more data; plug it in again");
+                       Text::tr("%1: the adapter takes no more data; plug it in again").arg(name()));
     }
     const auto sendLines = linesOf(frames);
     if (!sendLines) {
@@ -171,7 +175,7 @@ Result<> FdcanusbLink::writeLines(const QByteArray& lines)
         m_port.flush();
     }
     if (!written || m_status.state == LinkState::Lost) {
-        return failure(ErrorCode::Io, name().toStdString() + ": " + m_port.errorString().toStdString());
+        return failure(ErrorCode::Io, QStringLiteral("%1: %2").arg(name(), m_port.errorString()));
     }
     if (!m_deadlineTimer.isActive()) {
         m_deadlineTimer.start(kOkDeadline);
@@ -233,16 +237,15 @@ void FdcanusbLink::handle(const fdcanusb::Refusal& refusal)
         ++m_status.busErrors;
         if (!m_busOff) {  // else the reason is known, and this its result
             reportBus(LinkState::Down,
-                      QStringLiteral("the adapter is not on the bus (\"not in BusOn state\"); it is switched on "
-                                     "again once a second: if that does not help, plug it in again"));
+                      Text::tr("the adapter is not on the bus (\"not in BusOn state\"); it is switched on again once a "
+                               "second: if that does not help, plug it in again"));
         }
         restartController();
     } else if (command == Command::Frame) {
         ++m_status.busErrors;
         constexpr int kShown = 80;
-        m_adapterTrouble = QStringLiteral("the adapter refuses a frame: ") +
-                           QString::fromStdString(printable(refusal.text)).left(kShown) +
-                           QStringLiteral("; check its firmware and its can.* settings");
+        m_adapterTrouble = Text::tr("the adapter refuses a frame: %1; check its firmware and its can.* settings")
+                               .arg(toQString(printable(refusal.text)).left(kShown));
         updateStatus(m_status.state);
     }  // else: "can status" is unknown to a moteus UART, "can off" is refused when already off
 }
@@ -253,8 +256,8 @@ void FdcanusbLink::handle(const fdcanusb::BusStatus& bus)
     m_busOff = bus.busOff;
     if (bus.busOff) {
         ++m_status.busErrors;
-        reportBus(LinkState::Down, QStringLiteral("bus-off after too many errors: check the cable, the 120 ohm at "
-                                                  "both ends and the bit rate; it is restarted once a second"));
+        reportBus(LinkState::Down, Text::tr("bus-off after too many errors: check the cable, the 120 ohm at both ends "
+                                            "and the bit rate; it is restarted once a second"));
         restartController();
     } else if (bus.errorPassive) {
         reportBus(LinkState::Up, acknowledgeAdvice());
@@ -273,11 +276,10 @@ void FdcanusbLink::checkDeadlines()
     }
     if (missing > 0) {
         m_status.busErrors += missing;
-        m_adapterTrouble =
-            QStringLiteral(
-                "the adapter does not confirm our frames (no OK within %1 ms): is this port an fdcanusb? If "
-                "so, plug it in again")
-                .arg(kOkDeadline.count());
+        m_adapterTrouble = Text::tr(
+                               "the adapter does not confirm our frames (no OK within %1 ms): is this port an "
+                               "fdcanusb? If so, plug it in again")
+                               .arg(kOkDeadline.count());
         updateStatus(m_status.state);
     }
     if (!m_pending.empty()) {
@@ -349,9 +351,11 @@ void FdcanusbLink::lose()
         }
     };
     QMetaObject::invokeMethod(this, closeLostPort, Qt::QueuedConnection);
-    const QString where =
-        m_path.name().isEmpty() ? QString() : QStringLiteral("; it is found in any socket as %1").arg(m_path.name());
-    reportBus(LinkState::Lost, QStringLiteral("the adapter is gone: plug it in again") + where);
+    reportBus(
+        LinkState::Lost,
+        m_path.name().isEmpty()
+            ? Text::tr("the adapter is gone: plug it in again")
+            : Text::tr("the adapter is gone: plug it in again; it is found in any socket as %1").arg(m_path.name()));
 }
 
 }  // namespace boresight

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/can/interface_report.h"
 
+#include "core/base/text.h"
+
 #include <linux/can/netlink.h>
 #include <linux/if_link.h>
 #include <linux/rtnetlink.h>
@@ -108,7 +110,7 @@ bool readLinkInfo(Bytes bytes, InterfaceReport& report)
 
 tl::unexpected<Error> unreadable()
 {
-    return failure(ErrorCode::Protocol, "the kernel's description of the interface cannot be read");
+    return failure(ErrorCode::Protocol, Text::tr("the kernel's description of the interface cannot be read"));
 }
 
 }  // namespace

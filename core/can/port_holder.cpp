@@ -2,6 +2,7 @@
 #include "core/can/port_holder.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -34,8 +35,8 @@ QString nameOf(const files::path& process)
 {
     QFile file(QString::fromStdString((process / "comm").string()));
     const QString name = file.open(QIODevice::ReadOnly) ? QString::fromLocal8Bit(file.readAll()).trimmed() : QString();
-    return QStringLiteral("%1 (process %2)")
-        .arg(name.isEmpty() ? QStringLiteral("a program") : name, QString::fromStdString(process.filename().string()));
+    return Text::tr("%1 (process %2)")
+        .arg(name.isEmpty() ? Text::tr("a program") : name, QString::fromStdString(process.filename().string()));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/can/serial_port_check.h"
 
+#include "core/base/text.h"
+
 #include <QFile>
 #include <QFileInfo>
 
@@ -20,23 +22,24 @@ Result<> checkSerialPort(const QString& path)
     struct stat info = {};
     if (stat(file.constData(), &info) != 0) {
         if (errno == EACCES) {
-            return failure(ErrorCode::Denied, name + ": no permission to enter its folder");
+            return failure(ErrorCode::Denied, Text::tr("%1: no permission to enter its folder").arg(toQString(name)));
         }
         return failure(ErrorCode::NoDevice,
-                       name + " is not there: is the adapter plugged in? (ls /dev/serial/by-id shows what is)");
+                       Text::tr("%1 is not there: is the adapter plugged in? (ls /dev/serial/by-id shows what is)")
+                           .arg(toQString(name)));
     }
     if (!S_ISCHR(info.st_mode)) {
-        return failure(ErrorCode::InvalidInput, name + " is not a serial port");
+        return failure(ErrorCode::InvalidInput, Text::tr("%1 is not a serial port").arg(toQString(name)));
     }
     if (faccessat(AT_FDCWD, file.constData(), R_OK | W_OK, AT_EACCESS) != 0) {
         if (errno == EACCES) {
             return failure(ErrorCode::Denied,
-                           name +
-                               ": no permission: install packaging/udev/70-boresight-fdcanusb.rules to "
-                               "/etc/udev/rules.d, plug the adapter in again and join the group dialout (`sudo usermod "
-                               "-aG dialout $USER`, then log in again)");
+                           Text::tr("%1: no permission: install packaging/udev/70-boresight-fdcanusb.rules to "
+                                    "/etc/udev/rules.d, plug the adapter in again and join the group dialout (`sudo "
+                                    "usermod -aG dialout $USER`, then log in again)")
+                               .arg(toQString(name)));
         }
-        return failure(ErrorCode::Io, name + ": " + std::strerror(errno));
+        return failure(ErrorCode::Io, name + ": " + std::string(std::strerror(errno)));
     }
     return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/can/socketcan_link.h"
 
+#include "core/base/text.h"
 #include "core/can/bit_timing.h"
 #include "core/can/bus_advice.h"
 
@@ -103,7 +104,7 @@ void SocketCanLink::closeSocket()
 Result<> SocketCanLink::send(std::span<const CanFrame> frames)
 {
     if (!m_socket.isOpen()) {
-        const QString text = m_status.text.isEmpty() ? name() + QStringLiteral(" is not open") : m_status.text;
+        const QString text = m_status.text.isEmpty() ? Text::tr("%1 is not open").arg(name()) : m_status.text;
         return failure(ErrorCode::NoDevice, text.toStdString());
     }
     const auto rawFrames = rawFramesOf(frames);
@@ -115,9 +116,9 @@ Result<> SocketCanLink::send(std::span<const CanFrame> frames)
             const int error = errno;
             handleSocketError(error);
             const QString reason = m_status.text.isEmpty() ? systemText(error) : m_status.text;
-            const auto done = std::to_string(&raw - rawFrames->data());
-            return failure(ErrorCode::Io, reason.toStdString() + " (" + done + " of " + std::to_string(frames.size()) +
-                                              " frames sent)");
+            return failure(
+                ErrorCode::Io,
+                Text::tr("%1 (%2 of %3 frames sent)").arg(reason).arg(&raw - rawFrames->data()).arg(frames.size()));
         }
         ++m_status.sent;
     }
@@ -234,7 +235,7 @@ void SocketCanLink::handleSocketError(int error)
             break;
         case ENODEV:
         case ENXIO:
-            lose(QStringLiteral("the interface has been removed: plug the adapter in again"));
+            lose(Text::tr("the interface has been removed: plug the adapter in again"));
             break;
         default:
             lose(systemText(error));
@@ -282,26 +283,26 @@ void SocketCanLink::lose(const QString& reason)
 QString SocketCanLink::troubleText() const
 {
     if (m_trouble.interfaceDown) {
-        return QStringLiteral("the interface is down; bring it up with `%1`")
+        return Text::tr("the interface is down; bring it up with `%1`")
             .arg(socketcan::bringUpCommand(m_interface, m_isVirtual));
     }
     QStringList troubles;
     if (m_trouble.busOff) {
-        troubles << QStringLiteral(
+        troubles << Text::tr(
                         "bus-off after too many errors: check the cable, the 120 ohm at both ends and the bit rate; "
                         "with restart-ms set it comes back by itself, else `ip link set %1 type can restart`")
                         .arg(m_interface);
     } else if (m_trouble.transmitQueueFull) {
-        troubles << QStringLiteral("the transmit queue is full: another program fills the bus, or ") +
-                        acknowledgeAdvice();
+        troubles
+            << Text::tr("the transmit queue is full: another program fills the bus, or %1").arg(acknowledgeAdvice());
     } else if (m_trouble.noAcknowledge) {
         troubles << acknowledgeAdvice();
     } else if (m_trouble.errorPassive) {
-        troubles << QStringLiteral("many errors on the bus (error-passive): ") + errorAdvice();
+        troubles << Text::tr("many errors on the bus (error-passive): %1").arg(errorAdvice());
     } else if (m_trouble.errorFrames) {
-        troubles << QStringLiteral("damaged frames on the bus: ") + errorAdvice();
+        troubles << Text::tr("damaged frames on the bus: %1").arg(errorAdvice());
     } else if (m_trouble.flooded) {
-        troubles << QStringLiteral(
+        troubles << Text::tr(
                         "more than %1 frames a second on the bus, ten times what two drives need: another program "
                         "floods it; end that program (`candump %2` shows its identifiers)")
                         .arg(kFloodRate)

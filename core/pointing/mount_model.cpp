@@ -2,6 +2,7 @@
 #include "core/pointing/mount_model.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,16 +54,23 @@ const Angle kEndTolerance = Angle::fromDegrees(0.25);
 // In the middle of a gap both ends are equally near: the other one must be better by this much to be worth the way.
 const Angle kEndPreference = Angle::fromDegrees(1.0);
 
-std::string degrees(Angle angle)
+QString degrees(Angle angle)
 {
-    return formatFixed(angle.degrees(), 1) + "°";
+    return toQString(formatFixed(angle.degrees(), 1)) + QStringLiteral("°");
 }
 
-std::string outsideReason(const char* axis, Angle angle, const TravelRange& travel)
+std::string azimuthReason(Angle angle, const TravelRange& travel)
 {
-    const std::string what = std::string(axis) + " " + degrees(angle);
-    return angle < travel.min ? what + " below limit " + degrees(travel.min)
-                              : what + " above limit " + degrees(travel.max);
+    return (angle < travel.min ? Text::tr("azimuth %1 below limit %2").arg(degrees(angle), degrees(travel.min))
+                               : Text::tr("azimuth %1 above limit %2").arg(degrees(angle), degrees(travel.max)))
+        .toStdString();
+}
+
+std::string elevationReason(Angle angle, const TravelRange& travel)
+{
+    return (angle < travel.min ? Text::tr("elevation %1 below limit %2").arg(degrees(angle), degrees(travel.min))
+                               : Text::tr("elevation %1 above limit %2").arg(degrees(angle), degrees(travel.max)))
+        .toStdString();
 }
 
 void addReason(Resolved& resolved, const std::string& reason)
@@ -151,12 +159,14 @@ Resolved MountModel::resolve(const SkyPointing& direction, const AxisPosition& n
         resolved.position = {*azimuth, elevations.clamped(upright.elevation)};
     } else {
         resolved.position = nearestAcrossGap(upright, now);
-        addReason(resolved, "azimuth " + degrees(upright.azimuth) + " outside " +
-                                (m_azimuths == m_azimuth.travel ? "travel " : "limits ") + degrees(m_azimuths.min) +
-                                "…" + degrees(m_azimuths.max));
+        const QString sentence = m_azimuths == m_azimuth.travel ? Text::tr("azimuth %1 outside travel %2…%3")
+                                                                : Text::tr("azimuth %1 outside limits %2…%3");
+        addReason(
+            resolved,
+            sentence.arg(degrees(upright.azimuth), degrees(m_azimuths.min), degrees(m_azimuths.max)).toStdString());
     }
     if (!reaches(elevations, upright.elevation)) {
-        addReason(resolved, outsideReason("elevation", upright.elevation, elevations));
+        addReason(resolved, elevationReason(upright.elevation, elevations));
     }
     return resolved;
 }
@@ -179,10 +189,10 @@ Resolved MountModel::resolve(const AxisPosition& position) const
 {
     Resolved resolved{.position = {m_azimuths.clamped(position.azimuth), m_elevations.clamped(position.elevation)}};
     if (!reaches(m_azimuths, position.azimuth)) {
-        addReason(resolved, outsideReason("azimuth", position.azimuth, m_azimuths));
+        addReason(resolved, azimuthReason(position.azimuth, m_azimuths));
     }
     if (!reaches(m_elevations, position.elevation)) {
-        addReason(resolved, outsideReason("elevation", position.elevation, m_elevations));
+        addReason(resolved, elevationReason(position.elevation, m_elevations));
     }
     return resolved;
 }

@@ -2,6 +2,7 @@
 #include "core/pointing/permitted_region.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/pointing/mount_model.h"
 #include "core/pointing/slits.h"
 
@@ -16,14 +17,9 @@ const Angle kFullTurn = Angle::fromTurns(1.0);
 const Angle kRounding = Angle::fromDegrees(1e-9);
 const Angle kBeyond = Angle::fromDegrees(3600.0);
 
-std::string degrees(Angle angle)
+QString degrees(Angle angle)
 {
-    return formatFixed(angle.degrees(), 1) + "°";
-}
-
-std::string text(const AxisPosition& place)
-{
-    return "azimuth " + degrees(place.azimuth) + " elevation " + degrees(place.elevation);
+    return toQString(formatFixed(angle.degrees(), 1)) + QStringLiteral("°");
 }
 
 TravelRange common(const TravelRange& a, const TravelRange& b)
@@ -229,23 +225,27 @@ const KeepOut* PermittedRegion::keepOutAt(const AxisPosition& place) const
 
 std::string PermittedRegion::reason(const AxisPosition& place) const
 {
+    const auto outside = [](const QString& sentence, Angle angle, const TravelRange& range) {
+        return sentence.arg(degrees(angle), degrees(range.min), degrees(range.max)).toStdString();
+    };
     if (permits(place)) {
         return {};
     }
     if (!within(AxisBox::at(place).azimuth, m_ranges.azimuth)) {
-        return "azimuth " + degrees(place.azimuth) + " outside limits " + degrees(m_ranges.azimuth.min) + "…" +
-               degrees(m_ranges.azimuth.max);
+        return outside(Text::tr("azimuth %1 outside limits %2…%3"), place.azimuth, m_ranges.azimuth);
     }
     if (!within(AxisBox::at(place).elevation, m_ranges.elevation)) {
-        return "elevation " + degrees(place.elevation) + " outside limits " + degrees(m_ranges.elevation.min) + "…" +
-               degrees(m_ranges.elevation.max);
+        return outside(Text::tr("elevation %1 outside limits %2…%3"), place.elevation, m_ranges.elevation);
     }
     if (const KeepOut* const keepOut = keepOutAt(place)) {
-        return text(place) + " is in the keep-out \"" + keepOut->name + "\"";
+        return Text::tr("azimuth %1 elevation %2 is in the keep-out \"%3\"")
+            .arg(degrees(place.azimuth), degrees(place.elevation), toQString(keepOut->name))
+            .toStdString();
     }
     const SkyPointing beam = MountModel::toSky(place);
-    return "elevation " + degrees(beam.elevation) + " below the horizon " + degrees(m_skyline.at(beam.azimuth)) +
-           " at azimuth " + degrees(beam.azimuth);
+    return Text::tr("elevation %1 below the horizon %2 at azimuth %3")
+        .arg(degrees(beam.elevation), degrees(m_skyline.at(beam.azimuth)), degrees(beam.azimuth))
+        .toStdString();
 }
 
 std::string PermittedRegion::obstacle(const AxisPosition& place) const
@@ -254,13 +254,17 @@ std::string PermittedRegion::obstacle(const AxisPosition& place) const
         return {};
     }
     if (!within(AxisBox::at(place).azimuth, m_ranges.azimuth)) {
-        return "the azimuth limit " + degrees(m_ranges.azimuth.clamped(place.azimuth));
+        return Text::tr("the azimuth limit %1").arg(degrees(m_ranges.azimuth.clamped(place.azimuth))).toStdString();
     }
     if (!within(AxisBox::at(place).elevation, m_ranges.elevation)) {
-        return "the elevation limit " + degrees(m_ranges.elevation.clamped(place.elevation));
+        return Text::tr("the elevation limit %1")
+            .arg(degrees(m_ranges.elevation.clamped(place.elevation)))
+            .toStdString();
     }
     const KeepOut* const keepOut = keepOutAt(place);
-    return keepOut != nullptr ? "the keep-out \"" + keepOut->name + "\"" : "the horizon";
+    return (keepOut != nullptr ? Text::tr("the keep-out \"%1\"").arg(toQString(keepOut->name))
+                               : Text::tr("the horizon"))
+        .toStdString();
 }
 
 TravelRange PermittedRegion::azimuthsAround(const AxisBox& box) const

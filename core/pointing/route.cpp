@@ -6,6 +6,7 @@
 #include "core/pointing/route.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -172,7 +173,7 @@ std::string obstacleBetween(const PermittedRegion& region, const AxisPosition& f
             return obstacle;
         }
     }
-    return "what is forbidden";
+    return Text::tr("what is forbidden").toStdString();
 }
 
 std::string degrees(const AxisPosition& place)
@@ -201,8 +202,9 @@ Result<std::vector<AxisPosition>> route(const PermittedRegion& region, const Axi
     }
     const auto further = QuickestWay(region, turningPlaces(region, *start, to), speed, bend.count()).find();
     if (!further) {
-        return failure(ErrorCode::OutOfRange, "there is no way from " + degrees(from) + " to " + degrees(to) + ": " +
-                                                  obstacleBetween(region, *start, to) + " is in between");
+        return failure(ErrorCode::OutOfRange, Text::tr("there is no way from %1 to %2: %3 is in between")
+                                                  .arg(toQString(degrees(from)), toQString(degrees(to)),
+                                                       toQString(obstacleBetween(region, *start, to))));
     }
     way.insert(way.end(), further->begin(), further->end());
     return way;

@@ -2,57 +2,66 @@
 // The checks of a profile that are more than type and range.
 #include "core/base/control_characters.h"
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/profile/setting_groups.h"
 
 namespace boresight::profile {
 
 namespace {
 
-std::string degrees(Angle angle)
+QString degrees(Angle angle)
 {
-    return formatFixed(angle.degrees(), 2) + "°";
+    return toQString(formatFixed(angle.degrees(), 2)) + QStringLiteral("°");
 }
 
 void checkAxis(std::vector<Problem>& problems, const std::string& table, const AxisSettings& axis, Angle park)
 {
     const TravelRange& travel = axis.geometry.travel;
     if (axis.geometry.sign == 0) {
-        problems.push_back({table + ".sign", "1 or -1 is expected"});
+        problems.push_back({table + ".sign", Text::tr("1 or -1 is expected").toStdString()});
     }
     if (travel.min >= travel.max) {
-        problems.push_back({table + ".travel_min_deg", degrees(travel.min) + " is not below " + table +
-                                                           ".travel_max_deg (" + degrees(travel.max) + ")"});
+        problems.push_back(
+            {table + ".travel_min_deg", Text::tr("%1 is not below %2.travel_max_deg (%3)")
+                                            .arg(degrees(travel.min), toQString(table), degrees(travel.max))
+                                            .toStdString()});
     } else if (!travel.contains(park)) {
-        problems.push_back({"park." + table + "_deg", degrees(park) + " is outside the travel " + degrees(travel.min) +
-                                                          "…" + degrees(travel.max)});
+        problems.push_back({"park." + table + "_deg", Text::tr("%1 is outside the travel %2…%3")
+                                                          .arg(degrees(park), degrees(travel.min), degrees(travel.max))
+                                                          .toStdString()});
     }
     // A slower build-up would make the stop distance longer than anybody standing at the mast expects.
     const Seconds filterLength{2.0 * (axis.limits.acceleration.radians() / axis.limits.jerk.radians())};
     if (filterLength > Seconds(2.0)) {
-        problems.push_back({table + ".max_jerk_deg_s3", "must be at least max_acceleration_deg_s2 per second, here " +
-                                                            formatFixed(axis.limits.acceleration.degrees(), 2)});
+        problems.push_back(
+            {table + ".max_jerk_deg_s3", Text::tr("must be at least max_acceleration_deg_s2 per second, here %1")
+                                             .arg(toQString(formatFixed(axis.limits.acceleration.degrees(), 2)))
+                                             .toStdString()});
     }
 }
 
 void checkSupervision(std::vector<Problem>& problems, const Profile& profile)
 {
     const SupervisionSettings& supervision = profile.supervision;
-    const auto demand = [&](bool right, const char* key, const std::string& text) {
+    const auto demand = [&](bool right, const char* key, const QString& text) {
         if (!right) {
-            problems.push_back({std::string("supervision.") + key, text});
+            problems.push_back({std::string("supervision.") + key, text.toStdString()});
         }
     };
     demand(supervision.followingHint <= supervision.followingStop, "following_hint_deg",
-           "must not be above supervision.following_stop_deg");
+           Text::tr("must not be above %1").arg(QLatin1String("supervision.following_stop_deg")));
     demand(supervision.outsideHint <= supervision.outsideStop, "outside_hint_deg",
-           "must not be above supervision.outside_stop_deg");
+           Text::tr("must not be above %1").arg(QLatin1String("supervision.outside_stop_deg")));
     // Replies come once per tick: a limit below two ticks would alarm all the time.
     demand(supervision.replyAge >= 2.0 * profile.control.tickPeriod(), "reply_age_s",
-           "is shorter than 2 ticks of control.tick_hz (" + formatFixed(2.0 * profile.control.tickPeriod().count(), 3) +
-               " s)");
-    demand(supervision.supplyStop < supervision.supplyLow, "supply_stop_v", "must be below supervision.supply_low_v");
-    demand(supervision.supplyLow < supervision.supplyHigh, "supply_low_v", "must be below supervision.supply_high_v");
-    demand(supervision.boardHot < supervision.boardLimit, "board_hot_c", "must be below supervision.board_limit_c");
+           Text::tr("is shorter than 2 ticks of control.tick_hz (%1 s)")
+               .arg(toQString(formatFixed(2.0 * profile.control.tickPeriod().count(), 3))));
+    demand(supervision.supplyStop < supervision.supplyLow, "supply_stop_v",
+           Text::tr("must be below %1").arg(QLatin1String("supervision.supply_low_v")));
+    demand(supervision.supplyLow < supervision.supplyHigh, "supply_low_v",
+           Text::tr("must be below %1").arg(QLatin1String("supervision.supply_high_v")));
+    demand(supervision.boardHot < supervision.boardLimit, "board_hot_c",
+           Text::tr("must be below %1").arg(QLatin1String("supervision.board_limit_c")));
 }
 
 template <class Row>
@@ -82,19 +91,22 @@ std::vector<Problem> crossCheck(const Profile& profile)
     checkAxis(problems, "azimuth", profile.azimuth, profile.park.azimuth);
     checkAxis(problems, "elevation", profile.elevation, profile.park.elevation);
     if (profile.azimuth.id == profile.elevation.id) {
-        problems.push_back({"elevation.id", "is the same as azimuth.id; each controller needs its own"});
+        problems.push_back(
+            {"elevation.id", Text::tr("is the same as azimuth.id; each controller needs its own").toStdString()});
     }
     // Two lost frames in a row must not stop the mount; the tiny slack forgives rounding (0.05 s at 60 Hz).
     if (3.0 * profile.control.tickPeriod() > profile.control.watchdog + Seconds(1e-9)) {
-        problems.push_back({"control.watchdog_s", "is shorter than 3 ticks of control.tick_hz (" +
-                                                      formatFixed(3.0 * profile.control.tickPeriod().count(), 3) +
-                                                      " s)"});
+        problems.push_back(
+            {"control.watchdog_s", Text::tr("is shorter than 3 ticks of control.tick_hz (%1 s)")
+                                       .arg(toQString(formatFixed(3.0 * profile.control.tickPeriod().count(), 3)))
+                                       .toStdString()});
     }
     if (profile.jog.slow > profile.jog.normal || profile.jog.normal > profile.jog.fast) {
-        problems.push_back({"jog.normal_deg_s", "must lie between jog.slow_deg_s and jog.fast_deg_s"});
+        problems.push_back(
+            {"jog.normal_deg_s", Text::tr("must lie between jog.slow_deg_s and jog.fast_deg_s").toStdString()});
     }
     if (profile.rotctld.lead == Lead::Locked && profile.rotctld.lockedTo.empty()) {
-        problems.push_back({"rotctld.locked_to", "is needed while rotctld.lead is \"locked\""});
+        problems.push_back({"rotctld.locked_to", Text::tr("is needed while rotctld.lead is \"locked\"").toStdString()});
     }
     checkRegion(problems, profile);
     checkSupervision(problems, profile);
@@ -119,7 +131,7 @@ Result<ListenAddress> parseListenAddress(std::string_view text)
     const auto colon = text.rfind(':');
     const auto port = colon == std::string_view::npos ? std::nullopt : parseInteger(text.substr(colon + 1));
     if (!port || *port < 0 || *port > 65535) {
-        return failure(ErrorCode::InvalidInput, "HOST:PORT with a port of 0…65535 is expected");
+        return failure(ErrorCode::InvalidInput, Text::tr("HOST:PORT with a port of 0…65535 is expected"));
     }
     std::string_view host = text.substr(0, colon);
     const bool bracketed = host.size() > 2 && host.front() == '[' && host.back() == ']';
@@ -129,7 +141,8 @@ Result<ListenAddress> parseListenAddress(std::string_view text)
     const bool isIpv6 = host.find(':') != std::string_view::npos;
     const bool odd = host.find_first_of(" []") != std::string_view::npos || hasControlCharacters(host);
     if (host.empty() || odd || isIpv6 != bracketed) {
-        return failure(ErrorCode::InvalidInput, "a host name or address is expected before the port, IPv6 in brackets");
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("a host name or address is expected before the port, IPv6 in brackets"));
     }
     return ListenAddress{.host = std::string(host), .port = static_cast<std::uint16_t>(*port)};
 }

@@ -2,6 +2,7 @@
 #include "core/profile/gpredict_qth.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/profile/setting.h"
 #include "core/profile/text_file.h"
 
@@ -37,7 +38,8 @@ Result<> readNumber(const QByteArray& text, const char* key, const char* setting
     const auto value = keyFileValue(text, QStringLiteral("QTH"), QLatin1String(key));
     const auto number = value ? parseFinite(value->toStdString()) : std::nullopt;
     if (!number) {
-        return failure(ErrorCode::InvalidInput, std::string(key) + (value ? " is no number" : " is missing"));
+        return failure(ErrorCode::InvalidInput,
+                       (value ? Text::tr("%1 is no number") : Text::tr("%1 is missing")).arg(QLatin1String(key)));
     }
     return findSetting(setting)->set(into, *number).map_error([&](const Error& error) {
         return Error{error.code, std::string(key) + ": " + error.text};

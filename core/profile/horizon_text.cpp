@@ -3,6 +3,7 @@
 
 #include "core/base/control_characters.h"
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/pointing/skyline.h"
 #include "core/profile/setting.h"
 
@@ -71,9 +72,9 @@ bool isHeading(const std::string& line)
 std::string whatIsWrong(const Numbers& numbers)
 {
     if (numbers.azimuth < 0.0 || numbers.azimuth > 360.0) {
-        return "azimuths count from north, 0…360";
+        return Text::tr("azimuths count from north, 0…360").toStdString();
     }
-    return std::abs(numbers.elevation) > 90.0 ? "an elevation is within -90…90" : "";
+    return std::abs(numbers.elevation) > 90.0 ? Text::tr("an elevation is within -90…90").toStdString() : std::string();
 }
 
 class Reader
@@ -95,22 +96,24 @@ public:
             take(*numbers);
         } else if (!isFirst || !isHeading(line)) {
             constexpr std::size_t kShown = 40;
-            addError("azimuth and elevation are expected, like \"120.5 7\", not \"" + line.substr(0, kShown) + "\"");
+            addError(Text::tr("azimuth and elevation are expected, like \"120.5 7\", not \"%1\"")
+                         .arg(toQString(line.substr(0, kShown)))
+                         .toStdString());
         }
     }
 
     [[nodiscard]] Result<HorizonText> result()
     {
         if (m_errorCount > kErrorsTold) {
-            m_errors += "\n… and " + std::to_string(m_errorCount - kErrorsTold) + " more";
+            m_errors += "\n" + Text::tr("… and %1 more").arg(m_errorCount - kErrorsTold).toStdString();
         }
         if (m_errorCount > 0) {
             return failure(ErrorCode::InvalidInput, m_errors);
         }
         if (m_highest.empty() || m_highest.size() > kMaxHorizonPoints) {
-            return failure(ErrorCode::InvalidInput, m_fileName + ": " + std::to_string(m_highest.size()) +
-                                                        " points; 1…" + std::to_string(kMaxHorizonPoints) +
-                                                        " make a horizon");
+            return failure(ErrorCode::InvalidInput, Text::tr("%1: %2 points; 1…%3 make a horizon")
+                                                        .arg(toQString(m_fileName), QString::number(m_highest.size()),
+                                                             QString::number(kMaxHorizonPoints)));
         }
         HorizonText text{.points = {}, .merged = m_merged};
         for (const auto& [azimuth, elevation] : m_highest) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/locator.h"
 
+#include "core/base/text.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,7 +43,7 @@ char lower(char character)
 Result<GeoPoint> fromLocator(std::string_view text)
 {
     if (text.size() < 4 || text.size() > 10 || text.size() % 2 != 0) {
-        return failure(ErrorCode::InvalidInput, "a locator has 4, 6, 8 or 10 characters, like JN58td");
+        return failure(ErrorCode::InvalidInput, Text::tr("a locator has 4, 6, 8 or 10 characters, like JN58td"));
     }
     std::array<std::int64_t, 2> steps{};  // longitude, latitude
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -49,8 +51,9 @@ Result<GeoPoint> fromLocator(std::string_view text)
         const std::int64_t step = lower(text[i]) - lower(pair.first);
         if (step < 0 || step >= pair.steps) {
             const char last = static_cast<char>(pair.first + pair.steps - 1);
-            return failure(ErrorCode::InvalidInput,
-                           "character " + std::to_string(i + 1) + " of a locator is one of " + pair.first + "…" + last);
+            return failure(ErrorCode::InvalidInput, Text::tr("character %1 of a locator is one of %2…%3")
+                                                        .arg(QString::number(i + 1), QString(QLatin1Char(pair.first)),
+                                                             QString(QLatin1Char(last))));
         }
         steps.at(i % 2) += step * pair.size;
     }
@@ -63,7 +66,7 @@ Result<std::string> toLocator(const GeoPoint& place, LocatorLength length)
 {
     constexpr double kPole = 90.0 + 1e-9;
     if (!(std::abs(place.latitude.degrees()) <= kPole) || !place.longitude.isFinite()) {
-        return failure(ErrorCode::OutOfRange, "latitude -90…90° and longitude -180…180° are expected");
+        return failure(ErrorCode::OutOfRange, Text::tr("latitude -90…90° and longitude -180…180° are expected"));
     }
     std::array<std::int64_t, 2> steps{stepsOf(place.longitude.wrapped180().degrees() + 180.0, kLongitudeStep),
                                       stepsOf(place.latitude.degrees() + 90.0, kLatitudeStep)};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/profile_diff.h"
 
+#include "core/base/text.h"
+
 #include <algorithm>
 #include <functional>
 #include <set>
@@ -38,7 +40,7 @@ Item itemOf(const Setting& setting)
 std::string siteText(const Profile& profile)
 {
     if (!profile.site.known) {
-        return "not given";
+        return Text::tr("not given").toStdString();
     }
     std::string text;
     for (const char* const key : {"site.latitude_deg", "site.longitude_deg", "site.height_m"}) {
@@ -88,13 +90,13 @@ Item listItem(std::string_view key, std::span<const SettingOf<Row>> fields, Rows
 std::string horizonText(const std::vector<pointing::HorizonPoint>& shown,
                         const std::vector<pointing::HorizonPoint>& others)
 {
-    const std::string count = std::to_string(shown.size()) + (shown.size() == 1 ? " point" : " points");
+    const QString count = shown.size() == 1 ? Text::tr("1 point") : Text::tr("%1 points").arg(shown.size());
     if (shown.size() != others.size()) {
-        return count;
+        return count.toStdString();
     }
     const auto moved =
         std::ranges::count_if(shown, [&](const auto& point) { return std::ranges::count(others, point) == 0; });
-    return count + ", " + std::to_string(moved) + " different";
+    return Text::tr("%1, %2 different").arg(count, QString::number(moved)).toStdString();
 }
 
 // The names; rows whose name the others have too, but not alike, are marked.
@@ -105,9 +107,10 @@ std::string namesText(const std::vector<Row>& shown, const std::vector<Row>& oth
     for (const Row& row : shown) {
         const bool isNamed = std::ranges::count(others, row.name, &Row::name) > 0;
         const bool isAlike = std::ranges::count(others, row) > 0;
-        text += (text.empty() ? "" : ", ") + toText(row.name) + (isNamed && !isAlike ? " (different)" : "");
+        text += (text.empty() ? "" : ", ") + toText(row.name) +
+                (isNamed && !isAlike ? " " + Text::tr("(different)").toStdString() : "");
     }
-    return text.empty() ? "none" : text;
+    return text.empty() ? Text::tr("none").toStdString() : text;
 }
 
 std::vector<Item> makeItems()

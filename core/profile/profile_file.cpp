@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/profile_file.h"
 
+#include "core/base/text.h"
 #include "core/profile/setting.h"
 #include "core/profile/text_file.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The only file that includes toml++: it is large and slow to compile.
 #include "core/base/control_characters.h"
+#include "core/base/text.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/setting.h"
 
@@ -49,11 +50,13 @@ private:
         const toml::node* node = root.get("version");
         const auto version = node != nullptr ? node->value_exact<std::int64_t>() : std::nullopt;
         if (!version) {
-            add(node != nullptr ? node->source().begin.line : 1, "version", "\"version = 1\" is expected");
+            add(node != nullptr ? node->source().begin.line : 1, "version",
+                Text::tr("\"version = 1\" is expected").toStdString());
         } else if (*version != kVersion) {
             add(node->source().begin.line, "version",
-                std::to_string(*version) + " is not known to this program, which reads version " +
-                    std::to_string(kVersion));
+                Text::tr("%1 is not known to this program, which reads version %2")
+                    .arg(QString::number(*version), QString::number(kVersion))
+                    .toStdString());
         }
     }
 
@@ -64,7 +67,9 @@ private:
             const std::size_t line = name.source().begin.line;
             m_lines[key] = line;
             if (name.str().find('.') != std::string_view::npos) {
-                add(line, key, "unknown key");  // "azimuth.id" in quotes is one name, not the id of [azimuth]
+                add(line, key,
+                    Text::tr("unknown key")
+                        .toStdString());  // "azimuth.id" in quotes is one name, not the id of [azimuth]
             } else if (!readList(key, node, line)) {
                 readEntry(key, node, line, prefix.empty());
             }
@@ -78,7 +83,7 @@ private:
         } else if (const Setting* setting = findSetting(key)) {
             readValue(*setting, m_profile, key, node, line);
         } else if (key != "version") {
-            add(line, key, "unknown key");
+            add(line, key, Text::tr("unknown key").toStdString());
         }
     }
 
@@ -109,7 +114,7 @@ private:
         if (known) {
             readTable(table, name + ".");
         } else {
-            add(line, name, "unknown table");
+            add(line, name, Text::tr("unknown table").toStdString());
         }
     }
 
@@ -119,7 +124,7 @@ private:
     {
         const toml::array* list = node.as_array();
         if (list == nullptr) {
-            add(line, key, "\"[[" + key + "]]\" is expected");
+            add(line, key, Text::tr("\"[[%1]]\" is expected").arg(toQString(key)).toStdString());
             return;
         }
         for (const toml::node& one : *list) {
@@ -134,7 +139,7 @@ private:
     {
         const toml::table* table = node.as_table();
         if (table == nullptr) {
-            add(node.source().begin.line, rowKey, "a table is expected");
+            add(node.source().begin.line, rowKey, Text::tr("a table is expected").toStdString());
             return;
         }
         for (const auto& [name, value] : *table) {
@@ -146,7 +151,7 @@ private:
             if (field != fields.end()) {
                 readValue(*field, row, key, value, line);
             } else {
-                add(line, key, "unknown key");
+                add(line, key, Text::tr("unknown key").toStdString());
             }
         }
         std::vector<std::string> missing;
@@ -162,7 +167,8 @@ private:
     {
         const toml::array* points = node.as_array();
         if (points == nullptr) {
-            add(line, std::string(kHorizonKey), "a list of points is expected, like [[0.0, 5.0], [180.0, 2.5]]");
+            add(line, std::string(kHorizonKey),
+                Text::tr("a list of points is expected, like [[0.0, 5.0], [180.0, 2.5]]").toStdString());
             return;
         }
         const auto fields = horizonSettings();
@@ -174,7 +180,7 @@ private:
             m_lines[key] = pointLine;
             const toml::array* point = one.as_array();
             if (point == nullptr || point->size() != fields.size()) {
-                add(pointLine, key, "a point is [azimuth, elevation]");
+                add(pointLine, key, Text::tr("a point is [azimuth, elevation]").toStdString());
                 continue;
             }
             for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -189,7 +195,7 @@ private:
     {
         const std::optional<SettingValue> value = plainValue(node);
         if (!value) {
-            add(line, key, "a number or a text in quotes is expected");
+            add(line, key, Text::tr("a number or a text in quotes is expected").toStdString());
             return;
         }
         if (const auto done = setting.set(owner, *value); !done) {
@@ -275,7 +281,7 @@ private:
         for (const std::string& key : keys) {
             text += (text.empty() ? "" : ", ") + key;
         }
-        add(line, table, "without " + text + "; its keys are given all together");
+        add(line, table, Text::tr("without %1; its keys are given all together").arg(toQString(text)).toStdString());
     }
 
     void add(std::size_t line, const std::string& key, const std::string& reason)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/profile_store.h"
 
+#include "core/base/text.h"
 #include "core/memory/memory_file.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_history.h"
@@ -72,9 +73,10 @@ Result<std::optional<QString>> ProfileStore::findCurrent() const
     if (all.empty()) {
         return std::nullopt;
     }
-    return failure(ErrorCode::InvalidInput, "which mount? " + m_profiles.toStdString() +
-                                                " has the profiles of several, and " + currentFile().toStdString() +
-                                                " names none of them; choose one with --profile");
+    return failure(
+        ErrorCode::InvalidInput,
+        Text::tr("which mount? %1 has the profiles of several, and %2 names none of them; choose one with --profile")
+            .arg(m_profiles, currentFile()));
 }
 
 Result<> ProfileStore::setCurrent(const QString& path) const
@@ -87,7 +89,7 @@ Result<QString> ProfileStore::add(const Profile& profile) const
 {
     return checkNameIsFree(profile.mount.name, {}).and_then([&]() -> Result<QString> {
         if (!QDir().mkpath(m_profiles)) {
-            return failure(ErrorCode::Io, m_profiles.toStdString() + ": the folder cannot be made");
+            return failure(ErrorCode::Io, Text::tr("%1: the folder cannot be made").arg(m_profiles));
         }
         const QString path = freePath(QString::fromStdString(profile.mount.name));
         return saveProfile(profile, path).map([&] { return path; });
@@ -131,8 +133,8 @@ Result<> ProfileStore::remove(const QString& path) const
     }
     for (const StoredProfile& stored : list()) {
         if (stored.isCurrent && QFileInfo(stored.path) == QFileInfo(path)) {
-            return failure(ErrorCode::Refused, "\"" + stored.mountName.toStdString() +
-                                                   "\" is the current mount; change to another one first");
+            return failure(ErrorCode::Refused,
+                           Text::tr("\"%1\" is the current mount; change to another one first").arg(stored.mountName));
         }
     }
     QString kept = path + QStringLiteral(".removed");
@@ -140,7 +142,7 @@ Result<> ProfileStore::remove(const QString& path) const
         kept = path + QStringLiteral(".removed%1").arg(number);
     }
     if (!QFile::rename(path, kept)) {
-        return failure(ErrorCode::Io, path.toStdString() + ": cannot be renamed to " + kept.toStdString());
+        return failure(ErrorCode::Io, Text::tr("%1: cannot be renamed to %2").arg(path, kept));
     }
     // Of another mount that gets the same file, this would not be the version before.
     QFile::rename(previousOf(path), previousOf(kept));
@@ -167,7 +169,7 @@ Result<> ProfileStore::checkIsMine(const QString& path) const
 {
     const QFileInfo file(path);
     if (!file.isFile() || file.suffix() != QLatin1String("toml") || QFileInfo(file.path()) != QFileInfo(m_profiles)) {
-        return failure(ErrorCode::NoDevice, path.toStdString() + ": there is no such profile");
+        return failure(ErrorCode::NoDevice, Text::tr("%1: there is no such profile").arg(path));
     }
     return {};
 }
@@ -177,8 +179,9 @@ Result<> ProfileStore::checkNameIsFree(const std::string& mountName, const QStri
     for (const StoredProfile& stored : list()) {
         const bool isOwn = !ownPath.isEmpty() && QFileInfo(stored.path) == QFileInfo(ownPath);
         if (!isOwn && stored.problem.isEmpty() && stored.mountName.toStdString() == mountName) {
-            return failure(ErrorCode::Refused, "there is a mount \"" + mountName + "\" already (" +
-                                                   stored.path.toStdString() + "); give this one another name");
+            return failure(ErrorCode::Refused,
+                           Text::tr("there is a mount \"%1\" already (%2); give this one another name")
+                               .arg(toQString(mountName), stored.path));
         }
     }
     return {};

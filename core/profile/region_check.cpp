@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The checks of a profile's region, presets and client addresses that are more than type and range.
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/pointing/permitted_region.h"
 #include "core/profile/setting_groups.h"
 
@@ -13,9 +14,9 @@ namespace boresight::profile {
 
 namespace {
 
-std::string degrees(Angle angle)
+QString degrees(Angle angle)
 {
-    return formatFixed(angle.degrees(), 2) + "°";
+    return toQString(formatFixed(angle.degrees(), 2)) + QStringLiteral("°");
 }
 
 std::string rowKey(std::string_view list, std::size_t index)
@@ -28,12 +29,14 @@ void checkLimits(std::vector<Problem>& problems, const std::string& axis, const 
 {
     const std::string key = "limits." + axis + "_min_deg";
     if (limits.min >= limits.max) {
-        problems.push_back(
-            {key, degrees(limits.min) + " is not below limits." + axis + "_max_deg (" + degrees(limits.max) + ")"});
+        problems.push_back({key, Text::tr("%1 is not below limits.%2_max_deg (%3)")
+                                     .arg(degrees(limits.min), toQString(axis), degrees(limits.max))
+                                     .toStdString()});
     } else if (travel.min < travel.max && std::max(limits.min, travel.min) >= std::min(limits.max, travel.max)) {
-        problems.push_back({key, "the limits " + degrees(limits.min) + "…" + degrees(limits.max) +
-                                     " leave nothing of the travel " + degrees(travel.min) + "…" +
-                                     degrees(travel.max)});
+        problems.push_back(
+            {key, Text::tr("the limits %1…%2 leave nothing of the travel %3…%4")
+                      .arg(degrees(limits.min), degrees(limits.max), degrees(travel.min), degrees(travel.max))
+                      .toStdString()});
     }
 }
 
@@ -43,8 +46,9 @@ bool checkParkLimits(std::vector<Problem>& problems, const std::string& axis, co
     if (limits.contains(park)) {
         return true;
     }
-    problems.push_back({"park." + axis + "_deg", degrees(park) + " is outside the limits of operation " +
-                                                     degrees(limits.min) + "…" + degrees(limits.max)});
+    problems.push_back({"park." + axis + "_deg", Text::tr("%1 is outside the limits of operation %2…%3")
+                                                     .arg(degrees(park), degrees(limits.min), degrees(limits.max))
+                                                     .toStdString()});
     return false;
 }
 
@@ -68,14 +72,17 @@ void checkPark(std::vector<Problem>& problems, const Profile& profile)
 void checkHorizon(std::vector<Problem>& problems, const std::vector<pointing::HorizonPoint>& horizon)
 {
     if (horizon.size() > kMaxHorizonPoints) {
-        problems.push_back({std::string(kHorizonKey), std::to_string(horizon.size()) + " points are more than " +
-                                                          std::to_string(kMaxHorizonPoints)});
+        problems.push_back(
+            {std::string(kHorizonKey), Text::tr("%1 points are more than %2")
+                                           .arg(QString::number(horizon.size()), QString::number(kMaxHorizonPoints))
+                                           .toStdString()});
     }
     for (std::size_t i = 1; i < horizon.size(); ++i) {
         if (horizon[i].azimuth <= horizon[i - 1].azimuth) {
-            problems.push_back({rowKey(kHorizonKey, i), "the azimuth " + degrees(horizon[i].azimuth) +
-                                                            " does not follow " + degrees(horizon[i - 1].azimuth) +
-                                                            "; points ascend, each azimuth once"});
+            problems.push_back(
+                {rowKey(kHorizonKey, i), Text::tr("the azimuth %1 does not follow %2; points ascend, each azimuth once")
+                                             .arg(degrees(horizon[i].azimuth), degrees(horizon[i - 1].azimuth))
+                                             .toStdString()});
         }
     }
 }
@@ -86,7 +93,8 @@ void checkNames(std::vector<Problem>& problems, std::string_view list, const std
     std::set<std::string> names;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (!names.insert(rows[i].name).second) {
-            problems.push_back({rowKey(list, i) + ".name", "\"" + rows[i].name + "\" is there already"});
+            problems.push_back({rowKey(list, i) + ".name",
+                                Text::tr("\"%1\" is there already").arg(toQString(rows[i].name)).toStdString()});
         }
     }
 }
@@ -98,12 +106,14 @@ void checkKeepOuts(std::vector<Problem>& problems, const std::vector<pointing::K
         const pointing::KeepOut& keepOut = keepOuts[i];
         const std::string row = rowKey(kKeepOutKey, i);
         if (keepOut.elevationMin >= keepOut.elevationMax) {
-            problems.push_back({row + ".elevation_min_deg", degrees(keepOut.elevationMin) +
-                                                                " is not below elevation_max_deg (" +
-                                                                degrees(keepOut.elevationMax) + ")"});
+            problems.push_back(
+                {row + ".elevation_min_deg", Text::tr("%1 is not below elevation_max_deg (%2)")
+                                                 .arg(degrees(keepOut.elevationMin), degrees(keepOut.elevationMax))
+                                                 .toStdString()});
         }
         if (keepOut.azimuthFrom == keepOut.azimuthTo) {
-            problems.push_back({row + ".azimuth_to_deg", "is the same as azimuth_from_deg; that is no width"});
+            problems.push_back(
+                {row + ".azimuth_to_deg", Text::tr("is the same as azimuth_from_deg; that is no width").toStdString()});
         }
     }
 }
@@ -131,7 +141,8 @@ Result<> checkAddress(const std::string& text)
     const bool isLoose = parsed.protocol() == QAbstractSocket::IPv4Protocol && parsed.toString() != address;
     const bool isPlain = std::all_of(text.begin(), text.end(), [](char c) { return c > ' ' && c < '\x7f'; });
     if (parsed.isNull() || isLoose || !isPlain) {
-        return failure(ErrorCode::InvalidInput, "\"" + text + "\" is no address like 192.168.1.7 or ::1");
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("\"%1\" is no address like 192.168.1.7 or ::1").arg(toQString(text)));
     }
     return {};
 }
@@ -146,7 +157,8 @@ Result<> checkNetwork(const std::string& text)
     const QHostAddress address(QString::fromStdString(text.substr(0, slash)));
     const int widest = address.protocol() == QAbstractSocket::IPv4Protocol ? 32 : 128;
     if (!checkAddress(text.substr(0, slash)) || !bits || *bits < 0 || *bits > widest) {
-        return failure(ErrorCode::InvalidInput, "\"" + text + "\" is no network like 10.0.0.0/8 or fd00::/8");
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("\"%1\" is no network like 10.0.0.0/8 or fd00::/8").arg(toQString(text)));
     }
     return {};
 }

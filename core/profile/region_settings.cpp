@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the mount may point, where it stands, and the operator's own directions.
+#include "core/base/text.h"
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
 
@@ -29,45 +30,49 @@ std::vector<SettingOf<pointing::HorizonPoint>> makeHorizonSettings()
 {
     using pointing::HorizonPoint;
     constexpr auto kNow = Applies::Now;
-    return {number<HorizonPoint>(
-                "azimuth_deg", "°", kAzimuth, kNow, "Azimuth of the point, from true north.",
-                [](auto& row) -> auto& { return row.azimuth; }),
-            number<HorizonPoint>(
-                "elevation_deg", "°", kElevation, kNow, "Lowest elevation of the beam there.",
-                [](auto& row) -> auto& { return row.elevation; })};
+    return {
+        number<HorizonPoint>(
+            "azimuth_deg", "°", kAzimuth, kNow, QT_TRANSLATE_NOOP("Text", "Azimuth of the point, from true north."),
+            [](auto& row) -> auto& { return row.azimuth; }),
+        number<HorizonPoint>(
+            "elevation_deg", "°", kElevation, kNow, QT_TRANSLATE_NOOP("Text", "Lowest elevation of the beam there."),
+            [](auto& row) -> auto& { return row.elevation; })};
 }
 
 std::vector<SettingOf<pointing::KeepOut>> makeKeepOutSettings()
 {
     using pointing::KeepOut;
     constexpr auto kNow = Applies::Now;
-    return {name<KeepOut>(
-                "name", kNow, "What it is called.", [](auto& row) -> auto& { return row.name; }),
-            number<KeepOut>(
-                "azimuth_from_deg", "°", kAzimuth, kNow, "Its anticlockwise side.",
-                [](auto& row) -> auto& { return row.azimuthFrom; }),
-            number<KeepOut>(
-                "azimuth_to_deg", "°", kAzimuth, kNow, "Its clockwise side; from 350 to 10 it goes through north.",
-                [](auto& row) -> auto& { return row.azimuthTo; }),
-            number<KeepOut>(
-                "elevation_min_deg", "°", kElevation, kNow, "Its lower side.",
-                [](auto& row) -> auto& { return row.elevationMin; }),
-            number<KeepOut>(
-                "elevation_max_deg", "°", kElevation, kNow, "Its upper side.",
-                [](auto& row) -> auto& { return row.elevationMax; })};
+    return {
+        name<KeepOut>(
+            "name", kNow, QT_TRANSLATE_NOOP("Text", "What it is called."), [](auto& row) -> auto& { return row.name; }),
+        number<KeepOut>(
+            "azimuth_from_deg", "°", kAzimuth, kNow, QT_TRANSLATE_NOOP("Text", "Its anticlockwise side."),
+            [](auto& row) -> auto& { return row.azimuthFrom; }),
+        number<KeepOut>(
+            "azimuth_to_deg", "°", kAzimuth, kNow,
+            QT_TRANSLATE_NOOP("Text", "Its clockwise side; from 350 to 10 it goes through north."),
+            [](auto& row) -> auto& { return row.azimuthTo; }),
+        number<KeepOut>(
+            "elevation_min_deg", "°", kElevation, kNow, QT_TRANSLATE_NOOP("Text", "Its lower side."),
+            [](auto& row) -> auto& { return row.elevationMin; }),
+        number<KeepOut>(
+            "elevation_max_deg", "°", kElevation, kNow, QT_TRANSLATE_NOOP("Text", "Its upper side."),
+            [](auto& row) -> auto& { return row.elevationMax; })};
 }
 
 std::vector<SettingOf<Preset>> makePresetSettings()
 {
     constexpr auto kNow = Applies::Now;
-    return {name<Preset>(
-                "name", kNow, "What it is called.", [](auto& row) -> auto& { return row.name; }),
-            number<Preset>(
-                "azimuth_deg", "°", kAzimuth, kNow, "Azimuth, from true north.",
-                [](auto& row) -> auto& { return row.direction.azimuth; }),
-            number<Preset>(
-                "elevation_deg", "°", {-90.0, 180.0}, kNow, "Elevation; above 90 over the top.",
-                [](auto& row) -> auto& { return row.direction.elevation; })};
+    return {
+        name<Preset>(
+            "name", kNow, QT_TRANSLATE_NOOP("Text", "What it is called."), [](auto& row) -> auto& { return row.name; }),
+        number<Preset>(
+            "azimuth_deg", "°", kAzimuth, kNow, QT_TRANSLATE_NOOP("Text", "Azimuth, from true north."),
+            [](auto& row) -> auto& { return row.direction.azimuth; }),
+        number<Preset>(
+            "elevation_deg", "°", {-90.0, 180.0}, kNow, QT_TRANSLATE_NOOP("Text", "Elevation; above 90 over the top."),
+            [](auto& row) -> auto& { return row.direction.elevation; })};
 }
 
 }  // namespace
@@ -77,29 +82,32 @@ void addRegion(std::vector<Setting>& list)
     constexpr auto kNow = Applies::Now;
     list.push_back(number(
         "limits.azimuth_min_deg", "°", kAxisAngle, kNow,
-        "Lowest azimuth of operation, as a mechanical angle; the travel counts besides.",
+        QT_TRANSLATE_NOOP("Text", "Lowest azimuth of operation, as a mechanical angle; the travel counts besides."),
         [](auto& p) -> auto& { return p.limits.azimuth.min; }));
     list.push_back(number(
-        "limits.azimuth_max_deg", "°", kAxisAngle, kNow, "Highest azimuth of operation, as a mechanical angle.",
+        "limits.azimuth_max_deg", "°", kAxisAngle, kNow,
+        QT_TRANSLATE_NOOP("Text", "Highest azimuth of operation, as a mechanical angle."),
         [](auto& p) -> auto& { return p.limits.azimuth.max; }));
     list.push_back(number(
-        "limits.elevation_min_deg", "°", kAxisAngle, kNow, "Lowest elevation of operation, as a mechanical angle.",
+        "limits.elevation_min_deg", "°", kAxisAngle, kNow,
+        QT_TRANSLATE_NOOP("Text", "Lowest elevation of operation, as a mechanical angle."),
         [](auto& p) -> auto& { return p.limits.elevation.min; }));
     list.push_back(number(
-        "limits.elevation_max_deg", "°", kAxisAngle, kNow, "Highest elevation of operation, as a mechanical angle.",
+        "limits.elevation_max_deg", "°", kAxisAngle, kNow,
+        QT_TRANSLATE_NOOP("Text", "Highest elevation of operation, as a mechanical angle."),
         [](auto& p) -> auto& { return p.limits.elevation.max; }));
 }
 
 void addSite(std::vector<Setting>& list)
 {
     list.push_back(siteNumber(
-        "site.latitude_deg", "°", {-90.0, 90.0}, "Where the mount stands, north positive.",
+        "site.latitude_deg", "°", {-90.0, 90.0}, QT_TRANSLATE_NOOP("Text", "Where the mount stands, north positive."),
         [](auto& p) -> auto& { return p.site.latitude; }));
     list.push_back(siteNumber(
-        "site.longitude_deg", "°", {-180.0, 180.0}, "Where the mount stands, east positive.",
+        "site.longitude_deg", "°", {-180.0, 180.0}, QT_TRANSLATE_NOOP("Text", "Where the mount stands, east positive."),
         [](auto& p) -> auto& { return p.site.longitude; }));
     list.push_back(siteNumber(
-        "site.height_m", "m", {-500.0, 9000.0}, "Where the mount stands, above sea level.",
+        "site.height_m", "m", {-500.0, 9000.0}, QT_TRANSLATE_NOOP("Text", "Where the mount stands, above sea level."),
         [](auto& p) -> auto& { return p.site.heightMetres; }));
 }
 

@@ -48,7 +48,7 @@ struct SettingOf
     double min = 0.0;  // of Integer and Number, ends included
     double max = 0.0;
     std::vector<std::string> choices;
-    std::string text;  // what it does, one sentence
+    std::string text;  // what it does, one sentence; English, to be shown by Text::of()
     Applies applies = Applies::Now;
     std::function<SettingValue(const Owner&)> get;
     // Refuses, with the reason, what is not of the setting's type and range; the owner is then unchanged.

@@ -3,6 +3,7 @@
 
 #include "core/base/control_characters.h"
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <cmath>
 
@@ -25,11 +26,12 @@ std::string plain(double value)
 Result<> checkRange(double value, Range range)
 {
     if (!std::isfinite(value)) {
-        return failure(ErrorCode::InvalidInput, "a finite number is expected");
+        return failure(ErrorCode::InvalidInput, Text::tr("a finite number is expected"));
     }
     if (value < range.min || value > range.max) {
         return failure(ErrorCode::OutOfRange,
-                       plain(value) + " is outside " + plain(range.min) + "…" + plain(range.max));
+                       Text::tr("%1 is outside %2…%3")
+                           .arg(toQString(plain(value)), toQString(plain(range.min)), toQString(plain(range.max))));
     }
     return {};
 }
@@ -53,7 +55,7 @@ std::string listed(const std::vector<std::string>& names)
 Result<> checkName(const std::string& name)
 {
     if (name.empty() || name.size() > 60 || hasControlCharacters(name)) {
-        return failure(ErrorCode::InvalidInput, "one line of 1 to 60 bytes is expected");
+        return failure(ErrorCode::InvalidInput, Text::tr("one line of 1 to 60 bytes is expected"));
     }
     return {};
 }

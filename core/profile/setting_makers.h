@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/text.h"
 #include "core/profile/setting.h"
 
 #include <algorithm>
@@ -72,7 +73,7 @@ SettingOf<Owner> number(const std::string& key, const std::string& unit, Range r
         const auto* whole = std::get_if<std::int64_t>(&value);
         const auto* real = std::get_if<double>(&value);
         if (whole == nullptr && real == nullptr) {
-            return failure(ErrorCode::InvalidInput, "a number is expected");
+            return failure(ErrorCode::InvalidInput, Text::tr("a number is expected"));
         }
         const double wanted = rounded(real != nullptr ? *real : static_cast<double>(*whole));
         return checkRange(wanted, range).map([&] { assign(access(owner), wanted); });
@@ -97,7 +98,7 @@ SettingOf<Owner> integer(const std::string& key, const std::string& unit, Range 
     auto set = [access, range](Owner& owner, const SettingValue& value) -> Result<> {
         const auto* whole = std::get_if<std::int64_t>(&value);
         if (whole == nullptr) {
-            return failure(ErrorCode::InvalidInput, "a whole number is expected");
+            return failure(ErrorCode::InvalidInput, Text::tr("a whole number is expected"));
         }
         return checkRange(static_cast<double>(*whole), range).map([&] { access(owner) = static_cast<int>(*whole); });
     };
@@ -124,11 +125,12 @@ SettingOf<Owner> choice(const std::string& key, const std::vector<std::string>& 
     auto set = [access, names](Owner& owner, const SettingValue& value) -> Result<> {
         const auto* wanted = std::get_if<std::string>(&value);
         if (wanted == nullptr) {
-            return failure(ErrorCode::InvalidInput, "a text in quotes is expected");
+            return failure(ErrorCode::InvalidInput, Text::tr("a text in quotes is expected"));
         }
         const auto found = std::find(names.begin(), names.end(), *wanted);
         if (found == names.end()) {
-            return failure(ErrorCode::InvalidInput, "\"" + *wanted + "\" is none of " + listed(names));
+            return failure(ErrorCode::InvalidInput,
+                           Text::tr("\"%1\" is none of %2").arg(toQString(*wanted), toQString(listed(names))));
         }
         auto& field = access(owner);
         field = static_cast<std::remove_reference_t<decltype(field)>>(found - names.begin());
@@ -151,7 +153,7 @@ SettingOf<Owner> textual(const std::string& key, Applies applies, const std::str
     auto set = [write](Owner& owner, const SettingValue& value) -> Result<> {
         const auto* wanted = std::get_if<std::string>(&value);
         return wanted != nullptr ? Result<>(write(owner, *wanted))
-                                 : failure(ErrorCode::InvalidInput, "a text in quotes is expected");
+                                 : failure(ErrorCode::InvalidInput, Text::tr("a text in quotes is expected"));
     };
     return {.key = key,
             .type = SettingType::Text,
@@ -184,7 +186,8 @@ SettingOf<Owner> textList(const std::string& key, Applies applies, const std::st
     auto set = [access, check](Owner& owner, const SettingValue& value) -> Result<> {
         const auto* wanted = std::get_if<TextList>(&value);
         if (wanted == nullptr) {
-            return failure(ErrorCode::InvalidInput, "a list of texts in quotes is expected, like [\"one\", \"two\"]");
+            return failure(ErrorCode::InvalidInput,
+                           Text::tr("a list of texts in quotes is expected, like [\"one\", \"two\"]"));
         }
         for (const std::string& one : *wanted) {
             if (const auto fits = check(one); !fits) {

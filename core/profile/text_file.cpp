@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/text_file.h"
 
+#include "core/base/text.h"
+
 #include <QFile>
 #include <QSaveFile>
 
@@ -28,7 +30,7 @@ Result<QByteArray> readFile(const QString& path)
         return failure(ErrorCode::Io, told(file));
     }
     if (bytes.size() > kMaxSize) {
-        return failure(ErrorCode::Io, path.toStdString() + ": is larger than 4 MB");
+        return failure(ErrorCode::Io, Text::tr("%1: is larger than 4 MB").arg(path));
     }
     return bytes;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/rotctld/c_number.h"
 #include "core/rotctld/conversions.h"
 #include "core/rotctld/handlers.h"
@@ -127,7 +128,7 @@ Result<> distanceAndAzimuth(const Command& command, ReplyWriter& reply)
     const auto path = greatCircle({.longitude = fromLongitude, .latitude = fromLatitude},
                                   {.longitude = toLongitude, .latitude = toLatitude});
     if (!path) {
-        return failure(ErrorCode::OutOfRange, "a place is not on the globe");
+        return failure(ErrorCode::OutOfRange, Text::tr("a place is not on the globe"));
     }
     reply.value(sixDecimals(path->kilometres));
     reply.value(sixDecimals(path->azimuth));

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rotctld/handlers.h"
 
+#include "core/base/text.h"
+
 namespace boresight::rotctld {
 
 Result<> runCommand(const Command& command, const Context& context, ReplyWriter& reply)
 {
     if (command.tooLong) {
         return failure(ErrorCode::InvalidInput,
-                       "an argument is longer than " + std::to_string(kMaxArgumentLength) + " characters");
+                       Text::tr("an argument is longer than %1 characters").arg(QString::number(kMaxArgumentLength)));
     }
     switch (command.spec->id) {
         case CommandId::SetPosition:
@@ -40,10 +42,12 @@ Result<> runCommand(const Command& command, const Context& context, ReplyWriter&
 tl::unexpected<Error> badArgument(const Command& command, std::size_t index)
 {
     if (index >= command.argumentCount) {
-        return failure(ErrorCode::InvalidInput, std::string(command.spec->arguments[index]) + " is missing");
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("%1 is missing").arg(toQString(command.spec->arguments[index])));
     }
-    return failure(ErrorCode::InvalidInput, std::string(command.spec->arguments[index]) + " \"" +
-                                                command.arguments[index] + "\" is not understood");
+    return failure(ErrorCode::InvalidInput,
+                   Text::tr("%1 \"%2\" is not understood")
+                       .arg(toQString(command.spec->arguments[index]), toQString(command.arguments[index])));
 }
 
 }  // namespace boresight::rotctld

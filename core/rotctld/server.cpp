@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rotctld/server.h"
 
+#include "core/base/text.h"
+
 #include <QSocketNotifier>
 
 #include <sys/epoll.h>
@@ -92,7 +94,7 @@ Result<> Server::listen()
     }
     m_epoll = Descriptor(::epoll_create1(EPOLL_CLOEXEC));
     if (!m_epoll.valid()) {
-        return failure(ErrorCode::Io, std::string("cannot watch sockets: ") + std::strerror(errno));
+        return failure(ErrorCode::Io, Text::tr("cannot watch sockets: %1").arg(toQString(std::strerror(errno))));
     }
     m_listener = std::move(*listener);
     watchListener(true);
@@ -105,7 +107,7 @@ Result<> Server::listen()
 void Server::close()
 {
     for (auto& [id, connection] : m_connections) {
-        farewell(*connection, "the server was closed");
+        farewell(*connection, Text::tr("the server was closed").toStdString());
     }
     m_connections.clear();
     m_backlog.clear();
@@ -191,14 +193,16 @@ bool Server::turnedAway(const Client& client)
 {
     if (const std::string host = hostOf(client.address); !m_allowed.admits(host)) {
         // Named without its port: who knocks again and again gets one line in the log, not one each time.
-        m_rotator.clientRemark({.address = host}, "refused: its address is not among those that may connect");
+        m_rotator.clientRemark({.address = host},
+                               Text::tr("refused: its address is not among those that may connect").toStdString());
         return true;
     }
     if (m_served < m_settings.maxClients) {
         return false;
     }
     if (!m_refusalTold) {
-        m_rotator.clientRemark(client, "refused: " + std::to_string(m_served) + " clients are connected");
+        m_rotator.clientRemark(
+            client, Text::tr("refused: %1 clients are connected").arg(QString::number(m_served)).toStdString());
     }
     m_refusalTold = true;
     return true;
@@ -214,7 +218,7 @@ void Server::setAllowed(const std::vector<std::string>& entries)
         }
     }
     for (const std::uint64_t id : unwanted) {
-        disconnect(id, "its address may not connect any more");
+        disconnect(id, Text::tr("its address may not connect any more").toStdString());
     }
 }
 
@@ -240,7 +244,7 @@ void Server::watchListener(bool on)
     ::epoll_ctl(m_epoll.get(), on ? EPOLL_CTL_ADD : EPOLL_CTL_DEL, m_listener.get(), &event);
     m_listenerWatched = on;
     if (!on && !m_shortageTold) {
-        m_rotator.clientRemark({}, "no descriptor left: new clients wait");
+        m_rotator.clientRemark({}, Text::tr("no descriptor left: new clients wait").toStdString());
         m_shortageTold = true;
     }
 }
@@ -298,7 +302,7 @@ void Server::receive(Connection& connection)
         return;  // after `q` only the end counts
     }
     if (connection.broken) {
-        farewell(connection, "lost: " + received.failure);
+        farewell(connection, Text::tr("lost: %1").arg(toQString(received.failure)).toStdString());
     } else if (connection.atEnd) {
         connection.session.endOfInput();
     } else {
@@ -376,12 +380,13 @@ void Server::settle(Connection& connection)
 {
     if (!connection.left && !connection.session.ending().empty()) {
         if (connection.session.dropped()) {
-            m_rotator.clientRemark(connection.session.client(), "dropped: " + connection.session.ending());
+            m_rotator.clientRemark(connection.session.client(),
+                                   Text::tr("dropped: %1").arg(toQString(connection.session.ending())).toStdString());
         }
         farewell(connection, connection.session.ending());
     }
     if (!connection.left && connection.broken) {
-        farewell(connection, "lost: its answers cannot be sent");
+        farewell(connection, Text::tr("lost: its answers cannot be sent").toStdString());
     }
     if (connection.left && connection.unsent.empty() && !connection.sendingEnded) {
         endSending(connection.socket);
@@ -410,13 +415,13 @@ std::string Server::overdue(const Connection& connection) const
 {
     const SteadyTime now = m_clock.now();
     if (!connection.unsent.empty() && now - connection.lastSent > kUnsentTime) {
-        return "dropped: does not read its answers";
+        return Text::tr("dropped: does not read its answers").toStdString();
     }
     if (connection.busySince && now - *connection.busySince > kFloodTime) {
-        return "dropped: floods without waiting for answers";
+        return Text::tr("dropped: floods without waiting for answers").toStdString();
     }
     if (connection.session.midCommand() && now - connection.lastReceived > kHalfCommandTime) {
-        return "dropped: left a command unfinished";
+        return Text::tr("dropped: left a command unfinished").toStdString();
     }
     return {};
 }

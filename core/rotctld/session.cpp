@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rotctld/session.h"
 
+#include "core/base/text.h"
 #include "core/rotctld/c_number.h"
 
 #include <algorithm>
@@ -34,7 +35,9 @@ void Session::receive(std::string_view bytes)
 {
     m_input.append(bytes);
     if (paused() && m_input.size() - m_taken > kMaxWaitingInPause) {
-        drop("sent more than " + std::to_string(kMaxWaitingInPause) + " bytes during its own pause");
+        drop(Text::tr("sent more than %1 bytes during its own pause")
+                 .arg(QString::number(kMaxWaitingInPause))
+                 .toStdString());
     }
 }
 
@@ -44,7 +47,7 @@ void Session::endOfInput()
     if (paused()) {
         // Whether it half-closed or left for good cannot be told, and nobody wants a park command of somebody who
         // left to run minutes later.
-        m_ending = "closed the connection during its own pause";
+        m_ending = Text::tr("closed the connection during its own pause").toStdString();
     }
 }
 
@@ -72,7 +75,7 @@ bool Session::step(std::string& reply)
             endAsStranger();
             break;
         case Event::TooLong:
-            drop("sent " + std::to_string(kMaxLineLength) + " bytes without a line end");
+            drop(Text::tr("sent %1 bytes without a line end").arg(QString::number(kMaxLineLength)).toStdString());
             break;
     }
     return true;
@@ -90,7 +93,7 @@ bool Session::resume(std::string& reply)
 
 void Session::endAsStranger()
 {
-    drop("is no rotctld client (" + std::string(m_parser.stranger()) + ")");
+    drop(Text::tr("is no rotctld client (%1)").arg(toQString(m_parser.stranger())).toStdString());
 }
 
 void Session::drop(std::string reason)
@@ -109,7 +112,7 @@ bool Session::inputTaken(std::string& reply)
     if (m_parser.finish() == Event::Command) {
         run(reply);
     } else {
-        m_ending = "closed the connection";
+        m_ending = Text::tr("closed the connection").toStdString();
     }
     return true;
 }
@@ -119,7 +122,7 @@ void Session::run(std::string& reply)
     const Command& command = m_parser.command();
     rememberCommand(command);
     if (command.spec->id == CommandId::Quit) {
-        m_ending = "said goodbye";
+        m_ending = Text::tr("said goodbye").toStdString();
         return;
     }
     const std::size_t before = reply.size();
@@ -143,7 +146,9 @@ void Session::run(std::string& reply)
 void Session::failed(const Error& error, std::string& reply, std::size_t replyStart)
 {
     if (error.code == ErrorCode::InvalidInput || error.code == ErrorCode::NotAvailable) {
-        odd("\"" + lastCommand() + "\" refused: " + printable(error.text));
+        odd(Text::tr("\"%1\" refused: %2")
+                .arg(toQString(lastCommand()), toQString(printable(error.text)))
+                .toStdString());
     }
     if (m_parser.skipLine() == Event::Stranger) {
         reply.resize(replyStart);
@@ -176,9 +181,9 @@ void Session::unknown(std::string_view restOfLine)
 {
     std::string line(m_parser.lineHead());
     line.append(restOfLine.substr(0, std::min(restOfLine.find('\n'), kShownBytes)));
-    odd("unknown command \"" + printable(line) + "\"");
+    odd(Text::tr("unknown command \"%1\"").arg(toQString(printable(line))).toStdString());
     if (++m_oddInARow >= kMaxOddInARow) {
-        drop("sent " + std::to_string(kMaxOddInARow) + " unknown commands in a row");
+        drop(Text::tr("sent %1 unknown commands in a row").arg(QString::number(kMaxOddInARow)).toStdString());
     }
 }
 

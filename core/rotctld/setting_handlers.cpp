@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text.h"
 #include "core/rotctld/c_number.h"
 #include "core/rotctld/handlers.h"
 
@@ -20,7 +21,8 @@ bool asksForNames(const Command& command)
 Result<> setLevel(const Command& command, const Context& context)
 {
     if (command.arguments[0] != kSpeed) {
-        return failure(ErrorCode::NotAvailable, "there is no level \"" + command.arguments[0] + "\"");
+        return failure(ErrorCode::NotAvailable,
+                       Text::tr("there is no level \"%1\"").arg(toQString(command.arguments[0])));
     }
     const auto level = command.argumentCount > 1 ? leadingInteger(command.arguments[1]) : std::nullopt;
     return level ? context.rotator.setSpeedLevel(context.client, *level) : badArgument(command, 1);
@@ -41,8 +43,10 @@ Result<> setConfiguration(const Command& command, const Context& context)
     // Hamlib lets any client move the limits with these.
     constexpr std::array<std::string_view, 5> kLimits{"min_az", "max_az", "min_el", "max_el", "south_zero"};
     if (std::ranges::find(kLimits, command.arguments[0]) != kLimits.end()) {
-        context.rotator.clientRemark(context.client, "wanted to change " + command.arguments[0] + ": refused");
-        return failure(ErrorCode::Refused, "limits are set in the profile, not by clients");
+        context.rotator.clientRemark(
+            context.client,
+            Text::tr("wanted to change %1: refused").arg(toQString(command.arguments[0])).toStdString());
+        return failure(ErrorCode::Refused, Text::tr("limits are set in the profile, not by clients"));
     }
     return badArgument(command, 0);
 }
@@ -53,7 +57,7 @@ Result<> runSetting(const Command& command, const Context& context, ReplyWriter&
 {
     const CommandId id = command.spec->id;
     if (id == CommandId::SendRaw) {
-        return failure(ErrorCode::Io, "raw commands have no way to the drives");
+        return failure(ErrorCode::Io, Text::tr("raw commands have no way to the drives"));
     }
     if (id == CommandId::SetConfiguration) {
         return setConfiguration(command, context);
@@ -67,7 +71,8 @@ Result<> runSetting(const Command& command, const Context& context, ReplyWriter&
         return id == CommandId::SetLevel ? setLevel(command, context) : level(command, context, reply);
     }
     if (id == CommandId::SetFunction) {
-        return failure(ErrorCode::NotAvailable, "there is no function \"" + command.arguments[0] + "\"");
+        return failure(ErrorCode::NotAvailable,
+                       Text::tr("there is no function \"%1\"").arg(toQString(command.arguments[0])));
     }
     return badArgument(command, 0);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rotctld/sockets.h"
 
+#include "core/base/text.h"
+
 #include <arpa/inet.h>
 #include <netdb.h>
 #include <netinet/in.h>
@@ -93,12 +95,13 @@ Result<Descriptor> listenOn(const std::string& host, std::uint16_t port)
     addrinfo* found = nullptr;
     const std::string numeric = host == "localhost" ? "127.0.0.1" : host;
     if (::getaddrinfo(numeric.c_str(), std::to_string(port).c_str(), &hints, &found) != 0) {
-        return failure(ErrorCode::InvalidInput, "cannot listen on " + where + ": not an IP address");
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("cannot listen on %1: not an IP address").arg(toQString(where)));
     }
     const std::unique_ptr<addrinfo, FreeAddressInfo> info(found);
     Descriptor socket(::socket(info->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
     if (!socket.valid()) {
-        return failure(ErrorCode::Io, "cannot listen on " + where + ": " + reason());
+        return failure(ErrorCode::Io, Text::tr("cannot listen on %1: %2").arg(toQString(where), toQString(reason())));
     }
     setOption(socket.get(), SOL_SOCKET, SO_REUSEADDR, 1);
     if (info->ai_family == AF_INET6) {
@@ -108,7 +111,7 @@ Result<Descriptor> listenOn(const std::string& host, std::uint16_t port)
         const ErrorCode code = errno == EADDRINUSE ? ErrorCode::Busy
                                : errno == EACCES   ? ErrorCode::Denied
                                                    : ErrorCode::Io;
-        return failure(code, "cannot listen on " + where + ": " + reason());
+        return failure(code, Text::tr("cannot listen on %1: %2").arg(toQString(where), toQString(reason())));
     }
     return socket;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/alarm_board.h"
 
+#include "core/base/text.h"
+
 #include <QStringList>
 
 #include <algorithm>
@@ -45,7 +47,7 @@ void AlarmBoard::raise(const QString& cause, Severity severity, const AlarmText&
                           .symptom = text.symptom};
     if (m_alarms.raise(cause, severity, whole, m_clock.utc())) {
         // The line begins with the cause: "azimuth drive: fault 38: …".
-        const QString named = cause + QLatin1Char(' ');
+        const QString named = Text::of(cause.toStdString()) + QLatin1Char(' ');
         QStringList line{text.what.startsWith(named) ? asSentence(text.what.sliced(named.size())) : whole.what,
                          whole.action, whole.remedy};
         line.removeAll(QString());
@@ -56,7 +58,7 @@ void AlarmBoard::raise(const QString& cause, Severity severity, const AlarmText&
 void AlarmBoard::clear(const QString& cause)
 {
     if (m_alarms.clear(cause)) {
-        m_lines.add(Severity::Advisory, spoken(cause), QStringLiteral("the alarm is over"), LogKind::Alarm);
+        m_lines.add(Severity::Advisory, spoken(cause), Text::tr("the alarm is over"), LogKind::Alarm);
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/arming.h"
 
+#include "core/base/text.h"
 #include "core/station/drive_alarms.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ constexpr std::chrono::seconds kQuietAfterReturn{1};
 Result<> operatorOnly(const Source& source)
 {
     if (source.kind != SourceKind::Operator) {
-        return failure(ErrorCode::Refused, "only the operator does this");
+        return failure(ErrorCode::Refused, Text::tr("only the operator does this"));
     }
     return {};
 }
@@ -34,26 +35,27 @@ void Arming::setProfile(const profile::Profile& profile)
 Result<> Arming::admits(const Source& source) const
 {
     if (m_released) {
-        return failure(ErrorCode::NoAnswer, "the bus is left to other tools: take it back first");
+        return failure(ErrorCode::NoAnswer, Text::tr("the bus is left to other tools: take it back first"));
     }
     if (!m_connected) {
         const Axis silent = m_drives.drive(Axis::Azimuth).answering(m_now) ? Axis::Elevation : Axis::Azimuth;
-        return failure(ErrorCode::NoAnswer, "no reply from the " + m_drives.drive(silent).name());
+        return failure(ErrorCode::NoAnswer, Text::tr("no reply from the %1").arg(m_drives.drive(silent).label()));
     }
     if (m_closing) {
-        return failure(ErrorCode::Refused, "Boresight is closing");
+        return failure(ErrorCode::Refused, Text::tr("Boresight is closing"));
     }
     if (m_now < m_quietUntil) {
-        return failure(ErrorCode::Refused, "the drives have only just come back: wait a second");
+        return failure(ErrorCode::Refused, Text::tr("the drives have only just come back: wait a second"));
     }
     if (m_stopLatched) {
-        return failure(ErrorCode::Refused, "STOP is latched: reset STOP first");
+        return failure(ErrorCode::Refused, Text::tr("STOP is latched: reset STOP first"));
     }
     if (const auto reason = fault()) {
-        return failure(ErrorCode::Refused, reason->toStdString() + ": re-arm first");
+        return failure(ErrorCode::Refused, Text::tr("%1: re-arm first").arg(*reason));
     }
     if (source.kind == SourceKind::Client && m_authority == Authority::Operator) {
-        return failure(ErrorCode::Refused, "the operator has taken over: give control back to the clients first");
+        return failure(ErrorCode::Refused,
+                       Text::tr("the operator has taken over: give control back to the clients first"));
     }
     return m_fitness;
 }
@@ -67,7 +69,7 @@ void Arming::latchStop()
 Result<> Arming::resetStop()
 {
     if (!m_stopLatched) {
-        return failure(ErrorCode::Refused, "STOP is not latched");
+        return failure(ErrorCode::Refused, Text::tr("STOP is not latched"));
     }
     m_stopLatched = false;
     return {};
@@ -82,14 +84,13 @@ bool Arming::losesConnection(SteadyTime now)
     }
     m_connected = connected;
     if (connected) {
-        m_log.add(Severity::Advisory, QStringLiteral("station"), QStringLiteral("both drives answer; nothing moves"));
+        m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("both drives answer; nothing moves"));
         m_quietUntil = m_wasConnected ? now + kQuietAfterReturn : now;
         m_wasConnected = true;
         return false;
     }
     m_log.add(Severity::Warning, QStringLiteral("station"),
-              m_released ? QStringLiteral("the bus is left to other tools")
-                         : QStringLiteral("a drive has stopped answering"));
+              m_released ? Text::tr("the bus is left to other tools") : Text::tr("a drive has stopped answering"));
     return true;
 }
 
@@ -126,7 +127,7 @@ QString Arming::rearmObstacle() const
     for (const Loss& loss : m_losses) {
         const QString why = supervision::clearRefusal(m_supervision, loss.kind, loss.conditions, conditions(loss.axis));
         if (!why.isEmpty()) {
-            return QStringLiteral("%1: %2").arg(drive_alarms::toQString(m_drives.drive(loss.axis).name()), why);
+            return QStringLiteral("%1: %2").arg(m_drives.drive(loss.axis).label(), why);
         }
     }
     return {};
@@ -135,22 +136,21 @@ QString Arming::rearmObstacle() const
 Result<> Arming::rearm(const Source& source)
 {
     if (source.kind == SourceKind::Client && m_authority == Authority::Operator) {
-        return failure(ErrorCode::Refused, "the operator has taken over: re-arming is up to the operator");
+        return failure(ErrorCode::Refused, Text::tr("the operator has taken over: re-arming is up to the operator"));
     }
     if (m_losses.empty()) {
-        return failure(ErrorCode::Refused, "there is no fault to re-arm from");
+        return failure(ErrorCode::Refused, Text::tr("there is no fault to re-arm from"));
     }
     if (m_closing) {
-        return failure(ErrorCode::Refused, "Boresight is closing");
+        return failure(ErrorCode::Refused, Text::tr("Boresight is closing"));
     }
     if (!m_connected) {
-        return failure(ErrorCode::NoAnswer, "both drives must answer before re-arming");
+        return failure(ErrorCode::NoAnswer, Text::tr("both drives must answer before re-arming"));
     }
     if (const QString why = rearmObstacle(); !why.isEmpty()) {
         return failure(ErrorCode::Refused, why.toStdString());
     }
-    m_log.add(Severity::Advisory, source.name,
-              QStringLiteral("re-arms: drives in fault or time-out are stopped first"));
+    m_log.add(Severity::Advisory, source.name, Text::tr("re-arms: drives in fault or time-out are stopped first"));
     if (source.kind == SourceKind::Operator) {
         m_authority = Authority::Operator;  // clients still sending must not move the mount at once
     }
@@ -179,7 +179,7 @@ void Arming::retry()
     }
     m_retry.tried(m_now);
     m_log.add(Severity::Warning, QStringLiteral("station"),
-              QStringLiteral("re-arms by the profile's recovery policy; nothing moves by itself"));
+              Text::tr("re-arms by the profile's recovery policy; nothing moves by itself"));
     beginRearm();
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
+#include "core/base/text.h"
 #include "core/profile/profile.h"
 #include "core/station/drive_pair.h"
 #include "core/station/event_log.h"
@@ -83,7 +84,7 @@ private:
     EventLog& m_log;
     profile::SupervisionSettings m_supervision;
     supervision::RetryPolicy m_retry;
-    Result<> m_fitness = failure(ErrorCode::Refused, "the drives have not been looked at yet");
+    Result<> m_fitness = failure(ErrorCode::Refused, Text::tr("the drives have not been looked at yet"));
     Authority m_authority = Authority::Clients;
     bool m_stopLatched = false;
     bool m_released = false;

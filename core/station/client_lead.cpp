@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/client_lead.h"
 
+#include "core/base/text.h"
 #include "core/rotctld/peer_address.h"
 
 namespace boresight {
@@ -11,10 +12,10 @@ bool lockedOut(const ClientLead::Rules& rules, const std::string& host)
     return rules.lead == profile::Lead::Locked && !rotctld::sameHost(host, rules.lockedTo);
 }
 
-std::string ago(SteadyTime::duration age)
+QString ago(SteadyTime::duration age)
 {
     const auto seconds = std::chrono::floor<std::chrono::seconds>(age).count();
-    return seconds < 1 ? "a moment ago" : std::to_string(seconds) + " s ago";
+    return seconds < 1 ? Text::tr("a moment ago") : Text::tr("%1 s ago").arg(seconds);
 }
 
 }  // namespace
@@ -58,24 +59,25 @@ bool ClientLead::continues(const Source& client) const
            (m_leader->left && later && rotctld::sameHost(hostOf(client.clientId), m_leader->host));
 }
 
-std::string ClientLead::leaderText(SteadyTime now) const
+QString ClientLead::leaderText(SteadyTime now) const
 {
-    const std::string when = ago(now - m_leader->since);
+    const QString when = ago(now - m_leader->since);
     if (m_leader->left) {
-        return m_leader->host + " has the lead: it connects for each command and sent its last " + when;
+        return Text::tr("%1 has the lead: it connects for each command and sent its last %2")
+            .arg(toQString(m_leader->host), when);
     }
-    const std::string name = m_leader->client.name.toStdString();
-    return m_leader->given ? name + " was given the lead " + when
-                           : name + " has the lead: it sent its last command " + when;
+    return (m_leader->given ? Text::tr("%1 was given the lead %2")
+                            : Text::tr("%1 has the lead: it sent its last command %2"))
+        .arg(m_leader->client.name, when);
 }
 
 Result<> ClientLead::admits(const Rules& rules, const Source& client, SteadyTime now) const
 {
     if (readOnly(client.clientId)) {
-        return failure(ErrorCode::Refused, "the operator has made this client read-only");
+        return failure(ErrorCode::Refused, Text::tr("the operator has made this client read-only"));
     }
     if (lockedOut(rules, hostOf(client.clientId))) {
-        return failure(ErrorCode::Refused, "the mount is locked to " + rules.lockedTo);
+        return failure(ErrorCode::Refused, Text::tr("the mount is locked to %1").arg(toQString(rules.lockedTo)));
     }
     if (leadHeld(rules, now) && !continues(client)) {
         return failure(ErrorCode::Refused, leaderText(now));
@@ -94,10 +96,11 @@ Result<> ClientLead::give(const Rules& rules, std::uint64_t clientId, SteadyTime
 {
     const auto found = m_clients.find(clientId);
     if (found == m_clients.end()) {
-        return failure(ErrorCode::NotAvailable, "this client has left");
+        return failure(ErrorCode::NotAvailable, Text::tr("this client has left"));
     }
     if (lockedOut(rules, found->second.host)) {
-        return failure(ErrorCode::Refused, "the mount is locked to " + rules.lockedTo + ": unlock it first");
+        return failure(ErrorCode::Refused,
+                       Text::tr("the mount is locked to %1: unlock it first").arg(toQString(rules.lockedTo)));
     }
     found->second.readOnly = false;
     m_leader = Leader{.client = found->second.client, .host = found->second.host, .since = now, .given = true};
@@ -108,7 +111,7 @@ Result<> ClientLead::setReadOnly(std::uint64_t clientId, bool readOnly)
 {
     const auto found = m_clients.find(clientId);
     if (found == m_clients.end()) {
-        return failure(ErrorCode::NotAvailable, "this client has left");
+        return failure(ErrorCode::NotAvailable, Text::tr("this client has left"));
     }
     found->second.readOnly = readOnly;
     if (readOnly && m_leader && m_leader->client.clientId == clientId) {

@@ -66,7 +66,7 @@ private:
     [[nodiscard]] std::string hostOf(std::uint64_t clientId) const;
     [[nodiscard]] bool leadHeld(const Rules& rules, SteadyTime now) const;
     [[nodiscard]] bool continues(const Source& client) const;
-    [[nodiscard]] std::string leaderText(SteadyTime now) const;
+    [[nodiscard]] QString leaderText(SteadyTime now) const;
 
     std::map<std::uint64_t, Connected> m_clients;
     std::optional<Leader> m_leader;

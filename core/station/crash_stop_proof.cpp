@@ -2,6 +2,7 @@
 #include "core/station/crash_stop_proof.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <utility>
@@ -30,9 +31,9 @@ AngularRate direction(AngularRate rate, Angle from, const TravelRange& travel)
     return std::max(up, down) < room ? AngularRate{} : up > down ? rate : -rate;
 }
 
-std::string_view nameOf(Axis axis)
+QString nameOf(Axis axis)
 {
-    return axis == Axis::Azimuth ? "azimuth" : "elevation";
+    return axis == Axis::Azimuth ? Text::tr("azimuth") : Text::tr("elevation");
 }
 
 }  // namespace
@@ -44,11 +45,11 @@ Result<CrashStopProof> CrashStopProof::prepare(AngularRate rate, const AxisPosit
     const AngularRate elevationRate = direction(rate, from.elevation, elevation);
     for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
         if ((axis == Axis::Azimuth ? azimuthRate : elevationRate) == AngularRate{}) {
-            return boresight::failure(ErrorCode::Refused, "not enough room for a crash stop of the " +
-                                                              std::string(nameOf(axis)) + " at " +
-                                                              formatFixed(rate.degrees(), 1) +
-                                                              "°/s: move it away from "
-                                                              "both ends of its travel");
+            return boresight::failure(
+                ErrorCode::Refused,
+                Text::tr(
+                    "not enough room for a crash stop of the %1 at %2°/s: move it away from both ends of its travel")
+                    .arg(nameOf(axis), toQString(formatFixed(rate.degrees(), 1))));
         }
     }
     return CrashStopProof(azimuthRate, elevationRate);
@@ -93,7 +94,7 @@ CrashStopProof::Action CrashStopProof::runUp(SteadyTime now, const Measured& mea
     }
     const Angle moved = measured.angle - m_samples.front().angle;
     if (abs(moved) < abs(rate()) * kRunUp * 0.5) {
-        return fail(QStringLiteral("the axis did not reach the speed"));
+        return fail(Text::tr("the axis did not reach the speed"));
     }
     enter(Phase::Starving, now);
     m_samples.push_back({measured.received, measured.angle});
@@ -122,8 +123,8 @@ CrashStopProof::Action CrashStopProof::watchStop(SteadyTime now)
         return Action::Recover;
     }
     if (now - *m_phaseSince > kPatience) {
-        m_failure = QStringLiteral("the %1 did not stop within %2 s without orders: look at its time-out mode")
-                        .arg(QLatin1String(nameOf(m_axis).data()))
+        m_failure = Text::tr("the %1 did not stop within %2 s without orders: look at its time-out mode")
+                        .arg(nameOf(m_axis))
                         .arg(kPatience.count());
         enter(Phase::Recovering, now);
         return Action::Recover;
@@ -134,7 +135,7 @@ CrashStopProof::Action CrashStopProof::watchStop(SteadyTime now)
 CrashStopProof::Action CrashStopProof::recover(SteadyTime now, const Measured& measured)
 {
     if (!measured.settled) {
-        return now - *m_phaseSince > kPatience ? fail(QStringLiteral("its drive did not come back")) : Action::Wait;
+        return now - *m_phaseSince > kPatience ? fail(Text::tr("its drive did not come back")) : Action::Wait;
     }
     if (!m_failure.isEmpty() || m_axis == Axis::Elevation) {
         m_phase = Phase::Over;
@@ -147,7 +148,7 @@ CrashStopProof::Action CrashStopProof::recover(SteadyTime now, const Measured& m
 
 CrashStopProof::Action CrashStopProof::fail(const QString& why)
 {
-    m_failure = QStringLiteral("%1: %2").arg(QLatin1String(nameOf(m_axis).data()), why);
+    m_failure = QStringLiteral("%1: %2").arg(nameOf(m_axis), why);
     m_phase = Phase::Over;
     return Action::Finish;
 }
@@ -159,14 +160,14 @@ std::optional<CrashStopProof::Stop> CrashStopProof::takeStop()
 
 QString CrashStopProof::progress() const
 {
-    const QString axis = QLatin1String(nameOf(m_axis).data());
+    const QString axis = nameOf(m_axis);
     switch (m_phase) {
         case Phase::RunningUp:
-            return QStringLiteral("moving the %1 up to speed").arg(axis);
+            return Text::tr("moving the %1 up to speed").arg(axis);
         case Phase::Starving:
-            return QStringLiteral("the %1 gets no orders: watching it stop").arg(axis);
+            return Text::tr("the %1 gets no orders: watching it stop").arg(axis);
         case Phase::Recovering:
-            return QStringLiteral("holding the %1 again").arg(axis);
+            return Text::tr("holding the %1 again").arg(axis);
         case Phase::Over:
             break;
     }

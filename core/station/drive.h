@@ -3,6 +3,7 @@
 
 #include "core/base/can_frame.h"
 #include "core/base/result.h"
+#include "core/base/text.h"
 #include "core/moteus/codec.h"
 #include "core/units/quantity.h"
 
@@ -112,7 +113,8 @@ public:
     [[nodiscard]] std::optional<DriveLoss> takeLoss() { return std::exchange(m_loss, std::nullopt); }
 
     [[nodiscard]] Phase phase() const { return m_phase; }
-    [[nodiscard]] const std::string& name() const { return m_name; }
+    [[nodiscard]] const std::string& name() const { return m_name; }  // as the source of a line and cause of an alarm
+    [[nodiscard]] QString label() const { return Text::of(m_name); }  // as it stands in a sentence
     [[nodiscard]] const std::optional<DriveReport>& report() const { return m_report; }
     [[nodiscard]] bool answering(SteadyTime now) const;
     [[nodiscard]] SteadyTime heard() const { return m_heard; }  // the last reply, stalls of our own excused

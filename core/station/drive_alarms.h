@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/text.h"
 #include "core/station/alarm_list.h"
 #include "core/station/drive.h"
 #include "core/supervision/finding.h"
@@ -9,10 +10,10 @@
 
 #include <string_view>
 
-// What the operator reads when something is wrong with a drive. `drive` is its name: "azimuth drive". Pure.
+// What the operator reads when something is wrong with a drive. `drive` is its label: "azimuth drive". Pure.
 namespace boresight::drive_alarms {
 
-[[nodiscard]] QString toQString(std::string_view text);
+using boresight::toQString;
 
 [[nodiscard]] AlarmText silent(const QString& drive);        // nothing was commanded
 [[nodiscard]] AlarmText answersAgain(const QString& drive);  // and waits for a re-arm

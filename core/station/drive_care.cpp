@@ -2,6 +2,7 @@
 #include "core/station/drive_care.h"
 
 #include "core/base/overloaded.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 
@@ -120,9 +121,9 @@ void DriveCare::tellChanges()
 {
     for (const survey::Change& change : m_survey.takeChanges()) {
         if (change.written) {
-            m_log.add(Severity::Advisory, QStringLiteral("drives"), QStringLiteral("written: ") + change.text);
+            m_log.add(Severity::Advisory, QStringLiteral("drives"), Text::tr("written: %1").arg(change.text));
         } else {
-            m_log.add(Severity::Warning, QStringLiteral("drives"), QStringLiteral("changed meanwhile: ") + change.text);
+            m_log.add(Severity::Warning, QStringLiteral("drives"), Text::tr("changed meanwhile: %1").arg(change.text));
         }
     }
 }
@@ -133,7 +134,7 @@ Result<> DriveCare::admits(const Request& request) const
                          std::holds_alternative<request::FixDrives>(request) ||
                          std::holds_alternative<request::ReleaseBus>(request);
     if (touches && m_survey.state() == survey::SurveyState::Fixing) {
-        return failure(ErrorCode::Refused, "the drives' settings are being written: wait until that is done");
+        return failure(ErrorCode::Refused, Text::tr("the drives' settings are being written: wait until that is done"));
     }
     return {};
 }

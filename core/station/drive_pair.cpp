@@ -23,8 +23,8 @@ DriveSettings driveSettings(const profile::AxisSettings& axis, const profile::Co
 DrivePair::DrivePair(const profile::Profile& profile)
     : m_azimuthGeometry(profile.azimuth.geometry),
       m_elevationGeometry(profile.elevation.geometry),
-      m_azimuth(driveSettings(profile.azimuth, profile.control), "azimuth drive"),
-      m_elevation(driveSettings(profile.elevation, profile.control), "elevation drive")
+      m_azimuth(driveSettings(profile.azimuth, profile.control), QT_TRANSLATE_NOOP("Text", "azimuth drive")),
+      m_elevation(driveSettings(profile.elevation, profile.control), QT_TRANSLATE_NOOP("Text", "elevation drive"))
 {}
 
 void DrivePair::setProfile(const profile::Profile& profile)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/drive_watch.h"
 
+#include "core/base/text.h"
 #include "core/moteus/faults.h"
 #include "core/station/drive_alarms.h"
 
@@ -87,15 +88,15 @@ std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive)
         return std::nullopt;
     }
     const int code = drive.report() ? drive.report()->fault : 0;
-    AlarmText text = drive_alarms::lost(drive_alarms::toQString(drive.name()), *loss, code, m_watchdog);
+    AlarmText text = drive_alarms::lost(drive.label(), *loss, code, m_watchdog);
     if (*loss == DriveLoss::Silent && !m_silenceAdvice.isEmpty()) {
-        text.remedy = m_silenceAdvice + QStringLiteral(" Then re-arm");
+        text.remedy = Text::tr("%1 Then re-arm").arg(m_silenceAdvice);
     }
     m_alarms.raise(drive_alarms::toQString(drive.name()), Severity::Alarm, text);
     m_silenceTold = *loss == DriveLoss::Silent;
     m_supervisor.forgetMotion();
     // The reason of a latch outlasts the silence itself.
-    const QString fellSilent = QStringLiteral("the %1 fell silent").arg(drive_alarms::toQString(drive.name()));
+    const QString fellSilent = Text::tr("the %1 fell silent").arg(drive.label());
     return Trouble{.what = m_silenceTold ? fellSilent : text.what, .loss = classOf(*loss, code)};
 }
 
@@ -106,10 +107,10 @@ void DriveWatch::watchSilence(const Drive& drive, const Context& context)
         if (!context.faultLatched) {
             m_alarms.clear(name);
         } else if (!context.silenceExpected && std::exchange(m_silenceTold, false)) {
-            m_alarms.raise(name, Severity::Alarm, drive_alarms::answersAgain(name));
+            m_alarms.raise(name, Severity::Alarm, drive_alarms::answersAgain(drive.label()));
         }
     } else if (context.running > kPatienceAtStart && !m_alarms.active(name)) {
-        AlarmText text = drive_alarms::silent(name);
+        AlarmText text = drive_alarms::silent(drive.label());
         if (!m_silenceAdvice.isEmpty()) {
             text.remedy = m_silenceAdvice;
         }
@@ -128,7 +129,7 @@ void DriveWatch::watchUnordered(const Drive& drive, const Context& context)
         m_activeSince = context.now;
     }
     if (m_activeSince && context.now - *m_activeSince >= kLastOrderFades) {
-        m_alarms.raise(cause, Severity::Warning, drive_alarms::unordered(name, drive.report()->mode));
+        m_alarms.raise(cause, Severity::Warning, drive_alarms::unordered(drive.label(), drive.report()->mode));
     } else {
         m_alarms.clear(cause);
     }
@@ -141,7 +142,7 @@ void DriveWatch::watchActiveLimit(const Drive& drive, SteadyTime now)
     const auto& report = drive.report();
     if (report && report->mode == moteus::Mode::Position && moteus::isLimit(report->fault)) {
         m_limitSeen = now;
-        m_alarms.raise(cause, Severity::Warning, drive_alarms::activeLimit(name, report->fault));
+        m_alarms.raise(cause, Severity::Warning, drive_alarms::activeLimit(drive.label(), report->fault));
     } else if (m_limitSeen && now - *m_limitSeen > kLimitLinger) {
         m_limitSeen.reset();
         m_alarms.clear(cause);

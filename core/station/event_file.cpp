@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/event_file.h"
 
+#include "core/base/text.h"
+
 #include <QDateTime>
 
 namespace boresight {
@@ -22,8 +24,7 @@ Result<> EventFile::open()
     if (m_file.isOpen() || m_file.open(QIODevice::Append | QIODevice::Unbuffered)) {
         return {};
     }
-    return failure(ErrorCode::Io,
-                   "cannot write " + m_file.fileName().toStdString() + ": " + m_file.errorString().toStdString());
+    return failure(ErrorCode::Io, Text::tr("cannot write %1: %2").arg(m_file.fileName(), m_file.errorString()));
 }
 
 void EventFile::rotate()
@@ -50,8 +51,7 @@ Result<> EventFile::add(const LogEntry& entry)
     const QByteArray text = line(entry).toUtf8();
     if (m_file.write(text) != text.size()) {
         m_failed = true;
-        return failure(ErrorCode::Io,
-                       "cannot write " + m_file.fileName().toStdString() + ": " + m_file.errorString().toStdString());
+        return failure(ErrorCode::Io, Text::tr("cannot write %1: %2").arg(m_file.fileName(), m_file.errorString()));
     }
     return {};
 }

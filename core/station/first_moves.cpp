@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/first_moves.h"
 
+#include "core/base/text.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,8 +21,9 @@ bool outwards(Angle offset, AngularRate rate)
 Result<> FirstMoves::admits(const AxisRates& rates, const AxisPosition& place, const AxisPosition& rest)
 {
     if (std::max(abs(rates.azimuth), abs(rates.elevation)) > kFastest) {
-        return failure(ErrorCode::Refused,
-                       "it is not confirmed yet which way the axes turn: jog at 5°/s or slower, or confirm it");
+        return failure(
+            ErrorCode::Refused,
+            Text::tr("it is not confirmed yet which way the axes turn: jog at 5°/s or slower, or confirm it"));
     }
     if (!m_origin) {
         m_origin = place;
@@ -28,7 +31,7 @@ Result<> FirstMoves::admits(const AxisRates& rates, const AxisPosition& place, c
     if (outwards(rest.azimuth - m_origin->azimuth, rates.azimuth) ||
         outwards(rest.elevation - m_origin->elevation, rates.elevation)) {
         return failure(ErrorCode::Refused,
-                       "it is not confirmed yet which way the axes turn: no farther than 2° until it is");
+                       Text::tr("it is not confirmed yet which way the axes turn: no farther than 2° until it is"));
     }
     return {};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/log_throttle.h"
 
+#include "core/base/text.h"
+
 namespace boresight {
 
 bool LogThrottle::repeated(const QString& source, const QString& text, SteadyTime now) const
@@ -27,8 +29,7 @@ void LogThrottle::add(Severity severity, const QString& source, const QString& t
         return;
     }
     if (m_leftOut > 0) {
-        m_log.add(Severity::Advisory, QStringLiteral("log"),
-                  QStringLiteral("%1 similar lines left out").arg(m_leftOut));
+        m_log.add(Severity::Advisory, QStringLiteral("log"), Text::tr("%1 similar lines left out").arg(m_leftOut));
         m_leftOut = 0;
     }
     m_lastLines.insert(source, {.text = text, .time = now});

@@ -2,6 +2,7 @@
 #include "core/station/station.h"
 
 #include "core/base/bus_name.h"
+#include "core/base/text.h"
 #include "core/can/bus_advice.h"
 
 #include <QLoggingCategory>
@@ -39,7 +40,7 @@ QString advice(const rotctld::ClientInfo& client)
     if (!client.leap || !QString::fromStdString(client.program).startsWith(QLatin1String("Gpredict"))) {
         return {};
     }
-    return QStringLiteral("this Gpredict updates only every %1°: set Threshold to 0.1 in its Antenna Control")
+    return Text::tr("this Gpredict updates only every %1°: set Threshold to 0.1 in its Antenna Control")
         .arg(client.leap->degrees(), 0, 'f', 0);
 }
 
@@ -81,9 +82,9 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
     connect(&m_memoryFile, &memory::MemoryFile::saveFailed, this, [this](const QString& reason) {
         m_control.alarms().raise(kMemoryCause, Severity::Warning,
                                  {.what = reason,
-                                  .action = QStringLiteral("The place of the axes is kept in memory only"),
-                                  .remedy = QStringLiteral("Check the disk, or choose another folder with --state-dir; "
-                                                           "else the turn must be told after a restart")});
+                                  .action = Text::tr("The place of the axes is kept in memory only"),
+                                  .remedy = Text::tr("Check the disk, or choose another folder with --state-dir; else "
+                                                     "the turn must be told after a restart")});
     });
     connect(&m_memoryFile, &memory::MemoryFile::saved, this, [this] { m_control.alarms().clear(kMemoryCause); });
     if (const auto bus = parseBusName(profile.bus)) {
@@ -164,12 +165,11 @@ void Station::showBus(const LinkStatus& status)
     // The text of the link says itself what to look at.
     if (status.state == LinkState::Up) {
         m_control.alarms().raise(kBusCause, Severity::Warning,
-                                 {.what = status.text, .action = QStringLiteral("Boresight goes on using the bus")});
+                                 {.what = status.text, .action = Text::tr("Boresight goes on using the bus")});
     } else {
         m_control.alarms().raise(
             kBusCause, Severity::Alarm,
-            {.what = status.text,
-             .action = QStringLiteral("Nothing can be commanded; the bus is tried again each second")});
+            {.what = status.text, .action = Text::tr("Nothing can be commanded; the bus is tried again each second")});
     }
 }
 
@@ -177,17 +177,16 @@ void Station::openServer()
 {
     const Result<> listening = m_server.listen();
     if (listening) {
-        m_log.add(Severity::Advisory, kServerCause,
-                  QStringLiteral("listening on ") + QString::fromStdString(m_server.address()));
+        m_log.add(Severity::Advisory, kServerCause, Text::tr("listening on %1").arg(toQString(m_server.address())));
         return;
     }
     const QString problem = QString::fromStdString(listening.error().text);
     m_control.alarms().raise(
         kServerCause, Severity::Alarm,
         {.what = problem,
-         .action = QStringLiteral("No client can connect; everything else works"),
-         .remedy = QStringLiteral("End the other program, or choose another port with --listen or in "
-                                  "the profile, and start again")});
+         .action = Text::tr("No client can connect; everything else works"),
+         .remedy = Text::tr(
+             "End the other program, or choose another port with --listen or in the profile, and start again")});
     m_startTold = true;
     Q_EMIT started({}, problem);
 }
@@ -259,8 +258,7 @@ void Station::request(const NumberedRequest& numbered)
                                 .and_then([&] { return m_control.request(numbered.request, kOperator); })
                                 .and_then([&] { return carryOut(numbered.request); });
     if (!answer) {
-        m_log.add(Severity::Warning, kOperator.name,
-                  QStringLiteral("refused: ") + QString::fromStdString(answer.error().text));
+        m_log.add(Severity::Warning, kOperator.name, Text::tr("refused: %1").arg(toQString(answer.error().text)));
     }
     m_answers.push_back(
         {.requestId = numbered.id, .error = answer ? std::optional<Error>() : std::optional(answer.error())});
@@ -282,8 +280,8 @@ Result<> Station::carryOut(const Request& request)
         return {};
     }
     if (const auto* const wanted = std::get_if<request::Disconnect>(&request)) {
-        if (!m_server.disconnect(wanted->clientId, "disconnected by the operator")) {
-            return failure(ErrorCode::NotAvailable, "this client has left");
+        if (!m_server.disconnect(wanted->clientId, Text::tr("disconnected by the operator").toStdString())) {
+            return failure(ErrorCode::NotAvailable, Text::tr("this client has left"));
         }
         return {};
     }
@@ -292,9 +290,9 @@ Result<> Station::carryOut(const Request& request)
         return {};
     }
     if (const auto* const reconnect = std::get_if<request::Reconnect>(&request)) {
-        m_log.add(Severity::Advisory, QStringLiteral("operator"),
-                  QStringLiteral("connects anew to the mount \"%1\"")
-                      .arg(QString::fromStdString(reconnect->profile.mount.name)));
+        m_log.add(
+            Severity::Advisory, QStringLiteral("operator"),
+            Text::tr("connects anew to the mount \"%1\"").arg(QString::fromStdString(reconnect->profile.mount.name)));
         m_next = reconnect->profile;
         m_control.shutDown();
         return {};
@@ -305,12 +303,11 @@ Result<> Station::carryOut(const Request& request)
 void Station::apply(const profile::Profile& wanted)
 {
     for (const profile::Change& change : m_profile.apply(wanted)) {
-        m_log.add(Severity::Advisory, QStringLiteral("operator"),
-                  QStringLiteral("changes %1 from %2 to %3%4")
-                      .arg(QString::fromStdString(change.key), QString::fromStdString(change.before),
-                           QString::fromStdString(change.after),
-                           change.applies == profile::Applies::Now ? QString()
-                                                                   : QStringLiteral(", in force after Reconnect")));
+        m_log.add(
+            Severity::Advisory, QStringLiteral("operator"),
+            (change.applies == profile::Applies::Now ? Text::tr("changes %1 from %2 to %3")
+                                                     : Text::tr("changes %1 from %2 to %3, in force after Reconnect"))
+                .arg(toQString(change.key), toQString(change.before), toQString(change.after)));
     }
     m_control.setProfile(*m_profile.inForce());
     m_rotator.setProfile(*m_profile.inForce());
@@ -377,11 +374,10 @@ void Station::writeEvents()
 {
     for (const LogEntry& entry : m_log.since(m_lastLogWritten, EventLog::kCapacity)) {
         if (const Result<> written = m_eventFile.add(entry); !written) {
-            m_control.alarms().raise(
-                QStringLiteral("log"), Severity::Warning,
-                {.what = QString::fromStdString(written.error().text),
-                 .action = QStringLiteral("The log is kept in memory only"),
-                 .remedy = QStringLiteral("Check the disk, or choose another folder with --state-dir")});
+            m_control.alarms().raise(QStringLiteral("log"), Severity::Warning,
+                                     {.what = QString::fromStdString(written.error().text),
+                                      .action = Text::tr("The log is kept in memory only"),
+                                      .remedy = Text::tr("Check the disk, or choose another folder with --state-dir")});
         }
         m_lastLogWritten = entry.number;
     }

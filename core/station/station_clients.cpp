@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of StationControl about its clients: who of them and of the operator moves the mount.
+#include "core/base/text.h"
 #include "core/station/station_control.h"
 
 namespace boresight {
@@ -13,7 +14,7 @@ constexpr std::chrono::seconds kStillWanting{5};
 Result<> StationControl::mayGiveControl() const
 {
     if (m_arming.stopLatched()) {
-        return failure(ErrorCode::Refused, "STOP is latched: reset STOP first");
+        return failure(ErrorCode::Refused, Text::tr("STOP is latched: reset STOP first"));
     }
     return {};
 }
@@ -32,7 +33,7 @@ Result<> StationControl::handle(const request::GiveAuthority&, const Source& sou
     return mayGiveControl().map([&] {
         m_arming.setAuthority(Authority::Clients);
         m_lead.resume(m_now);
-        m_log.add(Severity::Advisory, source.name, QStringLiteral("gives control back to the clients"));
+        m_log.add(Severity::Advisory, source.name, Text::tr("gives control back to the clients"));
     });
 }
 
@@ -47,7 +48,7 @@ Result<> StationControl::handle(const request::GiveLead& wanted, const Source& s
             }
             m_arming.setAuthority(Authority::Clients);
             m_log.add(Severity::Advisory, source.name,
-                      QStringLiteral("gives control to ") + m_lead.name(wanted.clientId));
+                      Text::tr("gives control to %1").arg(m_lead.name(wanted.clientId)));
         });
 }
 
@@ -58,8 +59,7 @@ Result<> StationControl::handle(const request::SetReadOnly& wanted, const Source
             endClientMotion();
         }
         m_log.add(Severity::Advisory, source.name,
-                  (wanted.readOnly ? QStringLiteral("lets %1 only read and stop")
-                                   : QStringLiteral("lets %1 move the mount again"))
+                  (wanted.readOnly ? Text::tr("lets %1 only read and stop") : Text::tr("lets %1 move the mount again"))
                       .arg(m_lead.name(wanted.clientId)));
     });
 }
@@ -74,7 +74,7 @@ void StationControl::endClientMotion()
 {
     const bool moves = m_activity != Activity::None && m_activity != Activity::Holding;
     if (m_commander.kind == SourceKind::Client && moves) {
-        m_log.add(Severity::Advisory, m_commander.name, QStringLiteral("may not move the mount any more: hold"));
+        m_log.add(Severity::Advisory, m_commander.name, Text::tr("may not move the mount any more: hold"));
         holdHere(Activity::Holding);
     }
 }

@@ -2,6 +2,7 @@
 #include "core/station/station_control.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 
@@ -61,7 +62,7 @@ Result<> StationControl::request(const Request& request, const Source& source)
 Result<> StationControl::mayMove(const Source& source) const
 {
     if (m_proof) {
-        return failure(ErrorCode::Refused, "the crash-stop proof moves the mount: end it first");
+        return failure(ErrorCode::Refused, Text::tr("the crash-stop proof moves the mount: end it first"));
     }
     const auto leads = [&]() -> Result<> {
         return source.kind == SourceKind::Client ? m_lead.admits(m_profile.rotctld, source, m_now) : Result<>{};
@@ -69,8 +70,9 @@ Result<> StationControl::mayMove(const Source& source) const
     return m_arming.admits(source).and_then(leads).and_then([&]() -> Result<> {
         for (const Axis axis : kAxes) {
             if (!m_drives.measured(axis)) {
-                return failure(ErrorCode::NoAnswer,
-                               "the " + m_drives.drive(axis).name() + " reports no position: look at its encoder");
+                return failure(
+                    ErrorCode::NoAnswer,
+                    Text::tr("the %1 reports no position: look at its encoder").arg(m_drives.drive(axis).label()));
             }
         }
         return {};
@@ -81,14 +83,15 @@ Result<> StationControl::mayPoint(const Source& source) const
 {
     return mayMove(source).and_then([&]() -> Result<> {
         if (m_profile.mount.directions != profile::Directions::Confirmed) {
-            return failure(ErrorCode::Refused,
-                           "it is not confirmed yet which way the axes turn: jog each a little and confirm it first");
+            return failure(
+                ErrorCode::Refused,
+                Text::tr("it is not confirmed yet which way the axes turn: jog each a little and confirm it first"));
         }
         for (const Axis axis : kAxes) {
             if (!m_turns.known(axis)) {
-                return failure(ErrorCode::Refused, "it is not known on which turn the axis of the " +
-                                                       m_drives.drive(axis).name() +
-                                                       " stands: the operator must tell; slow jogging only");
+                return failure(ErrorCode::Refused, Text::tr("it is not known on which turn the axis of the %1 stands: "
+                                                            "the operator must tell; slow jogging only")
+                                                       .arg(m_drives.drive(axis).label()));
             }
         }
         return {};
@@ -112,13 +115,13 @@ Result<> StationControl::mayJog(const AxisRates& rates, const Source& source) co
     return mayMove(source).and_then([&]() -> Result<> {
         for (const Axis axis : kAxes) {
             if (!m_turns.known(axis) && !m_turns.asked(axis)) {
-                return failure(ErrorCode::Refused, "the place of the axes is being found out: wait a moment");
+                return failure(ErrorCode::Refused, Text::tr("the place of the axes is being found out: wait a moment"));
             }
         }
         const AngularRate fastest = m_profile.jog.unwind;
         if (std::max(abs(rates.azimuth), abs(rates.elevation)) > fastest) {
-            return failure(ErrorCode::Refused, "the turn of an axis is not known: jog at " +
-                                                   formatFixed(fastest.degrees(), 1) + "°/s or slower");
+            return failure(ErrorCode::Refused, Text::tr("the turn of an axis is not known: jog at %1°/s or slower")
+                                                   .arg(toQString(formatFixed(fastest.degrees(), 1))));
         }
         return {};
     });
@@ -141,7 +144,7 @@ void StationControl::takeOver(const Source& source)
 {
     if (source.kind == SourceKind::Operator && m_arming.authority() == Authority::Clients) {
         m_arming.setAuthority(Authority::Operator);
-        tell(Severity::Advisory, source, QStringLiteral("takes over: motion commands of clients are refused"));
+        tell(Severity::Advisory, source, Text::tr("takes over: motion commands of clients are refused"));
     }
 }
 
@@ -160,8 +163,7 @@ void StationControl::begin(Activity activity, const Source& source, const QStrin
     const bool continues = m_activity == activity && m_commander == source &&
                            (activity == Activity::Streaming || activity == Activity::Jogging);
     if (!continues) {
-        tell(Severity::Advisory, source,
-             QStringLiteral("moves the mount from ") + text(heading()) + QStringLiteral(": ") + what,
+        tell(Severity::Advisory, source, Text::tr("moves the mount from %1: %2").arg(text(heading()), what),
              LogKind::MotionStart);
     }
     if (source.kind == SourceKind::Client) {
@@ -179,7 +181,7 @@ void StationControl::begin(Activity activity, const Source& source, const QStrin
 void StationControl::holdHere(Activity activity)
 {
     if (m_proof) {
-        endProof(QStringLiteral("ended before it was done"));
+        endProof(Text::tr("ended before it was done"));
     }
     m_activity = activity;
     m_limited = false;
@@ -205,8 +207,9 @@ Result<> StationControl::mayGoTo(const AxisPosition& place) const
     }
     if (const std::string why = m_motion.region().reason(resolved.position); !why.empty()) {
         const auto nearest = m_motion.region().nearest(resolved.position);
-        return failure(ErrorCode::OutOfRange,
-                       nearest ? why + "; permitted nearest to it: " + text(*nearest).toStdString() : why);
+        return failure(
+            ErrorCode::OutOfRange,
+            nearest ? Text::tr("%1; permitted nearest to it: %2").arg(toQString(why), text(*nearest)) : toQString(why));
     }
     return m_motion.route(standing(), resolved.position).map([](const auto&) {});
 }
@@ -242,8 +245,7 @@ Result<> StationControl::streamTo(pointing::Resolved resolved, const SkyPointing
         m_limited = true;
         m_wantedDirection = asked;
         tell(Severity::Warning, source,
-             QStringLiteral("LIMITED: ") + QString::fromStdString(resolved.reason) +
-                 QStringLiteral("; driven to the nearest permitted point"));
+             Text::tr("LIMITED: %1; driven to the nearest permitted point").arg(toQString(resolved.reason)));
     }
     m_motion.follow(resolved.position, m_now);
     return {};
@@ -261,11 +263,12 @@ Result<> StationControl::handle(const request::PointSky& wanted, const Source& s
         }
         if (const Angle top = std::max(90_deg, m_model.elevation().travel.max); wanted.direction.elevation > top) {
             // To a client 95° is the equal direction behind the zenith; an operator who types it has slipped.
-            return failure(ErrorCode::OutOfRange, "elevation " + degreesText(wanted.direction.elevation).toStdString() +
-                                                      " above limit " + degreesText(top).toStdString());
+            return failure(
+                ErrorCode::OutOfRange,
+                Text::tr("elevation %1 above limit %2").arg(degreesText(wanted.direction.elevation), degreesText(top)));
         }
         return goTo(turnWithAWay(resolved.position), Activity::Pointing, source,
-                    QStringLiteral("go to ") + text(wanted.direction));
+                    Text::tr("go to %1").arg(text(wanted.direction)));
     });
 }
 
@@ -276,26 +279,26 @@ Result<> StationControl::handle(const request::PointAxes& wanted, const Source& 
             return streamTo(m_model.resolve(wanted.position), pointing::MountModel::toSky(wanted.position), source);
         });
     }
-    return goTo(wanted.position, Activity::Pointing, source, QStringLiteral("go to axes ") + text(wanted.position));
+    return goTo(wanted.position, Activity::Pointing, source, Text::tr("go to axes %1").arg(text(wanted.position)));
 }
 
 Result<> StationControl::handle(const request::Step& wanted, const Source& source)
 {
     const AxisPosition from = heading();
     const AxisPosition place{.azimuth = from.azimuth + wanted.azimuth, .elevation = from.elevation + wanted.elevation};
-    return goTo(place, Activity::Pointing, source, QStringLiteral("step to ") + text(place));
+    return goTo(place, Activity::Pointing, source, Text::tr("step to %1").arg(text(place)));
 }
 
 Result<> StationControl::handle(const request::Park&, const Source& source)
 {
-    return goTo(m_profile.park, Activity::Parking, source, QStringLiteral("park at ") + text(m_profile.park));
+    return goTo(m_profile.park, Activity::Parking, source, Text::tr("park at %1").arg(text(m_profile.park)));
 }
 
 Result<> StationControl::handle(const request::Home&, const Source& source)
 {
     const pointing::AxisBox& ranges = m_motion.region().ranges();
     const AxisPosition home{.azimuth = ranges.azimuth.clamped(0_deg), .elevation = ranges.elevation.clamped(0_deg)};
-    return goTo(home, Activity::Pointing, source, QStringLiteral("home to ") + text(home));
+    return goTo(home, Activity::Pointing, source, Text::tr("home to %1").arg(text(home)));
 }
 
 // Down to 0°, or as far as it goes.
@@ -306,7 +309,7 @@ Result<> StationControl::handle(const request::Horizon&, const Source& source)
     if (!m_motion.region().permits(low)) {
         low.elevation = std::max(0_deg, m_motion.region().elevationsAround(pointing::AxisBox::at(here)).min);
     }
-    return goTo(low, Activity::Pointing, source, QStringLiteral("horizon at ") + text(low));
+    return goTo(low, Activity::Pointing, source, Text::tr("horizon at %1").arg(text(low)));
 }
 
 Result<> StationControl::runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& what)
@@ -328,21 +331,21 @@ Result<> StationControl::handle(const request::Jog& wanted, const Source& source
         }
         return {};
     }
-    return runAt(wanted.rates, Activity::Jogging, source, QStringLiteral("jog")).map([&] {
+    return runAt(wanted.rates, Activity::Jogging, source, Text::tr("jog")).map([&] {
         m_jogDeadline = m_now + kJogKeepAlive;
     });
 }
 
 Result<> StationControl::handle(const request::Move& wanted, const Source& source)
 {
-    return runAt(wanted.rates, Activity::Running, source, QStringLiteral("move"));
+    return runAt(wanted.rates, Activity::Running, source, Text::tr("move"));
 }
 
 Result<> StationControl::handle(const request::Hold&, const Source& source)
 {
     takeOver(source);  // else the next target of a client would undo it
     if (m_activity != Activity::None && m_activity != Activity::Holding) {
-        tell(Severity::Advisory, source, QStringLiteral("ends the motion: hold"));
+        tell(Severity::Advisory, source, Text::tr("ends the motion: hold"));
         holdHere(Activity::Holding);
     }
     return {};
@@ -351,7 +354,7 @@ Result<> StationControl::handle(const request::Hold&, const Source& source)
 Result<> StationControl::handle(const request::Stop&, const Source& source)
 {
     if (!m_arming.stopLatched()) {
-        m_log.add(Severity::Warning, source.name, QStringLiteral("STOP: both axes decelerate and hold; latched"));
+        m_log.add(Severity::Warning, source.name, Text::tr("STOP: both axes decelerate and hold; latched"));
     }
     m_arming.latchStop();
     keepStopped();
@@ -362,17 +365,17 @@ Result<> StationControl::handle(const request::Stop&, const Source& source)
 Result<> StationControl::handle(const request::ResetStop&, const Source& source)
 {
     if (m_drives.anyUnderOrders() && !m_motion.atRest()) {
-        return failure(ErrorCode::Refused, "the mount is still braking: reset STOP when it stands");
+        return failure(ErrorCode::Refused, Text::tr("the mount is still braking: reset STOP when it stands"));
     }
     return m_arming.resetStop().map([&] {
-        m_log.add(Severity::Advisory, source.name, QStringLiteral("resets STOP: nothing moves until the next command"));
+        m_log.add(Severity::Advisory, source.name, Text::tr("resets STOP: nothing moves until the next command"));
     });
 }
 
 Result<> StationControl::handle(const request::Rearm&, const Source& source)
 {
     if (source.kind == SourceKind::Client && m_lead.readOnly(source.clientId)) {
-        return failure(ErrorCode::Refused, "the operator has made this client read-only");
+        return failure(ErrorCode::Refused, Text::tr("the operator has made this client read-only"));
     }
     return m_arming.rearm(source);
 }
@@ -390,7 +393,7 @@ void StationControl::sourceGone(const Source& source)
         return;
     }
     if (m_activity == Activity::Running) {
-        m_log.add(Severity::Advisory, source.name, QStringLiteral("is gone: its motion ends"));
+        m_log.add(Severity::Advisory, source.name, Text::tr("is gone: its motion ends"));
         holdHere(Activity::Holding);
     } else if (m_activity == Activity::Streaming) {
         m_motion.settleStream();
@@ -410,11 +413,12 @@ Result<AxisPosition> StationControl::measured() const
     for (const Axis axis : kAxes) {
         const auto& report = m_drives.drive(axis).report();
         if (!report || !report->position || m_clock.now() - report->received > kOldestPosition) {
-            return failure(ErrorCode::NoAnswer, "no fresh position from the " + m_drives.drive(axis).name());
+            return failure(ErrorCode::NoAnswer,
+                           Text::tr("no fresh position from the %1").arg(m_drives.drive(axis).label()));
         }
     }
     if (!turnsKnown()) {
-        return failure(ErrorCode::NoAnswer, "it is not known on which turn an axis stands");
+        return failure(ErrorCode::NoAnswer, Text::tr("it is not known on which turn an axis stands"));
     }
     return *m_drives.measured();
 }
@@ -432,7 +436,7 @@ void StationControl::learn(Axis axis, const std::optional<survey::DriveFacts>& f
 void StationControl::driveRestarted(Axis axis)
 {
     m_log.add(Severity::Warning, QString::fromStdString(m_drives.drive(axis).name()),
-              QStringLiteral("was power-cycled: its turn must be judged anew"));
+              Text::tr("was power-cycled: its turn must be judged anew"));
     m_turns.forget(axis);
     watchOf(axis).forgetMotion();
     holdHere(Activity::None);
@@ -447,8 +451,7 @@ void StationControl::setRegion(const pointing::Region& region)
     const auto target = m_motion.target(m_now);
     const bool going = m_activity == Activity::Pointing || m_activity == Activity::Parking;
     if (const std::string why = going && target ? m_motion.region().reason(*target) : ""; !why.empty()) {
-        m_log.add(Severity::Warning, QStringLiteral("station"),
-                  QStringLiteral("ends the motion: ") + QString::fromStdString(why));
+        m_log.add(Severity::Warning, QStringLiteral("station"), Text::tr("ends the motion: %1").arg(toQString(why)));
         holdHere(Activity::Holding);  // else a mount that stands would set off by itself
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of StationControl for the operator's desk: trim, settings, single alarms.
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/profile/setting.h"
 #include "core/station/station_control.h"
 
@@ -29,8 +30,8 @@ Result<> StationControl::handle(const request::Nudge& wanted, const Source& sour
     const AxisPosition trim{.azimuth = m_trim.azimuth + wanted.azimuth,
                             .elevation = m_trim.elevation + wanted.elevation};
     if (std::max(abs(trim.azimuth), abs(trim.elevation)) > kLargestTrim) {
-        return failure(ErrorCode::OutOfRange,
-                       "a trim beyond " + formatFixed(kLargestTrim.degrees(), 0) + "° is not a correction any more");
+        return failure(ErrorCode::OutOfRange, Text::tr("a trim beyond %1° is not a correction any more")
+                                                  .arg(toQString(formatFixed(kLargestTrim.degrees(), 0))));
     }
     setTrim(trim, source);
     return {};
@@ -46,7 +47,7 @@ void StationControl::setTrim(const AxisPosition& trim, const Source& source)
     m_trim = trim;
     m_motion.setTrim(trim);
     m_log.add(Severity::Advisory, source.name,
-              QStringLiteral("trims the targets of clients by %1° in azimuth, %2° in elevation")
+              Text::tr("trims the targets of clients by %1° in azimuth, %2° in elevation")
                   .arg(trim.azimuth.degrees(), 0, 'f', 2)
                   .arg(trim.elevation.degrees(), 0, 'f', 2));
 }
@@ -114,7 +115,7 @@ void StationControl::watchFirstMoves()
     const auto rest = [this](Axis axis) { return restingPlace(m_motion.setpoint(axis), m_profile.axis(axis).limits); };
     if (m_drives.engaged() && m_firstMoves.exceeded({rest(Axis::Azimuth), rest(Axis::Elevation)})) {
         m_log.add(Severity::Advisory, m_commander.name,
-                  QStringLiteral("jog ends: no farther than 2° until the directions of the axes are confirmed"));
+                  Text::tr("jog ends: no farther than 2° until the directions of the axes are confirmed"));
         holdHere(Activity::Holding);
     }
 }

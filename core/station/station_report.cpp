@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of StationControl that tells the world what it knows.
+#include "core/base/text.h"
 #include "core/moteus/registers.h"
 #include "core/station/station_control.h"
 
@@ -134,21 +135,21 @@ QString StationControl::axisText(Axis axis, AxisState state) const
 {
     if (state == AxisState::Limit) {
         const std::string what = m_motion.obstacle();
-        return atTravelEnd(axis) || what.empty() ? QStringLiteral("at the end of the travel")
-                                                 : QStringLiteral("at ") + QString::fromStdString(what);
+        return atTravelEnd(axis) || what.empty() ? Text::tr("at the end of the travel")
+                                                 : Text::tr("at %1").arg(toQString(what));
     }
     if (!m_turns.known(axis)) {
-        return QStringLiteral("turn not known");
+        return Text::tr("turn not known");
     }
     const Drive& drive = m_drives.drive(axis);
     if ((state != AxisState::Holding && state != AxisState::On) || drive.phase() == Drive::Phase::Engaged) {
         return {};
     }
     if (drive.report()->mode != moteus::Mode::PositionTimeout) {
-        return drive.activeUnordered() ? QStringLiteral("not by our orders") : QString();
+        return drive.activeUnordered() ? Text::tr("not by our orders") : QString();
     }
-    return state == AxisState::Holding ? QStringLiteral("held by its own time-out mode")
-                                       : QStringLiteral("in its own time-out mode");
+    return state == AxisState::Holding ? Text::tr("held by its own time-out mode")
+                                       : Text::tr("in its own time-out mode");
 }
 
 AxisStatus StationControl::axisStatus(Axis axis) const
@@ -243,8 +244,8 @@ StationStatus StationControl::status() const
                          .utc = m_clock.utc(),
                          .tick = m_tick};
     status.stopLatched = m_arming.stopLatched();
-    status.stateReason = m_arming.released() ? QStringLiteral("the bus is left to other tools")
-                                             : m_arming.fault().value_or(m_commandText);
+    status.stateReason =
+        m_arming.released() ? Text::tr("the bus is left to other tools") : m_arming.fault().value_or(m_commandText);
     if (const auto measured = m_drives.measured(); measured && turnsKnown()) {
         status.actual = pointing::MountModel::toSky(*measured);
     }

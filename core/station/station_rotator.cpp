@@ -2,6 +2,7 @@
 #include "core/station/station_rotator.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/rotctld/peer_address.h"
 
@@ -20,20 +21,19 @@ constexpr int kRemarksPerSecond = 20;
 constexpr int kRefusalsPerSecond = 4;
 constexpr int kConnectionsPerSecond = 4;
 
-std::string degreesText(Angle angle)
+QString degreesText(Angle angle)
 {
-    return formatFixed(angle.degrees(), 2) + "°";
+    return toQString(formatFixed(angle.degrees(), 2)) + QStringLiteral("°");
 }
 
-Result<> inside(const char* what, Angle value, Angle min, Angle max)
+// The sentences have places for the value and for the limit.
+Result<> inside(Angle value, Angle min, Angle max, const QString& below, const QString& above)
 {
     if (value < min - kLimitTolerance) {
-        return failure(ErrorCode::OutOfRange,
-                       std::string(what) + ' ' + degreesText(value) + " below limit " + degreesText(min));
+        return failure(ErrorCode::OutOfRange, below.arg(degreesText(value), degreesText(min)));
     }
     if (value > max + kLimitTolerance) {
-        return failure(ErrorCode::OutOfRange,
-                       std::string(what) + ' ' + degreesText(value) + " above limit " + degreesText(max));
+        return failure(ErrorCode::OutOfRange, above.arg(degreesText(value), degreesText(max)));
     }
     return {};
 }
@@ -134,9 +134,12 @@ Result<> StationRotator::permitted(const rotctld::PointRequest& request) const
         return {};
     }
     const rotctld::Limits range = limits();
-    return inside("azimuth", request.azimuth, range.minAzimuth, range.maxAzimuth).and_then([&] {
-        return inside("elevation", request.elevation, range.minElevation, range.maxElevation);
-    });
+    return inside(request.azimuth, range.minAzimuth, range.maxAzimuth, Text::tr("azimuth %1 below limit %2"),
+                  Text::tr("azimuth %1 above limit %2"))
+        .and_then([&] {
+            return inside(request.elevation, range.minElevation, range.maxElevation,
+                          Text::tr("elevation %1 below limit %2"), Text::tr("elevation %1 above limit %2"));
+        });
 }
 
 Result<> StationRotator::pointTo(const rotctld::Client& client, const rotctld::PointRequest& request)
@@ -212,7 +215,7 @@ Result<> StationRotator::ask(const rotctld::Client& client, const Request& reque
 {
     Result<> answer = m_control.request(request, clientSource(client));
     if (answer) {
-        m_commands.add(Severity::Advisory, clientSource(client).name, command + QStringLiteral(" accepted"));
+        m_commands.add(Severity::Advisory, clientSource(client).name, Text::tr("%1 accepted").arg(command));
     } else {
         logRefusal(client, command, answer.error());
     }
@@ -222,19 +225,18 @@ Result<> StationRotator::ask(const rotctld::Client& client, const Request& reque
 void StationRotator::logRefusal(const rotctld::Client& client, const QString& command, const Error& error)
 {
     m_refusals.add(Severity::Warning, clientSource(client).name,
-                   command + QStringLiteral(" refused: ") + QString::fromStdString(error.text));
+                   Text::tr("%1 refused: %2").arg(command, toQString(error.text)));
 }
 
 void StationRotator::clientConnected(const rotctld::Client& client)
 {
-    m_connections.add(Severity::Advisory, clientSource(client).name, QStringLiteral("connected"));
+    m_connections.add(Severity::Advisory, clientSource(client).name, Text::tr("connected"));
     m_control.clientCame(clientSource(client), rotctld::hostOf(client.address));
 }
 
 void StationRotator::clientGone(const rotctld::Client& client, const std::string& reason)
 {
-    m_connections.add(Severity::Advisory, clientSource(client).name,
-                      QStringLiteral("gone: ") + QString::fromStdString(reason));
+    m_connections.add(Severity::Advisory, clientSource(client).name, Text::tr("gone: %1").arg(toQString(reason)));
     m_control.sourceGone(clientSource(client));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of StationControl for what is done to the drives themselves: turns, proof, switching off, leaving the bus.
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/station/drive_alarms.h"
 #include "core/station/station_control.h"
 
@@ -16,10 +17,10 @@ constexpr AngularRate kFastestProof = AngularRate::fromDegrees(5.0);
 Result<> StationControl::drivesRest() const
 {
     if (m_drives.anyUnderOrders() && !m_motion.atRest()) {
-        return failure(ErrorCode::Refused, "the mount moves: stop it first");
+        return failure(ErrorCode::Refused, Text::tr("the mount moves: stop it first"));
     }
     if (m_drives.changingHands()) {
-        return failure(ErrorCode::Refused, "a drive is being taken over: try again in a second");
+        return failure(ErrorCode::Refused, Text::tr("a drive is being taken over: try again in a second"));
     }
     return {};
 }
@@ -34,13 +35,14 @@ Result<> StationControl::handle(const request::FixDrives&, const Source& source)
 {
     return operatorOnly(source).and_then([&]() -> Result<> {
         if (!m_arming.connected()) {
-            return failure(ErrorCode::NoAnswer, "both drives must answer");
+            return failure(ErrorCode::NoAnswer, Text::tr("both drives must answer"));
         }
         for (const Axis axis : kAxes) {
             const Drive& drive = m_drives.drive(axis);
             if (drive.phase() != Drive::Phase::Listening || drive.report()->mode != moteus::Mode::Stopped) {
-                return failure(ErrorCode::Refused,
-                               "the " + drive.name() + " is switched on: support the elevation, switch the drives off");
+                return failure(
+                    ErrorCode::Refused,
+                    Text::tr("the %1 is switched on: support the elevation, switch the drives off").arg(drive.label()));
             }
         }
         takeOver(source);  // else the next target of a client would switch them on in the middle of it
@@ -52,14 +54,14 @@ Result<> StationControl::handle(const request::SwitchOff&, const Source& source)
 {
     return operatorOnly(source).and_then([this] { return drivesRest(); }).and_then([&]() -> Result<> {
         if (!m_arming.connected()) {
-            return failure(ErrorCode::NoAnswer, "both drives must answer");
+            return failure(ErrorCode::NoAnswer, Text::tr("both drives must answer"));
         }
         takeOver(source);  // else the next target of a client would switch them on again
         holdHere(Activity::None);
         for (const Axis axis : kAxes) {
             m_drives.drive(axis).release();
         }
-        m_log.add(Severity::Warning, source.name, QStringLiteral("switches both drives off: nothing holds the axes"));
+        m_log.add(Severity::Warning, source.name, Text::tr("switches both drives off: nothing holds the axes"));
         return {};
     });
 }
@@ -76,7 +78,7 @@ Result<> StationControl::handle(const request::ReleaseBus&, const Source& source
             learn(axis, std::nullopt);
         }
         m_log.add(Severity::Warning, source.name,
-                  QStringLiteral("leaves the bus to other tools; drives that held go on by their time-out mode"));
+                  Text::tr("leaves the bus to other tools; drives that held go on by their time-out mode"));
     });
 }
 
@@ -84,11 +86,11 @@ Result<> StationControl::handle(const request::TakeBus&, const Source& source)
 {
     return operatorOnly(source).and_then([&]() -> Result<> {
         if (!m_arming.released()) {
-            return failure(ErrorCode::Refused, "the bus was not left to other tools");
+            return failure(ErrorCode::Refused, Text::tr("the bus was not left to other tools"));
         }
         m_arming.setReleased(false);
         m_started = m_clock.now();  // the drives have had no question yet
-        m_log.add(Severity::Advisory, source.name, QStringLiteral("takes the bus back: the drives are read anew"));
+        m_log.add(Severity::Advisory, source.name, Text::tr("takes the bus back: the drives are read anew"));
         return {};
     });
 }
@@ -108,15 +110,15 @@ Result<> StationControl::handle(const request::ProveCrashStop& wanted, const Sou
     }
     const AngularRate rate = abs(wanted.rate);
     if (rate < kSlowestProof || rate > kFastestProof) {
-        return failure(ErrorCode::OutOfRange, "a crash stop is proven at " + formatFixed(kSlowestProof.degrees(), 1) +
-                                                  " to " + formatFixed(kFastestProof.degrees(), 1) + "°/s");
+        return failure(ErrorCode::OutOfRange, Text::tr("a crash stop is proven at %1 to %2°/s")
+                                                  .arg(toQString(formatFixed(kSlowestProof.degrees(), 1)),
+                                                       toQString(formatFixed(kFastestProof.degrees(), 1))));
     }
     const pointing::AxisBox here = pointing::AxisBox::at(*m_drives.measured());
     return CrashStopProof::prepare(rate, *m_drives.measured(), m_motion.region().azimuthsAround(here),
                                    m_motion.region().elevationsAround(here))
         .map([&](const CrashStopProof& proof) {
-            begin(Activity::Proving, source,
-                  QStringLiteral("crash-stop proof at %1°/s").arg(rate.degrees(), 0, 'f', 1));
+            begin(Activity::Proving, source, Text::tr("crash-stop proof at %1°/s").arg(rate.degrees(), 0, 'f', 1));
             m_proof = proof;
             m_proofText.clear();
         });
@@ -125,9 +127,9 @@ Result<> StationControl::handle(const request::ProveCrashStop& wanted, const Sou
 Result<> StationControl::handle(const request::EndProof&, const Source& source)
 {
     if (!m_proof) {
-        return failure(ErrorCode::Refused, "no proof is running");
+        return failure(ErrorCode::Refused, Text::tr("no proof is running"));
     }
-    endProof(QStringLiteral("ended by the ") + source.name);
+    endProof(Text::tr("ended by the %1").arg(Text::of(source.name.toStdString())));
     holdHere(Activity::Holding);
     return {};
 }
@@ -140,7 +142,7 @@ void StationControl::stepProof()
     const Axis axis = m_proof->axis();
     const auto measured = m_drives.measured(axis);
     if (!measured) {
-        endProof(QStringLiteral("ended: the drive reports no position any more"));
+        endProof(Text::tr("ended: the drive reports no position any more"));
         holdHere(Activity::Holding);
         return;
     }
@@ -162,7 +164,7 @@ void StationControl::stepProof()
         case CrashStopProof::Action::Wait:
             break;
         case CrashStopProof::Action::Finish:
-            endProof(m_proof->failure().isEmpty() ? QStringLiteral("done") : m_proof->failure());
+            endProof(m_proof->failure().isEmpty() ? Text::tr("done") : m_proof->failure());
             holdHere(Activity::Holding);
             break;
     }
@@ -177,7 +179,7 @@ void StationControl::keepStop(Axis axis)
                             .time = stop->time,
                             .when = m_clock.utc()});
         m_log.add(Severity::Advisory, drive_alarms::toQString(m_drives.drive(axis).name()),
-                  QStringLiteral("crash stop from %1°/s: stood after %2° and %3 ms")
+                  Text::tr("crash stop from %1°/s: stood after %2° and %3 ms")
                       .arg(stop->rate.degrees(), 0, 'f', 1)
                       .arg(stop->angle.degrees(), 0, 'f', 2)
                       .arg(stop->time.count()));
@@ -193,7 +195,7 @@ void StationControl::endProof(const QString& how)
     }
     m_proof.reset();
     m_proofText = how;
-    m_log.add(Severity::Advisory, QStringLiteral("station"), QStringLiteral("crash-stop proof: ") + how);
+    m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("crash-stop proof: %1").arg(how));
 }
 
 }  // namespace boresight

@@ -1,31 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/station_status.h"
 
+#include "core/base/text.h"
+
+#include <array>
+
 namespace boresight {
+namespace {
+
+// The longer ones first. What is not among them - "rotctld", a client's address - is the same in all languages.
+constexpr std::array kSources{QT_TRANSLATE_NOOP("Text", "azimuth drive"),
+                              QT_TRANSLATE_NOOP("Text", "elevation drive"),
+                              QT_TRANSLATE_NOOP("Text", "command line"),
+                              QT_TRANSLATE_NOOP("Text", "operator"),
+                              QT_TRANSLATE_NOOP("Text", "station"),
+                              QT_TRANSLATE_NOOP("Text", "azimuth"),
+                              QT_TRANSLATE_NOOP("Text", "elevation"),
+                              QT_TRANSLATE_NOOP("Text", "drives"),
+                              QT_TRANSLATE_NOOP("Text", "memory"),
+                              QT_TRANSLATE_NOOP("Text", "bus"),
+                              QT_TRANSLATE_NOOP("Text", "log")};
+
+}  // namespace
 
 QString word(StationState state)
 {
     switch (state) {
         case StationState::Disconnected:
-            return QStringLiteral("DISCONNECTED");
+            return Text::tr("DISCONNECTED", "station state");
         case StationState::Standby:
-            return QStringLiteral("STANDBY");
+            return Text::tr("STANDBY", "station state");
         case StationState::Hold:
-            return QStringLiteral("HOLD");
+            return Text::tr("HOLD", "station state");
         case StationState::Slew:
-            return QStringLiteral("SLEW");
+            return Text::tr("SLEW", "station state");
         case StationState::Track:
-            return QStringLiteral("TRACK");
+            return Text::tr("TRACK", "station state");
         case StationState::Jog:
-            return QStringLiteral("JOG");
+            return Text::tr("JOG", "station state");
         case StationState::Parked:
-            return QStringLiteral("PARKED");
+            return Text::tr("PARKED", "station state");
         case StationState::Calibrate:
-            return QStringLiteral("CALIBRATE");
+            return Text::tr("CALIBRATE", "station state");
         case StationState::Stopped:
-            return QStringLiteral("STOPPED");
+            return Text::tr("STOPPED", "station state");
         case StationState::Fault:
-            return QStringLiteral("FAULT");
+            return Text::tr("FAULT", "station state");
     }
     return {};
 }
@@ -34,23 +54,34 @@ QString word(AxisState state)
 {
     switch (state) {
         case AxisState::NoData:
-            return QStringLiteral("NO DATA");
+            return Text::tr("NO DATA", "axis state");
         case AxisState::Holding:
-            return QStringLiteral("HOLDING");
+            return Text::tr("HOLDING", "axis state");
         case AxisState::Moving:
-            return QStringLiteral("MOVING");
+            return Text::tr("MOVING", "axis state");
         case AxisState::Limit:
-            return QStringLiteral("LIMIT");
+            return Text::tr("LIMIT", "axis state");
         case AxisState::Stopped:
-            return QStringLiteral("STOPPED");
+            return Text::tr("STOPPED", "axis state");
         case AxisState::Fault:
-            return QStringLiteral("FAULT");
+            return Text::tr("FAULT", "axis state");
         case AxisState::On:
-            return QStringLiteral("ON");
+            return Text::tr("ON", "axis state");
         case AxisState::Off:
-            return QStringLiteral("OFF");
+            return Text::tr("OFF", "axis state");
     }
     return {};
+}
+
+QString sourceText(const QString& source)
+{
+    for (const char* const known : kSources) {
+        const QLatin1String name(known);
+        if (source == name || (source.startsWith(name) && source.at(name.size()) == QLatin1Char(' '))) {
+            return Text::tr(known);
+        }
+    }
+    return source;
 }
 
 }  // namespace boresight

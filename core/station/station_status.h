@@ -214,6 +214,8 @@ struct StationUpdate
 // The words of ui.md and of every log line: "TRACK", "NO DATA".
 [[nodiscard]] QString word(StationState state);
 [[nodiscard]] QString word(AxisState state);
+// The source of a line as it is shown: "azimuth drive", also for what it says more exactly ("azimuth drive turn").
+[[nodiscard]] QString sourceText(const QString& source);
 
 }  // namespace boresight
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of StationControl that runs once per tick: judge what the drives say, then move on.
+#include "core/base/text.h"
 #include "core/station/drive_alarms.h"
 #include "core/station/station_control.h"
 
@@ -143,9 +144,10 @@ void StationControl::tellTurns()
         } else if ((interrupted || turnQuestion(axis)) && !m_alarms.active(cause)) {
             // Where nothing moved, the survey may answer it first.
             m_alarms.raise(cause, Severity::Warning,
-                           {.what = QStringLiteral("it is not known on which turn the axis of the %1 stands").arg(name),
-                            .action = QStringLiteral("Pointing is refused, clients get no position; slow jogging only"),
-                            .remedy = QStringLiteral("Look at the mount and its cable, then tell where it stands")});
+                           {.what = Text::tr("it is not known on which turn the axis of the %1 stands")
+                                        .arg(m_drives.drive(axis).label()),
+                            .action = Text::tr("Pointing is refused, clients get no position; slow jogging only"),
+                            .remedy = Text::tr("Look at the mount and its cable, then tell where it stands")});
         }
     }
 }
@@ -157,7 +159,7 @@ void StationControl::watchStall(Seconds gap)
         m_azimuthWatch.forgetMotion();
         m_elevationWatch.forgetMotion();
         m_log.add(Severity::Warning, QStringLiteral("station"),
-                  QStringLiteral("this computer stalled for %1 s; drives may have stopped by their watchdog")
+                  Text::tr("this computer stalled for %1 s; drives may have stopped by their watchdog")
                       .arg(gap.count(), 0, 'f', 2));
     }
 }
@@ -165,7 +167,7 @@ void StationControl::watchStall(Seconds gap)
 void StationControl::watchJog()
 {
     if (m_jogDeadline && m_now > *m_jogDeadline) {
-        m_log.add(Severity::Warning, m_commander.name, QStringLiteral("jog ends: its keep-alive did not come"));
+        m_log.add(Severity::Warning, m_commander.name, Text::tr("jog ends: its keep-alive did not come"));
         holdHere(Activity::Holding);
     }
 }
@@ -175,7 +177,7 @@ void StationControl::watchFitness()
 {
     if (!m_arming.fitness() && m_activity != Activity::None && m_activity != Activity::Holding && !m_motion.atRest()) {
         m_log.add(Severity::Warning, QStringLiteral("station"),
-                  QStringLiteral("ends the motion: ") + QString::fromStdString(m_arming.fitness().error().text));
+                  Text::tr("ends the motion: %1").arg(toQString(m_arming.fitness().error().text)));
         holdHere(Activity::Holding);
     }
 }
@@ -186,13 +188,14 @@ void StationControl::watchRegion()
     const bool going = m_activity == Activity::Pointing || m_activity == Activity::Parking;
     if (going && !m_motion.noWay().empty()) {
         m_log.add(Severity::Warning, QStringLiteral("station"),
-                  QStringLiteral("ends the motion: ") + QString::fromStdString(m_motion.noWay()));
+                  Text::tr("ends the motion: %1").arg(toQString(m_motion.noWay())));
         holdHere(Activity::Holding);
     }
     const bool held = m_motion.held(Axis::Azimuth) || m_motion.held(Axis::Elevation);
-    const std::string at = held                       ? "held at " + m_motion.obstacle()
-                           : m_motion.noWay().empty() ? ""
-                                                      : "held: " + m_motion.noWay();
+    const std::string at = held ? Text::tr("held at %1").arg(toQString(m_motion.obstacle())).toStdString()
+                           : m_motion.noWay().empty()
+                               ? ""
+                               : Text::tr("held: %1").arg(toQString(m_motion.noWay())).toStdString();
     const bool pressed = m_activity == Activity::Jogging || m_activity == Activity::Running ||
                          (m_activity == Activity::Streaming && !m_motion.noWay().empty());
     if (pressed && !at.empty() && at != m_heldAt) {
@@ -210,7 +213,7 @@ void StationControl::finishRearm()
         m_alarms.clear(drive_alarms::toQString(m_drives.drive(axis).name()));
         watchOf(axis).rearmed();
     }
-    m_log.add(Severity::Advisory, QStringLiteral("station"), QStringLiteral("re-armed; nothing moves"));
+    m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("re-armed; nothing moves"));
 }
 
 void StationControl::moveOn(Seconds step)

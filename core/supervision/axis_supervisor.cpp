@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/supervision/axis_supervisor.h"
 
+#include "core/base/text.h"
 #include "core/supervision/words.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ constexpr double kTrendNear = 30.0;     // °C below a limit: what a cold board 
 
 AxisSupervisor::AxisSupervisor(Axis axis, const profile::AxisSettings& limits,
                                const profile::SupervisionSettings& settings)
-    : m_name(axis == Axis::Azimuth ? QStringLiteral("the azimuth") : QStringLiteral("the elevation")),
+    : m_name(axis == Axis::Azimuth ? Text::tr("the azimuth") : Text::tr("the elevation")),
       m_limits(limits),
       m_settings(settings)
 {}
@@ -114,26 +115,24 @@ void AxisSupervisor::judgeFollowing(const AxisObservation& seen)
                              .release = 0.5 * m_settings.followingHint.degrees(),
                              .after = m_settings.followingTime};
     m_following.update(seen.now, error.degrees(), limits, [&] {
-        return QStringLiteral("%1 is %2 away from its set-point for %3 (set-point %4, axis %5)")
+        return Text::tr("%1 is %2 away from its set-point for %3 (set-point %4, axis %5)")
             .arg(m_name, words(apart), words(m_settings.followingTime), words(seen.commanded), words(seen.actual));
     });
 }
 
 void AxisSupervisor::judgeProgress(const AxisObservation& seen)
 {
-    const auto motion = [&] {
-        return QStringLiteral("%1 at %2 commanded in %3")
-            .arg(words(m_progress.asked()), words(seen.commandedRate), words(m_progress.underCommand()));
+    const auto motion = [&](const QString& sentence) {
+        return sentence.arg(m_name, words(m_progress.asked()), words(seen.commandedRate),
+                            words(m_progress.underCommand()), words(m_progress.moved()));
     };
     const double against = m_progress.against().degrees();
-    m_wrongWay.update(seen.now, against, {.stop = kAgainst.degrees(), .release = kAgainst.degrees()}, [&] {
-        return QStringLiteral("%1 moves the wrong way: %2, %3 moved").arg(m_name, motion(), words(m_progress.moved()));
-    });
+    m_wrongWay.update(seen.now, against, {.stop = kAgainst.degrees(), .release = kAgainst.degrees()},
+                      [&] { return motion(Text::tr("%1 moves the wrong way: %2 at %3 commanded in %4, %5 moved")); });
     const double missing = m_progress.missing() ? m_progress.underCommand().count() : 0.0;
     const double limit = m_settings.stallTime.count();
-    m_stalled.update(seen.now, missing, {.stop = limit, .release = limit}, [&] {
-        return QStringLiteral("%1 does not move: %2, %3 moved").arg(m_name, motion(), words(m_progress.moved()));
-    });
+    m_stalled.update(seen.now, missing, {.stop = limit, .release = limit},
+                     [&] { return motion(Text::tr("%1 does not move: %2 at %3 commanded in %4, %5 moved")); });
 }
 
 void AxisSupervisor::judgeStanding(const AxisObservation& seen)
@@ -145,9 +144,9 @@ void AxisSupervisor::judgeStanding(const AxisObservation& seen)
         limits.stop = limits.hint;
     }
     m_uncommanded.update(seen.now, abs(moved).degrees(), limits, [&] {
-        return (seen.engaged ? QStringLiteral("%1 was to hold its place and has moved by %2, to %3")
-                             : QStringLiteral("%1 has moved by %2, to %3, and not by us: by its weight, a hand, the "
-                                              "wind or another program"))
+        return (seen.engaged ? Text::tr("%1 was to hold its place and has moved by %2, to %3")
+                             : Text::tr("%1 has moved by %2, to %3, and not by us: by its weight, a hand, the wind or "
+                                        "another program"))
             .arg(m_name, words(moved), words(seen.actual));
     });
 }
@@ -166,7 +165,7 @@ void AxisSupervisor::judgeJump(const AxisObservation& seen)
         limits.stop = 1.0;
     }
     m_jump.update(seen.now, jump ? 1.0 : 0.0, limits, [&] {
-        return QStringLiteral("the reported angle of %1 jumped by %2 in %3, to %4: more than the axis can turn")
+        return Text::tr("the reported angle of %1 jumped by %2 in %3, to %4: more than the axis can turn")
             .arg(m_name, words(jump->by), words(jump->within), words(seen.actual));
     });
 }
@@ -181,26 +180,26 @@ void AxisSupervisor::judgeTravel(const AxisObservation& seen)
         limits.stop = m_settings.outsideStop.degrees();
     }
     m_travel.update(seen.now, beyond.degrees(), limits, [&] {
-        return QStringLiteral("%1 is at %2, %3 beyond its travel %4…%5")
-                   .arg(m_name, words(seen.actual), words(beyond), words(travel.min), words(travel.max)) +
-               (m_outside.outwards() ? QStringLiteral(", and moves farther out") : QString());
+        return (m_outside.outwards() ? Text::tr("%1 is at %2, %3 beyond its travel %4…%5, and moves farther out")
+                                     : Text::tr("%1 is at %2, %3 beyond its travel %4…%5"))
+            .arg(m_name, words(seen.actual), words(beyond), words(travel.min), words(travel.max));
     });
 }
 
 void AxisSupervisor::judgeTorque(const AxisObservation& seen)
 {
     const double share = seen.engaged ? std::abs(seen.torque) / m_limits.maxTorque : 0.0;
-    const auto needs = [&] {
-        return QStringLiteral("%1 needs %2 Nm, %3 % of the %4 Nm allowed")
-            .arg(m_name, words(std::abs(seen.torque), 1), words(100.0 * share, 0), words(m_limits.maxTorque, 1));
+    const auto needs = [&](const QString& sentence) {
+        return sentence.arg(m_name, words(std::abs(seen.torque), 1), words(100.0 * share, 0),
+                            words(m_limits.maxTorque, 1));
     };
     m_torqueHigh.update(seen.now, share,
                         {.hint = m_settings.torqueHint, .release = 0.85 * m_settings.torqueHint, .after = Seconds(2.0)},
-                        needs);
+                        [&] { return needs(Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed")); });
     m_torqueGuard.update(
         seen.now, seen.turnKnown ? 0.0 : share,
         {.stop = m_settings.torqueUnwind, .release = 0.85 * m_settings.torqueUnwind, .after = kConfirm},
-        [&] { return needs() + QStringLiteral(" while its turn is not known"); });
+        [&] { return needs(Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its turn is not known")); });
 }
 
 void AxisSupervisor::judgeReplies(const AxisObservation& seen)
@@ -208,15 +207,12 @@ void AxisSupervisor::judgeReplies(const AxisObservation& seen)
     const Seconds gap = seen.received - std::exchange(m_lastReply, seen.received).value_or(seen.received);
     const double limit = m_settings.replyAge.count();
     m_replies.update(seen.now, gap.count(), {.hint = limit, .release = 0.75 * limit}, [&] {
-        return QStringLiteral("a reply of %1 drive came %2 after the one before").arg(m_name, words(gap));
+        return Text::tr("a reply of %1 drive came %2 after the one before").arg(m_name, words(gap));
     });
 }
 
 void AxisSupervisor::judgeSupply(const AxisObservation& seen)
 {
-    const auto feeds = [&] {
-        return QStringLiteral("the supply of %1 is at %2 V").arg(m_name, words(seen.voltage, 1));
-    };
     // Smaller is worse, so both sides of the comparison are turned round.
     WatchLimits low{.hint = -m_settings.supplyLow, .release = -(m_settings.supplyLow + kSupplyReturns)};
     low.after = kConfirm;
@@ -225,12 +221,14 @@ void AxisSupervisor::judgeSupply(const AxisObservation& seen)
     }
     m_supplyLow.update(seen.now, -seen.voltage, low, [&] {
         const bool stop = seen.voltage <= m_settings.supplyStop;
-        return feeds() +
-               QStringLiteral(", below %1 V").arg(words(stop ? m_settings.supplyStop : m_settings.supplyLow, 1));
+        return Text::tr("the supply of %1 is at %2 V, below %3 V")
+            .arg(m_name, words(seen.voltage, 1), words(stop ? m_settings.supplyStop : m_settings.supplyLow, 1));
     });
     m_supplyHigh.update(seen.now, seen.voltage,
-                        {.hint = m_settings.supplyHigh, .release = m_settings.supplyHigh - kSupplyReturns},
-                        [&] { return feeds() + QStringLiteral(", above %1 V").arg(words(m_settings.supplyHigh, 1)); });
+                        {.hint = m_settings.supplyHigh, .release = m_settings.supplyHigh - kSupplyReturns}, [&] {
+                            return Text::tr("the supply of %1 is at %2 V, above %3 V")
+                                .arg(m_name, words(seen.voltage, 1), words(m_settings.supplyHigh, 1));
+                        });
     m_supplyTrend.add(seen.now, seen.voltage);
     judgeTrend(m_supplyFalls, seen.now, m_supplyTrend,
                {.value = m_settings.supplyLow,
@@ -238,15 +236,15 @@ void AxisSupervisor::judgeSupply(const AxisObservation& seen)
                 .near = std::numeric_limits<double>::infinity(),
                 .unit = QStringLiteral("V"),
                 .decimals = 1},
-               QStringLiteral("the supply of %1").arg(m_name));
+               Text::tr("the supply of %1").arg(m_name));
 }
 
 void AxisSupervisor::judgeBoard(const AxisObservation& seen)
 {
-    const QString what = QStringLiteral("the drive board of %1").arg(m_name);
+    const QString what = Text::tr("the drive board of %1").arg(m_name);
     m_boardHot.update(seen.now, seen.boardTemperature,
                       {.hint = m_settings.boardHot, .release = m_settings.boardHot - kCoolsBy}, [&] {
-                          return QStringLiteral("%1 is at %2 °C; it gives up at %3 °C")
+                          return Text::tr("%1 is at %2 °C; it gives up at %3 °C")
                               .arg(what, words(seen.boardTemperature, 0), words(m_settings.boardLimit, 0));
                       });
     m_boardTrend.add(seen.now, seen.boardTemperature);
@@ -259,10 +257,10 @@ void AxisSupervisor::judgeMotor(const AxisObservation& seen)
     if (!seen.motorTemperature) {
         return;
     }
-    const QString what = QStringLiteral("the motor of %1").arg(m_name);
+    const QString what = Text::tr("the motor of %1").arg(m_name);
     m_motorHot.update(seen.now, *seen.motorTemperature,
                       {.hint = m_settings.motorHot, .release = m_settings.motorHot - kCoolsBy},
-                      [&] { return QStringLiteral("%1 is at %2 °C").arg(what, words(*seen.motorTemperature, 0)); });
+                      [&] { return Text::tr("%1 is at %2 °C").arg(what, words(*seen.motorTemperature, 0)); });
     m_motorTrend.add(seen.now, *seen.motorTemperature);
     judgeTrend(m_motorWarms, seen.now, m_motorTrend,
                {.value = m_settings.motorHot, .near = kTrendNear, .unit = QStringLiteral("°C")}, what);
@@ -278,10 +276,10 @@ void AxisSupervisor::judgeTrend(Watch& watch, SteadyTime now, const Trend& trend
     const double soon = left ? -left->count() : -std::numeric_limits<double>::infinity();
     const double ahead = m_settings.trendAhead.count();
     watch.update(now, soon, {.hint = -ahead, .release = -1.5 * ahead, .quietFor = Seconds(10.0)}, [&] {
-        return QStringLiteral("%1 is at %2 %3 and %4 %5 %3/min: %6 %3 in %7 min")
-            .arg(what, words(line->now, to.decimals), to.unit,
-                 to.fromBelow ? QStringLiteral("rising") : QStringLiteral("falling"),
-                 words(std::abs(line->perMinute), 1), words(to.value, to.decimals), words(left->count() / 60.0, 1));
+        return (to.fromBelow ? Text::tr("%1 is at %2 %3 and rising %4 %3/min: %5 %3 in %6 min")
+                             : Text::tr("%1 is at %2 %3 and falling %4 %3/min: %5 %3 in %6 min"))
+            .arg(what, words(line->now, to.decimals), to.unit, words(std::abs(line->perMinute), 1),
+                 words(to.value, to.decimals), words(left->count() / 60.0, 1));
     });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/supervision/finding.h"
 
+#include "core/base/text.h"
+
 namespace boresight::supervision {
 
 QString key(Finding finding)
@@ -40,43 +42,39 @@ QString remedy(Finding finding)
 {
     switch (finding) {
         case Finding::FollowingError:
-            return QStringLiteral(
-                "Look for wind, ice or a tight cable; else lower speed and acceleration or check the "
-                "drive's gains.");
+            return Text::tr(
+                "Look for wind, ice or a tight cable; else lower speed and acceleration or check the drive's gains.");
         case Finding::Stalled:
-            return QStringLiteral("Look what blocks the axis: a cable, a lock, ice, a coupling that slips. Free it.");
+            return Text::tr("Look what blocks the axis: a cable, a lock, ice, a coupling that slips. Free it.");
         case Finding::WrongWay:
-            return QStringLiteral(
-                "Do not re-arm before the motor was calibrated again and its phases and the encoder "
-                "were checked.");
+            return Text::tr(
+                "Do not re-arm before the motor was calibrated again and its phases and the encoder were checked.");
         case Finding::MovesUncommanded:
-            return QStringLiteral(
-                "Look for wind, a person at the antenna or a slipping gear. Secure the axis, then "
-                "check the position.");
+            return Text::tr(
+                "Look for wind, a person at the antenna or a slipping gear. Secure the axis, then check the position.");
         case Finding::EncoderJump:
-            return QStringLiteral(
-                "The angle shown may be wrong. Compare it with the antenna, check encoder and "
-                "wiring, and that no other program sets the drive's position.");
+            return Text::tr(
+                "The angle shown may be wrong. Compare it with the antenna, check encoder and wiring, and that no "
+                "other program sets the drive's position.");
         case Finding::OutsideTravel:
-            return QStringLiteral("Jog the axis back inside while you watch the cable.");
+            return Text::tr("Jog the axis back inside while you watch the cable.");
         case Finding::RepliesLate:
-            return QStringLiteral("Check the load of the bus and of this computer, the cable and the termination.");
+            return Text::tr("Check the load of the bus and of this computer, the cable and the termination.");
         case Finding::SupplyLow:
-            return QStringLiteral("Check supply, battery and cable; lower the acceleration.");
+            return Text::tr("Check supply, battery and cable; lower the acceleration.");
         case Finding::SupplyHigh:
-            return QStringLiteral(
-                "Braking feeds the supply: lower the acceleration, set servo.max_regen_power_W, or "
-                "add a battery or a brake resistor.");
+            return Text::tr(
+                "Braking feeds the supply: lower the acceleration, set servo.max_regen_power_W, or add a battery or a "
+                "brake resistor.");
         case Finding::BoardHot:
-            return QStringLiteral(
-                "Give the board air and shade, or move less and slower; at its limit the drive lets "
-                "the axis go.");
+            return Text::tr(
+                "Give the board air and shade, or move less and slower; at its limit the drive lets the axis go.");
         case Finding::MotorHot:
-            return QStringLiteral("Let the motor cool down; look for friction or a load out of balance.");
+            return Text::tr("Let the motor cool down; look for friction or a load out of balance.");
         case Finding::TorqueHigh:
-            return QStringLiteral("Look for wind, ice, friction or a load out of balance.");
+            return Text::tr("Look for wind, ice, friction or a load out of balance.");
         case Finding::TorqueGuard:
-            return QStringLiteral("A cable may be wound up: look at it, and turn the other way.");
+            return Text::tr("A cable may be wound up: look at it, and turn the other way.");
     }
     return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/supervision/retry_policy.h"
 
+#include "core/base/text.h"
 #include "core/supervision/words.h"
 
 #include <algorithm>
@@ -20,11 +21,9 @@ Retry stricter(Retry one, Retry other)
     return std::min(one, other);  // in the order of the enumerators
 }
 
-QString tooHot(const QString& what, double now, double needed)
+QString tooHot(const QString& sentence, double now, double needed)
 {
-    return now <= needed ? QString()
-                         : QStringLiteral("the %1 is still at %2 °C; it must cool down to %3 °C")
-                               .arg(what, words(now, 0), words(needed, 0));
+    return now <= needed ? QString() : sentence.arg(words(now, 0), words(needed, 0));
 }
 
 // Fault 38 does not say whether the board or the motor was too hot: the motor, if the board was far from its limit.
@@ -33,12 +32,13 @@ QString heatRefusal(double boardLimit, double motorHot, const DriveConditions& a
     const bool motorWasHot =
         atLoss.motorTemperature && now.motorTemperature && atLoss.boardTemperature < boardLimit - kCoolDown;
     if (motorWasHot && *atLoss.motorTemperature > motorHot - kCool) {
-        return tooHot(QStringLiteral("motor"), *now.motorTemperature, *atLoss.motorTemperature - kCoolDown);
+        return tooHot(Text::tr("the motor is still at %1 °C; it must cool down to %2 °C"), *now.motorTemperature,
+                      *atLoss.motorTemperature - kCoolDown);
     }
     if (atLoss.boardTemperature < boardLimit - kCool) {
         return {};
     }
-    return tooHot(QStringLiteral("drive board"), now.boardTemperature,
+    return tooHot(Text::tr("the drive board is still at %1 °C; it must cool down to %2 °C"), now.boardTemperature,
                   std::min(atLoss.boardTemperature, boardLimit) - kCoolDown);
 }
 
@@ -140,11 +140,11 @@ QString clearRefusal(const profile::SupervisionSettings& settings, LossClass los
         return heatRefusal(settings.boardLimit, settings.motorHot, atLoss, now);
     }
     if (loss == LossClass::Supply && now.voltage < settings.supplyLow) {
-        return QStringLiteral("the supply is still at %1 V; %2 V are needed")
+        return Text::tr("the supply is still at %1 V; %2 V are needed")
             .arg(words(now.voltage, 1), words(settings.supplyLow, 1));
     }
     if (loss == LossClass::Supply && now.voltage > settings.supplyHigh) {
-        return QStringLiteral("the supply is still at %1 V; at most %2 V are permitted")
+        return Text::tr("the supply is still at %1 V; at most %2 V are permitted")
             .arg(words(now.voltage, 1), words(settings.supplyHigh, 1));
     }
     return {};

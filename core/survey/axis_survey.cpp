@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/survey/axis_survey.h"
 
+#include "core/base/text.h"
 #include "core/moteus/describe.h"
 
 #include <algorithm>
@@ -84,15 +85,15 @@ void AxisSurvey::fix()
     m_run.emplace(m_id, std::move(sets));
     m_step = Step::Setting;
     m_complete = false;
-    m_fixTrouble = QStringLiteral("writing the settings of %1 was interrupted: some are in force but not stored")
-                       .arg(axisName(m_axis));
+    m_fixTrouble =
+        Text::tr("writing the settings of %1 was interrupted: some are in force but not stored").arg(axisText(m_axis));
 }
 
 std::optional<CanFrame> AxisSurvey::frame(SteadyTime now)
 {
     if (m_step == Step::Uptime) {
         if (m_heartbeat.silences() > kMostSilences) {
-            fail("it does not answer");
+            fail(Text::tr("it does not answer").toStdString());
             return std::nullopt;
         }
         return m_heartbeat.frame(now);
@@ -139,7 +140,7 @@ void AxisSurvey::finishRun()
 
 void AxisSurvey::fail(const std::string& why)
 {
-    m_trouble = QStringLiteral("the survey of %1 ended early: %2").arg(axisName(m_axis), QString::fromStdString(why));
+    m_trouble = Text::tr("the survey of %1 ended early: %2").arg(axisText(m_axis), QString::fromStdString(why));
     m_run.reset();
     m_step = Step::Idle;
 }
@@ -164,8 +165,8 @@ void AxisSurvey::finishSetting()
         const Reading reading = asReading(answers[firstGet + i]);
         if (!tookEffect(*protection.remedy, reading)) {
             m_fixTrouble =
-                QStringLiteral("nothing was stored in %1: it was told %2 %3 and reads back %4")
-                    .arg(axisName(m_axis), QString::fromStdString(protection.key),
+                Text::tr("nothing was stored in %1: it was told %2 %3 and reads back %4")
+                    .arg(axisText(m_axis), QString::fromStdString(protection.key),
                          QString::fromStdString(settingText(*protection.remedy)), foundText(protection, reading));
             return startReading();
         }
@@ -178,8 +179,8 @@ void AxisSurvey::finishStoring()
 {
     const ConsoleRun::Answer& answer = m_run->answers().front();
     m_fixTrouble = answer ? QString()
-                          : QStringLiteral("%1 did not store its settings: %2")
-                                .arg(axisName(m_axis), QString::fromStdString(answer.error().text));
+                          : Text::tr("%1 did not store its settings: %2")
+                                .arg(axisText(m_axis), QString::fromStdString(answer.error().text));
     startReading();
 }
 
@@ -196,11 +197,11 @@ void AxisSurvey::noteChanges()
     const CompleteReading before =
         std::exchange(m_last, CompleteReading{m_board, m_readings}).value_or(CompleteReading{m_board, m_readings});
     const auto note = [this](const QString& what, const QString& was, const QString& is, bool written) {
-        m_changes.push_back({QStringLiteral("%1: %2 was %3, is %4").arg(axisName(m_axis), what, was, is), written});
+        m_changes.push_back({Text::tr("%1: %2 was %3, is %4").arg(axisText(m_axis), what, was, is), written});
     };
     const bool otherBoard = before.board != m_board;
     if (otherBoard) {
-        note(QStringLiteral("the board"), QString::fromStdString(moteus::uuidText(before.board)),
+        note(Text::tr("the board"), QString::fromStdString(moteus::uuidText(before.board)),
              QString::fromStdString(moteus::uuidText(m_board)), false);
     }
     for (std::size_t i = 0; i < m_protections.size(); ++i) {
@@ -229,17 +230,16 @@ std::optional<double> AxisSurvey::value(std::string_view key) const
 QString AxisSurvey::progress() const
 {
     if (!m_run) {
-        return m_step == Step::Idle ? QString() : QStringLiteral("asking %1").arg(axisName(m_axis));
+        return m_step == Step::Idle ? QString() : Text::tr("asking %1").arg(axisText(m_axis));
     }
     const QString command = QString::fromStdString(m_run->current());
     const QString key = command.section(QLatin1Char(' '), 2, 2);
     const bool storing = m_step == Step::Storing;
     const bool setting = command.startsWith(QLatin1String("conf set"));
-    return QStringLiteral("%1 %2 of %3")
-        .arg(storing   ? QStringLiteral("storing")
-             : setting ? QStringLiteral("writing")
-                       : QStringLiteral("reading"),
-             key.isEmpty() ? QStringLiteral("the settings") : key, axisName(m_axis));
+    const QString sentence = storing   ? Text::tr("storing %1 of %2")
+                             : setting ? Text::tr("writing %1 of %2")
+                                       : Text::tr("reading %1 of %2");
+    return sentence.arg(key.isEmpty() ? Text::tr("the settings") : key, axisText(m_axis));
 }
 
 std::vector<Change> AxisSurvey::takeChanges()

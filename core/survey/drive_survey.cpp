@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/survey/drive_survey.h"
 
+#include "core/base/text.h"
 #include "core/moteus/describe.h"
 
 #include <QStringList>
@@ -17,7 +18,19 @@ constexpr auto kRetryTime = 2s;
 
 QString lineText(const ProtectionLine& line)
 {
-    return QStringLiteral("%1 is %2, wanted %3: %4").arg(line.key, line.found, line.wanted, line.reason);
+    return Text::tr("%1 is %2, wanted %3: %4").arg(line.key, line.found, line.wanted, line.reason);
+}
+
+QString protectionText(bool dangerous, int count, Axis axis, const QString& first)
+{
+    if (count == 1) {
+        return (dangerous ? Text::tr("a setting of the %1 drive is dangerous: %2")
+                          : Text::tr("a setting of the %1 drive is worth fixing: %2"))
+            .arg(axisText(axis), first);
+    }
+    return (dangerous ? Text::tr("%1 settings of the %2 drive are dangerous, first: %3")
+                      : Text::tr("%1 settings of the %2 drive are worth fixing, first: %3"))
+        .arg(QString::number(count), axisText(axis), first);
 }
 
 bool hasKnownMap(const FoundController& board)
@@ -66,12 +79,13 @@ void DriveSurvey::forget()
 Result<> DriveSurvey::fix(SteadyTime)
 {
     if (m_state != SurveyState::Done) {
-        return failure(ErrorCode::Busy, "the drives are not read yet");
+        return failure(ErrorCode::Busy, Text::tr("the drives are not read yet"));
     }
     if (!isFixable()) {
-        return failure(ErrorCode::NotAvailable,
-                       "there is nothing that can be written: what is wrong is for a person to "
-                       "change, as its line says");
+        return failure(
+            ErrorCode::NotAvailable,
+            Text::tr(
+                "there is nothing that can be written: what is wrong is for a person to change, as its line says"));
     }
     for (Side& side : m_sides) {
         if (side.drive.isFixable()) {
@@ -215,15 +229,15 @@ void DriveSurvey::collectFindings()
             m_findings.push_back({.cause = QStringLiteral("drives.unread.%1").arg(axisName(side.axis)),
                                   .weight = FindingWeight::Blocking,
                                   .what = side.drive.trouble(),
-                                  .action = QStringLiteral("it is tried again every 2 seconds"),
-                                  .remedy = QStringLiteral("Look at its power, its plugs and the bus cable.")});
+                                  .action = Text::tr("it is tried again every 2 seconds"),
+                                  .remedy = Text::tr("Look at its power, its plugs and the bus cable.")});
         }
         if (!side.drive.fixTrouble().isEmpty()) {
             m_findings.push_back({.cause = QStringLiteral("drives.unstored.%1").arg(axisName(side.axis)),
                                   .weight = FindingWeight::Warning,
                                   .what = side.drive.fixTrouble(),
-                                  .action = QStringLiteral("the settings were read again"),
-                                  .remedy = QStringLiteral("Press Fix again.")});
+                                  .action = Text::tr("the settings were read again"),
+                                  .remedy = Text::tr("Press Fix again.")});
         }
         addProtectionFinding(side, Verdict::Dangerous);
         addProtectionFinding(side, Verdict::Advised);
@@ -241,33 +255,28 @@ void DriveSurvey::addProtectionFinding(const Side& side, Verdict verdict)
     }
     const bool dangerous = verdict == Verdict::Dangerous;
     const QString kind = dangerous ? QStringLiteral("dangerous") : QStringLiteral("advised");
-    const QString judgement = dangerous ? kind : QStringLiteral("worth fixing");
-    const QString drive = axisName(side.axis);
-    const QString head =
-        count == 1 ? QStringLiteral("a setting of the %1 drive is %2").arg(drive, judgement)
-                   : QStringLiteral("%1 settings of the %2 drive are %3, first").arg(count).arg(drive, judgement);
     const auto worst = std::ranges::find(lines, verdict, &ProtectionLine::verdict);
     m_findings.push_back(
         {.cause = QStringLiteral("drives.%1.%2").arg(kind, axisName(side.axis)),
          .weight = dangerous ? FindingWeight::Blocking : FindingWeight::Advice,
-         .what = head + QStringLiteral(": ") + lineText(*worst),
-         .action = dangerous ? QStringLiteral("nothing is moved") : QStringLiteral("the mount may move all the same"),
-         .remedy = QStringLiteral("See the Protection page; Fix writes what can be written.")});
+         .what = protectionText(dangerous, static_cast<int>(count), side.axis, lineText(*worst)),
+         .action = dangerous ? Text::tr("nothing is moved") : Text::tr("the mount may move all the same"),
+         .remedy = Text::tr("See the Protection page; Fix writes what can be written.")});
 }
 
 Result<> DriveSurvey::fitToMove() const
 {
     if (!m_findings.empty() && m_findings.front().weight == FindingWeight::Blocking) {
         const Finding& worst = m_findings.front();
-        return failure(ErrorCode::Refused, (worst.what + QStringLiteral(". ") + worst.remedy).toStdString());
+        return failure(ErrorCode::Refused, QString(worst.what + QStringLiteral(". ") + worst.remedy));
     }
     switch (m_state) {
         case SurveyState::NotDone:
-            return failure(ErrorCode::Refused, "the drives have not been surveyed yet");
+            return failure(ErrorCode::Refused, Text::tr("the drives have not been surveyed yet"));
         case SurveyState::Running:
-            return failure(ErrorCode::Busy, "the drives are being surveyed; that takes some seconds");
+            return failure(ErrorCode::Busy, Text::tr("the drives are being surveyed; that takes some seconds"));
         case SurveyState::Fixing:
-            return failure(ErrorCode::Busy, "settings are being written to the drives");
+            return failure(ErrorCode::Busy, Text::tr("settings are being written to the drives"));
         case SurveyState::Done:
             break;
     }
@@ -277,13 +286,13 @@ Result<> DriveSurvey::fitToMove() const
 QString DriveSurvey::progress() const
 {
     if (m_retrying) {  // one text for all that begins anew every 2 seconds
-        return QStringLiteral("not all drives can be read; they are looked for every 2 seconds");
+        return Text::tr("not all drives can be read; they are looked for every 2 seconds");
     }
     if (m_state == SurveyState::Running && m_scan.isRunning()) {
-        return QStringLiteral("looking for the drives");
+        return Text::tr("looking for the drives");
     }
     if (m_fixed) {
-        return QStringLiteral("the settings were written, read back and stored");
+        return Text::tr("the settings were written, read back and stored");
     }
     QStringList texts;
     for (const Side& side : m_sides) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/survey/identity_findings.h"
 
+#include "core/base/text.h"
 #include "core/moteus/describe.h"
 #include "core/survey/protections.h"
 
@@ -55,12 +56,11 @@ void Judge::judgeShared()
         findings.push_back(
             {.cause = QStringLiteral("drives.shared-id.%1").arg(id),
              .weight = isOurs(id) ? FindingWeight::Blocking : FindingWeight::Warning,
-             .what = QStringLiteral("two boards have the id %1: their answers destroy each other").arg(id),
-             .action = QStringLiteral("nothing is moved"),
-             .remedy =
-                 QStringLiteral("Every board has the id 1 fresh from the box. Leave only one of them connected, give "
-                                "it another id (conf set id.id N, then conf write), then connect the other again. "
-                                "If there is only one, look at the plugs and the termination.")});
+             .what = Text::tr("two boards have the id %1: their answers destroy each other").arg(id),
+             .action = Text::tr("nothing is moved"),
+             .remedy = Text::tr("Every board has the id 1 fresh from the box. Leave only one of them connected, give "
+                                "it another id (conf set id.id N, then conf write), then connect the other again. If "
+                                "there is only one, look at the plugs and the termination.")});
     }
 }
 
@@ -72,12 +72,11 @@ void Judge::judgeStrangers()
             findings.push_back(
                 {.cause = QStringLiteral("drives.stranger.%1").arg(board.id),
                  .weight = FindingWeight::Warning,
-                 .what = QStringLiteral("a board that the profile does not know answers under id %1 (%2)")
+                 .what = Text::tr("a board that the profile does not know answers under id %1 (%2)")
                              .arg(board.id)
-                             .arg(uuidOf(board).isEmpty() ? QStringLiteral("UUID unread") : uuidOf(board)),
-                 .action = QStringLiteral("it is left alone"),
-                 .remedy = QStringLiteral("Take it off the bus, or enter its id in the profile if it drives "
-                                          "an axis.")});
+                             .arg(uuidOf(board).isEmpty() ? Text::tr("UUID unread") : uuidOf(board)),
+                 .action = Text::tr("it is left alone"),
+                 .remedy = Text::tr("Take it off the bus, or enter its id in the profile if it drives an axis.")});
         }
     }
 }
@@ -90,16 +89,16 @@ void Judge::judgeSwapped()
         if (board == nullptr || knownBoard(other).isEmpty() || uuidOf(*board) != knownBoard(other)) {
             continue;
         }
-        findings.push_back({.cause = QStringLiteral("drives.swapped"),
-                            .weight = FindingWeight::Blocking,
-                            .what = QStringLiteral("the ids are swapped: the board under id %1 (%2) was the one of %3")
-                                        .arg(idOf(axis))
-                                        .arg(axisName(axis), axisName(other)),
-                            .action = QStringLiteral("nothing is moved: the orders of one axis would reach the other"),
-                            .remedy = QStringLiteral(
-                                "Exchange the ids in the profile, or those of the boards (conf set id.id N, then conf "
-                                "write). If the boards themselves were exchanged, end Boresight, "
-                                "take the mount's .memory.json files out of the state folder and start again.")});
+        findings.push_back(
+            {.cause = QStringLiteral("drives.swapped"),
+             .weight = FindingWeight::Blocking,
+             .what = Text::tr("the ids are swapped: the board under id %1 (%2) was the one of %3")
+                         .arg(idOf(axis))
+                         .arg(axisText(axis), axisText(other)),
+             .action = Text::tr("nothing is moved: the orders of one axis would reach the other"),
+             .remedy = Text::tr("Exchange the ids in the profile, or those of the boards (conf set id.id N, then conf "
+                                "write). If the boards themselves were exchanged, end Boresight, take the mount's "
+                                ".memory.json files out of the state folder and start again.")});
         return;
     }
 }
@@ -111,11 +110,10 @@ void Judge::judgeAxis(Axis axis)
         findings.push_back(
             {.cause = QStringLiteral("drives.missing.%1").arg(axisName(axis)),
              .weight = FindingWeight::Blocking,
-             .what =
-                 QStringLiteral("the board of %1 is missing: nobody answers under id %2").arg(axisName(axis)).arg(id),
-             .action = QStringLiteral("it is looked for every 2 seconds"),
-             .remedy = QStringLiteral("Look at its power, its plugs and the bus cable. If it has another id, "
-                                      "enter that in the profile.")});
+             .what = Text::tr("the board of %1 is missing: nobody answers under id %2").arg(axisText(axis)).arg(id),
+             .action = Text::tr("it is looked for every 2 seconds"),
+             .remedy = Text::tr(
+                 "Look at its power, its plugs and the bus cable. If it has another id, enter that in the profile.")});
         return;
     }
     const FoundController* board = onlyBoard(found, id);
@@ -129,10 +127,10 @@ void Judge::judgeAxis(Axis axis)
     if (replaced) {
         findings.push_back({.cause = QStringLiteral("drives.other.%1").arg(axisName(axis)),
                             .weight = FindingWeight::Warning,
-                            .what = QStringLiteral("%1 has another board than before: %2").arg(axisName(axis), uuid),
-                            .action = QStringLiteral("its turn is taken as unknown"),
-                            .remedy = QStringLiteral("If it was exchanged, check calibration and gains. If not, look "
-                                                     "whether another mount is connected.")});
+                            .what = Text::tr("%1 has another board than before: %2").arg(axisText(axis), uuid),
+                            .action = Text::tr("its turn is taken as unknown"),
+                            .remedy = Text::tr("If it was exchanged, check calibration and gains. If not, look whether "
+                                               "another mount is connected.")});
     }
 }
 
@@ -142,17 +140,20 @@ void Judge::judgeMap(Axis axis, const FoundController& board)
     if (map && *map == moteus::kRegisterMapVersion) {
         return;
     }
-    const QString version =
-        map ? QStringLiteral("has the register map %1").arg(*map) : QStringLiteral("does not tell its register map");
-    findings.push_back({.cause = QStringLiteral("drives.map.%1").arg(axisName(axis)),
-                        .weight = FindingWeight::Blocking,
-                        .what = QStringLiteral("the board of %1 %2; only version %3 is known here")
-                                    .arg(axisName(axis), version)
-                                    .arg(moteus::kRegisterMapVersion),
-                        .action = QStringLiteral("nothing is moved: what it reports may mean something else"),
-                        .remedy = QStringLiteral("Install firmware with the register map %1 in the board (moteus_tool "
-                                                 "--flash), or a newer Boresight.")
-                                      .arg(moteus::kRegisterMapVersion)});
+    const QString ours = QString::number(moteus::kRegisterMapVersion);
+    const QString what = map ? Text::tr("the board of %1 has the register map %2; only version %3 is known here")
+                                   .arg(axisText(axis), QString::number(*map), ours)
+                             : Text::tr("the board of %1 does not tell its register map; only version %2 is known here")
+                                   .arg(axisText(axis), ours);
+    findings.push_back(
+        {.cause = QStringLiteral("drives.map.%1").arg(axisName(axis)),
+         .weight = FindingWeight::Blocking,
+         .what = what,
+         .action = Text::tr("nothing is moved: what it reports may mean something else"),
+         .remedy =
+             Text::tr(
+                 "Install firmware with the register map %1 in the board (moteus_tool --flash), or a newer Boresight.")
+                 .arg(moteus::kRegisterMapVersion)});
 }
 
 }  // namespace
@@ -177,12 +178,12 @@ std::vector<Finding> identityFindings(const profile::Profile& profile, const Kno
                                       std::span<const FoundController> found)
 {
     if (found.empty()) {
-        return {{.cause = kNobodyAnswers,
-                 .weight = FindingWeight::Blocking,
-                 .what = QStringLiteral("no drive answers on the bus"),
-                 .action = QStringLiteral("they are looked for every 2 seconds"),
-                 .remedy = QStringLiteral("Look at the power of the drives, the bus cable, and whether both ends have "
-                                          "120 Ω.")}};
+        return {
+            {.cause = kNobodyAnswers,
+             .weight = FindingWeight::Blocking,
+             .what = Text::tr("no drive answers on the bus"),
+             .action = Text::tr("they are looked for every 2 seconds"),
+             .remedy = Text::tr("Look at the power of the drives, the bus cable, and whether both ends have 120 Ω.")}};
     }
     Judge judge{profile, known, found};
     judge.judgeShared();

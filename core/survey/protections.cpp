@@ -2,6 +2,7 @@
 #include "core/survey/protections.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,7 @@ constexpr int kTimeoutBrake = 15;
 
 QString number(double value)
 {
-    return std::isnan(value) ? QStringLiteral("none") : QString::number(value, 'g', 6);
+    return std::isnan(value) ? Text::tr("none") : QString::number(value, 'g', 6);
 }
 
 // For people: the drive keeps six decimals of a turn, and 10° read back as 10.0001°.
@@ -67,7 +68,7 @@ struct DriveScale
     [[nodiscard]] QString range(double least, double most, const QString& unit, const QString& ofAngle) const
     {
         const double perDegree = turns(Angle::fromDegrees(1.0));
-        return QStringLiteral("%1 to %2 %3 (%4 to %5%6)")
+        return Text::tr("%1 to %2 %3 (%4 to %5%6)")
             .arg(rounded(least), rounded(most), unit, rounded(least / perDegree), rounded(most / perDegree), ofAngle);
     }
 };
@@ -95,17 +96,14 @@ QString boundConsequence(double found, bool narrow)
 {
     constexpr double kFactoryBound = 0.01;
     if (std::isnan(found)) {
-        return QStringLiteral("the drive has no limit of its own: nothing but this program ends a move");
+        return Text::tr("the drive has no limit of its own: nothing but this program ends a move");
     }
     if (std::abs(std::abs(found) - kFactoryBound) < 1e-6) {
-        return QStringLiteral("the factory's ±3.6° would end every move in fault 39");
+        return Text::tr("the factory's ±3.6° would end every move in fault 39");
     }
-    return narrow ? QStringLiteral(
-                        "lies inside the travel: the drive would fault (39) or stop where the profile permits "
-                        "a move")
-                  : QStringLiteral(
-                        "lies too far out: the drive would not stop the axis before the cable or the frame "
-                        "does");
+    return narrow
+               ? Text::tr("lies inside the travel: the drive would fault (39) or stop where the profile permits a move")
+               : Text::tr("lies too far out: the drive would not stop the axis before the cable or the frame does");
 }
 
 // `outwards`: +1 for the upper bound. Half the margin at least, so that the axis can settle at the end of its travel.
@@ -117,11 +115,11 @@ void addBound(List& list, const profile::Profile& profile, const DriveScale& sca
     const double farthest = scale.turns(margin + 1.0_deg);
     const auto beyond = [=](double found) { return outwards * (found - travelEnd); };
     addWithRemedy(list, {.key = key,
-                         .unit = QStringLiteral("turns"),
+                         .unit = Text::tr("turns"),
                          .isRight = [=](double found) { return isWithin(beyond(found), nearest, farthest); },
                          .otherwise = Verdict::Dangerous,
                          .remedy = travelEnd + outwards * scale.turns(margin),
-                         .reason = QStringLiteral("the drive ends a move here by itself, a little beyond the travel"),
+                         .reason = Text::tr("the drive ends a move here by itself, a little beyond the travel"),
                          .consequence = [=](double found) { return boundConsequence(found, beyond(found) < nearest); },
                          .explain = scale.asAngle(),
                          .reversed = scale.geometry.sign < 0});
@@ -133,39 +131,39 @@ void addIdentity(List& list, const profile::AxisSettings& axis)
                     .wanted = number(axis.id),
                     .isRight = [id = axis.id](double found) { return found == id; },
                     .otherwise = Verdict::Dangerous,
-                    .reason = QStringLiteral("the profile knows this axis under this id")});
+                    .reason = Text::tr("the profile knows this axis under this id")});
 }
 
 QString timeoutModeConsequence(double found)
 {
     if (found == kTimeoutDamp) {
-        return QStringLiteral("mode 12 only damps: a loaded elevation creeps down when the computer dies");
+        return Text::tr("mode 12 only damps: a loaded elevation creeps down when the computer dies");
     }
     if (found == 0.0) {
-        return QStringLiteral("mode 0 switches the motor off: the axis is free when the computer dies");
+        return Text::tr("mode 0 switches the motor off: the axis is free when the computer dies");
     }
     if (found == kTimeoutBrake) {
-        return QStringLiteral(
-            "mode 15 brakes but does not hold; right only for a self-locking gearbox "
-            "(timeout_mode = \"brake\" in the profile)");
+        return Text::tr(
+            "mode 15 brakes but does not hold; right only for a self-locking gearbox (timeout_mode = \"brake\" in the "
+            "profile)");
     }
-    return found == kTimeoutHold ? QStringLiteral("the profile says the gearbox locks itself and asks for brake (15)")
-                                 : QStringLiteral("no mode in which a drive may be left alone");
+    return found == kTimeoutHold ? Text::tr("the profile says the gearbox locks itself and asks for brake (15)")
+                                 : Text::tr("no mode in which a drive may be left alone");
 }
 
 QString timeoutModeWord(double mode)
 {
     switch (static_cast<int>(mode)) {
         case 0:
-            return QStringLiteral("off");
+            return Text::tr("off");
         case kTimeoutHold:
-            return QStringLiteral("hold");
+            return Text::tr("hold");
         case kTimeoutDamp:
-            return QStringLiteral("damp");
+            return Text::tr("damp");
         case kTimeoutBrake:
-            return QStringLiteral("brake");
+            return Text::tr("brake");
         default:
-            return QStringLiteral("unknown");
+            return Text::tr("unknown");
     }
 }
 
@@ -173,80 +171,76 @@ void addTimeout(List& list, const profile::ControlSettings& control, const profi
 {
     const bool holds = axis.timeoutMode == profile::TimeoutMode::Hold;
     const int mode = holds ? kTimeoutHold : kTimeoutBrake;
-    addWithRemedy(
-        list,
-        {.key = "servo.timeout_mode",
-         .isRight = [mode](double found) { return found == mode; },
-         .otherwise = Verdict::Dangerous,
-         .remedy = mode,
-         .reason = holds ? QStringLiteral("what the drive does by itself when the computer dies: brake, then hold")
-                         : QStringLiteral("what the drive does by itself when the computer dies: brake"),
-         .consequence = timeoutModeConsequence,
-         .explain = timeoutModeWord});
+    addWithRemedy(list,
+                  {.key = "servo.timeout_mode",
+                   .isRight = [mode](double found) { return found == mode; },
+                   .otherwise = Verdict::Dangerous,
+                   .remedy = mode,
+                   .reason = holds ? Text::tr("what the drive does by itself when the computer dies: brake, then hold")
+                                   : Text::tr("what the drive does by itself when the computer dies: brake"),
+                   .consequence = timeoutModeConsequence,
+                   .explain = timeoutModeWord});
     addWithRemedy(list, {.key = "servo.default_timeout_s",
                          .unit = QStringLiteral("s"),
-                         .wanted = QStringLiteral("0.05 to 0.2 s"),
+                         .wanted = Text::tr("0.05 to 0.2 s"),
                          .isRight = [](double found) { return isWithin(found, 0.05, 0.2); },
                          .otherwise = Verdict::Dangerous,
                          .remedy = control.watchdog.count(),
-                         .reason = QStringLiteral("after this time without an order the drive stops by itself")});
+                         .reason = Text::tr("after this time without an order the drive stops by itself")});
     addWithRemedy(list, {.key = "servo.timeout_max_torque_Nm",
                          .unit = QStringLiteral("Nm"),
-                         .wanted = QStringLiteral("above 0 Nm"),
+                         .wanted = Text::tr("above 0 Nm"),
                          .isRight = [](double found) { return found > 0.0; },
                          .remedy = std::min(5.0, axis.maxTorque),  // the factory's
-                         .reason = QStringLiteral("the torque with which timeout mode 12 damps")});
+                         .reason = Text::tr("the torque with which timeout mode 12 damps")});
 }
 
 void addElectrical(List& list)
 {
-    list.push_back(
-        {.key = "servo.max_current_A",
-         .unit = QStringLiteral("A"),
-         .wanted = QStringLiteral("above 0 A"),
-         .isRight = [](double found) { return found > 0.0 && std::isfinite(found); },
-         .otherwise = Verdict::Dangerous,
-         .reason = QStringLiteral("without current the axis falls, without a limit the motor burns; the value "
-                                  "is in the data sheet of the motor")});
-    addWithRemedy(list,
-                  {.key = "servo.max_voltage",
-                   .unit = QStringLiteral("V"),
-                   .wanted = QStringLiteral("10 to 46 V"),
-                   .isRight = [](double found) { return isWithin(found, 10.0, 46.0); },
-                   .otherwise = Verdict::Dangerous,
-                   .remedy = 46.0,  // the factory's, for a board of 44 V
-                   .reason = QStringLiteral("above it the drive stops before braking energy destroys the board")});
-    addWithRemedy(list, {.key = "servo.flux_brake_margin_voltage",
+    list.push_back({.key = "servo.max_current_A",
+                    .unit = QStringLiteral("A"),
+                    .wanted = Text::tr("above 0 A"),
+                    .isRight = [](double found) { return found > 0.0 && std::isfinite(found); },
+                    .otherwise = Verdict::Dangerous,
+                    .reason = Text::tr("without current the axis falls, without a limit the motor burns; the value is "
+                                       "in the data sheet of the motor")});
+    addWithRemedy(list, {.key = "servo.max_voltage",
                          .unit = QStringLiteral("V"),
-                         .wanted = QStringLiteral("1 to 20 V"),
-                         .isRight = [](double found) { return isWithin(found, 1.0, 20.0); },
-                         .remedy = 3.0,  // the factory's
-                         .reason = QStringLiteral("so far below the highest voltage the drive begins to turn braking "
-                                                  "energy into heat")});
+                         .wanted = Text::tr("10 to 46 V"),
+                         .isRight = [](double found) { return isWithin(found, 10.0, 46.0); },
+                         .otherwise = Verdict::Dangerous,
+                         .remedy = 46.0,  // the factory's, for a board of 44 V
+                         .reason = Text::tr("above it the drive stops before braking energy destroys the board")});
+    addWithRemedy(
+        list,
+        {.key = "servo.flux_brake_margin_voltage",
+         .unit = QStringLiteral("V"),
+         .wanted = Text::tr("1 to 20 V"),
+         .isRight = [](double found) { return isWithin(found, 1.0, 20.0); },
+         .remedy = 3.0,  // the factory's
+         .reason = Text::tr("so far below the highest voltage the drive begins to turn braking energy into heat")});
 }
 
 void addLimits(List& list, const profile::AxisSettings& axis, const DriveScale& scale)
 {
     const double speed = scale.turns(Angle::fromDegrees(axis.limits.speed.degrees()));
     addWithRemedy(list, {.key = "servo.default_velocity_limit",
-                         .unit = QStringLiteral("turns/s"),
-                         .wanted = scale.range(speed, 2.0 * speed, QStringLiteral("turns/s"), QStringLiteral("°/s")),
+                         .unit = Text::tr("turns/s"),
+                         .wanted = scale.range(speed, 2.0 * speed, Text::tr("turns/s"), QStringLiteral("°/s")),
                          .isRight = [speed](double found) { return isWithin(found, speed, 2.0 * speed); },
                          .remedy = kLimitGuard * speed,
-                         .reason = QStringLiteral("the speed of every order that names none; the factory has no limit"),
+                         .reason = Text::tr("the speed of every order that names none; the factory has no limit"),
                          .explain = scale.asSpan(QStringLiteral("°/s"))});
     const double braking = scale.turns(Angle::fromDegrees(emergencyBraking(axis).degrees()));
     const double lowest = 0.8 * braking;  // 0.1 s from full speed
-    addWithRemedy(
-        list,
-        {.key = "servo.default_accel_limit",
-         .unit = QStringLiteral("turns/s²"),
-         .wanted = scale.range(lowest, 2.0 * braking, QStringLiteral("turns/s²"), QStringLiteral("°/s²")),
-         .isRight = [=](double found) { return isWithin(found, lowest, 2.0 * braking); },
-         .remedy = braking,
-         .reason = QStringLiteral("with it the drive brakes when the computer dies: too low and the axis runs on, "
-                                  "too high (the factory's 50 turns/s²) and the mount is hit hard"),
-         .explain = scale.asSpan(QStringLiteral("°/s²"))});
+    addWithRemedy(list, {.key = "servo.default_accel_limit",
+                         .unit = Text::tr("turns/s²"),
+                         .wanted = scale.range(lowest, 2.0 * braking, Text::tr("turns/s²"), QStringLiteral("°/s²")),
+                         .isRight = [=](double found) { return isWithin(found, lowest, 2.0 * braking); },
+                         .remedy = braking,
+                         .reason = Text::tr("with it the drive brakes when the computer dies: too low and the axis "
+                                            "runs on, too high (the factory's 50 turns/s²) and the mount is hit hard"),
+                         .explain = scale.asSpan(QStringLiteral("°/s²"))});
 }
 
 void addGear(List& list, const profile::AxisSettings& axis)
@@ -258,46 +252,44 @@ void addGear(List& list, const profile::AxisSettings& axis)
          // The drive writes six decimals.
          .isRight = [ratio](double found) { return std::abs(found - ratio) <= 1e-6 + 1e-4 * ratio; },
          .otherwise = Verdict::Dangerous,
-         .reason = QStringLiteral(
-             "the gear as the profile has it (gear_ratio, gear_in): with another one every angle is wrong. To be "
-             "changed by hand only: the gains change with the square of it")});
-    list.push_back(
-        {.key = "motor_position.output.sign",
-         .wanted = QStringLiteral("1 or -1"),
-         .isRight = [](double found) { return found == 1.0 || found == -1.0; },
-         .otherwise = Verdict::Dangerous,
-         .reason = QStringLiteral("turned round, the axis runs the other way: the profile's sign goes with it")});
+         .reason = Text::tr("the gear as the profile has it (gear_ratio, gear_in): with another one every angle is "
+                            "wrong. To be changed by hand only: the gains change with the square of it")});
+    list.push_back({.key = "motor_position.output.sign",
+                    .wanted = Text::tr("1 or -1"),
+                    .isRight = [](double found) { return found == 1.0 || found == -1.0; },
+                    .otherwise = Verdict::Dangerous,
+                    .reason = Text::tr("turned round, the axis runs the other way: the profile's sign goes with it")});
     const bool needed = axis.powerUpPosition == profile::PowerUpPosition::Trusted && axis.geometry.gearRatio > 1.0;
-    list.push_back(
-        {.key = "motor_position.output.reference_source",
-         .wanted = needed ? QStringLiteral("0 or above") : QStringLiteral("any"),
-         .isRight = [needed](double found) { return found >= (needed ? 0.0 : -1.0); },
-         .reason = needed ? QStringLiteral("the profile trusts the position after power-up (power_up_position), "
-                                           "and the drive has no encoder on the axis")
-                          : QStringLiteral("-1: no encoder on the axis, so the turn is not known after "
-                                           "power-up")});
+    list.push_back({.key = "motor_position.output.reference_source",
+                    .wanted = needed ? Text::tr("0 or above") : Text::tr("any"),
+                    .isRight = [needed](double found) { return found >= (needed ? 0.0 : -1.0); },
+                    .reason = needed
+                                  ? Text::tr("the profile trusts the position after power-up (power_up_position), and "
+                                             "the drive has no encoder on the axis")
+                                  : Text::tr("-1: no encoder on the axis, so the turn is not known after power-up")});
 }
 
 void addSecondLines(List& list, const DriveScale& scale)
 {
     const double least = scale.turns(2.0_deg);
     const double most = scale.turns(20.0_deg);
-    addWithRemedy(list,
-                  {.key = "servo.fault_position_error",
-                   .unit = QStringLiteral("turns"),
-                   .wanted = scale.range(least, most, QStringLiteral("turns"), QStringLiteral("°")),
-                   .isRight = [=](double found) { return isWithin(found, least, most); },
-                   .remedy = scale.turns(10.0_deg),
-                   .reason = QStringLiteral("second line against a jam: so far behind its order the drive gives up "
-                                            "(fault 49) without this program"),
-                   .explain = scale.asSpan(QStringLiteral("°"))});
+    addWithRemedy(
+        list,
+        {.key = "servo.fault_position_error",
+         .unit = Text::tr("turns"),
+         .wanted = scale.range(least, most, Text::tr("turns"), QStringLiteral("°")),
+         .isRight = [=](double found) { return isWithin(found, least, most); },
+         .remedy = scale.turns(10.0_deg),
+         .reason = Text::tr(
+             "second line against a jam: so far behind its order the drive gives up (fault 49) without this program"),
+         .explain = scale.asSpan(QStringLiteral("°"))});
     const double slip = scale.turns(1.0_deg);
     addWithRemedy(list, {.key = "servo.max_position_slip",
-                         .unit = QStringLiteral("turns"),
-                         .wanted = QStringLiteral("none or ≥ 1°"),
+                         .unit = Text::tr("turns"),
+                         .wanted = Text::tr("none or ≥ 1°"),
                          .isRight = [slip](double found) { return std::isnan(found) || found >= slip; },
                          .remedy = kNone,
-                         .reason = QStringLiteral("a small one lets the axis give way to the wind instead of holding"),
+                         .reason = Text::tr("a small one lets the axis give way to the wind instead of holding"),
                          .explain = scale.asSpan(QStringLiteral("°"))});
 }
 
@@ -341,7 +333,7 @@ QString foundText(const Protection& protection, const Reading& reading)
         case Reading::State::Unread:
             return {};
         case Reading::State::Unknown:
-            return QStringLiteral("not known to this firmware");
+            return Text::tr("not known to this firmware");
         case Reading::State::Read:
             break;
     }
@@ -389,6 +381,11 @@ bool tookEffect(double written, const Reading& reading)
 QString axisName(Axis axis)
 {
     return axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation");
+}
+
+QString axisText(Axis axis)
+{
+    return axis == Axis::Azimuth ? Text::tr("azimuth") : Text::tr("elevation");
 }
 
 }  // namespace boresight::survey

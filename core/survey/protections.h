@@ -67,6 +67,7 @@ struct Protection
 [[nodiscard]] std::string settingText(double value);
 [[nodiscard]] bool tookEffect(double written, const Reading& reading);
 
-[[nodiscard]] QString axisName(Axis axis);  // "azimuth"
+[[nodiscard]] QString axisName(Axis axis);  // "azimuth", in the cause of an alarm
+[[nodiscard]] QString axisText(Axis axis);  // the same in a sentence
 
 }  // namespace boresight::survey
