@@ -4,6 +4,7 @@
 #include "ui/axes.h"
 #include "ui/format.h"
 #include "ui/value_label.h"
+#include "ui/widest.h"
 
 #include <QGridLayout>
 #include <QHelpEvent>
@@ -95,6 +96,11 @@ QLabel* heading(const QString& text, QWidget* parent)
     return label;
 }
 
+QString widestState()
+{
+    return widest(fonts::text(), {widestAxisState(fonts::text()), AxisReadout::tr("TURN?")});
+}
+
 }  // namespace
 
 AxisReadout::AxisReadout(QWidget* parent) : QWidget(parent)
@@ -131,7 +137,7 @@ AxisReadout::Row AxisReadout::makeRow(Axis axis)
     Row row{.actual = new ValueLabel(tr("Actual %1").arg(axisName), fonts::actual(), QStringLiteral("000.00°"), this),
             .target = new ValueLabel(tr("Target %1").arg(axisName), fonts::value(), QStringLiteral("000.00°"), this),
             .error = new ValueLabel(tr("Error of %1").arg(axisName), fonts::value(), widest, this),
-            .state = new ValueLabel(tr("State of %1").arg(axisName), fonts::text(), QStringLiteral("HOLDING"), this),
+            .state = new ValueLabel(tr("State of %1").arg(axisName), fonts::text(), widestState(), this),
             .detail = new ValueLabel(tr("Detail of %1").arg(axisName), fonts::label(), {}, this)};
     for (ValueLabel* const number : {row.actual, row.target, row.error}) {
         number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -50,7 +50,7 @@ void CableBar::showStatus(const StationStatus& status)
     const std::optional<Angle> commanded = known ? axis.commanded : std::nullopt;
     const bool mute = age == Freshness::NoData || isTurnAwaited(status, Axis::Azimuth);
     const QString place = actual ? angleText(*actual, 0) : mute ? noValue() : tr("TURN?");
-    const QString text = place + tr(" of ") + rangeText(axis.travel);
+    const QString text = tr("%1 of %2").arg(place, rangeText(axis.travel));
     const bool late = age == Freshness::Late;
     if (text == m_text && late == m_late && axis.travel == m_travel && !changedByAPixel(actual, m_actual) &&
         !changedByAPixel(commanded, m_commanded)) {
@@ -69,7 +69,8 @@ QRectF CableBar::bar() const
 {
     const double left = fontMetrics().horizontalAdvance(tr("AZ cable")) + 10.0 + TravelScale::kCap;
     const double right =
-        fontMetrics().horizontalAdvance(QStringLiteral("-000° of -000° to 000°")) + 10.0 + TravelScale::kCap;
+        fontMetrics().horizontalAdvance(tr("%1 of %2").arg(QStringLiteral("-000°"), rangeText({-888_deg, 888_deg}))) +
+        10.0 + TravelScale::kCap;
     return {left, 10.0, std::max(width() - left - right, 40.0), kThickness};
 }
 

@@ -148,16 +148,15 @@ QWidget* DrivesPanel::makeIdentities()
         grid->addWidget(caption(heading, box), 0, column++);
     }
     for (const Axis axis : kAxes) {
-        const auto value = [&](const QString& what, const char* widest) {
-            return new ValueLabel(tr("%1 of the %2 drive").arg(what, name(axis)), fonts::small(), QLatin1String(widest),
-                                  box);
+        const auto value = [&](const QString& what, const QString& widest) {
+            return new ValueLabel(tr("%1 of the %2 drive").arg(what, name(axis)), fonts::small(), widest, box);
         };
         Identity& row = m_identities[axisIndex(axis)];
-        row = {.id = value(tr("Id"), "126"),
-               .uuid = value(tr("UUID"), "00000000…0000"),
-               .firmware = value(tr("Firmware"), "00.00.00"),
-               .registerMap = value(tr("Register map"), "---"),
-               .turn = value(tr("Turn"), "unknown")};
+        row = {.id = value(tr("Id"), QStringLiteral("126")),
+               .uuid = value(tr("UUID"), QStringLiteral("00000000…0000")),
+               .firmware = value(tr("Firmware"), QStringLiteral("00.00.00")),
+               .registerMap = value(tr("Register map"), QStringLiteral("---")),
+               .turn = value(tr("Turn"), tr("unknown"))};
         row.turn->setFont(fonts::label());
         row.turn->setSymbolRoom(true);
         const int line = static_cast<int>(axisIndex(axis)) + 1;

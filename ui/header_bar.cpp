@@ -4,6 +4,7 @@
 #include "ui/format.h"
 #include "ui/stop_button.h"
 #include "ui/value_label.h"
+#include "ui/widest.h"
 
 #include <QGridLayout>
 
@@ -103,6 +104,12 @@ Symbol stateSymbol(Tone tone)
     return tone == Tone::Alarm ? Symbol::Alarm : tone == Tone::Warning ? Symbol::Warning : Symbol::None;
 }
 
+QString widestDrive(const QString& name)
+{
+    return widest(fonts::label(), {HeaderBar::tr("%1 silent").arg(name), HeaderBar::tr("%1 fault").arg(name),
+                                   HeaderBar::tr("%1 late").arg(name)});
+}
+
 void setShown(ValueLabel& label, const Shown& shown)
 {
     label.setValue(shown.text, shown.tone, shown.symbol);
@@ -112,14 +119,15 @@ void setShown(ValueLabel& label, const Shown& shown)
 
 HeaderBar::HeaderBar(QWidget* parent)
     : QWidget(parent),
-      m_state(new ValueLabel(tr("Station state"), fonts::state(), QStringLiteral("DISCONNECTED"), this)),
+      m_state(new ValueLabel(tr("Station state"), fonts::state(), widestStationState(fonts::state()), this)),
       m_reason(new ValueLabel(tr("Reason of the state"), fonts::label(), {}, this)),
-      m_limited(new ValueLabel(tr("Target limited"), fonts::text(), QStringLiteral("LIMITED"), this)),
+      m_limited(new ValueLabel(tr("Target limited"), fonts::text(), tr("LIMITED"), this)),
       m_target(new ValueLabel(tr("Target and who gave it"), fonts::text(), {}, this)),
-      m_bus(new ValueLabel(tr("CAN bus"), fonts::label(), QStringLiteral("CAN down"), this)),
-      m_azimuth(new ValueLabel(tr("Azimuth drive"), fonts::label(), QStringLiteral("AZ silent"), this)),
-      m_elevation(new ValueLabel(tr("Elevation drive"), fonts::label(), QStringLiteral("EL silent"), this)),
-      m_clients(new ValueLabel(tr("rotctld clients"), fonts::label(), QStringLiteral("rotctld off"), this)),
+      m_bus(new ValueLabel(tr("CAN bus"), fonts::label(),
+                           widest(fonts::label(), {tr("CAN off"), tr("CAN down"), tr("CAN lost")}), this)),
+      m_azimuth(new ValueLabel(tr("Azimuth drive"), fonts::label(), widestDrive(tr("AZ")), this)),
+      m_elevation(new ValueLabel(tr("Elevation drive"), fonts::label(), widestDrive(tr("EL")), this)),
+      m_clients(new ValueLabel(tr("rotctld clients"), fonts::label(), tr("rotctld off"), this)),
       m_control(new ValueLabel(tr("Who may move the mount"), fonts::label(), {}, this)),
       m_utc(new ValueLabel(tr("UTC"), fonts::clock(), QStringLiteral("00:00:00Z"), this)),
       m_simulated(new ValueLabel(tr("Simulated mount"), fonts::label(), tr("SIMULATED"), this)),
@@ -200,8 +208,9 @@ void HeaderBar::showTarget(const StationStatus& status)
         m_target->setValue(tr("no target"), Tone::Secondary);
         return;
     }
-    m_target->setValue(status.commander.name.isEmpty() ? status.targetText
-                                                       : tr("%1  by %2").arg(status.targetText, status.commander.name));
+    m_target->setValue(status.commander.name.isEmpty()
+                           ? status.targetText
+                           : tr("%1  by %2").arg(status.targetText, sourceText(status.commander.name)));
 }
 
 void HeaderBar::showLinks(const StationStatus& status)

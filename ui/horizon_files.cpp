@@ -38,10 +38,10 @@ Result<QString> importHorizon(ProfileDraft& draft, const QString& path)
         return tl::unexpected(read.error());
     }
     draft.edit([&read](profile::Profile& profile) { profile.limits.horizon = read->points; });
-    const QString taken = HorizonFiles::tr("%1 points read").arg(read->points.size());
-    return read->merged == 0
-               ? taken
-               : taken + HorizonFiles::tr(", %1 more at an azimuth that has a higher one left out").arg(read->merged);
+    return read->merged == 0 ? HorizonFiles::tr("%1 points read").arg(read->points.size())
+                             : HorizonFiles::tr("%1 points read, %2 more at an azimuth that has a higher one left out")
+                                   .arg(read->points.size())
+                                   .arg(read->merged);
 }
 
 Result<> exportHorizon(const ProfileDraft& draft, const QString& path)

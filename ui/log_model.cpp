@@ -54,7 +54,8 @@ QVariant LogModel::data(const QModelIndex& index, int role) const
         return logLine(line);
     }
     if (role == WholeTextRole) {
-        return QString(clockText(line.utc) + QStringLiteral("Z  ") + line.source + QLatin1Char('\n') + line.text);
+        return QString(clockText(line.utc) + QStringLiteral("Z  ") + sourceText(line.source) + QLatin1Char('\n') +
+                       line.text);
     }
     if (role != Qt::DisplayRole) {
         return {};
@@ -114,7 +115,9 @@ bool LogFilter::filterAcceptsRow(int row, const QModelIndex&) const
     const LogEntry& line = static_cast<const LogModel*>(sourceModel())->entry(row);
     return (!m_kind || line.kind == *m_kind) && (m_source == LogSource::All || sourceOf(line) == m_source) &&
            (!m_warningsOnly || line.severity != Severity::Advisory) &&
-           (line.text.contains(m_text, Qt::CaseInsensitive) || line.source.contains(m_text, Qt::CaseInsensitive));
+           (line.text.contains(m_text, Qt::CaseInsensitive) ||
+            shortSource(line).contains(m_text, Qt::CaseInsensitive) ||
+            line.source.contains(m_text, Qt::CaseInsensitive));
 }
 
 LogSource sourceOf(const LogEntry& entry)
@@ -128,7 +131,7 @@ LogSource sourceOf(const LogEntry& entry)
 QString shortSource(const LogEntry& entry)
 {
     if (sourceOf(entry) != LogSource::Clients) {
-        return entry.source;
+        return sourceText(entry.source);
     }
     const qsizetype port = entry.source.lastIndexOf(QLatin1Char(':'));
     return port < 0 ? entry.source : QStringLiteral("rotctld ") + entry.source.mid(port);

@@ -20,7 +20,7 @@ LogPage::LogPage(LogModel& model, Lines lines, QWidget* parent)
     m_filter->setSourceModel(&model);
     m_view->setFollowing();
     m_view->setColumnRoom(LogModel::Time, QStringLiteral("00:00:00"));
-    m_view->setColumnRoom(LogModel::From, QStringLiteral("elevation drive"));
+    m_view->setColumnRoom(LogModel::From, sourceText(QStringLiteral("elevation drive")));
     addSources();
     if (lines == Lines::All) {
         addSeverity();

@@ -181,7 +181,7 @@ void MainWindow::showUpdate(const StationUpdate& update)
     if (!update.log.empty()) {
         const LogEntry& last = update.log.back();
         m_lastCommand->setValue(
-            clockText(last.utc) + QStringLiteral("  ") + last.source + QStringLiteral("  ") + last.text,
+            clockText(last.utc) + QStringLiteral("  ") + sourceText(last.source) + QStringLiteral("  ") + last.text,
             Tone::Secondary);
     }
     if (m_status.stopLatched) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/setting_tree.h"
 
+#include "core/base/text.h"
 #include "ui/setting_words.h"
 #include "ui/theme.h"
 
@@ -276,7 +277,7 @@ QString SettingTree::explanation(const Line& line) const
         return sentences.join(QLatin1Char(' '));
     }
     const profile::Setting& setting = *line.setting;
-    sentences << tr("%1: %2").arg(QString::fromStdString(setting.key), QString::fromStdString(setting.text));
+    sentences << tr("%1: %2").arg(QString::fromStdString(setting.key), Text::of(setting.text));
     if (const QString range = rangeText(setting); !range.isEmpty()) {
         sentences << (setting.choices.empty() ? tr("Range %1.") : tr("One of %1.")).arg(range);
     }

@@ -40,7 +40,7 @@ StripCharts::StripCharts(const Clock& clock, QWidget* parent)
       m_axes(new QButtonGroup(this)),
       m_quantity(new QComboBox(this)),
       m_time(new TimeAxis(this)),
-      m_notice(new ValueLabel(tr("Remark on the charts"), fonts::label(), QStringLiteral("turn not known"), this)),
+      m_notice(new ValueLabel(tr("Remark on the charts"), fonts::label(), tr("Turn not known"), this)),
       m_pause(new ChoiceButton(tr("Pause"), tr("Hold the picture; the data are collected on (Space in the charts)"))),
       m_large(new ChoiceButton(tr("Large"), tr("Show the charts in the place of the sky, and back (Ctrl+L)")))
 {

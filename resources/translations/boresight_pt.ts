@@ -5,110 +5,110 @@
     <name>Axes</name>
     <message>
         <source>azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>azimute</translation>
     </message>
     <message>
         <source>elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>elevação</translation>
     </message>
     <message>
         <source>AZ</source>
-        <translation type="unfinished"></translation>
+        <translation>AZ</translation>
     </message>
     <message>
         <source>EL</source>
-        <translation type="unfinished"></translation>
+        <translation>EL</translation>
     </message>
 </context>
 <context>
     <name>ClientsPermission</name>
     <message>
         <source>select a client first</source>
-        <translation type="unfinished"></translation>
+        <translation>selecione primeiro um cliente</translation>
     </message>
     <message>
         <source>STOP is latched, press &quot;Reset stop&quot; first</source>
-        <translation type="unfinished"></translation>
+        <translation>STOP está ativo, clique primeiro em &quot;Liberar STOP&quot;</translation>
     </message>
     <message>
         <source>the mount is locked to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>a montagem está reservada a %1</translation>
     </message>
     <message>
         <source>whoever sends last moves the mount</source>
-        <translation type="unfinished"></translation>
+        <translation>move a montagem quem envia por último</translation>
     </message>
     <message>
         <source>it has the control</source>
-        <translation type="unfinished"></translation>
+        <translation>já tem o controle</translation>
     </message>
 </context>
 <context>
     <name>DrivesPermission</name>
     <message>
         <source>the bus is released to other tools</source>
-        <translation type="unfinished"></translation>
+        <translation>o barramento está entregue a outras ferramentas</translation>
     </message>
     <message>
         <source>the drives are being read</source>
-        <translation type="unfinished"></translation>
+        <translation>os acionamentos estão sendo lidos</translation>
     </message>
     <message>
         <source>settings are being written</source>
-        <translation type="unfinished"></translation>
+        <translation>estão sendo escritos parâmetros</translation>
     </message>
     <message>
         <source>the drives have not been read</source>
-        <translation type="unfinished"></translation>
+        <translation>os acionamentos não foram lidos</translation>
     </message>
     <message>
         <source>every setting is right</source>
-        <translation type="unfinished"></translation>
+        <translation>todos os parâmetros estão certos</translation>
     </message>
     <message>
         <source>what differs is for a person to change: select its line</source>
-        <translation type="unfinished"></translation>
+        <translation>o que difere cabe a uma pessoa alterar: selecione a linha</translation>
     </message>
     <message>
         <source>the drives are switched on, press &quot;Switch drives off&quot; first</source>
-        <translation type="unfinished"></translation>
+        <translation>os acionamentos estão ligados, clique primeiro em &quot;Desligar acionamentos&quot;</translation>
     </message>
     <message>
         <source>no connection to the drives</source>
-        <translation type="unfinished"></translation>
+        <translation>sem conexão aos acionamentos</translation>
     </message>
     <message>
         <source>the mount moves, press &quot;Hold&quot; first</source>
-        <translation type="unfinished"></translation>
+        <translation>a montagem move-se, clique primeiro em &quot;Manter&quot;</translation>
     </message>
 </context>
 <context>
     <name>Forbidden</name>
     <message>
         <source>forbidden: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>proibido: %1</translation>
     </message>
 </context>
 <context>
     <name>Format</name>
     <message>
         <source>az %1  el %2</source>
-        <translation type="unfinished"></translation>
+        <translation>az %1  el %2</translation>
     </message>
 </context>
 <context>
     <name>GpredictSettings</name>
     <message>
         <source>address of this computer</source>
-        <translation type="unfinished"></translation>
+        <translation>endereço deste computador</translation>
     </message>
     <message>
         <source>Gpredict: rotctld does not listen</source>
-        <translation type="unfinished"></translation>
+        <translation>Gpredict: o rotctld não escuta</translation>
     </message>
     <message>
         <source>Gpredict: Host %1, Port %2, Az type %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Gpredict: Host %1, Port %2, Az type %3</translation>
     </message>
     <message>
         <source>Gpredict: Edit &gt; Preferences &gt; Interfaces &gt; Rotators &gt; Add New
@@ -118,2681 +118,5991 @@ Az type: %3
 Min Az: %4  Max Az: %5  Min El: 0  Max El: 90
 Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Gpredict: Edit &gt; Preferences &gt; Interfaces &gt; Rotators &gt; Add New
+Host: %1
+Port: %2
+Az type: %3
+Min Az: %4  Max Az: %5  Min El: 0  Max El: 90
+Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
+</translation>
     </message>
 </context>
 <context>
     <name>HorizonFiles</name>
     <message>
         <source>the file is too long for a horizon</source>
-        <translation type="unfinished"></translation>
+        <translation>o arquivo é longo demais para um horizonte</translation>
     </message>
     <message>
         <source>%1 points read</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pontos lidos</translation>
     </message>
     <message>
-        <source>, %1 more at an azimuth that has a higher one left out</source>
-        <translation type="unfinished"></translation>
+        <source>%1 points read, %2 more at an azimuth that has a higher one left out</source>
+        <translation>%1 pontos lidos, mais %2 omitidos num azimute que tem outro mais alto</translation>
     </message>
 </context>
 <context>
     <name>MotionPermission</name>
     <message>
         <source>at the upper limit %1</source>
-        <translation type="unfinished"></translation>
+        <translation>no limite superior %1</translation>
     </message>
     <message>
         <source>at the lower limit %1</source>
-        <translation type="unfinished"></translation>
+        <translation>no limite inferior %1</translation>
     </message>
     <message>
         <source>the bus is released to other tools, press &quot;Take bus back&quot; first</source>
-        <translation type="unfinished"></translation>
+        <translation>o barramento está entregue a outras ferramentas, clique primeiro em &quot;Retomar barramento&quot;</translation>
     </message>
     <message>
         <source>no connection to the drives</source>
-        <translation type="unfinished"></translation>
+        <translation>sem conexão aos acionamentos</translation>
     </message>
     <message>
         <source>STOP is latched, press &quot;Reset stop&quot; first</source>
-        <translation type="unfinished"></translation>
+        <translation>STOP está ativo, clique primeiro em &quot;Liberar STOP&quot;</translation>
     </message>
     <message>
         <source>drive fault, press &quot;Re-arm&quot; first</source>
-        <translation type="unfinished"></translation>
+        <translation>falha do acionamento, clique primeiro em &quot;Rearmar&quot;</translation>
     </message>
     <message>
         <source>a calibration is running</source>
-        <translation type="unfinished"></translation>
+        <translation>há uma calibração em curso</translation>
     </message>
     <message>
         <source>the crash-stop proof moves the mount</source>
-        <translation type="unfinished"></translation>
+        <translation>o ensaio de parada brusca move a montagem</translation>
     </message>
     <message>
         <source>which turn the %1 is on is not known: answer the question (Ctrl+9)</source>
-        <translation type="unfinished"></translation>
+        <translation>não se sabe em que volta está o eixo de %1: responda à pergunta (Ctrl+9)</translation>
     </message>
     <message>
         <source>which turn the %1 is on is not known yet</source>
-        <translation type="unfinished"></translation>
+        <translation>ainda não se sabe em que volta está o eixo de %1</translation>
     </message>
 </context>
 <context>
     <name>PlotPicture</name>
     <message>
         <source>Sky plot</source>
-        <translation type="unfinished"></translation>
+        <translation>Gráfico do céu</translation>
     </message>
 </context>
 <context>
     <name>RegionEdit</name>
     <message>
         <source>keep-out %1</source>
-        <translation type="unfinished"></translation>
+        <translation>zona proibida %1</translation>
     </message>
     <message>
         <source>azimuth limit
 from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>limite de azimute
+desde %1</translation>
     </message>
     <message>
         <source>azimuth limit
 to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>limite de azimute
+até %1</translation>
     </message>
     <message>
         <source>lowest elevation
 %1</source>
-        <translation type="unfinished"></translation>
+        <translation>menor elevação
+%1</translation>
     </message>
     <message>
         <source>highest elevation
 %1</source>
-        <translation type="unfinished"></translation>
+        <translation>maior elevação
+%1</translation>
     </message>
     <message>
         <source>horizon
 az %1
 el %2</source>
-        <translation type="unfinished"></translation>
+        <translation>horizonte
+az %1
+el %2</translation>
     </message>
     <message>
         <source>%1
 az %2
 el %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+az %2
+el %3</translation>
+    </message>
+</context>
+<context>
+    <name>SettingWords</name>
+    <message>
+        <source>Mount</source>
+        <translation>Montagem</translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation>Barramento</translation>
+    </message>
+    <message>
+        <source>Azimuth axis</source>
+        <translation>Eixo de azimute</translation>
+    </message>
+    <message>
+        <source>Elevation axis</source>
+        <translation>Eixo de elevação</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Controle</translation>
+    </message>
+    <message>
+        <source>Limits of operation</source>
+        <translation>Limites de operação</translation>
+    </message>
+    <message>
+        <source>Park and presets</source>
+        <translation>Estacionamento e predefinições</translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation>Local</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Manual</translation>
+    </message>
+    <message>
+        <source>rotctld server</source>
+        <translation>Servidor rotctld</translation>
+    </message>
+    <message>
+        <source>Supervision</source>
+        <translation>Supervisão</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Recuperação</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a whole number</source>
+        <translation>&quot;%1&quot; não é um número inteiro</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number (decimal point, e.g. 113.5)</source>
+        <translation>&quot;%1&quot; não é um número (ponto decimal, p. ex. 113.5)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nenhum</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>não indicado</translation>
     </message>
 </context>
 <context>
     <name>SkyItems</name>
     <message>
         <source>N</source>
-        <translation type="unfinished"></translation>
+        <translation>N</translation>
     </message>
     <message>
         <source>E</source>
-        <translation type="unfinished"></translation>
+        <translation>L</translation>
     </message>
     <message>
         <source>S</source>
-        <translation type="unfinished"></translation>
+        <translation>S</translation>
     </message>
     <message>
         <source>W</source>
-        <translation type="unfinished"></translation>
+        <translation>O</translation>
     </message>
     <message>
         <source>az %1</source>
-        <translation type="unfinished"></translation>
+        <translation>az %1</translation>
     </message>
     <message>
         <source>actual</source>
-        <translation type="unfinished"></translation>
+        <translation>real</translation>
     </message>
     <message>
         <source>commanded</source>
-        <translation type="unfinished"></translation>
+        <translation>comandado</translation>
     </message>
     <message>
         <source>target</source>
-        <translation type="unfinished"></translation>
+        <translation>alvo</translation>
     </message>
     <message>
         <source>MAGNIFIED ×%1</source>
-        <translation type="unfinished"></translation>
+        <translation>AMPLIADO ×%1</translation>
     </message>
 </context>
 <context>
     <name>SkyLimits</name>
     <message>
         <source>below %1</source>
-        <translation type="unfinished"></translation>
+        <translation>abaixo de %1</translation>
     </message>
     <message>
         <source>above %1</source>
-        <translation type="unfinished"></translation>
+        <translation>acima de %1</translation>
     </message>
     <message>
         <source>out of limits</source>
-        <translation type="unfinished"></translation>
+        <translation>fora dos limites</translation>
     </message>
 </context>
 <context>
     <name>StripTexts</name>
     <message>
         <source>commanded</source>
-        <translation type="unfinished"></translation>
+        <translation>comandado</translation>
     </message>
     <message>
         <source>actual</source>
-        <translation type="unfinished"></translation>
+        <translation>real</translation>
     </message>
     <message>
         <source>commanded − actual</source>
-        <translation type="unfinished"></translation>
+        <translation>comandado − real</translation>
     </message>
     <message>
         <source>motor</source>
-        <translation type="unfinished"></translation>
+        <translation>motor</translation>
     </message>
     <message>
         <source>board</source>
-        <translation type="unfinished"></translation>
+        <translation>placa</translation>
     </message>
     <message>
         <source>%1 % of the beam</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % do feixe</translation>
     </message>
     <message>
         <source>greatest</source>
-        <translation type="unfinished"></translation>
+        <translation>maior</translation>
     </message>
     <message>
         <source>low</source>
-        <translation type="unfinished"></translation>
+        <translation>baixa</translation>
     </message>
     <message>
         <source>high</source>
-        <translation type="unfinished"></translation>
+        <translation>alta</translation>
     </message>
     <message>
         <source>board hot</source>
-        <translation type="unfinished"></translation>
+        <translation>placa quente</translation>
     </message>
     <message>
         <source>motor hot</source>
-        <translation type="unfinished"></translation>
+        <translation>motor quente</translation>
     </message>
     <message>
         <source>Position</source>
-        <translation type="unfinished"></translation>
+        <translation>Posição</translation>
     </message>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>Erro</translation>
     </message>
     <message>
         <source>Torque</source>
-        <translation type="unfinished"></translation>
+        <translation>Torque</translation>
     </message>
     <message>
         <source>q current</source>
-        <translation type="unfinished"></translation>
+        <translation>Corrente q</translation>
     </message>
     <message>
         <source>Voltage</source>
-        <translation type="unfinished"></translation>
+        <translation>Tensão</translation>
     </message>
     <message>
         <source>Temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatura</translation>
     </message>
     <message>
         <source>%1 %2%3, in between %4%3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2%3, entretanto %4%3</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>no data</source>
-        <translation type="unfinished"></translation>
+        <translation>sem dados</translation>
     </message>
 </context>
 <context>
     <name>SurveyWords</name>
     <message>
         <source>The bus is released to other tools</source>
-        <translation type="unfinished"></translation>
+        <translation>O barramento está entregue a outras ferramentas</translation>
     </message>
     <message>
         <source>reading the drives</source>
-        <translation type="unfinished"></translation>
+        <translation>lendo os acionamentos</translation>
     </message>
     <message>
         <source>writing the drives</source>
-        <translation type="unfinished"></translation>
+        <translation>escrevendo nos acionamentos</translation>
     </message>
     <message>
         <source>The drives have been read</source>
-        <translation type="unfinished"></translation>
+        <translation>Os acionamentos foram lidos</translation>
     </message>
     <message>
         <source>The drives have not been read</source>
-        <translation type="unfinished"></translation>
+        <translation>Os acionamentos não foram lidos</translation>
     </message>
     <message>
         <source>Nothing moves until it is taken back; then the drives are read anew</source>
-        <translation type="unfinished"></translation>
+        <translation>Nada se move até ele ser retomado; então os acionamentos são lidos de novo</translation>
     </message>
     <message>
         <source>Nothing may move: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nada pode mover-se: %1</translation>
     </message>
     <message>
         <source>Fit to move, drives switched on</source>
-        <translation type="unfinished"></translation>
+        <translation>Apto a mover, acionamentos ligados</translation>
     </message>
     <message>
         <source>Fit to move, drives switched off</source>
-        <translation type="unfinished"></translation>
+        <translation>Apto a mover, acionamentos desligados</translation>
+    </message>
+</context>
+<context>
+    <name>Text</name>
+    <message>
+        <source>bus &apos;socketcan:&apos; names no interface; write for example socketcan:can0</source>
+        <translation>o barramento &quot;socketcan:&quot; não indica nenhuma interface; escreva por exemplo socketcan:can0</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be an interface name: at most 15 characters, no space and no &apos;/&apos;</source>
+        <translation>&quot;%1&quot; não pode ser o nome de uma interface: no máximo 15 caracteres, sem espaço e sem &quot;/&quot;</translation>
+    </message>
+    <message>
+        <source>bus &apos;fdcanusb:&apos; names no port; write for example fdcanusb:/dev/boresight/fdcanusb</source>
+        <translation>o barramento &quot;fdcanusb:&quot; não indica nenhuma porta; escreva por exemplo fdcanusb:/dev/boresight/fdcanusb</translation>
+    </message>
+    <message>
+        <source>a port&apos;s path has no control characters</source>
+        <translation>o caminho de uma porta não tem caracteres de controle</translation>
+    </message>
+    <message>
+        <source>unknown bus &apos;%1&apos;; write simulated, socketcan:INTERFACE or fdcanusb:PATH</source>
+        <translation>barramento &quot;%1&quot; desconhecido; escreva simulated, socketcan:INTERFACE ou fdcanusb:CAMINHO</translation>
+    </message>
+    <message>
+        <source>bit rate %1 (wanted %2)</source>
+        <translation>taxa de bits %1 (esperada %2)</translation>
+    </message>
+    <message>
+        <source>sample point %1 (wanted %2)</source>
+        <translation>ponto de amostragem %1 (esperado %2)</translation>
+    </message>
+    <message>
+        <source>CAN-FD off (wanted on)</source>
+        <translation>CAN-FD inativo (esperado ativo)</translation>
+    </message>
+    <message>
+        <source>data bit rate %1 (wanted %2)</source>
+        <translation>taxa de bits de dados %1 (esperada %2)</translation>
+    </message>
+    <message>
+        <source>data sample point %1 (wanted %2)</source>
+        <translation>ponto de amostragem de dados %1 (esperado %2)</translation>
+    </message>
+    <message>
+        <source>wrong bit timing, the drives may stay silent: %1; `ip link set %2 down`, then `%3`; `ip -details link show %2` shows what is set</source>
+        <translation>temporização de bits errada, os acionamentos podem ficar mudos: %1; `ip link set %2 down`, depois `%3`; `ip -details link show %2` mostra o que está definido</translation>
+    </message>
+    <message>
+        <source>%1 is a virtual bus: does `boresightctl simulate --can %1` run?</source>
+        <translation>%1 é um barramento virtual: `boresightctl simulate --can %1` está em execução?</translation>
+    </message>
+    <message>
+        <source>Bit timing must be 1M/5M with the sample point at 0.666 in both phases: `ip -details link show %1` shows what is set, `packaging/can-up %1` sets it.</source>
+        <translation>A temporização de bits tem de ser 1M/5M com o ponto de amostragem em 0.666 nas duas fases: `ip -details link show %1` mostra o que está definido, `packaging/can-up %1` define-a.</translation>
+    </message>
+    <message>
+        <source>Bit timing must be 1M/5M with the sample point at 0.666 in both phases: the adapter&apos;s can.bitrate 1000000, can.fd_bitrate 5000000, can.sample_point and can.fd_sample_point 0.666 (its factory settings).</source>
+        <translation>A temporização de bits tem de ser 1M/5M com o ponto de amostragem em 0.666 nas duas fases: no adaptador can.bitrate 1000000, can.fd_bitrate 5000000, can.sample_point e can.fd_sample_point 0.666 (os valores de fábrica).</translation>
+    </message>
+    <message>
+        <source>nobody acknowledges our frames: check the drives&apos; power, the cable, the 120 ohm at both ends and the bit rate</source>
+        <translation>ninguém confirma os nossos quadros: verifique a alimentação dos acionamentos, o cabo, os 120 ohm nas duas pontas e a taxa de bits</translation>
+    </message>
+    <message>
+        <source>check the drives&apos; power, the cable and its length, the 120 ohm at both ends, the bit rates and the sample points</source>
+        <translation>verifique a alimentação dos acionamentos, o cabo e o seu comprimento, os 120 ohm nas duas pontas, as taxas de bits e os pontos de amostragem</translation>
+    </message>
+    <message>
+        <source>The simulated drives do not answer: a fault was asked for, or their ids are not those of the profile.</source>
+        <translation>Os acionamentos simulados não respondem: foi pedida uma falha, ou os seus ids não são os do perfil.</translation>
+    </message>
+    <message>
+        <source>Do the ids in the profile belong to these drives? `boresightctl scan %1` shows who answers (release the bus first).</source>
+        <translation>Os ids do perfil são destes acionamentos? `boresightctl scan %1` mostra quem responde (libere antes o barramento).</translation>
+    </message>
+    <message>
+        <source>Do the ids in the profile belong to these drives? `boresightctl scan %1` shows who answers.</source>
+        <translation>Os ids do perfil são destes acionamentos? `boresightctl scan %1` mostra quem responde.</translation>
+    </message>
+    <message>
+        <source>Are the drives powered, is the cable plugged in at both ends, is there 120 ohm at both ends of the bus?</source>
+        <translation>Os acionamentos estão alimentados, o cabo está ligado nas duas pontas, há 120 ohm nas duas pontas do barramento?</translation>
+    </message>
+    <message>
+        <source>this kernel&apos;s SocketCAN has no CAN-FD</source>
+        <translation>o SocketCAN deste kernel não tem CAN-FD</translation>
+    </message>
+    <message>
+        <source>this kernel has no SocketCAN: load it with `modprobe can-raw`, or use the adapter as a serial port with --bus fdcanusb:PATH</source>
+        <translation>este kernel não tem SocketCAN: carregue-o com `modprobe can-raw`, ou use o adaptador como porta serial com --bus fdcanusb:CAMINHO</translation>
+    </message>
+    <message>
+        <source>there is no interface %1: is the adapter plugged in and its driver loaded? (`ip -brief link` shows what is there)</source>
+        <translation>não existe a interface %1: o adaptador está ligado e o seu driver carregado? (`ip -brief link` mostra o que existe)</translation>
+    </message>
+    <message>
+        <source>%1 is not a CAN interface</source>
+        <translation>%1 não é uma interface CAN</translation>
+    </message>
+    <message>
+        <source>%1 is not a CAN-FD interface (mtu %2): `ip link set %1 down`, then `%3`</source>
+        <translation>%1 não é uma interface CAN-FD (mtu %2): `ip link set %1 down`, depois `%3`</translation>
+    </message>
+    <message>
+        <source>%1 is in use by %2: end it first, or press &quot;Release bus&quot; on its Drives page</source>
+        <translation>%1 está em uso por %2: encerre-o primeiro, ou clique em &quot;Liberar barramento&quot; na sua página Acionamentos</translation>
+    </message>
+    <message>
+        <source>%1 is in use by %2: end it first</source>
+        <translation>%1 está em uso por %2: encerre-o primeiro</translation>
+    </message>
+    <message>
+        <source>%1 is in use by another program (%2): `sudo fuser -v %1` shows which; end it first</source>
+        <translation>%1 está em uso por outro programa (%2): `sudo fuser -v %1` mostra qual; encerre-o primeiro</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2</source>
+        <translation>não é possível abrir %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 is not open</source>
+        <translation>%1 não está aberto</translation>
+    </message>
+    <message>
+        <source>%1: the adapter takes no more data; plug it in again</source>
+        <translation>%1: o adaptador já não aceita dados; desligue-o e ligue-o de novo</translation>
+    </message>
+    <message>
+        <source>the adapter is not on the bus (&quot;not in BusOn state&quot;); it is switched on again once a second: if that does not help, plug it in again</source>
+        <translation>o adaptador não está no barramento (&quot;not in BusOn state&quot;); é ligado de novo uma vez por segundo: se isso não ajudar, desconecte-o e conecte-o de novo</translation>
+    </message>
+    <message>
+        <source>the adapter refuses a frame: %1; check its firmware and its can.* settings</source>
+        <translation>o adaptador recusa um quadro: %1; verifique o seu firmware e os seus parâmetros can.*</translation>
+    </message>
+    <message>
+        <source>bus-off after too many errors: check the cable, the 120 ohm at both ends and the bit rate; it is restarted once a second</source>
+        <translation>bus-off após muitos erros: verifique o cabo, os 120 ohm nas duas pontas e a taxa de bits; é reiniciado uma vez por segundo</translation>
+    </message>
+    <message>
+        <source>the adapter does not confirm our frames (no OK within %1 ms): is this port an fdcanusb? If so, plug it in again</source>
+        <translation>o adaptador não confirma os nossos quadros (nenhum OK em %1 ms): esta porta é um fdcanusb? Se for, desconecte-o e conecte-o de novo</translation>
+    </message>
+    <message>
+        <source>the adapter is gone: plug it in again</source>
+        <translation>o adaptador desapareceu: conecte-o de novo</translation>
+    </message>
+    <message>
+        <source>the adapter is gone: plug it in again; it is found in any socket as %1</source>
+        <translation>o adaptador desapareceu: conecte-o de novo; em qualquer tomada é reconhecido como %1</translation>
+    </message>
+    <message>
+        <source>the kernel&apos;s description of the interface cannot be read</source>
+        <translation>não é possível ler a descrição que o kernel dá da interface</translation>
+    </message>
+    <message>
+        <source>%1 (process %2)</source>
+        <translation>%1 (processo %2)</translation>
+    </message>
+    <message>
+        <source>a program</source>
+        <translation>um programa</translation>
+    </message>
+    <message>
+        <source>%1: no permission to enter its folder</source>
+        <translation>%1: sem permissão para entrar na sua pasta</translation>
+    </message>
+    <message>
+        <source>%1 is not there: is the adapter plugged in? (ls /dev/serial/by-id shows what is)</source>
+        <translation>%1 não existe: o adaptador está conectado? (ls /dev/serial/by-id mostra o que existe)</translation>
+    </message>
+    <message>
+        <source>%1 is not a serial port</source>
+        <translation>%1 não é uma porta serial</translation>
+    </message>
+    <message>
+        <source>%1: no permission: install packaging/udev/70-boresight-fdcanusb.rules to /etc/udev/rules.d, plug the adapter in again and join the group dialout (`sudo usermod -aG dialout $USER`, then log in again)</source>
+        <translation>%1: sem permissão: instale packaging/udev/70-boresight-fdcanusb.rules em /etc/udev/rules.d, conecte de novo o adaptador e entre no grupo dialout (`sudo usermod -aG dialout $USER`, depois inicie nova sessão)</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3 frames sent)</source>
+        <translation>%1 (%2 de %3 quadros enviados)</translation>
+    </message>
+    <message>
+        <source>the interface has been removed: plug the adapter in again</source>
+        <translation>a interface foi removida: conecte de novo o adaptador</translation>
+    </message>
+    <message>
+        <source>the interface is down; bring it up with `%1`</source>
+        <translation>a interface está inativa; ative-a com `%1`</translation>
+    </message>
+    <message>
+        <source>bus-off after too many errors: check the cable, the 120 ohm at both ends and the bit rate; with restart-ms set it comes back by itself, else `ip link set %1 type can restart`</source>
+        <translation>bus-off após muitos erros: verifique o cabo, os 120 ohm nas duas pontas e a taxa de bits; com restart-ms definido volta por si, senão `ip link set %1 type can restart`</translation>
+    </message>
+    <message>
+        <source>the transmit queue is full: another program fills the bus, or %1</source>
+        <translation>a fila de envio está cheia: outro programa ocupa o barramento, ou %1</translation>
+    </message>
+    <message>
+        <source>many errors on the bus (error-passive): %1</source>
+        <translation>muitos erros no barramento (error-passive): %1</translation>
+    </message>
+    <message>
+        <source>damaged frames on the bus: %1</source>
+        <translation>quadros danificados no barramento: %1</translation>
+    </message>
+    <message>
+        <source>more than %1 frames a second on the bus, ten times what two drives need: another program floods it; end that program (`candump %2` shows its identifiers)</source>
+        <translation>mais de %1 quadros por segundo no barramento, dez vezes o que dois acionamentos precisam: outro programa inunda-o; encerre esse programa (`candump %2` mostra os seus identificadores)</translation>
+    </message>
+    <message>
+        <source>Disturbed or wrong wiring at an aux port</source>
+        <translation>Fiação perturbada ou errada numa porta aux</translation>
+    </message>
+    <message>
+        <source>A device at an aux port sends more, or at another speed, than configured</source>
+        <translation>Um dispositivo numa porta aux envia mais, ou a outra velocidade, do que o configurado</translation>
+    </message>
+    <message>
+        <source>Power-cycle the drive; check the wiring and configuration of its aux ports</source>
+        <translation>Desligue e ligue o acionamento; verifique a fiação e a configuração das portas aux</translation>
+    </message>
+    <message>
+        <source>Nothing to clear; it ends when the demand falls</source>
+        <translation>Nada a fazer; termina quando a exigência baixar</translation>
+    </message>
+    <message>
+        <source>A blocked axis, wrong gains, or a trajectory too fast for the torque allowed</source>
+        <translation>Eixo bloqueado, ganhos errados ou trajetória rápida demais para o torque permitido</translation>
+    </message>
+    <message>
+        <source>Free the axis, lower speed and acceleration or correct the gains, then re-arm</source>
+        <translation>Solte o eixo, reduza velocidade e aceleração ou corrija os ganhos e depois rearme</translation>
+    </message>
+    <message>
+        <source>No fault</source>
+        <translation>Nenhuma falha</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong</source>
+        <translation>Está tudo em ordem</translation>
+    </message>
+    <message>
+        <source>Nothing to do</source>
+        <translation>Nada a fazer</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s internal data transfer failed</source>
+        <translation>A transferência interna de dados do acionamento falhou</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s internal data transfer lost data</source>
+        <translation>A transferência interna de dados do acionamento perdeu dados</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s aux UART received faster than it could read</source>
+        <translation>A UART aux do acionamento recebeu mais depressa do que podia ler</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s aux UART received a malformed byte</source>
+        <translation>A UART aux do acionamento recebeu um byte malformado</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s aux UART received noise</source>
+        <translation>A UART aux do acionamento recebeu ruído</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s aux UART buffer overflowed</source>
+        <translation>O buffer da UART aux do acionamento transbordou</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s aux UART received a damaged byte</source>
+        <translation>A UART aux do acionamento recebeu um byte danificado</translation>
+    </message>
+    <message>
+        <source>The zero of the current measurement could not be found when enabling</source>
+        <translation>Não foi possível achar o zero da medição de corrente ao ativar</translation>
+    </message>
+    <message>
+        <source>The motor was turning while the drive was enabled, or the board is damaged</source>
+        <translation>O motor girava enquanto o acionamento era ativado, ou a placa está danificada</translation>
+    </message>
+    <message>
+        <source>Let the axis come to rest and re-arm; if it comes again, replace the board</source>
+        <translation>Deixe o eixo parar e rearme; se voltar a acontecer, substitua a placa</translation>
+    </message>
+    <message>
+        <source>The gate driver of the motor outputs switched off</source>
+        <translation>O gate driver das saídas do motor desligou-se</translation>
+    </message>
+    <message>
+        <source>Nearly always the supply sagged below the driver&apos;s limit; else damaged hardware</source>
+        <translation>Quase sempre a alimentação caiu abaixo do limite do driver; senão, hardware danificado</translation>
+    </message>
+    <message>
+        <source>Use a stronger supply or lower the drive&apos;s maximum power or current; if it comes again, read drv8323 with tview and replace the board</source>
+        <translation>Use uma fonte mais forte ou reduza a potência ou corrente máxima do acionamento; se voltar, leia drv8323 com tview e substitua a placa</translation>
+    </message>
+    <message>
+        <source>The bus voltage rose above servo.max_voltage</source>
+        <translation>A tensão do barramento subiu acima de servo.max_voltage</translation>
+    </message>
+    <message>
+        <source>Braking fed the supply, which could not take it</source>
+        <translation>A frenagem devolveu energia à fonte, que não a pôde absorver</translation>
+    </message>
+    <message>
+        <source>Lower the acceleration, set servo.max_regen_power_W, or add a battery or capacitance</source>
+        <translation>Reduza a aceleração, defina servo.max_regen_power_W, ou acrescente uma bateria ou capacidade</translation>
+    </message>
+    <message>
+        <source>The encoder&apos;s readings contradict each other or its port reports an error</source>
+        <translation>As leituras do encoder contradizem-se ou a sua porta relata um erro</translation>
+    </message>
+    <message>
+        <source>The magnet came loose, the air gap is wrong, or a wire is broken</source>
+        <translation>O ímã soltou-se, o entreferro está errado ou um fio partiu-se</translation>
+    </message>
+    <message>
+        <source>Check magnet, air gap, wiring and the aux port configuration</source>
+        <translation>Verifique ímã, entreferro, fiação e configuração da porta aux</translation>
+    </message>
+    <message>
+        <source>The drive has never been calibrated with its motor</source>
+        <translation>O acionamento nunca foi calibrado com o seu motor</translation>
+    </message>
+    <message>
+        <source>A new board, or its configuration was reset</source>
+        <translation>Uma placa nova, ou a sua configuração foi reposta</translation>
+    </message>
+    <message>
+        <source>Run moteus_tool --calibrate with the axis free to turn</source>
+        <translation>Execute moteus_tool --calibrate com o eixo livre para girar</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s control loop did not finish in time</source>
+        <translation>O ciclo de controle do acionamento não terminou a tempo</translation>
+    </message>
+    <message>
+        <source>An error of the drive&apos;s firmware</source>
+        <translation>Um erro do firmware do acionamento</translation>
+    </message>
+    <message>
+        <source>Update the firmware and report it to the maker</source>
+        <translation>Atualize o firmware e comunique ao fabricante</translation>
+    </message>
+    <message>
+        <source>The board (75 °C by default) or the motor is too hot</source>
+        <translation>A placa (75 °C por padrão) ou o motor está quente demais</translation>
+    </message>
+    <message>
+        <source>Too much torque for too long, or too little cooling</source>
+        <translation>Torque a mais por tempo a mais, ou pouca refrigeração</translation>
+    </message>
+    <message>
+        <source>Let it cool down; lower the torque or improve cooling</source>
+        <translation>Deixe esfriar; reduza o torque ou melhore a refrigeração</translation>
+    </message>
+    <message>
+        <source>The axis was outside servopos.position_min/max when motion was commanded</source>
+        <translation>O eixo estava fora de servopos.position_min/max quando foi comandado movimento</translation>
+    </message>
+    <message>
+        <source>Factory bounds of ±0.01 turns, a wrong turn after power-up, or an axis turned by hand</source>
+        <translation>Limites de fábrica de ±0.01 voltas, volta errada após ligar, ou eixo girado à mão</translation>
+    </message>
+    <message>
+        <source>Correct the bounds on the Protection page or bring the axis inside by hand, then re-arm</source>
+        <translation>Corrija os limites na página Proteções ou traga o eixo para dentro à mão e depois rearme</translation>
+    </message>
+    <message>
+        <source>The bus voltage fell below 4 V while driving</source>
+        <translation>A tensão do barramento caiu abaixo de 4 V em funcionamento</translation>
+    </message>
+    <message>
+        <source>The supply was switched off or cut</source>
+        <translation>A alimentação foi desligada ou cortada</translation>
+    </message>
+    <message>
+        <source>Check supply, fuse and cable</source>
+        <translation>Verifique a fonte, o fusível e o cabo</translation>
+    </message>
+    <message>
+        <source>A setting was changed while driving that requires a stop</source>
+        <translation>Em funcionamento foi alterado um parâmetro que exige parar</translation>
+    </message>
+    <message>
+        <source>Another program wrote to the drive</source>
+        <translation>Outro programa escreveu no acionamento</translation>
+    </message>
+    <message>
+        <source>Close the other program, then re-arm</source>
+        <translation>Feche o outro programa e depois rearme</translation>
+    </message>
+    <message>
+        <source>No encoder gives the rotor angle</source>
+        <translation>Nenhum encoder dá o ângulo do rotor</translation>
+    </message>
+    <message>
+        <source>Not calibrated, or the encoder is not connected</source>
+        <translation>Não calibrado, ou o encoder não está ligado</translation>
+    </message>
+    <message>
+        <source>Calibrate the motor or reconnect the encoder</source>
+        <translation>Calibre o motor ou ligue o encoder</translation>
+    </message>
+    <message>
+        <source>No encoder gives the output position</source>
+        <translation>Nenhum encoder dá a posição de saída</translation>
+    </message>
+    <message>
+        <source>The gate driver of the motor outputs could not be switched on</source>
+        <translation>Não foi possível ligar o gate driver das saídas do motor</translation>
+    </message>
+    <message>
+        <source>The supply voltage is too low, or the board is damaged</source>
+        <translation>A tensão de alimentação é baixa demais, ou a placa está danificada</translation>
+    </message>
+    <message>
+        <source>Check the supply at the board, at least 10 V; if it is right, replace the board</source>
+        <translation>Verifique a alimentação na placa, pelo menos 10 V; se estiver certa, substitua a placa</translation>
+    </message>
+    <message>
+        <source>The deprecated stop position was commanded together with motion limits</source>
+        <translation>Foi comandada a obsoleta stop position juntamente com limites de movimento</translation>
+    </message>
+    <message>
+        <source>Another program commands the drive</source>
+        <translation>Outro programa comanda o acionamento</translation>
+    </message>
+    <message>
+        <source>The drive broke one of its internal timing checks</source>
+        <translation>O acionamento violou um dos seus controles internos de tempo</translation>
+    </message>
+    <message>
+        <source>An error of the drive&apos;s firmware, seen only with its checks enabled</source>
+        <translation>Um erro do firmware do acionamento, só visto com os controles ativados</translation>
+    </message>
+    <message>
+        <source>Report it to the maker</source>
+        <translation>Comunique ao fabricante</translation>
+    </message>
+    <message>
+        <source>Back-EMF feedforward is on but no acceleration limit was in force</source>
+        <translation>A compensação de força contraeletromotriz está ativa sem limite de aceleração em vigor</translation>
+    </message>
+    <message>
+        <source>servo.default_accel_limit is not set, or another program commands the drive</source>
+        <translation>servo.default_accel_limit não está definido, ou outro programa comanda o acionamento</translation>
+    </message>
+    <message>
+        <source>Set servo.default_accel_limit on the Protection page, close other programs, then re-arm</source>
+        <translation>Defina servo.default_accel_limit na página Proteções, feche outros programas e depois rearme</translation>
+    </message>
+    <message>
+        <source>servopos.position_min/max lie beyond ±32768 turns</source>
+        <translation>servopos.position_min/max ficam além de ±32768 voltas</translation>
+    </message>
+    <message>
+        <source>A slip in the drive&apos;s configuration</source>
+        <translation>Um lapso na configuração do acionamento</translation>
+    </message>
+    <message>
+        <source>Correct the bounds on the Protection page</source>
+        <translation>Corrija os limites na página Proteções</translation>
+    </message>
+    <message>
+        <source>The axis fell too far behind its set-point</source>
+        <translation>O eixo ficou muito atrás da sua referência</translation>
+    </message>
+    <message>
+        <source>The axis turned at a speed too far from its set-point</source>
+        <translation>O eixo girou a uma velocidade muito diferente da sua referência</translation>
+    </message>
+    <message>
+        <source>Limited by servo.max_velocity</source>
+        <translation>Limitado por servo.max_velocity</translation>
+    </message>
+    <message>
+        <source>A command faster than the drive allows</source>
+        <translation>Um comando mais rápido do que o acionamento permite</translation>
+    </message>
+    <message>
+        <source>Limited by servo.max_power_W</source>
+        <translation>Limitado por servo.max_power_W</translation>
+    </message>
+    <message>
+        <source>Speed and torque are both high</source>
+        <translation>Velocidade e torque são ambos altos</translation>
+    </message>
+    <message>
+        <source>Limited by the voltage of the supply</source>
+        <translation>Limitado pela tensão da alimentação</translation>
+    </message>
+    <message>
+        <source>The motor would need more voltage for its speed</source>
+        <translation>O motor precisaria de mais tensão para a sua velocidade</translation>
+    </message>
+    <message>
+        <source>Nothing to clear; check the supply if it is below its nominal voltage</source>
+        <translation>Nada a fazer; verifique a alimentação se estiver abaixo da tensão nominal</translation>
+    </message>
+    <message>
+        <source>Limited by servo.max_current_A</source>
+        <translation>Limitado por servo.max_current_A</translation>
+    </message>
+    <message>
+        <source>Wind, friction, a blocked axis or a high acceleration</source>
+        <translation>Vento, atrito, eixo bloqueado ou aceleração alta</translation>
+    </message>
+    <message>
+        <source>Current reduced because the board is warm</source>
+        <translation>Corrente reduzida porque a placa está quente</translation>
+    </message>
+    <message>
+        <source>Much torque for a long time, or too little cooling</source>
+        <translation>Muito torque durante muito tempo, ou pouca refrigeração</translation>
+    </message>
+    <message>
+        <source>It ends when the board cools down; fault 38 follows if it gets hotter</source>
+        <translation>Termina quando a placa esfriar; se aquecer mais, segue-se a falha 38</translation>
+    </message>
+    <message>
+        <source>Current reduced because the motor is warm</source>
+        <translation>Corrente reduzida porque o motor está quente</translation>
+    </message>
+    <message>
+        <source>It ends when the motor cools down; fault 38 follows if it gets hotter</source>
+        <translation>Termina quando o motor esfriar; se aquecer mais, segue-se a falha 38</translation>
+    </message>
+    <message>
+        <source>Limited by the maximum torque of the command</source>
+        <translation>Limitado pelo torque máximo do comando</translation>
+    </message>
+    <message>
+        <source>Held back at servopos.position_min/max</source>
+        <translation>Retido em servopos.position_min/max</translation>
+    </message>
+    <message>
+        <source>A place beyond the drive&apos;s own bounds was commanded, or the axis was pushed there</source>
+        <translation>Foi comandado um lugar além dos limites do próprio acionamento, ou o eixo foi empurrado para lá</translation>
+    </message>
+    <message>
+        <source>Nothing to clear; move the other way or correct the bounds</source>
+        <translation>Nada a fazer; mova para o outro lado ou corrija os limites</translation>
+    </message>
+    <message>
+        <source>Braking energy is burnt in the motor to hold the bus voltage</source>
+        <translation>A energia da frenagem é dissipada no motor para manter a tensão do barramento</translation>
+    </message>
+    <message>
+        <source>The supply does not take back what braking feeds it</source>
+        <translation>A alimentação não absorve o que a frenagem lhe devolve</translation>
+    </message>
+    <message>
+        <source>Nothing to clear; lower the acceleration if it comes often</source>
+        <translation>Nada a fazer; reduza a aceleração se acontecer muitas vezes</translation>
+    </message>
+    <message>
+        <source>The field is weakened to reach the speed</source>
+        <translation>O campo é enfraquecido para atingir a velocidade</translation>
+    </message>
+    <message>
+        <source>The drive reports a code that register map 5 does not define</source>
+        <translation>O acionamento relata um código que o mapa de registros 5 não define</translation>
+    </message>
+    <message>
+        <source>Firmware newer or older than this program knows</source>
+        <translation>Firmware mais novo ou mais antigo do que este programa conhece</translation>
+    </message>
+    <message>
+        <source>Compare the drive&apos;s firmware version with the one this program was made for</source>
+        <translation>Compare a versão do firmware do acionamento com aquela para que este programa foi feito</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>parado</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>falha</translation>
+    </message>
+    <message>
+        <source>enabling</source>
+        <translation>ativando</translation>
+    </message>
+    <message>
+        <source>calibrating current sense</source>
+        <translation>calibrando a medição de corrente</translation>
+    </message>
+    <message>
+        <source>calibration complete</source>
+        <translation>calibração concluída</translation>
+    </message>
+    <message>
+        <source>PWM</source>
+        <translation>PWM</translation>
+    </message>
+    <message>
+        <source>voltage</source>
+        <translation>tensão</translation>
+    </message>
+    <message>
+        <source>voltage FOC</source>
+        <translation>tensão FOC</translation>
+    </message>
+    <message>
+        <source>voltage DQ</source>
+        <translation>tensão DQ</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>corrente</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>posição</translation>
+    </message>
+    <message>
+        <source>watchdog expired</source>
+        <translation>watchdog esgotado</translation>
+    </message>
+    <message>
+        <source>zero velocity</source>
+        <translation>velocidade zero</translation>
+    </message>
+    <message>
+        <source>stay within</source>
+        <translation>permanecer dentro</translation>
+    </message>
+    <message>
+        <source>measuring inductance</source>
+        <translation>medindo a indutância</translation>
+    </message>
+    <message>
+        <source>brake</source>
+        <translation>freio</translation>
+    </message>
+    <message>
+        <source>undefined mode</source>
+        <translation>modo indefinido</translation>
+    </message>
+    <message>
+        <source>azimuth %1 below limit %2</source>
+        <translation>azimute %1 abaixo do limite %2</translation>
+    </message>
+    <message>
+        <source>azimuth %1 above limit %2</source>
+        <translation>azimute %1 acima do limite %2</translation>
+    </message>
+    <message>
+        <source>elevation %1 below limit %2</source>
+        <translation>elevação %1 abaixo do limite %2</translation>
+    </message>
+    <message>
+        <source>elevation %1 above limit %2</source>
+        <translation>elevação %1 acima do limite %2</translation>
+    </message>
+    <message>
+        <source>azimuth %1 outside travel %2…%3</source>
+        <translation>azimute %1 fora do curso %2…%3</translation>
+    </message>
+    <message>
+        <source>azimuth %1 outside limits %2…%3</source>
+        <translation>azimute %1 fora dos limites %2…%3</translation>
+    </message>
+    <message>
+        <source>elevation %1 outside limits %2…%3</source>
+        <translation>elevação %1 fora dos limites %2…%3</translation>
+    </message>
+    <message>
+        <source>azimuth %1 elevation %2 is in the keep-out &quot;%3&quot;</source>
+        <translation>azimute %1 elevação %2 está na zona proibida &quot;%3&quot;</translation>
+    </message>
+    <message>
+        <source>elevation %1 below the horizon %2 at azimuth %3</source>
+        <translation>elevação %1 abaixo do horizonte %2 no azimute %3</translation>
+    </message>
+    <message>
+        <source>the azimuth limit %1</source>
+        <translation>limite de azimute %1</translation>
+    </message>
+    <message>
+        <source>the elevation limit %1</source>
+        <translation>limite de elevação %1</translation>
+    </message>
+    <message>
+        <source>the keep-out &quot;%1&quot;</source>
+        <translation>zona proibida &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>the horizon</source>
+        <translation>horizonte</translation>
+    </message>
+    <message>
+        <source>what is forbidden</source>
+        <translation>o que é proibido</translation>
+    </message>
+    <message>
+        <source>there is no way from %1 to %2: %3 is in between</source>
+        <translation>não há caminho de %1 para %2: no meio está %3</translation>
+    </message>
+    <message>
+        <source>1 or -1 is expected</source>
+        <translation>espera-se 1 ou -1</translation>
+    </message>
+    <message>
+        <source>%1 is not below %2.travel_max_deg (%3)</source>
+        <translation>%1 não é menor que %2.travel_max_deg (%3)</translation>
+    </message>
+    <message>
+        <source>%1 is outside the travel %2…%3</source>
+        <translation>%1 está fora do curso %2…%3</translation>
+    </message>
+    <message>
+        <source>must be at least max_acceleration_deg_s2 per second, here %1</source>
+        <translation>tem de ser pelo menos max_acceleration_deg_s2 por segundo, aqui %1</translation>
+    </message>
+    <message>
+        <source>must not be above %1</source>
+        <translation>não pode ser maior que %1</translation>
+    </message>
+    <message>
+        <source>is shorter than 2 ticks of control.tick_hz (%1 s)</source>
+        <translation>é menor que 2 ciclos de control.tick_hz (%1 s)</translation>
+    </message>
+    <message>
+        <source>must be below %1</source>
+        <translation>tem de ser menor que %1</translation>
+    </message>
+    <message>
+        <source>is the same as azimuth.id; each controller needs its own</source>
+        <translation>é igual a azimuth.id; cada controlador precisa do seu</translation>
+    </message>
+    <message>
+        <source>is shorter than 3 ticks of control.tick_hz (%1 s)</source>
+        <translation>é menor que 3 ciclos de control.tick_hz (%1 s)</translation>
+    </message>
+    <message>
+        <source>must lie between jog.slow_deg_s and jog.fast_deg_s</source>
+        <translation>tem de ficar entre jog.slow_deg_s e jog.fast_deg_s</translation>
+    </message>
+    <message>
+        <source>is needed while rotctld.lead is &quot;locked&quot;</source>
+        <translation>é necessário enquanto rotctld.lead é &quot;locked&quot;</translation>
+    </message>
+    <message>
+        <source>HOST:PORT with a port of 0…65535 is expected</source>
+        <translation>espera-se HOST:PORTA com uma porta de 0…65535</translation>
+    </message>
+    <message>
+        <source>a host name or address is expected before the port, IPv6 in brackets</source>
+        <translation>espera-se um nome ou endereço antes da porta, IPv6 entre colchetes</translation>
+    </message>
+    <message>
+        <source>%1 is no number</source>
+        <translation>%1 não é um número</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>falta %1</translation>
+    </message>
+    <message>
+        <source>azimuths count from north, 0…360</source>
+        <translation>os azimutes contam-se a partir do norte, 0…360</translation>
+    </message>
+    <message>
+        <source>an elevation is within -90…90</source>
+        <translation>uma elevação fica entre -90…90</translation>
+    </message>
+    <message>
+        <source>azimuth and elevation are expected, like &quot;120.5 7&quot;, not &quot;%1&quot;</source>
+        <translation>esperam-se azimute e elevação, como &quot;120.5 7&quot;, e não &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… e mais %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 points; 1…%3 make a horizon</source>
+        <translation>%1: %2 pontos; um horizonte tem 1…%3</translation>
+    </message>
+    <message>
+        <source>a locator has 4, 6, 8 or 10 characters, like JN58td</source>
+        <translation>um localizador tem 4, 6, 8 ou 10 caracteres, como JN58td</translation>
+    </message>
+    <message>
+        <source>character %1 of a locator is one of %2…%3</source>
+        <translation>o caractere %1 de um localizador é um de %2…%3</translation>
+    </message>
+    <message>
+        <source>latitude -90…90° and longitude -180…180° are expected</source>
+        <translation>esperam-se latitude -90…90° e longitude -180…180°</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>não indicada</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 ponto</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 pontos</translation>
+    </message>
+    <message>
+        <source>%1, %2 different</source>
+        <translation>%1, %2 diferentes</translation>
+    </message>
+    <message>
+        <source>(different)</source>
+        <translation>(diferente)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nenhum</translation>
+    </message>
+    <message>
+        <source>&quot;version = 1&quot; is expected</source>
+        <translation>espera-se &quot;version = 1&quot;</translation>
+    </message>
+    <message>
+        <source>%1 is not known to this program, which reads version %2</source>
+        <translation>%1 não é conhecida deste programa, que lê a versão %2</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>chave desconhecida</translation>
+    </message>
+    <message>
+        <source>unknown table</source>
+        <translation>tabela desconhecida</translation>
+    </message>
+    <message>
+        <source>&quot;[[%1]]&quot; is expected</source>
+        <translation>espera-se &quot;[[%1]]&quot;</translation>
+    </message>
+    <message>
+        <source>a table is expected</source>
+        <translation>espera-se uma tabela</translation>
+    </message>
+    <message>
+        <source>a list of points is expected, like [[0.0, 5.0], [180.0, 2.5]]</source>
+        <translation>espera-se uma lista de pontos, como [[0.0, 5.0], [180.0, 2.5]]</translation>
+    </message>
+    <message>
+        <source>a point is [azimuth, elevation]</source>
+        <translation>um ponto é [azimute, elevação]</translation>
+    </message>
+    <message>
+        <source>a number or a text in quotes is expected</source>
+        <translation>espera-se um número ou um texto entre aspas</translation>
+    </message>
+    <message>
+        <source>without %1; its keys are given all together</source>
+        <translation>sem %1; as suas chaves são dadas todas juntas</translation>
+    </message>
+    <message>
+        <source>which mount? %1 has the profiles of several, and %2 names none of them; choose one with --profile</source>
+        <translation>qual montagem? %1 tem os perfis de várias, e %2 não indica nenhuma delas; escolha uma com --profile</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be made</source>
+        <translation>%1: não é possível criar a pasta</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the current mount; change to another one first</source>
+        <translation>&quot;%1&quot; é a montagem atual; mude primeiro para outra</translation>
+    </message>
+    <message>
+        <source>%1: cannot be renamed to %2</source>
+        <translation>não é possível mudar o nome de %1 para %2</translation>
+    </message>
+    <message>
+        <source>%1: there is no such profile</source>
+        <translation>%1: não existe esse perfil</translation>
+    </message>
+    <message>
+        <source>there is a mount &quot;%1&quot; already (%2); give this one another name</source>
+        <translation>já existe uma montagem &quot;%1&quot; (%2); dê outro nome a esta</translation>
+    </message>
+    <message>
+        <source>%1 is not below limits.%2_max_deg (%3)</source>
+        <translation>%1 não é menor que limits.%2_max_deg (%3)</translation>
+    </message>
+    <message>
+        <source>the limits %1…%2 leave nothing of the travel %3…%4</source>
+        <translation>os limites %1…%2 não deixam nada do curso %3…%4</translation>
+    </message>
+    <message>
+        <source>%1 is outside the limits of operation %2…%3</source>
+        <translation>%1 está fora dos limites de operação %2…%3</translation>
+    </message>
+    <message>
+        <source>%1 points are more than %2</source>
+        <translation>%1 pontos são mais que %2</translation>
+    </message>
+    <message>
+        <source>the azimuth %1 does not follow %2; points ascend, each azimuth once</source>
+        <translation>o azimute %1 não vem depois de %2; os pontos são crescentes, cada azimute uma vez</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already</source>
+        <translation>&quot;%1&quot; já existe</translation>
+    </message>
+    <message>
+        <source>%1 is not below elevation_max_deg (%2)</source>
+        <translation>%1 não é menor que elevation_max_deg (%2)</translation>
+    </message>
+    <message>
+        <source>is the same as azimuth_from_deg; that is no width</source>
+        <translation>é igual a azimuth_from_deg; isso não tem largura</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address like 192.168.1.7 or ::1</source>
+        <translation>&quot;%1&quot; não é um endereço como 192.168.1.7 ou ::1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no network like 10.0.0.0/8 or fd00::/8</source>
+        <translation>&quot;%1&quot; não é uma rede como 10.0.0.0/8 ou fd00::/8</translation>
+    </message>
+    <message>
+        <source>Azimuth of the point, from true north.</source>
+        <translation>Azimute do ponto, a partir do norte verdadeiro.</translation>
+    </message>
+    <message>
+        <source>Lowest elevation of the beam there.</source>
+        <translation>Menor elevação do feixe ali.</translation>
+    </message>
+    <message>
+        <source>What it is called.</source>
+        <translation>Como se chama.</translation>
+    </message>
+    <message>
+        <source>Its anticlockwise side.</source>
+        <translation>O seu lado anti-horário.</translation>
+    </message>
+    <message>
+        <source>Its clockwise side; from 350 to 10 it goes through north.</source>
+        <translation>O seu lado horário; de 350 a 10 passa pelo norte.</translation>
+    </message>
+    <message>
+        <source>Its lower side.</source>
+        <translation>O seu lado inferior.</translation>
+    </message>
+    <message>
+        <source>Its upper side.</source>
+        <translation>O seu lado superior.</translation>
+    </message>
+    <message>
+        <source>Azimuth, from true north.</source>
+        <translation>Azimute, a partir do norte verdadeiro.</translation>
+    </message>
+    <message>
+        <source>Elevation; above 90 over the top.</source>
+        <translation>Elevação; acima de 90, passando pelo zênite.</translation>
+    </message>
+    <message>
+        <source>Lowest azimuth of operation, as a mechanical angle; the travel counts besides.</source>
+        <translation>Menor azimute de operação, como ângulo mecânico; além disso conta o curso.</translation>
+    </message>
+    <message>
+        <source>Highest azimuth of operation, as a mechanical angle.</source>
+        <translation>Maior azimute de operação, como ângulo mecânico.</translation>
+    </message>
+    <message>
+        <source>Lowest elevation of operation, as a mechanical angle.</source>
+        <translation>Menor elevação de operação, como ângulo mecânico.</translation>
+    </message>
+    <message>
+        <source>Highest elevation of operation, as a mechanical angle.</source>
+        <translation>Maior elevação de operação, como ângulo mecânico.</translation>
+    </message>
+    <message>
+        <source>Where the mount stands, north positive.</source>
+        <translation>Onde está a montagem, norte positivo.</translation>
+    </message>
+    <message>
+        <source>Where the mount stands, east positive.</source>
+        <translation>Onde está a montagem, leste positivo.</translation>
+    </message>
+    <message>
+        <source>Where the mount stands, above sea level.</source>
+        <translation>Onde está a montagem, acima do nível do mar.</translation>
+    </message>
+    <message>
+        <source>What clients and the window call this mount; what it remembers is kept under this name.</source>
+        <translation>Como os clientes e a janela chamam esta montagem; o que ela recorda fica guardado sob este nome.</translation>
+    </message>
+    <message>
+        <source>Half-power beam width of the antenna, drawn in the polar plot.</source>
+        <translation>Largura do feixe da antena a meia potência, desenhada no gráfico polar.</translation>
+    </message>
+    <message>
+        <source>Whether a person has seen that each axis turns the way this file says; before, moves are short and slow.</source>
+        <translation>Se uma pessoa já viu que cada eixo gira como diz este arquivo; antes disso os movimentos são curtos e lentos.</translation>
+    </message>
+    <message>
+        <source>How the drives are reached: &quot;fdcanusb:PATH&quot;, &quot;socketcan:INTERFACE&quot; or &quot;simulated&quot;.</source>
+        <translation>Como se chega aos acionamentos: &quot;fdcanusb:CAMINHO&quot;, &quot;socketcan:INTERFACE&quot; ou &quot;simulated&quot;.</translation>
+    </message>
+    <message>
+        <source>CAN id of the axis&apos;s moteus controller.</source>
+        <translation>Id CAN do controlador moteus do eixo.</translation>
+    </message>
+    <message>
+        <source>1, or -1 when the motor counts down while the axis angle grows; 0 is refused.</source>
+        <translation>1, ou -1 quando o motor conta para baixo enquanto o ângulo do eixo cresce; 0 é recusado.</translation>
+    </message>
+    <message>
+        <source>motor turns = sign × (angle + offset) / 360 × gear ratio.</source>
+        <translation>voltas do motor = sinal × (ângulo + desvio) / 360 × redução.</translation>
+    </message>
+    <message>
+        <source>Turns of the motor per turn of the axis.</source>
+        <translation>Voltas do motor por volta do eixo.</translation>
+    </message>
+    <message>
+        <source>Who applies the gear ratio: with &quot;drive&quot; the controller already counts turns of the axis.</source>
+        <translation>Quem aplica a redução: com &quot;drive&quot; o controlador já conta voltas do eixo.</translation>
+    </message>
+    <message>
+        <source>Lower end of the permitted travel, as a mechanical angle.</source>
+        <translation>Extremo inferior do curso permitido, como ângulo mecânico.</translation>
+    </message>
+    <message>
+        <source>Upper end of the permitted travel; 370° is not 10°.</source>
+        <translation>Extremo superior do curso permitido; 370° não é 10°.</translation>
+    </message>
+    <message>
+        <source>Fastest motion of the axis.</source>
+        <translation>Movimento mais rápido do eixo.</translation>
+    </message>
+    <message>
+        <source>Fastest change of speed, also when stopping.</source>
+        <translation>Maior variação da velocidade, também ao parar.</translation>
+    </message>
+    <message>
+        <source>Fastest change of acceleration; 2 × acceleration / jerk seconds are lost in every stop.</source>
+        <translation>Maior variação da aceleração; em cada parada perdem-se 2 × aceleração / jerk segundos.</translation>
+    </message>
+    <message>
+        <source>Torque the drive may use, as the controller counts it.</source>
+        <translation>Torque que o acionamento pode usar, como o controlador o conta.</translation>
+    </message>
+    <message>
+        <source>&quot;trusted&quot; if the position after power-up is always right (encoder on the axis, travel below one turn); else the axis is only pointed when the drive reports a referenced output.</source>
+        <translation>&quot;trusted&quot; se a posição depois de ligar está sempre certa (encoder no eixo, curso menor que uma volta); senão o eixo só é apontado quando o acionamento relata uma saída referenciada.</translation>
+    </message>
+    <message>
+        <source>What the drive does by itself when its watchdog expires: &quot;hold&quot; (servo.timeout_mode 10) or &quot;brake&quot; (15, for self-locking gearboxes only).</source>
+        <translation>O que o acionamento faz por si quando o seu watchdog se esgota: &quot;hold&quot; (servo.timeout_mode 10) ou &quot;brake&quot; (15, só para redutores autoblocantes).</translation>
+    </message>
+    <message>
+        <source>Set-points per second.</source>
+        <translation>Referências por segundo.</translation>
+    </message>
+    <message>
+        <source>The drives stop by themselves after this time without a command.</source>
+        <translation>Os acionamentos param por si após este tempo sem comando.</translation>
+    </message>
+    <message>
+        <source>What the drives are left doing when the program ends. hold needs servo.timeout_mode 10 in the drives, else they only damp.</source>
+        <translation>O que os acionamentos ficam fazendo quando o programa termina. hold precisa de servo.timeout_mode 10 nos acionamentos, senão só amortecem.</translation>
+    </message>
+    <message>
+        <source>How far beyond the travel the drives&apos; own position bounds lie, a second limit that holds without this program.</source>
+        <translation>Quanto além do curso ficam os limites de posição dos próprios acionamentos, um segundo limite que vale sem este programa.</translation>
+    </message>
+    <message>
+        <source>Park position, as a mechanical angle.</source>
+        <translation>Posição de estacionamento, como ângulo mecânico.</translation>
+    </message>
+    <message>
+        <source>Slow jog rate.</source>
+        <translation>Velocidade manual lenta.</translation>
+    </message>
+    <message>
+        <source>Normal jog rate.</source>
+        <translation>Velocidade manual normal.</translation>
+    </message>
+    <message>
+        <source>Fast jog rate.</source>
+        <translation>Velocidade manual rápida.</translation>
+    </message>
+    <message>
+        <source>Fastest jog while it is not known on which turn an axis stands.</source>
+        <translation>Maior velocidade manual enquanto não se sabe em que volta está um eixo.</translation>
+    </message>
+    <message>
+        <source>HOST:PORT for rotctld clients; port 0 takes any free one. 127.0.0.1 keeps other machines out.</source>
+        <translation>HOST:PORTA para clientes rotctld; a porta 0 toma qualquer livre. 127.0.0.1 mantém fora outras máquinas.</translation>
+    </message>
+    <message>
+        <source>Addresses and networks (&quot;192.168.1.7&quot;, &quot;10.0.0.0/8&quot;) that may connect; empty: whoever reaches the port.</source>
+        <translation>Endereços e redes (&quot;192.168.1.7&quot;, &quot;10.0.0.0/8&quot;) que podem conectar-se; vazio: quem chegar à porta.</translation>
+    </message>
+    <message>
+        <source>Which of several clients moves the mount: the &quot;first&quot; until it is silent for 10 s, whoever asked &quot;last&quot; (as Hamlib), or &quot;locked&quot; to one.</source>
+        <translation>Qual de vários clientes move a montagem: o primeiro (&quot;first&quot;) até ficar calado 10 s, quem pediu por último (&quot;last&quot;, como o Hamlib), ou só um (&quot;locked&quot;).</translation>
+    </message>
+    <message>
+        <source>Address of the one client that may move the mount while lead is &quot;locked&quot;.</source>
+        <translation>Endereço do único cliente que pode mover a montagem enquanto lead é &quot;locked&quot;.</translation>
+    </message>
+    <message>
+        <source>A direction where the mount may not go: drive to the nearest permitted point, or refuse it.</source>
+        <translation>Uma direção aonde a montagem não pode ir: conduzir ao ponto permitido mais próximo, ou recusar.</translation>
+    </message>
+    <message>
+        <source>How clients are told the azimuth; &quot;continuous&quot; is the mechanical angle.</source>
+        <translation>Como se diz o azimute aos clientes; &quot;continuous&quot; é o ângulo mecânico.</translation>
+    </message>
+    <message>
+        <source>Form of the \dump_state reply: readable for Hamlib clients of every age, or exactly as Hamlib 4.5.1 and later.</source>
+        <translation>Forma da resposta a \dump_state: legível para clientes Hamlib de todas as idades, ou exatamente como Hamlib 4.5.1 e posteriores.</translation>
+    </message>
+    <message>
+        <source>Connections served at the same time.</source>
+        <translation>Conexões servidas ao mesmo tempo.</translation>
+    </message>
+    <message>
+        <source>a finite number is expected</source>
+        <translation>espera-se um número finito</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2…%3</source>
+        <translation>%1 está fora de %2…%3</translation>
+    </message>
+    <message>
+        <source>one line of 1 to 60 bytes is expected</source>
+        <translation>espera-se uma linha de 1 a 60 bytes</translation>
+    </message>
+    <message>
+        <source>a number is expected</source>
+        <translation>espera-se um número</translation>
+    </message>
+    <message>
+        <source>a whole number is expected</source>
+        <translation>espera-se um número inteiro</translation>
+    </message>
+    <message>
+        <source>a text in quotes is expected</source>
+        <translation>espera-se um texto entre aspas</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none of %2</source>
+        <translation>&quot;%1&quot; não é nenhum de %2</translation>
+    </message>
+    <message>
+        <source>a list of texts in quotes is expected, like [&quot;one&quot;, &quot;two&quot;]</source>
+        <translation>espera-se uma lista de textos entre aspas, como [&quot;um&quot;, &quot;dois&quot;]</translation>
+    </message>
+    <message>
+        <source>A hint when set-point and axis stay so far apart for following_time_s.</source>
+        <translation>Um aviso quando referência e eixo ficam tão afastados durante following_time_s.</translation>
+    </message>
+    <message>
+        <source>The mount stops when set-point and axis stay so far apart for following_time_s.</source>
+        <translation>A montagem para quando referência e eixo ficam tão afastados durante following_time_s.</translation>
+    </message>
+    <message>
+        <source>How long a following error may last.</source>
+        <translation>Quanto tempo pode durar um erro de seguimento.</translation>
+    </message>
+    <message>
+        <source>The mount stops when an axis is commanded to move and has not moved for so long.</source>
+        <translation>A montagem para quando um eixo é comandado a mover-se e não se moveu durante tanto tempo.</translation>
+    </message>
+    <message>
+        <source>An axis that should stand and has moved by so much stops the mount, or is a hint while its drive is off.</source>
+        <translation>Um eixo que devia estar parado e se moveu tanto para a montagem, ou é um aviso enquanto o seu acionamento está desligado.</translation>
+    </message>
+    <message>
+        <source>The mount stops when an angle changes between two replies by so much more than the axis can turn.</source>
+        <translation>A montagem para quando um ângulo muda entre duas respostas tanto mais do que o eixo pode girar.</translation>
+    </message>
+    <message>
+        <source>A hint when an axis is so far beyond its travel.</source>
+        <translation>Um aviso quando um eixo está tão além do seu curso.</translation>
+    </message>
+    <message>
+        <source>The mount stops when an axis is so far beyond its travel and moves farther out.</source>
+        <translation>A montagem para quando um eixo está tão além do seu curso e se afasta mais.</translation>
+    </message>
+    <message>
+        <source>A hint when an axis needs this share of its max_torque_nm for 2 s.</source>
+        <translation>Um aviso quando um eixo precisa desta parte do seu max_torque_nm durante 2 s.</translation>
+    </message>
+    <message>
+        <source>While the turn of an axis is unknown, the mount stops at this share of its max_torque_nm: a cable may pull.</source>
+        <translation>Enquanto a volta de um eixo é desconhecida, a montagem para a esta parte do seu max_torque_nm: um cabo pode estar puxando.</translation>
+    </message>
+    <message>
+        <source>A hint when the last reply of a drive is older.</source>
+        <translation>Um aviso quando a última resposta de um acionamento é mais antiga.</translation>
+    </message>
+    <message>
+        <source>A hint below this supply voltage.</source>
+        <translation>Um aviso abaixo desta tensão de alimentação.</translation>
+    </message>
+    <message>
+        <source>The mount stops below this supply voltage, while the drives still can.</source>
+        <translation>A montagem para abaixo desta tensão de alimentação, enquanto os acionamentos ainda podem.</translation>
+    </message>
+    <message>
+        <source>A hint above this supply voltage; a stop would brake and drive it higher.</source>
+        <translation>Um aviso acima desta tensão de alimentação; uma parada frenaria e a faria subir mais.</translation>
+    </message>
+    <message>
+        <source>A hint when the board of a drive is so hot.</source>
+        <translation>Um aviso quando a placa de um acionamento está tão quente.</translation>
+    </message>
+    <message>
+        <source>Where the drive gives up with fault 38 (servo.fault_temperature); trends are reckoned to it.</source>
+        <translation>Onde o acionamento desiste com a falha 38 (servo.fault_temperature); as tendências são calculadas até ali.</translation>
+    </message>
+    <message>
+        <source>A hint when a motor with a sensor is so hot.</source>
+        <translation>Um aviso quando um motor com sensor está tão quente.</translation>
+    </message>
+    <message>
+        <source>A hint when supply or temperature, going on as in the last minute, reach their limit within this time.</source>
+        <translation>Um aviso quando a alimentação ou a temperatura, continuando como no último minuto, atingem o limite dentro deste tempo.</translation>
+    </message>
+    <message>
+        <source>Re-arm without a person when a drive that was too hot (fault 38) has cooled down by 5 °C.</source>
+        <translation>Rearmar sem uma pessoa quando um acionamento quente demais (falha 38) esfriou 5 °C.</translation>
+    </message>
+    <message>
+        <source>Re-arm without a person when the supply (faults 34, 40) is back between supply_low_v and supply_high_v.</source>
+        <translation>Rearmar sem uma pessoa quando a alimentação (falhas 34, 40) voltou a ficar entre supply_low_v e supply_high_v.</translation>
+    </message>
+    <message>
+        <source>Re-arm without a person when silent or timed-out drives answer again.</source>
+        <translation>Rearmar sem uma pessoa quando acionamentos mudos ou com tempo esgotado voltam a responder.</translation>
+    </message>
+    <message>
+        <source>Time from a loss, or the last attempt, to the next attempt to re-arm.</source>
+        <translation>Tempo desde uma perda, ou a última tentativa, até à próxima tentativa de rearmar.</translation>
+    </message>
+    <message>
+        <source>%1: is larger than 4 MB</source>
+        <translation>%1: é maior que 4 MB</translation>
+    </message>
+    <message>
+        <source>a place is not on the globe</source>
+        <translation>um lugar não está no globo</translation>
+    </message>
+    <message>
+        <source>an argument is longer than %1 characters</source>
+        <translation>um argumento tem mais de %1 caracteres</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; is not understood</source>
+        <translation>não se compreende %1 &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>elevation %1° is outside -90°…180°</source>
+        <translation>a elevação %1° está fora de -90°…180°</translation>
+    </message>
+    <message>
+        <source>cannot watch sockets: %1</source>
+        <translation>não é possível vigiar os sockets: %1</translation>
+    </message>
+    <message>
+        <source>the server was closed</source>
+        <translation>o servidor foi encerrado</translation>
+    </message>
+    <message>
+        <source>refused: its address is not among those that may connect</source>
+        <translation>recusado: o seu endereço não está entre os que podem conectar-se</translation>
+    </message>
+    <message>
+        <source>refused: %1 clients are connected</source>
+        <translation>recusado: %1 clientes estão conectados</translation>
+    </message>
+    <message>
+        <source>its address may not connect any more</source>
+        <translation>o seu endereço já não pode conectar-se</translation>
+    </message>
+    <message>
+        <source>no descriptor left: new clients wait</source>
+        <translation>não restam descritores: novos clientes esperam</translation>
+    </message>
+    <message>
+        <source>lost: %1</source>
+        <translation>perdido: %1</translation>
+    </message>
+    <message>
+        <source>dropped: %1</source>
+        <translation>desconectado: %1</translation>
+    </message>
+    <message>
+        <source>lost: its answers cannot be sent</source>
+        <translation>perdido: não é possível enviar-lhe as respostas</translation>
+    </message>
+    <message>
+        <source>dropped: does not read its answers</source>
+        <translation>desconectado: não lê as suas respostas</translation>
+    </message>
+    <message>
+        <source>dropped: floods without waiting for answers</source>
+        <translation>desconectado: inunda sem esperar respostas</translation>
+    </message>
+    <message>
+        <source>dropped: left a command unfinished</source>
+        <translation>desconectado: deixou um comando por acabar</translation>
+    </message>
+    <message>
+        <source>sent more than %1 bytes during its own pause</source>
+        <translation>enviou mais de %1 bytes durante a sua própria pausa</translation>
+    </message>
+    <message>
+        <source>closed the connection during its own pause</source>
+        <translation>fechou a conexão durante a sua própria pausa</translation>
+    </message>
+    <message>
+        <source>sent %1 bytes without a line end</source>
+        <translation>enviou %1 bytes sem fim de linha</translation>
+    </message>
+    <message>
+        <source>is no rotctld client (%1)</source>
+        <translation>não é um cliente rotctld (%1)</translation>
+    </message>
+    <message>
+        <source>closed the connection</source>
+        <translation>fechou a conexão</translation>
+    </message>
+    <message>
+        <source>said goodbye</source>
+        <translation>despediu-se</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; refused: %2</source>
+        <translation>&quot;%1&quot; recusado: %2</translation>
+    </message>
+    <message>
+        <source>unknown command &quot;%1&quot;</source>
+        <translation>comando &quot;%1&quot; desconhecido</translation>
+    </message>
+    <message>
+        <source>sent %1 unknown commands in a row</source>
+        <translation>enviou %1 comandos desconhecidos seguidos</translation>
+    </message>
+    <message>
+        <source>there is no level &quot;%1&quot;</source>
+        <translation>não existe o nível &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>wanted to change %1: refused</source>
+        <translation>quis alterar %1: recusado</translation>
+    </message>
+    <message>
+        <source>limits are set in the profile, not by clients</source>
+        <translation>os limites definem-se no perfil, não pelos clientes</translation>
+    </message>
+    <message>
+        <source>raw commands have no way to the drives</source>
+        <translation>comandos diretos não têm caminho até aos acionamentos</translation>
+    </message>
+    <message>
+        <source>there is no function &quot;%1&quot;</source>
+        <translation>não existe a função &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>cannot listen on %1: not an IP address</source>
+        <translation>não é possível escutar em %1: não é um endereço IP</translation>
+    </message>
+    <message>
+        <source>cannot listen on %1: %2</source>
+        <translation>não é possível escutar em %1: %2</translation>
+    </message>
+    <message>
+        <source>the alarm is over</source>
+        <translation>o alarme terminou</translation>
+    </message>
+    <message>
+        <source>only the operator does this</source>
+        <translation>só o operador faz isto</translation>
+    </message>
+    <message>
+        <source>the bus is left to other tools: take it back first</source>
+        <translation>o barramento está entregue a outras ferramentas: retome-o primeiro</translation>
+    </message>
+    <message>
+        <source>no reply from the %1</source>
+        <translation>sem resposta do %1</translation>
+    </message>
+    <message>
+        <source>Boresight is closing</source>
+        <translation>o Boresight está encerrando</translation>
+    </message>
+    <message>
+        <source>the drives have only just come back: wait a second</source>
+        <translation>os acionamentos acabam de voltar: espere um segundo</translation>
+    </message>
+    <message>
+        <source>STOP is latched: reset STOP first</source>
+        <translation>STOP está ativo: libere primeiro o STOP</translation>
+    </message>
+    <message>
+        <source>%1: re-arm first</source>
+        <translation>%1: rearme primeiro</translation>
+    </message>
+    <message>
+        <source>the operator has taken over: give control back to the clients first</source>
+        <translation>o operador assumiu o controle: devolva-o primeiro aos clientes</translation>
+    </message>
+    <message>
+        <source>STOP is not latched</source>
+        <translation>STOP não está ativo</translation>
+    </message>
+    <message>
+        <source>both drives answer; nothing moves</source>
+        <translation>os dois acionamentos respondem; nada se move</translation>
+    </message>
+    <message>
+        <source>the bus is left to other tools</source>
+        <translation>o barramento está entregue a outras ferramentas</translation>
+    </message>
+    <message>
+        <source>a drive has stopped answering</source>
+        <translation>um acionamento deixou de responder</translation>
+    </message>
+    <message>
+        <source>the operator has taken over: re-arming is up to the operator</source>
+        <translation>o operador assumiu o controle: rearmar cabe ao operador</translation>
+    </message>
+    <message>
+        <source>there is no fault to re-arm from</source>
+        <translation>não há falha de que rearmar</translation>
+    </message>
+    <message>
+        <source>both drives must answer before re-arming</source>
+        <translation>os dois acionamentos têm de responder antes de rearmar</translation>
+    </message>
+    <message>
+        <source>re-arms: drives in fault or time-out are stopped first</source>
+        <translation>rearma: acionamentos em falha ou tempo esgotado são parados primeiro</translation>
+    </message>
+    <message>
+        <source>re-arms by the profile&apos;s recovery policy; nothing moves by itself</source>
+        <translation>rearma pela política de recuperação do perfil; nada se move por si</translation>
+    </message>
+    <message>
+        <source>the drives have not been looked at yet</source>
+        <translation>os acionamentos ainda não foram examinados</translation>
+    </message>
+    <message>
+        <source>a moment ago</source>
+        <translation>há um momento</translation>
+    </message>
+    <message>
+        <source>%1 s ago</source>
+        <translation>há %1 s</translation>
+    </message>
+    <message>
+        <source>%1 has the lead: it connects for each command and sent its last %2</source>
+        <translation>%1 conduz: conecta-se para cada comando e enviou o último %2</translation>
+    </message>
+    <message>
+        <source>%1 was given the lead %2</source>
+        <translation>%1 recebeu o comando %2</translation>
+    </message>
+    <message>
+        <source>%1 has the lead: it sent its last command %2</source>
+        <translation>%1 conduz: enviou o seu último comando %2</translation>
+    </message>
+    <message>
+        <source>the operator has made this client read-only</source>
+        <translation>o operador deixou este cliente só com leitura</translation>
+    </message>
+    <message>
+        <source>the mount is locked to %1</source>
+        <translation>a montagem está reservada a %1</translation>
+    </message>
+    <message>
+        <source>this client has left</source>
+        <translation>este cliente saiu</translation>
+    </message>
+    <message>
+        <source>the mount is locked to %1: unlock it first</source>
+        <translation>a montagem está reservada a %1: desfaça a reserva primeiro</translation>
+    </message>
+    <message>
+        <source>azimuth</source>
+        <translation>azimute</translation>
+    </message>
+    <message>
+        <source>elevation</source>
+        <translation>elevação</translation>
+    </message>
+    <message>
+        <source>not enough room for a crash stop of the %1 at %2°/s: move it away from both ends of its travel</source>
+        <translation>não há espaço para uma parada brusca do eixo de %1 a %2°/s: afaste-o dos dois fins de curso</translation>
+    </message>
+    <message>
+        <source>the axis did not reach the speed</source>
+        <translation>o eixo não atingiu a velocidade</translation>
+    </message>
+    <message>
+        <source>the %1 did not stop within %2 s without orders: look at its time-out mode</source>
+        <translation>o eixo de %1 não parou em %2 s sem ordens: veja o seu modo de tempo esgotado</translation>
+    </message>
+    <message>
+        <source>its drive did not come back</source>
+        <translation>o seu acionamento não voltou</translation>
+    </message>
+    <message>
+        <source>moving the %1 up to speed</source>
+        <translation>levando o eixo de %1 à velocidade</translation>
+    </message>
+    <message>
+        <source>the %1 gets no orders: watching it stop</source>
+        <translation>o eixo de %1 não recebe ordens: observando a parada</translation>
+    </message>
+    <message>
+        <source>holding the %1 again</source>
+        <translation>mantendo de novo o eixo de %1</translation>
+    </message>
+    <message>
+        <source>No reply from the %1</source>
+        <translation>Sem resposta do %1</translation>
+    </message>
+    <message>
+        <source>Motion ended; the drive, if it has power, stops itself by its watchdog (%1 s)</source>
+        <translation>Movimento terminado; o acionamento, se tiver energia, para por si pelo seu watchdog (%1 s)</translation>
+    </message>
+    <message>
+        <source>Check the supply, the CAN cable and the adapter, then re-arm</source>
+        <translation>Verifique a alimentação, o cabo CAN e o adaptador e depois rearme</translation>
+    </message>
+    <message>
+        <source>%1. Likely: %2</source>
+        <translation>%1. Provável: %2</translation>
+    </message>
+    <message>
+        <source>re-arm</source>
+        <comment>the part of the word by which a remedy is known to say it</comment>
+        <translation>rearm</translation>
+    </message>
+    <message>
+        <source>%1 Then re-arm</source>
+        <translation>%1 Depois rearme</translation>
+    </message>
+    <message>
+        <source>%1, then re-arm</source>
+        <translation>%1 e depois rearme</translation>
+    </message>
+    <message>
+        <source>%1 is in fault and does not say which</source>
+        <translation>%1 está em falha e não diz qual</translation>
+    </message>
+    <message>
+        <source>The drive switched its output off; the other axis holds if its drive can</source>
+        <translation>O acionamento desligou a sua saída; o outro eixo mantém-se se o seu acionamento puder</translation>
+    </message>
+    <message>
+        <source>Look at it with boresightctl scan; then re-arm</source>
+        <translation>Examine-o com boresightctl scan; depois rearme</translation>
+    </message>
+    <message>
+        <source>%1 fault %2: %3</source>
+        <translation>%1 em falha %2: %3</translation>
+    </message>
+    <message>
+        <source>Nothing is commanded</source>
+        <translation>Nada é comandado</translation>
+    </message>
+    <message>
+        <source>Check the supply, the CAN cable, the adapter and the drive&apos;s id in the profile; boresightctl scan tells who answers</source>
+        <translation>Verifique a alimentação, o cabo CAN, o adaptador e o id do acionamento no perfil; boresightctl scan diz quem responde</translation>
+    </message>
+    <message>
+        <source>The %1 fell silent; it answers again</source>
+        <translation>O %1 ficou mudo; voltou a responder</translation>
+    </message>
+    <message>
+        <source>Motion ended; nothing moves before a re-arm</source>
+        <translation>Movimento terminado; nada se move antes de rearmar</translation>
+    </message>
+    <message>
+        <source>Look for a loose plug, a worn cable or a weak supply, then re-arm</source>
+        <translation>Procure um conector solto, um cabo gasto ou uma alimentação fraca e depois rearme</translation>
+    </message>
+    <message>
+        <source>The %1 timed out: it got no command in time</source>
+        <translation>O %1 esgotou o tempo: não recebeu comando a tempo</translation>
+    </message>
+    <message>
+        <source>It stopped itself by its watchdog; the motion of both axes ended</source>
+        <translation>Parou por si pelo seu watchdog; o movimento dos dois eixos terminou</translation>
+    </message>
+    <message>
+        <source>Check the bus and the load of this computer, then re-arm</source>
+        <translation>Verifique o barramento e a carga deste computador e depois rearme</translation>
+    </message>
+    <message>
+        <source>The %1 switched itself off</source>
+        <translation>O %1 desligou-se</translation>
+    </message>
+    <message>
+        <source>Motion ended; the other axis holds if its drive can</source>
+        <translation>Movimento terminado; o outro eixo mantém-se se o seu acionamento puder</translation>
+    </message>
+    <message>
+        <source>Its supply failed or another program stopped it: check both, then re-arm</source>
+        <translation>A alimentação falhou ou outro programa o parou: verifique ambos e depois rearme</translation>
+    </message>
+    <message>
+        <source>The %1 answers but does not do what it is told</source>
+        <translation>O %1 responde mas não faz o que se lhe manda</translation>
+    </message>
+    <message>
+        <source>Nothing is commanded any more; the other axis holds if its drive can</source>
+        <translation>Já nada é comandado; o outro eixo mantém-se se o seu acionamento puder</translation>
+    </message>
+    <message>
+        <source>Look at its mode and fault; another program may command it; then re-arm</source>
+        <translation>Veja o seu modo e falha; outro programa pode estar comandando-o; depois rearme</translation>
+    </message>
+    <message>
+        <source>%1 limit %2: %3</source>
+        <translation>%1 em limite %2: %3</translation>
+    </message>
+    <message>
+        <source>The drive gives less than it was asked for</source>
+        <translation>O acionamento dá menos do que lhe foi pedido</translation>
+    </message>
+    <message>
+        <source>Both axes came to rest and hold where they are</source>
+        <translation>Os dois eixos pararam e mantêm-se onde estão</translation>
+    </message>
+    <message>
+        <source>The mount goes on</source>
+        <translation>A montagem continua</translation>
+    </message>
+    <message>
+        <source>%1 is active without our orders: mode %2</source>
+        <translation>%1 está ativo sem ordens nossas: modo %2</translation>
+    </message>
+    <message>
+        <source>Boresight does not touch it before a command; STOP takes it over and holds</source>
+        <translation>O Boresight não lhe toca antes de um comando; STOP assume-o e mantém-no</translation>
+    </message>
+    <message>
+        <source>Another program, or an order left without a watchdog, drives it: end that</source>
+        <translation>É movido por outro programa, ou por uma ordem deixada sem watchdog: acabe com isso</translation>
+    </message>
+    <message>
+        <source>written: %1</source>
+        <translation>escrito: %1</translation>
+    </message>
+    <message>
+        <source>changed meanwhile: %1</source>
+        <translation>alterado entretanto: %1</translation>
+    </message>
+    <message>
+        <source>the drives&apos; settings are being written: wait until that is done</source>
+        <translation>os parâmetros dos acionamentos estão sendo escritos: espere até terminar</translation>
+    </message>
+    <message>
+        <source>azimuth drive</source>
+        <translation>acionamento de azimute</translation>
+    </message>
+    <message>
+        <source>elevation drive</source>
+        <translation>acionamento de elevação</translation>
+    </message>
+    <message>
+        <source>the %1 fell silent</source>
+        <translation>o %1 ficou mudo</translation>
+    </message>
+    <message>
+        <source>cannot write %1: %2</source>
+        <translation>não é possível escrever %1: %2</translation>
+    </message>
+    <message>
+        <source>it is not confirmed yet which way the axes turn: jog at 5°/s or slower, or confirm it</source>
+        <translation>ainda não está confirmado para que lado giram os eixos: mova a 5°/s ou menos, ou confirme</translation>
+    </message>
+    <message>
+        <source>it is not confirmed yet which way the axes turn: no farther than 2° until it is</source>
+        <translation>ainda não está confirmado para que lado giram os eixos: até lá, não mais que 2°</translation>
+    </message>
+    <message>
+        <source>%1 similar lines left out</source>
+        <translation>%1 linhas semelhantes omitidas</translation>
+    </message>
+    <message>
+        <source>this Gpredict updates only every %1°: set Threshold to 0.1 in its Antenna Control</source>
+        <translation>este Gpredict só atualiza a cada %1°: ponha Threshold em 0.1 no seu Antenna Control</translation>
+    </message>
+    <message>
+        <source>The place of the axes is kept in memory only</source>
+        <translation>O lugar dos eixos só fica guardado na memória</translation>
+    </message>
+    <message>
+        <source>Check the disk, or choose another folder with --state-dir; else the turn must be told after a restart</source>
+        <translation>Verifique o disco, ou escolha outra pasta com --state-dir; senão será preciso dizer a volta após reiniciar</translation>
+    </message>
+    <message>
+        <source>Boresight goes on using the bus</source>
+        <translation>O Boresight continua a usar o barramento</translation>
+    </message>
+    <message>
+        <source>Nothing can be commanded; the bus is tried again each second</source>
+        <translation>Nada pode ser comandado; o barramento é tentado de novo a cada segundo</translation>
+    </message>
+    <message>
+        <source>listening on %1</source>
+        <translation>escuta em %1</translation>
+    </message>
+    <message>
+        <source>No client can connect; everything else works</source>
+        <translation>Nenhum cliente pode conectar-se; o resto funciona</translation>
+    </message>
+    <message>
+        <source>End the other program, or choose another port with --listen or in the profile, and start again</source>
+        <translation>Encerre o outro programa, ou escolha outra porta com --listen ou no perfil, e inicie de novo</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>recusado: %1</translation>
+    </message>
+    <message>
+        <source>disconnected by the operator</source>
+        <translation>desconectado pelo operador</translation>
+    </message>
+    <message>
+        <source>connects anew to the mount &quot;%1&quot;</source>
+        <translation>conecta-se de novo à montagem &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>changes %1 from %2 to %3</source>
+        <translation>altera %1 de %2 para %3</translation>
+    </message>
+    <message>
+        <source>changes %1 from %2 to %3, in force after Reconnect</source>
+        <translation>altera %1 de %2 para %3, em vigor após Reconectar</translation>
+    </message>
+    <message>
+        <source>The log is kept in memory only</source>
+        <translation>O registro só fica guardado na memória</translation>
+    </message>
+    <message>
+        <source>Check the disk, or choose another folder with --state-dir</source>
+        <translation>Verifique o disco, ou escolha outra pasta com --state-dir</translation>
+    </message>
+    <message>
+        <source>gives control back to the clients</source>
+        <translation>devolve o controle aos clientes</translation>
+    </message>
+    <message>
+        <source>gives control to %1</source>
+        <translation>dá o controle a %1</translation>
+    </message>
+    <message>
+        <source>lets %1 only read and stop</source>
+        <translation>deixa %1 apenas ler e parar</translation>
+    </message>
+    <message>
+        <source>lets %1 move the mount again</source>
+        <translation>deixa %1 mover de novo a montagem</translation>
+    </message>
+    <message>
+        <source>may not move the mount any more: hold</source>
+        <translation>já não pode mover a montagem: manter</translation>
+    </message>
+    <message>
+        <source>the crash-stop proof moves the mount: end it first</source>
+        <translation>o ensaio de parada brusca move a montagem: termine-o primeiro</translation>
+    </message>
+    <message>
+        <source>the %1 reports no position: look at its encoder</source>
+        <translation>o %1 não relata posição: examine o seu encoder</translation>
+    </message>
+    <message>
+        <source>it is not confirmed yet which way the axes turn: jog each a little and confirm it first</source>
+        <translation>ainda não está confirmado para que lado giram os eixos: mova um pouco cada um e confirme primeiro</translation>
+    </message>
+    <message>
+        <source>it is not known on which turn the axis of the %1 stands: the operator must tell; slow jogging only</source>
+        <translation>não se sabe em que volta está o eixo do %1: o operador tem de o dizer; só movimento manual lento</translation>
+    </message>
+    <message>
+        <source>the place of the axes is being found out: wait a moment</source>
+        <translation>o lugar dos eixos está sendo determinado: espere um momento</translation>
+    </message>
+    <message>
+        <source>the turn of an axis is not known: jog at %1°/s or slower</source>
+        <translation>a volta de um eixo é desconhecida: mova a %1°/s ou menos</translation>
+    </message>
+    <message>
+        <source>takes over: motion commands of clients are refused</source>
+        <translation>assume o controle: comandos de movimento dos clientes são recusados</translation>
+    </message>
+    <message>
+        <source>moves the mount from %1: %2</source>
+        <translation>move a montagem a partir de %1: %2</translation>
+    </message>
+    <message>
+        <source>ended before it was done</source>
+        <translation>terminado antes de concluído</translation>
+    </message>
+    <message>
+        <source>%1; permitted nearest to it: %2</source>
+        <translation>%1; o permitido mais próximo: %2</translation>
+    </message>
+    <message>
+        <source>LIMITED: %1; driven to the nearest permitted point</source>
+        <translation>LIMITADO: %1; conduzido ao ponto permitido mais próximo</translation>
+    </message>
+    <message>
+        <source>go to %1</source>
+        <translation>ir a %1</translation>
+    </message>
+    <message>
+        <source>go to axes %1</source>
+        <translation>ir aos eixos %1</translation>
+    </message>
+    <message>
+        <source>step to %1</source>
+        <translation>passo até %1</translation>
+    </message>
+    <message>
+        <source>park at %1</source>
+        <translation>estacionar em %1</translation>
+    </message>
+    <message>
+        <source>home to %1</source>
+        <translation>origem em %1</translation>
+    </message>
+    <message>
+        <source>horizon at %1</source>
+        <translation>horizonte em %1</translation>
+    </message>
+    <message>
+        <source>jog</source>
+        <translation>manual</translation>
+    </message>
+    <message>
+        <source>move</source>
+        <translation>mover</translation>
+    </message>
+    <message>
+        <source>ends the motion: hold</source>
+        <translation>termina o movimento: manter</translation>
+    </message>
+    <message>
+        <source>STOP: both axes decelerate and hold; latched</source>
+        <translation>STOP: os dois eixos desaceleram e mantêm-se; fica ativo</translation>
+    </message>
+    <message>
+        <source>the mount is still braking: reset STOP when it stands</source>
+        <translation>a montagem ainda está freando: libere o STOP quando parar</translation>
+    </message>
+    <message>
+        <source>resets STOP: nothing moves until the next command</source>
+        <translation>libera o STOP: nada se move até ao próximo comando</translation>
+    </message>
+    <message>
+        <source>is gone: its motion ends</source>
+        <translation>desapareceu: o seu movimento termina</translation>
+    </message>
+    <message>
+        <source>no fresh position from the %1</source>
+        <translation>sem posição recente do %1</translation>
+    </message>
+    <message>
+        <source>it is not known on which turn an axis stands</source>
+        <translation>não se sabe em que volta está um eixo</translation>
+    </message>
+    <message>
+        <source>was power-cycled: its turn must be judged anew</source>
+        <translation>foi desligado e ligado: a sua volta tem de ser avaliada de novo</translation>
+    </message>
+    <message>
+        <source>ends the motion: %1</source>
+        <translation>termina o movimento: %1</translation>
+    </message>
+    <message>
+        <source>a trim beyond %1° is not a correction any more</source>
+        <translation>uma compensação acima de %1° já não é uma correção</translation>
+    </message>
+    <message>
+        <source>trims the targets of clients by %1° in azimuth, %2° in elevation</source>
+        <translation>compensa os alvos dos clientes em %1° de azimute, %2° de elevação</translation>
+    </message>
+    <message>
+        <source>jog ends: no farther than 2° until the directions of the axes are confirmed</source>
+        <translation>o movimento manual termina: não mais que 2° até estar confirmado para que lado giram os eixos</translation>
+    </message>
+    <message>
+        <source>at the end of the travel</source>
+        <translation>no fim de curso</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>em: %1</translation>
+    </message>
+    <message>
+        <source>turn not known</source>
+        <translation>volta desconhecida</translation>
+    </message>
+    <message>
+        <source>not by our orders</source>
+        <translation>sem ordens nossas</translation>
+    </message>
+    <message>
+        <source>held by its own time-out mode</source>
+        <translation>mantido pelo seu próprio modo de tempo esgotado</translation>
+    </message>
+    <message>
+        <source>in its own time-out mode</source>
+        <translation>no seu próprio modo de tempo esgotado</translation>
+    </message>
+    <message>
+        <source>%1 accepted</source>
+        <translation>%1 aceito</translation>
+    </message>
+    <message>
+        <source>%1 refused: %2</source>
+        <translation>%1 recusado: %2</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>conectado</translation>
+    </message>
+    <message>
+        <source>gone: %1</source>
+        <translation>saiu: %1</translation>
+    </message>
+    <message>
+        <source>the mount moves: stop it first</source>
+        <translation>a montagem move-se: pare-a primeiro</translation>
+    </message>
+    <message>
+        <source>a drive is being taken over: try again in a second</source>
+        <translation>um acionamento está sendo assumido: tente de novo dentro de um segundo</translation>
+    </message>
+    <message>
+        <source>both drives must answer</source>
+        <translation>os dois acionamentos têm de responder</translation>
+    </message>
+    <message>
+        <source>the %1 is switched on: support the elevation, switch the drives off</source>
+        <translation>o %1 está ligado: apoie a elevação, desligue os acionamentos</translation>
+    </message>
+    <message>
+        <source>switches both drives off: nothing holds the axes</source>
+        <translation>desliga os dois acionamentos: nada segura os eixos</translation>
+    </message>
+    <message>
+        <source>leaves the bus to other tools; drives that held go on by their time-out mode</source>
+        <translation>entrega o barramento a outras ferramentas; acionamentos que mantinham continuam pelo seu modo de tempo esgotado</translation>
+    </message>
+    <message>
+        <source>the bus was not left to other tools</source>
+        <translation>o barramento não estava entregue a outras ferramentas</translation>
+    </message>
+    <message>
+        <source>takes the bus back: the drives are read anew</source>
+        <translation>retoma o barramento: os acionamentos são lidos de novo</translation>
+    </message>
+    <message>
+        <source>a crash stop is proven at %1 to %2°/s</source>
+        <translation>uma parada brusca ensaia-se a %1 até %2°/s</translation>
+    </message>
+    <message>
+        <source>crash-stop proof at %1°/s</source>
+        <translation>ensaio de parada brusca a %1°/s</translation>
+    </message>
+    <message>
+        <source>no proof is running</source>
+        <translation>não há ensaio em curso</translation>
+    </message>
+    <message>
+        <source>ended by the %1</source>
+        <translation>terminado por: %1</translation>
+    </message>
+    <message>
+        <source>ended: the drive reports no position any more</source>
+        <translation>terminado: o acionamento já não relata posição</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>concluído</translation>
+    </message>
+    <message>
+        <source>crash stop from %1°/s: stood after %2° and %3 ms</source>
+        <translation>parada brusca desde %1°/s: parou após %2° e %3 ms</translation>
+    </message>
+    <message>
+        <source>crash-stop proof: %1</source>
+        <translation>ensaio de parada brusca: %1</translation>
+    </message>
+    <message>
+        <source>command line</source>
+        <translation>linha de comando</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>operador</translation>
+    </message>
+    <message>
+        <source>station</source>
+        <translation>estação</translation>
+    </message>
+    <message>
+        <source>drives</source>
+        <translation>acionamentos</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>memória</translation>
+    </message>
+    <message>
+        <source>bus</source>
+        <translation>barramento</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>registro</translation>
+    </message>
+    <message>
+        <source>DISCONNECTED</source>
+        <comment>station state</comment>
+        <translation>SEM CONEXÃO</translation>
+    </message>
+    <message>
+        <source>STANDBY</source>
+        <comment>station state</comment>
+        <translation>EM ESPERA</translation>
+    </message>
+    <message>
+        <source>HOLD</source>
+        <comment>station state</comment>
+        <translation>MANTIDO</translation>
+    </message>
+    <message>
+        <source>SLEW</source>
+        <comment>station state</comment>
+        <translation>A CAMINHO</translation>
+    </message>
+    <message>
+        <source>TRACK</source>
+        <comment>station state</comment>
+        <translation>RASTREIO</translation>
+    </message>
+    <message>
+        <source>JOG</source>
+        <comment>station state</comment>
+        <translation>MANUAL</translation>
+    </message>
+    <message>
+        <source>PARKED</source>
+        <comment>station state</comment>
+        <translation>ESTACIONADO</translation>
+    </message>
+    <message>
+        <source>CALIBRATE</source>
+        <comment>station state</comment>
+        <translation>CALIBRAÇÃO</translation>
+    </message>
+    <message>
+        <source>STOPPED</source>
+        <comment>station state</comment>
+        <translation>PARADO</translation>
+    </message>
+    <message>
+        <source>FAULT</source>
+        <comment>station state</comment>
+        <translation>FALHA</translation>
+    </message>
+    <message>
+        <source>NO DATA</source>
+        <comment>axis state</comment>
+        <translation>SEM DADOS</translation>
+    </message>
+    <message>
+        <source>HOLDING</source>
+        <comment>axis state</comment>
+        <translation>MANTIDO</translation>
+    </message>
+    <message>
+        <source>MOVING</source>
+        <comment>axis state</comment>
+        <translation>MOVE-SE</translation>
+    </message>
+    <message>
+        <source>LIMIT</source>
+        <comment>axis state</comment>
+        <translation>LIMITE</translation>
+    </message>
+    <message>
+        <source>STOPPED</source>
+        <comment>axis state</comment>
+        <translation>PARADO</translation>
+    </message>
+    <message>
+        <source>FAULT</source>
+        <comment>axis state</comment>
+        <translation>FALHA</translation>
+    </message>
+    <message>
+        <source>ON</source>
+        <comment>axis state</comment>
+        <translation>LIGADO</translation>
+    </message>
+    <message>
+        <source>OFF</source>
+        <comment>axis state</comment>
+        <translation>DESLIGADO</translation>
+    </message>
+    <message>
+        <source>it is not known on which turn the axis of the %1 stands</source>
+        <translation>não se sabe em que volta está o eixo do %1</translation>
+    </message>
+    <message>
+        <source>Pointing is refused, clients get no position; slow jogging only</source>
+        <translation>O apontamento é recusado, os clientes não recebem posição; só movimento manual lento</translation>
+    </message>
+    <message>
+        <source>Look at the mount and its cable, then tell where it stands</source>
+        <translation>Observe a montagem e o seu cabo e depois diga onde está</translation>
+    </message>
+    <message>
+        <source>this computer stalled for %1 s; drives may have stopped by their watchdog</source>
+        <translation>este computador ficou bloqueado %1 s; os acionamentos podem ter parado pelo seu watchdog</translation>
+    </message>
+    <message>
+        <source>jog ends: its keep-alive did not come</source>
+        <translation>o movimento manual termina: não chegou o seu sinal de presença</translation>
+    </message>
+    <message>
+        <source>held at %1</source>
+        <translation>retido em: %1</translation>
+    </message>
+    <message>
+        <source>held: %1</source>
+        <translation>retido: %1</translation>
+    </message>
+    <message>
+        <source>re-armed; nothing moves</source>
+        <translation>rearmado; nada se move</translation>
+    </message>
+    <message>
+        <source>the azimuth</source>
+        <translation>eixo de azimute</translation>
+    </message>
+    <message>
+        <source>the elevation</source>
+        <translation>eixo de elevação</translation>
+    </message>
+    <message>
+        <source>%1 is %2 away from its set-point for %3 (set-point %4, axis %5)</source>
+        <translation>o %1 está a %2 da sua referência há %3 (referência %4, eixo %5)</translation>
+    </message>
+    <message>
+        <source>%1 moves the wrong way: %2 at %3 commanded in %4, %5 moved</source>
+        <translation>o %1 move-se para o lado errado: %2 a %3 comandados em %4, %5 movidos</translation>
+    </message>
+    <message>
+        <source>%1 does not move: %2 at %3 commanded in %4, %5 moved</source>
+        <translation>o %1 não se move: %2 a %3 comandados em %4, %5 movidos</translation>
+    </message>
+    <message>
+        <source>%1 was to hold its place and has moved by %2, to %3</source>
+        <translation>o %1 devia manter o lugar e moveu-se %2, até %3</translation>
+    </message>
+    <message>
+        <source>%1 has moved by %2, to %3, and not by us: by its weight, a hand, the wind or another program</source>
+        <translation>o %1 moveu-se %2, até %3, e não por nós: pelo peso, por uma mão, pelo vento ou por outro programa</translation>
+    </message>
+    <message>
+        <source>the reported angle of %1 jumped by %2 in %3, to %4: more than the axis can turn</source>
+        <translation>o ângulo relatado do %1 saltou %2 em %3, para %4: mais do que o eixo pode girar</translation>
+    </message>
+    <message>
+        <source>%1 is at %2, %3 beyond its travel %4…%5, and moves farther out</source>
+        <translation>o %1 está em %2, %3 além do seu curso %4…%5, e afasta-se mais</translation>
+    </message>
+    <message>
+        <source>%1 is at %2, %3 beyond its travel %4…%5</source>
+        <translation>o %1 está em %2, %3 além do seu curso %4…%5</translation>
+    </message>
+    <message>
+        <source>%1 needs %2 Nm, %3 % of the %4 Nm allowed</source>
+        <translation>o %1 precisa de %2 Nm, %3 % dos %4 Nm permitidos</translation>
+    </message>
+    <message>
+        <source>%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its turn is not known</source>
+        <translation>o %1 precisa de %2 Nm, %3 % dos %4 Nm permitidos, enquanto a sua volta é desconhecida</translation>
+    </message>
+    <message>
+        <source>a reply of %1 drive came %2 after the one before</source>
+        <translation>uma resposta do acionamento do %1 chegou %2 depois da anterior</translation>
+    </message>
+    <message>
+        <source>the supply of %1 is at %2 V, below %3 V</source>
+        <translation>a alimentação do %1 está em %2 V, abaixo de %3 V</translation>
+    </message>
+    <message>
+        <source>the supply of %1 is at %2 V, above %3 V</source>
+        <translation>a alimentação do %1 está em %2 V, acima de %3 V</translation>
+    </message>
+    <message>
+        <source>the supply of %1</source>
+        <translation>a alimentação do %1</translation>
+    </message>
+    <message>
+        <source>the drive board of %1</source>
+        <translation>a placa do acionamento do %1</translation>
+    </message>
+    <message>
+        <source>%1 is at %2 °C; it gives up at %3 °C</source>
+        <translation>%1 está a %2 °C; desiste a %3 °C</translation>
+    </message>
+    <message>
+        <source>the motor of %1</source>
+        <translation>o motor do %1</translation>
+    </message>
+    <message>
+        <source>%1 is at %2 °C</source>
+        <translation>%1 está a %2 °C</translation>
+    </message>
+    <message>
+        <source>%1 is at %2 %3 and rising %4 %3/min: %5 %3 in %6 min</source>
+        <translation>%1 está em %2 %3 e sobe %4 %3/min: %5 %3 em %6 min</translation>
+    </message>
+    <message>
+        <source>%1 is at %2 %3 and falling %4 %3/min: %5 %3 in %6 min</source>
+        <translation>%1 está em %2 %3 e desce %4 %3/min: %5 %3 em %6 min</translation>
+    </message>
+    <message>
+        <source>Look for wind, ice or a tight cable; else lower speed and acceleration or check the drive&apos;s gains.</source>
+        <translation>Procure vento, gelo ou um cabo esticado; senão reduza velocidade e aceleração ou verifique os ganhos do acionamento.</translation>
+    </message>
+    <message>
+        <source>Look what blocks the axis: a cable, a lock, ice, a coupling that slips. Free it.</source>
+        <translation>Veja o que bloqueia o eixo: um cabo, uma trava, gelo, um acoplamento que patina. Solte-o.</translation>
+    </message>
+    <message>
+        <source>Do not re-arm before the motor was calibrated again and its phases and the encoder were checked.</source>
+        <translation>Não rearme antes de calibrar de novo o motor e de verificar as suas fases e o encoder.</translation>
+    </message>
+    <message>
+        <source>Look for wind, a person at the antenna or a slipping gear. Secure the axis, then check the position.</source>
+        <translation>Procure vento, uma pessoa junto à antena ou uma engrenagem que patina. Segure o eixo e depois verifique a posição.</translation>
+    </message>
+    <message>
+        <source>The angle shown may be wrong. Compare it with the antenna, check encoder and wiring, and that no other program sets the drive&apos;s position.</source>
+        <translation>O ângulo mostrado pode estar errado. Compare-o com a antena, verifique encoder e fiação, e que nenhum outro programa define a posição do acionamento.</translation>
+    </message>
+    <message>
+        <source>Jog the axis back inside while you watch the cable.</source>
+        <translation>Traga o eixo de volta com movimento manual enquanto observa o cabo.</translation>
+    </message>
+    <message>
+        <source>Check the load of the bus and of this computer, the cable and the termination.</source>
+        <translation>Verifique a carga do barramento e deste computador, o cabo e a terminação.</translation>
+    </message>
+    <message>
+        <source>Check supply, battery and cable; lower the acceleration.</source>
+        <translation>Verifique fonte, bateria e cabo; reduza a aceleração.</translation>
+    </message>
+    <message>
+        <source>Braking feeds the supply: lower the acceleration, set servo.max_regen_power_W, or add a battery or a brake resistor.</source>
+        <translation>A frenagem devolve energia à fonte: reduza a aceleração, defina servo.max_regen_power_W, ou acrescente uma bateria ou um resistor de frenagem.</translation>
+    </message>
+    <message>
+        <source>Give the board air and shade, or move less and slower; at its limit the drive lets the axis go.</source>
+        <translation>Dê ar e sombra à placa, ou mova menos e mais devagar; no seu limite o acionamento solta o eixo.</translation>
+    </message>
+    <message>
+        <source>Let the motor cool down; look for friction or a load out of balance.</source>
+        <translation>Deixe o motor esfriar; procure atrito ou uma carga desequilibrada.</translation>
+    </message>
+    <message>
+        <source>Look for wind, ice, friction or a load out of balance.</source>
+        <translation>Procure vento, gelo, atrito ou uma carga desequilibrada.</translation>
+    </message>
+    <message>
+        <source>A cable may be wound up: look at it, and turn the other way.</source>
+        <translation>Um cabo pode estar enrolado: observe-o, e gire para o outro lado.</translation>
+    </message>
+    <message>
+        <source>the motor is still at %1 °C; it must cool down to %2 °C</source>
+        <translation>o motor ainda está a %1 °C; tem de esfriar até %2 °C</translation>
+    </message>
+    <message>
+        <source>the drive board is still at %1 °C; it must cool down to %2 °C</source>
+        <translation>a placa do acionamento ainda está a %1 °C; tem de esfriar até %2 °C</translation>
+    </message>
+    <message>
+        <source>the supply is still at %1 V; %2 V are needed</source>
+        <translation>a alimentação ainda está em %1 V; são precisos %2 V</translation>
+    </message>
+    <message>
+        <source>the supply is still at %1 V; at most %2 V are permitted</source>
+        <translation>a alimentação ainda está em %1 V; são permitidos no máximo %2 V</translation>
+    </message>
+    <message>
+        <source>writing the settings of %1 was interrupted: some are in force but not stored</source>
+        <translation>a escrita dos parâmetros do acionamento de %1 foi interrompida: alguns estão em vigor mas não guardados</translation>
+    </message>
+    <message>
+        <source>it does not answer</source>
+        <translation>não responde</translation>
+    </message>
+    <message>
+        <source>the survey of %1 ended early: %2</source>
+        <translation>o exame do acionamento de %1 terminou cedo: %2</translation>
+    </message>
+    <message>
+        <source>nothing was stored in %1: it was told %2 %3 and reads back %4</source>
+        <translation>nada foi guardado no acionamento de %1: mandou-se %2 %3 e lê-se %4</translation>
+    </message>
+    <message>
+        <source>%1 did not store its settings: %2</source>
+        <translation>o acionamento de %1 não guardou os seus parâmetros: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 was %3, is %4</source>
+        <translation>%1: %2 era %3, é %4</translation>
+    </message>
+    <message>
+        <source>the board</source>
+        <translation>a placa</translation>
+    </message>
+    <message>
+        <source>asking %1</source>
+        <translation>consultando o acionamento de %1</translation>
+    </message>
+    <message>
+        <source>storing %1 of %2</source>
+        <translation>guardando %1 do acionamento de %2</translation>
+    </message>
+    <message>
+        <source>writing %1 of %2</source>
+        <translation>escrevendo %1 do acionamento de %2</translation>
+    </message>
+    <message>
+        <source>reading %1 of %2</source>
+        <translation>lendo %1 do acionamento de %2</translation>
+    </message>
+    <message>
+        <source>the settings</source>
+        <translation>os parâmetros</translation>
+    </message>
+    <message>
+        <source>%1 is %2, wanted %3: %4</source>
+        <translation>%1 é %2, esperado %3: %4</translation>
+    </message>
+    <message>
+        <source>a setting of the %1 drive is dangerous: %2</source>
+        <translation>um parâmetro do acionamento de %1 é perigoso: %2</translation>
+    </message>
+    <message>
+        <source>a setting of the %1 drive is worth fixing: %2</source>
+        <translation>um parâmetro do acionamento de %1 merece correção: %2</translation>
+    </message>
+    <message>
+        <source>%1 settings of the %2 drive are dangerous, first: %3</source>
+        <translation>%1 parâmetros do acionamento de %2 são perigosos, o primeiro: %3</translation>
+    </message>
+    <message>
+        <source>%1 settings of the %2 drive are worth fixing, first: %3</source>
+        <translation>%1 parâmetros do acionamento de %2 merecem correção, o primeiro: %3</translation>
+    </message>
+    <message>
+        <source>the drives are not read yet</source>
+        <translation>os acionamentos ainda não foram lidos</translation>
+    </message>
+    <message>
+        <source>there is nothing that can be written: what is wrong is for a person to change, as its line says</source>
+        <translation>não há nada que se possa escrever: o que está errado cabe a uma pessoa alterar, como diz a sua linha</translation>
+    </message>
+    <message>
+        <source>it is tried again every 2 seconds</source>
+        <translation>tenta-se de novo a cada 2 segundos</translation>
+    </message>
+    <message>
+        <source>Look at its power, its plugs and the bus cable.</source>
+        <translation>Verifique a sua alimentação, os conectores e o cabo do barramento.</translation>
+    </message>
+    <message>
+        <source>the settings were read again</source>
+        <translation>os parâmetros foram lidos de novo</translation>
+    </message>
+    <message>
+        <source>Press Fix again.</source>
+        <translation>Clique de novo em Corrigir.</translation>
+    </message>
+    <message>
+        <source>nothing is moved</source>
+        <translation>nada é movido</translation>
+    </message>
+    <message>
+        <source>the mount may move all the same</source>
+        <translation>a montagem pode mover-se mesmo assim</translation>
+    </message>
+    <message>
+        <source>See the Protection page; Fix writes what can be written.</source>
+        <translation>Veja a página Proteções; Corrigir escreve o que pode ser escrito.</translation>
+    </message>
+    <message>
+        <source>the drives have not been surveyed yet</source>
+        <translation>os acionamentos ainda não foram examinados</translation>
+    </message>
+    <message>
+        <source>the drives are being surveyed; that takes some seconds</source>
+        <translation>os acionamentos estão sendo examinados; demora alguns segundos</translation>
+    </message>
+    <message>
+        <source>settings are being written to the drives</source>
+        <translation>estão sendo escritos parâmetros nos acionamentos</translation>
+    </message>
+    <message>
+        <source>not all drives can be read; they are looked for every 2 seconds</source>
+        <translation>nem todos os acionamentos podem ser lidos; são procurados a cada 2 segundos</translation>
+    </message>
+    <message>
+        <source>looking for the drives</source>
+        <translation>procurando os acionamentos</translation>
+    </message>
+    <message>
+        <source>the settings were written, read back and stored</source>
+        <translation>os parâmetros foram escritos, lidos de volta e guardados</translation>
+    </message>
+    <message>
+        <source>two boards have the id %1: their answers destroy each other</source>
+        <translation>duas placas têm o id %1: as suas respostas destroem-se mutuamente</translation>
+    </message>
+    <message>
+        <source>Every board has the id 1 fresh from the box. Leave only one of them connected, give it another id (conf set id.id N, then conf write), then connect the other again. If there is only one, look at the plugs and the termination.</source>
+        <translation>Toda placa sai da caixa com o id 1. Deixe só uma conectada, dê-lhe outro id (conf set id.id N, depois conf write) e conecte de novo a outra. Se só houver uma, verifique os conectores e a terminação.</translation>
+    </message>
+    <message>
+        <source>a board that the profile does not know answers under id %1 (%2)</source>
+        <translation>uma placa que o perfil não conhece responde sob o id %1 (%2)</translation>
+    </message>
+    <message>
+        <source>UUID unread</source>
+        <translation>UUID não lido</translation>
+    </message>
+    <message>
+        <source>it is left alone</source>
+        <translation>fica como está</translation>
+    </message>
+    <message>
+        <source>Take it off the bus, or enter its id in the profile if it drives an axis.</source>
+        <translation>Retire-a do barramento, ou ponha o seu id no perfil se ela move um eixo.</translation>
+    </message>
+    <message>
+        <source>the ids are swapped: the board under id %1 (%2) was the one of %3</source>
+        <translation>os ids estão trocados: a placa sob o id %1 (%2) era a do eixo de %3</translation>
+    </message>
+    <message>
+        <source>nothing is moved: the orders of one axis would reach the other</source>
+        <translation>nada é movido: as ordens de um eixo chegariam ao outro</translation>
+    </message>
+    <message>
+        <source>Exchange the ids in the profile, or those of the boards (conf set id.id N, then conf write). If the boards themselves were exchanged, end Boresight, take the mount&apos;s .memory.json files out of the state folder and start again.</source>
+        <translation>Troque os ids no perfil, ou os das placas (conf set id.id N, depois conf write). Se foram trocadas as próprias placas, encerre o Boresight, retire da pasta de estado os arquivos .memory.json da montagem e inicie de novo.</translation>
+    </message>
+    <message>
+        <source>the board of %1 is missing: nobody answers under id %2</source>
+        <translation>falta a placa do eixo de %1: ninguém responde sob o id %2</translation>
+    </message>
+    <message>
+        <source>it is looked for every 2 seconds</source>
+        <translation>é procurada a cada 2 segundos</translation>
+    </message>
+    <message>
+        <source>Look at its power, its plugs and the bus cable. If it has another id, enter that in the profile.</source>
+        <translation>Verifique a sua alimentação, os conectores e o cabo do barramento. Se tiver outro id, ponha-o no perfil.</translation>
+    </message>
+    <message>
+        <source>%1 has another board than before: %2</source>
+        <translation>o eixo de %1 tem uma placa diferente da de antes: %2</translation>
+    </message>
+    <message>
+        <source>its turn is taken as unknown</source>
+        <translation>a sua volta é tida por desconhecida</translation>
+    </message>
+    <message>
+        <source>If it was exchanged, check calibration and gains. If not, look whether another mount is connected.</source>
+        <translation>Se foi trocada, verifique calibração e ganhos. Se não, veja se está conectada outra montagem.</translation>
+    </message>
+    <message>
+        <source>the board of %1 has the register map %2; only version %3 is known here</source>
+        <translation>a placa do eixo de %1 tem o mapa de registros %2; aqui só se conhece a versão %3</translation>
+    </message>
+    <message>
+        <source>the board of %1 does not tell its register map; only version %2 is known here</source>
+        <translation>a placa do eixo de %1 não diz o seu mapa de registros; aqui só se conhece a versão %2</translation>
+    </message>
+    <message>
+        <source>nothing is moved: what it reports may mean something else</source>
+        <translation>nada é movido: o que ela relata pode significar outra coisa</translation>
+    </message>
+    <message>
+        <source>Install firmware with the register map %1 in the board (moteus_tool --flash), or a newer Boresight.</source>
+        <translation>Instale na placa firmware com o mapa de registros %1 (moteus_tool --flash), ou um Boresight mais novo.</translation>
+    </message>
+    <message>
+        <source>no drive answers on the bus</source>
+        <translation>nenhum acionamento responde no barramento</translation>
+    </message>
+    <message>
+        <source>they are looked for every 2 seconds</source>
+        <translation>são procurados a cada 2 segundos</translation>
+    </message>
+    <message>
+        <source>Look at the power of the drives, the bus cable, and whether both ends have 120 Ω.</source>
+        <translation>Verifique a alimentação dos acionamentos, o cabo do barramento, e se as duas pontas têm 120 Ω.</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3 (%4 to %5%6)</source>
+        <translation>%1 a %2 %3 (%4 a %5%6)</translation>
+    </message>
+    <message>
+        <source>the drive has no limit of its own: nothing but this program ends a move</source>
+        <translation>o acionamento não tem limite próprio: só este programa termina um movimento</translation>
+    </message>
+    <message>
+        <source>the factory&apos;s ±3.6° would end every move in fault 39</source>
+        <translation>os ±3.6° de fábrica terminariam todo movimento com a falha 39</translation>
+    </message>
+    <message>
+        <source>lies inside the travel: the drive would fault (39) or stop where the profile permits a move</source>
+        <translation>fica dentro do curso: o acionamento entraria em falha (39) ou pararia onde o perfil permite um movimento</translation>
+    </message>
+    <message>
+        <source>lies too far out: the drive would not stop the axis before the cable or the frame does</source>
+        <translation>fica longe demais: o acionamento não pararia o eixo antes do cabo ou da estrutura</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>voltas</translation>
+    </message>
+    <message>
+        <source>the drive ends a move here by itself, a little beyond the travel</source>
+        <translation>aqui o acionamento termina por si um movimento, um pouco além do curso</translation>
+    </message>
+    <message>
+        <source>the profile knows this axis under this id</source>
+        <translation>o perfil conhece este eixo sob este id</translation>
+    </message>
+    <message>
+        <source>mode 12 only damps: a loaded elevation creeps down when the computer dies</source>
+        <translation>o modo 12 só amortece: uma elevação carregada desce devagar quando o computador morre</translation>
+    </message>
+    <message>
+        <source>mode 0 switches the motor off: the axis is free when the computer dies</source>
+        <translation>o modo 0 desliga o motor: o eixo fica solto quando o computador morre</translation>
+    </message>
+    <message>
+        <source>mode 15 brakes but does not hold; right only for a self-locking gearbox (timeout_mode = &quot;brake&quot; in the profile)</source>
+        <translation>o modo 15 freia mas não segura; certo só para um redutor autoblocante (timeout_mode = &quot;brake&quot; no perfil)</translation>
+    </message>
+    <message>
+        <source>the profile says the gearbox locks itself and asks for brake (15)</source>
+        <translation>o perfil diz que o redutor se bloqueia e pede freio (15)</translation>
+    </message>
+    <message>
+        <source>no mode in which a drive may be left alone</source>
+        <translation>nenhum modo em que se possa deixar um acionamento sozinho</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desligado</translation>
+    </message>
+    <message>
+        <source>hold</source>
+        <translation>manter</translation>
+    </message>
+    <message>
+        <source>damp</source>
+        <translation>amortecer</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>desconhecido</translation>
+    </message>
+    <message>
+        <source>what the drive does by itself when the computer dies: brake, then hold</source>
+        <translation>o que o acionamento faz por si quando o computador morre: frear, depois manter</translation>
+    </message>
+    <message>
+        <source>what the drive does by itself when the computer dies: brake</source>
+        <translation>o que o acionamento faz por si quando o computador morre: frear</translation>
+    </message>
+    <message>
+        <source>0.05 to 0.2 s</source>
+        <translation>0.05 a 0.2 s</translation>
+    </message>
+    <message>
+        <source>after this time without an order the drive stops by itself</source>
+        <translation>após este tempo sem ordem o acionamento para por si</translation>
+    </message>
+    <message>
+        <source>above 0 Nm</source>
+        <translation>acima de 0 Nm</translation>
+    </message>
+    <message>
+        <source>the torque with which timeout mode 12 damps</source>
+        <translation>o torque com que o modo 12 amortece</translation>
+    </message>
+    <message>
+        <source>above 0 A</source>
+        <translation>acima de 0 A</translation>
+    </message>
+    <message>
+        <source>without current the axis falls, without a limit the motor burns; the value is in the data sheet of the motor</source>
+        <translation>sem corrente o eixo cai, sem limite o motor queima; o valor está na folha de dados do motor</translation>
+    </message>
+    <message>
+        <source>10 to 46 V</source>
+        <translation>10 a 46 V</translation>
+    </message>
+    <message>
+        <source>above it the drive stops before braking energy destroys the board</source>
+        <translation>acima dela o acionamento para antes de a energia da frenagem destruir a placa</translation>
+    </message>
+    <message>
+        <source>1 to 20 V</source>
+        <translation>1 a 20 V</translation>
+    </message>
+    <message>
+        <source>so far below the highest voltage the drive begins to turn braking energy into heat</source>
+        <translation>tanto abaixo da tensão máxima o acionamento começa a transformar em calor a energia da frenagem</translation>
+    </message>
+    <message>
+        <source>turns/s</source>
+        <translation>voltas/s</translation>
+    </message>
+    <message>
+        <source>the speed of every order that names none; the factory has no limit</source>
+        <translation>a velocidade de toda ordem que não indica nenhuma; de fábrica não há limite</translation>
+    </message>
+    <message>
+        <source>turns/s²</source>
+        <translation>voltas/s²</translation>
+    </message>
+    <message>
+        <source>with it the drive brakes when the computer dies: too low and the axis runs on, too high (the factory&apos;s 50 turns/s²) and the mount is hit hard</source>
+        <translation>com ela o acionamento freia quando o computador morre: baixa demais e o eixo continua, alta demais (de fábrica 50 voltas/s²) e a montagem leva uma pancada</translation>
+    </message>
+    <message>
+        <source>the gear as the profile has it (gear_ratio, gear_in): with another one every angle is wrong. To be changed by hand only: the gains change with the square of it</source>
+        <translation>a redução tal como o perfil a tem (gear_ratio, gear_in): com outra todos os ângulos estão errados. Só se altera à mão: os ganhos mudam com o seu quadrado</translation>
+    </message>
+    <message>
+        <source>1 or -1</source>
+        <translation>1 ou -1</translation>
+    </message>
+    <message>
+        <source>turned round, the axis runs the other way: the profile&apos;s sign goes with it</source>
+        <translation>invertido, o eixo gira para o outro lado: o sinal do perfil vai com ele</translation>
+    </message>
+    <message>
+        <source>0 or above</source>
+        <translation>0 ou acima</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>qualquer</translation>
+    </message>
+    <message>
+        <source>the profile trusts the position after power-up (power_up_position), and the drive has no encoder on the axis</source>
+        <translation>o perfil confia na posição depois de ligar (power_up_position), e o acionamento não tem encoder no eixo</translation>
+    </message>
+    <message>
+        <source>-1: no encoder on the axis, so the turn is not known after power-up</source>
+        <translation>-1: não há encoder no eixo, por isso a volta não se sabe depois de ligar</translation>
+    </message>
+    <message>
+        <source>second line against a jam: so far behind its order the drive gives up (fault 49) without this program</source>
+        <translation>segunda linha contra um bloqueio: tão atrás da sua ordem o acionamento desiste (falha 49) sem este programa</translation>
+    </message>
+    <message>
+        <source>none or ≥ 1°</source>
+        <translation>nenhum ou ≥ 1°</translation>
+    </message>
+    <message>
+        <source>a small one lets the axis give way to the wind instead of holding</source>
+        <translation>um pequeno deixa o eixo ceder ao vento em vez de se manter</translation>
+    </message>
+    <message>
+        <source>not known to this firmware</source>
+        <translation>desconhecido deste firmware</translation>
     </message>
 </context>
 <context>
     <name>Theme</name>
     <message>
         <source>Night</source>
-        <translation type="unfinished"></translation>
+        <translation>Noite</translation>
     </message>
     <message>
         <source>Red</source>
-        <translation type="unfinished"></translation>
+        <translation>Vermelho</translation>
     </message>
     <message>
         <source>Day</source>
-        <translation type="unfinished"></translation>
+        <translation>Dia</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::AlarmLine</name>
     <message>
         <source>Worst alarm</source>
-        <translation type="unfinished"></translation>
+        <translation>Pior alarme</translation>
     </message>
     <message>
         <source>What was done and what to do</source>
-        <translation type="unfinished"></translation>
+        <translation>O que foi feito e o que fazer</translation>
     </message>
     <message>
         <source>Refused</source>
-        <translation type="unfinished"></translation>
+        <translation>Recusado</translation>
     </message>
     <message>
         <source>Acknowledge</source>
-        <translation type="unfinished"></translation>
+        <translation>Reconhecer</translation>
     </message>
     <message>
         <source>Acknowledge all alarms (F8)</source>
-        <translation type="unfinished"></translation>
+        <translation>Reconhecer todos os alarmes (F8)</translation>
     </message>
     <message>
         <source>Reset stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Liberar STOP</translation>
     </message>
     <message>
         <source>Give to clients</source>
-        <translation type="unfinished"></translation>
+        <translation>Dar a clientes</translation>
     </message>
     <message>
         <source>No alarm</source>
-        <translation type="unfinished"></translation>
+        <translation>Nenhum alarme</translation>
     </message>
     <message>
         <source>  (%1 unacknowledged)</source>
-        <translation type="unfinished"></translation>
+        <translation>  (%1 por reconhecer)</translation>
     </message>
     <message>
         <source>  over:</source>
-        <translation type="unfinished"></translation>
+        <translation>  terminado:</translation>
     </message>
     <message>
         <source>, over</source>
-        <translation type="unfinished"></translation>
+        <translation>, terminado</translation>
     </message>
     <message>
         <source>Re-arm</source>
-        <translation type="unfinished"></translation>
+        <translation>Rearmar</translation>
     </message>
     <message>
         <source>Clear the drive fault. The mount then stands in STANDBY; nothing moves by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Apagar a falha do acionamento. A montagem fica EM ESPERA; nada se move por si.</translation>
     </message>
     <message>
         <source>Release STOP. The mount then stands in STANDBY; nothing moves by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Liberar o STOP. A montagem fica EM ESPERA; nada se move por si.</translation>
     </message>
     <message>
         <source>Take control</source>
-        <translation type="unfinished"></translation>
+        <translation>Assumir</translation>
     </message>
     <message>
         <source>Let rotctld clients move the mount again</source>
-        <translation type="unfinished"></translation>
+        <translation>Deixar os clientes rotctld mover de novo a montagem</translation>
     </message>
     <message>
         <source>Keep the mount for the operator: motion commands of clients are refused</source>
-        <translation type="unfinished"></translation>
+        <translation>Reservar a montagem ao operador: comandos de movimento dos clientes são recusados</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::AlarmModel</name>
     <message>
         <source>active</source>
-        <translation type="unfinished"></translation>
+        <translation>ativo</translation>
     </message>
     <message>
         <source>over</source>
-        <translation type="unfinished"></translation>
+        <translation>terminado</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 até %2</translation>
     </message>
     <message>
         <source>acknowledged</source>
-        <translation type="unfinished"></translation>
+        <translation>reconhecido</translation>
     </message>
     <message>
         <source>not acknowledged</source>
-        <translation type="unfinished"></translation>
+        <translation>por reconhecer</translation>
     </message>
     <message>
         <source>Boresight: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Boresight: %1</translation>
     </message>
     <message>
         <source>To do: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>A fazer: %1</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>sim</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>não</translation>
     </message>
     <message>
         <source>UTC</source>
-        <translation type="unfinished"></translation>
+        <translation>UTC</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Estado</translation>
     </message>
     <message>
         <source>Ackn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Recon.</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished"></translation>
+        <translation>O quê</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::AlarmsPage</name>
     <message>
         <source>Alarms</source>
-        <translation type="unfinished"></translation>
+        <translation>Alarmes</translation>
     </message>
     <message>
         <source>Acknowledge</source>
-        <translation type="unfinished"></translation>
+        <translation>Reconhecer</translation>
     </message>
     <message>
         <source>Acknowledge the selected alarm</source>
-        <translation type="unfinished"></translation>
+        <translation>Reconhecer o alarme selecionado</translation>
     </message>
     <message>
         <source>Acknowledge all</source>
-        <translation type="unfinished"></translation>
+        <translation>Reconhecer todos</translation>
     </message>
     <message>
         <source>Acknowledge all alarms (F8)</source>
-        <translation type="unfinished"></translation>
+        <translation>Reconhecer todos os alarmes (F8)</translation>
     </message>
     <message>
         <source>active</source>
-        <translation type="unfinished"></translation>
+        <translation>ativo</translation>
     </message>
     <message>
         <source>Ackn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Recon.</translation>
     </message>
     <message>
         <source>Sound</source>
-        <translation type="unfinished"></translation>
+        <translation>Som</translation>
     </message>
     <message>
         <source>Sound at a new alarm</source>
-        <translation type="unfinished"></translation>
+        <translation>Som a cada novo alarme</translation>
     </message>
     <message>
         <source>A sound at each new alarm, once</source>
-        <translation type="unfinished"></translation>
+        <translation>Um som a cada novo alarme, uma vez</translation>
     </message>
     <message>
         <source>all are acknowledged</source>
-        <translation type="unfinished"></translation>
+        <translation>todos estão reconhecidos</translation>
     </message>
     <message>
         <source>no alarm is selected</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhum alarme está selecionado</translation>
     </message>
     <message>
         <source>it is acknowledged</source>
-        <translation type="unfinished"></translation>
+        <translation>está reconhecido</translation>
     </message>
     <message>
         <source>it is over</source>
-        <translation type="unfinished"></translation>
+        <translation>terminou</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::AskingPanel</name>
     <message>
         <source>Refused</source>
-        <translation type="unfinished"></translation>
+        <translation>Recusado</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Cancelar</translation>
     </message>
     <message>
         <source>What will happen</source>
-        <translation type="unfinished"></translation>
+        <translation>O que vai acontecer</translation>
     </message>
     <message>
         <source>Back, nothing is done</source>
-        <translation type="unfinished"></translation>
+        <translation>Voltar, nada é feito</translation>
     </message>
     <message>
         <source>Not now: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Agora não: %1</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::AxisReadout</name>
     <message>
         <source>TURN?</source>
-        <translation type="unfinished"></translation>
+        <translation>VOLTA?</translation>
     </message>
     <message>
         <source>age %1</source>
-        <translation type="unfinished"></translation>
+        <translation>idade %1</translation>
     </message>
     <message>
         <source>the turn is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>a volta é desconhecida</translation>
     </message>
     <message>
         <source>%1 axis, %2 … %3</source>
-        <translation type="unfinished"></translation>
+        <translation>eixo de %1, %2 … %3</translation>
     </message>
     <message>
         <source>
 mechanical angle %1</source>
-        <translation type="unfinished"></translation>
+        <translation>
+ângulo mecânico %1</translation>
     </message>
     <message>
         <source>
 rate %1</source>
-        <translation type="unfinished"></translation>
+        <translation>
+velocidade %1</translation>
     </message>
     <message>
         <source>supply </source>
-        <translation type="unfinished"></translation>
+        <translation>alimentação </translation>
     </message>
     <message>
         <source>drive </source>
-        <translation type="unfinished"></translation>
+        <translation>acionamento </translation>
     </message>
     <message>
         <source>motor </source>
-        <translation type="unfinished"></translation>
+        <translation>motor </translation>
     </message>
     <message>
         <source>torque </source>
-        <translation type="unfinished"></translation>
+        <translation>torque </translation>
     </message>
     <message>
         <source>current </source>
-        <translation type="unfinished"></translation>
+        <translation>corrente </translation>
     </message>
     <message>
         <source>
 moteus mode %1, fault %2</source>
-        <translation type="unfinished"></translation>
+        <translation>
+modo moteus %1, falha %2</translation>
     </message>
     <message>
         <source>ACTUAL</source>
-        <translation type="unfinished"></translation>
+        <translation>REAL</translation>
     </message>
     <message>
         <source>TARGET</source>
-        <translation type="unfinished"></translation>
+        <translation>ALVO</translation>
     </message>
     <message>
         <source>ERROR</source>
-        <translation type="unfinished"></translation>
+        <translation>ERRO</translation>
     </message>
     <message>
         <source>STATE</source>
-        <translation type="unfinished"></translation>
+        <translation>ESTADO</translation>
     </message>
     <message>
         <source>AZ</source>
-        <translation type="unfinished"></translation>
+        <translation>AZ</translation>
     </message>
     <message>
         <source>EL</source>
-        <translation type="unfinished"></translation>
+        <translation>EL</translation>
     </message>
     <message>
         <source>Actual %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Real de %1</translation>
     </message>
     <message>
         <source>Target %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Alvo de %1</translation>
     </message>
     <message>
         <source>Error of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Erro de %1</translation>
     </message>
     <message>
         <source>State of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Estado de %1</translation>
     </message>
     <message>
         <source>Detail of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Detalhe de %1</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::CableBar</name>
     <message>
         <source>%1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 até %2</translation>
     </message>
     <message>
         <source>Azimuth cable</source>
-        <translation type="unfinished"></translation>
+        <translation>Cabo do azimute</translation>
     </message>
     <message>
         <source>How far the azimuth cable is wound: 0° is not wound, the hatched ends are out of travel.
 ▼ actual, | commanded</source>
-        <translation type="unfinished"></translation>
+        <translation>Quanto o cabo do azimute está enrolado: 0° é desenrolado, as pontas tracejadas estão fora do curso.
+▼ real, | comandado</translation>
     </message>
     <message>
         <source>TURN?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> of </source>
-        <translation type="unfinished"></translation>
+        <translation>VOLTA?</translation>
     </message>
     <message>
         <source>AZ cable</source>
-        <translation type="unfinished"></translation>
+        <translation>Cabo AZ</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::ChartsPanel</name>
     <message>
         <source>The charts stand in the place of the sky.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os gráficos estão no lugar do céu.</translation>
     </message>
     <message>
         <source>Back to this panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Voltar a este painel</translation>
     </message>
     <message>
         <source>Charts back to this panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Trazer os gráficos de volta a este painel</translation>
     </message>
     <message>
         <source>Show the sky again (Ctrl+L)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar de novo o céu (Ctrl+L)</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::ClientModel</name>
     <message>
         <source>unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>desconhecido</translation>
     </message>
     <message>
         <source>%1, %2: %3 commands a second, last %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2: %3 comandos por segundo, o último %4</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhum</translation>
     </message>
     <message>
         <source>read-only</source>
-        <translation type="unfinished"></translation>
+        <translation>só leitura</translation>
     </message>
     <message>
         <source>● drives</source>
-        <translation type="unfinished"></translation>
+        <translation>● move</translation>
     </message>
     <message>
         <source>leads</source>
-        <translation type="unfinished"></translation>
+        <translation>conduz</translation>
     </message>
     <message>
         <source>▲ wants to</source>
-        <translation type="unfinished"></translation>
+        <translation>▲ quer mover</translation>
     </message>
     <message>
         <source>locked</source>
-        <translation type="unfinished"></translation>
+        <translation>reservado</translation>
     </message>
     <message>
         <source>Address</source>
-        <translation type="unfinished"></translation>
+        <translation>Endereço</translation>
     </message>
     <message>
         <source>Program</source>
-        <translation type="unfinished"></translation>
+        <translation>Programa</translation>
     </message>
     <message>
         <source>1/s</source>
-        <translation type="unfinished"></translation>
+        <translation>1/s</translation>
     </message>
     <message>
         <source>Last</source>
-        <translation type="unfinished"></translation>
+        <translation>Último</translation>
     </message>
     <message>
         <source>Control</source>
-        <translation type="unfinished"></translation>
+        <translation>Controle</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::ClientsPanel</name>
     <message>
         <source>Who may connect</source>
-        <translation type="unfinished"></translation>
+        <translation>Quem pode conectar-se</translation>
     </message>
     <message>
         <source>About the selected client</source>
-        <translation type="unfinished"></translation>
+        <translation>Sobre o cliente selecionado</translation>
     </message>
     <message>
         <source>Refused</source>
-        <translation type="unfinished"></translation>
+        <translation>Recusado</translation>
     </message>
     <message>
         <source>Settings for Gpredict</source>
-        <translation type="unfinished"></translation>
+        <translation>Configuração para o Gpredict</translation>
     </message>
     <message>
         <source>First</source>
-        <translation type="unfinished"></translation>
+        <translation>Primeiro</translation>
     </message>
     <message>
         <source>The first client moves the mount until it is silent for 10 s</source>
-        <translation type="unfinished"></translation>
+        <translation>O primeiro cliente move a montagem até ficar calado 10 s</translation>
     </message>
     <message>
         <source>Last</source>
-        <translation type="unfinished"></translation>
+        <translation>Último</translation>
     </message>
     <message>
         <source>Whoever sent the last target moves the mount, as with Hamlib</source>
-        <translation type="unfinished"></translation>
+        <translation>Move a montagem quem enviou o último alvo, como no Hamlib</translation>
     </message>
     <message>
         <source>Locked</source>
-        <translation type="unfinished"></translation>
+        <translation>Reservado</translation>
     </message>
     <message>
         <source>Only the host of one client: select it first</source>
-        <translation type="unfinished"></translation>
+        <translation>Só o computador de um cliente: selecione-o primeiro</translation>
     </message>
     <message>
         <source>Give control</source>
-        <translation type="unfinished"></translation>
+        <translation>Dar controle</translation>
     </message>
     <message>
         <source>The selected client moves the mount from now on</source>
-        <translation type="unfinished"></translation>
+        <translation>O cliente selecionado passa a mover a montagem</translation>
     </message>
     <message>
         <source>Read-only</source>
-        <translation type="unfinished"></translation>
+        <translation>Só leitura</translation>
     </message>
     <message>
         <source>The selected client may only read and stop</source>
-        <translation type="unfinished"></translation>
+        <translation>O cliente selecionado só pode ler e parar</translation>
     </message>
     <message>
         <source>Disconnect</source>
-        <translation type="unfinished"></translation>
+        <translation>Desconectar</translation>
     </message>
     <message>
         <source>Hang up; its program may connect again</source>
-        <translation type="unfinished"></translation>
+        <translation>Desliga; o seu programa pode conectar-se de novo</translation>
     </message>
     <message>
         <source>Lock</source>
-        <translation type="unfinished"></translation>
+        <translation>Reservar</translation>
     </message>
     <message>
         <source>Only programs on the host of the selected client move the mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Só programas no computador do cliente selecionado movem a montagem</translation>
     </message>
     <message>
         <source>Who moves:</source>
-        <translation type="unfinished"></translation>
+        <translation>Quem move:</translation>
     </message>
     <message>
         <source>Clients</source>
-        <translation type="unfinished"></translation>
+        <translation>Clientes</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar</translation>
     </message>
     <message>
         <source>Copy the settings for Gpredict</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar a configuração para o Gpredict</translation>
     </message>
     <message>
         <source>All that Gpredict must be told, for its dialogs</source>
-        <translation type="unfinished"></translation>
+        <translation>Tudo o que o Gpredict precisa saber, para os seus diálogos</translation>
     </message>
     <message>
         <source>Locked to
 %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Reservado a
+%1</translation>
     </message>
     <message>
         <source>rotctld does not listen: no program can connect</source>
-        <translation type="unfinished"></translation>
+        <translation>o rotctld não escuta: nenhum programa pode conectar-se</translation>
     </message>
     <message>
         <source>May connect to %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Podem conectar-se a %1: %2</translation>
     </message>
     <message>
         <source>Any program on this computer may connect (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Qualquer programa deste computador pode conectar-se (%1)</translation>
     </message>
     <message>
         <source>Whoever can reach %1 may connect</source>
-        <translation type="unfinished"></translation>
+        <translation>Quem chegar a %1 pode conectar-se</translation>
     </message>
     <message>
         <source>May move</source>
-        <translation type="unfinished"></translation>
+        <translation>Deixar mover</translation>
     </message>
     <message>
         <source>The selected client may move the mount again</source>
-        <translation type="unfinished"></translation>
+        <translation>O cliente selecionado pode mover de novo a montagem</translation>
     </message>
     <message>
         <source>%1: last command %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: último comando %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>You have the control: clients&apos; motions are refused until you give it back</source>
-        <translation type="unfinished"></translation>
+        <translation>O controle é seu: os movimentos dos clientes são recusados até o devolver</translation>
     </message>
     <message>
         <source>No program is connected</source>
-        <translation type="unfinished"></translation>
+        <translation>Nenhum programa está conectado</translation>
     </message>
     <message>
         <source>Select a client to give it the control, or to keep it out</source>
-        <translation type="unfinished"></translation>
+        <translation>Selecione um cliente para lhe dar o controle ou para o manter fora</translation>
     </message>
     <message>
         <source>apply or revert the edits of the profile first (Ctrl+3)</source>
-        <translation type="unfinished"></translation>
+        <translation>aplique ou reverta primeiro as alterações do perfil (Ctrl+3)</translation>
     </message>
     <message>
         <source>Who moves: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Quem move: %1</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::CommandButton</name>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>requested</source>
-        <translation type="unfinished"></translation>
+        <translation>pedido</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::DiagnosticsSaver</name>
+    <message>
+        <source>Save diagnostics</source>
+        <translation>Gravar diagnóstico</translation>
+    </message>
+    <message>
+        <source>Archive (*.tar.gz)</source>
+        <translation>Arquivo (*.tar.gz)</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::DrivesPanel</name>
     <message>
         <source>Rate of the proof</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidade do ensaio</translation>
     </message>
     <message>
         <source>How fast each axis moves when its drive is not fed any more</source>
-        <translation type="unfinished"></translation>
+        <translation>Com que rapidez se move cada eixo quando o seu acionamento deixa de ser alimentado com ordens</translation>
     </message>
     <message>
         <source>id %1 (%2, %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>id %1 (%2, %3)</translation>
     </message>
     <message>
         <source>Also on the bus, not in the profile: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Também no barramento, fora do perfil: %1</translation>
     </message>
     <message>
         <source>not proved yet</source>
-        <translation type="unfinished"></translation>
+        <translation>ainda não ensaiada</translation>
     </message>
     <message>
         <source>%1: stopped after %2 in %3 s, %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: parou após %2 em %3 s, %4</translation>
     </message>
     <message>
         <source>another drive, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>outro acionamento, %1</translation>
     </message>
     <message>
         <source>Unknown boards on the bus</source>
-        <translation type="unfinished"></translation>
+        <translation>Placas desconhecidas no barramento</translation>
     </message>
     <message>
         <source>Survey of the drives</source>
-        <translation type="unfinished"></translation>
+        <translation>Exame dos acionamentos</translation>
     </message>
     <message>
         <source>May the mount move</source>
-        <translation type="unfinished"></translation>
+        <translation>A montagem pode mover-se</translation>
     </message>
     <message>
         <source>Crash-stop proof</source>
-        <translation type="unfinished"></translation>
+        <translation>Ensaio de parada brusca</translation>
     </message>
     <message>
         <source>Refused</source>
-        <translation type="unfinished"></translation>
+        <translation>Recusado</translation>
     </message>
     <message>
         <source>Release bus</source>
-        <translation type="unfinished"></translation>
+        <translation>Liberar barramento</translation>
     </message>
     <message>
         <source>Run (both axes) …</source>
-        <translation type="unfinished"></translation>
+        <translation>Ensaiar (2 eixos) …</translation>
     </message>
     <message>
         <source>ID</source>
-        <translation type="unfinished"></translation>
+        <translation>ID</translation>
     </message>
     <message>
         <source>UUID</source>
-        <translation type="unfinished"></translation>
+        <translation>UUID</translation>
     </message>
     <message>
         <source>FIRMWARE</source>
-        <translation type="unfinished"></translation>
+        <translation>FIRMWARE</translation>
     </message>
     <message>
         <source>REGISTER MAP</source>
-        <translation type="unfinished"></translation>
+        <translation>MAPA REGISTROS</translation>
     </message>
     <message>
         <source>TURN</source>
-        <translation type="unfinished"></translation>
+        <translation>VOLTA</translation>
     </message>
     <message>
         <source>%1 of the %2 drive</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 do acionamento de %2</translation>
     </message>
     <message>
         <source>Id</source>
-        <translation type="unfinished"></translation>
+        <translation>Id</translation>
     </message>
     <message>
         <source>Firmware</source>
-        <translation type="unfinished"></translation>
+        <translation>Firmware</translation>
     </message>
     <message>
         <source>Register map</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapa de registros</translation>
     </message>
     <message>
         <source>Turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Volta</translation>
     </message>
     <message>
         <source>Crash-stop proof: how each axis stops when its drive is really not fed</source>
-        <translation type="unfinished"></translation>
+        <translation>Parada brusca: como cada eixo para quando o seu acionamento fica mesmo sem ordens</translation>
     </message>
     <message>
         <source>Rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidade</translation>
     </message>
     <message>
         <source>Crash stop of the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Parada brusca de %1</translation>
     </message>
     <message>
         <source>Take bus back</source>
-        <translation type="unfinished"></translation>
+        <translation>Retomar barramento</translation>
     </message>
     <message>
         <source>Open the adapter again and read the drives anew</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir de novo o adaptador e ler de novo os acionamentos</translation>
     </message>
     <message>
         <source>Leave the adapter to other tools (tview, moteus_tool). Nothing moves until it is taken back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Deixar o adaptador a outras ferramentas (tview, moteus_tool). Nada se move até ser retomado.</translation>
     </message>
     <message>
         <source>known</source>
-        <translation type="unfinished"></translation>
+        <translation>conhecida</translation>
     </message>
     <message>
         <source>unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>desconhecida</translation>
     </message>
     <message>
         <source>End proof</source>
-        <translation type="unfinished"></translation>
+        <translation>Terminar ensaio</translation>
     </message>
     <message>
         <source>Feed the drives again and hold</source>
-        <translation type="unfinished"></translation>
+        <translation>Dar de novo ordens aos acionamentos e manter</translation>
     </message>
     <message>
         <source>Move each axis, stop feeding its drive, measure; asks first</source>
-        <translation type="unfinished"></translation>
+        <translation>Mover cada eixo, deixar de dar ordens ao acionamento, medir; pergunta antes</translation>
     </message>
     <message>
         <source>Leave the bus while the drives are switched on?</source>
-        <translation type="unfinished"></translation>
+        <translation>Deixar o barramento com os acionamentos ligados?</translation>
+    </message>
+    <message>
+        <source>Leave the bus</source>
+        <translation>Deixar o barramento</translation>
+    </message>
+    <message>
+        <source>Move the mount at %1 and let it run out?</source>
+        <translation>Mover a montagem a %1 e deixá-la correr?</translation>
+    </message>
+    <message>
+        <source>Move the mount</source>
+        <translation>Mover a montagem</translation>
     </message>
     <message>
         <source>Nobody feeds the drives any more, and each does what its own setting says (&quot;When not fed&quot; on the Protection panel). With the factory setting an unbalanced elevation creeps down.
 
 A drive that is switched on again later gives no torque for a moment (13 ms and the two ticks before): an unbalanced elevation then drops a little.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Leave the bus</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move the mount at %1 and let it run out?</source>
-        <translation type="unfinished"></translation>
+        <translation>Já ninguém dá ordens aos acionamentos, e cada um faz o que diz o seu próprio parâmetro (&quot;Sem ordens&quot; no painel Proteções). Com o valor de fábrica uma elevação desequilibrada desce devagar.
+
+Um acionamento ligado de novo mais tarde não dá torque por um momento (13 ms e os dois ciclos antes): uma elevação desequilibrada cai então um pouco.</translation>
     </message>
     <message>
         <source>One axis after the other moves at %1. Then Boresight really stops feeding its drive, as if the cable were cut, and measures how far and how long the axis goes on. To be switched on again a drive gives no torque for a moment (13 ms and the two ticks before): an unbalanced elevation drops a little.
 
 Keep people and ropes clear of the antenna. STOP ends the proof.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move the mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Um eixo de cada vez move-se a %1. Então o Boresight deixa mesmo de dar ordens ao acionamento, como se o cabo fosse cortado, e mede até onde e por quanto tempo o eixo continua. Para ser ligado de novo, um acionamento não dá torque por um momento (13 ms e os dois ciclos antes): uma elevação desequilibrada cai um pouco.
+
+Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::HeaderBar</name>
     <message>
         <source>CAN off</source>
-        <translation type="unfinished"></translation>
+        <translation>CAN off</translation>
     </message>
     <message>
         <source>CAN</source>
-        <translation type="unfinished"></translation>
+        <translation>CAN</translation>
     </message>
     <message>
         <source>CAN down</source>
-        <translation type="unfinished"></translation>
+        <translation>CAN caído</translation>
     </message>
     <message>
         <source>CAN lost</source>
-        <translation type="unfinished"></translation>
+        <translation>CAN fora</translation>
     </message>
     <message>
         <source>%1 silent</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mudo</translation>
     </message>
     <message>
         <source>%1 fault</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 falha</translation>
     </message>
     <message>
         <source>%1 late</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 tarde</translation>
     </message>
     <message>
         <source>%1: %2 frames sent, %3 received, %4 dropped, %5 bus errors</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 quadros enviados, %3 recebidos, %4 perdidos, %5 erros no barramento</translation>
     </message>
     <message>
         <source>rotctld does not listen</source>
-        <translation type="unfinished"></translation>
+        <translation>o rotctld não escuta</translation>
     </message>
     <message>
         <source>rotctld listens on %1</source>
-        <translation type="unfinished"></translation>
+        <translation>o rotctld escuta em %1</translation>
     </message>
     <message>
         <source>, driving</source>
-        <translation type="unfinished"></translation>
+        <translation>, move</translation>
     </message>
     <message>
         <source>, last command %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, último comando %1</translation>
     </message>
     <message>
         <source>Station state</source>
-        <translation type="unfinished"></translation>
+        <translation>Estado da estação</translation>
     </message>
     <message>
         <source>Reason of the state</source>
-        <translation type="unfinished"></translation>
+        <translation>Razão do estado</translation>
     </message>
     <message>
         <source>Target limited</source>
-        <translation type="unfinished"></translation>
+        <translation>Alvo limitado</translation>
     </message>
     <message>
         <source>Target and who gave it</source>
-        <translation type="unfinished"></translation>
+        <translation>Alvo e quem o deu</translation>
     </message>
     <message>
         <source>CAN bus</source>
-        <translation type="unfinished"></translation>
+        <translation>Barramento CAN</translation>
     </message>
     <message>
         <source>Azimuth drive</source>
-        <translation type="unfinished"></translation>
+        <translation>Acionamento de azimute</translation>
     </message>
     <message>
         <source>Elevation drive</source>
-        <translation type="unfinished"></translation>
+        <translation>Acionamento de elevação</translation>
     </message>
     <message>
         <source>rotctld clients</source>
-        <translation type="unfinished"></translation>
+        <translation>Clientes rotctld</translation>
     </message>
     <message>
         <source>Who may move the mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Quem pode mover a montagem</translation>
     </message>
     <message>
         <source>UTC</source>
-        <translation type="unfinished"></translation>
+        <translation>UTC</translation>
     </message>
     <message>
         <source>Simulated mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Montagem simulada</translation>
     </message>
     <message>
         <source>SIMULATED</source>
-        <translation type="unfinished"></translation>
+        <translation>SIMULADO</translation>
     </message>
     <message>
         <source>Who may move the mount. While the operator has the control, motion commands of rotctld clients are refused.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quem pode mover a montagem. Enquanto o operador tem o controle, os comandos de movimento dos clientes rotctld são recusados.</translation>
     </message>
     <message>
         <source>bus released to other tools</source>
-        <translation type="unfinished"></translation>
+        <translation>barramento entregue a outras ferramentas</translation>
     </message>
     <message>
         <source>LIMITED</source>
-        <translation type="unfinished"></translation>
+        <translation>LIMITADO</translation>
     </message>
     <message>
         <source>The target is outside the limits: the mount goes to the nearest permitted point</source>
-        <translation type="unfinished"></translation>
+        <translation>O alvo está fora dos limites: a montagem vai ao ponto permitido mais próximo</translation>
     </message>
     <message>
         <source>no target</source>
-        <translation type="unfinished"></translation>
+        <translation>sem alvo</translation>
     </message>
     <message>
         <source>%1  by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1  por %2</translation>
     </message>
     <message>
         <source>AZ</source>
-        <translation type="unfinished"></translation>
+        <translation>AZ</translation>
     </message>
     <message>
         <source>EL</source>
-        <translation type="unfinished"></translation>
+        <translation>EL</translation>
     </message>
     <message>
         <source>rotctld off</source>
-        <translation type="unfinished"></translation>
+        <translation>rotctld off</translation>
     </message>
     <message>
         <source>rotctld %1</source>
-        <translation type="unfinished"></translation>
+        <translation>rotctld %1</translation>
     </message>
     <message>
         <source>Control: operator</source>
-        <translation type="unfinished"></translation>
+        <translation>Controle: operador</translation>
     </message>
     <message>
         <source>Control: clients</source>
-        <translation type="unfinished"></translation>
+        <translation>Controle: clientes</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::HelpPage</name>
     <message>
         <source>Pause, F12</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause, F12</translation>
     </message>
     <message>
         <source>STOP from anywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>STOP de qualquer lugar</translation>
     </message>
     <message>
         <source>Esc</source>
-        <translation type="unfinished"></translation>
+        <translation>Esc</translation>
     </message>
     <message>
         <source>close the menu or dialog, cancel a drag; else STOP</source>
-        <translation type="unfinished"></translation>
+        <translation>fecha o menu ou diálogo, cancela um arrasto; senão STOP</translation>
     </message>
     <message>
         <source>arrows</source>
-        <translation type="unfinished"></translation>
+        <translation>setas</translation>
     </message>
     <message>
         <source>jog while held, after a click on the pad; up and down move elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>movimento manual enquanto premidas, após um clique no campo; para cima e para baixo movem a elevação</translation>
     </message>
     <message>
         <source>Shift + arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift + seta</translation>
     </message>
     <message>
         <source>jog fast</source>
-        <translation type="unfinished"></translation>
+        <translation>movimento rápido</translation>
     </message>
     <message>
         <source>Ctrl + arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl + seta</translation>
     </message>
     <message>
         <source>one step</source>
-        <translation type="unfinished"></translation>
+        <translation>um passo</translation>
     </message>
     <message>
         <source>Ctrl+G</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+G</translation>
     </message>
     <message>
         <source>to the go-to fields; Enter = Go</source>
-        <translation type="unfinished"></translation>
+        <translation>aos campos de destino; Enter = Ir</translation>
     </message>
     <message>
         <source>Ctrl+H</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+H</translation>
     </message>
     <message>
         <source>hold</source>
-        <translation type="unfinished"></translation>
+        <translation>manter</translation>
     </message>
     <message>
         <source>Ctrl+P</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+P</translation>
     </message>
     <message>
         <source>park</source>
-        <translation type="unfinished"></translation>
+        <translation>estacionar</translation>
     </message>
     <message>
         <source>Ctrl+1 … Ctrl+5</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+1 … Ctrl+5</translation>
     </message>
     <message>
         <source>panels Jog, Charts, Limits, Clients, Log</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+6, Ctrl+7</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the mount itself: Drives, Protection</source>
-        <translation type="unfinished"></translation>
+        <translation>painéis Manual, Gráficos, Limites, Clientes, Registro</translation>
     </message>
     <message>
         <source>Ctrl+9</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+9</translation>
     </message>
     <message>
         <source>which turn is the axis on? (while asked)</source>
-        <translation type="unfinished"></translation>
+        <translation>em que volta está o eixo? (enquanto se pergunta)</translation>
     </message>
     <message>
         <source>Ctrl+L</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+L</translation>
     </message>
     <message>
         <source>charts in the place of the sky, and back</source>
-        <translation type="unfinished"></translation>
+        <translation>gráficos no lugar do céu, e de volta</translation>
     </message>
     <message>
         <source>Ctrl+E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+E</translation>
     </message>
     <message>
         <source>change the limits on the plot: drag (Shift: 0.1°), + adds, Del removes</source>
-        <translation type="unfinished"></translation>
+        <translation>alterar os limites no gráfico: arrastar (Shift: 0.1°), + acrescenta, Del retira</translation>
     </message>
     <message>
         <source>Ctrl+0, Ctrl++, Ctrl+-</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+0, Ctrl++, Ctrl+-</translation>
     </message>
     <message>
         <source>magnify the plot around the target; also the wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>ampliar o gráfico em torno do alvo; também a roda</translation>
     </message>
     <message>
         <source>F8</source>
-        <translation type="unfinished"></translation>
+        <translation>F8</translation>
     </message>
     <message>
         <source>acknowledge the alarms</source>
-        <translation type="unfinished"></translation>
+        <translation>reconhecer os alarmes</translation>
     </message>
     <message>
         <source>Ctrl+D</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+D</translation>
     </message>
     <message>
         <source>theme: day, night, red</source>
-        <translation type="unfinished"></translation>
+        <translation>tema: dia, noite, vermelho</translation>
     </message>
     <message>
         <source>F11</source>
-        <translation type="unfinished"></translation>
+        <translation>F11</translation>
     </message>
     <message>
         <source>full screen</source>
-        <translation type="unfinished"></translation>
+        <translation>tela cheia</translation>
     </message>
     <message>
         <source>F1</source>
-        <translation type="unfinished"></translation>
+        <translation>F1</translation>
     </message>
     <message>
         <source>this page</source>
-        <translation type="unfinished"></translation>
+        <translation>esta página</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Teclas</translation>
     </message>
     <message>
         <source>Drives: who is on the bus, the bus for other tools, and how each axis stops when not fed.
 Protection: ■ dangerous settings keep the mount from moving; Fix writes them, with the
 drives switched off. ▲ Turn?: until it is answered only slow jogging is possible.</source>
-        <translation type="unfinished"></translation>
+        <translation>Acionamentos: quem está no barramento, o barramento para outras ferramentas, e como cada eixo para sem ordens.
+Proteções: ■ parâmetros perigosos impedem a montagem de se mover; Corrigir escreve-os, com os
+acionamentos desligados. ▲ Volta?: até haver resposta só é possível movimento manual lento.</translation>
     </message>
     <message>
         <source>STOP is a function of this program: the mount slows down and holds. It does not
 replace the hard-wired emergency stop beside the mast.</source>
-        <translation type="unfinished"></translation>
+        <translation>STOP é uma função deste programa: a montagem desacelera e mantém-se. Não substitui a parada de
+emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>&amp;Language</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Idioma</translation>
     </message>
     <message>
         <source>System</source>
-        <translation type="unfinished"></translation>
+        <translation>Sistema</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Idioma</translation>
     </message>
     <message>
         <source>The language of the program&apos;s texts, from its next start on</source>
-        <translation type="unfinished"></translation>
+        <translation>O idioma dos textos do programa, a partir do próximo início</translation>
     </message>
     <message>
         <source>in force at the next start</source>
-        <translation type="unfinished"></translation>
+        <translation>em vigor no próximo início</translation>
+    </message>
+    <message>
+        <source>Ctrl+6 … Ctrl+8</source>
+        <translation>Ctrl+6 … Ctrl+8</translation>
+    </message>
+    <message>
+        <source>the mount itself: Drives, Protection, Profile</source>
+        <translation>a própria montagem: Acionamentos, Proteções, Perfil</translation>
+    </message>
+    <message>
+        <source>Ctrl+F</source>
+        <translation>Ctrl+F</translation>
+    </message>
+    <message>
+        <source>search the settings (in Profile)</source>
+        <translation>procurar nos parâmetros (em Perfil)</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>save diagnostics for a bug report</source>
+        <translation>gravar diagnóstico para um relato de erro</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::HorizonModel</name>
     <message>
         <source>there is a point at this azimuth already</source>
-        <translation type="unfinished"></translation>
+        <translation>já existe um ponto neste azimute</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::JogButton</name>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>requested</source>
-        <translation type="unfinished"></translation>
+        <translation>pedido</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::JogPad</name>
     <message>
         <source>EL +</source>
-        <translation type="unfinished"></translation>
+        <translation>EL +</translation>
     </message>
     <message>
         <source>Elevation up while held</source>
-        <translation type="unfinished"></translation>
+        <translation>Elevação sobe enquanto premido</translation>
     </message>
     <message>
         <source>EL -</source>
-        <translation type="unfinished"></translation>
+        <translation>EL -</translation>
     </message>
     <message>
         <source>Elevation down while held</source>
-        <translation type="unfinished"></translation>
+        <translation>Elevação desce enquanto premido</translation>
     </message>
     <message>
         <source>AZ -</source>
-        <translation type="unfinished"></translation>
+        <translation>AZ -</translation>
     </message>
     <message>
         <source>Azimuth counter-clockwise while held</source>
-        <translation type="unfinished"></translation>
+        <translation>Azimute anti-horário enquanto premido</translation>
     </message>
     <message>
         <source>AZ +</source>
-        <translation type="unfinished"></translation>
+        <translation>AZ +</translation>
     </message>
     <message>
         <source>Azimuth clockwise while held</source>
-        <translation type="unfinished"></translation>
+        <translation>Azimute horário enquanto premido</translation>
     </message>
     <message>
         <source>Hold</source>
-        <translation type="unfinished"></translation>
+        <translation>Manter</translation>
     </message>
     <message>
         <source>Slow down and hold the position (Ctrl+H)</source>
-        <translation type="unfinished"></translation>
+        <translation>Desacelerar e manter a posição (Ctrl+H)</translation>
     </message>
     <message>
         <source>Arrow keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Setas do teclado</translation>
     </message>
     <message>
         <source>Jog pad</source>
-        <translation type="unfinished"></translation>
+        <translation>Campo de movimento manual</translation>
     </message>
     <message>
         <source>Enter arms the arrow keys; then they move the mount while held</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter arma as setas; então movem a montagem enquanto premidas</translation>
     </message>
     <message>
         <source>Step: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Passo: %1</translation>
     </message>
     <message>
         <source>Jog: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Manual: %1</translation>
     </message>
     <message>
         <source>ARMED: arrow keys move the mount</source>
-        <translation type="unfinished"></translation>
+        <translation>ARMADO: as setas movem a montagem</translation>
     </message>
     <message>
         <source>Click here to arm the arrow keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Clique aqui para armar as setas</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::JogPanel</name>
     <message>
         <source>%1 in degrees, e.g. 113.5 (Ctrl+G; Enter = Go)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 em graus, p. ex. 113.5 (Ctrl+G; Enter = Ir)</translation>
     </message>
     <message>
         <source>Refused</source>
-        <translation type="unfinished"></translation>
+        <translation>Recusado</translation>
     </message>
     <message>
         <source>Azimuth</source>
-        <translation type="unfinished"></translation>
+        <translation>Azimute</translation>
     </message>
     <message>
         <source>Elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>Elevação</translation>
     </message>
     <message>
         <source>Go</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir</translation>
     </message>
     <message>
         <source>Go to this direction by the nearest turn (Enter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir a esta direção pela volta mais próxima (Enter)</translation>
     </message>
     <message>
         <source>Home</source>
-        <translation type="unfinished"></translation>
+        <translation>Origem</translation>
     </message>
     <message>
         <source>Go to azimuth 0° and the lowest elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir ao azimute 0° e à menor elevação</translation>
     </message>
     <message>
         <source>Park</source>
-        <translation type="unfinished"></translation>
+        <translation>Estacionar</translation>
     </message>
     <message>
         <source>Go to the park position %1 (Ctrl+P)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir à posição de estacionamento %1 (Ctrl+P)</translation>
     </message>
     <message>
         <source>Rate while held</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidade enquanto premido</translation>
     </message>
     <message>
         <source>Step</source>
-        <translation type="unfinished"></translation>
+        <translation>Passo</translation>
     </message>
     <message>
         <source>Slow</source>
-        <translation type="unfinished"></translation>
+        <translation>Lenta</translation>
     </message>
     <message>
         <source>Normal</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal</translation>
     </message>
     <message>
         <source>Fast</source>
-        <translation type="unfinished"></translation>
+        <translation>Rápida</translation>
     </message>
     <message>
         <source>%1: jog at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: movimento manual a %2</translation>
     </message>
     <message>
         <source>One step is %1 (Ctrl + arrow)</source>
-        <translation type="unfinished"></translation>
+        <translation>Um passo é %1 (Ctrl + seta)</translation>
     </message>
     <message>
         <source>Step mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Modo de passos</translation>
     </message>
     <message>
         <source>Step mode: a press moves one step only</source>
-        <translation type="unfinished"></translation>
+        <translation>Modo de passos: cada clique move só um passo</translation>
     </message>
     <message>
         <source>Az</source>
-        <translation type="unfinished"></translation>
+        <translation>Az</translation>
     </message>
     <message>
         <source>El</source>
-        <translation type="unfinished"></translation>
+        <translation>El</translation>
     </message>
     <message>
         <source>%1: only slow until the turn is known</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: só devagar até a volta ser conhecida</translation>
     </message>
     <message>
         <source>Go: the azimuth is not a number (decimal point, e.g. 113.5)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir: o azimute não é um número (ponto decimal, p. ex. 113.5)</translation>
     </message>
     <message>
         <source>Go: the elevation is not a number (decimal point, e.g. 10.5)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir: a elevação não é um número (ponto decimal, p. ex. 10.5)</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::LeadPrompt</name>
     <message>
         <source>Port %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Porta %1</translation>
     </message>
     <message>
         <source>%1 wants to drive</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 quer mover</translation>
     </message>
     <message>
         <source>A client wants to drive</source>
-        <translation type="unfinished"></translation>
+        <translation>Um cliente quer mover</translation>
     </message>
     <message>
         <source>Give</source>
-        <translation type="unfinished"></translation>
+        <translation>Dar</translation>
     </message>
     <message>
         <source>This client moves the mount from now on (panel Clients, Ctrl+4)</source>
-        <translation type="unfinished"></translation>
+        <translation>Este cliente passa a mover a montagem (painel Clientes, Ctrl+4)</translation>
     </message>
     <message>
         <source>Ignore</source>
-        <translation type="unfinished"></translation>
+        <translation>Ignorar</translation>
     </message>
     <message>
         <source>Not asked again while it stays connected</source>
-        <translation type="unfinished"></translation>
+        <translation>Não se pergunta de novo enquanto ele estiver conectado</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::LimitRow</name>
     <message>
         <source>Lowest %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Limite inferior de %1</translation>
     </message>
     <message>
         <source>Highest %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Limite superior de %1</translation>
     </message>
     <message>
         <source>Travel of the %1, hatched where the limits end; the pointer is where it is now</source>
-        <translation type="unfinished"></translation>
+        <translation>Curso de %1, tracejado onde terminam os limites; o ponteiro é onde está agora</translation>
     </message>
     <message>
         <source>%1, within the travel %2…%3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, dentro do curso %2…%3</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::LimitsPanel</name>
     <message>
         <source>Horizon</source>
-        <translation type="unfinished"></translation>
+        <translation>Horizonte</translation>
     </message>
     <message>
         <source>Keep-outs</source>
-        <translation type="unfinished"></translation>
+        <translation>Zonas proibidas</translation>
     </message>
     <message>
         <source>Why the text was not taken</source>
-        <translation type="unfinished"></translation>
+        <translation>Por que o texto não foi aceito</translation>
     </message>
     <message>
         <source>%1: type into a cell, or drag on the plot (Edit, Ctrl+E)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: escreva numa célula, ou arraste no gráfico (Editar, Ctrl+E)</translation>
     </message>
     <message>
         <source>Add a point of the horizon</source>
-        <translation type="unfinished"></translation>
+        <translation>Acrescentar um ponto do horizonte</translation>
     </message>
     <message>
         <source>Remove the current point of the horizon (Del)</source>
-        <translation type="unfinished"></translation>
+        <translation>Retirar o ponto atual do horizonte (Del)</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Arquivo</translation>
     </message>
     <message>
         <source>Horizon from and to a file (az el)</source>
-        <translation type="unfinished"></translation>
+        <translation>Horizonte de e para um arquivo (az el)</translation>
     </message>
     <message>
         <source>Import …</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar …</translation>
     </message>
     <message>
         <source>Export …</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar …</translation>
     </message>
     <message>
         <source>Add keep-out</source>
-        <translation type="unfinished"></translation>
+        <translation>Nova zona proibida</translation>
     </message>
     <message>
         <source>Add a keep-out around where the mount points</source>
-        <translation type="unfinished"></translation>
+        <translation>Acrescentar uma zona proibida em torno de onde a montagem aponta</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Retirar</translation>
     </message>
     <message>
         <source>Remove the current keep-out (Del)</source>
-        <translation type="unfinished"></translation>
+        <translation>Retirar a zona proibida atual (Del)</translation>
     </message>
     <message>
         <source>Keep-outs, clockwise from … to</source>
-        <translation type="unfinished"></translation>
+        <translation>Zonas proibidas, no sentido horário de … a</translation>
     </message>
     <message>
         <source>select a row first</source>
-        <translation type="unfinished"></translation>
+        <translation>selecione primeiro uma linha</translation>
     </message>
     <message>
         <source>Import a horizon</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar um horizonte</translation>
     </message>
     <message>
         <source>Horizon (*.txt *.hrz *.hzn *.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Horizonte (*.txt *.hrz *.hzn *.csv)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Todos os arquivos (*)</translation>
     </message>
     <message>
         <source>Export the horizon</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar o horizonte</translation>
     </message>
     <message>
         <source>Horizon (*.txt)</source>
-        <translation type="unfinished"></translation>
+        <translation>Horizonte (*.txt)</translation>
     </message>
     <message>
         <source>written</source>
-        <translation type="unfinished"></translation>
+        <translation>gravado</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::LinesView</name>
     <message>
         <source>Outcome</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultado</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar</translation>
     </message>
     <message>
         <source>Selected line</source>
-        <translation type="unfinished"></translation>
+        <translation>Linha selecionada</translation>
     </message>
     <message>
         <source>Select a line to read it whole</source>
-        <translation type="unfinished"></translation>
+        <translation>Selecione uma linha para a ler inteira</translation>
     </message>
     <message>
         <source>Copy the selected lines, or all that are shown (Ctrl+C in the list)</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiar as linhas selecionadas, ou todas as mostradas (Ctrl+C na lista)</translation>
     </message>
     <message>
         <source>File …</source>
-        <translation type="unfinished"></translation>
+        <translation>Arquivo …</translation>
     </message>
     <message>
         <source>Save all lines that are shown to a text file</source>
-        <translation type="unfinished"></translation>
+        <translation>Gravar todas as linhas mostradas num arquivo de texto</translation>
     </message>
     <message>
         <source>Save the lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Gravar as linhas</translation>
     </message>
     <message>
         <source>Text (*.txt)</source>
-        <translation type="unfinished"></translation>
+        <translation>Texto (*.txt)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Todos os arquivos (*)</translation>
     </message>
     <message>
         <source>Lines written: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Linhas gravadas: %1</translation>
     </message>
     <message>
         <source>Not written: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Não gravado: %1</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::LogModel</name>
     <message>
         <source>UTC</source>
-        <translation type="unfinished"></translation>
+        <translation>UTC</translation>
     </message>
     <message>
         <source>Source</source>
-        <translation type="unfinished"></translation>
+        <translation>Origem</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished"></translation>
+        <translation>O quê</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::LogPage</name>
     <message>
         <source>Events</source>
-        <translation type="unfinished"></translation>
+        <translation>Eventos</translation>
     </message>
     <message>
         <source>Why did it move?</source>
-        <translation type="unfinished"></translation>
+        <translation>Por que se moveu?</translation>
     </message>
     <message>
         <source>Filter by source</source>
-        <translation type="unfinished"></translation>
+        <translation>Filtrar por origem</translation>
     </message>
     <message>
         <source>All sources</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas as origens</translation>
     </message>
     <message>
         <source>Operator</source>
-        <translation type="unfinished"></translation>
+        <translation>Operador</translation>
     </message>
     <message>
         <source>rotctld clients</source>
-        <translation type="unfinished"></translation>
+        <translation>Clientes rotctld</translation>
     </message>
     <message>
         <source>Station</source>
-        <translation type="unfinished"></translation>
+        <translation>Estação</translation>
     </message>
     <message>
         <source>▲ only</source>
-        <translation type="unfinished"></translation>
+        <translation>só ▲</translation>
     </message>
     <message>
         <source>Warnings and alarms only</source>
-        <translation type="unfinished"></translation>
+        <translation>Só avisos e alarmes</translation>
     </message>
     <message>
         <source>Filter by text</source>
-        <translation type="unfinished"></translation>
+        <translation>Filtrar por texto</translation>
     </message>
     <message>
         <source>contains</source>
-        <translation type="unfinished"></translation>
+        <translation>contém</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::LogPanel</name>
     <message>
         <source>Alarms</source>
-        <translation type="unfinished"></translation>
+        <translation>Alarmes</translation>
     </message>
     <message>
         <source>Alarms of now and since the start of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Alarmes de agora e desde o início da janela</translation>
     </message>
     <message>
         <source>Why did it move?</source>
-        <translation type="unfinished"></translation>
+        <translation>Por que se moveu?</translation>
     </message>
     <message>
         <source>Who moved the mount, and why</source>
-        <translation type="unfinished"></translation>
+        <translation>Quem moveu a montagem, e por quê</translation>
     </message>
     <message>
         <source>Events</source>
-        <translation type="unfinished"></translation>
+        <translation>Eventos</translation>
     </message>
     <message>
         <source>Every line of the log</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas as linhas do registro</translation>
     </message>
     <message>
         <source>Alarms (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alarmes (%1)</translation>
+    </message>
+    <message>
+        <source>Bundle …</source>
+        <translation>Pacote …</translation>
+    </message>
+    <message>
+        <source>Save diagnostics …</source>
+        <translation>Gravar diagnóstico …</translation>
+    </message>
+    <message>
+        <source>Save diagnostics for a bug report: profile, logs, drives, the last minutes (Ctrl+B)</source>
+        <translation>Gravar diagnóstico para um relato de erro: perfil, registros, acionamentos, os últimos minutos (Ctrl+B)</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::MainWindow</name>
     <message>
         <source>Last line of the log</source>
-        <translation type="unfinished"></translation>
+        <translation>Última linha do registro</translation>
     </message>
     <message>
         <source>Direction under the cursor</source>
-        <translation type="unfinished"></translation>
+        <translation>Direção sob o cursor</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Fechar</translation>
     </message>
     <message>
         <source>Go here</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir para aqui</translation>
     </message>
     <message>
         <source>Go to this direction by the nearest turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Ir a esta direção pela volta mais próxima</translation>
     </message>
     <message>
         <source>Boresight</source>
-        <translation type="unfinished"></translation>
+        <translation>Boresight</translation>
     </message>
     <message>
         <source>Dismiss</source>
-        <translation type="unfinished"></translation>
+        <translation>Dispensar</translation>
     </message>
     <message>
         <source>Stop and close</source>
-        <translation type="unfinished"></translation>
+        <translation>Parar e fechar</translation>
     </message>
     <message>
         <source>Keep open</source>
-        <translation type="unfinished"></translation>
+        <translation>Manter aberto</translation>
     </message>
     <message>
         <source>Use the hard-wired emergency stop if the mount moves</source>
-        <translation type="unfinished"></translation>
+        <translation>Use a parada de emergência por cabo se a montagem se mover</translation>
     </message>
     <message>
         <source>No word from the station for %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sem notícia da estação há %1</translation>
     </message>
     <message>
         <source>Old numbers are not shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Não se mostram números antigos</translation>
     </message>
     <message>
         <source>STOP is not confirmed</source>
-        <translation type="unfinished"></translation>
+        <translation>STOP não está confirmado</translation>
     </message>
     <message>
         <source>It was sent, but the status does not show it</source>
-        <translation type="unfinished"></translation>
+        <translation>Foi enviado, mas o estado não o mostra</translation>
     </message>
     <message>
         <source>STOP: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>STOP: %1</translation>
     </message>
     <message>
         <source>Stop the mount and close?</source>
-        <translation type="unfinished"></translation>
+        <translation>Parar a montagem e fechar?</translation>
     </message>
     <message>
         <source>Stopping and closing …</source>
-        <translation type="unfinished"></translation>
+        <translation>Parando e fechando …</translation>
+    </message>
+    <message>
+        <source>Diagnostics saved: %1</source>
+        <translation>Diagnóstico gravado: %1</translation>
+    </message>
+    <message>
+        <source>Diagnostics not saved: %1</source>
+        <translation>Diagnóstico não gravado: %1</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::PanelTabs</name>
     <message>
         <source>Panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Painéis</translation>
     </message>
     <message>
         <source>Jog</source>
-        <translation type="unfinished"></translation>
+        <translation>Manual</translation>
     </message>
     <message>
         <source>Jog panel (Ctrl+1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Painel de movimento manual (Ctrl+1)</translation>
     </message>
     <message>
         <source>Charts</source>
-        <translation type="unfinished"></translation>
+        <translation>Gráficos</translation>
     </message>
     <message>
         <source>Position, error and drive over the time (Ctrl+2)</source>
-        <translation type="unfinished"></translation>
+        <translation>Posição, erro e acionamento ao longo do tempo (Ctrl+2)</translation>
     </message>
     <message>
         <source>Limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Limites</translation>
     </message>
     <message>
         <source>Limits, horizon and keep-outs (Ctrl+3)</source>
-        <translation type="unfinished"></translation>
+        <translation>Limites, horizonte e zonas proibidas (Ctrl+3)</translation>
     </message>
     <message>
         <source>Clients</source>
-        <translation type="unfinished"></translation>
+        <translation>Clientes</translation>
     </message>
     <message>
         <source>rotctld clients, and who of them moves the mount (Ctrl+4)</source>
-        <translation type="unfinished"></translation>
+        <translation>Clientes rotctld, e quem deles move a montagem (Ctrl+4)</translation>
     </message>
     <message>
         <source>Log</source>
-        <translation type="unfinished"></translation>
+        <translation>Registro</translation>
     </message>
     <message>
         <source>Log panel (Ctrl+5)</source>
-        <translation type="unfinished"></translation>
+        <translation>Painel do registro (Ctrl+5)</translation>
     </message>
     <message>
         <source>Mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Montagem</translation>
     </message>
     <message>
         <source>▲ Turn?</source>
-        <translation type="unfinished"></translation>
+        <translation>▲ Volta?</translation>
     </message>
     <message>
         <source>Which turn is the axis on? (Ctrl+9)</source>
-        <translation type="unfinished"></translation>
+        <translation>Em que volta está o eixo? (Ctrl+9)</translation>
     </message>
     <message>
         <source>The mount itself</source>
-        <translation type="unfinished"></translation>
+        <translation>A própria montagem</translation>
     </message>
     <message>
         <source>Drives</source>
-        <translation type="unfinished"></translation>
+        <translation>Acionamentos</translation>
     </message>
     <message>
         <source>Drives, bus and crash-stop proof (Ctrl+6)</source>
-        <translation type="unfinished"></translation>
+        <translation>Acionamentos, barramento e ensaio de parada brusca (Ctrl+6)</translation>
     </message>
     <message>
         <source>Protection</source>
-        <translation type="unfinished"></translation>
+        <translation>Proteções</translation>
     </message>
     <message>
         <source>The drives&apos; own protections (Ctrl+7)</source>
-        <translation type="unfinished"></translation>
+        <translation>As proteções dos próprios acionamentos (Ctrl+7)</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Perfil</translation>
+    </message>
+    <message>
+        <source>All settings, and the mounts that are kept (Ctrl+8)</source>
+        <translation>Todos os parâmetros, e as montagens guardadas (Ctrl+8)</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::PlotEditor</name>
     <message>
         <source>Limits on the plot</source>
-        <translation type="unfinished"></translation>
+        <translation>Limites no gráfico</translation>
     </message>
     <message>
         <source>The same limits are changed by the keyboard in the Limits panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Os mesmos limites mudam-se pelo teclado no painel Limites</translation>
     </message>
     <message>
         <source>Drag an edge, a corner, a point or a whole keep-out (Shift: 0.1°). Double click or +: point of the horizon. Del: remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Arraste uma borda, um canto, um ponto ou uma zona proibida inteira (Shift: 0.1°). Duplo clique ou +: ponto do horizonte. Del: retirar</translation>
     </message>
     <message>
         <source>Remove this point of the horizon (Del)</source>
-        <translation type="unfinished"></translation>
+        <translation>Retirar este ponto do horizonte (Del)</translation>
     </message>
     <message>
         <source>Remove %1 (Del)</source>
-        <translation type="unfinished"></translation>
+        <translation>Retirar %1 (Del)</translation>
     </message>
     <message>
         <source>Add a point of the horizon here (+)</source>
-        <translation type="unfinished"></translation>
+        <translation>Acrescentar aqui um ponto do horizonte (+)</translation>
     </message>
     <message>
         <source>Add a keep-out here</source>
-        <translation type="unfinished"></translation>
+        <translation>Acrescentar aqui uma zona proibida</translation>
     </message>
     <message>
         <source>az %1
 el %2</source>
-        <translation type="unfinished"></translation>
+        <translation>az %1
+el %2</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::PlotTools</name>
     <message>
         <source>Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>Editar</translation>
     </message>
     <message>
         <source>Change limits, horizon and keep-outs on the plot (Ctrl+E)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alterar limites, horizonte e zonas proibidas no gráfico (Ctrl+E)</translation>
     </message>
     <message>
         <source>Zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoom</translation>
     </message>
     <message>
         <source>Magnify around the target (Ctrl+0; Ctrl++, Ctrl+-, wheel)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ampliar em torno do alvo (Ctrl+0; Ctrl++, Ctrl+-, roda)</translation>
     </message>
     <message>
         <source>Save …</source>
-        <translation type="unfinished"></translation>
+        <translation>Gravar</translation>
     </message>
     <message>
         <source>Save the plot as a picture (PNG or SVG)</source>
-        <translation type="unfinished"></translation>
+        <translation>Gravar o gráfico como imagem (PNG ou SVG)</translation>
     </message>
     <message>
         <source>Under the cursor</source>
-        <translation type="unfinished"></translation>
+        <translation>Sob o cursor</translation>
     </message>
     <message>
         <source>Save the plot as a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Gravar o gráfico como imagem</translation>
     </message>
     <message>
         <source>PNG picture (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>Imagem PNG (*.png)</translation>
     </message>
     <message>
         <source>SVG drawing (*.svg)</source>
-        <translation type="unfinished"></translation>
+        <translation>Desenho SVG (*.svg)</translation>
     </message>
     <message>
         <source>Saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Gravado</translation>
     </message>
     <message>
         <source>Not saved: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Não gravado: %1</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::PolarPlot</name>
     <message>
         <source>FLIP %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ALÉM DO ZÊNITE %1</translation>
     </message>
     <message>
         <source>Sky plot</source>
-        <translation type="unfinished"></translation>
+        <translation>Gráfico do céu</translation>
     </message>
     <message>
         <source>North is up, east is right, the zenith in the centre. A click reads a direction.</source>
-        <translation type="unfinished"></translation>
+        <translation>O norte está em cima, o leste à direita, o zênite no centro. Um clique lê uma direção.</translation>
     </message>
     <message>
         <source>Last seen at</source>
-        <translation type="unfinished"></translation>
+        <translation>Visto por último em</translation>
     </message>
     <message>
         <source>Actual</source>
-        <translation type="unfinished"></translation>
+        <translation>Real</translation>
     </message>
     <message>
         <source>Perhaps at</source>
-        <translation type="unfinished"></translation>
+        <translation>Talvez em</translation>
     </message>
     <message>
         <source>Commanded</source>
-        <translation type="unfinished"></translation>
+        <translation>Comandado</translation>
     </message>
     <message>
         <source>Target</source>
-        <translation type="unfinished"></translation>
+        <translation>Alvo</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::ProfileDraft</name>
     <message>
         <source>the station has not answered yet</source>
-        <translation type="unfinished"></translation>
+        <translation>a estação ainda não respondeu</translation>
     </message>
     <message>
         <source>nothing has been changed</source>
-        <translation type="unfinished"></translation>
+        <translation>nada foi alterado</translation>
     </message>
     <message>
         <source>the profile was changed from elsewhere meanwhile: keep these edits or revert first</source>
-        <translation type="unfinished"></translation>
+        <translation>entretanto o perfil foi alterado de outro lado: guarde estas alterações ou reverta primeiro</translation>
     </message>
     <message>
         <source>apply or revert the edits first</source>
-        <translation type="unfinished"></translation>
+        <translation>aplique ou reverta primeiro as alterações</translation>
     </message>
     <message>
         <source>no change has been applied here</source>
-        <translation type="unfinished"></translation>
+        <translation>nenhuma alteração foi aplicada aqui</translation>
     </message>
     <message>
         <source>nothing waits for a reconnect</source>
-        <translation type="unfinished"></translation>
+        <translation>nada espera por uma reconexão</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::ProfileDraftBar</name>
     <message>
         <source>Changes of the profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Alterações do perfil</translation>
     </message>
     <message>
         <source>Refused</source>
-        <translation type="unfinished"></translation>
+        <translation>Recusado</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>Aplicar</translation>
     </message>
     <message>
         <source>Put the changes in force</source>
-        <translation type="unfinished"></translation>
+        <translation>Pôr as alterações em vigor</translation>
     </message>
     <message>
         <source>Revert</source>
-        <translation type="unfinished"></translation>
+        <translation>Reverter</translation>
     </message>
     <message>
         <source>Drop the changes that are not applied</source>
-        <translation type="unfinished"></translation>
+        <translation>Abandonar as alterações por aplicar</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Desfazer</translation>
     </message>
     <message>
         <source>Apply again what was in force before the last change</source>
-        <translation type="unfinished"></translation>
+        <translation>Aplicar de novo o que vigorava antes da última alteração</translation>
     </message>
     <message>
         <source>Keep edits</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar</translation>
     </message>
     <message>
         <source>Put these changes upon what was changed from elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Pôr estas alterações sobre o que foi alterado de outro lado</translation>
     </message>
     <message>
         <source>Reconnect</source>
-        <translation type="unfinished"></translation>
+        <translation>Reconectar</translation>
     </message>
     <message>
         <source>Begin anew with the drives; the mount must be at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Começar de novo com os acionamentos; a montagem tem de estar parada</translation>
     </message>
     <message>
         <source>Changed from elsewhere meanwhile: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Entretanto alterado de outro lado: %1</translation>
     </message>
     <message>
         <source>Not applied: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Por aplicar: %1</translation>
     </message>
     <message>
         <source>Waits for a reconnect: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Espera por reconexão: %1</translation>
     </message>
     <message>
         <source>All changes are applied</source>
-        <translation type="unfinished"></translation>
+        <translation>Todas as alterações estão aplicadas</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ProfilePage</name>
+    <message>
+        <source>Mounts</source>
+        <translation>Montagens</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Switch …</source>
+        <translation>Trocar …</translation>
+    </message>
+    <message>
+        <source>Connect to the chosen mount; asks first</source>
+        <translation>Conectar-se à montagem escolhida; pergunta antes</translation>
+    </message>
+    <message>
+        <source>Mounts that are kept</source>
+        <translation>Montagens guardadas</translation>
+    </message>
+    <message>
+        <source>The mounts of this computer; choosing one does nothing yet</source>
+        <translation>As montagens deste computador; escolher uma ainda não faz nada</translation>
+    </message>
+    <message>
+        <source>Duplicate, rename, import, export the chosen mount</source>
+        <translation>Duplicar, mudar o nome, importar, exportar a montagem escolhida</translation>
+    </message>
+    <message>
+        <source>Duplicate, rename, remove, import, export; take back the last change</source>
+        <translation>Duplicar, mudar o nome, retirar, importar, exportar; anular a última alteração</translation>
+    </message>
+    <message>
+        <source>Duplicate …</source>
+        <translation>Duplicar …</translation>
+    </message>
+    <message>
+        <source>Rename …</source>
+        <translation>Mudar nome …</translation>
+    </message>
+    <message>
+        <source>Take back the last saved change …</source>
+        <translation>Anular a última alteração gravada …</translation>
+    </message>
+    <message>
+        <source>Import …</source>
+        <translation>Importar …</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>Exportar …</translation>
+    </message>
+    <message>
+        <source>Remove …</source>
+        <translation>Retirar …</translation>
+    </message>
+    <message>
+        <source>%1 (in force)</source>
+        <translation>%1 (em vigor)</translation>
+    </message>
+    <message>
+        <source>▲ %1</source>
+        <translation>▲ %1</translation>
+    </message>
+    <message>
+        <source>this mount is in force</source>
+        <translation>esta montagem está em vigor</translation>
+    </message>
+    <message>
+        <source>its file cannot be read</source>
+        <translation>não é possível ler o seu arquivo</translation>
+    </message>
+    <message>
+        <source>apply or revert the edits first</source>
+        <translation>aplique ou reverta primeiro as alterações</translation>
+    </message>
+    <message>
+        <source>the mount moves, press &quot;Hold&quot; first</source>
+        <translation>a montagem move-se, clique primeiro em &quot;Manter&quot;</translation>
+    </message>
+    <message>
+        <source>Different: %1</source>
+        <translation>Diferente: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3</source>
+        <translation>%1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3, on reconnect</source>
+        <translation>%1: %2 → %3, ao reconectar</translation>
+    </message>
+    <message>
+        <source>Bus: %1
+This mount is left as at the end of the program, and the other one is connected as at a start. Nothing moves; the window stays.
+
+%2</source>
+        <translation>Barramento: %1
+Esta montagem é deixada como no fim do programa, e a outra é conectada como num início. Nada se move; a janela fica.
+
+%2</translation>
+    </message>
+    <message>
+        <source>Switch to the mount &quot;%1&quot;?</source>
+        <translation>Trocar para a montagem &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>Switch</source>
+        <translation>Trocar</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is kept as a mount of its own</source>
+        <translation>&quot;%1&quot; está guardada como montagem própria</translation>
+    </message>
+    <message>
+        <source>Duplicate the mount &quot;%1&quot;?</source>
+        <translation>Duplicar a montagem &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>A new mount with the same settings. What this one remembers, such as the turns of its axes, is not copied.</source>
+        <translation>Uma montagem nova com os mesmos parâmetros. O que esta recorda, como as voltas dos seus eixos, não é copiado.</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplicar</translation>
+    </message>
+    <message>
+        <source>Name of the new mount</source>
+        <translation>Nome da nova montagem</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <translation>%1 cópia</translation>
+    </message>
+    <message>
+        <source>Apply keeps the new name; Reconnect puts it in force</source>
+        <translation>Aplicar guarda o novo nome; Reconectar põe-no em vigor</translation>
+    </message>
+    <message>
+        <source>The mount is called &quot;%1&quot; now</source>
+        <translation>A montagem chama-se agora &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>Rename the mount &quot;%1&quot;?</source>
+        <translation>Mudar o nome da montagem &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>What a mount remembers is kept under its name: under a new one the turns of the axes are asked for again, unless the drives can tell them.</source>
+        <translation>O que uma montagem recorda fica guardado sob o seu nome: sob um novo pergunta-se de novo pelas voltas dos eixos, a não ser que os acionamentos as saibam dizer.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Mudar nome</translation>
+    </message>
+    <message>
+        <source>New name of the mount</source>
+        <translation>Novo nome da montagem</translation>
+    </message>
+    <message>
+        <source>This mount is in force: switch to another one first</source>
+        <translation>Esta montagem está em vigor: troque primeiro para outra</translation>
+    </message>
+    <message>
+        <source>Remove the mount &quot;%1&quot;?</source>
+        <translation>Retirar a montagem &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>It leaves the list. Its file is kept under the name %1.removed.</source>
+        <translation>Sai da lista. O seu arquivo fica guardado com o nome %1.removed.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirar</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is removed</source>
+        <translation>&quot;%1&quot; foi retirada</translation>
+    </message>
+    <message>
+        <source>Import the profile of a mount</source>
+        <translation>Importar o perfil de uma montagem</translation>
+    </message>
+    <message>
+        <source>Profile (*.toml)</source>
+        <translation>Perfil (*.toml)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos os arquivos (*)</translation>
+    </message>
+    <message>
+        <source>Import the mount &quot;%1&quot;?</source>
+        <translation>Importar a montagem &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>It is kept as a mount of its own; nothing else changes.
+
+Bus: %1
+Beside the mount in force:
+%2</source>
+        <translation>Fica guardada como montagem própria; nada mais muda.
+
+Barramento: %1
+Ao lado da montagem em vigor:
+%2</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importar</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is kept</source>
+        <translation>&quot;%1&quot; está guardada</translation>
+    </message>
+    <message>
+        <source>Take this file over into &quot;%1&quot;?</source>
+        <translation>Levar este arquivo para &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>This mount is in force. The values come into the page as edits; Apply puts them in force.
+
+%1</source>
+        <translation>Esta montagem está em vigor. Os valores entram na página como alterações; Aplicar põe-nos em vigor.
+
+%1</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>Levar</translation>
+    </message>
+    <message>
+        <source>Overwrite the mount &quot;%1&quot;?</source>
+        <translation>Sobrescrever a montagem &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>The version of now is kept as the one before.
+
+%1</source>
+        <translation>A versão de agora fica guardada como a anterior.
+
+%1</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Sobrescrever</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is overwritten</source>
+        <translation>&quot;%1&quot; foi sobrescrita</translation>
+    </message>
+    <message>
+        <source>In the page, not applied: %1</source>
+        <translation>Na página, por aplicar: %1</translation>
+    </message>
+    <message>
+        <source>Export the profile of &quot;%1&quot;</source>
+        <translation>Exportar o perfil de &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Gravado: %1</translation>
+    </message>
+    <message>
+        <source>This mount has no file with a version before</source>
+        <translation>Esta montagem não tem arquivo com uma versão anterior</translation>
+    </message>
+    <message>
+        <source>Apply or revert the edits first</source>
+        <translation>Aplique ou reverta primeiro as alterações</translation>
+    </message>
+    <message>
+        <source>Take back the last saved change of &quot;%1&quot;?</source>
+        <translation>Anular a última alteração gravada de &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>Taking it back can be taken back too.
+
+%1</source>
+        <translation>A anulação também pode ser anulada.
+
+%1</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Anular</translation>
+    </message>
+    <message>
+        <source>The last change of &quot;%1&quot; is taken back</source>
+        <translation>A última alteração de &quot;%1&quot; foi anulada</translation>
+    </message>
+    <message>
+        <source>The last change is taken back</source>
+        <translation>A última alteração foi anulada</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::PromptBar</name>
     <message>
         <source>Refused</source>
-        <translation type="unfinished"></translation>
+        <translation>Recusado</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::ProtectionModel</name>
     <message>
         <source>Bus address</source>
-        <translation type="unfinished"></translation>
+        <translation>Endereço CAN</translation>
     </message>
     <message>
         <source>Lower limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Limite inferior</translation>
     </message>
     <message>
         <source>Upper limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Limite superior</translation>
     </message>
     <message>
         <source>Watchdog time</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo do watchdog</translation>
     </message>
     <message>
         <source>When not fed</source>
-        <translation type="unfinished"></translation>
+        <translation>Sem ordens</translation>
     </message>
     <message>
         <source>Torque not fed</source>
-        <translation type="unfinished"></translation>
+        <translation>Torque sem ordens</translation>
     </message>
     <message>
         <source>Braking margin</source>
-        <translation type="unfinished"></translation>
+        <translation>Margem de freio</translation>
     </message>
     <message>
         <source>Direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Sentido</translation>
     </message>
     <message>
         <source>Axis encoder</source>
-        <translation type="unfinished"></translation>
+        <translation>Encoder do eixo</translation>
     </message>
     <message>
         <source>Max. current</source>
-        <translation type="unfinished"></translation>
+        <translation>Corrente máx.</translation>
     </message>
     <message>
         <source>Max. power</source>
-        <translation type="unfinished"></translation>
+        <translation>Potência máx.</translation>
     </message>
     <message>
         <source>Max. supply</source>
-        <translation type="unfinished"></translation>
+        <translation>Tensão máx.</translation>
     </message>
     <message>
         <source>Max. speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocidade máx.</translation>
     </message>
     <message>
         <source>Speed limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Lim. velocidade</translation>
     </message>
     <message>
         <source>Accel. limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Lim. aceleração</translation>
     </message>
     <message>
         <source>Max. error</source>
-        <translation type="unfinished"></translation>
+        <translation>Erro máximo</translation>
     </message>
     <message>
         <source>Max. slip</source>
-        <translation type="unfinished"></translation>
+        <translation>Desliz. máximo</translation>
     </message>
     <message>
         <source>Gear ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>Redução</translation>
     </message>
     <message>
         <source>right</source>
-        <translation type="unfinished"></translation>
+        <translation>certo</translation>
     </message>
     <message>
         <source>advised</source>
-        <translation type="unfinished"></translation>
+        <translation>aconselhado</translation>
     </message>
     <message>
         <source>dangerous</source>
-        <translation type="unfinished"></translation>
+        <translation>perigoso</translation>
     </message>
     <message>
         <source>unread</source>
-        <translation type="unfinished"></translation>
+        <translation>não lido</translation>
     </message>
     <message>
         <source>%1: wanted %2, found %3.
 %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: esperado %2, achado %3.
+%4</translation>
     </message>
     <message>
         <source>%1  %2: %3 → %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1  %2: %3 → %4</translation>
     </message>
     <message>
         <source>%1  %2: %3, wanted %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1  %2: %3, esperado %4</translation>
     </message>
     <message>
         <source>Setting</source>
-        <translation type="unfinished"></translation>
+        <translation>Parâmetro</translation>
     </message>
     <message>
         <source>Wanted</source>
-        <translation type="unfinished"></translation>
+        <translation>Esperado</translation>
     </message>
     <message>
         <source>Found AZ</source>
-        <translation type="unfinished"></translation>
+        <translation>Em AZ</translation>
     </message>
     <message>
         <source>Found EL</source>
-        <translation type="unfinished"></translation>
+        <translation>Em EL</translation>
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished"></translation>
+        <translation>Avaliação</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::ProtectionPanel</name>
     <message>
         <source>Survey of the drives</source>
-        <translation type="unfinished"></translation>
+        <translation>Exame dos acionamentos</translation>
     </message>
     <message>
         <source>Why the selected setting matters</source>
-        <translation type="unfinished"></translation>
+        <translation>Por que importa o parâmetro selecionado</translation>
     </message>
     <message>
         <source>Refused</source>
-        <translation type="unfinished"></translation>
+        <translation>Recusado</translation>
     </message>
     <message>
         <source>Read again</source>
-        <translation type="unfinished"></translation>
+        <translation>Ler de novo</translation>
     </message>
     <message>
         <source>Look who is on the bus and read all settings anew</source>
-        <translation type="unfinished"></translation>
+        <translation>Ver quem está no barramento e ler de novo todos os parâmetros</translation>
     </message>
     <message>
         <source>Fix …</source>
-        <translation type="unfinished"></translation>
+        <translation>Corrigir …</translation>
     </message>
     <message>
         <source>Write the settings that differ; asks first</source>
-        <translation type="unfinished"></translation>
+        <translation>Escrever os parâmetros que diferem; pergunta antes</translation>
     </message>
     <message>
         <source>Switch drives off …</source>
-        <translation type="unfinished"></translation>
+        <translation>Desligar acionam. …</translation>
     </message>
     <message>
         <source>Release both axes; asks first</source>
-        <translation type="unfinished"></translation>
+        <translation>Soltar os dois eixos; pergunta antes</translation>
     </message>
     <message>
         <source>Protection</source>
-        <translation type="unfinished"></translation>
+        <translation>Proteções</translation>
     </message>
     <message>
         <source>Select a line to read why it matters</source>
-        <translation type="unfinished"></translation>
+        <translation>Selecione uma linha para ler por que importa</translation>
     </message>
     <message>
         <source>%1 dangerous, %2 advised. Select a line to read why it matters</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 perigosos, %2 aconselhados. Selecione uma linha para ler por que importa</translation>
     </message>
     <message>
         <source>What is in force already is kept in the drives&apos; memory. Nothing moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>O que já está em vigor fica guardado na memória dos acionamentos. Nada se move.</translation>
     </message>
     <message>
         <source>
 
 Written, read back, and kept in the drives&apos; memory. Nothing moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>
+
+Escrito, lido de volta e guardado na memória dos acionamentos. Nada se move.</translation>
     </message>
     <message>
         <source>
 
 Left for you, because only the builder of the mount can know it:
 </source>
-        <translation type="unfinished"></translation>
+        <translation>
+
+Fica para si, porque só quem construiu a montagem o pode saber:
+</translation>
     </message>
     <message>
         <source>Write these settings into the drives?</source>
-        <translation type="unfinished"></translation>
+        <translation>Escrever estes parâmetros nos acionamentos?</translation>
     </message>
     <message>
         <source>Write</source>
-        <translation type="unfinished"></translation>
+        <translation>Escrever</translation>
     </message>
     <message>
         <source>Switch both drives off?</source>
-        <translation type="unfinished"></translation>
+        <translation>Desligar os dois acionamentos?</translation>
     </message>
     <message>
         <source>Both axes are let go at once. An unbalanced elevation falls, and wind may turn the azimuth. Keep people away from the antenna, or support it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os dois eixos são soltos de imediato. Uma elevação desequilibrada cai, e o vento pode girar o azimute. Mantenha pessoas longe da antena, ou apoie-a primeiro.</translation>
     </message>
     <message>
         <source>Switch off</source>
-        <translation type="unfinished"></translation>
+        <translation>Desligar</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::RegionTableModel</name>
     <message>
         <source>&quot;%1&quot; is not a number (decimal point, e.g. 113.5)</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%1&quot; não é um número (ponto decimal, p. ex. 113.5)</translation>
     </message>
     <message>
         <source>Az °</source>
-        <translation type="unfinished"></translation>
+        <translation>Az °</translation>
     </message>
     <message>
         <source>El °</source>
-        <translation type="unfinished"></translation>
+        <translation>El °</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome</translation>
     </message>
     <message>
         <source>From °</source>
-        <translation type="unfinished"></translation>
+        <translation>De °</translation>
     </message>
     <message>
         <source>To °</source>
-        <translation type="unfinished"></translation>
+        <translation>A °</translation>
     </message>
     <message>
         <source>Min °</source>
-        <translation type="unfinished"></translation>
+        <translation>Mín °</translation>
     </message>
     <message>
         <source>Max °</source>
-        <translation type="unfinished"></translation>
+        <translation>Máx °</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::RequestDesk</name>
     <message>
         <source>the station does not answer</source>
-        <translation type="unfinished"></translation>
+        <translation>a estação não responde</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::SettingTree</name>
+    <message>
+        <source>Setting</source>
+        <translation>Parâmetro</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Intervalo</translation>
+    </message>
+    <message>
+        <source>Applies</source>
+        <translation>Vigora</translation>
+    </message>
+    <message>
+        <source>▲ %1 wrong</source>
+        <translation>▲ %1 errados</translation>
+    </message>
+    <message>
+        <source>%1 changed</source>
+        <translation>%1 alterados</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>%1 à espera</translation>
+    </message>
+    <message>
+        <source>%1: %2 settings. Enter or → opens the group.</source>
+        <translation>%1: %2 parâmetros. Enter ou → abre o grupo.</translation>
+    </message>
+    <message>
+        <source>● waits</source>
+        <translation>● à espera</translation>
+    </message>
+    <message>
+        <source>reconnect</source>
+        <translation>ao reconectar</translation>
+    </message>
+    <message>
+        <source>at once</source>
+        <translation>logo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n ponto</numerusform>
+            <numerusform>%n pontos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sector(s)</source>
+        <translation>
+            <numerusform>%n setor</numerusform>
+            <numerusform>%n setores</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n direction(s)</source>
+        <translation>
+            <numerusform>%n direção</numerusform>
+            <numerusform>%n direções</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>▲ %1</source>
+        <translation>▲ %1</translation>
+    </message>
+    <message>
+        <source>%1 (was %2)</source>
+        <translation>%1 (era %2)</translation>
+    </message>
+    <message>
+        <source>▲ %1.</source>
+        <translation>▲ %1.</translation>
+    </message>
+    <message>
+        <source>preset: the operator&apos;s own directions.</source>
+        <translation>predefinição: as direções do próprio operador.</translation>
+    </message>
+    <message>
+        <source>%1: changed on the panel Limits (Ctrl+3) or on the sky.</source>
+        <translation>%1: altera-se no painel Limites (Ctrl+3) ou no céu.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Range %1.</source>
+        <translation>Intervalo %1.</translation>
+    </message>
+    <message>
+        <source>One of %1.</source>
+        <translation>Um de %1.</translation>
+    </message>
+    <message>
+        <source>Default %1.</source>
+        <translation>Padrão %1.</translation>
+    </message>
+    <message>
+        <source>Applies at once.</source>
+        <translation>Vigora logo.</translation>
+    </message>
+    <message>
+        <source>Applies on reconnect.</source>
+        <translation>Vigora ao reconectar.</translation>
+    </message>
+    <message>
+        <source>In force: %1.</source>
+        <translation>Em vigor: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::SettingsView</name>
+    <message>
+        <source>What the selected setting means</source>
+        <translation>O que significa o parâmetro selecionado</translation>
+    </message>
+    <message>
+        <source>Search the settings</source>
+        <translation>Procurar nos parâmetros</translation>
+    </message>
+    <message>
+        <source>Shows the settings that have these words in their name or meaning (Ctrl+F)</source>
+        <translation>Mostra os parâmetros que têm estas palavras no nome ou no significado (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>search, e.g. speed</source>
+        <translation>procurar, p. ex. velocidade</translation>
+    </message>
+    <message>
+        <source>Which settings are shown</source>
+        <translation>Que parâmetros são mostrados</translation>
+    </message>
+    <message>
+        <source>All settings</source>
+        <translation>Todos os parâmetros</translation>
+    </message>
+    <message>
+        <source>Changed or waiting</source>
+        <translation>Alterados ou à espera</translation>
+    </message>
+    <message>
+        <source>Settings of the mount</source>
+        <translation>Parâmetros da montagem</translation>
+    </message>
+    <message>
+        <source>reconnect</source>
+        <translation>ao reconectar</translation>
+    </message>
+    <message>
+        <source>Select a line to read what it means; Enter changes its value</source>
+        <translation>Selecione uma linha para ler o que significa; Enter muda o valor</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::StopButton</name>
     <message>
         <source>STOP</source>
-        <translation type="unfinished"></translation>
+        <translation>STOP</translation>
     </message>
     <message>
         <source>STOP (Esc, Pause or F12): the mount slows down and holds until &quot;Reset stop&quot;.
 This is a function of the program. It does not replace the hard-wired emergency stop.</source>
-        <translation type="unfinished"></translation>
+        <translation>STOP (Esc, Pause ou F12): a montagem desacelera e mantém-se até &quot;Liberar STOP&quot;.
+É uma função do programa. Não substitui a parada de emergência por cabo.</translation>
     </message>
     <message>
         <source>requested</source>
-        <translation type="unfinished"></translation>
+        <translation>pedido</translation>
     </message>
     <message>
         <source>latched</source>
-        <translation type="unfinished"></translation>
+        <translation>ativo</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::StripCharts</name>
     <message>
         <source>Remark on the charts</source>
-        <translation type="unfinished"></translation>
+        <translation>Observação sobre os gráficos</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pausa</translation>
     </message>
     <message>
         <source>Hold the picture; the data are collected on (Space in the charts)</source>
-        <translation type="unfinished"></translation>
+        <translation>Segurar a imagem; os dados continuam a ser recolhidos (Espaço nos gráficos)</translation>
     </message>
     <message>
         <source>Large</source>
-        <translation type="unfinished"></translation>
+        <translation>Grande</translation>
     </message>
     <message>
         <source>Show the charts in the place of the sky, and back (Ctrl+L)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar os gráficos no lugar do céu, e de volta (Ctrl+L)</translation>
     </message>
     <message>
         <source>Axis charts</source>
-        <translation type="unfinished"></translation>
+        <translation>Gráficos dos eixos</translation>
     </message>
     <message>
         <source>Point at the curves to read them; or Tab, then the arrow keys. Space: pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Aponte às curvas para as ler; ou Tab e depois as setas. Espaço: pausa</translation>
     </message>
     <message>
         <source>Show the last %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar os últimos %1</translation>
     </message>
     <message>
         <source>Charts of the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gráficos de %1</translation>
     </message>
     <message>
         <source>Quantity of the drive</source>
-        <translation type="unfinished"></translation>
+        <translation>Grandeza do acionamento</translation>
     </message>
     <message>
         <source>What the lowest strip shows of the drive</source>
-        <translation type="unfinished"></translation>
+        <translation>O que a faixa de baixo mostra do acionamento</translation>
     </message>
     <message>
         <source>now</source>
-        <translation type="unfinished"></translation>
+        <translation>agora</translation>
     </message>
     <message>
         <source>−%1 s  %2Z</source>
-        <translation type="unfinished"></translation>
+        <translation>−%1 s  %2Z</translation>
     </message>
     <message>
         <source>Turn not known</source>
-        <translation type="unfinished"></translation>
+        <translation>Volta desconhecida</translation>
     </message>
     <message>
         <source>PAUSED</source>
-        <translation type="unfinished"></translation>
+        <translation>EM PAUSA</translation>
     </message>
     <message>
         <source>%1, %2 before %3Z, paused.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 antes de %3Z, em pausa.</translation>
     </message>
     <message>
         <source>%1, last %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, últimos %2.</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::TimeAxis</name>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>%1 min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 min</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::TurnBar</name>
     <message>
         <source>Places the axis may be at</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugares onde o eixo pode estar</translation>
     </message>
     <message>
         <source>◇ a place the axis may be at, filled: the chosen one; the hatched ends are out of travel</source>
-        <translation type="unfinished"></translation>
+        <translation>◇ um lugar onde o eixo pode estar, cheio: o escolhido; as pontas tracejadas estão fora do curso</translation>
     </message>
     <message>
         <source>%1 places, chosen %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lugares, escolhido %2</translation>
     </message>
     <message>
         <source>%1 places, none chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lugares, nenhum escolhido</translation>
     </message>
 </context>
 <context>
     <name>boresight::ui::TurnPage</name>
     <message>
         <source>Selected place</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugar selecionado</translation>
     </message>
     <message>
         <source>Moved since the question</source>
-        <translation type="unfinished"></translation>
+        <translation>Movido desde a pergunta</translation>
     </message>
     <message>
         <source>moved +000.0° since</source>
-        <translation type="unfinished"></translation>
+        <translation>movido +000.0° desde então</translation>
     </message>
     <message>
         <source>Refused</source>
-        <translation type="unfinished"></translation>
+        <translation>Recusado</translation>
     </message>
     <message>
         <source>It stands there</source>
-        <translation type="unfinished"></translation>
+        <translation>Está ali</translation>
     </message>
     <message>
         <source>Take the selected place for the truth</source>
-        <translation type="unfinished"></translation>
+        <translation>Tomar o lugar selecionado por verdadeiro</translation>
     </message>
     <message>
         <source>Evidence</source>
-        <translation type="unfinished"></translation>
+        <translation>Indícios</translation>
     </message>
     <message>
         <source>Angle read off the mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Ângulo lido na montagem</translation>
     </message>
     <message>
         <source>Where the axis stands, in degrees of its own travel, e.g. 45.5 or -120</source>
-        <translation type="unfinished"></translation>
+        <translation>Onde está o eixo, em graus do seu próprio curso, p. ex. 45.5 ou -120</translation>
     </message>
     <message>
         <source>The axis stands at about</source>
-        <translation type="unfinished"></translation>
+        <translation>O eixo está perto de</translation>
     </message>
     <message>
         <source>Which turn is the %1 on?</source>
-        <translation type="unfinished"></translation>
+        <translation>Em que volta está o eixo de %1?</translation>
     </message>
     <message>
         <source>So %1 is proposed. Look at the mount before you confirm it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Por isso propõe-se %1. Observe a montagem antes de confirmar.</translation>
     </message>
     <message>
         <source>This does not tell the place. Look at the mount.</source>
-        <translation type="unfinished"></translation>
+        <translation>Isto não diz o lugar. Observe a montagem.</translation>
     </message>
     <message>
         <source>The axis stands at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>O eixo está em %1</translation>
     </message>
     <message>
         <source>not moved</source>
-        <translation type="unfinished"></translation>
+        <translation>não movido</translation>
     </message>
     <message>
         <source>moved %1 since</source>
-        <translation type="unfinished"></translation>
+        <translation>movido %1 desde então</translation>
     </message>
     <message>
         <source>selects %1, place %2 of %3</source>
-        <translation type="unfinished"></translation>
+        <translation>seleciona %1, lugar %2 de %3</translation>
     </message>
     <message>
         <source>stands at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>está em %1</translation>
     </message>
     <message>
         <source>nothing selected</source>
-        <translation type="unfinished"></translation>
+        <translation>nada selecionado</translation>
     </message>
     <message>
         <source>select where the axis stands first</source>
-        <translation type="unfinished"></translation>
+        <translation>selecione primeiro onde está o eixo</translation>
     </message>
     <message>
         <source>read the question first</source>
-        <translation type="unfinished"></translation>
+        <translation>leia primeiro a pergunta</translation>
     </message>
 </context>
 <context>
@@ -2800,42 +6110,46 @@ This is a function of the program. It does not replace the hard-wired emergency 
     <message>
         <source>Unwind ↺
 (hold)</source>
-        <translation type="unfinished"></translation>
+        <translation>Desenrolar ↺
+(segurar)</translation>
     </message>
     <message>
         <source>Turn counter-clockwise at %1 while held</source>
-        <translation type="unfinished"></translation>
+        <translation>Girar no sentido anti-horário a %1 enquanto premido</translation>
     </message>
     <message>
         <source>Unwind ↻
 (hold)</source>
-        <translation type="unfinished"></translation>
+        <translation>Desenrolar ↻
+(segurar)</translation>
     </message>
     <message>
         <source>Turn clockwise at %1 while held</source>
-        <translation type="unfinished"></translation>
+        <translation>Girar no sentido horário a %1 enquanto premido</translation>
     </message>
     <message>
         <source>Lower ↓
 (hold)</source>
-        <translation type="unfinished"></translation>
+        <translation>Baixar ↓
+(segurar)</translation>
     </message>
     <message>
         <source>Lower at %1 while held</source>
-        <translation type="unfinished"></translation>
+        <translation>Baixar a %1 enquanto premido</translation>
     </message>
     <message>
         <source>Raise ↑
 (hold)</source>
-        <translation type="unfinished"></translation>
+        <translation>Subir ↑
+(segurar)</translation>
     </message>
     <message>
         <source>Raise at %1 while held</source>
-        <translation type="unfinished"></translation>
+        <translation>Subir a %1 enquanto premido</translation>
     </message>
     <message>
         <source>Unwind: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Desenrolar: %1</translation>
     </message>
 </context>
 </TS>

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
+#include "ui/axis_readout.h"
 #include "ui/choice_button.h"
 #include "ui/command_button.h"
+#include "ui/header_bar.h"
+#include "ui/language.h"
 #include "ui/polar_plot.h"
+#include "ui/stop_button.h"
 
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -10,7 +14,9 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QTabBar>
 #include <QTableView>
+#include <QToolButton>
 #include <QTreeView>
 
 // Pictures of every scene in every theme at both scales, for the eye; and what a program can judge of them.
@@ -284,6 +290,66 @@ TEST_F(PicturesTest, NothingThatMustBeReadIsCutOffAtTheSmallestSize)
                 << label << " in " << scene.name << ": " << text(label).toStdString();
         }
     }
+}
+
+struct InPortuguese
+{
+    Translation translation{QStringLiteral("pt")};  // before the window
+};
+
+class PortuguesePicturesTest : private InPortuguese, public PicturesTest
+{
+protected:
+    // What the window always shows, but for the lines that may be cut off.
+    [[nodiscard]] QList<ValueLabel*> neverElided() const
+    {
+        const auto header = [](const char* text) { return HeaderBar::tr(text); };
+        QList<ValueLabel*> labels = window.findChild<HeaderBar*>()->findChildren<ValueLabel*>();
+        labels += window.findChild<AxisReadout*>()->findChildren<ValueLabel*>();
+        QStringList stretching{header("Reason of the state"), header("Target and who gave it")};
+        for (const char* const axis : {"azimuth", "elevation"}) {
+            stretching << AxisReadout::tr("Detail of %1").arg(QCoreApplication::translate("Axes", axis));
+        }
+        labels.removeIf([&](const ValueLabel* label) { return stretching.contains(label->accessibleName()); });
+        return labels;
+    }
+};
+
+TEST_F(PortuguesePicturesTest, NothingIsCutOffAtTheSmallestSize)
+{
+    const QDir folder(QDir::current().filePath(QStringLiteral("pictures")));
+    ASSERT_TRUE(QDir().mkpath(folder.path()));
+    for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
+        window.resize(size);
+        for (const Scene& scene : kScenes) {
+            applyTheme(size.width() == 1024 ? ThemeKind::Day : ThemeKind::Night);
+            show(scene);
+            // Buttons and labels have the room they ask for, or the window would have had to grow.
+            EXPECT_EQ(window.size(), size) << scene.name;
+            for (const ValueLabel* const label : neverElided()) {
+                EXPECT_FALSE(label->isElided()) << label->accessibleName().toStdString() << " in " << scene.name << ": "
+                                                << label->text().toStdString();
+            }
+            for (const QTabBar* const tabs : window.findChildren<QTabBar*>()) {
+                for (const QToolButton* const arrow : tabs->findChildren<QToolButton*>()) {
+                    EXPECT_FALSE(arrow->isVisible()) << "tabs hide behind arrows in " << scene.name;
+                }
+            }
+            const QString file = QStringLiteral("pt-%1-%2.png").arg(QLatin1String(scene.name)).arg(size.width());
+            EXPECT_TRUE(picture(1).save(folder.filePath(file), "PNG", 80));
+        }
+    }
+    applyTheme(ThemeKind::Day);
+}
+
+TEST_F(PortuguesePicturesTest, StopIsStopAndStateWordsAreTranslated)
+{
+    const auto* const stop = window.findChild<StopButton*>();
+    ASSERT_NE(stop, nullptr);
+    EXPECT_EQ(stop->accessibleName(), QStringLiteral("STOP"));
+    give(samples::update(samples::tracking(330)));
+    EXPECT_EQ(named<ValueLabel>("Estado da estação")->text(), QStringLiteral("RASTREIO"));
+    EXPECT_EQ(named<ValueLabel>("Estado de azimute")->text(), QStringLiteral("MOVE-SE"));
 }
 
 }  // namespace

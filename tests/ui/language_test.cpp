@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/language.h"
+
+#include "core/base/text.h"
+#include "core/profile/setting.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/help_page.h"
+
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QSet>
+#include <QXmlStreamReader>
+
+// The languages of the texts. That no text lacks its translation is shown by packaging/translations --check.
+namespace boresight::ui {
+namespace {
+
+struct Pair
+{
+    QString source;
+    QString translation;
+};
+
+std::vector<Pair> pairsOf(const QString& language)
+{
+    QFile file(QStringLiteral(BORESIGHT_TRANSLATIONS "/boresight_%1.ts").arg(language));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << file.fileName().toStdString();
+    QXmlStreamReader xml(&file);
+    std::vector<Pair> pairs;
+    QString source;
+    bool counted = false;  // with a form for one and a form for many
+    while (!xml.atEnd()) {
+        xml.readNext();
+        const QStringView name = xml.isStartElement() ? xml.name() : QStringView();
+        if (name == QLatin1String("message")) {
+            counted = xml.attributes().hasAttribute(QLatin1String("numerus"));
+        } else if (name == QLatin1String("source")) {
+            source = xml.readElementText();
+        } else if (name == QLatin1String(counted ? "numerusform" : "translation")) {
+            pairs.push_back({.source = source, .translation = xml.readElementText()});
+        }
+    }
+    EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
+    return pairs;
+}
+
+QSet<QString> placeholders(const QString& text)
+{
+    static const QRegularExpression place(QStringLiteral("%[0-9]"));
+    QSet<QString> found;
+    for (auto match = place.globalMatch(text); match.hasNext();) {
+        found.insert(match.next().captured());
+    }
+    return found;
+}
+
+// What is put together with its neighbours keeps its edges: blanks, line ends.
+QString edges(const QString& text)
+{
+    static const QRegularExpression outer(QStringLiteral("^(\\s*).*?(\\s*)$"),
+                                          QRegularExpression::DotMatchesEverythingOption);
+    const auto match = outer.match(text);
+    return match.captured(1) + QLatin1Char('|') + match.captured(2);
+}
+
+class EveryTranslation : public ::testing::TestWithParam<const char*>
+{};
+
+TEST_P(EveryTranslation, KeepsPlacesMnemonicsEdgesAndStop)
+{
+    const std::vector<Pair> pairs = pairsOf(QLatin1String(GetParam()));
+    EXPECT_GT(pairs.size(), 1000U);
+    for (const Pair& pair : pairs) {
+        const std::string about = pair.source.toStdString() + " -> " + pair.translation.toStdString();
+        EXPECT_FALSE(pair.translation.isEmpty()) << about;
+        EXPECT_EQ(placeholders(pair.source), placeholders(pair.translation)) << about;
+        EXPECT_EQ(pair.source.count(QLatin1Char('&')), pair.translation.count(QLatin1Char('&'))) << about;
+        EXPECT_EQ(edges(pair.source), edges(pair.translation)) << about;
+        EXPECT_TRUE(!pair.source.contains(QLatin1String("STOP ")) || pair.translation.contains(QLatin1String("STOP")))
+            << about;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryTranslation, ::testing::Values("pt"));
+
+TEST(Language, TextsAreEnglishWithoutATranslationAndAfterIt)
+{
+    EXPECT_EQ(Text::tr("the horizon"), QStringLiteral("the horizon"));
+    {
+        const Translation portuguese(QStringLiteral("pt"));
+        EXPECT_EQ(Text::tr("the horizon"), QStringLiteral("horizonte"));
+        EXPECT_EQ(failure(ErrorCode::Io, Text::tr("the horizon")).value().text, "horizonte");
+    }
+    {
+        const Translation english(QStringLiteral("en"));
+        EXPECT_EQ(Text::tr("the horizon"), QStringLiteral("the horizon"));
+    }
+    {
+        const Translation unknown(QStringLiteral("xx"));
+        EXPECT_EQ(Text::tr("the horizon"), QStringLiteral("the horizon"));
+    }
+    EXPECT_EQ(Text::tr("the horizon"), QStringLiteral("the horizon"));
+}
+
+TEST(Language, EverySettingIsExplained)
+{
+    const Translation portuguese(QStringLiteral("pt"));
+    for (const profile::Setting& setting : profile::settings()) {
+        EXPECT_NE(Text::of(setting.text), toQString(setting.text)) << setting.key;
+    }
+}
+
+TEST(Language, ThereAreEnglishAndPortuguese)
+{
+    EXPECT_EQ(languages(), QStringList({QStringLiteral("en"), QStringLiteral("pt")}));
+    EXPECT_EQ(languageName(QStringLiteral("en")), QStringLiteral("English"));
+    EXPECT_EQ(languageName(QStringLiteral("pt")), QStringLiteral("Português"));
+}
+
+TEST(Language, SourcesOfLinesAreShownWithoutTheirDetail)
+{
+    EXPECT_EQ(sourceText(QStringLiteral("azimuth drive turn")), QStringLiteral("azimuth drive"));
+    EXPECT_EQ(sourceText(QStringLiteral("rotctld 127.0.0.1:4533")), QStringLiteral("rotctld 127.0.0.1:4533"));
+    const Translation portuguese(QStringLiteral("pt"));
+    EXPECT_EQ(sourceText(QStringLiteral("azimuth drive turn")), QStringLiteral("acionamento de azimute"));
+    EXPECT_EQ(sourceText(QStringLiteral("operator")), QStringLiteral("operador"));
+}
+
+class LanguageChoiceTest : public WindowFixture
+{};
+
+TEST_F(LanguageChoiceTest, IsMadeOnTheHelpPageForTheNextStart)
+{
+    QSignalSpy changed(&window, &MainWindow::languageChanged);
+    QTest::keyClick(&window, Qt::Key_F1);
+    auto* const choice = named<QComboBox>("Language");
+    ASSERT_EQ(choice->count(), 3);
+    EXPECT_EQ(choice->currentText(), QStringLiteral("System"));
+    choice->setFocus();
+    QTest::keyClick(choice, Qt::Key_End);
+    EXPECT_EQ(choice->currentText(), QStringLiteral("Português"));
+    ASSERT_EQ(changed.size(), 1);
+    EXPECT_EQ(changed.front().front().toString(), QStringLiteral("pt"));
+    EXPECT_EQ(window.windowTitle(), QStringLiteral("Boresight"));
+    const auto labels = window.findChild<HelpPage*>()->findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(
+        labels, [](const QLabel* label) { return label->text() == QLatin1String("in force at the next start"); }));
+}
+
+}  // namespace
+}  // namespace boresight::ui

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFont>
+#include <QStringList>
+
+// Of several texts the one that needs the most room, so that a layout holds all of them in every language. Pure.
+namespace boresight::ui {
+
+[[nodiscard]] QString widest(const QFont& font, const QStringList& texts);
+[[nodiscard]] QString widestStationState(const QFont& font);
+[[nodiscard]] QString widestAxisState(const QFont& font);
+
+}  // namespace boresight::ui
