@@ -53,28 +53,17 @@ QString detailText(const AxisStatus& axis, bool turnKnown)
                                                                : AxisReadout::tr("the turn is not known");
 }
 
-// A place on an unknown turn must not look like a known one, and takes no more room.
-QString actualText(Angle angle, bool turnKnown)
-{
-    constexpr qsizetype kRoom = 7;  // "000.00°"
-    if (turnKnown) {
-        return angleText(angle);
-    }
-    const QString text = angleText(angle, 1) + QLatin1Char('?');
-    return text.size() <= kRoom ? text : angleText(angle, 0) + QLatin1Char('?');
-}
-
 QString line(const QString& what, const std::optional<double>& value, const char* format)
 {
     return value ? QLatin1Char('\n') + what + QString::asprintf(format, *value) : QString();
 }
 
 // What the drive says of itself: volts, degrees, amperes.
-QString driveHelp(const QString& axisName, const AxisStatus& axis)
+QString driveHelp(const QString& axisName, const AxisStatus& axis, bool turnKnown)
 {
     QString text =
         AxisReadout::tr("%1 axis, %2 … %3").arg(axisName, angleText(axis.travel.min, 1), angleText(axis.travel.max, 1));
-    if (axis.actual) {
+    if (axis.actual && turnKnown) {
         text += AxisReadout::tr("\nmechanical angle %1").arg(angleText(*axis.actual));
     }
     if (axis.rate) {
@@ -151,6 +140,7 @@ AxisReadout::Row AxisReadout::makeRow(Axis axis)
 void AxisReadout::showStatus(const StationStatus& status)
 {
     m_shown = {status.azimuth, status.elevation};
+    m_turnKnown = {isTurnKnown(status, Axis::Azimuth), isTurnKnown(status, Axis::Elevation)};
     for (const Axis axis : kAxes) {
         showRow(axis, isTurnKnown(status, axis), isTurnAwaited(status, axis));
     }
@@ -162,13 +152,13 @@ void AxisReadout::showRow(Axis which, bool turnKnown, bool turnAwaited)
     const AxisStatus& axis = m_shown[axisIndex(which)];
     const auto shown = [which](Angle angle) { return which == Axis::Azimuth ? angle.wrapped360() : angle; };
     const Freshness age = freshness(axis.age);
-    const bool known = axis.actual && age != Freshness::NoData;
+    // On an unknown turn the drive counts from anywhere: no number at all.
+    const bool known = axis.actual && age != Freshness::NoData && turnKnown;
     const Tone tone = age == Freshness::Live ? Tone::Normal : Tone::Secondary;
-    row.actual->setValue(known ? actualText(shown(*axis.actual), turnKnown) : noValue(),
-                         turnKnown ? tone : Tone::Secondary);
+    row.actual->setValue(known ? angleText(shown(*axis.actual)) : noValue(), known ? tone : Tone::Secondary);
     row.target->setValue(axis.target ? angleText(shown(*axis.target)) : noValue(),
                          axis.target ? Tone::Normal : Tone::Secondary);
-    const bool comparable = known && turnKnown && axis.target;
+    const bool comparable = known && axis.target;
     row.error->setValue(comparable ? signedAngleText(*axis.target - *axis.actual) : noValue(),
                         comparable ? tone : Tone::Secondary);
     const Worded state = worded(axis, turnKnown || turnAwaited);
@@ -181,8 +171,9 @@ bool AxisReadout::event(QEvent* event)
     if (event->type() == QEvent::ToolTip) {
         const auto* const help = static_cast<QHelpEvent*>(event);
         const bool lower = help->pos().y() > m_rows[0].detail->geometry().bottom();
-        QToolTip::showText(help->globalPos(),
-                           driveHelp(name(lower ? Axis::Elevation : Axis::Azimuth), m_shown[lower ? 1 : 0]), this);
+        const Axis axis = lower ? Axis::Elevation : Axis::Azimuth;
+        const std::size_t i = axisIndex(axis);
+        QToolTip::showText(help->globalPos(), driveHelp(name(axis), m_shown[i], m_turnKnown[i]), this);
         return true;
     }
     return QWidget::event(event);

@@ -41,6 +41,7 @@ private:
 
     std::array<Row, 2> m_rows;  // by Axis
     std::array<AxisStatus, 2> m_shown;
+    std::array<bool, 2> m_turnKnown{};
 };
 
 }  // namespace boresight::ui

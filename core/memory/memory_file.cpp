@@ -135,7 +135,6 @@ LoadedMemory MemoryFile::load()
         for (auto& turn : found->turns) {
             if (turn) {
                 turn->proveNothing();  // the lost one may have been written because a doubt arose
-                turn->moving = true;
             }
         }
         problems.push_back(QStringLiteral("the one before it was taken: %1").arg(previous));

@@ -22,11 +22,17 @@ const std::array<QString, 2> kAxisKeys = {QStringLiteral("azimuth"), QStringLite
 const QString kTurnKey = QStringLiteral("turn");
 const QString kCrashStopKey = QStringLiteral("crash_stop");
 
+// Absent together: the drive did not tell.
+constexpr const char* kOriginBeginning = "origin_beginning";
+constexpr const char* kOriginOffset = "origin_offset_turns";
+
 // Wide on purpose: they refuse what is broken, not what is unusual.
 constexpr double kLargestAngle = 1000.0 * 2.0 * std::numbers::pi;
 constexpr double kLargestRate = 100.0 * 2.0 * std::numbers::pi;  // per second
 constexpr double kLargestCount = 32768.0;                        // turns; a moteus starts again there
 constexpr double kLargestCounted = (kLargestCount + 2.0) * 2.0 * std::numbers::pi;
+constexpr double kLargestBeginning = 16777215.0;         // three bytes
+constexpr double kLargestOffset = 2.0 * kLargestCount;  // turns
 constexpr double kLargestUptime = 4294967.296;                               // s: a moteus counts 2^32 ms
 constexpr double kLargestSinceBoot = 1e10;                                   // s
 constexpr double kLargestStop = 3600.0 * 1000.0;                             // ms
@@ -51,6 +57,8 @@ class Fields
 {
 public:
     explicit Fields(const QJsonObject& object) : m_object(object) {}
+
+    [[nodiscard]] bool has(const char* key) const { return m_object.contains(QLatin1String(key)); }
 
     double number(const char* key, double min, double max)
     {
@@ -128,7 +136,7 @@ private:
 
 QJsonObject toJson(const TurnRecord& record)
 {
-    return {{QStringLiteral("drive"), record.drive},
+    QJsonObject json{{QStringLiteral("drive"), record.drive},
             {QStringLiteral("angle_rad"), record.angle.radians()},
             {QStringLiteral("reported_turns"), record.reported.turns()},
             {QStringLiteral("counted_rad"), record.counted.radians()},
@@ -139,6 +147,11 @@ QJsonObject toJson(const TurnRecord& record)
             {QStringLiteral("host_since_boot_s"), record.host.sinceBoot.count()},
             {QStringLiteral("host_utc_is_exact"), record.host.utcIsExact},
             {QStringLiteral("moving"), record.moving}};
+    if (record.origin) {
+        json.insert(QLatin1String(kOriginBeginning), static_cast<double>(record.origin->beginning));
+        json.insert(QLatin1String(kOriginOffset), record.origin->offset.turns());
+    }
+    return json;
 }
 
 QJsonObject toJson(const CrashStop& stop)
@@ -164,6 +177,11 @@ TurnRecord readTurn(Fields& fields)
                    .sinceBoot = Seconds(fields.number("host_since_boot_s", 0.0, kLargestSinceBoot)),
                    .utcIsExact = fields.flag("host_utc_is_exact")};
     record.moving = fields.flag("moving");
+    if (fields.has(kOriginBeginning) || fields.has(kOriginOffset)) {
+        const double beginning = fields.number(kOriginBeginning, 0.0, kLargestBeginning);
+        record.origin = {.beginning = static_cast<std::uint32_t>(fields.whole(kOriginBeginning, beginning)),
+                         .offset = MotorTurns::fromTurns(fields.number(kOriginOffset, -kLargestOffset, kLargestOffset))};
+    }
     return record;
 }
 

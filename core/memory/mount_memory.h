@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/memory/host_time.h"
+#include "core/moteus/count_origin.h"
 #include "core/moteus/registers.h"
 #include "core/units/quantity.h"
 
@@ -26,16 +27,17 @@ struct TurnRecord
     MotorTurns reported;  // by the drive, at the same moment
     Angle counted;        // what `reported` stood for by the profile of then; `angle` is whole places away from it
     Seconds uptime{0.0};  // of the drive, at the same moment: proves later that it never lost power since
-    moteus::HomeState homeState = moteus::HomeState::Rotor;  // at the same moment: has the drive's zero been set since?
+    moteus::HomeState homeState = moteus::HomeState::Rotor;  // at the same moment
+    std::optional<moteus::CountOrigin> origin;               // proves later that nobody set its position since
     UtcTime when;
     HostTime host;        // the same moment: a clock that nobody can put back
     bool moving = false;  // dirty: the axis moved, so it may have come to rest elsewhere
 
     bool operator==(const TurnRecord&) const = default;
 
-    // It still tells where the axis may be. To be called, and saved, before the drive's count is set: that is no
-    // motion.
+    // It still tells where the axis may be.
     void proveNothing() { host = {}; }
+    [[nodiscard]] bool provesNothing() const { return host == HostTime{}; }
 };
 
 // How an axis stopped when it was really not fed any more.

@@ -44,9 +44,9 @@ std::optional<QString> obstacleInTime(const DriveFrame& frame, const Evidence& e
         return QStringLiteral("The journal is dated %1 in the future: this computer's clock was put back")
             .arg(inWords(-byUtc));
     }
-    if (record.host == HostTime{}) {
+    if (record.provesNothing()) {
         return QStringLiteral(
-            "The journal proves no turn any more: a doubt arose, or the drive's count was set, after it was written");
+            "The journal proves no turn any more: a doubt arose after it was written");
     }
     const std::optional<Seconds> elapsed = vouchedElapsed(evidence, record);
     if (!elapsed) {
@@ -74,24 +74,52 @@ std::optional<QString> obstacleInTime(const DriveFrame& frame, const Evidence& e
     return std::nullopt;
 }
 
-}  // namespace
+// Read while the axis turns, the two counts differ by less.
+constexpr MotorTurns kSameOrigin = MotorTurns::fromTurns(0.002);
 
-std::optional<QString> obstacleToCountingOn(const DriveFrame& frame, const Evidence& evidence, const TurnRecord& record,
-                                            const pointing::AxisGeometry& axis)
+// `d nearest` sets the position by whole places, `d exact` by anything.
+bool byWholePlaces(MotorTurns set, const DriveFrame& frame, const pointing::AxisGeometry& axis)
 {
-    if (record.drive.isEmpty() || record.drive != frame.drive) {
-        return QStringLiteral("The journal is of another drive (%1)").arg(record.drive);
+    const Angle by = axis.toAxis(set) - axis.toAxis(MotorTurns());
+    const Angle same = abs(axis.toAxis(kSameOrigin) - axis.toAxis(MotorTurns()));
+    return abs(by - frame.period * std::round(by / frame.period)) < same;
+}
+
+std::optional<Obstacle> obstacleInOrigin(const DriveFrame& frame, const TurnRecord& record,
+                                         const pointing::AxisGeometry& axis)
+{
+    if (!frame.origin || !record.origin) {
+        return Obstacle{QStringLiteral("The drive did not tell whether its position was set since")};
     }
-    if (auto obstacle = obstacleInTime(frame, evidence, record)) {
-        return obstacle;
+    if (record.origin->beginning != frame.origin->beginning) {
+        return Obstacle{QStringLiteral("The drive's encoder settings were changed since: it counts anew"), true, true};
     }
-    if (record.homeState == moteus::HomeState::Relative || record.homeState != frame.homeState) {
-        return QStringLiteral("The drive's zero was set or lost since the journal was written");
-    }
-    if (!(abs(axis.toAxis(record.reported) - record.counted) <= kRounding)) {
-        return QStringLiteral("Zero, direction or gear of the axis were changed since the journal was written");
+    const MotorTurns set = frame.origin->offset - record.origin->offset;
+    if (!(abs(set) < kSameOrigin)) {
+        return Obstacle{QStringLiteral("The drive's position was set since: what it reports is no motion"), true,
+                        !byWholePlaces(set, frame, axis)};
     }
     return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Obstacle> obstacleToCountingOn(const DriveFrame& frame, const Evidence& evidence,
+                                             const TurnRecord& record, const pointing::AxisGeometry& axis)
+{
+    if (record.drive.isEmpty() || record.drive != frame.drive) {
+        return Obstacle{QStringLiteral("The journal is of another drive (%1)").arg(record.drive)};
+    }
+    if (auto why = obstacleInTime(frame, evidence, record)) {
+        return Obstacle{*why};
+    }
+    if (record.homeState == moteus::HomeState::Relative) {
+        return Obstacle{QStringLiteral("The drive had no zero when the journal was written")};
+    }
+    if (!(abs(axis.toAxis(record.reported) - record.counted) <= kRounding)) {
+        return Obstacle{QStringLiteral("Zero, direction or gear of the axis were changed since the journal was written")};
+    }
+    return obstacleInOrigin(frame, record, axis);
 }
 
 }  // namespace boresight::memory

@@ -7,12 +7,20 @@
 
 #include <optional>
 
-// Did the drive keep its power since the record was made? Then it counted every turn since, also when the axis was
-// moved by hand, and the absolute angle follows from the difference of two counts. Pure.
+// Did the drive keep its power since the record was made, and did nobody set its position? Then it counted every turn
+// since, also when the axis was moved by hand or by another tool, and the absolute angle follows from the difference of
+// two counts. Pure.
 namespace boresight::memory {
 
-// Why that cannot be shown, as a sentence for the operator; nothing: it is shown.
-[[nodiscard]] std::optional<QString> obstacleToCountingOn(const DriveFrame& frame, const Evidence& evidence,
+struct Obstacle
+{
+    QString why;               // a sentence for the operator
+    bool positionSet = false;  // while the drive was on: the axis may have been moved and set back
+    bool phaseLost = false;  // what the drive reports is not even true but for whole places
+};
+
+// Why that cannot be shown; nothing: it is shown.
+[[nodiscard]] std::optional<Obstacle> obstacleToCountingOn(const DriveFrame& frame, const Evidence& evidence,
                                                           const TurnRecord& record, const pointing::AxisGeometry& axis);
 
 }  // namespace boresight::memory

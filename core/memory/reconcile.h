@@ -23,6 +23,7 @@ struct DriveFrame
     MotorTurns reported;
     moteus::HomeState homeState = moteus::HomeState::Relative;
     Seconds uptime{0.0};         // since its boot; starts again at 0 after 49.7 days
+    std::optional<moteus::CountOrigin> origin{};  // nothing: it does not tell
     bool outputEncoder = false;  // an absolute encoder on the output tells the direction
     Angle period;                // between two places that the drive cannot tell apart: ambiguity()
 };

@@ -57,6 +57,8 @@ Result<> DiagnosticClient::start(std::string_view command)
     m_state = command == "tel stop" ? State::Sending : State::Draining;
     m_awaitingReply = false;
     m_answerIsOneLine = command.starts_with("conf get ");
+    m_answerMayBeBlock = command.starts_with("tel get ");
+    m_blockFollows = false;
     m_unsent = std::string(command) + '\n';
     m_text.clear();
     m_lines.clear();
@@ -150,13 +152,37 @@ void DiagnosticClient::handleText(const std::string& text)
         finish(failure(ErrorCode::NoAnswer, "the drive's console did not answer the command"));
     } else if (m_state == State::Polling) {
         m_text += text;
-        for (auto end = m_text.find('\n'); end != std::string::npos && isBusy(); end = m_text.find('\n')) {
-            std::string line = m_text.substr(0, end);
-            m_text.erase(0, end + 1);
-            std::erase(line, '\r');
-            handleLine(line);
+        while (isBusy() && (m_blockFollows ? takeBlock() : takeLine())) {
         }
     }
+}
+
+bool DiagnosticClient::takeLine()
+{
+    const auto end = m_text.find('\n');
+    if (end == std::string::npos) {
+        return false;
+    }
+    std::string line = m_text.substr(0, end);
+    m_text.erase(0, end + 1);
+    std::erase(line, '\r');
+    handleLine(line);
+    return true;
+}
+
+// Its length in four bytes, the lowest first, and its bytes.
+bool DiagnosticClient::takeBlock()
+{
+    constexpr std::size_t kHead = 4;
+    std::size_t length = 0;
+    for (std::size_t i = std::min(kHead, m_text.size()); i-- > 0;) {
+        length = length << 8 | static_cast<std::uint8_t>(m_text[i]);
+    }
+    if (m_text.size() < kHead || m_text.size() - kHead < length) {
+        return false;
+    }
+    finish(Lines{m_text.substr(kHead, length)});
+    return true;
 }
 
 void DiagnosticClient::handleLine(const std::string& line)
@@ -166,6 +192,8 @@ void DiagnosticClient::handleLine(const std::string& line)
     }
     if (line.starts_with("ERR")) {
         finish(failure(ErrorCode::Refused, "the drive says: " + line));
+    } else if (m_answerMayBeBlock && line.starts_with("emit ")) {
+        m_blockFollows = true;
     } else if (m_answerIsOneLine) {
         finish(Lines{line});
     } else if (line == "OK") {

@@ -37,7 +37,8 @@ public:
         int maxEmptyAnswers = 500;  // empty answers in a row: `conf write` takes its time
     };
 
-    using Lines = std::vector<std::string>;  // without line ends and without the final OK
+    // Without line ends and without the final OK. Of `tel get` in the binary format: one "line", the bytes of the data.
+    using Lines = std::vector<std::string>;
 
     explicit DiagnosticClient(Settings settings) : m_settings(settings) {}
 
@@ -71,6 +72,8 @@ private:
     [[nodiscard]] CanFrame poll() const;
     [[nodiscard]] bool isNews(const TunnelText& text);
     void handleText(const std::string& text);
+    [[nodiscard]] bool takeLine();
+    [[nodiscard]] bool takeBlock();
     void handleLine(const std::string& line);
     void finish(Result<Lines> answer);
 
@@ -79,9 +82,11 @@ private:
     bool m_awaitingReply = false;
     bool m_flowControl = true;  // until the drive shows otherwise
     std::uint8_t m_lastPacket = 0;
-    bool m_answerIsOneLine = false;  // `conf get` sends its value and no OK
+    bool m_answerIsOneLine = false;   // `conf get` sends its value and no OK
+    bool m_answerMayBeBlock = false;  // `tel get` sends lines and OK, or "emit" and a block of bytes
+    bool m_blockFollows = false;
     std::string m_unsent;
-    std::string m_text;  // received, up to the next line end
+    std::string m_text;  // received, up to the next line end or the end of the block
     Lines m_lines;
     std::size_t m_received = 0;
     int m_silences = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The registers and telemetry channels of SimulatedMoteus.
+#include "core/moteus/count_origin.h"
 #include "core/sim/command_registers.h"
+#include "core/sim/encoder_report.h"
 #include "core/sim/simulated_moteus.h"
 
 #include <array>
@@ -211,7 +213,7 @@ std::uint32_t SimulatedMoteus::writeRegister(Register reg, double value)
 
 std::vector<std::string> SimulatedMoteus::telemetryChannels() const
 {
-    return {"firmware", "git", "servo_stats"};
+    return {"firmware", "git", "servo_stats", moteus::kMotorPositionChannel};
 }
 
 std::vector<ArchiveField> SimulatedMoteus::telemetry(std::string_view channel)
@@ -228,6 +230,9 @@ std::vector<ArchiveField> SimulatedMoteus::telemetry(std::string_view channel)
         return {{"hash", ArchiveArray{std::vector<std::uint32_t>(20, 0), 1}},
                 {"dirty", false},
                 {"timestamp", ArchiveUnsigned{0, 8}}};
+    }
+    if (channel == moteus::kMotorPositionChannel) {
+        return encoderReport(*m_encoder);
     }
     return channel == "servo_stats" ? servoStats() : std::vector<ArchiveField>{};
 }

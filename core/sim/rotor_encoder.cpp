@@ -27,11 +27,18 @@ void RotorEncoder::sample(double rotorTurns, double rotorVelocity, double output
 
 void RotorEncoder::latchAtPowerUp()
 {
+    m_first = m_raw;
     m_turnOffset = -std::round(m_raw);
     m_home = moteus::HomeState::Rotor;
     if (m_config.motorPosition.referenceSource == 1) {
         setNearest(m_output - std::round(m_output));
     }
+}
+
+void RotorEncoder::beginAnew()
+{
+    ++m_beginnings;
+    latchAtPowerUp();
 }
 
 void RotorEncoder::requireReindex()
@@ -69,6 +76,11 @@ double RotorEncoder::setConfiguredOffset(DriveConfig& config, double position)
 double RotorEncoder::position() const
 {
     return toOutput(m_raw + m_turnOffset);
+}
+
+double RotorEncoder::relative() const
+{
+    return (m_raw - m_first) * m_config.motorPosition.rotorToOutputRatio * m_config.motorPosition.outputSign;
 }
 
 double RotorEncoder::fractionOfTurn() const

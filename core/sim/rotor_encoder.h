@@ -28,6 +28,8 @@ public:
 
     // The output is somewhere within half a rotor turn of zero, unless an absolute encoder sits on the output.
     void latchAtPowerUp();
+    // Other settings of the encoders: as at power-up, and the drive counts from zero again.
+    void beginAnew();
     void requireReindex();
     // Both return by how much the output position jumped.
     double setNearest(double position);
@@ -36,6 +38,8 @@ public:
 
     [[nodiscard]] double position() const;  // of the output
     [[nodiscard]] double velocity() const { return m_velocity; }
+    [[nodiscard]] double relative() const;  // of the output, counted since the beginning; nobody can set it
+    [[nodiscard]] int beginnings() const { return m_beginnings; }
     [[nodiscard]] double fractionOfTurn() const;        // of the rotor, 0…1
     [[nodiscard]] double outputFractionOfTurn() const;  // of the second encoder, if there is one
     [[nodiscard]] moteus::HomeState homeState() const { return m_home; }
@@ -52,6 +56,8 @@ private:
     double m_output = 0.0;      // turns of the output as the second encoder sees it
     double m_velocity = 0.0;    // of the output
     double m_turnOffset = 0.0;  // counted = raw + offset
+    double m_first = 0.0;       // raw, at the beginning
+    int m_beginnings = 1;
     moteus::HomeState m_home = moteus::HomeState::Relative;
 };
 

@@ -144,7 +144,7 @@ void SimulatedMoteus::configChanged(std::string_view group)
         return;
     }
     sampleEncoder();
-    m_encoder->latchAtPowerUp();
+    m_encoder->beginAnew();
     if (m_servo->isActive()) {
         m_servo->raiseFault(kConfigurationChanged);
     }

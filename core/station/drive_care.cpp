@@ -95,6 +95,9 @@ void DriveCare::tellControl()
             m_control.driveRestarted(axis);
         }
         m_control.learn(axis, m_survey.facts(axis));
+        if (m_control.needsOrigin(axis)) {
+            m_survey.readOrigin(axis);
+        }
     }
 }
 

@@ -77,6 +77,8 @@ public:
     void setProfile(const profile::Profile& profile);
     // What the survey knows about a drive now; empty: nothing, its turn is then judged anew.
     void learn(Axis axis, const std::optional<survey::DriveFacts>& facts);
+    // What its position counts from is to be read anew.
+    [[nodiscard]] bool needsOrigin(Axis axis) const { return facts(axis) && m_turns.needsOrigin(axis, *facts(axis)); }
     // The drive was power-cycled under our eyes.
     void driveRestarted(Axis axis);
     // What to do about a bus that is silent although it works: depends on what carries it.

@@ -74,7 +74,7 @@ Result<> StationControl::handle(const request::ReleaseBus&, const Source& source
         holdHere(Activity::None);
         for (const Axis axis : kAxes) {
             m_drives.drive(axis).listen();
-            m_turns.forgetAfterOthers(axis);
+            m_turns.forget(axis);
             learn(axis, std::nullopt);
         }
         m_log.add(Severity::Warning, source.name,

@@ -67,41 +67,22 @@ std::optional<memory::TurnRecord>& TurnKeeper::record(Axis axis)
 void TurnKeeper::forget(Axis axis, const std::optional<QString>& doubt)
 {
     State& mine = state(axis);
-    mine = {.doubt = doubt ? doubt : mine.doubt, .otherHands = mine.otherHands, .lent = mine.lent};
-    if (doubt) {
-        spoilRecord(axis);
-    }
-}
-
-void TurnKeeper::forgetAfterOthers(Axis axis)
-{
-    forget(axis);
-    state(axis).otherHands = true;
-    state(axis).lent = record(axis);
-    spoilRecord(axis);
-}
-
-// It must prove nothing any more, also after a restart of the program; it still tells where the axis may be.
-void TurnKeeper::spoilRecord(Axis axis)
-{
-    if (auto& last = record(axis)) {
-        last->proveNothing();
-        last->moving = true;
+    mine = {.doubt = doubt ? doubt : mine.doubt, .since = m_clock.now()};
+    if (auto& last = record(axis); doubt && last) {
+        last->proveNothing();  // also after a restart of the program; it still tells where the axis may be
         m_changed = true;
     }
 }
 
-// A tool that moved the axis may also have set the drive's position, and nothing would show it.
-std::optional<QString> TurnKeeper::doubtOf(Axis axis, const DriveReport& report)
+bool TurnKeeper::isFresh(Axis axis, const survey::DriveFacts& facts) const
 {
-    const State& mine = state(axis);
-    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
-    const bool untouched =
-        mine.lent && abs(geometry.toAxis(*report.position) - geometry.toAxis(mine.lent->reported)) < kWorthNoting * 2.0;
-    if (mine.otherHands && !untouched) {
-        return QStringLiteral("Other tools had the bus, and the drive reports another place than before");
-    }
-    return mine.doubt;
+    return facts.origin.asked > state(axis).since;
+}
+
+bool TurnKeeper::needsOrigin(Axis axis, const survey::DriveFacts& facts) const
+{
+    const Phase phase = state(axis).phase;
+    return (phase == Phase::Unjudged || phase == Phase::Known) && !isFresh(axis, facts);
 }
 
 // The boards are interchanged: what is known of one says nothing of the other axis.
@@ -119,7 +100,7 @@ void TurnKeeper::judge(Axis axis, const survey::DriveFacts& facts, Drive& drive,
     }
     switch (mine.phase) {
         case Phase::Unjudged:
-            if (drive.canBeReferenced() && now >= mine.notBefore) {
+            if (drive.canBeReferenced() && now >= mine.notBefore && isFresh(axis, facts)) {
                 judgeAnew(axis, facts, drive, now);
             }
             break;
@@ -144,7 +125,8 @@ void TurnKeeper::judge(Axis axis, const survey::DriveFacts& facts, Drive& drive,
 
 void TurnKeeper::becomeKnown(Axis axis, const Drive& drive)
 {
-    state(axis) = {.phase = Phase::Known, .homeState = drive.report()->homeState};
+    const SteadyTime since = state(axis).phase == Phase::Writing ? m_clock.now() : state(axis).since;
+    state(axis) = {.phase = Phase::Known, .since = since, .homeState = drive.report()->homeState};
     m_log.add(Severity::Advisory, drive_alarms::toQString(drive.name()),
               QStringLiteral("the turn of its axis is known"));
 }
@@ -165,6 +147,7 @@ memory::DriveFrame TurnKeeper::frame(Axis axis, const survey::DriveFacts& facts,
             .reported = *report.position,
             .homeState = report.homeState,
             .uptime = Seconds(std::fmod(Seconds(now - facts.bootedAt).count(), kCounterSpan.count())),
+            .origin = isFresh(axis, facts) ? facts.origin.origin : std::nullopt,
             .outputEncoder = facts.outputEncoder,
             .period = memory::ambiguity(m_profile.axis(axis).geometry, facts.rotorToOutputRatio, facts.outputEncoder)};
 }
@@ -175,9 +158,8 @@ void TurnKeeper::judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& dr
     const memory::DriveFrame met = frame(axis, facts, *drive.report(), now);
     const bool trusted = m_profile.axis(axis).powerUpPosition == profile::PowerUpPosition::Trusted ||
                          (m_start.trustFirstContact && !record(axis));
-    const auto doubt = doubtOf(axis, *drive.report());
-    const auto& lent = state(axis).lent;
-    const memory::Evidence evidence{.record = lent && !doubt ? lent : record(axis),
+    const auto doubt = state(axis).doubt;
+    const memory::Evidence evidence{.record = record(axis),
                                     .recordProblem = record(axis) ? QString() : m_start.problem,
                                     .now = m_clock.utc(),
                                     .host = memory::hostTime(m_clock),
@@ -229,19 +211,7 @@ void TurnKeeper::countFromTheMiddle(Axis axis, Drive& drive)
     const bool phaseKnown = drive.report()->homeState != moteus::HomeState::Relative && period > Angle{};
     const Angle place = phaseKnown ? reported + period * std::round((middle - reported) / period) : middle;
     mine.reportedWhenAsked = geometry.toMotor(place);
-    tell(axis, geometry.toMotor(place), tolerance(axis, period), drive);
-}
-
-// Setting its count is no motion of the axis: nobody may count on over that from the record, whenever this ends.
-void TurnKeeper::tell(Axis axis, MotorTurns place, MotorTurns near, Drive& drive)
-{
-    for (auto* const last : {&record(axis), &state(axis).lent}) {
-        if (*last) {
-            (*last)->proveNothing();
-            m_changed = true;
-        }
-    }
-    drive.reference(place, near);
+    drive.reference(geometry.toMotor(place), tolerance(axis, period));
 }
 
 // Of a place in the drive's own turns: less than half of what it cannot tell apart.
@@ -294,7 +264,10 @@ Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString&
         place = nearestOf(asked->candidates, angle);
         if (abs(place - angle) > std::min(kEyeSight, asked->period * 0.5)) {
             return failure(ErrorCode::Refused, "the drive's direction contradicts " + degreesText(angle).toStdString() +
-                                                   ": the nearest it can be at is " + degreesText(place).toStdString());
+                                                   ": the nearest it can be at is " +
+                                                   degreesText(place).toStdString() +
+                                                   " (if that is wrong, another tool has set its position: "
+                                                   "switch its power off and on)");
         }
     }
     if (drive.report()->mode != moteus::Mode::Stopped &&
@@ -324,7 +297,7 @@ void TurnKeeper::settle(Axis axis, Angle angle, Angle period, Drive& drive, cons
         return;
     }
     state(axis) = {.phase = Phase::Writing};
-    tell(axis, place, near, drive);
+    drive.reference(place, near);
 }
 
 void TurnKeeper::note(Axis axis, const survey::DriveFacts& facts, const Drive& drive, bool moving, SteadyTime now)
@@ -334,13 +307,15 @@ void TurnKeeper::note(Axis axis, const survey::DriveFacts& facts, const Drive& d
         return;
     }
     const Angle angle = m_profile.axis(axis).geometry.toAxis(*drive.report()->position);
+    const memory::DriveFrame here = frame(axis, facts, *drive.report(), now);
     auto& last = record(axis);
-    const bool turned = !last || last->drive != facts.uuid || last->moving != moving;
+    const bool turned =
+        !last || last->drive != facts.uuid || last->moving != moving || last->origin != here.origin;
     const SteadyTime::duration sinceNoted = mine.noted ? now - *mine.noted : SteadyTime::duration::max();
     const bool elsewhere = last && abs(last->angle - angle) > kWorthNoting && sinceNoted >= kMovingPeriod;
     if (turned || !mine.noted || elsewhere || sinceNoted >= kRestingPeriod) {
-        last = memory::recordOf(frame(axis, facts, *drive.report(), now), angle, m_profile.axis(axis).geometry, moving,
-                                m_clock.utc(), memory::hostTime(m_clock));
+        last = memory::recordOf(here, angle, m_profile.axis(axis).geometry, moving, m_clock.utc(),
+                                memory::hostTime(m_clock));
         mine.noted = now;
         m_changed = true;
     }

@@ -38,8 +38,6 @@ public:
     // The drive was silent, restarted or lost count: its turn must be judged anew. `doubt` says why a proof by the
     // journal must not count, if so.
     void forget(Axis axis, const std::optional<QString>& doubt = std::nullopt);
-    // Other tools had the bus: only a drive that still reports the same place is believed.
-    void forgetAfterOthers(Axis axis);
     // With what is known about the drive: judges, and writes the answer into the drive. Call each tick.
     void judge(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now);
     // The operator has looked: the axis stands at about `angle`. Refused if the drive's direction contradicts it.
@@ -50,6 +48,8 @@ public:
     // The question that waits for the operator; the places move along when the axis is jogged.
     [[nodiscard]] std::optional<memory::TurnQuestion> question(Axis axis, const Drive& drive) const;
 
+    // The facts do not tell yet what the drive's position counts from now: without that nothing can be proved later.
+    [[nodiscard]] bool needsOrigin(Axis axis, const survey::DriveFacts& facts) const;
     // Writes down where a known axis stands.
     void note(Axis axis, const survey::DriveFacts& facts, const Drive& drive, bool moving, SteadyTime now);
     void keep(Axis axis, const memory::CrashStop& stop);
@@ -69,13 +69,13 @@ private:
     {
         Phase phase = Phase::Unjudged;
         std::optional<QString> doubt{};
-        bool otherHands = false;
+        // What was read of the drive up to then is not true any more: it was silent, or its position was set.
+        SteadyTime since = SteadyTime::min();
         memory::TurnQuestion question{};
         MotorTurns reportedWhenAsked{};
         std::optional<SteadyTime> noted{};
         SteadyTime notBefore{};                                     // when the next judgement may be made
         moteus::HomeState homeState = moteus::HomeState::Relative;  // while the turn is known
-        std::optional<memory::TurnRecord> lent{};                   // the record before other tools had the bus
     };
 
     [[nodiscard]] State& state(Axis axis) { return m_states[index(axis)]; }
@@ -83,6 +83,7 @@ private:
     [[nodiscard]] std::optional<memory::TurnRecord>& record(Axis axis);
     [[nodiscard]] memory::DriveFrame frame(Axis axis, const survey::DriveFacts& facts, const DriveReport& report,
                                            SteadyTime now) const;
+    [[nodiscard]] bool isFresh(Axis axis, const survey::DriveFacts& facts) const;
     [[nodiscard]] bool ofTheOtherAxis(Axis axis, const survey::DriveFacts& facts) const;
     void judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now);
     void ask(Axis axis, const memory::TurnQuestion& question, const Drive& drive);
@@ -90,10 +91,8 @@ private:
     void countFromTheMiddle(Axis axis, Drive& drive);
     void tell(Axis axis, MotorTurns place, MotorTurns near, Drive& drive);
     void watchJog(Axis axis, const Drive& drive);
-    void spoilRecord(Axis axis);
     void becomeKnown(Axis axis, const Drive& drive);
     void settle(Axis axis, Angle angle, Angle period, Drive& drive, const QString& source, const QString& why);
-    [[nodiscard]] std::optional<QString> doubtOf(Axis axis, const DriveReport& report);
     [[nodiscard]] MotorTurns tolerance(Axis axis, Angle period) const;
     [[nodiscard]] Angle movedSince(Axis axis, const Drive& drive) const;
 

@@ -10,6 +10,9 @@
 namespace boresight::survey {
 namespace {
 
+// Another tool may have set the channel to text.
+const std::string kOriginFormat = std::string("tel fmt ") + moteus::kMotorPositionChannel + " 0";
+const std::string kGetOrigin = std::string("tel get ") + moteus::kMotorPositionChannel;
 constexpr int kMostSilences = 5;  // of the heartbeat, 0.1 s each
 
 std::string getCommand(const Protection& protection)
@@ -36,6 +39,7 @@ AxisSurvey::AxisSurvey(const profile::Profile& profile, Axis axis)
 void AxisSurvey::forget()
 {
     m_readings.assign(m_protections.size(), {});
+    m_origin = {};
     m_step = Step::Idle;
     m_run.reset();
     m_complete = false;
@@ -57,8 +61,15 @@ void AxisSurvey::startReading()
 {
     std::vector<std::string> commands{"tel stop"};
     std::ranges::transform(m_protections, std::back_inserter(commands), getCommand);
+    commands.insert(commands.end(), {kOriginFormat, kGetOrigin});
     m_run.emplace(m_id, std::move(commands));
     m_step = Step::Reading;
+}
+
+void AxisSurvey::readOrigin()
+{
+    m_run.emplace(m_id, std::vector<std::string>{"tel stop", kOriginFormat, kGetOrigin});
+    m_step = Step::Origin;
 }
 
 bool AxisSurvey::isFixable() const
@@ -101,6 +112,9 @@ std::optional<CanFrame> AxisSurvey::frame(SteadyTime now)
     if (!m_run) {
         return m_complete ? m_heartbeat.frame(now) : std::nullopt;
     }
+    if (m_run->current() != kGetOrigin) {
+        m_notYetAsked = now;
+    }
     std::optional<CanFrame> frame = m_run->frame(now);
     if (m_run->isFinished()) {
         finishRun();
@@ -127,7 +141,9 @@ void AxisSurvey::take(const moteus::Reply& reply)
 
 void AxisSurvey::finishRun()
 {
-    if (!m_run->trouble().empty()) {
+    if (m_step == Step::Origin) {
+        finishOrigin();
+    } else if (!m_run->trouble().empty()) {
         fail(m_run->trouble());
     } else if (m_step == Step::Reading) {
         finishReading();
@@ -147,7 +163,9 @@ void AxisSurvey::fail(const std::string& why)
 
 void AxisSurvey::finishReading()
 {
-    std::ranges::transform(m_run->answers().begin() + 1, m_run->answers().end(), m_readings.begin(), asReading);
+    const auto first = m_run->answers().begin() + 1;
+    std::transform(first, first + std::ssize(m_readings), m_readings.begin(), asReading);
+    keepOrigin(m_run->answers().back());
     m_run.reset();
     m_step = Step::Idle;
     m_complete = true;
@@ -182,6 +200,21 @@ void AxisSurvey::finishStoring()
                           : Text::tr("%1 did not store its settings: %2")
                                 .arg(axisText(m_axis), QString::fromStdString(answer.error().text));
     startReading();
+}
+
+// Silence is for the heartbeat to tell: here it only proves nothing.
+void AxisSurvey::finishOrigin()
+{
+    const bool answered = m_run->trouble().empty();
+    keepOrigin(answered ? m_run->answers().back() : failure(ErrorCode::NoAnswer, m_run->trouble()));
+    m_run.reset();
+    m_step = Step::Idle;
+}
+
+void AxisSurvey::keepOrigin(const ConsoleRun::Answer& telemetry)
+{
+    m_origin = {.origin = telemetry && !telemetry->empty() ? moteus::countOrigin(telemetry->front()) : std::nullopt,
+                .asked = m_notYetAsked};
 }
 
 void AxisSurvey::judge()
@@ -229,6 +262,9 @@ std::optional<double> AxisSurvey::value(std::string_view key) const
 
 QString AxisSurvey::progress() const
 {
+    if (m_step == Step::Origin) {
+        return {};  // a glance
+    }
     if (!m_run) {
         return m_step == Step::Idle ? QString() : Text::tr("asking %1").arg(axisText(m_axis));
     }

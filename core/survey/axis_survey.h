@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/moteus/count_origin.h"
 #include "core/survey/console_run.h"
 #include "core/survey/heartbeat.h"
 #include "core/survey/protections.h"
@@ -23,6 +24,13 @@ struct Change
     bool operator==(const Change&) const = default;
 };
 
+// What the drive's position counted from at that moment.
+struct OriginReading
+{
+    std::optional<moteus::CountOrigin> origin;  // nothing: the drive does not tell
+    SteadyTime asked{SteadyTime::min()};
+};
+
 class AxisSurvey
 {
 public:
@@ -31,6 +39,8 @@ public:
     void read(const moteus::Uuid& board);
     // Sets what differs, reads back, and stores only if all of it was taken; then reads everything again.
     void fix();
+    // Only what the position counts from; the rest stays as read.
+    void readOrigin();
     void forget();
 
     [[nodiscard]] std::optional<CanFrame> frame(SteadyTime now);
@@ -44,6 +54,7 @@ public:
     [[nodiscard]] const QString& fixTrouble() const { return m_fixTrouble; }  // why the settings are not stored
     [[nodiscard]] std::span<const ProtectionLine> lines() const { return m_lines; }
     [[nodiscard]] std::optional<double> value(std::string_view key) const;
+    [[nodiscard]] const OriginReading& origin() const { return m_origin; }
     [[nodiscard]] const Heartbeat& heartbeat() const { return m_heartbeat; }
     [[nodiscard]] std::vector<Change> takeChanges();
 
@@ -55,6 +66,7 @@ private:
         Reading,
         Setting,
         Storing,
+        Origin,
     };
     struct CompleteReading
     {
@@ -67,6 +79,8 @@ private:
     void finishReading();
     void finishSetting();
     void finishStoring();
+    void finishOrigin();
+    void keepOrigin(const ConsoleRun::Answer& telemetry);
     void fail(const std::string& why);
     void judge();
     void noteChanges();
@@ -83,6 +97,8 @@ private:
     std::optional<ConsoleRun> m_run;
     std::vector<std::size_t> m_written;  // which protections fix() set since the last complete reading
     bool m_complete = false;
+    OriginReading m_origin;
+    SteadyTime m_notYetAsked{SteadyTime::min()};  // for the origin, in this run
     QString m_trouble;
     QString m_fixTrouble;
     std::optional<CompleteReading> m_last;

@@ -97,6 +97,14 @@ Result<> DriveSurvey::fix(SteadyTime)
     return {};
 }
 
+void DriveSurvey::readOrigin(Axis axis)
+{
+    AxisSurvey& drive = m_sides[axis == Axis::Azimuth ? 0 : 1].drive;
+    if (m_state == SurveyState::Done && !drive.isBusy()) {
+        drive.readOrigin();
+    }
+}
+
 bool DriveSurvey::isFixable() const
 {
     return std::ranges::any_of(m_sides, [](const Side& side) { return side.drive.isFixable(); });
@@ -126,6 +134,9 @@ std::vector<CanFrame> DriveSurvey::frames(SteadyTime now)
     for (Side& side : m_sides) {
         if (const std::optional<CanFrame> frame = side.drive.frame(now)) {
             frames.push_back(*frame);
+        }
+        if (side.facts) {
+            side.facts->origin = side.drive.origin();
         }
     }
     const bool working = m_state == SurveyState::Running || m_state == SurveyState::Fixing;
@@ -218,7 +229,8 @@ void DriveSurvey::collectFacts(Side& side)
                    .bootedAt = side.drive.heartbeat().bootedAt(),
                    .outputEncoder = side.drive.value("motor_position.output.reference_source").value_or(-1.0) >= 0.0,
                    .rotorToOutputRatio = side.drive.value("motor_position.rotor_to_output_ratio").value_or(0.0),
-                   .holdsWhenNotFed = side.drive.value("servo.timeout_mode") == kTimeoutHold};
+                   .holdsWhenNotFed = side.drive.value("servo.timeout_mode") == kTimeoutHold,
+                   .origin = side.drive.origin()};
 }
 
 void DriveSurvey::collectFindings()

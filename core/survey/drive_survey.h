@@ -26,6 +26,7 @@ struct DriveFacts
     bool outputEncoder = false;  // an encoder on the axis tells the turn after power-up
     double rotorToOutputRatio = 0.0;
     bool holdsWhenNotFed = false;  // its time-out mode holds the axis
+    OriginReading origin{};
 };
 
 class DriveSurvey
@@ -39,6 +40,8 @@ public:
     void forget();
     // Writes what differs and can be written. Both drives must be in mode 0: the caller sees to that.
     [[nodiscard]] Result<> fix(SteadyTime now);
+    // Reads anew what the drive's position counts from, unless the drives are being read anyway.
+    void readOrigin(Axis axis);
     // The boards are right as they are: what the memory knows from now on.
     void setKnownBoards(const KnownBoards& known);
 

@@ -36,6 +36,17 @@ public:
         return mute ? std::nullopt : std::optional(reply);
     }
 
+    // Another tool says `d exact`: no motion.
+    void setExact(double place)
+    {
+        m_set += place - position;
+        position = place;
+        home = moteus::HomeState::Output;
+    }
+
+    // Of the position, from what was counted since power-up.
+    [[nodiscard]] MotorTurns origin() const { return MotorTurns::fromTurns(m_set); }
+
     moteus::Mode mode = moteus::Mode::Stopped;
     int fault = 0;
     moteus::HomeState home = moteus::HomeState::Output;
@@ -106,16 +117,15 @@ private:
     {
         constexpr double kRatio = 0.01;
         if (const auto nearest = fields.find(moteus::Register::SetOutputNearest); nearest != fields.end()) {
-            position += std::round((nearest->second - position) / kRatio) * kRatio;
-            home = moteus::HomeState::Output;
+            setExact(position + std::round((nearest->second - position) / kRatio) * kRatio);
         }
         if (const auto exact = fields.find(moteus::Register::SetOutputExact); exact != fields.end()) {
-            position = exact->second;
-            home = moteus::HomeState::Output;
+            setExact(exact->second);
         }
     }
 
     std::uint8_t m_id;
+    double m_set = 0.0;
 };
 
 }  // namespace boresight::fakes

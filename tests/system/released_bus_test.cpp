@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 // The operator leaves the bus to another tool, which changes a drive, and takes it back.
 namespace boresight::system_test {
 namespace {
@@ -24,6 +26,16 @@ protected:
     {
         const std::string text = command + '\n';
         rig.link->pair().drive(axis).receiveText(1, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    }
+
+    void otherToolMovesAzimuth()
+    {
+        otherToolSays(Axis::Azimuth, "d stop");
+        rig.run(Seconds(0.1));
+        otherToolSays(Axis::Azimuth, "d pos nan 0.02 nan");
+        rig.run(Seconds(3.0));
+        otherToolSays(Axis::Azimuth, "d stop");
+        rig.run(Seconds(3.0));
     }
 
     SimulatedStation rig;
@@ -80,6 +92,35 @@ TEST_F(ReleasedBus, TakenBackTheDrivesAreReadAnewAndNothingMovesAtFirst)
     EXPECT_EQ(rig.ask(request::PointAxes{{.azimuth = 10_deg, .elevation = 20_deg}}), "");
     EXPECT_TRUE(rig.settle());
     EXPECT_LT(rig.farthestFrom({.azimuth = 10_deg, .elevation = 20_deg}), 0.1_deg);
+}
+
+// tview moves the axis and lets it go: the drive counts on, and so does Boresight.
+TEST_F(ReleasedBus, MovedByTheOtherToolTheMountIsKnownToStandElsewhere)
+{
+    ASSERT_EQ(rig.ask(request::ReleaseBus{}), "");
+    otherToolMovesAzimuth();
+    const double there = rig.truth(Axis::Azimuth);
+    ASSERT_GT(std::abs(there - 60.0), 10.0);
+    ASSERT_EQ(rig.ask(request::TakeBus{}), "");
+    ASSERT_TRUE(rig.runUntil([this] { return rig.ready(); }, Seconds(10.0)));
+    ASSERT_TRUE(rig.status().azimuth.actual);
+    EXPECT_NEAR(rig.status().azimuth.actual->degrees(), there, 0.1);
+}
+
+// Whoever moves the axis and sets the drive back to the number it had before leaves nothing to see but the origin of its
+// count.
+TEST_F(ReleasedBus, MovedAndSetBackByTheOtherToolTheOperatorIsAsked)
+{
+    const auto reported = rig.link->pair().drive(Axis::Azimuth).reportedPosition();
+    ASSERT_EQ(rig.ask(request::ReleaseBus{}), "");
+    otherToolMovesAzimuth();
+    otherToolSays(Axis::Azimuth, "d exact " + std::to_string(reported));
+    ASSERT_EQ(rig.ask(request::TakeBus{}), "");
+    ASSERT_TRUE(rig.runUntil([this] { return rig.status().drives.azimuth.turnQuestion.has_value(); }, Seconds(10.0)));
+    EXPECT_FALSE(rig.status().drives.azimuth.turnKnown);
+    EXPECT_FALSE(rig.status().drives.azimuth.turnQuestion->proposed);
+    EXPECT_TRUE(rig.status().drives.elevation.turnKnown) << "nobody has set this one";
+    EXPECT_FALSE(rig.status().actual) << "nobody is shown a place";
 }
 
 TEST_F(ReleasedBus, WhatTheOtherToolBrokeRefusesMotion)

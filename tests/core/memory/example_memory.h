@@ -22,6 +22,8 @@ inline MountMemory exampleMemory()
                                  .counted = Angle::fromDegrees(45.1),
                                  .uptime = Seconds(1234.567),
                                  .homeState = moteus::HomeState::Output,
+                                 .origin = moteus::CountOrigin{.beginning = 65793,
+                                                               .offset = MotorTurns::fromTurns(-1.0 / 3.0)},
                                  .when = kWhen,
                                  .host = {.boot = kBoot, .sinceBoot = Seconds(98765.4321), .utcIsExact = true},
                                  .moving = true};

@@ -134,7 +134,6 @@ TEST_F(MemoryFileTest, ACorruptFileIsKeptAsideAndThePreviousOneTaken)
     const LoadedMemory loaded = load();
     MountMemory expected = at(20.0);
     for (auto& turn : expected.turns) {
-        turn->moving = true;  // it may have moved since
         turn->host = {};      // and the lost one may have been written because a doubt arose: no proof
     }
     EXPECT_EQ(loaded.memory, expected);
@@ -164,7 +163,6 @@ TEST_F(MemoryFileTest, KilledBetweenTheRenamingsThePreviousOneIsTaken)
     put(path() + QStringLiteral(".XyZabc"), toText(at(31.0))->left(200));
     const LoadedMemory loaded = load();
     EXPECT_EQ(loaded.memory.turns[0]->angle, Angle::fromDegrees(30.0));
-    EXPECT_TRUE(loaded.memory.turns[0]->moving);
     EXPECT_EQ(loaded.memory.turns[0]->host, HostTime());
     EXPECT_THAT(loaded.problem.toStdString(), HasSubstr("is missing; the one before it was taken"));
 }

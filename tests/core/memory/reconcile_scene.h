@@ -28,7 +28,7 @@ inline double ratioOf(Kind kind)
     return kind == Kind::OutputEncoder ? 1.0 : kind == Kind::FiveToOne ? 0.2 : 0.01;
 }
 
-// Until its zero is set, which only AZeroSetSinceTheJournalIsNotCountedOver does.
+// Until its position is set.
 inline moteus::HomeState homeStateOf(Kind kind)
 {
     return kind == Kind::OutputEncoder ? moteus::HomeState::Output : moteus::HomeState::Rotor;
@@ -52,6 +52,7 @@ struct Scene
                 .reported = turnsAt(405.0),
                 .homeState = homeStateOf(kind),
                 .uptime = std::chrono::hours(1),
+                .origin = moteus::CountOrigin{.beginning = 65793, .offset = turnsAt(7.0)},
                 .outputEncoder = kind == Kind::OutputEncoder,
                 .period = ambiguity(axisOf(), ratioOf(kind), kind == Kind::OutputEncoder)},
           evidence{.record = TurnRecord{.drive = kAzimuthDrive,
@@ -60,6 +61,7 @@ struct Scene
                                         .counted = 405_deg,
                                         .uptime = std::chrono::hours(1) - std::chrono::minutes(12),
                                         .homeState = homeStateOf(kind),
+                                        .origin = moteus::CountOrigin{.beginning = 65793, .offset = turnsAt(7.0)},
                                         .when = kWhen - std::chrono::minutes(12),
                                         .host = {.boot = kBoot,
                                                  .sinceBoot = std::chrono::hours(20) - std::chrono::minutes(12)}},
@@ -73,6 +75,15 @@ struct Scene
         const double places = std::round(degrees / frame.period.degrees());
         frame.reported = turnsAt(degrees - places * frame.period.degrees());
         frame.uptime = std::chrono::seconds(34);
+        return *this;
+    }
+
+    // Another tool has set its position, to `degrees` of the axis, while the axis stayed where it was.
+    Scene& setTo(double degrees)
+    {
+        frame.origin->offset = frame.origin->offset + (turnsAt(degrees) - frame.reported);
+        frame.reported = turnsAt(degrees);
+        frame.homeState = moteus::HomeState::Output;
         return *this;
     }
 

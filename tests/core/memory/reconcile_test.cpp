@@ -127,14 +127,53 @@ TEST_P(ReconcileKinds, ADoubtMustBeAskedAboutAndNothingIsProposed)
     EXPECT_EQ(question.proposed, std::nullopt);
 }
 
-// `d nearest` and `d exact` shift the count by whole turns without moving the axis: a record from before would be a
-// turn or more off. The home state tells.
-TEST_P(ReconcileKinds, AZeroSetSinceTheJournalIsNotCountedOver)
+// `d nearest` and `d exact` shift the count without moving the axis: a record from before would be a turn or more off.
+TEST_P(ReconcileKinds, APositionSetSinceTheJournalIsNotCountedOver)
+{
+    for (const double place : {45.0, 405.0 - 3.6, 405.0 + 7.0, 100.0}) {
+        Scene scene(GetParam().kind);
+        scene.setTo(place);
+        EXPECT_THAT(scene.sentences(), Contains("The drive's position was set since: what it reports is no motion"));
+        EXPECT_EQ(scene.question().proposed, std::nullopt) << place;
+    }
+}
+
+// Story: turned by hand by 216° and set back to the old number, the mount was certain, and wrong.
+TEST_P(ReconcileKinds, MovedAndSetBackIsNotTakenForUnmoved)
 {
     Scene scene(GetParam().kind);
-    scene.evidence.record->homeState = HomeState::Rotor;
-    scene.frame.homeState = HomeState::Output;
-    EXPECT_THAT(scene.sentences(), Contains("The drive's zero was set or lost since the journal was written"));
+    scene.frame.reported = turnsAt(189.0);
+    scene.setTo(405.0);
+    EXPECT_EQ(scene.frame.reported, scene.evidence.record->reported);
+    EXPECT_EQ(scene.question().proposed, std::nullopt);
+}
+
+// `d nearest` keeps what the encoder tells, `d exact` does not: then the operator can say any angle.
+TEST(Reconcile, APhaseThatWasThrownAwayContradictsNobody)
+{
+    EXPECT_FALSE(Scene(Kind::FiveToOne).setTo(333.0).question().candidates.empty());
+    EXPECT_TRUE(Scene(Kind::FiveToOne).setTo(350.0).question().candidates.empty());
+    EXPECT_THAT(Scene(Kind::FiveToOne).setTo(350.0).sentences(),
+                Contains("The drive does not know where the axis is: enter the angle"));
+}
+
+// With other settings of its encoders the drive counts from zero again, and any origin may come out.
+TEST_P(ReconcileKinds, EncodersSetAnewAreNotCountedOver)
+{
+    Scene scene(GetParam().kind);
+    ++scene.frame.origin->beginning;
+    EXPECT_THAT(scene.sentences(), Contains("The drive's encoder settings were changed since: it counts anew"));
+    EXPECT_TRUE(scene.question().candidates.empty());
+}
+
+TEST_P(ReconcileKinds, ADriveThatDoesNotTellItsOriginMustBeAskedAbout)
+{
+    Scene now(GetParam().kind);
+    now.frame.origin.reset();
+    EXPECT_THAT(now.sentences(), Contains("The drive did not tell whether its position was set since"));
+    Scene then(GetParam().kind);
+    then.evidence.record->origin.reset();
+    EXPECT_EQ(then.certain(), std::nullopt);
 }
 
 TEST_P(ReconcileKinds, AChangedProfileIsNotCountedOver)
@@ -299,87 +338,6 @@ TEST(ReconcileClock, RubbishInTheNumbersIsNeverCertain)
         EXPECT_EQ(scene.certain(), std::nullopt) << period;
         EXPECT_TRUE(inDegrees(std::get<TurnQuestion>(scene.judged()).candidates).empty()) << period;
     }
-}
-
-// ---- only one turn within the travel --------------------------------------------------------------------------------
-
-struct OnlyCase
-{
-    const char* name;
-    std::optional<double> journal;
-    QString drive;
-    std::optional<double> expected;
-
-    friend void PrintTo(const OnlyCase& test, std::ostream* out) { *out << test.name; }
-};
-
-class ReconcileOnlyPlace : public testing::TestWithParam<OnlyCase>
-{};
-
-// An elevation of 0…90° that stands at 30° when its power comes back.
-Scene elevationAt30(const OnlyCase& test)
-{
-    Scene scene;
-    scene.axis.travel = {0_deg, 90_deg};
-    scene.powerCycledAt(30.0);
-    if (test.journal) {
-        scene.evidence.record->angle = Angle::fromDegrees(*test.journal);
-        scene.evidence.record->reported = turnsAt(*test.journal);
-        scene.evidence.record->drive = test.drive;
-    } else {
-        scene.evidence.record.reset();
-    }
-    return scene;
-}
-
-TEST_P(ReconcileOnlyPlace, IsCertainUnlessTheJournalSpeaksAgainstIt)
-{
-    const auto certain = elevationAt30(GetParam()).certain();
-    ASSERT_EQ(certain.has_value(), GetParam().expected.has_value());
-    if (certain) {
-        EXPECT_NEAR(*certain, *GetParam().expected, 1e-6);
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(All, ReconcileOnlyPlace,
-                         testing::Values(OnlyCase{"NoJournal", std::nullopt, {}, 30.0},
-                                         OnlyCase{"Unmoved", 30.0, kAzimuthDrive, 30.0},
-                                         OnlyCase{"Sagged", 34.9, kAzimuthDrive, 30.0},
-                                         OnlyCase{"Moved", 35.1, kAzimuthDrive, std::nullopt},
-                                         OnlyCase{"OtherDrive", 30.0, kElevationDrive, std::nullopt}),
-                         [](const testing::TestParamInfo<OnlyCase>& test) { return test.param.name; });
-
-TEST(ReconcileOnlyPlace, ARotorEncoderIsNotEnough)
-{
-    Scene scene(Kind::FiveToOne);
-    scene.axis.travel = {0_deg, 60_deg};
-    scene.powerCycledAt(30.0).evidence.record.reset();
-    const TurnQuestion question = scene.question();
-    EXPECT_THAT(inDegrees(question.candidates), ElementsAre(30.0));
-    EXPECT_EQ(scene.sentences().front(), "The drive reports a place that is possible at 30.0° only");
-}
-
-// Scenario S10 with a mount of one turn: two places near the end, one elsewhere. Coasted or pushed, an axis stands
-// beyond its travel, in its stops.
-TEST(ReconcileOnlyPlace, TheEndsOfTheTravelCountFifteenDegreesMore)
-{
-    Scene scene;
-    scene.axis.travel = {0_deg, 360_deg};
-    scene.evidence.record.reset();
-    EXPECT_THAT(scene.powerCycledAt(16.0).certain(), isAt(16.0));
-    EXPECT_THAT(inDegrees(scene.powerCycledAt(14.9).question().candidates), ElementsAre(14.9, 374.9));
-    EXPECT_THAT(inDegrees(scene.powerCycledAt(-14.9).question().candidates), ElementsAre(-14.9, 345.1));
-    scene.evidence.trusted = true;
-    EXPECT_THAT(scene.powerCycledAt(10.0).certain(), isAt(10.0)) << "the profile knows better";
-}
-
-// Story: an azimuth had coasted to 455.2°, its journal was gone, and 95.2° was certain: a full turn of cable.
-TEST(ReconcileOnlyPlace, CoastedBeyondTheTravelItIsNotCertainOfAnotherTurn)
-{
-    Scene scene;
-    scene.axis.travel = {-90_deg, 450_deg};
-    scene.evidence.record.reset();
-    EXPECT_THAT(inDegrees(scene.powerCycledAt(455.2).question().candidates), ElementsAre(95.2, 455.2));
 }
 
 }  // namespace

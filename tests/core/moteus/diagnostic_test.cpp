@@ -80,6 +80,30 @@ protected:
     std::string received;
 };
 
+TEST_F(MoteusDiagnostic, TelemetryIsABlockOfBytesOrLines)
+{
+    const std::string bytes("\x01\n\r\nOK\r\nERR\0", 13);
+    const auto block = run("tel get motor_position", "emit motor_position\r\n" + std::string("\x0d\0\0\0", 4) + bytes);
+    ASSERT_TRUE(block) << block.error().text;
+    EXPECT_EQ(*block, Lines{bytes});
+    const auto empty = run("tel get nothing", std::string("emit nothing\r\n\0\0\0\0", 18));
+    ASSERT_TRUE(empty);
+    EXPECT_EQ(*empty, Lines{std::string()});
+    const auto lines = run("tel get git", "git.dirty 0\r\ngit.timestamp 7\r\nOK\r\n");
+    ASSERT_TRUE(lines);
+    EXPECT_EQ(*lines, (Lines{"git.dirty 0", "git.timestamp 7"}));
+    EXPECT_EQ(run("tel get x", "ERR unknown name\r\n").error().code, ErrorCode::Refused);
+}
+
+TEST_F(MoteusDiagnostic, ABlockThatNeverEndsIsGivenUp)
+{
+    const auto cut = run("tel get git", std::string("emit git\r\n\x40\0\0\0half", 18));
+    ASSERT_FALSE(cut);
+    EXPECT_EQ(cut.error().code, ErrorCode::NoAnswer);
+    const auto endless = run("tel get git", "emit git\r\n\xff\xff\xff\xff");
+    EXPECT_FALSE(endless);
+}
+
 TEST_F(MoteusDiagnostic, ConfGetEndsWithItsOneLine)
 {
     EXPECT_EQ(run("conf get id.id", "1\r\n"), Lines{"1"});

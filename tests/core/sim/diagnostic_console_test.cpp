@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/moteus/codec.h"
+#include "core/moteus/count_origin.h"
 #include "core/sim/reference_mount.h"
 #include "core/sim/simulated_moteus.h"
 
@@ -126,7 +127,7 @@ TEST_F(DiagnosticConsoleTest, IdChangesAtOnce)
 
 TEST_F(DiagnosticConsoleTest, TelemetryInBinaryAndText)
 {
-    EXPECT_EQ(say("tel list"), "firmware\r\ngit\r\nservo_stats\r\nOK\r\n");
+    EXPECT_EQ(say("tel list"), "firmware\r\ngit\r\nservo_stats\r\nmotor_position\r\nOK\r\n");
     EXPECT_EQ(say("tel stop"), "OK\r\n");
     const std::string firmware = say("tel get firmware");
     ASSERT_EQ(firmware.size(), std::strlen("emit firmware\r\n") + 4 + 22);
@@ -134,6 +135,9 @@ TEST_F(DiagnosticConsoleTest, TelemetryInBinaryAndText)
     EXPECT_EQ(firmware.back(), 8) << "r4.11";
     EXPECT_EQ(say("tel fmt servo_stats 1"), "OK\r\n");
     run(0.001);
+    const std::string encoders = say("tel get motor_position");
+    ASSERT_EQ(encoders.size(), std::strlen("emit motor_position\r\n") + 4 + 1 + 3 * 53 + 45);
+    EXPECT_TRUE(moteus::countOrigin(encoders.substr(25)));
     const std::string text = say("tel get servo_stats");
     EXPECT_TRUE(text.starts_with("servo_stats.mode 0\r\nservo_stats.fault 0\r\nservo_stats.bus_V 24.000000\r\n"))
         << text;

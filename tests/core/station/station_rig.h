@@ -23,9 +23,20 @@ struct StationRig
     {
         control.setFitness({});
         for (const Axis axis : kAxes) {
-            control.learn(axis, factsOf(axis));
+            learn(axis, factsOf(axis));
         }
     }
+
+    // As the survey tells it.
+    void learn(Axis axis, const survey::DriveFacts& known)
+    {
+        facts[index(axis)] = known;
+        facts[index(axis)].origin = {.origin = moteus::CountOrigin{.beginning = 1, .offset = drive(axis).origin()},
+                                     .asked = clock.now()};
+        control.learn(axis, facts[index(axis)]);
+    }
+
+    [[nodiscard]] fakes::IdealDrive& drive(Axis axis) { return axis == Axis::Azimuth ? azimuth : elevation; }
 
     [[nodiscard]] survey::DriveFacts factsOf(Axis axis) const
     {
@@ -41,6 +52,11 @@ struct StationRig
     {
         clock.advance(kTick);
         const SteadyTime now = clock.now();
+        for (const Axis axis : kAxes) {
+            if (control.needsOrigin(axis)) {
+                learn(axis, facts[index(axis)]);
+            }
+        }
         const auto frames = control.tick();
         if (control.busReleased()) {
             return;  // the station's link is closed
@@ -118,6 +134,7 @@ struct StationRig
     StationControl control;
     fakes::IdealDrive azimuth{1, 0.0};
     fakes::IdealDrive elevation{2, -0.25};
+    std::array<survey::DriveFacts, 2> facts;
 };
 
 }  // namespace boresight

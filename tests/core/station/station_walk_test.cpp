@@ -174,7 +174,7 @@ private:
                 drive(axis).temperature = 31.0;
                 return;
             case 6:
-                return m_rig.control.learn(axis, m_facts[index(axis)]);
+                return m_rig.learn(axis, m_facts[index(axis)]);
             default:
                 m_rig.control.setFitness({});
                 return m_promises.fitness(true);
@@ -187,7 +187,7 @@ private:
             drive(axis).silent = drive(axis).deaf = false;
             drive(axis).voltage = 24.0;
             drive(axis).temperature = 31.0;
-            m_rig.control.learn(axis, m_facts[index(axis)]);
+            m_rig.learn(axis, m_facts[index(axis)]);
         }
         m_rig.control.setFitness({});
         m_promises.fitness(true);
@@ -281,7 +281,7 @@ private:
             drive(axis).silent = true;  // for as long as it takes
         } else {
             m_rig.control.driveRestarted(axis);
-            m_rig.control.learn(axis, m_facts[index(axis)]);
+            m_rig.learn(axis, m_facts[index(axis)]);
         }
     }
 

@@ -283,6 +283,48 @@ TEST(DriveSurvey, TellsWhatAnotherToolChanged)
     EXPECT_THAT(causes(rig.drives), ElementsAre("drives.dangerous.elevation"));
 }
 
+moteus::CountOrigin originOf(const SurveyRig& rig, Axis axis)
+{
+    const auto& facts = rig.drives.facts(axis);
+    return facts && facts->origin.origin ? *facts->origin.origin : moteus::CountOrigin{.beginning = 0};
+}
+
+// Whoever sets a drive's position leaves this trace, and no motion does.
+TEST(DriveSurvey, TellsWhatThePositionCountsFrom)
+{
+    SurveyRig rig;
+    rig.survey();
+    const moteus::CountOrigin azimuth = originOf(rig, Axis::Azimuth);
+    ASSERT_NE(azimuth.beginning, 0U);
+    const double before = rig.pair.drive(Axis::Azimuth).reportedPosition();
+    rig.otherToolSays(Axis::Azimuth, "d pos nan 0.05 nan");
+    rig.run(Seconds(1.0));
+    rig.survey();
+    ASSERT_GT(std::abs(rig.pair.drive(Axis::Azimuth).reportedPosition() - before), 0.02);
+    EXPECT_NEAR(originOf(rig, Axis::Azimuth).offset.turns(), azimuth.offset.turns(), 1e-6) << "moved";
+    EXPECT_EQ(originOf(rig, Axis::Azimuth).beginning, azimuth.beginning);
+
+    rig.otherToolSays(Axis::Azimuth, "d exact 0.7");
+    const SteadyTime set = rig.now();
+    rig.drives.readOrigin(Axis::Azimuth);
+    EXPECT_FALSE(rig.drives.facts(Axis::Azimuth)->origin.asked > set);
+    rig.run(Seconds(0.5));
+    EXPECT_GT(rig.drives.facts(Axis::Azimuth)->origin.asked, set);
+    EXPECT_GT(std::abs(originOf(rig, Axis::Azimuth).offset.turns() - azimuth.offset.turns()), 0.1);
+    EXPECT_EQ(rig.drives.state(), SurveyState::Done);
+}
+
+TEST(DriveSurvey, TellsThatTheEncoderSettingsBeganTheCountAnew)
+{
+    SurveyRig rig;
+    rig.survey();
+    const moteus::CountOrigin before = originOf(rig, Axis::Elevation);
+    rig.otherToolSays(Axis::Elevation, "conf set motor_position.output.sign -1");
+    rig.otherToolSays(Axis::Elevation, "conf set motor_position.output.sign 1");
+    rig.survey();
+    EXPECT_EQ(originOf(rig, Axis::Elevation).beginning, before.beginning + 2);
+}
+
 TEST(DriveSurvey, SaysWhatItDoes)
 {
     SurveyRig rig;

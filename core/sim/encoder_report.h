@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/sim/archive.h"
+#include "core/sim/rotor_encoder.h"
+
+#include <vector>
+
+// What the telemetry channel "motor_position" of a drive tells of its encoders: firmware of 2026, three encoder slots,
+// of which the first is used. Pure.
+namespace boresight::sim {
+
+[[nodiscard]] std::vector<ArchiveField> encoderReport(const RotorEncoder& encoder);
+
+}  // namespace boresight::sim
