@@ -2,6 +2,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/cable_bar.h"
 #include "ui/command_button.h"
+#include "ui/format.h"
 #include "ui/jog_pad.h"
 #include "ui/sky_markers.h"
 #include "ui/stop_button.h"
