@@ -31,8 +31,8 @@ constexpr double kLargestAngle = 1000.0 * 2.0 * std::numbers::pi;
 constexpr double kLargestRate = 100.0 * 2.0 * std::numbers::pi;  // per second
 constexpr double kLargestCount = 32768.0;                        // turns; a moteus starts again there
 constexpr double kLargestCounted = (kLargestCount + 2.0) * 2.0 * std::numbers::pi;
-constexpr double kLargestBeginning = 16777215.0;         // three bytes
-constexpr double kLargestOffset = 2.0 * kLargestCount;  // turns
+constexpr double kLargestBeginning = 16777215.0;                             // three bytes
+constexpr double kLargestOffset = 2.0 * kLargestCount;                       // turns
 constexpr double kLargestUptime = 4294967.296;                               // s: a moteus counts 2^32 ms
 constexpr double kLargestSinceBoot = 1e10;                                   // s
 constexpr double kLargestStop = 3600.0 * 1000.0;                             // ms
@@ -137,16 +137,16 @@ private:
 QJsonObject toJson(const TurnRecord& record)
 {
     QJsonObject json{{QStringLiteral("drive"), record.drive},
-            {QStringLiteral("angle_rad"), record.angle.radians()},
-            {QStringLiteral("reported_turns"), record.reported.turns()},
-            {QStringLiteral("counted_rad"), record.counted.radians()},
-            {QStringLiteral("uptime_s"), record.uptime.count()},
-            {QStringLiteral("home_state"), static_cast<int>(record.homeState)},
-            {QStringLiteral("when"), inIso(record.when)},
-            {QStringLiteral("host_boot"), record.host.boot},
-            {QStringLiteral("host_since_boot_s"), record.host.sinceBoot.count()},
-            {QStringLiteral("host_utc_is_exact"), record.host.utcIsExact},
-            {QStringLiteral("moving"), record.moving}};
+                     {QStringLiteral("angle_rad"), record.angle.radians()},
+                     {QStringLiteral("reported_turns"), record.reported.turns()},
+                     {QStringLiteral("counted_rad"), record.counted.radians()},
+                     {QStringLiteral("uptime_s"), record.uptime.count()},
+                     {QStringLiteral("home_state"), static_cast<int>(record.homeState)},
+                     {QStringLiteral("when"), inIso(record.when)},
+                     {QStringLiteral("host_boot"), record.host.boot},
+                     {QStringLiteral("host_since_boot_s"), record.host.sinceBoot.count()},
+                     {QStringLiteral("host_utc_is_exact"), record.host.utcIsExact},
+                     {QStringLiteral("moving"), record.moving}};
     if (record.origin) {
         json.insert(QLatin1String(kOriginBeginning), static_cast<double>(record.origin->beginning));
         json.insert(QLatin1String(kOriginOffset), record.origin->offset.turns());
@@ -179,8 +179,9 @@ TurnRecord readTurn(Fields& fields)
     record.moving = fields.flag("moving");
     if (fields.has(kOriginBeginning) || fields.has(kOriginOffset)) {
         const double beginning = fields.number(kOriginBeginning, 0.0, kLargestBeginning);
-        record.origin = {.beginning = static_cast<std::uint32_t>(fields.whole(kOriginBeginning, beginning)),
-                         .offset = MotorTurns::fromTurns(fields.number(kOriginOffset, -kLargestOffset, kLargestOffset))};
+        record.origin = {
+            .beginning = static_cast<std::uint32_t>(fields.whole(kOriginBeginning, beginning)),
+            .offset = MotorTurns::fromTurns(fields.number(kOriginOffset, -kLargestOffset, kLargestOffset))};
     }
     return record;
 }

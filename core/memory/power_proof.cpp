@@ -45,8 +45,7 @@ std::optional<QString> obstacleInTime(const DriveFrame& frame, const Evidence& e
             .arg(inWords(-byUtc));
     }
     if (record.provesNothing()) {
-        return QStringLiteral(
-            "The journal proves no turn any more: a doubt arose after it was written");
+        return QStringLiteral("The journal proves no turn any more: a doubt arose after it was written");
     }
     const std::optional<Seconds> elapsed = vouchedElapsed(evidence, record);
     if (!elapsed) {
@@ -117,7 +116,8 @@ std::optional<Obstacle> obstacleToCountingOn(const DriveFrame& frame, const Evid
         return Obstacle{QStringLiteral("The drive had no zero when the journal was written")};
     }
     if (!(abs(axis.toAxis(record.reported) - record.counted) <= kRounding)) {
-        return Obstacle{QStringLiteral("Zero, direction or gear of the axis were changed since the journal was written")};
+        return Obstacle{
+            QStringLiteral("Zero, direction or gear of the axis were changed since the journal was written")};
     }
     return obstacleInOrigin(frame, record, axis);
 }

@@ -16,11 +16,12 @@ struct Obstacle
 {
     QString why;               // a sentence for the operator
     bool positionSet = false;  // while the drive was on: the axis may have been moved and set back
-    bool phaseLost = false;  // what the drive reports is not even true but for whole places
+    bool phaseLost = false;    // what the drive reports is not even true but for whole places
 };
 
 // Why that cannot be shown; nothing: it is shown.
 [[nodiscard]] std::optional<Obstacle> obstacleToCountingOn(const DriveFrame& frame, const Evidence& evidence,
-                                                          const TurnRecord& record, const pointing::AxisGeometry& axis);
+                                                           const TurnRecord& record,
+                                                           const pointing::AxisGeometry& axis);
 
 }  // namespace boresight::memory

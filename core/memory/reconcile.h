@@ -22,10 +22,10 @@ struct DriveFrame
     QString drive;  // its UUID, 8-4-4-4-12 digits
     MotorTurns reported;
     moteus::HomeState homeState = moteus::HomeState::Relative;
-    Seconds uptime{0.0};         // since its boot; starts again at 0 after 49.7 days
+    Seconds uptime{0.0};                          // since its boot; starts again at 0 after 49.7 days
     std::optional<moteus::CountOrigin> origin{};  // nothing: it does not tell
-    bool outputEncoder = false;  // an absolute encoder on the output tells the direction
-    Angle period;                // between two places that the drive cannot tell apart: ambiguity()
+    bool outputEncoder = false;                   // an absolute encoder on the output tells the direction
+    Angle period;                                 // between two places that the drive cannot tell apart: ambiguity()
 };
 
 // What else speaks for one place or another.

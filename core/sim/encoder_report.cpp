@@ -8,8 +8,8 @@
 namespace boresight::sim {
 namespace {
 
-constexpr double kCountsPerTurn = 16384.0;  // of the encoder on the board
-constexpr double kStep = 16777216.0;        // positions move in steps of 2^-24 turns,
+constexpr double kCountsPerTurn = 16384.0;                      // of the encoder on the board
+constexpr double kStep = 16777216.0;                            // positions move in steps of 2^-24 turns,
 constexpr std::int64_t kCountsPerStep = std::int64_t{1} << 24;  // counted in 2^-48
 
 std::int64_t counts(double turns)
@@ -26,8 +26,8 @@ std::vector<ArchiveField> slot(const std::string& name, bool used, double fracti
 {
     const auto cpr = static_cast<float>(used ? fraction * kCountsPerTurn : 0.0);
     const ArchiveUnsigned raw{static_cast<std::uint64_t>(cpr), 4};
-    std::vector<ArchiveField> fields{{"active_velocity", used}, {"active_theta", used}, {"active_absolute", used},
-                                     {"raw", raw}};
+    std::vector<ArchiveField> fields{
+        {"active_velocity", used}, {"active_theta", used}, {"active_absolute", used}, {"raw", raw}};
     for (const char* const unused : {"time_since_update", "old_delta", "prev_time_since_update"}) {
         fields.push_back({unused, 0.0F});
     }

@@ -264,8 +264,7 @@ Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString&
         place = nearestOf(asked->candidates, angle);
         if (abs(place - angle) > std::min(kEyeSight, asked->period * 0.5)) {
             return failure(ErrorCode::Refused, "the drive's direction contradicts " + degreesText(angle).toStdString() +
-                                                   ": the nearest it can be at is " +
-                                                   degreesText(place).toStdString() +
+                                                   ": the nearest it can be at is " + degreesText(place).toStdString() +
                                                    " (if that is wrong, another tool has set its position: "
                                                    "switch its power off and on)");
         }
@@ -309,8 +308,7 @@ void TurnKeeper::note(Axis axis, const survey::DriveFacts& facts, const Drive& d
     const Angle angle = m_profile.axis(axis).geometry.toAxis(*drive.report()->position);
     const memory::DriveFrame here = frame(axis, facts, *drive.report(), now);
     auto& last = record(axis);
-    const bool turned =
-        !last || last->drive != facts.uuid || last->moving != moving || last->origin != here.origin;
+    const bool turned = !last || last->drive != facts.uuid || last->moving != moving || last->origin != here.origin;
     const SteadyTime::duration sinceNoted = mine.noted ? now - *mine.noted : SteadyTime::duration::max();
     const bool elsewhere = last && abs(last->angle - angle) > kWorthNoting && sinceNoted >= kMovingPeriod;
     if (turned || !mine.noted || elsewhere || sinceNoted >= kRestingPeriod) {

@@ -107,8 +107,8 @@ TEST_F(ReleasedBus, MovedByTheOtherToolTheMountIsKnownToStandElsewhere)
     EXPECT_NEAR(rig.status().azimuth.actual->degrees(), there, 0.1);
 }
 
-// Whoever moves the axis and sets the drive back to the number it had before leaves nothing to see but the origin of its
-// count.
+// Whoever moves the axis and sets the drive back to the number it had before leaves nothing to see but the origin of
+// its count.
 TEST_F(ReleasedBus, MovedAndSetBackByTheOtherToolTheOperatorIsAsked)
 {
     const auto reported = rig.link->pair().drive(Axis::Azimuth).reportedPosition();

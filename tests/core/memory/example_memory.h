@@ -16,17 +16,17 @@ inline const UtcTime kWhen =
 inline MountMemory exampleMemory()
 {
     MountMemory memory;
-    memory.turns[0] = TurnRecord{.drive = kAzimuthDrive,
-                                 .angle = Angle::fromDegrees(405.1),
-                                 .reported = MotorTurns::fromTurns(0.1 + 0.2),
-                                 .counted = Angle::fromDegrees(45.1),
-                                 .uptime = Seconds(1234.567),
-                                 .homeState = moteus::HomeState::Output,
-                                 .origin = moteus::CountOrigin{.beginning = 65793,
-                                                               .offset = MotorTurns::fromTurns(-1.0 / 3.0)},
-                                 .when = kWhen,
-                                 .host = {.boot = kBoot, .sinceBoot = Seconds(98765.4321), .utcIsExact = true},
-                                 .moving = true};
+    memory.turns[0] =
+        TurnRecord{.drive = kAzimuthDrive,
+                   .angle = Angle::fromDegrees(405.1),
+                   .reported = MotorTurns::fromTurns(0.1 + 0.2),
+                   .counted = Angle::fromDegrees(45.1),
+                   .uptime = Seconds(1234.567),
+                   .homeState = moteus::HomeState::Output,
+                   .origin = moteus::CountOrigin{.beginning = 65793, .offset = MotorTurns::fromTurns(-1.0 / 3.0)},
+                   .when = kWhen,
+                   .host = {.boot = kBoot, .sinceBoot = Seconds(98765.4321), .utcIsExact = true},
+                   .moving = true};
     memory.turns[1] = TurnRecord{.drive = kElevationDrive, .angle = Angle::fromDegrees(-0.3), .when = kWhen};
     memory.crashStops[1] = CrashStop{.drive = kElevationDrive,
                                      .rate = AngularRate::fromDegrees(-2.0),

@@ -134,7 +134,7 @@ TEST_F(MemoryFileTest, ACorruptFileIsKeptAsideAndThePreviousOneTaken)
     const LoadedMemory loaded = load();
     MountMemory expected = at(20.0);
     for (auto& turn : expected.turns) {
-        turn->host = {};      // and the lost one may have been written because a doubt arose: no proof
+        turn->host = {};  // and the lost one may have been written because a doubt arose: no proof
     }
     EXPECT_EQ(loaded.memory, expected);
     ASSERT_EQ(corruptFiles().size(), 1);

@@ -38,8 +38,8 @@ TEST(MemoryText, SurvivesTheRoundTripExactly)
     }
 }
 
-// The file of another day must stay readable, though without an origin it proves nothing: this one was written by version 1 its checksum
-// by another SHA-256 over the sorted compact JSON.
+// The file of another day must stay readable, though without an origin it proves nothing: this one was written by
+// version 1 its checksum by another SHA-256 over the sorted compact JSON.
 TEST(MemoryText, ReadsAFileOfVersionOne)
 {
     const QByteArray text = R"({
@@ -188,8 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
                "azimuth.turn.uptime_s is out of range"},
         Broken{"HomeState", [](MountMemory& m) { m.turns[0]->homeState = static_cast<moteus::HomeState>(3); },
                "azimuth.turn.home_state is out of range"},
-        Broken{"OriginNotANumber",
-               [](MountMemory& m) { m.turns[0]->origin->offset = MotorTurns::fromTurns(kNan); },
+        Broken{"OriginNotANumber", [](MountMemory& m) { m.turns[0]->origin->offset = MotorTurns::fromTurns(kNan); },
                "azimuth.turn.origin_offset_turns is not finite"},
         Broken{"OriginOfNowhere", [](MountMemory& m) { m.turns[0]->origin->beginning = 1U << 24; },
                "azimuth.turn.origin_beginning is out of range"},

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Certain must be the truth. A mount, its drive and a computer live through random misfortunes after a record was made:
 // hands, power cuts, restarts, sleep, clocks that step, a position set by other tools, other encoder settings,
-// another drive, another profile. What the drive and the clocks then say is judged, and compared with where the axis really is.
+// another drive, another profile. What the drive and the clocks then say is judged, and compared with where the axis
+// really is.
 #include "core/memory/reconcile.h"
 #include "tests/core/memory/example_memory.h"
 

@@ -11,18 +11,17 @@
 namespace boresight::moteus {
 namespace {
 
-// The end of the record "motor_position" as fw/motor_position.h of April 2026 serialises it: 0.625 turns reported, -0.25
-// counted since power-up.
-const std::vector<std::uint8_t> kRecord{
-    3, 1, 1,                                         // epoch, valid, ever valid
-    0, 0, 0, 0, 0, 0xc0, 0xff, 0xff,                 // -0.25 * 2^48
-    0, 0, 0x80, 0xbe,                                // -0.25f
-    0, 0, 0, 0, 0, 0, 0, 0,                          // modulo
-    0, 0, 0, 0, 0, 0xa0, 0, 0,                       // 0.625 * 2^48
-    0, 0, 0x20, 0x3f,                                // 0.625f
-    2,                                               // output
-    0, 0, 0, 0,                                      // velocity
-    1, 0, 0, 0, 0};                                  // electrical angle
+// The end of the record "motor_position" as fw/motor_position.h of April 2026 serialises it: 0.625 turns reported,
+// -0.25 counted since power-up.
+const std::vector<std::uint8_t> kRecord{3, 1, 1,                                // epoch, valid, ever valid
+                                        0, 0, 0,    0,    0, 0xc0, 0xff, 0xff,  // -0.25 * 2^48
+                                        0, 0, 0x80, 0xbe,                       // -0.25f
+                                        0, 0, 0,    0,    0, 0,    0,    0,     // modulo
+                                        0, 0, 0,    0,    0, 0xa0, 0,    0,     // 0.625 * 2^48
+                                        0, 0, 0x20, 0x3f,                       // 0.625f
+                                        2,                                      // output
+                                        0, 0, 0,    0,                          // velocity
+                                        1, 0, 0,    0,    0};                   // electrical angle
 
 std::string telemetry(const std::vector<std::uint8_t>& end, std::size_t before = 178)
 {

@@ -347,12 +347,13 @@ TEST(StationTurns, AJogRightAfterTheAnswerLeavesNothingHalfDone)
 enum class OtherTool
 {
     Looks,
-    Moves,       // the axis
-    Sets,        // what the drive calls its position
+    Moves,         // the axis
+    Sets,          // what the drive calls its position
     MovesAndSets,  // so that the drive reports the same place as before
 };
 
-// Story: moved by hand and set back to the old number by another tool, a mount was 216° from where it said, for certain.
+// Story: moved by hand and set back to the old number by another tool, a mount was 216° from where it said, for
+// certain.
 TEST(StationTurns, OnlySettingTheDrivesPositionIsAskedAboutAfterOtherTools)
 {
     for (const OtherTool tool : {OtherTool::Looks, OtherTool::Moves, OtherTool::Sets, OtherTool::MovesAndSets}) {
