@@ -27,6 +27,12 @@ QString nameOf(const std::string& key)
     return QString::fromStdString(key.substr(key.find('.') + 1));
 }
 
+// Whole phrases: English is shown without a translator, which would choose between them.
+QString counted(std::size_t count, const QString& one, const QString& many)
+{
+    return count == 1 ? one : many.arg(count);
+}
+
 bool contains(const std::vector<std::string>& keys, const std::string& key)
 {
     return std::ranges::find(keys, key) != keys.end();
@@ -248,9 +254,13 @@ QString SettingTree::heldText(const Line& line, const profile::Profile& profile)
     if (line.setting != nullptr) {
         return valueText(*line.setting, profile);
     }
-    return line.key == profile::kHorizonKey   ? tr("%n point(s)", nullptr, int(profile.limits.horizon.size()))
-           : line.key == profile::kKeepOutKey ? tr("%n sector(s)", nullptr, int(profile.limits.keepOuts.size()))
-                                              : tr("%n direction(s)", nullptr, int(profile.presets.size()));
+    if (line.key == profile::kHorizonKey) {
+        return counted(profile.limits.horizon.size(), tr("1 point"), tr("%1 points"));
+    }
+    if (line.key == profile::kKeepOutKey) {
+        return counted(profile.limits.keepOuts.size(), tr("1 sector"), tr("%1 sectors"));
+    }
+    return counted(profile.presets.size(), tr("1 direction"), tr("%1 directions"));
 }
 
 QString SettingTree::valueColumn(const Line& line) const

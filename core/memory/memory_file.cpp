@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/memory/memory_file.h"
 
+#include "core/base/text.h"
 #include "core/memory/memory_text.h"
 
 #include <QCryptographicHash>
@@ -62,33 +63,36 @@ Result<MountMemory> read(const QString& path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) {
-        return failure(file.exists() ? ErrorCode::Io : ErrorCode::NoDevice, file.errorString().toStdString());
+        return failure(file.exists() ? ErrorCode::Io : ErrorCode::NoDevice, file.errorString());
     }
     // A memory has 2 kB. Something huge under its name must not fill ours.
     constexpr qint64 kLargest = 1 << 20;
     if (file.size() > kLargest) {
-        return failure(ErrorCode::InvalidInput, "it is too large for the memory of a mount");
+        return failure(ErrorCode::InvalidInput, Text::tr("it is too large for the memory of a mount"));
     }
     return parseMemory(file.readAll());
 }
 
-// Never deleted: it may be all that is left of the truth.
-QString keepAside(const QString& path)
+// Under the name that it returns, if that could be done. Never deleted: it may be all that is left of the truth.
+std::optional<QString> keepAside(const QString& path)
 {
     const QString time = QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd'T'HHmmss.zzz'Z'"));
     const QString aside = QStringLiteral("%1.corrupt-%2").arg(path, time);
-    return QFile::rename(path, aside) ? QStringLiteral("it is kept as %1").arg(aside)
-                                      : QStringLiteral("it could not be put aside");
+    return QFile::rename(path, aside) ? std::optional(aside) : std::nullopt;
 }
 
 QString whatIsWrong(const QString& path, const Error& error)
 {
     if (error.code == ErrorCode::NoDevice) {
-        return QStringLiteral("The journal file %1 is missing").arg(path);
+        return Text::tr("The journal file %1 is missing").arg(path);
     }
     // Also what cannot be read just now: left in its place, the next two saves would overwrite it.
-    return QStringLiteral("The journal file %1 cannot be used: %2; %3")
-        .arg(path, QString::fromStdString(error.text), keepAside(path));
+    if (const auto aside = keepAside(path)) {
+        return Text::tr("The journal file %1 cannot be used: %2; it is kept as %3")
+            .arg(path, toQString(error.text), *aside);
+    }
+    return Text::tr("The journal file %1 cannot be used: %2; it could not be put aside")
+        .arg(path, toQString(error.text));
 }
 
 }  // namespace
@@ -137,7 +141,7 @@ LoadedMemory MemoryFile::load()
                 turn->proveNothing();  // the lost one may have been written because a doubt arose
             }
         }
-        problems.push_back(QStringLiteral("the one before it was taken: %1").arg(previous));
+        problems.push_back(Text::tr("the one before it was taken: %1").arg(previous));
     } else if (found.error().code != ErrorCode::NoDevice) {
         problems.push_back(whatIsWrong(previous, found.error()));
     }

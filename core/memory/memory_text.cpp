@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/memory/memory_text.h"
 
+#include "core/base/text.h"
+
 #include <QCryptographicHash>
 #include <QDateTime>
 #include <QJsonDocument>
@@ -56,7 +58,8 @@ bool isUuid(const QString& text)
 class Fields
 {
 public:
-    explicit Fields(const QJsonObject& object) : m_object(object) {}
+    // `path`: where the object is in the file, as complaints name it.
+    Fields(const QJsonObject& object, const QString& path) : m_object(object), m_path(path) {}
 
     [[nodiscard]] bool has(const char* key) const { return m_object.contains(QLatin1String(key)); }
 
@@ -65,11 +68,11 @@ public:
         const QJsonValue value = m_object.value(QLatin1String(key));
         const double found = value.toDouble();
         if (value.isNull() || !std::isfinite(found)) {  // JSON has no NaN: it is written as null
-            complain(key, "is not finite");
+            complain(key, Text::tr("%1 is not finite"));
         } else if (!value.isDouble()) {
-            complain(key, "is not a number");
+            complain(key, Text::tr("%1 is not a number"));
         } else if (found < min || found > max) {
-            complain(key, "is out of range");
+            complain(key, Text::tr("%1 is out of range"));
         }
         return found;
     }
@@ -82,17 +85,17 @@ public:
 
     double whole(const char* key, double found)
     {
-        if (m_problem.empty() && found != std::floor(found)) {
-            complain(key, "is not a whole number");
+        if (m_problem.isEmpty() && found != std::floor(found)) {
+            complain(key, Text::tr("%1 is not a whole number"));
         }
-        return m_problem.empty() ? found : 0.0;
+        return m_problem.isEmpty() ? found : 0.0;
     }
 
     bool flag(const char* key)
     {
         const QJsonValue value = m_object.value(QLatin1String(key));
         if (!value.isBool()) {
-            complain(key, "is neither true nor false");
+            complain(key, Text::tr("%1 is neither true nor false"));
         }
         return value.toBool();
     }
@@ -102,7 +105,7 @@ public:
         const QJsonValue value = m_object.value(QLatin1String(key));
         const QString text = value.toString();
         if (!value.isString() || !(isUuid(text) || (mayBeEmpty && text.isEmpty()))) {
-            complain(key, "is not of the form 8-4-4-4-12 digits");
+            complain(key, Text::tr("%1 is not of the form 8-4-4-4-12 digits"));
         }
         return text;
     }
@@ -114,24 +117,25 @@ public:
         const auto found = std::chrono::sys_time<std::chrono::milliseconds>(
             std::chrono::milliseconds(parsed.isValid() ? parsed.toMSecsSinceEpoch() : 0));
         if (!parsed.isValid() || found < kEarliest || found > kLatest || inIso(found) != text) {
-            complain(key, "is not a UTC time from 1970 to 2200");
+            complain(key, Text::tr("%1 is not a UTC time from 1970 to 2200"));
             return {};
         }
         return found;
     }
 
-    [[nodiscard]] const std::string& problem() const { return m_problem; }
+    [[nodiscard]] const QString& problem() const { return m_problem; }
 
 private:
-    void complain(const char* key, const char* reason)
+    void complain(const char* key, const QString& reason)
     {
-        if (m_problem.empty()) {
-            m_problem = std::string(key) + " " + reason;
+        if (m_problem.isEmpty()) {
+            m_problem = reason.arg(m_path + u'.' + QLatin1String(key));
         }
     }
 
     QJsonObject m_object;
-    std::string m_problem;
+    QString m_path;
+    QString m_problem;
 };
 
 QJsonObject toJson(const TurnRecord& record)
@@ -200,15 +204,17 @@ CrashStop readCrashStop(Fields& fields)
 
 // Absent is a good answer: the axis was never journalled, or never proved.
 template <class Value>
-Result<std::optional<Value>> readOptional(const QJsonObject& axis, const QString& key, Value (*read)(Fields&))
+Result<std::optional<Value>> readOptional(const QJsonObject& payload, const QString& axisKey, const QString& key,
+                                          Value (*read)(Fields&))
 {
+    const QJsonObject axis = payload.value(axisKey).toObject();
     if (!axis.contains(key)) {
         return std::optional<Value>();
     }
-    Fields fields(axis.value(key).toObject());
+    Fields fields(axis.value(key).toObject(), axisKey + u'.' + key);
     Value value = read(fields);
-    if (!fields.problem().empty()) {
-        return failure(ErrorCode::OutOfRange, key.toStdString() + "." + fields.problem());
+    if (!fields.problem().isEmpty()) {
+        return failure(ErrorCode::OutOfRange, fields.problem());
     }
     return value;
 }
@@ -217,12 +223,10 @@ Result<MountMemory> readMemory(const QJsonObject& payload)
 {
     MountMemory memory;
     for (std::size_t i = 0; i < kAxisKeys.size(); ++i) {
-        const QJsonObject axis = payload.value(kAxisKeys[i]).toObject();
-        const auto turn = readOptional<TurnRecord>(axis, kTurnKey, readTurn);
-        const auto stop = readOptional<CrashStop>(axis, kCrashStopKey, readCrashStop);
+        const auto turn = readOptional<TurnRecord>(payload, kAxisKeys[i], kTurnKey, readTurn);
+        const auto stop = readOptional<CrashStop>(payload, kAxisKeys[i], kCrashStopKey, readCrashStop);
         if (!turn || !stop) {
-            const Error& error = turn ? stop.error() : turn.error();
-            return failure(error.code, kAxisKeys[i].toStdString() + "." + error.text);
+            return tl::unexpected(turn ? stop.error() : turn.error());
         }
         memory.turns[i] = *turn;
         memory.crashStops[i] = *stop;
@@ -241,17 +245,17 @@ Result<QJsonObject> readRoot(const QByteArray& text)
 {
     const bool blank = std::all_of(text.begin(), text.end(), [](char c) { return c == '\0' || c == ' ' || c == '\n'; });
     if (blank) {  // a file system that lost power may leave nothing, or zeros
-        return failure(ErrorCode::InvalidInput, "it is empty");
+        return failure(ErrorCode::InvalidInput, Text::tr("it is empty"));
     }
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(text, &error);
     if (error.error != QJsonParseError::NoError) {
-        return failure(ErrorCode::InvalidInput, "it is torn or damaged at byte " + std::to_string(error.offset) + ": " +
-                                                    error.errorString().toStdString());
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("it is torn or damaged at byte %1: %2").arg(error.offset).arg(error.errorString()));
     }
     const QJsonObject root = document.object();
     if (!root.value(kVersionKey).isDouble()) {
-        return failure(ErrorCode::InvalidInput, "it is not the memory of a mount");
+        return failure(ErrorCode::InvalidInput, Text::tr("it is not the memory of a mount"));
     }
     return root;
 }
@@ -284,13 +288,13 @@ Result<MountMemory> parseMemory(const QByteArray& text)
         return tl::unexpected(root.error());
     }
     if (const double version = root->value(kVersionKey).toDouble(); version != kVersion) {
-        return failure(ErrorCode::InvalidInput, "its version " + QByteArray::number(version).toStdString() +
-                                                    " is not known to this program, which reads version " +
-                                                    std::to_string(kVersion));
+        return failure(
+            ErrorCode::InvalidInput,
+            Text::tr("its version %1 is not known to this program, which reads version %2").arg(version).arg(kVersion));
     }
     const QJsonObject payload = root->value(kMemoryKey).toObject();
     if (root->value(kChecksumKey).toString() != checksum(payload)) {
-        return failure(ErrorCode::InvalidInput, "its checksum is wrong: it was changed or damaged");
+        return failure(ErrorCode::InvalidInput, Text::tr("its checksum is wrong: it was changed or damaged"));
     }
     return readMemory(payload);
 }

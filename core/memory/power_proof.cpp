@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/memory/power_proof.h"
 
+#include "core/base/text.h"
 #include "core/memory/words.h"
 
 #include <algorithm>
@@ -41,32 +42,32 @@ std::optional<QString> obstacleInTime(const DriveFrame& frame, const Evidence& e
 {
     const Seconds byUtc = evidence.now - record.when;
     if (byUtc < Seconds(0.0)) {
-        return QStringLiteral("The journal is dated %1 in the future: this computer's clock was put back")
+        return Text::tr("The journal is dated %1 in the future: this computer's clock was put back")
             .arg(inWords(-byUtc));
     }
     if (record.provesNothing()) {
-        return QStringLiteral("The journal proves no turn any more: a doubt arose after it was written");
+        return Text::tr("The journal proves no turn any more: a doubt arose after it was written");
     }
     const std::optional<Seconds> elapsed = vouchedElapsed(evidence, record);
     if (!elapsed) {
-        return QStringLiteral(
+        return Text::tr(
             "This computer was restarted since, and no time server vouches for its clock: whether the "
             "drive kept its power cannot be told");
     }
     if (record.uptime + *elapsed + margin(*elapsed) >= kUptimePeriod) {
-        return QStringLiteral(
+        return Text::tr(
             "The drive's clock starts again every 49.7 days: whether the drive kept its power cannot "
             "be told");
     }
     // The steady clock of a computer may stand still while it sleeps, UTC does not: the longer of the two counts.
     const Seconds longest = std::max(*elapsed, byUtc);
     if (frame.uptime <= longest + margin(longest)) {
-        return QStringLiteral("The drive was restarted %1 ago").arg(inWords(frame.uptime));
+        return Text::tr("The drive was restarted %1 ago").arg(inWords(frame.uptime));
     }
     // A drive that kept its power counted just the time that went by here. If not, one of the clocks is wrong.
     const Seconds counted = frame.uptime - record.uptime;
     if (*elapsed < Seconds(0.0) || !(std::abs((counted - *elapsed).count()) <= margin(*elapsed).count())) {
-        return QStringLiteral(
+        return Text::tr(
             "The clocks of the drive and of this computer disagree about the time since the journal: "
             "whether the drive kept its power cannot be told");
     }
@@ -88,14 +89,14 @@ std::optional<Obstacle> obstacleInOrigin(const DriveFrame& frame, const TurnReco
                                          const pointing::AxisGeometry& axis)
 {
     if (!frame.origin || !record.origin) {
-        return Obstacle{QStringLiteral("The drive did not tell whether its position was set since")};
+        return Obstacle{Text::tr("The drive did not tell whether its position was set since")};
     }
     if (record.origin->beginning != frame.origin->beginning) {
-        return Obstacle{QStringLiteral("The drive's encoder settings were changed since: it counts anew"), true, true};
+        return Obstacle{Text::tr("The drive's encoder settings were changed since: it counts anew"), true, true};
     }
     const MotorTurns set = frame.origin->offset - record.origin->offset;
     if (!(abs(set) < kSameOrigin)) {
-        return Obstacle{QStringLiteral("The drive's position was set since: what it reports is no motion"), true,
+        return Obstacle{Text::tr("The drive's position was set since: what it reports is no motion"), true,
                         !byWholePlaces(set, frame, axis)};
     }
     return std::nullopt;
@@ -107,17 +108,16 @@ std::optional<Obstacle> obstacleToCountingOn(const DriveFrame& frame, const Evid
                                              const TurnRecord& record, const pointing::AxisGeometry& axis)
 {
     if (record.drive.isEmpty() || record.drive != frame.drive) {
-        return Obstacle{QStringLiteral("The journal is of another drive (%1)").arg(record.drive)};
+        return Obstacle{Text::tr("The journal is of another drive (%1)").arg(record.drive)};
     }
     if (auto why = obstacleInTime(frame, evidence, record)) {
         return Obstacle{*why};
     }
     if (record.homeState == moteus::HomeState::Relative) {
-        return Obstacle{QStringLiteral("The drive had no zero when the journal was written")};
+        return Obstacle{Text::tr("The drive had no zero when the journal was written")};
     }
     if (!(abs(axis.toAxis(record.reported) - record.counted) <= kRounding)) {
-        return Obstacle{
-            QStringLiteral("Zero, direction or gear of the axis were changed since the journal was written")};
+        return Obstacle{Text::tr("Zero, direction or gear of the axis were changed since the journal was written")};
     }
     return obstacleInOrigin(frame, record, axis);
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/memory/reconcile.h"
 
+#include "core/base/text.h"
 #include "core/memory/places.h"
 #include "core/memory/power_proof.h"
 #include "core/memory/words.h"
+
+#include <QStringList>
 
 #include <algorithm>
 #include <cmath>
@@ -57,11 +60,11 @@ public:
         const Angle reported = m_axis.toAxis(m_frame.reported);
         if (m_evidence.trusted && !m_evidence.doubt && m_frame.homeState != moteus::HomeState::Relative &&
             reported.isFinite()) {
-            return Certain{reported, QStringLiteral("The profile trusts the drive's position")};
+            return Certain{reported, Text::tr("The profile trusts the drive's position")};
         }
         if (!m_evidence.doubt) {
             if (const auto angle = countedOn()) {
-                return Certain{*angle, QStringLiteral("The drive kept its power since the journal was written")};
+                return Certain{*angle, Text::tr("The drive kept its power since the journal was written")};
             }
         }
         return TurnQuestion{
@@ -117,49 +120,44 @@ private:
         all.push_back(placeSentence());
         addJournal(all);
         all.push_back(m_evidence.sensorHeading
-                          ? QStringLiteral("The sensor says %1").arg(inWords(m_evidence.sensorHeading->wrapped360()))
-                          : QStringLiteral("There is no sensor to compare with"));
+                          ? Text::tr("The sensor says %1").arg(inWords(m_evidence.sensorHeading->wrapped360()))
+                          : Text::tr("There is no sensor to compare with"));
         return all;
     }
 
     [[nodiscard]] QString placeSentence() const
     {
         if (!m_phaseKnown) {
-            return QStringLiteral("The drive does not know where the axis is: enter the angle");
+            return Text::tr("The drive does not know where the axis is: enter the angle");
         }
         if (m_candidates.empty()) {
-            return QStringLiteral(
-                       "The drive reports %1, and no turn of that lies within %2° of the travel: enter the angle")
+            return Text::tr("The drive reports %1, and no turn of that lies within %2° of the travel: enter the angle")
                 .arg(inWords(m_axis.toAxis(m_frame.reported)))
                 .arg(kBeyondTravel.degrees());
         }
         if (m_candidates.size() == 1) {
-            return QStringLiteral("The drive reports a place that is possible at %1 only")
-                .arg(inWords(m_candidates.front()));
+            return Text::tr("The drive reports a place that is possible at %1 only").arg(inWords(m_candidates.front()));
         }
         if (m_candidates.size() > kNamedCandidates) {
-            return QStringLiteral("The angle is known to a multiple of %1 only: %2 places from %3 to %4 are possible")
+            return Text::tr("The angle is known to a multiple of %1 only: %2 places from %3 to %4 are possible")
                 .arg(inWords(m_frame.period))
                 .arg(m_candidates.size())
                 .arg(inWords(m_candidates.front()), inWords(m_candidates.back()));
         }
-        return m_frame.outputEncoder ? QStringLiteral("Direction %1 is known, the turn is not: %2 are possible")
+        return m_frame.outputEncoder ? Text::tr("Direction %1 is known, the turn is not: %2 are possible")
                                            .arg(inWords(m_candidates.front().wrapped360()), namedCandidates())
-                                     : QStringLiteral("The angle is known to a multiple of %1 only: %2 are possible")
+                                     : Text::tr("The angle is known to a multiple of %1 only: %2 are possible")
                                            .arg(inWords(m_frame.period), namedCandidates());
     }
 
     [[nodiscard]] QString namedCandidates() const
     {
-        QString text;
-        for (std::size_t i = 0; i < m_candidates.size(); ++i) {
-            const bool last = i + 1 == m_candidates.size();
-            text += (i == 0 ? QString()
-                     : last ? QStringLiteral(" or ")
-                            : QStringLiteral(", ")) +
-                    inWords(m_candidates[i]);
+        QStringList all;
+        for (const Angle candidate : m_candidates) {
+            all.push_back(inWords(candidate));
         }
-        return text;
+        const QString last = all.takeLast();
+        return Text::tr("%1 or %2").arg(all.join(QStringLiteral(", ")), last);
     }
 
     void addJournal(std::vector<QString>& all) const
@@ -169,22 +167,30 @@ private:
         }
         if (!m_evidence.record) {
             if (m_evidence.recordProblem.isEmpty()) {
-                all.push_back(QStringLiteral("The journal says nothing about this axis"));
+                all.push_back(Text::tr("The journal says nothing about this axis"));
             }
             return;
         }
-        const TurnRecord& record = *m_evidence.record;
-        const Seconds age = m_evidence.now - record.when;
-        QString says = QStringLiteral("The journal says %1").arg(inWords(record.angle));
-        if (age >= Seconds(0.0)) {
-            says += QStringLiteral(", %1 old").arg(inWords(age));
-        }
-        says += record.moving ? QStringLiteral(", written while moving") : QStringLiteral(", written at rest");
-        all.push_back(says);
+        all.push_back(journalSentence(*m_evidence.record));
         if (m_obstacle) {
             all.push_back(m_obstacle->why);
         }
         addComparison(all);
+    }
+
+    // Its age is worth nothing where the clock was put back.
+    [[nodiscard]] QString journalSentence(const TurnRecord& record) const
+    {
+        const QString angle = inWords(record.angle);
+        const Seconds age = m_evidence.now - record.when;
+        if (age < Seconds(0.0)) {
+            return (record.moving ? Text::tr("The journal says %1, written while moving")
+                                  : Text::tr("The journal says %1, written at rest"))
+                .arg(angle);
+        }
+        return (record.moving ? Text::tr("The journal says %1, %2 old, written while moving")
+                              : Text::tr("The journal says %1, %2 old, written at rest"))
+            .arg(angle, inWords(age));
     }
 
     void addComparison(std::vector<QString>& all) const
@@ -194,11 +200,11 @@ private:
             return;
         }
         if (!agrees(*place)) {
-            all.push_back(QStringLiteral("The nearest of them is %1 from the journal: the axis was moved meanwhile")
+            all.push_back(Text::tr("The nearest of them is %1 from the journal: the axis was moved meanwhile")
                               .arg(inWords(abs(*place - m_evidence.record->angle))));
         } else if (journalIsVague()) {
-            all.push_back(QStringLiteral("The axis may have moved on since, and places %1 apart look the same to the "
-                                         "drive: the journal cannot tell which")
+            all.push_back(Text::tr("The axis may have moved on since, and places %1 apart look the same to the "
+                                   "drive: the journal cannot tell which")
                               .arg(inWords(m_frame.period)));
         }
     }

@@ -2,6 +2,7 @@
 #include "core/memory/words.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 
 namespace boresight::memory {
 
@@ -16,15 +17,15 @@ QString inWords(Seconds time)
     struct Unit
     {
         double seconds;
-        QString name;
+        const char* text;
     };
-    static const Unit units[] = {{86400.0, QStringLiteral("days")},
-                                 {3600.0, QStringLiteral("h")},
-                                 {60.0, QStringLiteral("min")},
-                                 {1.0, QStringLiteral("s")}};
+    static constexpr Unit units[] = {{86400.0, QT_TRANSLATE_NOOP("Text", "%1 days")},
+                                     {3600.0, QT_TRANSLATE_NOOP("Text", "%1 h")},
+                                     {60.0, QT_TRANSLATE_NOOP("Text", "%1 min")},
+                                     {1.0, QT_TRANSLATE_NOOP("Text", "%1 s")}};
     for (const Unit& unit : units) {
         if (time.count() >= 2.0 * unit.seconds || unit.seconds == 1.0) {
-            return QString::fromStdString(formatFixed(time.count() / unit.seconds, 0)) + u' ' + unit.name;
+            return Text::of(unit.text).arg(toQString(formatFixed(time.count() / unit.seconds, 0)));
         }
     }
     return {};

@@ -13,8 +13,6 @@
 // What the operator reads when something is wrong with a drive. `drive` is its label: "azimuth drive". Pure.
 namespace boresight::drive_alarms {
 
-using boresight::toQString;
-
 [[nodiscard]] AlarmText silent(const QString& drive);        // nothing was commanded
 [[nodiscard]] AlarmText answersAgain(const QString& drive);  // and waits for a re-arm
 [[nodiscard]] AlarmText lost(const QString& drive, DriveLoss loss, int faultCode, Seconds watchdog);

@@ -92,7 +92,7 @@ std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive)
     if (*loss == DriveLoss::Silent && !m_silenceAdvice.isEmpty()) {
         text.remedy = Text::tr("%1 Then re-arm").arg(m_silenceAdvice);
     }
-    m_alarms.raise(drive_alarms::toQString(drive.name()), Severity::Alarm, text);
+    m_alarms.raise(toQString(drive.name()), Severity::Alarm, text);
     m_silenceTold = *loss == DriveLoss::Silent;
     m_supervisor.forgetMotion();
     // The reason of a latch outlasts the silence itself.
@@ -102,7 +102,7 @@ std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive)
 
 void DriveWatch::watchSilence(const Drive& drive, const Context& context)
 {
-    const QString name = drive_alarms::toQString(drive.name());
+    const QString name = toQString(drive.name());
     if (drive.answering(context.now) || context.silenceExpected) {
         if (!context.faultLatched) {
             m_alarms.clear(name);
@@ -121,7 +121,7 @@ void DriveWatch::watchSilence(const Drive& drive, const Context& context)
 
 void DriveWatch::watchUnordered(const Drive& drive, const Context& context)
 {
-    const QString name = drive_alarms::toQString(drive.name());
+    const QString name = toQString(drive.name());
     const QString cause = name + QStringLiteral(" active");
     if (!drive.activeUnordered() || !drive.answering(context.now) || context.ownOrders) {
         m_activeSince.reset();
@@ -137,7 +137,7 @@ void DriveWatch::watchUnordered(const Drive& drive, const Context& context)
 
 void DriveWatch::watchActiveLimit(const Drive& drive, SteadyTime now)
 {
-    const QString name = drive_alarms::toQString(drive.name());
+    const QString name = toQString(drive.name());
     const QString cause = name + QStringLiteral(" limit");
     const auto& report = drive.report();
     if (report && report->mode == moteus::Mode::Position && moteus::isLimit(report->fault)) {

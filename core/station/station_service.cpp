@@ -178,7 +178,7 @@ void StationControl::keepStop(Axis axis)
                             .angle = stop->angle,
                             .time = stop->time,
                             .when = m_clock.utc()});
-        m_log.add(Severity::Advisory, drive_alarms::toQString(m_drives.drive(axis).name()),
+        m_log.add(Severity::Advisory, toQString(m_drives.drive(axis).name()),
                   Text::tr("crash stop from %1°/s: stood after %2° and %3 ms")
                       .arg(stop->rate.degrees(), 0, 'f', 1)
                       .arg(stop->angle.degrees(), 0, 'f', 2)

@@ -137,7 +137,7 @@ void StationControl::tellTurns()
         holdHere(Activity::None);  // what was wanted is meant in a frame that is not true any more
     }
     for (const Axis axis : kAxes) {
-        const QString name = drive_alarms::toQString(m_drives.drive(axis).name());
+        const QString name = toQString(m_drives.drive(axis).name());
         const QString cause = name + QStringLiteral(" turn");
         if (m_turns.known(axis)) {
             m_alarms.clear(cause);
@@ -210,7 +210,7 @@ void StationControl::finishRearm()
         return;
     }
     for (const Axis axis : kAxes) {
-        m_alarms.clear(drive_alarms::toQString(m_drives.drive(axis).name()));
+        m_alarms.clear(toQString(m_drives.drive(axis).name()));
         watchOf(axis).rearmed();
     }
     m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("re-armed; nothing moves"));

@@ -2,8 +2,8 @@
 #include "core/station/turn_keeper.h"
 
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/memory/places.h"
-#include "core/station/drive_alarms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,8 +127,7 @@ void TurnKeeper::becomeKnown(Axis axis, const Drive& drive)
 {
     const SteadyTime since = state(axis).phase == Phase::Writing ? m_clock.now() : state(axis).since;
     state(axis) = {.phase = Phase::Known, .since = since, .homeState = drive.report()->homeState};
-    m_log.add(Severity::Advisory, drive_alarms::toQString(drive.name()),
-              QStringLiteral("the turn of its axis is known"));
+    m_log.add(Severity::Advisory, toQString(drive.name()), Text::tr("the turn of its axis is known"));
 }
 
 // Jogged, the axis is not where the journal says.
@@ -193,11 +192,11 @@ void TurnKeeper::ask(Axis axis, const memory::TurnQuestion& question, const Driv
     state(axis).phase = Phase::Asked;
     state(axis).question = question;
     state(axis).reportedWhenAsked = *drive.report()->position;
-    QString text = QStringLiteral("the turn of the axis is not known: no pointing until the operator has told it");
+    QString text = Text::tr("the turn of the axis is not known: no pointing until the operator has told it");
     for (const QString& line : question.evidence) {
         text += QStringLiteral(". ") + line;
     }
-    m_log.add(Severity::Warning, drive_alarms::toQString(drive.name()), text);
+    m_log.add(Severity::Warning, toQString(drive.name()), text);
 }
 
 // Outside its own bounds a drive refuses to move, and its time-out mode would pull the axis to the nearer bound.
@@ -254,37 +253,36 @@ Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString&
 {
     const auto asked = question(axis, drive);
     if (!asked) {
-        return failure(ErrorCode::Refused, "nobody has asked where the " + drive.name() + "'s axis stands");
+        return failure(ErrorCode::Refused,
+                       Text::tr("nobody has asked where the axis of the %1 stands").arg(drive.label()));
     }
     if (!drive.canBeReferenced()) {
-        return failure(ErrorCode::Refused, "the drive is busy: try again in a second");
+        return failure(ErrorCode::Refused, Text::tr("the drive is busy: try again in a second"));
     }
     Angle place = angle;
     if (!asked->candidates.empty()) {
         place = nearestOf(asked->candidates, angle);
         if (abs(place - angle) > std::min(kEyeSight, asked->period * 0.5)) {
-            return failure(ErrorCode::Refused, "the drive's direction contradicts " + degreesText(angle).toStdString() +
-                                                   ": the nearest it can be at is " + degreesText(place).toStdString() +
-                                                   " (if that is wrong, another tool has set its position: "
-                                                   "switch its power off and on)");
+            return failure(ErrorCode::Refused,
+                           Text::tr("the drive's direction contradicts %1: the nearest it can be at is %2 (if that is "
+                                    "wrong, another tool has set its position: switch its power off and on)")
+                               .arg(degreesText(angle), degreesText(place)));
         }
     }
     if (drive.report()->mode != moteus::Mode::Stopped &&
         beyondBounds(place, m_profile.axis(axis).geometry.travel, m_profile)) {
-        return failure(ErrorCode::Refused, degreesText(place).toStdString() +
-                                               " is beyond the drive's own bounds, and "
-                                               "it would pull the axis to them at once: switch the drives off first "
-                                               "(support the elevation)");
+        return failure(ErrorCode::Refused,
+                       Text::tr("%1 is beyond the drive's own bounds, and it would pull the axis to them at once: "
+                                "switch the drives off first (support the elevation)")
+                           .arg(degreesText(place)));
     }
-    settle(axis, place, asked->period, drive, source, QStringLiteral("chosen"));
+    settle(axis, place, asked->period, drive, source, Text::tr("chosen"));
     return {};
 }
 
 void TurnKeeper::settle(Axis axis, Angle angle, Angle period, Drive& drive, const QString& source, const QString& why)
 {
-    m_log.add(
-        Severity::Advisory, source,
-        QStringLiteral("%1 stands at %2: %3").arg(drive_alarms::toQString(drive.name()), degreesText(angle), why));
+    m_log.add(Severity::Advisory, source, Text::tr("%1 stands at %2: %3").arg(drive.label(), degreesText(angle), why));
     const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
     const MotorTurns place = geometry.toMotor(angle);
     const DriveReport& report = *drive.report();

@@ -3179,6 +3179,262 @@ el %3</translation>
         <source>not known to this firmware</source>
         <translation>desconhecido deste firmware</translation>
     </message>
+    <message>
+        <source>it is too large for the memory of a mount</source>
+        <translation>é grande demais para a memória de uma montagem</translation>
+    </message>
+    <message>
+        <source>The journal file %1 is missing</source>
+        <translation>Falta o arquivo do diário %1</translation>
+    </message>
+    <message>
+        <source>The journal file %1 cannot be used: %2; it is kept as %3</source>
+        <translation>O arquivo do diário %1 não pode ser usado: %2; fica guardado como %3</translation>
+    </message>
+    <message>
+        <source>The journal file %1 cannot be used: %2; it could not be put aside</source>
+        <translation>O arquivo do diário %1 não pode ser usado: %2; não foi possível pô-lo de lado</translation>
+    </message>
+    <message>
+        <source>the one before it was taken: %1</source>
+        <translation>foi usado o anterior: %1</translation>
+    </message>
+    <message>
+        <source>%1 is not finite</source>
+        <translation>%1 não é finito</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 não é um número</translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation>%1 está fora da faixa</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 não é um número inteiro</translation>
+    </message>
+    <message>
+        <source>%1 is neither true nor false</source>
+        <translation>%1 não é nem true nem false</translation>
+    </message>
+    <message>
+        <source>%1 is not of the form 8-4-4-4-12 digits</source>
+        <translation>%1 não tem a forma de 8-4-4-4-12 algarismos</translation>
+    </message>
+    <message>
+        <source>%1 is not a UTC time from 1970 to 2200</source>
+        <translation>%1 não é uma hora UTC de 1970 a 2200</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>está vazio</translation>
+    </message>
+    <message>
+        <source>it is torn or damaged at byte %1: %2</source>
+        <translation>está cortado ou danificado no byte %1: %2</translation>
+    </message>
+    <message>
+        <source>it is not the memory of a mount</source>
+        <translation>não é a memória de uma montagem</translation>
+    </message>
+    <message>
+        <source>its version %1 is not known to this program, which reads version %2</source>
+        <translation>este programa não conhece a sua versão %1; lê a versão %2</translation>
+    </message>
+    <message>
+        <source>its checksum is wrong: it was changed or damaged</source>
+        <translation>a sua soma de verificação está errada: foi alterado ou danificado</translation>
+    </message>
+    <message>
+        <source>The journal is dated %1 in the future: this computer&apos;s clock was put back</source>
+        <translation>O diário tem data de %1 no futuro: o relógio deste computador foi atrasado</translation>
+    </message>
+    <message>
+        <source>The journal proves no turn any more: a doubt arose after it was written</source>
+        <translation>O diário já não prova nenhuma volta: surgiu uma dúvida depois de ser escrito</translation>
+    </message>
+    <message>
+        <source>This computer was restarted since, and no time server vouches for its clock: whether the drive kept its power cannot be told</source>
+        <translation>Este computador foi reiniciado desde então, e nenhum servidor de tempo responde pelo seu relógio: não se pode dizer se o acionamento manteve a alimentação</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s clock starts again every 49.7 days: whether the drive kept its power cannot be told</source>
+        <translation>O relógio do acionamento recomeça a cada 49.7 dias: não se pode dizer se o acionamento manteve a alimentação</translation>
+    </message>
+    <message>
+        <source>The drive was restarted %1 ago</source>
+        <translation>O acionamento foi reiniciado há %1</translation>
+    </message>
+    <message>
+        <source>The clocks of the drive and of this computer disagree about the time since the journal: whether the drive kept its power cannot be told</source>
+        <translation>Os relógios do acionamento e deste computador não concordam sobre o tempo desde o diário: não se pode dizer se o acionamento manteve a alimentação</translation>
+    </message>
+    <message>
+        <source>The drive did not tell whether its position was set since</source>
+        <translation>O acionamento não disse se a sua posição foi definida desde então</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s encoder settings were changed since: it counts anew</source>
+        <translation>Os parâmetros do encoder do acionamento foram alterados desde então: ele conta de novo</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s position was set since: what it reports is no motion</source>
+        <translation>A posição do acionamento foi definida desde então: o que ele relata não é movimento</translation>
+    </message>
+    <message>
+        <source>The journal is of another drive (%1)</source>
+        <translation>O diário é de outro acionamento (%1)</translation>
+    </message>
+    <message>
+        <source>The drive had no zero when the journal was written</source>
+        <translation>O acionamento não tinha zero quando o diário foi escrito</translation>
+    </message>
+    <message>
+        <source>Zero, direction or gear of the axis were changed since the journal was written</source>
+        <translation>O zero, o sentido ou a redução do eixo foram alterados desde que o diário foi escrito</translation>
+    </message>
+    <message>
+        <source>The profile trusts the drive&apos;s position</source>
+        <translation>O perfil confia na posição do acionamento</translation>
+    </message>
+    <message>
+        <source>The drive kept its power since the journal was written</source>
+        <translation>O acionamento manteve a alimentação desde que o diário foi escrito</translation>
+    </message>
+    <message>
+        <source>The sensor says %1</source>
+        <translation>O sensor diz %1</translation>
+    </message>
+    <message>
+        <source>There is no sensor to compare with</source>
+        <translation>Não há sensor com que comparar</translation>
+    </message>
+    <message>
+        <source>The drive does not know where the axis is: enter the angle</source>
+        <translation>O acionamento não sabe onde está o eixo: escreva o ângulo</translation>
+    </message>
+    <message>
+        <source>The drive reports %1, and no turn of that lies within %2° of the travel: enter the angle</source>
+        <translation>O acionamento relata %1, e nenhuma volta disso fica a menos de %2° do curso: escreva o ângulo</translation>
+    </message>
+    <message>
+        <source>The drive reports a place that is possible at %1 only</source>
+        <translation>O acionamento relata um lugar que só é possível em %1</translation>
+    </message>
+    <message>
+        <source>The angle is known to a multiple of %1 only: %2 places from %3 to %4 are possible</source>
+        <translation>O ângulo só se conhece a menos de um múltiplo de %1: são possíveis %2 lugares de %3 a %4</translation>
+    </message>
+    <message>
+        <source>Direction %1 is known, the turn is not: %2 are possible</source>
+        <translation>A direção %1 é conhecida, a volta não: são possíveis %2</translation>
+    </message>
+    <message>
+        <source>The angle is known to a multiple of %1 only: %2 are possible</source>
+        <translation>O ângulo só se conhece a menos de um múltiplo de %1: são possíveis %2</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 ou %2</translation>
+    </message>
+    <message>
+        <source>The journal says nothing about this axis</source>
+        <translation>O diário não diz nada sobre este eixo</translation>
+    </message>
+    <message>
+        <source>The journal says %1, written while moving</source>
+        <translation>O diário diz %1, escrito em movimento</translation>
+    </message>
+    <message>
+        <source>The journal says %1, written at rest</source>
+        <translation>O diário diz %1, escrito em repouso</translation>
+    </message>
+    <message>
+        <source>The journal says %1, %2 old, written while moving</source>
+        <translation>O diário diz %1, escrito em movimento há %2</translation>
+    </message>
+    <message>
+        <source>The journal says %1, %2 old, written at rest</source>
+        <translation>O diário diz %1, escrito em repouso há %2</translation>
+    </message>
+    <message>
+        <source>The nearest of them is %1 from the journal: the axis was moved meanwhile</source>
+        <translation>O mais próximo deles fica a %1 do diário: o eixo foi movido entretanto</translation>
+    </message>
+    <message>
+        <source>The axis may have moved on since, and places %1 apart look the same to the drive: the journal cannot tell which</source>
+        <translation>O eixo pode ter continuado a mover-se desde então, e lugares a %1 um do outro parecem iguais ao acionamento: o diário não sabe dizer qual</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 dias</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>the turn of its axis is known</source>
+        <translation>a volta do seu eixo é conhecida</translation>
+    </message>
+    <message>
+        <source>the turn of the axis is not known: no pointing until the operator has told it</source>
+        <translation>a volta do eixo é desconhecida: não se aponta até o operador a dizer</translation>
+    </message>
+    <message>
+        <source>nobody has asked where the axis of the %1 stands</source>
+        <translation>ninguém perguntou onde está o eixo do %1</translation>
+    </message>
+    <message>
+        <source>the drive is busy: try again in a second</source>
+        <translation>o acionamento está ocupado: tente de novo dentro de um segundo</translation>
+    </message>
+    <message>
+        <source>the drive&apos;s direction contradicts %1: the nearest it can be at is %2 (if that is wrong, another tool has set its position: switch its power off and on)</source>
+        <translation>a direção do acionamento contradiz %1: o mais próximo onde pode estar é %2 (se isso está errado, outra ferramenta definiu a sua posição: desligue e ligue a alimentação)</translation>
+    </message>
+    <message>
+        <source>%1 is beyond the drive&apos;s own bounds, and it would pull the axis to them at once: switch the drives off first (support the elevation)</source>
+        <translation>%1 fica fora dos limites do próprio acionamento, e ele puxaria logo o eixo até eles: desligue primeiro os acionamentos (segure a elevação)</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>escolhido</translation>
+    </message>
+    <message>
+        <source>%1 stands at %2: %3</source>
+        <translation>%1 está em %2: %3</translation>
+    </message>
+    <message>
+        <source>the drive&apos;s console does not stop talking; send &quot;tel stop&quot;</source>
+        <translation>o console do acionamento não para de falar; envie &quot;tel stop&quot;</translation>
+    </message>
+    <message>
+        <source>the drive&apos;s console did not answer the command</source>
+        <translation>o console do acionamento não respondeu ao comando</translation>
+    </message>
+    <message>
+        <source>the drive says: %1</source>
+        <translation>o acionamento diz: %1</translation>
+    </message>
+    <message>
+        <source>drive %1 does not answer on its console</source>
+        <translation>o acionamento %1 não responde no seu console</translation>
+    </message>
+    <message>
+        <source>a part of the answer was lost; repeat the command</source>
+        <translation>perdeu-se uma parte da resposta; repita o comando</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -5783,27 +6039,6 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <source>at once</source>
         <translation>logo</translation>
     </message>
-    <message numerus="yes">
-        <source>%n point(s)</source>
-        <translation>
-            <numerusform>%n ponto</numerusform>
-            <numerusform>%n pontos</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n sector(s)</source>
-        <translation>
-            <numerusform>%n setor</numerusform>
-            <numerusform>%n setores</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n direction(s)</source>
-        <translation>
-            <numerusform>%n direção</numerusform>
-            <numerusform>%n direções</numerusform>
-        </translation>
-    </message>
     <message>
         <source>▲ %1</source>
         <translation>▲ %1</translation>
@@ -5851,6 +6086,30 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     <message>
         <source>In force: %1.</source>
         <translation>Em vigor: %1.</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 ponto</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 pontos</translation>
+    </message>
+    <message>
+        <source>1 sector</source>
+        <translation>1 setor</translation>
+    </message>
+    <message>
+        <source>%1 sectors</source>
+        <translation>%1 setores</translation>
+    </message>
+    <message>
+        <source>1 direction</source>
+        <translation>1 direção</translation>
+    </message>
+    <message>
+        <source>%1 directions</source>
+        <translation>%1 direções</translation>
     </message>
 </context>
 <context>
