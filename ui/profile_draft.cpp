@@ -61,9 +61,20 @@ void ProfileDraft::takeApplied(const profile::Profile& applied)
     if (!hadEdits) {
         m_base = applied;
         setEdited(applied);
+    } else if (ours && m_alone == applied) {
+        mergeEdits();
     } else if (ours || m_edited == applied) {
         m_base = applied;  // edits made while the answer was under way stay edits
     }
+}
+
+// What is edited, upon what is applied now.
+void ProfileDraft::mergeEdits()
+{
+    profile::Profile merged = m_applied;
+    profile::takeOver(merged, m_edited, editedKeys());
+    m_base = m_applied;
+    setEdited(merged);
 }
 
 void ProfileDraft::setEdited(const profile::Profile& profile)
@@ -107,10 +118,7 @@ std::vector<std::string> ProfileDraft::overtakenKeys() const
 
 void ProfileDraft::keepEdits()
 {
-    profile::Profile merged = m_applied;
-    profile::takeOver(merged, m_edited, editedKeys());
-    m_base = m_applied;
-    setEdited(merged);
+    mergeEdits();
     Q_EMIT changed();
 }
 
@@ -168,12 +176,34 @@ void ProfileDraft::apply(QObject* asker, const RequestDesk::Reply& reply)
         reply(refused(reason));
         return;
     }
+    m_alone.reset();
+    send(m_edited, historyWithApplied(), asker, reply);
+}
+
+ProfileDraft::Profiles ProfileDraft::historyWithApplied() const
+{
     Profiles history = m_history;
     if (history.size() >= kHistory) {
         history.erase(history.begin());
     }
     history.push_back(m_applied);
-    send(m_edited, std::move(history), asker, reply);
+    return history;
+}
+
+void ProfileDraft::applyAlone(const std::function<void(profile::Profile&)>& change, QObject* asker,
+                              const RequestDesk::Reply& reply)
+{
+    profile::Profile changed = m_applied;
+    change(changed);
+    const auto problems = profile::problemsOf(changed);
+    if (m_asked) {
+        reply(refused(tr("the station has not answered yet")));
+    } else if (!problems.empty()) {
+        reply(refused(QString::fromStdString(problems.front().key + ": " + problems.front().text)));
+    } else {
+        m_alone = changed;
+        send(changed, historyWithApplied(), asker, reply);
+    }
 }
 
 void ProfileDraft::undo(QObject* asker, const RequestDesk::Reply& reply)
@@ -182,6 +212,7 @@ void ProfileDraft::undo(QObject* asker, const RequestDesk::Reply& reply)
         reply(refused(reason));
         return;
     }
+    m_alone.reset();
     send(m_history.back(), Profiles(m_history.begin(), m_history.end() - 1), asker, reply);
 }
 

@@ -58,6 +58,9 @@ public:
 
     // Each asks the station and brings its answer to the asker, or why it was not asked.
     void apply(QObject* asker, const RequestDesk::Reply& reply);
+    // Applies this change alone; edits that are not applied yet stay edits.
+    void applyAlone(const std::function<void(profile::Profile&)>& change, QObject* asker,
+                    const RequestDesk::Reply& reply);
     void undo(QObject* asker, const RequestDesk::Reply& reply);       // applies what was applied before the last change
     void reconnect(QObject* asker, const RequestDesk::Reply& reply);  // begins anew with what is applied
 
@@ -69,6 +72,8 @@ private:
 
     void setEdited(const profile::Profile& profile);
     void takeApplied(const profile::Profile& applied);
+    void mergeEdits();
+    [[nodiscard]] Profiles historyWithApplied() const;
     [[nodiscard]] const profile::Profile& latestAsked() const;
     void send(const profile::Profile& profile, Profiles historyThen, QObject* asker, const RequestDesk::Reply& reply);
 
@@ -80,6 +85,7 @@ private:
     std::vector<profile::Problem> m_problems;
     std::vector<std::string> m_waitingKeys;
     std::optional<profile::Profile> m_asked;     // sent, not answered
+    std::optional<profile::Profile> m_alone;     // sent by applyAlone(), and not seen in force yet
     std::optional<profile::Profile> m_accepted;  // the last one that the station took
     Profiles m_history;                          // applied before, the newest last
 };

@@ -118,6 +118,29 @@ TEST_F(ProfileDraftTest, WithoutEditsThereIsNothingToApplyRevertOrUndo)
     EXPECT_EQ(changes.count(), 0);  // an equal profile in another object is no change of what is applied
 }
 
+// A preset saved while the limits are being edited: it alone is applied, and nothing is overtaken by it.
+TEST_F(ProfileDraftTest, AChangeAppliedAloneLeavesTheEditsEdits)
+{
+    setParkAzimuth(12_deg);
+    const auto addPreset = [](Profile& p) { p.presets.push_back({"mast", {10_deg, 20_deg}}); };
+    const auto answered = [this](const std::optional<Error>& error) { answers.push_back(error); };
+    draft.applyAlone(addPreset, &desk, answered);
+    ASSERT_EQ(requests.size(), 1u);
+    EXPECT_EQ(sent().presets.size(), 1u);
+    EXPECT_EQ(sent().park, inForce.park);
+    accept();
+    put(sent());
+    EXPECT_EQ(draft.editedKeys(), std::vector<std::string>{"park.azimuth_deg"});
+    EXPECT_TRUE(draft.overtakenKeys().empty());
+    EXPECT_EQ(draft.edited().presets.size(), 1u);
+    EXPECT_EQ(draft.edited().park.azimuth, 12_deg);
+
+    draft.applyAlone(addPreset, &desk, answered);  // the same name twice
+    EXPECT_EQ(requests.size(), 1u);
+    ASSERT_EQ(answers.size(), 2u);
+    EXPECT_NE(answers[1]->text.find("is there already"), std::string::npos);
+}
+
 TEST_F(ProfileDraftTest, RevertDropsTheEdits)
 {
     setParkAzimuth(12_deg);
