@@ -141,6 +141,7 @@ void AxisReadout::showStatus(const StationStatus& status)
 {
     m_shown = {status.azimuth, status.elevation};
     m_turnKnown = {isTurnKnown(status, Axis::Azimuth), isTurnKnown(status, Axis::Elevation)};
+    m_trim = status.trim;
     for (const Axis axis : kAxes) {
         showRow(axis, isTurnKnown(status, axis), isTurnAwaited(status, axis));
     }
@@ -163,7 +164,16 @@ void AxisReadout::showRow(Axis which, bool turnKnown, bool turnAwaited)
                         comparable ? tone : Tone::Secondary);
     const Worded state = worded(axis, turnKnown || turnAwaited);
     row.state->setValue(state.word, state.tone, state.symbol);
-    row.detail->setValue(detailText(axis, turnKnown), age == Freshness::Live ? Tone::Secondary : Tone::Warning);
+    const Angle trim = !m_trim ? 0_deg : which == Axis::Azimuth ? m_trim->azimuth : m_trim->elevation;
+    const QString detail = detailText(axis, turnKnown);
+    const Tone detailTone = age == Freshness::Live ? Tone::Secondary : Tone::Warning;
+    if (trim == 0_deg) {
+        row.detail->setValue(detail, detailTone);
+    } else {
+        const QString text = tr("trim %1").arg(signedAngleText(trim));
+        row.detail->setValue(detail.isEmpty() ? text : tr("%1, %2").arg(text, detail),
+                             age == Freshness::Live ? Tone::Accent : Tone::Warning);
+    }
 }
 
 bool AxisReadout::event(QEvent* event)

@@ -6,10 +6,11 @@
 #include <QWidget>
 
 #include <array>
+#include <optional>
 
 // The numbers of both axes: actual, target, error (target minus actual, along the way the axis really goes) and a
-// word. An old number is dimmed with its age, a very old one is not shown at all; on an unknown turn it is
-// dimmed, coarse and ends in a question mark.
+// word; below, what is trimmed, and a detail. An old number is dimmed with its age, a very old one is not shown at all;
+// on an unknown turn it is dimmed, coarse and ends in a question mark.
 namespace boresight::ui {
 
 class ValueLabel;
@@ -42,6 +43,7 @@ private:
     std::array<Row, 2> m_rows;  // by Axis
     std::array<AxisStatus, 2> m_shown;
     std::array<bool, 2> m_turnKnown{};
+    std::optional<SkyPointing> m_trim;
 };
 
 }  // namespace boresight::ui

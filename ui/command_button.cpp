@@ -24,11 +24,11 @@ void CommandButton::await(const std::function<void(QObject*, const RequestDesk::
 {
     ++m_waiting;
     showWaiting();
-    send(this, [this](const std::optional<Error>& error) {
+    send(this, [this, text = m_text](const std::optional<Error>& error) {
         --m_waiting;
         showWaiting();
         if (error) {
-            m_notice.setValue(tr("%1: %2").arg(m_text, QString::fromStdString(error->text)), Tone::Warning,
+            m_notice.setValue(tr("%1: %2").arg(text, QString::fromStdString(error->text)), Tone::Warning,
                               Symbol::Warning);
         } else {
             m_notice.setValue({});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dead_man.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace boresight::ui {
@@ -35,7 +36,7 @@ void DeadMan::letGo(JogDirection direction)
     if (m_held.erase(direction) == 0) {
         return;
     }
-    if (m_held.empty()) {
+    if (!isHeld()) {
         m_repeat.stop();
     }
     repeat();
@@ -61,18 +62,32 @@ void DeadMan::letGoAll()
     m_released.clear();
     if (isHeld()) {
         m_held.clear();
+        m_stickAzimuth = m_stickElevation = 0.0;
         m_repeat.stop();
         repeat();
     }
 }
 
+void DeadMan::steer(double azimuth, double elevation)
+{
+    const bool was = isHeld();
+    m_stickAzimuth = azimuth;
+    m_stickElevation = elevation;
+    if (isHeld() == was) {
+        return;  // the next repeat takes it
+    }
+    repeat();
+    isHeld() ? m_repeat.start() : m_repeat.stop();
+}
+
 void DeadMan::repeat()
 {
-    const auto sign = [this](JogDirection plus, JogDirection minus) {
-        return (m_held.contains(plus) ? 1.0 : 0.0) - (m_held.contains(minus) ? 1.0 : 0.0);
+    const auto part = [this](JogDirection plus, JogDirection minus, double stick) {
+        const double keys = (m_held.contains(plus) ? 1.0 : 0.0) - (m_held.contains(minus) ? 1.0 : 0.0);
+        return std::clamp(keys + stick, -1.0, 1.0);
     };
-    Q_EMIT jog({.azimuth = m_rate * sign(JogDirection::Right, JogDirection::Left),
-                .elevation = m_rate * sign(JogDirection::Up, JogDirection::Down)});
+    Q_EMIT jog({.azimuth = m_rate * part(JogDirection::Right, JogDirection::Left, m_stickAzimuth),
+                .elevation = m_rate * part(JogDirection::Up, JogDirection::Down, m_stickElevation)});
 }
 
 }  // namespace boresight::ui

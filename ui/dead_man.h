@@ -28,8 +28,10 @@ public:
     // of release and press, and Qt sees through them only if both have arrived; they must not become a stutter.
     void letGoSoon(JogDirection direction);
     void letGoAll();
+    // A stick: how much of the rate each axis shall have, -1 … 1. Both 0: let go.
+    void steer(double azimuth, double elevation);
 
-    [[nodiscard]] bool isHeld() const { return !m_held.empty(); }
+    [[nodiscard]] bool isHeld() const { return !m_held.empty() || isSteered(); }
 
 Q_SIGNALS:
     void jog(const boresight::AxisRates& rates);
@@ -39,9 +41,12 @@ private:
 
     void repeat();
     void letGoReleased();
+    [[nodiscard]] bool isSteered() const { return m_stickAzimuth != 0.0 || m_stickElevation != 0.0; }
 
     std::set<JogDirection> m_held;
     std::set<JogDirection> m_released;  // held still, until the key bounce is over
+    double m_stickAzimuth = 0.0;
+    double m_stickElevation = 0.0;
     AngularRate m_rate;
     QTimer m_repeat;
     QTimer m_bounce;

@@ -8,19 +8,38 @@
 
 namespace boresight::ui {
 
+namespace {
+
+pointing::PermittedRegion regionOf(const profile::Profile& profile)
+{
+    return {profile.limits, profile.azimuth.geometry.travel, profile.elevation.geometry.travel};
+}
+
+QString forbidden(const std::string& reason)
+{
+    return reason.empty()
+               ? QString()
+               : QCoreApplication::translate("Forbidden", "forbidden: %1").arg(QString::fromStdString(reason));
+}
+
+}  // namespace
+
 QString whyForbidden(const StationStatus& status, const SkyPointing& direction)
 {
     const profile::Profile& profile = *status.profile;
-    const pointing::PermittedRegion region(profile.limits, profile.azimuth.geometry.travel,
-                                           profile.elevation.geometry.travel);
+    const pointing::PermittedRegion region = regionOf(profile);
     pointing::MountModel model(profile.azimuth.geometry, profile.elevation.geometry);
     model.limitTo(region.ranges().azimuth, region.ranges().elevation);
     const AxisPosition now{status.azimuth.actual.value_or(0_deg), status.elevation.actual.value_or(0_deg)};
     const pointing::Resolved resolved = model.resolve(direction, now);
-    const std::string reason = resolved.limited ? resolved.reason : region.obstacle(resolved.position);
-    return reason.empty()
-               ? QString()
-               : QCoreApplication::translate("Forbidden", "forbidden: %1").arg(QString::fromStdString(reason));
+    return forbidden(resolved.limited ? resolved.reason : region.obstacle(resolved.position));
+}
+
+QString whyHomeForbidden(const profile::Profile& profile)
+{
+    const pointing::PermittedRegion region = regionOf(profile);
+    return forbidden(region.reason(
+        {.azimuth = region.ranges().azimuth.clamped(0_deg), .elevation = region.ranges().elevation.clamped(0_deg)}));
 }
 
 }  // namespace boresight::ui

@@ -52,9 +52,9 @@ QString signedAngleText(Angle angle, int decimals)
     return text.startsWith(QLatin1Char('-')) ? text : QLatin1Char('+') + text;
 }
 
-QString rateText(AngularRate rate)
+QString rateText(AngularRate rate, int decimals)
 {
-    return number(rate.degrees(), 1) + QStringLiteral("°/s");
+    return number(rate.degrees(), decimals) + QStringLiteral("°/s");
 }
 
 QString directionText(const SkyPointing& direction)

@@ -28,7 +28,7 @@ inline constexpr std::chrono::milliseconds kNoDataAfter{2000};
 [[nodiscard]] QString noValue();                                       // "---.--°"
 [[nodiscard]] QString angleText(Angle angle, int decimals = 2);        // "335.02°"
 [[nodiscard]] QString signedAngleText(Angle angle, int decimals = 2);  // "+4.48°"
-[[nodiscard]] QString rateText(AngularRate rate);                      // "2.0°/s"
+[[nodiscard]] QString rateText(AngularRate rate, int decimals = 1);    // "2.0°/s"
 [[nodiscard]] QString directionText(const SkyPointing& direction);     // "az 113.0°  el 10.0°"
 [[nodiscard]] QString axisText(const AxisPosition& position);          // the same, azimuth not wrapped
 [[nodiscard]] QString ageText(std::chrono::milliseconds age);          // "0.7 s"

@@ -37,20 +37,17 @@ std::optional<JogDirection> directionOf(int key)
 
 }  // namespace
 
-JogPad::JogPad(const Clock& clock, RequestDesk& desk, ValueLabel& notice, const WindowSettings& settings,
-               QWidget* parent)
+JogPad::JogPad(const Clock& clock, RequestDesk& desk, ValueLabel& notice, QWidget* parent)
     : QWidget(parent),
       m_clock(clock),
       m_desk(desk),
       m_notice(notice),
-      m_settings(settings),
       m_buttons{{JogDirection::Up, new JogButton(tr("EL +"), tr("Elevation up while held"), this)},
                 {JogDirection::Down, new JogButton(tr("EL -"), tr("Elevation down while held"), this)},
                 {JogDirection::Left, new JogButton(tr("AZ -"), tr("Azimuth counter-clockwise while held"), this)},
                 {JogDirection::Right, new JogButton(tr("AZ +"), tr("Azimuth clockwise while held"), this)}},
       m_hold(new CommandButton(tr("Hold"), tr("Slow down and hold the position (Ctrl+H)"), desk, notice, this)),
-      m_caption(new ValueLabel(tr("Arrow keys"), fonts::label(), {}, this)),
-      m_step(settings.steps.front())
+      m_caption(new ValueLabel(tr("Arrow keys"), fonts::label(), {}, this))
 {
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Jog pad"));
@@ -119,7 +116,7 @@ void JogPad::sendJog(const AxisRates& rates)
 
 void JogPad::sendStep(JogDirection direction)
 {
-    request::Step step{};
+    request::Nudge step{};
     switch (direction) {
         case JogDirection::Up:
             step.elevation = m_step;
@@ -159,6 +156,7 @@ void JogPad::letGoAll()
         button->letGo();
     }
     m_deadMan.letGoAll();
+    Q_EMIT interrupted();
 }
 
 void JogPad::showStatus(const StationStatus& status)
@@ -173,9 +171,29 @@ void JogPad::showStatus(const StationStatus& status)
     }
     m_hold->setBlocked(whyNoMotion(status));
     applyRate();
+    showCaption();
 }
 
-void JogPad::setRate(JogRate rate)
+void JogPad::steer(double azimuth, double elevation)
+{
+    const auto permitted = [this](double part, JogDirection plus, JogDirection minus) {
+        return part != 0.0 && whyNoJog(m_status, part > 0.0 ? plus : minus).isEmpty() ? part : 0.0;
+    };
+    const bool held = m_deadMan.isHeld();
+    m_deadMan.steer(permitted(azimuth, JogDirection::Right, JogDirection::Left),
+                    permitted(elevation, JogDirection::Up, JogDirection::Down));
+    if (!held && m_deadMan.isHeld()) {
+        m_notice.setValue({});
+    }
+}
+
+void JogPad::setGamepad(const QString& name)
+{
+    m_gamepad = name;
+    showCaption();
+}
+
+void JogPad::setRate(AngularRate rate)
 {
     m_rate = rate;
     applyRate();
@@ -190,22 +208,37 @@ void JogPad::setStepMode(bool on)
 {
     m_stepMode = on;
     letGoAll();
+    showStatus(m_status);
 }
 
 void JogPad::applyRate()
 {
-    const bool known = areTurnsKnown(m_status);  // else the end of the cable may be near
-    const JogRate rate = m_shift ? JogRate::Fast : m_rate;
-    m_deadMan.setRate(!known                    ? std::min(m_settings.slow, m_settings.unwind)
-                      : rate == JogRate::Slow   ? m_settings.slow
-                      : rate == JogRate::Normal ? m_settings.normal
-                                                : m_settings.fast);
+    const AngularRate wanted = m_shift ? m_status.profile->jog.fast : m_rate;
+    m_deadMan.setRate(std::min(wanted, fastestJog(m_status)));
+}
+
+void JogPad::showCaption()
+{
+    if (isArmed()) {
+        m_caption->setValue(
+            m_stepMode ? tr("ARMED: an arrow key moves one step") : tr("ARMED: arrow keys move the mount"),
+            Tone::Accent);
+    } else if (followsAClient(m_status)) {
+        m_caption->setValue(tr("Steps trim the target (Ctrl + arrow)"), Tone::Secondary);
+    } else if (!m_gamepad.isEmpty()) {
+        m_caption->setValue(tr("Arm by a click; gamepad: hold LB or RB"), Tone::Secondary);
+    } else {
+        m_caption->setValue(tr("Click here to arm the arrow keys"), Tone::Secondary);
+    }
+    m_caption->setToolTip(m_gamepad.isEmpty()
+                              ? QString()
+                              : tr("%1: hold LB or RB and move the left stick to jog; B is STOP").arg(m_gamepad));
 }
 
 void JogPad::arm()
 {
     m_armedUntil = m_clock.now() + kArmedFor;
-    m_caption->setValue(tr("ARMED: arrow keys move the mount"), Tone::Accent);
+    showCaption();
     update();
 }
 
@@ -215,7 +248,7 @@ void JogPad::disarm()
     m_shift = false;
     applyRate();
     letGoAll();
-    m_caption->setValue(tr("Click here to arm the arrow keys"), Tone::Secondary);
+    showCaption();
     update();
 }
 

@@ -4,7 +4,6 @@
 #include "core/base/clock.h"
 #include "core/station/station_status.h"
 #include "ui/dead_man.h"
-#include "ui/window_settings.h"
 
 #include <QWidget>
 
@@ -13,7 +12,8 @@
 
 // Four jog buttons around Hold. The arrow keys do the same once the pad is armed by a click on it (or Enter while it
 // has the focus); the armed pad is framed, and it disarms when the focus leaves it or after a minute without use.
-// Shift jogs fast; Ctrl, or the step mode, moves one step instead. The pad keeps asking while a button or key is held,
+// Shift jogs fast; Ctrl, or the step mode, moves one step instead; a step while a client's target is followed trims it
+// and leaves the client the mount. The pad keeps asking while a button or key is held,
 // and ends the motion on release, loss of focus, window switch, refusal, or when motion is no longer permitted.
 namespace boresight::ui {
 
@@ -22,31 +22,29 @@ class JogButton;
 class RequestDesk;
 class ValueLabel;
 
-enum class JogRate
-{
-    Slow,
-    Normal,
-    Fast
-};
-
 class JogPad : public QWidget
 {
     Q_OBJECT
 
 public:
-    JogPad(const Clock& clock, RequestDesk& desk, ValueLabel& notice, const WindowSettings& settings,
-           QWidget* parent = nullptr);
+    JogPad(const Clock& clock, RequestDesk& desk, ValueLabel& notice, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
-    void setRate(JogRate rate);
+    void setRate(AngularRate rate);  // while held, without Shift
     void setStep(Angle step);
     void setStepMode(bool on);
-    void disarmWhenUnused();  // called a few times a second
+    // A stick whose dead-man is held: how much of the rate each axis shall have, -1 … 1; both 0 let go.
+    void steer(double azimuth, double elevation);
+    void setGamepad(const QString& name);  // plugged in; empty: none
+    void disarmWhenUnused();               // called a few times a second
 
     void hold();  // request::Hold
 
     [[nodiscard]] bool isArmed() const { return m_armedUntil.has_value(); }
     [[nodiscard]] JogButton& button(JogDirection direction) { return *m_buttons.at(direction); }
+
+Q_SIGNALS:
+    void interrupted();  // what was held counts no more: a fresh press is needed
 
 protected:
     bool event(QEvent* event) override;
@@ -68,18 +66,19 @@ private:
     void sendStep(JogDirection direction);
     void refused(const std::optional<Error>& error);
     void applyRate();
+    void showCaption();
 
     const Clock& m_clock;
     RequestDesk& m_desk;
     ValueLabel& m_notice;
-    WindowSettings m_settings;
     std::map<JogDirection, JogButton*> m_buttons;
     CommandButton* m_hold;
     ValueLabel* m_caption;
     DeadMan m_deadMan;
     StationStatus m_status;
-    JogRate m_rate = JogRate::Normal;
+    AngularRate m_rate;
     Angle m_step;
+    QString m_gamepad;
     bool m_stepMode = false;
     bool m_shift = false;
     std::optional<SteadyTime> m_armedUntil;

@@ -3,21 +3,21 @@
 
 #include "core/base/clock.h"
 #include "core/station/station_status.h"
+#include "ui/gamepad_pilot.h"
 #include "ui/jog_pad.h"
 #include "ui/window_settings.h"
 
 #include <QWidget>
 
-#include <map>
-
-class QLineEdit;
-
-// The operator's own motion: the jog pad with its rates and steps, go to a direction, home, park. Typing and selecting
-// move nothing; a refusal is shown below the controls, and the typed value stays for correction.
+// The operator's own motion: the jog pad with its rate and steps, a gamepad, go to a direction or a preset, horizon,
+// home, park. Typing and selecting move nothing; a refusal is shown below the controls.
 namespace boresight::ui {
 
-class ChoiceButton;
 class CommandButton;
+class GoToBar;
+class JogChoices;
+class PresetBar;
+class ProfileDraft;
 class RequestDesk;
 class ValueLabel;
 
@@ -26,7 +26,8 @@ class JogPanel : public QWidget
     Q_OBJECT
 
 public:
-    JogPanel(const Clock& clock, RequestDesk& desk, const WindowSettings& settings, QWidget* parent = nullptr);
+    JogPanel(const Clock& clock, ProfileDraft& draft, RequestDesk& desk, const WindowSettings& settings,
+             QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
     void focusGoTo();  // Ctrl+G
@@ -34,26 +35,35 @@ public:
     void hold();       // Ctrl+H
     void beat();       // a few times a second
 
+    void takeGamepad(const GamepadSample& sample);
+    void showGamepad(const QString& name);  // plugged in; empty: gone
+
     [[nodiscard]] JogPad& pad() { return *m_pad; }
+
+Q_SIGNALS:
+    void recentGoTosChanged(const QStringList& recent);
+    void stopPressed();  // on the gamepad
 
 private:
     void build();
-    QWidget* makeChoices(const WindowSettings& settings);
-    QWidget* makeGoTo();
-    void showRates(bool turnsKnown);
-    void go();
-    void complain(QLineEdit& field, const QString& text);
+    [[nodiscard]] QWidget* makePlaces();
+    [[nodiscard]] QWidget* makeLowest();
+    void showPark();
+    void showTrim();
+    void parkOrUnpark();
 
     ValueLabel* m_notice;
     JogPad* m_pad;
-    QLineEdit* m_azimuth;
-    QLineEdit* m_elevation;
-    CommandButton* m_go;
+    JogChoices* m_choices;
+    GoToBar* m_goTo;
+    PresetBar* m_presets;
+    CommandButton* m_horizon;
     CommandButton* m_home;
     CommandButton* m_park;
-    std::map<JogRate, ChoiceButton*> m_rates;
-    JogRate m_rate = JogRate::Normal;
-    QWidget* m_choices;
+    CommandButton* m_clearTrim;
+    GamepadPilot m_pilot;
+    StationStatus m_status;
+    QString m_homeForbidden;
 };
 
 }  // namespace boresight::ui

@@ -2,6 +2,7 @@
 #include "ui/limit_row.h"
 
 #include "ui/axes.h"
+#include "ui/command_button.h"
 #include "ui/limit_bar.h"
 #include "ui/sky_limits.h"
 #include "ui/theme.h"
@@ -50,7 +51,7 @@ QDoubleSpinBox* LimitRow::makeField(const QString& name, Angle TravelRange::*end
     field->setSuffix(QStringLiteral("°"));
     field->setKeyboardTracking(false);
     field->setAccessibleName(name);
-    field->setMinimumHeight(34);
+    field->setMinimumHeight(kTouchSize);
     connect(field, &QDoubleSpinBox::valueChanged, this, [this, end](double degrees) {
         m_draft.edit([&](profile::Profile& p) { (p.limits.*rangeOf(m_axis)).*end = Angle::fromDegrees(degrees); });
     });

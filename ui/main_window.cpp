@@ -78,6 +78,8 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(&m_panels->log(), &LogPanel::beepWanted, this, &QApplication::beep);
     connect(&m_panels->log(), &LogPanel::soundChanged, this, &MainWindow::alarmSoundChanged);
     connect(m_help, &HelpPage::languageChosen, this, &MainWindow::languageChanged);
+    connect(&m_panels->jog(), &JogPanel::stopPressed, this, &MainWindow::stop);
+    connect(&m_panels->jog(), &JogPanel::recentGoTosChanged, this, &MainWindow::recentGoTosChanged);
     connect(m_plot, &PolarPlot::editingChanged, this, &MainWindow::showEditing);
     connect(&m_panels->log(), &LogPanel::diagnosticsWanted, this, &MainWindow::saveDiagnostics);
     connect(m_diagnostics, &DiagnosticsSaver::saved, this,

@@ -60,6 +60,7 @@ Q_SIGNALS:
     void themeChanged(boresight::ui::ThemeKind theme);
     void alarmSoundChanged(bool on);
     void languageChanged(const QString& language);  // for the next start
+    void recentGoTosChanged(const QStringList& recent);
 
 protected:
     void closeEvent(QCloseEvent* event) override;

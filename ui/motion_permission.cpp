@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/motion_permission.h"
 
+#include "core/station/first_moves.h"
 #include "ui/axes.h"
 #include "ui/format.h"
 
 #include <QCoreApplication>
+
+#include <algorithm>
 
 namespace boresight::ui {
 
@@ -62,6 +65,10 @@ QString whyNoPointing(const StationStatus& status)
     if (!reason.isEmpty()) {
         return reason;
     }
+    if (status.profile->mount.directions != profile::Directions::Confirmed) {
+        return MotionPermission::tr(
+            "it is not confirmed yet which way the axes turn: jog each a little and confirm it first");
+    }
     for (const Axis axis : kAxes) {
         if (!isTurnKnown(status, axis)) {
             return (driveOf(status, axis).turnQuestion
@@ -96,6 +103,21 @@ QString whyNoStep(const StationStatus& status, JogDirection direction)
 {
     const QString reason = whyNoPointing(status);
     return reason.isEmpty() ? whyNoJog(status, direction) : reason;
+}
+
+AngularRate fastestJog(const StationStatus& status)
+{
+    const profile::JogSettings& jog = status.profile->jog;
+    if (!areTurnsKnown(status)) {
+        return std::min(jog.slow, jog.unwind);  // the end of the cable may be near
+    }
+    const bool confirmed = status.profile->mount.directions == profile::Directions::Confirmed;
+    return confirmed ? jog.fast : std::min(jog.fast, FirstMoves::kFastest);
+}
+
+bool followsAClient(const StationStatus& status)
+{
+    return status.state == StationState::Track && status.commander.kind == SourceKind::Client;
 }
 
 bool isMoving(const StationStatus& status)

@@ -21,6 +21,9 @@ enum class JogDirection
 [[nodiscard]] QString whyNoPointing(const StationStatus& status);  // to an angle: needs the turn of both axes
 [[nodiscard]] QString whyNoJog(const StationStatus& status, JogDirection direction);  // at a limit: the way on
 [[nodiscard]] QString whyNoStep(const StationStatus& status, JogDirection direction);
+// By hand: less while nobody knows the turn of an axis, or which way the axes turn.
+[[nodiscard]] AngularRate fastestJog(const StationStatus& status);
+[[nodiscard]] bool followsAClient(const StationStatus& status);  // a step then trims the client's target
 [[nodiscard]] bool isMoving(const StationStatus& status);
 
 }  // namespace boresight::ui

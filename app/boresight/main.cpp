@@ -24,6 +24,7 @@ using namespace boresight;
 const QString kThemeKey = QStringLiteral("theme");
 const QString kSoundKey = QStringLiteral("alarm_sound");
 const QString kLanguageKey = QStringLiteral("language");
+const QString kRecentKey = QStringLiteral("recent_go_tos");
 const QString kGeometryKey = QStringLiteral("geometry");
 const QString kPanelKey = QStringLiteral("panel");
 const QString kMountPanelKey = QStringLiteral("mount_panel");
@@ -59,15 +60,11 @@ void keepLayout(const ui::WindowLayout& layout, QSettings& kept)
 
 ui::WindowSettings windowSettings(const app::Options& options, const QSettings& layout)
 {
-    const profile::Profile& profile = options.profile;
-    return {.slow = profile.jog.slow,
-            .normal = profile.jog.normal,
-            .fast = profile.jog.fast,
-            .unwind = profile.jog.unwind,
-            .park = profile.park,
+    return {.unwind = options.profile.jog.unwind,
             .theme = static_cast<ui::ThemeKind>(layout.value(kThemeKey, 0).toInt()),
             .language = layout.value(kLanguageKey).toString(),
             .alarmSound = layout.value(kSoundKey, true).toBool(),
+            .recentGoTos = layout.value(kRecentKey).toStringList(),
             .layout = readLayout(layout),
             .stateDir = options.stateDir,
             .configDir = options.configDir};
@@ -118,6 +115,8 @@ void connectWindow(ui::MainWindow& window, app::StationThread& station, QSetting
                      [&layout](bool on) { layout.setValue(kSoundKey, on); });
     QObject::connect(&window, &ui::MainWindow::languageChanged, &window,
                      [&layout](const QString& language) { layout.setValue(kLanguageKey, language); });
+    QObject::connect(&window, &ui::MainWindow::recentGoTosChanged, &window,
+                     [&layout](const QStringList& recent) { layout.setValue(kRecentKey, recent); });
 }
 
 int run(QApplication& application, const app::Options& options, const QElapsedTimer& sinceStart)

@@ -5,6 +5,7 @@
 #include "ui/jog_button.h"
 #include "ui/jog_pad.h"
 #include "ui/jog_panel.h"
+#include "ui/rate_slider.h"
 
 #include <QApplication>
 #include <QLineEdit>
@@ -202,8 +203,8 @@ TEST_F(JogTest, ShiftIsFastAndCtrlIsOneStep)
     requests.clear();
     press(Qt::Key_Left, Qt::ControlModifier);
     EXPECT_TRUE(jogs().empty());
-    ASSERT_EQ(asked<request::Step>().size(), 1u);
-    EXPECT_EQ(asked<request::Step>().front().azimuth, -0.1_deg);
+    ASSERT_EQ(asked<request::Nudge>().size(), 1u);
+    EXPECT_EQ(asked<request::Nudge>().front().azimuth, -0.1_deg);
 }
 
 TEST_F(JogTest, TwoKeysMoveBothAxesUntilTheLastIsReleased)
@@ -238,23 +239,24 @@ TEST_F(JogTest, DisarmsAfterAMinuteWithoutUseAndWithTheFocus)
 TEST_F(JogTest, ChoosingARateByMouseKeepsThePadArmed)
 {
     arm();
-    QTest::mouseClick(named<ChoiceButton>("Slow: jog at 0.5°/s"), Qt::LeftButton);
+    auto* const slider = named<RateSlider>("Jog rate");
+    QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(3, slider->height() / 2));
     EXPECT_TRUE(pad().isArmed());
     press(Qt::Key_Right);
-    EXPECT_EQ(jogs().front().rates, (AxisRates{0.5_deg_s, 0_deg_s}));
+    EXPECT_EQ(jogs().front().rates, (AxisRates{0.2_deg_s, 0_deg_s}));
     release(Qt::Key_Right);
 }
 
 TEST_F(JogTest, StepModeMovesOneStepPerPress)
 {
-    QTest::mouseClick(named<ChoiceButton>("One step is 5.0° (Ctrl + arrow)"), Qt::LeftButton);
+    QTest::mouseClick(named<ChoiceButton>("One step is 5° (Ctrl + arrow)"), Qt::LeftButton);
     QTest::mouseClick(named<ChoiceButton>("Step mode: a press moves one step only"), Qt::LeftButton);
     QTest::mousePress(&button(JogDirection::Down), Qt::LeftButton);
     QTest::qWait(2 * static_cast<int>(kJogRepeat.count()));
     QTest::mouseRelease(&button(JogDirection::Down), Qt::LeftButton);
     EXPECT_TRUE(jogs().empty());
-    ASSERT_EQ(asked<request::Step>().size(), 1u);
-    EXPECT_EQ(asked<request::Step>().front().elevation, -5_deg);
+    ASSERT_EQ(asked<request::Nudge>().size(), 1u);
+    EXPECT_EQ(asked<request::Nudge>().front().elevation, -5_deg);
 }
 
 TEST_F(JogTest, AtALimitOnlyTheWayBackIsOffered)
@@ -275,7 +277,7 @@ TEST_F(JogTest, WhatCannotActSaysWhy)
                                                            {samples::disconnected(), "no connection"}};
     for (const auto& [status, reason] : cases) {
         give(samples::update(status));
-        for (const char* const name : {"Go", "Home", "Park", "Hold"}) {
+        for (const char* const name : {"Go", "Home", "Horizon", "Park", "Hold"}) {
             EXPECT_FALSE(named<CommandButton>(name)->isEnabled());
             EXPECT_TRUE(named<CommandButton>(name)->toolTip().contains(QLatin1String(reason)));
         }

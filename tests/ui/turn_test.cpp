@@ -9,6 +9,7 @@
 #include "ui/turn_choice.h"
 #include "ui/turn_page.h"
 
+#include <QAbstractSlider>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QRadioButton>
@@ -290,15 +291,16 @@ TEST_F(TurnTest, GoToIsDisabledAndJoggingIsSlow)
         EXPECT_TRUE(named<CommandButton>(name)->toolTip().contains(QLatin1String("which turn the azimuth is on")));
     }
     panels().setCurrentIndex(0);
-    auto* const fast = named<QAbstractButton>("Fast: jog at 6.0°/s");
-    EXPECT_FALSE(fast->isEnabled());
+    auto* const rate = named<QAbstractSlider>("Jog rate");
+    EXPECT_FALSE(rate->isEnabled());
     auto* const right = named<QPushButton>("Azimuth clockwise while held");
     QTest::mousePress(right, Qt::LeftButton);
-    EXPECT_EQ(asked<request::Jog>().back().rates, (AxisRates{0.5_deg_s, 0_deg_s}));
+    EXPECT_EQ(asked<request::Jog>().back().rates, (AxisRates{0.2_deg_s, 0_deg_s}));
     QTest::mouseRelease(right, Qt::LeftButton);
+    EXPECT_EQ(text("Rate while held"), QStringLiteral("Rate at most 0.20°/s"));
     give(samples::update(samples::idle()));
-    EXPECT_TRUE(fast->isEnabled());
-    EXPECT_TRUE(named<QAbstractButton>("Normal: jog at 2.0°/s")->isChecked()) << "the chosen rate comes back";
+    EXPECT_TRUE(rate->isEnabled());
+    EXPECT_EQ(text("Rate while held"), QStringLiteral("Rate while held  2.0°/s")) << "the chosen rate comes back";
 }
 
 TEST_F(TurnTest, AStepIsAPointingAndNotOfferedOnAnUnknownTurn)
@@ -312,7 +314,7 @@ TEST_F(TurnTest, AStepIsAPointingAndNotOfferedOnAnUnknownTurn)
     pad->setFocus();
     QTest::keyClick(pad, Qt::Key_Return);
     QTest::keyClick(pad, Qt::Key_Right, Qt::ControlModifier);
-    EXPECT_TRUE(asked<request::Step>().empty());
+    EXPECT_TRUE(asked<request::Nudge>().empty());
     pad->setStepMode(true);
     give(samples::update(fewPlaces()));
     EXPECT_FALSE(right->isEnabled());

@@ -34,9 +34,6 @@ protected:
     static WindowSettings settings()
     {
         WindowSettings settings;
-        settings.slow = 0.5_deg_s;
-        settings.normal = 2_deg_s;
-        settings.fast = 6_deg_s;
         settings.unwind = 1_deg_s;
         return settings;
     }

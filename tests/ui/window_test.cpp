@@ -168,6 +168,12 @@ TEST_F(WindowTest, AnUnreadableNumberIsNotSent)
 TEST_F(WindowTest, ParkHomeAndHoldHaveTheirRequests)
 {
     QTest::keyClick(&window, Qt::Key_P, Qt::ControlModifier);
+    EXPECT_TRUE(requests.empty());
+    EXPECT_TRUE(somethingSays("Park: the mount is parked already"));
+    StationStatus holding = samples::idle();
+    holding.state = StationState::Hold;
+    give(samples::update(holding));
+    QTest::keyClick(&window, Qt::Key_P, Qt::ControlModifier);
     EXPECT_EQ(asked<request::Park>().size(), 1u);
     QTest::keyClick(&window, Qt::Key_H, Qt::ControlModifier);
     EXPECT_EQ(asked<request::Hold>().size(), 1u);
@@ -242,6 +248,9 @@ TEST_F(WindowTest, TheListOfAlarmsSaysWhichAreOver)
 
 TEST_F(WindowTest, AnOldRefusalNextToAnotherControlStaysThere)
 {
+    StationStatus holding = samples::idle();
+    holding.state = StationState::Hold;
+    give(samples::update(holding));
     QTest::keyClick(&window, Qt::Key_P, Qt::ControlModifier);
     QTest::mouseClick(named<CommandButton>("Take control"), Qt::LeftButton);
     StationUpdate both = samples::refusal(samples::idle(), requests[0].id, "no park position");

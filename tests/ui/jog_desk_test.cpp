@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window_fixture.h"
+#include "ui/choice_button.h"
+#include "ui/command_button.h"
+#include "ui/jog_button.h"
+#include "ui/jog_panel.h"
+#include "ui/rate_slider.h"
+#include "ui/touch_combo.h"
+
+#include <QAbstractItemView>
+#include <QLineEdit>
+
+namespace boresight::ui {
+namespace {
+
+// What stands around the jog pad: rate, steps and trim, go-to with its memory, presets, horizon and park.
+class JogDeskTest : public WindowFixture
+{
+protected:
+    JogDeskTest() { give(samples::update(holding())); }
+
+    static StationStatus holding()
+    {
+        StationStatus status = samples::bounded();
+        status.state = StationState::Hold;
+        return status;
+    }
+    static StationStatus withPresets(std::vector<profile::Preset> presets)
+    {
+        StationStatus status = holding();
+        profile::Profile profile = *status.profile;
+        profile.presets = std::move(presets);
+        status.profile = std::make_shared<const profile::Profile>(profile);
+        return status;
+    }
+    void click(const char* button) { QTest::mouseClick(named<CommandButton>(button), Qt::LeftButton); }
+    RateSlider& slider() { return *named<RateSlider>("Jog rate"); }
+    QLineEdit& presetName() { return *named<QLineEdit>("Name of the preset"); }
+    void hold(JogDirection direction)
+    {
+        JogButton& button = window.findChild<JogPanel*>()->pad().button(direction);
+        QTest::mousePress(&button, Qt::LeftButton);
+        QTest::mouseRelease(&button, Qt::LeftButton);
+    }
+    void goTo(const char* azimuth, const char* elevation)
+    {
+        named<QLineEdit>("Azimuth")->setText(QLatin1String(azimuth));
+        named<QLineEdit>("Elevation")->setText(QLatin1String(elevation));
+        click("Go");
+        give(samples::acceptance(holding(), requests.back().id));
+    }
+};
+
+TEST_F(JogDeskTest, TheRateGoesFromSlowToFastOfTheProfileByKeysAndMouse)
+{
+    EXPECT_EQ(text("Rate while held"), QStringLiteral("Rate while held  2.0°/s"));
+    slider().setFocus();
+    QTest::keyClick(&slider(), Qt::Key_End);
+    EXPECT_EQ(text("Rate while held"), QStringLiteral("Rate while held  6.0°/s"));
+    hold(JogDirection::Right);
+    EXPECT_EQ(asked<request::Jog>().front().rates, (AxisRates{6_deg_s, 0_deg_s}));
+    QTest::keyClick(&slider(), Qt::Key_Home);
+    EXPECT_EQ(text("Rate while held"), QStringLiteral("Rate while held  0.20°/s"));
+    EXPECT_EQ(slider().accessibleDescription(), QStringLiteral("0.20°/s"));
+    QTest::keyClick(&slider(), Qt::Key_Right);
+    const AngularRate oneUp = slider().rate();
+    EXPECT_GT(oneUp, 0.2_deg_s);
+    EXPECT_LT(oneUp, 0.25_deg_s);
+    QTest::mouseClick(&slider(), Qt::LeftButton, {}, QPoint(slider().width() / 2, 20));
+    EXPECT_NEAR(slider().rate().degrees(), std::sqrt(0.2 * 6.0), 0.1) << "the middle is the geometric mean";
+}
+
+TEST_F(JogDeskTest, AProfileWithOtherRatesMovesTheEnds)
+{
+    slider().setFocus();
+    QTest::keyClick(&slider(), Qt::Key_End);
+    StationStatus status = holding();
+    profile::Profile profile = *status.profile;
+    profile.jog.fast = 3_deg_s;
+    status.profile = std::make_shared<const profile::Profile>(profile);
+    give(samples::update(status));
+    EXPECT_EQ(text("Rate while held"), QStringLiteral("Rate while held  3.0°/s"));
+    hold(JogDirection::Up);
+    EXPECT_EQ(asked<request::Jog>().front().rates, (AxisRates{0_deg_s, 3_deg_s}));
+}
+
+TEST_F(JogDeskTest, BeforeTheDirectionsAreConfirmedOnlyJoggingIsOfferedAndNotFast)
+{
+    StationStatus status = holding();
+    profile::Profile profile = *status.profile;
+    profile.mount.directions = profile::Directions::Unconfirmed;
+    status.profile = std::make_shared<const profile::Profile>(profile);
+    give(samples::update(status));
+    for (const char* const name : {"Go", "Horizon", "Home", "Park", "Go to"}) {
+        EXPECT_FALSE(named<CommandButton>(name)->isEnabled()) << name;
+        EXPECT_TRUE(named<CommandButton>(name)->toolTip().contains(QStringLiteral("which way the axes turn"))) << name;
+    }
+    slider().setFocus();
+    QTest::keyClick(&slider(), Qt::Key_End);
+    hold(JogDirection::Up);
+    EXPECT_EQ(asked<request::Jog>().front().rates, (AxisRates{0_deg_s, 5_deg_s}));
+}
+
+TEST_F(JogDeskTest, EachStepSizeIsWhatOnePressMoves)
+{
+    QTest::mouseClick(named<ChoiceButton>("Step mode: a press moves one step only"), Qt::LeftButton);
+    const std::pair<const char*, Angle> sizes[] = {
+        {"0.01°", 0.01_deg}, {"0.1°", 0.1_deg}, {"1°", 1_deg}, {"5°", 5_deg}};
+    for (const auto& [size, angle] : sizes) {
+        requests.clear();
+        const QByteArray name = QStringLiteral("One step is %1 (Ctrl + arrow)").arg(QString::fromUtf8(size)).toUtf8();
+        QTest::mouseClick(named<ChoiceButton>(name.constData()), Qt::LeftButton);
+        hold(JogDirection::Left);
+        ASSERT_EQ(asked<request::Nudge>().size(), 1u);
+        EXPECT_EQ(asked<request::Nudge>().front().azimuth, -angle);
+        EXPECT_EQ(asked<request::Nudge>().front().elevation, 0_deg);
+        EXPECT_TRUE(asked<request::Jog>().empty());
+    }
+}
+
+TEST_F(JogDeskTest, ATrimIsShownByTheReadoutsInEveryPanelAndCleared)
+{
+    StationStatus status = samples::tracking(200);
+    give(samples::update(status));
+    EXPECT_FALSE(named<CommandButton>("Clear trim")->isEnabled());
+    status.trim = SkyPointing{.azimuth = 0.3_deg, .elevation = -0.1_deg};
+    give(samples::update(status));
+    for (const char panel : kPanels) {
+        openPanel(panel);
+        EXPECT_EQ(text("Detail of azimuth"), QStringLiteral("trim +0.30°"));
+        EXPECT_EQ(text("Detail of elevation"), QStringLiteral("trim -0.10°"));
+        EXPECT_TRUE(named<ValueLabel>("Detail of azimuth")->isVisible());
+    }
+    openPanel('1');
+    auto* const clear = named<CommandButton>("Clear trim");
+    EXPECT_TRUE(clear->toolTip().contains(QStringLiteral("Trim az +0.30° el -0.10°")));
+    QTest::mouseClick(clear, Qt::LeftButton);
+    EXPECT_EQ(asked<request::ClearTrim>().size(), 1u);
+    status.trim.reset();
+    give(samples::acceptance(status, requests.back().id));
+    EXPECT_EQ(text("Detail of azimuth"), QString());
+    EXPECT_FALSE(clear->isEnabled());
+}
+
+TEST_F(JogDeskTest, TheLastTenDirectionsThatWereAcceptedCanBeChosenAgain)
+{
+    QSignalSpy kept(&window, &MainWindow::recentGoTosChanged);
+    auto* const recent = named<TouchCombo>("Recent directions");
+    EXPECT_FALSE(recent->isEnabled());
+    for (int azimuth = 10; azimuth <= 130; azimuth += 10) {
+        goTo(std::to_string(azimuth).c_str(), "20");
+    }
+    goTo("100", "20");  // once more: to the front, not twice
+    EXPECT_EQ(recent->count(), 10);
+    EXPECT_EQ(recent->itemText(0), QStringLiteral("az 100.00°  el 20.00°"));
+    EXPECT_EQ(recent->itemText(1), QStringLiteral("az 130.00°  el 20.00°"));
+    ASSERT_EQ(kept.count(), 14);
+    EXPECT_EQ(kept.back().front().toStringList().front(), QStringLiteral("100.00 20.00"));
+
+    requests.clear();
+    recent->setFocus();
+    recent->showPopup();
+    QTest::keyClick(recent->view(), Qt::Key_Down);
+    QTest::keyClick(recent->view(), Qt::Key_Return);
+    EXPECT_EQ(named<QLineEdit>("Azimuth")->text(), QStringLiteral("130.00"));
+    EXPECT_TRUE(requests.empty()) << "selecting moves nothing";
+    QTest::keyClick(named<CommandButton>("Go"), Qt::Key_Space);
+    ASSERT_EQ(asked<request::PointSky>().size(), 1u);
+    EXPECT_NEAR(asked<request::PointSky>().front().direction.azimuth.degrees(), 130.0, 1e-9);
+}
+
+TEST_F(JogDeskTest, ARefusedDirectionIsNotRemembered)
+{
+    named<QLineEdit>("Azimuth")->setText(QStringLiteral("10"));
+    named<QLineEdit>("Elevation")->setText(QStringLiteral("95"));
+    click("Go");
+    give(samples::refusal(holding(), requests.back().id, "elevation 95.0° above limit 90.0°"));
+    EXPECT_EQ(named<TouchCombo>("Recent directions")->count(), 0);
+}
+
+TEST_F(JogDeskTest, DirectionsOfAnEarlierStartComeBackAndRubbishDoesNot)
+{
+    WindowSettings earlier = settings();
+    earlier.recentGoTos = {QStringLiteral("113.50 10.00"), QStringLiteral("rubbish"), QStringLiteral("1 2 3")};
+    const MainWindow other(clock, earlier);
+    for (const TouchCombo* const box : other.findChildren<TouchCombo*>()) {
+        if (box->accessibleName() == QStringLiteral("Recent directions")) {
+            ASSERT_EQ(box->count(), 1);
+            EXPECT_EQ(box->itemText(0), QStringLiteral("az 113.50°  el 10.00°"));
+        }
+    }
+}
+
+TEST_F(JogDeskTest, APresetIsSavedWhereTheMountPointsUnderATypedName)
+{
+    EXPECT_FALSE(named<CommandButton>("Save here")->isEnabled());
+    EXPECT_TRUE(named<CommandButton>("Save here")->toolTip().contains(QStringLiteral("type a name first")));
+    presetName().setFocus();
+    QTest::keyClicks(&presetName(), QStringLiteral("beacon"));
+    EXPECT_FALSE(named<CommandButton>("Go to")->isEnabled());
+    click("Save here");
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
+    const auto sent = asked<request::ApplyProfile>().back().profile;
+    ASSERT_EQ(sent.presets.size(), 1u);
+    EXPECT_EQ(sent.presets[0], (profile::Preset{"beacon", *holding().actual}));
+    EXPECT_EQ(sent.limits, holding().profile->limits) << "nothing else is applied with it";
+
+    give(samples::acceptance(withPresets(sent.presets), requests.back().id));
+    EXPECT_TRUE(named<CommandButton>("Go to")->isEnabled());
+    requests.clear();
+    QTest::keyClick(&presetName(), Qt::Key_Return);
+    ASSERT_EQ(asked<request::PointSky>().size(), 1u);
+    EXPECT_EQ(asked<request::PointSky>().front().direction, *holding().actual);
+}
+
+TEST_F(JogDeskTest, APresetIsChosenReplacedAndDeleted)
+{
+    give(samples::update(withPresets({{"south", {180_deg, 40_deg}}, {"house", {285_deg, 10_deg}}})));
+    auto* const names = named<TouchCombo>("Preset");
+    ASSERT_EQ(names->count(), 2);
+    presetName().setText(QStringLiteral("house"));
+    EXPECT_FALSE(named<CommandButton>("Go to")->isEnabled()) << "it lies in a keep-out";
+    EXPECT_TRUE(named<CommandButton>("Go to")->toolTip().contains(QStringLiteral("house")));
+    presetName().setText(QStringLiteral("south"));
+    click("Go to");
+    EXPECT_EQ(asked<request::PointSky>().back().direction, (SkyPointing{180_deg, 40_deg}));
+    click("Save here");
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
+    EXPECT_EQ(asked<request::ApplyProfile>().back().profile.presets.size(), 2u);
+    EXPECT_EQ(asked<request::ApplyProfile>().back().profile.presets[0].direction, *holding().actual);
+    give(samples::refusal(withPresets({{"south", {180_deg, 40_deg}}}), requests.back().id, "not now"));
+    click("Delete");
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 2u);
+    EXPECT_TRUE(asked<request::ApplyProfile>().back().profile.presets.empty());
+    give(samples::acceptance(withPresets({}), requests.back().id));
+    EXPECT_EQ(names->count(), 0);
+    EXPECT_TRUE(presetName().text().isEmpty());
+    EXPECT_FALSE(named<CommandButton>("Delete")->isEnabled());
+}
+
+TEST_F(JogDeskTest, NothingIsSavedFromAnOldPosition)
+{
+    give(samples::update(samples::withAge(holding(), std::chrono::milliseconds(900))));
+    presetName().setText(QStringLiteral("beacon"));
+    EXPECT_FALSE(named<CommandButton>("Save here")->isEnabled());
+    EXPECT_TRUE(named<CommandButton>("Save here")->toolTip().contains(QStringLiteral("not known where")));
+}
+
+TEST_F(JogDeskTest, HorizonAndHomeAskAndAForbiddenHomeIsNotOffered)
+{
+    click("Horizon");
+    EXPECT_EQ(asked<request::Horizon>().size(), 1u);
+    // The horizon mask of this profile is 6° at north, home would be 5°.
+    EXPECT_FALSE(named<CommandButton>("Home")->isEnabled());
+    EXPECT_TRUE(named<CommandButton>("Home")->toolTip().contains(QStringLiteral("forbidden")));
+}
+
+TEST_F(JogDeskTest, ParkBecomesUnparkThatMovesNothing)
+{
+    click("Park");
+    EXPECT_EQ(asked<request::Park>().size(), 1u);
+    StationStatus parked = holding();
+    parked.state = StationState::Parked;
+    give(samples::acceptance(parked, requests.back().id));
+    requests.clear();
+    click("Unpark");
+    EXPECT_EQ(asked<request::Hold>().size(), 1u);
+    EXPECT_EQ(requests.size(), 1u);
+    give(samples::acceptance(holding(), requests.back().id));
+    EXPECT_TRUE(named<CommandButton>("Park")->isEnabled());
+}
+
+}  // namespace
+}  // namespace boresight::ui

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What a gamepad says, and what that means for the mount. Pure: the device is read elsewhere (SdlGamepad), the jog pad
+// asks the station. The stick counts only while its dead-man, a shoulder button, is held; a dead-man that was held
+// already when the gamepad came, or while the mount might not move, must be let go first.
+namespace boresight::ui {
+
+struct GamepadSample
+{
+    double right = 0.0;  // of the stick, -1 … 1
+    double up = 0.0;
+    bool deadMan = false;
+    bool stop = false;
+};
+
+// How much of the jog rate each axis shall have, -1 … 1.
+struct Steering
+{
+    double azimuth = 0.0;
+    double elevation = 0.0;
+
+    bool operator==(const Steering&) const = default;
+};
+
+class GamepadPilot
+{
+public:
+    // Called with every sample. `permitted`: the gamepad may move the mount now.
+    [[nodiscard]] Steering take(const GamepadSample& sample, bool permitted);
+    void letGo() { m_held = false; }  // something else ended the motion: a fresh press is needed
+    void gone();                      // unplugged
+
+    [[nodiscard]] bool isHeld() const { return m_held; }
+    [[nodiscard]] bool takeStop();  // STOP was pressed since the last call
+
+private:
+    bool m_held = false;
+    bool m_wasDeadMan = true;
+    bool m_wasStop = true;
+    bool m_stopPressed = false;
+};
+
+}  // namespace boresight::ui

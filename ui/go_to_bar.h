@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/units/sky.h"
+
+#include <QStringList>
+#include <QWidget>
+
+class QLineEdit;
+
+// Go to a typed direction. Typing and selecting move nothing; a refusal is shown in the notice, and the typed value
+// stays for correction. The last directions that the station accepted are kept for choosing them again.
+namespace boresight::ui {
+
+class CommandButton;
+class RequestDesk;
+class TouchCombo;
+class ValueLabel;
+
+class GoToBar : public QWidget
+{
+    Q_OBJECT
+
+public:
+    GoToBar(RequestDesk& desk, ValueLabel& notice, const QStringList& recent, QWidget* parent = nullptr);
+
+    void setBlocked(const QString& reason);  // empty: can act
+    void focusFields();
+
+Q_SIGNALS:
+    void recentChanged(const QStringList& recent);  // to be kept for the next start, the newest first
+
+private:
+    void build();
+    void go();
+    void complain(QLineEdit& field, const QString& text);
+    void remember();
+    void showRecent();
+    void fillIn(int recent);
+
+    ValueLabel& m_notice;
+    QLineEdit* m_azimuth;
+    QLineEdit* m_elevation;
+    CommandButton* m_go;
+    TouchCombo* m_recentBox;
+    QStringList m_recent;  // "113.50 10.00"
+    SkyPointing m_asked;
+};
+
+}  // namespace boresight::ui

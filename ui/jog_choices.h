@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+#include <QWidget>
+
+#include <optional>
+
+// How the pad moves: the rate while held, between the slow and the fast one of the profile in force, and the size of a
+// step. Until it is known on which turn the axes stand, and which way they turn, the rate is capped, and the label says
+// so; the chosen one comes back.
+namespace boresight::ui {
+
+class JogPad;
+class RateSlider;
+class ValueLabel;
+
+class JogChoices : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit JogChoices(JogPad& pad, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+private:
+    [[nodiscard]] QWidget* makeSteps();
+    void choose(AngularRate rate);
+    void showRate();
+
+    JogPad& m_pad;
+    ValueLabel* m_caption;
+    RateSlider* m_slider;
+    std::optional<AngularRate> m_chosen;  // empty: the normal rate of the profile
+    profile::JogSettings m_rates;
+    AngularRate m_fastest;
+};
+
+}  // namespace boresight::ui
