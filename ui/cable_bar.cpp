@@ -50,7 +50,9 @@ void CableBar::showStatus(const StationStatus& status)
     const std::optional<Angle> commanded = known ? axis.commanded : std::nullopt;
     const bool mute = age == Freshness::NoData || isTurnAwaited(status, Axis::Azimuth);
     const QString place = actual ? angleText(*actual, 0) : mute ? noValue() : tr("TURN?");
-    const QString text = tr("%1 of %2").arg(place, rangeText(axis.travel));
+    const bool ends = actual && status.cableEnd;
+    const QString text = ends ? tr("▲ %1 ends in %2").arg(place, waitText(status.cableEnd->in))
+                              : tr("%1 of %2").arg(place, rangeText(axis.travel));
     const bool late = age == Freshness::Late;
     if (text == m_text && late == m_late && axis.travel == m_travel && !changedByAPixel(actual, m_actual) &&
         !changedByAPixel(commanded, m_commanded)) {
@@ -60,6 +62,7 @@ void CableBar::showStatus(const StationStatus& status)
     m_actual = actual;
     m_commanded = commanded;
     m_late = late;
+    m_ends = ends;
     m_text = text;
     setAccessibleDescription(text);
     update();
@@ -83,7 +86,7 @@ void CableBar::paintEvent(QPaintEvent*)
     const QRectF words(0, box.center().y() - fontMetrics().height() / 2.0, width(), fontMetrics().height());
     painter.setPen(colours.secondary);
     painter.drawText(words, Qt::AlignLeft, tr("AZ cable"));
-    painter.setPen(m_late ? colours.secondary : colours.text);
+    painter.setPen(m_ends ? colours.warning : m_late ? colours.secondary : colours.text);
     painter.drawText(words, Qt::AlignRight, m_text);
     const TravelScale scale(m_travel, box);
     if (scale.isEmpty()) {

@@ -8,7 +8,8 @@
 #include <optional>
 
 // The azimuth cable: its travel as a bar with a tick each 90°, hatched beyond the ends, a pointer at actual, a mark at
-// commanded, a band from 0° (cable not wound) to actual, and the number in words. Angles are mechanical.
+// commanded, a band from 0° (cable not wound) to actual, and the number in words; when the path that is followed leads
+// beyond an end, how soon. Angles are mechanical.
 namespace boresight::ui {
 
 class CableBar : public QWidget
@@ -34,6 +35,7 @@ private:
     std::optional<Angle> m_actual;  // empty when it is too old, or the turn is not known
     std::optional<Angle> m_commanded;
     bool m_late = false;
+    bool m_ends = false;  // soon
     QString m_text;
 };
 

@@ -72,6 +72,14 @@ QString ageText(std::chrono::milliseconds age)
     return number(Seconds(age).count(), 1) + QStringLiteral(" s");
 }
 
+QString waitText(Seconds time)
+{
+    const double minutes = time.count() / 60.0;
+    return time < Seconds(100.0) ? number(time.count(), 0) + QStringLiteral(" s")
+           : minutes < 100.0     ? number(minutes, 0) + QStringLiteral(" min")
+                                 : number(minutes / 60.0, 0) + QStringLiteral(" h");
+}
+
 QString clockText(UtcTime utc)
 {
     return dateTime(utc).toString(QStringLiteral("HH:mm:ss"));

@@ -32,6 +32,7 @@ inline constexpr std::chrono::milliseconds kNoDataAfter{2000};
 [[nodiscard]] QString directionText(const SkyPointing& direction);     // "az 113.0°  el 10.0°"
 [[nodiscard]] QString axisText(const AxisPosition& position);          // the same, azimuth not wrapped
 [[nodiscard]] QString ageText(std::chrono::milliseconds age);          // "0.7 s"
+[[nodiscard]] QString waitText(Seconds time);                          // "40 s", "5 min", "2 h"
 [[nodiscard]] QString clockText(UtcTime utc);                          // "17:05:59"
 [[nodiscard]] QString minuteText(UtcTime utc);                         // "2026-11-21 17:05Z"
 [[nodiscard]] QString dateText(UtcTime utc);                           // "2026-11-21 17:05:59.120Z"

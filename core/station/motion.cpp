@@ -221,6 +221,12 @@ bool Motion::streaming(SteadyTime now) const
     return target && target->streaming;
 }
 
+std::optional<tracking::MovingTarget> Motion::path(SteadyTime now) const
+{
+    const auto target = movingTarget(now);
+    return target && target->streaming ? target : std::nullopt;
+}
+
 bool Motion::limited(Axis axis) const
 {
     if (!m_limited) {

@@ -51,7 +51,8 @@ public:
     [[nodiscard]] AxisPosition place() const { return m_axes.place(); }      // of the set-points
     [[nodiscard]] std::optional<AxisPosition> target(SteadyTime now) const;  // empty while resting or running
     [[nodiscard]] bool streaming(SteadyTime now) const;                      // the points look like a path in the sky
-    [[nodiscard]] bool atRest() const { return m_axes.atRest(); }            // both set-points stand still
+    [[nodiscard]] std::optional<tracking::MovingTarget> path(SteadyTime now) const;  // then this is where it is
+    [[nodiscard]] bool atRest() const { return m_axes.atRest(); }                    // both set-points stand still
 
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_axes.region(); }
     // The way from one place to another; an error with the reason when there is none.

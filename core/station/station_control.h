@@ -178,6 +178,8 @@ private:
     void watchJog();
     void watchFitness();
     void watchRegion();
+    void watchCable();
+    void tellCable(const CableEnd& end);
     void finishRearm();
     void stepProof();
     void keepStop(Axis axis);
@@ -223,6 +225,8 @@ private:
     std::string m_heldAt;   // what the log last said the motion is held at
     AxisPosition m_trim{};  // what the operator adds to the targets of clients
     FirstMoves m_firstMoves;
+    std::optional<CableEnd> m_cableEnd;
+    Severity m_cableSeverity = Severity::Advisory;
     std::optional<SteadyTime> m_jogDeadline;
     std::array<bool, 2> m_answered{};
     std::array<bool, 2> m_ignoringBounds{};

@@ -238,6 +238,7 @@ StationStatus StationControl::status() const
                          .commander = m_commander,
                          .limited = m_limited || m_motion.limited(),
                          .route = m_motion.route(),
+                         .cableEnd = m_cableEnd,
                          .authority = m_arming.authority(),
                          .drives = drivesStatus(),
                          .alarms = m_alarms.list(),

@@ -57,6 +57,15 @@ enum class Severity
     Alarm
 };
 
+// The path that is followed leads beyond an end of the azimuth's range.
+struct CableEnd
+{
+    Angle end;
+    Seconds in;
+    // How long it takes to turn back by 360° and go on; empty: there is no other turn, the mount waits at the end.
+    std::optional<Seconds> turningBack;
+};
+
 // Who may move the mount.
 enum class Authority
 {
@@ -138,11 +147,12 @@ struct StationStatus
     std::optional<SkyPointing> actual;
     std::optional<SkyPointing> commanded;
     std::optional<SkyPointing> target;
-    QString targetText;               // "P 339.50 57.00", "go to 113.0° 10.0°", "park"; empty without a target
-    Source commander;                 // whose target it is
-    bool limited = false;             // the target was outside the limits; the nearest permitted point is driven
-    std::vector<AxisPosition> route;  // the way to the target around what is forbidden, its end included
-    std::optional<SkyPointing> trim;  // what the operator's nudges add to a client's targets
+    QString targetText;                // "P 339.50 57.00", "go to 113.0° 10.0°", "park"; empty without a target
+    Source commander;                  // whose target it is
+    bool limited = false;              // the target was outside the limits; the nearest permitted point is driven
+    std::vector<AxisPosition> route;   // the way to the target around what is forbidden, its end included
+    std::optional<SkyPointing> trim;   // what the operator's nudges add to a client's targets
+    std::optional<CableEnd> cableEnd;  // told in time: at least 30° or 30 s ahead
     Authority authority = Authority::Clients;
     DrivesStatus drives;
     LinkStatus bus;

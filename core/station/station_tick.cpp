@@ -48,6 +48,7 @@ std::array<CanFrame, 2> StationControl::tick()
     stepProof();
     moveOn(step);
     watchRegion();
+    watchCable();
     shutDownFurther();
     return m_drives.frames();
 }

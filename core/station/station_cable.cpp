@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of StationControl that tells in time when the cable ends before the pass does.
+#include "core/base/numbers.h"
+#include "core/station/station_control.h"
+#include "core/tracking/cable_forecast.h"
+
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+const QString kCause = QStringLiteral("azimuth cable");
+// Whichever is earlier. Told a little longer than begun, so that a path that trembles does not come and go.
+constexpr Seconds kWarnTime{60.0};
+constexpr Angle kWarnAngle = Angle::fromDegrees(30.0);
+constexpr double kKeep = 1.3;
+constexpr std::uint64_t kTicksBetween = 10;
+
+// Ramps included; the jerk adds a part of a second.
+Seconds turnTime(const tracking::MotionLimits& limits)
+{
+    return Seconds(360.0 / limits.speed.degrees() + limits.speed.degrees() / limits.acceleration.degrees());
+}
+
+QString timeText(Seconds time)
+{
+    return time < Seconds(100.0) ? QStringLiteral("%1 s").arg(std::lround(time.count()))
+                                 : QStringLiteral("%1 min").arg(std::lround(time.count() / 60.0));
+}
+
+}  // namespace
+
+void StationControl::watchCable()
+{
+    if (m_tick % kTicksBetween != 0) {
+        return;
+    }
+    const TravelRange& range = m_motion.region().ranges().azimuth;
+    const auto path = m_activity == Activity::Streaming && turnsKnown() ? m_motion.path(m_now) : std::nullopt;
+    const auto forecast = path ? tracking::forecastCableEnd(*path, range) : std::nullopt;
+    const double keep = m_cableEnd ? kKeep : 1.0;
+    if (!forecast || (forecast->in > kWarnTime * keep && forecast->left > kWarnAngle * keep)) {
+        m_cableEnd.reset();
+        m_alarms.clear(kCause);
+        return;
+    }
+    const Angle back = Angle::fromTurns(forecast->end == range.max ? -1.0 : 1.0);
+    m_cableEnd =
+        CableEnd{.end = forecast->end,
+                 .in = forecast->in,
+                 .turningBack = range.contains(forecast->end + back) ? std::optional(turnTime(m_profile.azimuth.limits))
+                                                                     : std::nullopt};
+    tellCable(*m_cableEnd);
+}
+
+// Once when it comes in sight, and once more when it is near.
+void StationControl::tellCable(const CableEnd& end)
+{
+    const Severity severity = end.in > kWarnTime ? Severity::Advisory : Severity::Warning;
+    if (m_alarms.active(kCause) && severity <= m_cableSeverity) {
+        return;
+    }
+    m_cableSeverity = severity;
+    const QString place = QString::fromStdString(formatFixed(end.end.degrees(), 1)) + QStringLiteral("°");
+    const QString what = QStringLiteral("azimuth cable ends in %1, at %2").arg(timeText(end.in), place);
+    if (end.turningBack) {
+        m_alarms.raise(kCause, severity,
+                       {.what = what,
+                        .action = QStringLiteral("There Boresight turns back by 360° and follows on; the target is "
+                                                 "lost for about %1")
+                                      .arg(timeText(*end.turningBack)),
+                        .remedy = QStringLiteral("To turn back earlier press Home, then give control back")});
+    } else {
+        m_alarms.raise(kCause, severity,
+                       {.what = what,
+                        .action = QStringLiteral("Boresight holds there until the target can be reached again"),
+                        .remedy = QStringLiteral("Widen the limits if the cable allows, or let the target go")});
+    }
+}
+
+}  // namespace boresight
