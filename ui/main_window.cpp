@@ -9,6 +9,7 @@
 #include "ui/diagnostics_saver.h"
 #include "ui/forbidden.h"
 #include "ui/format.h"
+#include "ui/gamepad.h"
 #include "ui/header_bar.h"
 #include "ui/help_page.h"
 #include "ui/jog_panel.h"
@@ -98,6 +99,12 @@ MainWindow::~MainWindow()
 {
     // The panels end what is still held with a last request, and that needs the desk: they go first.
     const std::unique_ptr<QWidget> panels(takeCentralWidget());
+}
+
+void MainWindow::useGamepad(Gamepad& gamepad)
+{
+    connect(&gamepad, &Gamepad::plugged, &m_panels->jog(), &JogPanel::showGamepad);
+    connect(&gamepad, &Gamepad::sampled, &m_panels->jog(), &JogPanel::takeGamepad);
 }
 
 void MainWindow::build()

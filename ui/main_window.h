@@ -24,6 +24,7 @@ class AxisReadout;
 class CableBar;
 class CommandButton;
 class DiagnosticsSaver;
+class Gamepad;
 class HeaderBar;
 class HelpPage;
 class LeadPrompt;
@@ -41,6 +42,8 @@ public:
     // The clock outlives the window.
     MainWindow(const Clock& clock, const WindowSettings& settings, QWidget* parent = nullptr);
     ~MainWindow() override;
+
+    void useGamepad(Gamepad& gamepad);
 
     // What the owner calls when the station has ended: closes without a question.
     void closeNow();

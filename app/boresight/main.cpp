@@ -7,6 +7,7 @@
 #include "app/unix_signals.h"
 #include "core/base/version.h"
 #include "core/station/link_factory.h"
+#include "ui/gamepad.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
 
@@ -140,6 +141,10 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     ui::MainWindow window(clock, windowSettings(options, layout));
     const bool known = window.restoreGeometry(layout.value(kGeometryKey).toByteArray());
     connectWindow(window, station, layout);
+    const std::unique_ptr<ui::Gamepad> gamepad = ui::Gamepad::create();
+    if (gamepad) {
+        window.useGamepad(*gamepad);
+    }
     QObject::connect(&station, &app::StationThread::profileApplied, &saver, &app::ProfileSaver::save);
     QObject::connect(&station, &app::StationThread::reconnected, &saver,
                      [&saver](const profile::Profile& profile, const QString& problem) {

@@ -17,6 +17,7 @@ inline constexpr double kPassLength = 600.0;
 [[nodiscard]] StationStatus disconnected();
 [[nodiscard]] StationStatus bounded();         // idle at 45° above the horizon, with a region as it is in life
 [[nodiscard]] StationStatus routed();          // on the way around the mast of the same region
+[[nodiscard]] StationStatus cableEnding();     // trimmed in mid-pass, the cable ends before the pass does; presets
 [[nodiscard]] StationStatus limited();         // the target lies below the lowest elevation
 [[nodiscard]] StationStatus operatorMoving();  // slewing to a go-to of the operator, who holds the control
 [[nodiscard]] StationStatus factoryDrives();   // both drives as they come from the factory: nothing may move

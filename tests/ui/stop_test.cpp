@@ -6,10 +6,12 @@
 #include "ui/sky_markers.h"
 #include "ui/stop_button.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QPointer>
 
 namespace boresight::ui {
 namespace {
@@ -45,6 +47,75 @@ TEST_F(StopTest, IsWholeAndUncoveredInEveryPanelAndLargeEnough)
         EXPECT_EQ(stops(), ++presses);
     }
     EXPECT_EQ(window.size(), QSize(1024, 700)) << "a panel does not fit into the smallest window";
+}
+
+// Every button that opens a question or a dialog ends in "…": each is pressed in each panel that shows it.
+TEST_F(StopTest, IsThereAndWorksInEveryQuestionDialogAndPrompt)
+{
+    std::size_t expected = 0;
+    const auto expectStopWorks = [&](const std::string& where) {
+        QTest::qWait(1);
+        EXPECT_EQ(window.size(), QSize(1024, 700)) << where;
+        const QRect place(stop().mapToGlobal(QPoint()), stop().size());
+        EXPECT_EQ(window.childAt(stop().mapTo(&window, stop().rect().center())), &stop()) << where;
+        for (QWidget* const other : QApplication::topLevelWidgets()) {
+            if (other != &window && other->isVisible() && !other->inherits("QTipLabel")) {
+                EXPECT_FALSE(other->frameGeometry().intersects(place)) << where << " covers STOP";
+                QTest::keyClick(other, Qt::Key_F12);
+                EXPECT_EQ(stops(), ++expected) << where;
+            }
+        }
+        QTest::mousePress(&stop(), Qt::LeftButton);
+        QTest::mouseRelease(&stop(), Qt::LeftButton);
+        EXPECT_EQ(stops(), ++expected) << where;
+        QTest::keyClick(&window, Qt::Key_Pause);
+        EXPECT_EQ(stops(), ++expected) << where;
+    };
+    const auto closeAll = [this] {
+        for (QWidget* const other : QApplication::topLevelWidgets()) {
+            if (other != &window) {
+                other->close();
+            }
+        }
+    };
+    int opened = 0;
+    for (const auto& status : {samples::idle(), samples::factoryDrives()}) {
+        give(samples::update(status));
+        for (const char panel : kPanels) {
+            openPanel(panel);
+            const auto all = window.findChildren<QAbstractButton*>();  // those of a dialog end with it
+            for (const QPointer<QAbstractButton>& button :
+                 std::vector<QPointer<QAbstractButton>>(all.begin(), all.end())) {
+                if (button && button->window() == &window && button->isVisible() && button->isEnabled() &&
+                    button->text().contains(QStringLiteral("…"))) {
+                    const std::string where = button->text().toStdString();
+                    QTest::mouseClick(button, Qt::LeftButton);
+                    expectStopWorks(where);
+                    closeAll();
+                    openPanel(panel == '1' ? '2' : '1');  // a question closes when its panel is left
+                    openPanel(panel);
+                    ++opened;
+                }
+            }
+        }
+    }
+    EXPECT_GE(opened, 5) << "fix, switch off, proof, save the plot, files of the horizon";
+    openPanel('1');
+    QTest::keyClick(&window, Qt::Key_F1);
+    expectStopWorks("help");
+    closeAll();
+    give(samples::update(samples::asking(Axis::Azimuth, 7, 60_deg, false)));
+    expectStopWorks("the question of the turn");
+    give(samples::update(samples::fighting()));
+    expectStopWorks("the question of the lead");
+    give(samples::update(samples::tracking(10)));
+    QTest::keyClick(&window, Qt::Key_L, Qt::ControlModifier);
+    expectStopWorks("charts in the place of the sky");
+    QTest::keyClick(&window, Qt::Key_L, Qt::ControlModifier);
+    QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
+    expectStopWorks("the limits being edited");
+    window.close();
+    expectStopWorks("the question before closing");
 }
 
 // A prompt wider than the plot once pushed STOP off the screen.

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/gamepad.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+#include <QTimer>
+
+#include <SDL.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace boresight::ui {
+namespace {
+
+// SDL's own virtual game controller in the place of a device.
+class GamepadSdlTest : public ::testing::Test
+{
+protected:
+    GamepadSdlTest()
+    {
+        SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+        EXPECT_EQ(SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER), 0) << SDL_GetError();
+        QObject::connect(gamepad.get(), &Gamepad::plugged, [this](const QString& text) { name = text; });
+        QObject::connect(gamepad.get(), &Gamepad::sampled, [this](const GamepadSample& sample) { last = sample; });
+    }
+    ~GamepadSdlTest() override
+    {
+        gamepad.reset();
+        SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
+    }
+
+    static int plug()
+    {
+        return SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX,
+                                         SDL_CONTROLLER_BUTTON_MAX, 0);
+    }
+    bool becomes(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 3000); }
+
+    std::unique_ptr<Gamepad> gamepad = Gamepad::create();
+    std::optional<QString> name;
+    std::optional<GamepadSample> last;
+};
+
+TEST_F(GamepadSdlTest, IsFoundReadAndMissedWhenItGoes)
+{
+    ASSERT_NE(gamepad, nullptr);
+    const int device = plug();
+    ASSERT_GE(device, 0) << SDL_GetError();
+    ASSERT_TRUE(becomes([this] { return name && !name->isEmpty() && last; }));
+    SDL_Joystick* const stick = SDL_JoystickOpen(device);
+    ASSERT_NE(stick, nullptr);
+    SDL_JoystickSetVirtualAxis(stick, SDL_CONTROLLER_AXIS_LEFTX, SDL_JOYSTICK_AXIS_MAX);
+    SDL_JoystickSetVirtualAxis(stick, SDL_CONTROLLER_AXIS_LEFTY, SDL_JOYSTICK_AXIS_MIN);  // away from the body
+    SDL_JoystickSetVirtualButton(stick, SDL_CONTROLLER_BUTTON_LEFTSHOULDER, 1);
+    ASSERT_TRUE(becomes([this] { return last->deadMan && last->right == 1.0; }));
+    EXPECT_NEAR(last->up, 1.0, 1e-3);
+    EXPECT_FALSE(last->stop);
+    SDL_JoystickSetVirtualButton(stick, SDL_CONTROLLER_BUTTON_LEFTSHOULDER, 0);
+    SDL_JoystickSetVirtualButton(stick, SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, 1);
+    SDL_JoystickSetVirtualButton(stick, SDL_CONTROLLER_BUTTON_B, 1);
+    ASSERT_TRUE(becomes([this] { return last->stop; }));
+    EXPECT_TRUE(last->deadMan) << "either shoulder";
+    SDL_JoystickClose(stick);
+    ASSERT_EQ(SDL_JoystickDetachVirtual(device), 0);
+    EXPECT_TRUE(becomes([this] { return name->isEmpty(); }));
+}
+
+// The look runs on the window's thread once a second, the reading every 20 ms.
+TEST_F(GamepadSdlTest, NeitherLookingNorReadingHoldsTheWindowUp)
+{
+    const int device = plug();
+    qint64 longest = 0;
+    QElapsedTimer since;
+    since.start();
+    QTimer beat;
+    QObject::connect(&beat, &QTimer::timeout, [&] { longest = std::max(longest, since.restart()); });
+    beat.start(5);
+    ASSERT_TRUE(becomes([this] { return last.has_value(); }));
+    QTest::qWait(200);
+    RecordProperty("longest_gap_ms", static_cast<int>(longest));
+    EXPECT_LT(longest, 50) << "the gap between two beats of 5 ms";
+    SDL_JoystickDetachVirtual(device);
+}
+
+}  // namespace
+}  // namespace boresight::ui
