@@ -82,7 +82,7 @@ void SdlGamepad::look()
     if (m_controller) {
         const char* const name = SDL_GameControllerName(m_controller.get());
         m_timer.start(kReadPause);
-        Q_EMIT plugged(name ? QString::fromUtf8(name) : tr("Gamepad"));
+        Q_EMIT plugged(name ? QString::fromUtf8(name) : Gamepad::tr("Gamepad"));
     }
 }
 

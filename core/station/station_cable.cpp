@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of StationControl that tells in time when the cable ends before the pass does.
 #include "core/base/numbers.h"
+#include "core/base/text.h"
 #include "core/station/station_control.h"
 #include "core/tracking/cable_forecast.h"
 
@@ -62,19 +63,19 @@ void StationControl::tellCable(const CableEnd& end)
     }
     m_cableSeverity = severity;
     const QString place = QString::fromStdString(formatFixed(end.end.degrees(), 1)) + QStringLiteral("°");
-    const QString what = QStringLiteral("azimuth cable ends in %1, at %2").arg(timeText(end.in), place);
+    const QString what = Text::tr("azimuth cable ends in %1, at %2").arg(timeText(end.in), place);
     if (end.turningBack) {
         m_alarms.raise(kCause, severity,
                        {.what = what,
-                        .action = QStringLiteral("There Boresight turns back by 360° and follows on; the target is "
-                                                 "lost for about %1")
+                        .action = Text::tr("There Boresight turns back by 360° and follows on; the target is "
+                                           "lost for about %1")
                                       .arg(timeText(*end.turningBack)),
-                        .remedy = QStringLiteral("To turn back earlier press Home, then give control back")});
+                        .remedy = Text::tr("To turn back earlier press Home, then give control back")});
     } else {
         m_alarms.raise(kCause, severity,
                        {.what = what,
-                        .action = QStringLiteral("Boresight holds there until the target can be reached again"),
-                        .remedy = QStringLiteral("Widen the limits if the cable allows, or let the target go")});
+                        .action = Text::tr("Boresight holds there until the target can be reached again"),
+                        .remedy = Text::tr("Widen the limits if the cable allows, or let the target go")});
     }
 }
 

@@ -184,6 +184,10 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <source>which turn the %1 is on is not known yet</source>
         <translation>ainda não se sabe em que volta está o eixo de %1</translation>
     </message>
+    <message>
+        <source>it is not confirmed yet which way the axes turn: jog each a little and confirm it first</source>
+        <translation>ainda não está confirmado para que lado giram os eixos: mova um pouco cada um e confirme primeiro</translation>
+    </message>
 </context>
 <context>
     <name>PlotPicture</name>
@@ -3435,6 +3439,26 @@ el %3</translation>
         <source>a part of the answer was lost; repeat the command</source>
         <translation>perdeu-se uma parte da resposta; repita o comando</translation>
     </message>
+    <message>
+        <source>azimuth cable ends in %1, at %2</source>
+        <translation>o cabo de azimute acaba em %1, a %2</translation>
+    </message>
+    <message>
+        <source>There Boresight turns back by 360° and follows on; the target is lost for about %1</source>
+        <translation>Aí o Boresight volta 360° atrás e continua a seguir; o alvo perde-se durante cerca de %1</translation>
+    </message>
+    <message>
+        <source>To turn back earlier press Home, then give control back</source>
+        <translation>Para voltar atrás mais cedo prima Origem e depois devolva o controlo</translation>
+    </message>
+    <message>
+        <source>Boresight holds there until the target can be reached again</source>
+        <translation>O Boresight fica aí até o alvo poder ser alcançado de novo</translation>
+    </message>
+    <message>
+        <source>Widen the limits if the cable allows, or let the target go</source>
+        <translation>Alargue os limites se o cabo permitir, ou deixe o alvo</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -3759,6 +3783,14 @@ modo moteus %1, falha %2</translation>
         <source>Detail of %1</source>
         <translation>Detalhe de %1</translation>
     </message>
+    <message>
+        <source>trim %1</source>
+        <translation>compensação %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::CableBar</name>
@@ -3787,6 +3819,10 @@ modo moteus %1, falha %2</translation>
     <message>
         <source>%1 of %2</source>
         <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>▲ %1 ends in %2</source>
+        <translation>▲ %1 acaba em %2</translation>
     </message>
 </context>
 <context>
@@ -4214,6 +4250,68 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::Gamepad</name>
+    <message>
+        <source>Gamepad</source>
+        <translation>Comando de jogo</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::GoToBar</name>
+    <message>
+        <source>%1 in degrees, e.g. 113.5 (Ctrl+G; Enter = Go)</source>
+        <translation>%1 em graus, p. ex. 113.5 (Ctrl+G; Enter = Ir)</translation>
+    </message>
+    <message>
+        <source>Azimuth</source>
+        <translation>Azimute</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Elevação</translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <translation>Ir</translation>
+    </message>
+    <message>
+        <source>Go to this direction by the nearest turn (Enter)</source>
+        <translation>Ir a esta direção pela volta mais próxima (Enter)</translation>
+    </message>
+    <message>
+        <source>Recent directions</source>
+        <translation>Direções recentes</translation>
+    </message>
+    <message>
+        <source>Put one of the last directions into the fields; Go then goes there</source>
+        <translation>Pôr uma das últimas direções nos campos; Ir vai depois para lá</translation>
+    </message>
+    <message>
+        <source>Az</source>
+        <translation>Az</translation>
+    </message>
+    <message>
+        <source>El</source>
+        <translation>El</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Recentes</translation>
+    </message>
+    <message>
+        <source>Go: the azimuth is not a number (decimal point, e.g. 113.5)</source>
+        <translation>Ir: o azimute não é um número (ponto decimal, p. ex. 113.5)</translation>
+    </message>
+    <message>
+        <source>Go: the elevation is not a number (decimal point, e.g. 10.5)</source>
+        <translation>Ir: a elevação não é um número (ponto decimal, p. ex. 10.5)</translation>
+    </message>
+    <message>
+        <source>az %1°  el %2°</source>
+        <translation>az %1°  el %2°</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::HeaderBar</name>
     <message>
         <source>CAN off</source>
@@ -4383,10 +4481,6 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <translation>setas</translation>
     </message>
     <message>
-        <source>jog while held, after a click on the pad; up and down move elevation</source>
-        <translation>movimento manual enquanto premidas, após um clique no campo; para cima e para baixo movem a elevação</translation>
-    </message>
-    <message>
         <source>Shift + arrow</source>
         <translation>Shift + seta</translation>
     </message>
@@ -4397,10 +4491,6 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     <message>
         <source>Ctrl + arrow</source>
         <translation>Ctrl + seta</translation>
-    </message>
-    <message>
-        <source>one step</source>
-        <translation>um passo</translation>
     </message>
     <message>
         <source>Ctrl+G</source>
@@ -4560,6 +4650,30 @@ emergência por cabo junto ao mastro.</translation>
         <source>save diagnostics for a bug report</source>
         <translation>gravar diagnóstico para um relato de erro</translation>
     </message>
+    <message>
+        <source>jog while held, after a click on the pad or Enter; up and down move elevation</source>
+        <translation>movimento manual enquanto premidas, após um clique no campo ou Enter; para cima e para baixo movem a elevação</translation>
+    </message>
+    <message>
+        <source>one step; trims the target while a client is followed</source>
+        <translation>um passo; compensa o alvo enquanto se segue um cliente</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down</source>
+        <translation>Page Up, Page Down</translation>
+    </message>
+    <message>
+        <source>on the slider: jog rate; also arrows, Home, End</source>
+        <translation>no cursor: velocidade manual; também setas, Home, End</translation>
+    </message>
+    <message>
+        <source>gamepad</source>
+        <translation>comando de jogo</translation>
+    </message>
+    <message>
+        <source>jog by the left stick while LB or RB is held (panel Jog); B is STOP</source>
+        <translation>movimento manual com o manípulo esquerdo enquanto LB ou RB está premido (painel Manual); B é STOP</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::HorizonModel</name>
@@ -4577,6 +4691,49 @@ emergência por cabo junto ao mastro.</translation>
     <message>
         <source>requested</source>
         <translation>pedido</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::JogChoices</name>
+    <message>
+        <source>Rate while held</source>
+        <translation>Velocidade enquanto premido</translation>
+    </message>
+    <message>
+        <source>Jog rate</source>
+        <translation>Velocidade manual</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Passo</translation>
+    </message>
+    <message>
+        <source>One step is %1 (Ctrl + arrow)</source>
+        <translation>Um passo é %1 (Ctrl + seta)</translation>
+    </message>
+    <message>
+        <source>Step mode</source>
+        <translation>Modo de passos</translation>
+    </message>
+    <message>
+        <source>Step mode: a press moves one step only</source>
+        <translation>Modo de passos: cada clique move só um passo</translation>
+    </message>
+    <message>
+        <source>Rate at most %1</source>
+        <translation>Velocidade até %1</translation>
+    </message>
+    <message>
+        <source>Rate while held  %1</source>
+        <translation>Velocidade  %1</translation>
+    </message>
+    <message>
+        <source>Jog rate from %1 to %2 (arrows, Page Up, Page Down; Shift + arrow on the pad: the fastest)</source>
+        <translation>Velocidade manual de %1 a %2 (setas, Page Up, Page Down; Shift + seta no campo: a maior)</translation>
+    </message>
+    <message>
+        <source>At most %1 until it is known where the axes stand and which way they turn</source>
+        <translation>No máximo %1 até se saber onde estão os eixos e para que lado giram</translation>
     </message>
 </context>
 <context>
@@ -4649,32 +4806,28 @@ emergência por cabo junto ao mastro.</translation>
         <source>Click here to arm the arrow keys</source>
         <translation>Clique aqui para armar as setas</translation>
     </message>
+    <message>
+        <source>ARMED: an arrow key moves one step</source>
+        <translation>ARMADO: cada seta move um passo</translation>
+    </message>
+    <message>
+        <source>Steps trim the target (Ctrl + arrow)</source>
+        <translation>Passos compensam o alvo (Ctrl + seta)</translation>
+    </message>
+    <message>
+        <source>Arm by a click; gamepad: hold LB or RB</source>
+        <translation>Clique arma; comando: premir LB ou RB</translation>
+    </message>
+    <message>
+        <source>%1: hold LB or RB and move the left stick to jog; B is STOP</source>
+        <translation>%1: mantenha LB ou RB premido e mova o manípulo esquerdo; B é STOP</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::JogPanel</name>
     <message>
-        <source>%1 in degrees, e.g. 113.5 (Ctrl+G; Enter = Go)</source>
-        <translation>%1 em graus, p. ex. 113.5 (Ctrl+G; Enter = Ir)</translation>
-    </message>
-    <message>
         <source>Refused</source>
         <translation>Recusado</translation>
-    </message>
-    <message>
-        <source>Azimuth</source>
-        <translation>Azimute</translation>
-    </message>
-    <message>
-        <source>Elevation</source>
-        <translation>Elevação</translation>
-    </message>
-    <message>
-        <source>Go</source>
-        <translation>Ir</translation>
-    </message>
-    <message>
-        <source>Go to this direction by the nearest turn (Enter)</source>
-        <translation>Ir a esta direção pela volta mais próxima (Enter)</translation>
     </message>
     <message>
         <source>Home</source>
@@ -4693,60 +4846,40 @@ emergência por cabo junto ao mastro.</translation>
         <translation>Ir à posição de estacionamento %1 (Ctrl+P)</translation>
     </message>
     <message>
-        <source>Rate while held</source>
-        <translation>Velocidade enquanto premido</translation>
+        <source>Horizon</source>
+        <translation>Horizonte</translation>
     </message>
     <message>
-        <source>Step</source>
-        <translation>Passo</translation>
+        <source>Elevation 0°, or the lowest permitted, at this azimuth</source>
+        <translation>Elevação 0°, ou a mais baixa permitida, neste azimute</translation>
     </message>
     <message>
-        <source>Slow</source>
-        <translation>Lenta</translation>
+        <source>Clear trim</source>
+        <translation>Anular comp.</translation>
     </message>
     <message>
-        <source>Normal</source>
-        <translation>Normal</translation>
+        <source>Unpark</source>
+        <translation>Libertar</translation>
     </message>
     <message>
-        <source>Fast</source>
-        <translation>Rápida</translation>
+        <source>Leave PARKED and hold this position; nothing moves</source>
+        <translation>Sair de ESTACIONADO e manter esta posição; nada se move</translation>
     </message>
     <message>
-        <source>%1: jog at %2</source>
-        <translation>%1: movimento manual a %2</translation>
+        <source>no target is trimmed</source>
+        <translation>nenhum alvo está compensado</translation>
     </message>
     <message>
-        <source>One step is %1 (Ctrl + arrow)</source>
-        <translation>Um passo é %1 (Ctrl + seta)</translation>
+        <source>Trim az %1 el %2: the operator&apos;s steps, added to the targets of clients</source>
+        <translation>Compensação az %1 el %2: os passos do operador, somados aos alvos dos clientes</translation>
     </message>
     <message>
-        <source>Step mode</source>
-        <translation>Modo de passos</translation>
+        <source>the mount is parked already</source>
+        <translation>a montagem já está estacionada</translation>
     </message>
     <message>
-        <source>Step mode: a press moves one step only</source>
-        <translation>Modo de passos: cada clique move só um passo</translation>
-    </message>
-    <message>
-        <source>Az</source>
-        <translation>Az</translation>
-    </message>
-    <message>
-        <source>El</source>
-        <translation>El</translation>
-    </message>
-    <message>
-        <source>%1: only slow until the turn is known</source>
-        <translation>%1: só devagar até a volta ser conhecida</translation>
-    </message>
-    <message>
-        <source>Go: the azimuth is not a number (decimal point, e.g. 113.5)</source>
-        <translation>Ir: o azimute não é um número (ponto decimal, p. ex. 113.5)</translation>
-    </message>
-    <message>
-        <source>Go: the elevation is not a number (decimal point, e.g. 10.5)</source>
-        <translation>Ir: a elevação não é um número (ponto decimal, p. ex. 10.5)</translation>
+        <source>Park: %1</source>
+        <translation>Estacionar: %1</translation>
     </message>
 </context>
 <context>
@@ -5333,6 +5466,61 @@ el %2</translation>
     <message>
         <source>Target</source>
         <translation>Alvo</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::PresetBar</name>
+    <message>
+        <source>Preset</source>
+        <translation>Predefinição</translation>
+    </message>
+    <message>
+        <source>A named direction of this mount: choose one, or type a new name</source>
+        <translation>Uma direção com nome desta montagem: escolha uma, ou escreva um novo nome</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Ir para</translation>
+    </message>
+    <message>
+        <source>Go to this preset by the nearest turn (Enter)</source>
+        <translation>Ir a esta predefinição pela volta mais próxima (Enter)</translation>
+    </message>
+    <message>
+        <source>Save here</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Keep where the mount points now under this name</source>
+        <translation>Guardar com este nome para onde a montagem aponta agora</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Apagar</translation>
+    </message>
+    <message>
+        <source>Take this preset from the list</source>
+        <translation>Tirar esta predefinição da lista</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Nome da predefinição</translation>
+    </message>
+    <message>
+        <source>Go to %1 by the nearest turn (Enter)</source>
+        <translation>Ir a %1 pela volta mais próxima (Enter)</translation>
+    </message>
+    <message>
+        <source>there is no preset of this name</source>
+        <translation>não há predefinição com este nome</translation>
+    </message>
+    <message>
+        <source>type a name first</source>
+        <translation>escreva primeiro um nome</translation>
+    </message>
+    <message>
+        <source>it is not known where the mount points</source>
+        <translation>não se sabe para onde a montagem aponta</translation>
     </message>
 </context>
 <context>
