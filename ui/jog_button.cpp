@@ -39,7 +39,8 @@ void JogButton::letGo()
 
 QSize JogButton::sizeHint() const
 {
-    const int text = fontMetrics().horizontalAdvance(tr("requested"));
+    const int text = std::max(fontMetrics().horizontalAdvance(tr("requested")),
+                              fontMetrics().size(Qt::TextShowMnemonic, this->text()).width());
     return {text + 20, std::max(kTouchSize, 2 * fontMetrics().lineSpacing() + 8)};
 }
 

@@ -3441,23 +3441,23 @@ el %3</translation>
     </message>
     <message>
         <source>azimuth cable ends in %1, at %2</source>
-        <translation>o cabo de azimute acaba em %1, a %2</translation>
+        <translation>o cabo do azimute acaba em %1, a %2</translation>
     </message>
     <message>
         <source>There Boresight turns back by 360° and follows on; the target is lost for about %1</source>
-        <translation>Aí o Boresight volta 360° atrás e continua a seguir; o alvo perde-se durante cerca de %1</translation>
+        <translation>Ali o Boresight gira 360° para trás e continua a seguir; perde-se o alvo por cerca de %1</translation>
     </message>
     <message>
         <source>To turn back earlier press Home, then give control back</source>
-        <translation>Para voltar atrás mais cedo prima Origem e depois devolva o controlo</translation>
+        <translation>Para voltar antes, clique em Origem e depois devolva o controle</translation>
     </message>
     <message>
         <source>Boresight holds there until the target can be reached again</source>
-        <translation>O Boresight fica aí até o alvo poder ser alcançado de novo</translation>
+        <translation>O Boresight mantém-se ali até o alvo voltar a ser alcançável</translation>
     </message>
     <message>
         <source>Widen the limits if the cable allows, or let the target go</source>
-        <translation>Alargue os limites se o cabo permitir, ou deixe o alvo</translation>
+        <translation>Alargue os limites se o cabo o permite, ou deixe ir o alvo</translation>
     </message>
 </context>
 <context>
@@ -3822,7 +3822,7 @@ modo moteus %1, falha %2</translation>
     </message>
     <message>
         <source>▲ %1 ends in %2</source>
-        <translation>▲ %1 acaba em %2</translation>
+        <translation>▲ %1 termina em %2</translation>
     </message>
 </context>
 <context>
@@ -4253,7 +4253,7 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     <name>boresight::ui::Gamepad</name>
     <message>
         <source>Gamepad</source>
-        <translation>Comando de jogo</translation>
+        <translation>Gamepad</translation>
     </message>
 </context>
 <context>
@@ -4284,7 +4284,7 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     </message>
     <message>
         <source>Put one of the last directions into the fields; Go then goes there</source>
-        <translation>Pôr uma das últimas direções nos campos; Ir vai depois para lá</translation>
+        <translation>Pôr nos campos uma das últimas direções; Ir leva então até lá</translation>
     </message>
     <message>
         <source>Az</source>
@@ -4668,11 +4668,11 @@ emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>gamepad</source>
-        <translation>comando de jogo</translation>
+        <translation>gamepad</translation>
     </message>
     <message>
         <source>jog by the left stick while LB or RB is held (panel Jog); B is STOP</source>
-        <translation>movimento manual com o manípulo esquerdo enquanto LB ou RB está premido (painel Manual); B é STOP</translation>
+        <translation>movimento manual pelo manípulo esquerdo com LB ou RB premido (painel Manual); B é STOP</translation>
     </message>
 </context>
 <context>
@@ -4816,11 +4816,11 @@ emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>Arm by a click; gamepad: hold LB or RB</source>
-        <translation>Clique arma; comando: premir LB ou RB</translation>
+        <translation>Clique arma; gamepad: segure LB ou RB</translation>
     </message>
     <message>
         <source>%1: hold LB or RB and move the left stick to jog; B is STOP</source>
-        <translation>%1: mantenha LB ou RB premido e mova o manípulo esquerdo; B é STOP</translation>
+        <translation>%1: segure LB ou RB e mova o manípulo esquerdo; B é STOP</translation>
     </message>
 </context>
 <context>
@@ -4851,15 +4851,15 @@ emergência por cabo junto ao mastro.</translation>
     </message>
     <message>
         <source>Elevation 0°, or the lowest permitted, at this azimuth</source>
-        <translation>Elevação 0°, ou a mais baixa permitida, neste azimute</translation>
+        <translation>Elevação 0°, ou a menor permitida, neste azimute</translation>
     </message>
     <message>
         <source>Clear trim</source>
-        <translation>Anular comp.</translation>
+        <translation>Limpar comp.</translation>
     </message>
     <message>
         <source>Unpark</source>
-        <translation>Libertar</translation>
+        <translation>Liberar</translation>
     </message>
     <message>
         <source>Leave PARKED and hold this position; nothing moves</source>
@@ -5480,7 +5480,7 @@ el %2</translation>
     </message>
     <message>
         <source>Go to</source>
-        <translation>Ir para</translation>
+        <translation>Ir a</translation>
     </message>
     <message>
         <source>Go to this preset by the nearest turn (Enter)</source>
@@ -5488,11 +5488,11 @@ el %2</translation>
     </message>
     <message>
         <source>Save here</source>
-        <translation>Guardar</translation>
+        <translation>Gravar</translation>
     </message>
     <message>
         <source>Keep where the mount points now under this name</source>
-        <translation>Guardar com este nome para onde a montagem aponta agora</translation>
+        <translation>Guardar sob este nome para onde a montagem aponta agora</translation>
     </message>
     <message>
         <source>Delete</source>
