@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/boresightctl/bus_scan.h"
-#include "app/boresightctl/scan_report.h"
+#include "app/bus_scan.h"
+#include "app/scan_report.h"
 #include "app/boresightctl/subcommand.h"
 #include "app/unix_signals.h"
 #include "core/station/link_factory.h"
@@ -9,6 +9,8 @@
 
 namespace boresight::ctl {
 namespace {
+
+using survey::FoundController;
 
 ExitStatus fail(const std::string& text)
 {
@@ -22,10 +24,10 @@ ExitStatus report(const std::vector<FoundController>& controllers, const CanLink
         complain(kScanCommand, trouble.toStdString());
     }
     if (controllers.empty()) {
-        return fail(silenceText(link.name().toStdString()));
+        return fail(app::silenceText(link.name().toStdString()));
     }
-    print(table(controllers));
-    const std::vector<std::string> wrong = problems(controllers);
+    print(app::table(controllers));
+    const std::vector<std::string> wrong = app::problems(controllers);
     for (const std::string& text : wrong) {
         complain(kScanCommand, text);
     }
@@ -40,15 +42,15 @@ ExitStatus scan(CanLink& link)
     if (link.status().state != LinkState::Up) {
         return fail(link.status().text.toStdString());
     }
-    BusScan scan(link);
+    app::BusScan scan(link);
     app::UnixSignals signals;
     ExitStatus status = kFoundWrong;
-    QObject::connect(&scan, &BusScan::finished, &scan, [&](const QString& problem) {
+    QObject::connect(&scan, &app::BusScan::finished, &scan, [&](const QString& problem) {
         status = problem.isEmpty() ? report(scan.controllers(), link) : fail(problem.toStdString());
         QCoreApplication::quit();
     });
     QObject::connect(&signals, &app::UnixSignals::endRequested, qApp, &QCoreApplication::quit);
-    QMetaObject::invokeMethod(&scan, &BusScan::start, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(&scan, &app::BusScan::start, Qt::QueuedConnection);
     QCoreApplication::exec();
     return status;
 }

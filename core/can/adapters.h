@@ -51,4 +51,4 @@ struct CanInterfaceFacts
 
 }  // namespace boresight
 
-Q_DECLARE_METATYPE(boresight::Adapter)
+Q_DECLARE_METATYPE(std::vector<boresight::Adapter>)

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The scan against the simulated pair, in real time: a second or two each.
-#include "app/boresightctl/bus_scan.h"
+#include "app/bus_scan.h"
 
-#include "app/boresightctl/scan_report.h"
+#include "app/scan_report.h"
 #include "core/sim/simulated_link.h"
 #include "tests/fakes/wait_until.h"
 
 #include <gmock/gmock.h>
 
-namespace boresight::ctl {
+namespace boresight::app {
 namespace {
 
 using moteus::Register;
@@ -135,4 +135,4 @@ TEST_F(BusScanTest, EndsAtOnceWhenTheBusRefuses)
 }
 
 }  // namespace
-}  // namespace boresight::ctl
+}  // namespace boresight::app

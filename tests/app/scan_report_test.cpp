@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/boresightctl/scan_report.h"
+#include "app/scan_report.h"
 
 #include <gmock/gmock.h>
 
-namespace boresight::ctl {
+namespace boresight::app {
 namespace {
 
 using moteus::Register;
@@ -110,4 +110,4 @@ TEST(ScanReport, SilenceTellsWhatToCheck)
 }
 
 }  // namespace
-}  // namespace boresight::ctl
+}  // namespace boresight::app

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/boresightctl/bus_scan.h"
+#include "app/bus_scan.h"
 
 #include <chrono>
 
-namespace boresight::ctl {
+namespace boresight::app {
 namespace {
 
 using namespace std::chrono_literals;
@@ -58,4 +58,4 @@ void BusScan::end(const QString& problem)
     }
 }
 
-}  // namespace boresight::ctl
+}  // namespace boresight::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/boresightctl/scan_report.h"
+#include "app/scan_report.h"
 
 #include "core/base/numbers.h"
 #include "core/moteus/describe.h"
@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-namespace boresight::ctl {
+namespace boresight::app {
 namespace {
 
 using moteus::Register;
@@ -164,4 +164,4 @@ std::string silenceText(const std::string& bus)
            "  - with one controller at a time: two with the same id can destroy each other's answers.";
 }
 
-}  // namespace boresight::ctl
+}  // namespace boresight::app

@@ -8,7 +8,7 @@
 #include <vector>
 
 // What a scan of a bus found, in words. Pure.
-namespace boresight::ctl {
+namespace boresight::app {
 
 using survey::FoundController;
 
@@ -21,4 +21,4 @@ using survey::FoundController;
 // Nobody answered: what to look at.
 [[nodiscard]] std::string silenceText(const std::string& bus);
 
-}  // namespace boresight::ctl
+}  // namespace boresight::app

@@ -11,7 +11,7 @@
 
 // A scan of an open bus (core/survey/bus_scan.h) with a timer of its own: who is there, and how each one is. Takes 1.3
 // seconds. Lives with its link.
-namespace boresight::ctl {
+namespace boresight::app {
 
 class BusScan final : public QObject
 {
@@ -40,4 +40,4 @@ private:
     survey::BusScan m_scan;
 };
 
-}  // namespace boresight::ctl
+}  // namespace boresight::app

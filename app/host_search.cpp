@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/host_search.h"
+
+#include "app/bus_scan.h"
+#include "app/scan_report.h"
+#include "core/moteus/describe.h"
+
+namespace boresight::app {
+namespace {
+
+using moteus::Register;
+
+survey::ScannedDrive described(const survey::FoundController& found)
+{
+    const auto uuid = found.known.uuid();
+    return {.id = found.id,
+            .uuid = uuid ? QString::fromStdString(moteus::uuidText(*uuid)) : QString(),
+            .firmware = QString::fromStdString(moteus::firmwareText(found.known)),
+            .voltage = found.known.value(Register::Voltage),
+            .temperature = found.known.value(Register::Temperature)};
+}
+
+survey::ScanResult resultOf(const QString& bus, const std::vector<survey::FoundController>& found)
+{
+    survey::ScanResult result{.bus = bus, .drives = {}, .problems = {}};
+    for (const survey::FoundController& one : found) {
+        result.drives.push_back(described(one));
+    }
+    for (const std::string& problem : problems(found)) {
+        result.problems << QString::fromStdString(problem);
+    }
+    if (found.empty()) {
+        result.problems << QString::fromStdString(silenceText(bus.toStdString()));
+    }
+    return result;
+}
+
+}  // namespace
+
+// The thread of one scan, with the link and the scan that live on it.
+struct HostSearch::Scan
+{
+    QThread thread;
+    SystemClock clock;
+    std::unique_ptr<QObject> context = std::make_unique<QObject>();  // lives on the thread
+    std::unique_ptr<CanLink> link;
+    std::unique_ptr<BusScan> scan;
+
+    ~Scan()
+    {
+        thread.quit();
+        thread.wait();
+    }
+
+    void clear()  // on the thread
+    {
+        scan.reset();
+        link.reset();
+        context.reset();
+    }
+
+    // On the thread. `done` is called there.
+    void begin(const QString& bus, const MakeLink& makeLink, const std::function<void(const survey::ScanResult&)>& done)
+    {
+        const auto fail = [&](const QString& why) { done({.bus = bus, .drives = {}, .problems = {why}}); };
+        auto made = makeLink(bus.toStdString(), clock);
+        if (!made) {
+            return fail(QString::fromStdString(made.error().text));
+        }
+        link = std::move(*made);
+        if (const Result<> opened = link->open(); !opened) {
+            return fail(QString::fromStdString(opened.error().text));
+        }
+        if (link->status().state != LinkState::Up) {
+            return fail(link->status().text);
+        }
+        scan = std::make_unique<BusScan>(*link);
+        QObject::connect(scan.get(), &BusScan::finished, context.get(), [this, bus, done](const QString& problem) {
+            done(problem.isEmpty() ? resultOf(bus, scan->controllers())
+                                   : survey::ScanResult{.bus = bus, .drives = {}, .problems = {problem}});
+        });
+        scan->start();
+    }
+};
+
+HostSearch::HostSearch(MakeLink makeLink, QObject* parent) : QObject(parent), m_makeLink(std::move(makeLink))
+{
+    qRegisterMetaType<std::vector<Adapter>>();
+    qRegisterMetaType<profile::GpredictStations>();
+    qRegisterMetaType<survey::ScanResult>();
+    m_files.setMaxThreadCount(1);
+}
+
+HostSearch::~HostSearch()
+{
+    m_files.waitForDone();
+}
+
+void HostSearch::findAdapters()
+{
+    m_files.start([this] { Q_EMIT adaptersFound(boresight::findAdapters()); });
+}
+
+void HostSearch::findGpredict()
+{
+    m_files.start([this] { Q_EMIT gpredictFound(profile::findGpredictStations(profile::gpredictFolder())); });
+}
+
+void HostSearch::scan(const QString& bus)
+{
+    if (m_scan) {
+        Q_EMIT scanned(
+            {.bus = bus, .drives = {}, .problems = {QStringLiteral("another bus is being looked at: wait a moment")}});
+        return;
+    }
+    m_scan = std::make_unique<Scan>();
+    Scan* const scan = m_scan.get();
+    scan->context->moveToThread(&scan->thread);
+    const auto done = [this](const survey::ScanResult& result) {
+        QMetaObject::invokeMethod(this, [this, result] { endScan(result); }, Qt::QueuedConnection);
+    };
+    connect(&scan->thread, &QThread::started, scan->context.get(),
+            [scan, bus, done, makeLink = m_makeLink] { scan->begin(bus, makeLink, done); });
+    // What lives on the thread must end on it.
+    connect(
+        &scan->thread, &QThread::finished, scan->context.get(), [scan] { scan->clear(); }, Qt::DirectConnection);
+    scan->thread.setObjectName(QStringLiteral("scan"));
+    scan->thread.start();
+}
+
+// The adapter is free again before anybody hears of the result: the next thing may be to use it.
+void HostSearch::endScan(const survey::ScanResult& result)
+{
+    m_scan.reset();
+    Q_EMIT scanned(result);
+}
+
+}  // namespace boresight::app

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/base/result.h"
+#include "core/can/adapters.h"
+#include "core/can/can_link.h"
+#include "core/profile/gpredict_qth.h"
+#include "core/survey/scan_result.h"
+
+#include <QObject>
+#include <QThread>
+#include <QThreadPool>
+
+#include <functional>
+#include <memory>
+
+// Looks at this computer for the window, without ever making it wait: which adapters there are, who answers on one that
+// no station works on, and what a Gpredict here knows. Lives on the main thread; each answer is a signal on it.
+namespace boresight::app {
+
+class HostSearch : public QObject
+{
+    Q_OBJECT
+
+public:
+    using MakeLink = std::function<Result<std::unique_ptr<CanLink>>(const std::string& bus, const Clock& clock)>;
+
+    explicit HostSearch(MakeLink makeLink, QObject* parent = nullptr);
+    ~HostSearch() override;  // ends a scan
+
+public Q_SLOTS:
+    void findAdapters();
+    void findGpredict();
+    // Only asks: nothing moves. One at a time; a second while one runs is answered by a problem.
+    void scan(const QString& bus);
+
+Q_SIGNALS:
+    void adaptersFound(const std::vector<boresight::Adapter>& adapters);
+    void gpredictFound(const boresight::profile::GpredictStations& stations);
+    void scanned(const boresight::survey::ScanResult& result);
+
+private:
+    struct Scan;
+
+    void endScan(const survey::ScanResult& result);
+
+    MakeLink m_makeLink;
+    std::unique_ptr<Scan> m_scan;
+    QThreadPool m_files;
+};
+
+}  // namespace boresight::app
