@@ -36,10 +36,10 @@ Result<> FirstMoves::admits(const AxisRates& rates, const AxisPosition& place, c
     return {};
 }
 
-bool FirstMoves::exceeded(const AxisPosition& rest) const
+bool FirstMoves::exceeded(const AxisRates& rates, const AxisPosition& rest) const
 {
-    return m_origin &&
-           (abs(rest.azimuth - m_origin->azimuth) > kFarthest || abs(rest.elevation - m_origin->elevation) > kFarthest);
+    return m_origin && (outwards(rest.azimuth - m_origin->azimuth, rates.azimuth) ||
+                        outwards(rest.elevation - m_origin->elevation, rates.elevation));
 }
 
 Angle restingPlace(const tracking::Setpoint& now, const tracking::MotionLimits& limits)

@@ -19,8 +19,9 @@ public:
 
     // May the axes, which are at `place`, be jogged so? `rest` is where they would come to rest from such a motion.
     Result<> admits(const AxisRates& rates, const AxisPosition& place, const AxisPosition& rest);
-    // The axes, braking now, would come to rest beyond the small way.
-    [[nodiscard]] bool exceeded(const AxisPosition& rest) const;
+    // An axis that moves so, braking now, would come to rest beyond the small way and moves farther out. The way back
+    // is no such motion, nor does an axis at its end keep the other from moving.
+    [[nodiscard]] bool exceeded(const AxisRates& rates, const AxisPosition& rest) const;
 
 private:
     std::optional<AxisPosition> m_origin;

@@ -113,7 +113,9 @@ void StationControl::watchFirstMoves()
         return;
     }
     const auto rest = [this](Axis axis) { return restingPlace(m_motion.setpoint(axis), m_profile.axis(axis).limits); };
-    if (m_drives.engaged() && m_firstMoves.exceeded({rest(Axis::Azimuth), rest(Axis::Elevation)})) {
+    const AxisRates rates{.azimuth = m_motion.setpoint(Axis::Azimuth).rate,
+                          .elevation = m_motion.setpoint(Axis::Elevation).rate};
+    if (m_drives.engaged() && m_firstMoves.exceeded(rates, {rest(Axis::Azimuth), rest(Axis::Elevation)})) {
         m_log.add(Severity::Advisory, m_commander.name,
                   Text::tr("jog ends: no farther than 2° until the directions of the axes are confirmed"));
         holdHere(Activity::Holding);

@@ -106,6 +106,30 @@ TEST(StationDesk, BeforeItsDirectionsAreConfirmedAMountIsJoggedALittleAndSlowly)
     EXPECT_TRUE(rig.point(50.0, 30.0, kOperator));
 }
 
+// Seen in the guide: after the azimuth had gone its small way the elevation did not move at all.
+TEST(StationDesk, AnAxisAtTheEndOfItsSmallWayKeepsNeitherTheOtherNorTheWayBack)
+{
+    profile::Profile fresh;
+    fresh.mount.directions = Directions::Unconfirmed;
+    StationRig rig(fresh);
+    rig.run(Seconds(0.1));
+    const auto jog = [&rig](const AxisRates& rates) {
+        for (int repeat = 0; repeat < 150; ++repeat) {
+            (void)rig.ask(request::Jog{rates});
+            rig.tick();
+        }
+    };
+    jog({.azimuth = 1_deg_s});
+    const double end = rig.azimuthDegrees();
+    EXPECT_GE(end, 1.7);
+    jog({.elevation = 1_deg_s});
+    EXPECT_GE(rig.elevationDegrees(), 1.7);
+    EXPECT_LE(rig.elevationDegrees(), 2.0);
+    jog({.azimuth = -1_deg_s});
+    EXPECT_LE(rig.azimuthDegrees(), end - 2.0) << "back, and out on the other side";
+    EXPECT_GE(rig.azimuthDegrees(), -2.0);
+}
+
 TEST(StationDesk, DirectionsThatAreDoubtedAgainAllowASmallWayFromWhereTheMountStandsNow)
 {
     profile::Profile fresh;
