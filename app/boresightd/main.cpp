@@ -32,7 +32,7 @@ void announce(const QString& listening)
 int run(QCoreApplication& application, const app::Options& options)
 {
     const SystemClock clock;
-    auto link = makeLink(options.profile.bus, clock);
+    auto link = LinkMaker(options.profile, clock).make(options.profile.bus);
     if (!link) {
         return complain(link.error().text);
     }

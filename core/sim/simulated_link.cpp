@@ -10,7 +10,11 @@
 namespace boresight {
 
 SimulatedLink::SimulatedLink(const Clock& clock, const sim::PairSettings& settings, QObject* parent)
-    : CanLink(parent), m_clock(clock), m_epoch(clock.now()), m_pair(settings)
+    : SimulatedLink(clock, std::make_shared<SimulatedMount>(clock, settings), parent)
+{}
+
+SimulatedLink::SimulatedLink(const Clock& clock, std::shared_ptr<SimulatedMount> mount, QObject* parent)
+    : CanLink(parent), m_clock(clock), m_mount(std::move(mount)), m_pair(m_mount->pair)
 {
     m_timer.setSingleShot(true);
     m_timer.setTimerType(Qt::PreciseTimer);

@@ -8,10 +8,22 @@
 
 #include <QTimer>
 
+#include <memory>
+
 // The bus "simulated": the pair inside the program. Lives on the station thread. The pair's time follows the injected
-// clock and catches up whenever frames arrive or its truth is asked. Replies come through the event loop; with a clock
-// turned by hand, deliver() hands over those that are due.
+// clock and catches up whenever frames arrive or its truth is asked. The mount may outlive the link, as a real one
+// does: where it stands and what was written into its drives is found again by the next link. Replies come through the
+// event loop; with a clock turned by hand, deliver() hands over those that are due.
 namespace boresight {
+
+// A pair, and when its time began. One link at a time uses it.
+struct SimulatedMount
+{
+    SimulatedMount(const Clock& clock, const sim::PairSettings& settings) : epoch(clock.now()), pair(settings) {}
+
+    SteadyTime epoch;
+    sim::SimulatedPair pair;
+};
 
 class SimulatedLink final : public CanLink
 {
@@ -21,6 +33,7 @@ public:
     // The clock must outlive the link. The mount exists from now on, open or not.
     explicit SimulatedLink(const Clock& clock, const sim::PairSettings& settings = sim::commissionedPair(),
                            QObject* parent = nullptr);
+    SimulatedLink(const Clock& clock, std::shared_ptr<SimulatedMount> mount, QObject* parent = nullptr);
 
     [[nodiscard]] QString name() const override;
     [[nodiscard]] LinkStatus status() const override { return m_status; }
@@ -37,15 +50,15 @@ public:
     sim::FaultSchedule::Handle inject(sim::Injection injection);
 
 private:
-    [[nodiscard]] Seconds pairTime() const { return m_clock.now() - m_epoch; }
+    [[nodiscard]] Seconds pairTime() const { return m_clock.now() - m_mount->epoch; }
     [[nodiscard]] bool isInjected(sim::FaultKind kind) const;
     [[nodiscard]] QString adapterTrouble() const;
     void setState(LinkState state, const QString& text);
     void schedule();
 
     const Clock& m_clock;
-    SteadyTime m_epoch;
-    sim::SimulatedPair m_pair;
+    std::shared_ptr<SimulatedMount> m_mount;
+    sim::SimulatedPair& m_pair;
     sim::DueQueue<sim::PairReply> m_replies;
     LinkStatus m_status;
     QTimer m_timer{this};

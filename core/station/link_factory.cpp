@@ -5,10 +5,26 @@
 #include "core/can/fdcanusb_link.h"
 #include "core/can/socketcan_link.h"
 #include "core/sim/simulated_link.h"
+#include "core/survey/protections.h"
 
 namespace boresight {
 
-Result<std::unique_ptr<CanLink>> makeLink(const std::string& busName, const Clock& clock)
+namespace {
+
+// As the survey would fix them.
+void protect(sim::DriveConfig& drive, const profile::Profile& profile, Axis axis)
+{
+    for (const survey::Protection& protection : survey::protectionsOf(profile, axis)) {
+        const auto found = sim::configText(drive, protection.key);
+        const survey::Reading reading{.state = survey::Reading::State::Read, .text = found.value_or(std::string())};
+        if (found && protection.remedy && survey::judged(protection, reading).verdict != survey::Verdict::Right) {
+            (void)sim::setConfigText(drive, protection.key, survey::settingText(*protection.remedy));
+        }
+    }
+}
+
+Result<std::unique_ptr<CanLink>> makeLinkTo(const std::string& busName, const Clock& clock,
+                                            const std::shared_ptr<SimulatedMount>& simulated)
 {
     return parseBusName(busName).map([&](const BusName& bus) -> std::unique_ptr<CanLink> {
         const QString target = QString::fromStdString(bus.target);
@@ -20,8 +36,37 @@ Result<std::unique_ptr<CanLink>> makeLink(const std::string& busName, const Cloc
             case BusKind::Simulated:
                 break;
         }
-        return std::make_unique<SimulatedLink>(clock);
+        return simulated ? std::make_unique<SimulatedLink>(clock, simulated) : std::make_unique<SimulatedLink>(clock);
     });
+}
+
+}  // namespace
+
+sim::PairSettings protectedPair(const profile::Profile& profile)
+{
+    sim::PairSettings pair = sim::commissionedPair();
+    for (sim::MoteusSettings* const drive : {&pair.azimuth, &pair.elevation}) {
+        for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
+            if (drive->config.id == profile.axis(axis).id) {
+                protect(drive->config, profile, axis);
+            }
+        }
+    }
+    return pair;
+}
+
+Result<std::unique_ptr<CanLink>> makeLink(const std::string& busName, const Clock& clock)
+{
+    return makeLinkTo(busName, clock, nullptr);
+}
+
+LinkMaker::LinkMaker(const profile::Profile& profile, const Clock& clock)
+    : m_clock(clock), m_simulated(std::make_shared<SimulatedMount>(clock, protectedPair(profile)))
+{}
+
+Result<std::unique_ptr<CanLink>> LinkMaker::make(const std::string& busName) const
+{
+    return makeLinkTo(busName, m_clock, m_simulated);
 }
 
 }  // namespace boresight

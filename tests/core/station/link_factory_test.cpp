@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/link_factory.h"
+
+#include "core/sim/simulated_link.h"
+#include "core/survey/protections.h"
+#include "tests/fakes/manual_clock.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight {
+namespace {
+
+SimulatedLink& simulated(const std::unique_ptr<CanLink>& link)
+{
+    return dynamic_cast<SimulatedLink&>(*link);
+}
+
+TEST(LinkMaker, TheSimulatedMountIsTheSameOneAfterAReconnect)
+{
+    fakes::ManualClock clock;
+    const LinkMaker maker(profile::Profile{}, clock);
+    auto first = maker.make("simulated");
+    ASSERT_TRUE(first);
+    const sim::SimulatedPair* const mount = &simulated(*first).pair();
+    first->reset();
+    clock.advance(Seconds(3.0));
+    auto second = maker.make("simulated");
+    ASSERT_TRUE(second);
+    EXPECT_EQ(&simulated(*second).pair(), mount);
+    EXPECT_NEAR(simulated(*second).pair().now().count(), 3.0, 1e-6) << "its time went on";
+}
+
+TEST(LinkMaker, TheSimulatedDrivesAreProtectedForTheProfile)
+{
+    profile::Profile profile;
+    profile.azimuth.geometry.travel = {.min = -30_deg, .max = 300_deg};
+    sim::PairSettings pair = protectedPair(profile);
+    EXPECT_NEAR(pair.azimuth.config.positionMin, -33.0 / 360.0, 1e-6);  // 3° beyond the travel
+    EXPECT_NEAR(pair.azimuth.config.positionMax, 303.0 / 360.0, 1e-6);
+    for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
+        sim::DriveConfig& config = (axis == Axis::Azimuth ? pair.azimuth : pair.elevation).config;
+        for (const survey::Protection& protection : survey::protectionsOf(profile, axis)) {
+            const auto found = sim::configText(config, protection.key);
+            const survey::Reading reading{.state = survey::Reading::State::Read, .text = found.value_or("")};
+            EXPECT_NE(survey::judged(protection, reading).verdict, survey::Verdict::Dangerous) << protection.key;
+        }
+    }
+}
+
+// Motors that the profile has the wrong way round stay so: the guide is there to find that.
+TEST(LinkMaker, ASwappedProfileDoesNotSwapTheSimulatedMotors)
+{
+    profile::Profile profile;
+    std::swap(profile.azimuth.id, profile.elevation.id);
+    const sim::PairSettings pair = protectedPair(profile);
+    EXPECT_EQ(pair.azimuth.config.id, 1);
+    EXPECT_EQ(pair.elevation.config.id, 2);
+    EXPECT_NEAR(pair.elevation.config.positionMax, 453.0 / 360.0, 1e-6) << "as the azimuth it is taken for";
+}
+
+TEST(LinkMaker, ARealBusIsMadeByItsNameAndNonsenseRefused)
+{
+    fakes::ManualClock clock;
+    const LinkMaker maker(profile::Profile{}, clock);
+    EXPECT_TRUE(maker.make("socketcan:can0"));
+    EXPECT_FALSE(maker.make("rubbish"));
+}
+
+}  // namespace
+}  // namespace boresight
