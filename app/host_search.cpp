@@ -3,6 +3,7 @@
 
 #include "app/bus_scan.h"
 #include "app/scan_report.h"
+#include "core/base/text.h"
 #include "core/moteus/describe.h"
 
 namespace boresight::app {
@@ -110,14 +111,15 @@ void HostSearch::scan(const QString& bus)
 {
     if (m_scan) {
         Q_EMIT scanned(
-            {.bus = bus, .drives = {}, .problems = {QStringLiteral("another bus is being looked at: wait a moment")}});
+            {.bus = bus, .drives = {}, .problems = {Text::tr("another bus is being looked at: wait a moment")}});
         return;
     }
     m_scan = std::make_unique<Scan>();
     Scan* const scan = m_scan.get();
     scan->context->moveToThread(&scan->thread);
     const auto done = [this](const survey::ScanResult& result) {
-        QMetaObject::invokeMethod(this, [this, result] { endScan(result); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, result] { endScan(result); }, Qt::QueuedConnection);
     };
     connect(&scan->thread, &QThread::started, scan->context.get(),
             [scan, bus, done, makeLink = m_makeLink] { scan->begin(bus, makeLink, done); });

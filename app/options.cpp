@@ -131,6 +131,7 @@ Result<Options> readOptions(const QStringList& arguments, const QString& descrip
                                                     "\"? Options begin with --; see --help");
     }
     Options options;
+    options.namesBus = parser.isSet(kBus) || parser.isSet(kSimulate);
     return readProfile(options, parser)
         .and_then([&](const profile::Profile& profile) -> Result<> {
             options.profile = profile;

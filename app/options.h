@@ -18,6 +18,7 @@ struct Options
     QString profilePath;                     // empty: built-in defaults, because there is no profile at all
     QString configDir;                       // of the profile store
     QString stateDir;                        // created if absent
+    bool namesBus = false;                   // the command line does
     std::optional<AxisPosition> standingAt;  // where the operator says that the mount stands
 
     [[nodiscard]] bool isFirstStart() const { return profilePath.isEmpty(); }

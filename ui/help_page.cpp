@@ -61,6 +61,8 @@ constexpr Line kLines[] = {
      QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "search the settings (in Profile)")},
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+B"),
      QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "save diagnostics for a bug report")},
+    {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "F3, Alt+Left, Alt+Right"),
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "commissioning guide and back; its steps; Space held moves")},
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "F8"),
      QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "acknowledge the alarms")},
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+D"),

@@ -4,9 +4,15 @@
 #include "ui/command_button.h"
 #include "ui/theme.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 
 namespace boresight::ui {
+
+namespace {
+// An X server repeats a held key as pairs of release and press, and Qt sees through them only if both have arrived.
+constexpr std::chrono::milliseconds kKeyBounce{30};
+}  // namespace
 
 JogButton::JogButton(const QString& text, const QString& help, QWidget* parent)
     : QPushButton(text, parent), m_help(help)
@@ -16,6 +22,15 @@ JogButton::JogButton(const QString& text, const QString& help, QWidget* parent)
     setToolTip(help);
     setFocusPolicy(Qt::NoFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    m_bounce.setSingleShot(true);
+    m_bounce.setTimerType(Qt::PreciseTimer);
+    m_bounce.setInterval(kKeyBounce);
+    connect(&m_bounce, &QTimer::timeout, this, &JogButton::letGo);
+}
+
+void JogButton::setKeyHeld(bool on)
+{
+    setFocusPolicy(on ? Qt::StrongFocus : Qt::NoFocus);
 }
 
 void JogButton::setBlocked(const QString& reason)
@@ -28,8 +43,19 @@ void JogButton::setBlocked(const QString& reason)
     }
 }
 
+void JogButton::hold()
+{
+    m_bounce.stop();
+    if (!m_held) {
+        m_held = true;
+        setDown(true);
+        Q_EMIT holdBegan();
+    }
+}
+
 void JogButton::letGo()
 {
+    m_bounce.stop();
     if (m_held) {
         m_held = false;
         setDown(false);
@@ -51,6 +77,7 @@ bool JogButton::event(QEvent* event)
         case QEvent::Hide:
         case QEvent::WindowDeactivate:
         case QEvent::UngrabMouse:
+        case QEvent::FocusOut:
             letGo();
             break;
         default:
@@ -61,10 +88,8 @@ bool JogButton::event(QEvent* event)
 
 void JogButton::mousePressEvent(QMouseEvent* event)
 {
-    if (event->button() == Qt::LeftButton && !m_held) {
-        m_held = true;
-        setDown(true);
-        Q_EMIT holdBegan();
+    if (event->button() == Qt::LeftButton) {
+        hold();
     }
 }
 
@@ -79,6 +104,25 @@ void JogButton::mouseReleaseEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton) {
         letGo();
+    }
+}
+
+// Only Space holds: Enter is a press that ends at once, as in every dialog.
+void JogButton::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() != Qt::Key_Space) {
+        QPushButton::keyPressEvent(event);
+    } else if (!event->isAutoRepeat()) {
+        hold();
+    }
+}
+
+void JogButton::keyReleaseEvent(QKeyEvent* event)
+{
+    if (event->key() != Qt::Key_Space) {
+        QPushButton::keyReleaseEvent(event);
+    } else if (!event->isAutoRepeat() && m_held) {
+        m_bounce.start();
     }
 }
 

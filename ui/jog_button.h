@@ -2,9 +2,11 @@
 #pragma once
 
 #include <QPushButton>
+#include <QTimer>
 
 // A button that counts only while it is held: sliding off it, disabling or hiding it and switching the window all let
-// go, and then a fresh press is needed. It takes no keyboard focus; keys jog through the armed pad.
+// go, and then a fresh press is needed. It takes no keyboard focus, because keys jog through the armed pad; where there
+// is no pad it can be told to take it, and then Space held is the same as the mouse held, and losing the focus lets go.
 namespace boresight::ui {
 
 class JogButton : public QPushButton
@@ -14,6 +16,7 @@ class JogButton : public QPushButton
 public:
     JogButton(const QString& text, const QString& help, QWidget* parent = nullptr);
 
+    void setKeyHeld(bool on);
     void setBlocked(const QString& reason);  // empty: can act
     void letGo();
 
@@ -29,11 +32,16 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
+    void hold();
+
     QString m_help;
     QString m_reason;
     bool m_held = false;
+    QTimer m_bounce;  // runs after the key was released
 };
 
 }  // namespace boresight::ui

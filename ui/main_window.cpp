@@ -10,6 +10,7 @@
 #include "ui/forbidden.h"
 #include "ui/format.h"
 #include "ui/gamepad.h"
+#include "ui/guide_page.h"
 #include "ui/header_bar.h"
 #include "ui/help_page.h"
 #include "ui/jog_panel.h"
@@ -29,6 +30,7 @@
 #include <QGridLayout>
 #include <QIcon>
 #include <QShortcut>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <memory>
@@ -54,7 +56,9 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_plotCell(new QGridLayout),
       m_readout(new AxisReadout(this)),
       m_cable(new CableBar(this)),
+      m_side(new QStackedWidget(this)),
       m_panels(new PanelTabs(clock, m_desk, m_draft, settings, this)),
+      m_guideProgress(settings.guide),
       m_lastCommand(new ValueLabel(tr("Last line of the log"), fonts::label(), {}, this)),
       m_leadBar(new LeadPrompt(m_desk, this)),
       m_pickBar(new PromptBar(tr("Direction under the cursor"), this)),
@@ -90,6 +94,8 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     m_panels->arrange(settings.layout);
     m_stopKeys->setFirstUse([this] { return m_plot->editor().cancelDrag(); });
     connect(&m_beat, &QTimer::timeout, this, &MainWindow::beat);
+    connect(m_panels, &PanelTabs::broughtUp, this, &MainWindow::closeGuide);
+    connect(m_panels, &PanelTabs::guideWanted, this, &MainWindow::openGuide);
     m_beat.start(kBeat);
     showStatus(m_status);
     resize(1280, 800);
@@ -129,7 +135,8 @@ void MainWindow::build()
     side->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     right->setContentsMargins(0, 0, 0, 0);
     right->addWidget(m_readout);
-    right->addWidget(m_panels, 1);
+    m_side->addWidget(m_panels);
+    right->addWidget(m_side, 1);
     m_lastCommand->setStretching(true);
     m_lastCommand->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     setCentralWidget(ground);
@@ -171,6 +178,7 @@ void MainWindow::addKeys()
     addKey(Qt::Key_F8, &MainWindow::acknowledge);
     addKey(Qt::Key_F11, &MainWindow::toggleFullScreen);
     addKey(Qt::Key_F1, &MainWindow::showHelp);
+    addKey(Qt::Key_F3, &MainWindow::toggleGuide);
 }
 
 void MainWindow::addKey(const QKeySequence& key, void (MainWindow::*act)())
@@ -202,6 +210,9 @@ void MainWindow::showUpdate(const StationUpdate& update)
         pick(*m_picked);  // what is forbidden may have changed
     }
     showStatus(aged());
+    if (m_guideProgress.open && m_guide == nullptr) {
+        openGuide();  // not before it is known which mount it is about
+    }
     Q_EMIT updateShown();
 }
 
@@ -213,6 +224,9 @@ void MainWindow::showStatus(const StationStatus& status)
     m_readout->showStatus(status);
     m_cable->showStatus(status);
     m_panels->showStatus(status);
+    if (m_guide != nullptr) {
+        m_guide->showStatus(status);
+    }
     m_leadBar->showStatus(status);
     blockGoHere(status);
 }
@@ -428,9 +442,37 @@ WindowLayout MainWindow::arrangement() const
     return m_panels->arrangement();
 }
 
+// Beside the plot, in the place of the panels.
+void MainWindow::openGuide()
+{
+    if (m_guide == nullptr) {
+        m_guide = new GuidePage(m_draft, m_desk, m_host, m_guideProgress, m_side);
+        m_side->addWidget(m_guide);
+        connect(m_guide, &GuidePage::closeWanted, this, &MainWindow::closeGuide);
+        connect(m_guide, &GuidePage::progressChanged, this, &MainWindow::guideProgressed);
+        m_guide->showStatus(aged());
+    }
+    m_side->setCurrentWidget(m_guide);
+    m_guide->setOpen(true);
+    m_guide->focusStep();
+}
+
+void MainWindow::closeGuide()
+{
+    m_side->setCurrentWidget(m_panels);
+    if (m_guide != nullptr) {
+        m_guide->setOpen(false);
+    }
+}
+
+void MainWindow::toggleGuide()
+{
+    m_side->currentWidget() == m_panels ? openGuide() : closeGuide();
+}
+
 void MainWindow::goTo()
 {
-    m_panels->setCurrentWidget(&m_panels->jog());
+    m_panels->bringUp(m_panels->jog());
     m_panels->jog().focusGoTo();
 }
 

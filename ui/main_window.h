@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/station/request.h"
 #include "core/station/station_status.h"
+#include "ui/host_desk.h"
 #include "ui/profile_draft.h"
 #include "ui/request_desk.h"
 #include "ui/window_settings.h"
@@ -14,6 +15,7 @@
 #include <optional>
 
 class QGridLayout;
+class QStackedWidget;
 
 // The desktop window: it composes the panels and connects their signals, nothing else. It knows the station by two
 // values only: StationUpdate comes in, NumberedRequest goes out. Gui thread.
@@ -25,6 +27,7 @@ class CableBar;
 class CommandButton;
 class DiagnosticsSaver;
 class Gamepad;
+class GuidePage;
 class HeaderBar;
 class HelpPage;
 class LeadPrompt;
@@ -50,6 +53,9 @@ public:
 
     [[nodiscard]] WindowLayout arrangement() const;
 
+    // What its pages ask of this computer.
+    [[nodiscard]] HostDesk& host() { return m_host; }
+
 public Q_SLOTS:
     void showUpdate(const boresight::StationUpdate& update);
     // What went wrong outside of the station, beside the alarm line; empty clears it.
@@ -64,6 +70,7 @@ Q_SIGNALS:
     void alarmSoundChanged(bool on);
     void languageChanged(const QString& language);  // for the next start
     void recentGoTosChanged(const QStringList& recent);
+    void guideProgressed(const boresight::ui::GuideProgress& progress);  // to be kept for the next start
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -93,6 +100,9 @@ private:
     void toggleFullScreen();
     void showHelp();
     void saveDiagnostics();
+    void openGuide();
+    void closeGuide();
+    void toggleGuide();
     void goTo();
     void hold();
     void park();
@@ -100,6 +110,7 @@ private:
 
     const Clock& m_clock;
     RequestDesk m_desk;
+    HostDesk m_host;
     ProfileDraft m_draft;
     StationStatus m_status;
     SteadyTime m_lastUpdate;
@@ -110,7 +121,10 @@ private:
     QGridLayout* m_plotCell;  // the plot, or the charts in its place, and prompts over it
     AxisReadout* m_readout;
     CableBar* m_cable;
+    QStackedWidget* m_side;  // the panels, or the guide in their place
     PanelTabs* m_panels;
+    GuideProgress m_guideProgress;
+    GuidePage* m_guide = nullptr;  // made when it is first opened
     ValueLabel* m_lastCommand;
     LeadPrompt* m_leadBar;
     PromptBar* m_pickBar;

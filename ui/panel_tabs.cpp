@@ -16,6 +16,7 @@
 #include <QEvent>
 #include <QShortcut>
 #include <QTabBar>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -47,6 +48,20 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
     addPanel(*this, *m_turn, tr("▲ Turn?"), tr("Which turn is the axis on? (Ctrl+9)"), Qt::Key_9);
     setTabVisible(indexOf(m_turn), false);
     tabBar()->setTabTextColor(indexOf(m_turn), currentTheme().warning);
+    addGuideButton();
+}
+
+void PanelTabs::addGuideButton()
+{
+    auto* const button = new QToolButton(this);
+    button->setText(tr("Guide"));
+    button->setFont(fonts::label());
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAccessibleName(tr("Commissioning guide"));
+    button->setToolTip(tr("Commissioning guide: from a new mount to the first pass, step by step (F3)"));
+    connect(button, &QToolButton::clicked, this, &PanelTabs::guideWanted);
+    setCornerWidget(button);
 }
 
 QTabWidget* PanelTabs::makeMountTabs()
@@ -64,8 +79,8 @@ QTabWidget* PanelTabs::makeMountTabs()
 void PanelTabs::addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, const QString& help, Qt::Key key)
 {
     tabs.setTabToolTip(tabs.addTab(&panel, text), help);
-    auto* const shortcut = new QShortcut(Qt::CTRL | key, this);
     m_keys[key - Qt::Key_0] = &panel;
+    auto* const shortcut = new QShortcut(Qt::CTRL | key, window());  // also while the guide stands in our place
     shortcut->setContext(Qt::WindowShortcut);
     shortcut->setAutoRepeat(false);
     connect(shortcut, &QShortcut::activated, this, [this, &panel] { bringUp(panel); });
@@ -80,6 +95,7 @@ void PanelTabs::bringUp(QWidget& panel)
             if (group != nullptr) {
                 group->setCurrentWidget(&panel);
             }
+            Q_EMIT broughtUp();
         }
     }
 }
@@ -143,6 +159,7 @@ void PanelTabs::showQuestion(const StationStatus& status)
         return;
     }
     m_asking = asking;
+    cornerWidget()->setVisible(!asking);  // the tabs need its room; F3 remains
     if (asking) {
         setTabVisible(indexOf(m_turn), true);
         setCurrentWidget(m_turn);

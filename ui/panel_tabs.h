@@ -45,12 +45,17 @@ public:
     [[nodiscard]] LimitsPanel& limits() { return *m_limits; }
     [[nodiscard]] LogPanel& log() { return *m_log; }
 
+Q_SIGNALS:
+    void broughtUp();  // a panel is wanted, whatever stands in the panels' place
+    void guideWanted();
+
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
     void addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, const QString& help, Qt::Key key);
     [[nodiscard]] QTabWidget* makeMountTabs();
+    void addGuideButton();
     void showQuestion(const StationStatus& status);
     [[nodiscard]] int keyOf(const QWidget* panel) const;  // its digit; 0: none
     void bringUp(int key);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/units/sky.h"
+#include "ui/guide_progress.h"
 #include "ui/strip_frame.h"
 #include "ui/theme.h"
 
@@ -28,7 +29,8 @@ struct WindowSettings
 {
     AngularRate unwind = 2_deg_s;  // while it is not known on which turn an axis stands
     ThemeKind theme = ThemeKind::Day;
-    QString language;         // what was chosen (ui/language.h); the texts have it already
+    QString language;  // what was chosen (ui/language.h); the texts have it already
+    GuideProgress guide;
     bool alarmSound = true;   // at a new alarm, once; silence is the operator's choice
     QStringList recentGoTos;  // of an earlier start, the newest first: "113.50 10.00"
     WindowLayout layout;

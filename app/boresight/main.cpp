@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // boresight: the desktop program. The window on this thread, the station on its own.
+#include "app/host_search.h"
 #include "app/log_output.h"
 #include "app/options.h"
 #include "app/profile_saver.h"
 #include "app/station_thread.h"
 #include "app/unix_signals.h"
+#include "core/base/bus_name.h"
 #include "core/base/version.h"
 #include "core/station/link_factory.h"
 #include "ui/gamepad.h"
@@ -32,6 +34,7 @@ const QString kMountPanelKey = QStringLiteral("mount_panel");
 const QString kChartWindowKey = QStringLiteral("chart_seconds");
 const QString kChartAxisKey = QStringLiteral("chart_axis");
 const QString kChartQuantityKey = QStringLiteral("chart_quantity");
+const QString kGuideKey = QStringLiteral("guide");
 
 int complain(const std::string& text)
 {
@@ -59,11 +62,33 @@ void keepLayout(const ui::WindowLayout& layout, QSettings& kept)
     kept.setValue(kChartQuantityKey, static_cast<int>(layout.charts.quantity));
 }
 
+// Without any profile nobody has looked yet which way the axes turn, unless it is the simulated mount that was asked
+// for.
+profile::Profile startingProfile(const app::Options& options)
+{
+    profile::Profile profile = options.profile;
+    const bool wantedSimulated = options.namesBus && profile.bus == toString(BusName{});
+    if (options.isFirstStart() && !wantedSimulated) {
+        profile.mount.directions = profile::Directions::Unconfirmed;
+    }
+    return profile;
+}
+
+// Opens by itself at the first start, and wherever it was open when the program ended.
+ui::GuideProgress guideProgress(const app::Options& options, const QSettings& layout)
+{
+    if (!layout.contains(kGuideKey)) {
+        return {.open = options.isFirstStart()};
+    }
+    return ui::guideProgressFrom(layout.value(kGuideKey).toString());
+}
+
 ui::WindowSettings windowSettings(const app::Options& options, const QSettings& layout)
 {
     return {.unwind = options.profile.jog.unwind,
             .theme = static_cast<ui::ThemeKind>(layout.value(kThemeKey, 0).toInt()),
             .language = layout.value(kLanguageKey).toString(),
+            .guide = guideProgress(options, layout),
             .alarmSound = layout.value(kSoundKey, true).toBool(),
             .recentGoTos = layout.value(kRecentKey).toStringList(),
             .layout = readLayout(layout),
@@ -114,10 +139,23 @@ void connectWindow(ui::MainWindow& window, app::StationThread& station, QSetting
                      [&layout](ui::ThemeKind theme) { layout.setValue(kThemeKey, static_cast<int>(theme)); });
     QObject::connect(&window, &ui::MainWindow::alarmSoundChanged, &window,
                      [&layout](bool on) { layout.setValue(kSoundKey, on); });
+    QObject::connect(&window, &ui::MainWindow::guideProgressed, &window, [&layout](const ui::GuideProgress& progress) {
+        layout.setValue(kGuideKey, ui::toText(progress));
+    });
     QObject::connect(&window, &ui::MainWindow::languageChanged, &window,
                      [&layout](const QString& language) { layout.setValue(kLanguageKey, language); });
     QObject::connect(&window, &ui::MainWindow::recentGoTosChanged, &window,
                      [&layout](const QStringList& recent) { layout.setValue(kRecentKey, recent); });
+}
+
+void connectHost(ui::HostDesk& desk, app::HostSearch& search)
+{
+    QObject::connect(&desk, &ui::HostDesk::adaptersWanted, &search, &app::HostSearch::findAdapters);
+    QObject::connect(&desk, &ui::HostDesk::scanWanted, &search, &app::HostSearch::scan);
+    QObject::connect(&desk, &ui::HostDesk::gpredictWanted, &search, &app::HostSearch::findGpredict);
+    QObject::connect(&search, &app::HostSearch::adaptersFound, &desk, &ui::HostDesk::adaptersFound);
+    QObject::connect(&search, &app::HostSearch::scanned, &desk, &ui::HostDesk::scanned);
+    QObject::connect(&search, &app::HostSearch::gpredictFound, &desk, &ui::HostDesk::gpredictFound);
 }
 
 int run(QApplication& application, const app::Options& options, const QElapsedTimer& sinceStart)
@@ -125,12 +163,13 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     QSettings layout(options.stateDir + QStringLiteral("/window.ini"), QSettings::IniFormat);
     const ui::Translation translation(layout.value(kLanguageKey).toString());
     const SystemClock clock;
+    const LinkMaker links(options.profile, clock);
     const auto build = [&](const profile::Profile& profile) {
-        return makeLink(profile.bus, clock).map([&](std::unique_ptr<CanLink> link) {
+        return links.make(profile.bus).map([&](std::unique_ptr<CanLink> link) {
             return std::make_unique<Station>(profile, std::move(link), options.stateDir, clock);
         });
     };
-    auto link = makeLink(options.profile.bus, clock);
+    auto link = links.make(options.profile.bus);
     if (!link) {
         return complain(link.error().text);
     }
@@ -139,12 +178,14 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
         build);
     app::ProfileSaver saver(options.configDir, options.profilePath, options.profile);
     ui::MainWindow window(clock, windowSettings(options, layout));
+    app::HostSearch search(makeLink);
     const bool known = window.restoreGeometry(layout.value(kGeometryKey).toByteArray());
     connectWindow(window, station, layout);
     const std::unique_ptr<ui::Gamepad> gamepad = ui::Gamepad::create();
     if (gamepad) {
         window.useGamepad(*gamepad);
     }
+    connectHost(window.host(), search);
     QObject::connect(&station, &app::StationThread::profileApplied, &saver, &app::ProfileSaver::save);
     QObject::connect(&station, &app::StationThread::reconnected, &saver,
                      [&saver](const profile::Profile& profile, const QString& problem) {
@@ -192,10 +233,11 @@ int main(int argc, char** argv)
     QElapsedTimer sinceStart;
     sinceStart.start();
     app::logToStandardError();
-    const auto options = readOptionsAlone(argc, argv);
+    auto options = readOptionsAlone(argc, argv);
     if (!options) {
         return complain(options.error().text);
     }
+    options->profile = startingProfile(*options);
     if (!hasDisplay()) {
         return complain(
             "there is no display (DISPLAY and WAYLAND_DISPLAY are empty); boresightd is the same without one");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/subcommand.h"
 #include "app/bus_scan.h"
 #include "app/scan_report.h"
-#include "app/boresightctl/subcommand.h"
 #include "app/unix_signals.h"
 #include "core/station/link_factory.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/can/adapters.h"
 
+#include "core/base/text.h"
 #include "core/can/stable_port.h"
 
 #include <QDir>
@@ -37,7 +38,7 @@ Adapter serialAdapter(const SerialPortFacts& port)
     QString name = joined({port.manufacturer, port.description}).replace(QStringLiteral(", "), QStringLiteral(" "));
     name.replace(QLatin1Char('_'), QLatin1Char(' '));
     return {.bus = QStringLiteral("fdcanusb:") + path,
-            .name = name.isEmpty() ? QStringLiteral("USB serial port") : name,
+            .name = name.isEmpty() ? Text::tr("USB serial port") : name,
             .detail = joined({port.serialNumber, port.device}),
             .recognised = isRecognised(port)};
 }
@@ -45,8 +46,8 @@ Adapter serialAdapter(const SerialPortFacts& port)
 Adapter canAdapter(const CanInterfaceFacts& interface)
 {
     return {.bus = QStringLiteral("socketcan:") + interface.name,
-            .name = QStringLiteral("CAN interface"),
-            .detail = interface.name + (interface.up ? QString() : QStringLiteral(", down")),
+            .name = Text::tr("CAN interface"),
+            .detail = interface.up ? interface.name : Text::tr("%1, down").arg(interface.name),
             .recognised = true};
 }
 
@@ -88,8 +89,8 @@ std::vector<Adapter> adaptersOf(const std::vector<SerialPortFacts>& ports,
     std::ranges::transform(interfaces, std::back_inserter(can), canAdapter);
     all.insert(others.begin(), can.begin(), can.end());
     all.push_back({.bus = QStringLiteral("simulated"),
-                   .name = QStringLiteral("Simulated mount"),
-                   .detail = QStringLiteral("built in, to try everything without a mount"),
+                   .name = Text::tr("Simulated mount"),
+                   .detail = Text::tr("built in, to try everything without a mount"),
                    .recognised = true});
     return all;
 }

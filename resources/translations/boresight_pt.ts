@@ -128,6 +128,89 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     </message>
 </context>
 <context>
+    <name>GuideWords</name>
+    <message>
+        <source>Connect</source>
+        <translation>Ligar</translation>
+    </message>
+    <message>
+        <source>Protect</source>
+        <translation>Proteger</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Sentido</translation>
+    </message>
+    <message>
+        <source>Travel</source>
+        <translation>Curso</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Nível</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Norte</translation>
+    </message>
+    <message>
+        <source>Site</source>
+        <translation>Local</translation>
+    </message>
+    <message>
+        <source>Client</source>
+        <translation>Cliente</translation>
+    </message>
+    <message>
+        <source>Connect: how are the drives reached?</source>
+        <translation>Ligar: como se chega aos acionamentos?</translation>
+    </message>
+    <message>
+        <source>Protect: does each drive guard the mount by itself?</source>
+        <translation>Proteger: cada acionamento protege sozinho a montagem?</translation>
+    </message>
+    <message>
+        <source>Turning: which motor is which, and which way does it turn?</source>
+        <translation>Sentido: qual motor é qual e para que lado gira?</translation>
+    </message>
+    <message>
+        <source>Travel: how far may each axis and its cable go?</source>
+        <translation>Curso: até onde pode ir cada eixo e o seu cabo?</translation>
+    </message>
+    <message>
+        <source>Level: where is elevation 0°?</source>
+        <translation>Nível: onde fica a elevação 0°?</translation>
+    </message>
+    <message>
+        <source>North: where is azimuth 0°?</source>
+        <translation>Norte: onde fica o azimute 0°?</translation>
+    </message>
+    <message>
+        <source>Site: where does the mount stand?</source>
+        <translation>Local: onde está a montagem?</translation>
+    </message>
+    <message>
+        <source>Client: which program follows the satellites?</source>
+        <translation>Cliente: que programa segue os satélites?</translation>
+    </message>
+    <message>
+        <source>both drives must answer and be read first</source>
+        <translation>primeiro ambos os acionamentos têm de responder e ser lidos</translation>
+    </message>
+    <message>
+        <source>the drives have not been read</source>
+        <translation>os acionamentos não foram lidos</translation>
+    </message>
+    <message>
+        <source>the directions are not confirmed</source>
+        <translation>os sentidos não estão confirmados</translation>
+    </message>
+    <message>
+        <source>no site has been set</source>
+        <translation>nenhum local foi definido</translation>
+    </message>
+</context>
+<context>
     <name>HorizonFiles</name>
     <message>
         <source>the file is too long for a horizon</source>
@@ -194,6 +277,17 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>Sky plot</source>
         <translation>Gráfico do céu</translation>
+    </message>
+</context>
+<context>
+    <name>ProfileChange</name>
+    <message>
+        <source>another panel has changes that are not applied: apply or revert them first</source>
+        <translation>outro painel tem alterações por aplicar: aplique-as ou reverta-as primeiro</translation>
+    </message>
+    <message>
+        <source>the mount moves: stop it first</source>
+        <translation>a montagem move-se: pare-a primeiro</translation>
     </message>
 </context>
 <context>
@@ -3459,6 +3553,30 @@ el %3</translation>
         <source>Widen the limits if the cable allows, or let the target go</source>
         <translation>Alargue os limites se o cabo o permite, ou deixe ir o alvo</translation>
     </message>
+    <message>
+        <source>another bus is being looked at: wait a moment</source>
+        <translation>outro barramento está a ser examinado: aguarde um momento</translation>
+    </message>
+    <message>
+        <source>USB serial port</source>
+        <translation>Porta série USB</translation>
+    </message>
+    <message>
+        <source>CAN interface</source>
+        <translation>Interface CAN</translation>
+    </message>
+    <message>
+        <source>%1, down</source>
+        <translation>%1, em baixo</translation>
+    </message>
+    <message>
+        <source>Simulated mount</source>
+        <translation>Montagem simulada</translation>
+    </message>
+    <message>
+        <source>built in, to try everything without a mount</source>
+        <translation>incluída, para experimentar tudo sem montagem</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -4075,6 +4193,41 @@ modo moteus %1, falha %2</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::DirectionArrow</name>
+    <message>
+        <source>Direction of the %1</source>
+        <translation>Sentido de %1</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>em repouso</translation>
+    </message>
+    <message>
+        <source>clockwise, seen from above</source>
+        <translation>no sentido horário, visto de cima</translation>
+    </message>
+    <message>
+        <source>upwards</source>
+        <translation>para cima</translation>
+    </message>
+    <message>
+        <source>counter-clockwise, seen from above</source>
+        <translation>no sentido anti-horário, visto de cima</translation>
+    </message>
+    <message>
+        <source>downwards</source>
+        <translation>para baixo</translation>
+    </message>
+    <message>
+        <source>Seen from above: a growing azimuth turns clockwise, from north to east</source>
+        <translation>Visto de cima: um azimute crescente gira no sentido horário, de norte para leste</translation>
+    </message>
+    <message>
+        <source>Seen from the side: a growing elevation raises the antenna</source>
+        <translation>Visto de lado: uma elevação crescente levanta a antena</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::DrivesPanel</name>
     <message>
         <source>Rate of the proof</source>
@@ -4309,6 +4462,613 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     <message>
         <source>az %1°  el %2°</source>
         <translation>az %1°  el %2°</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::GuideClient</name>
+    <message>
+        <source>Copy</source>
+        <translation>Copiar</translation>
+    </message>
+    <message>
+        <source>Programs that are connected</source>
+        <translation>Programas ligados</translation>
+    </message>
+    <message>
+        <source>Settings for Gpredict</source>
+        <translation>Definições para o Gpredict</translation>
+    </message>
+    <message>
+        <source>Copy the settings for Gpredict</source>
+        <translation>Copiar as definições para o Gpredict</translation>
+    </message>
+    <message>
+        <source>Put the settings for Gpredict into the clipboard</source>
+        <translation>Põe as definições para o Gpredict na área de transferência</translation>
+    </message>
+    <message>
+        <source>Any other client of rotctld works as well, at the same address.</source>
+        <translation>Qualquer outro cliente do rotctld também serve, no mesmo endereço.</translation>
+    </message>
+    <message>
+        <source>rotctld does not listen: no program can connect. The alarm line says why.</source>
+        <translation>O rotctld não está à escuta: nenhum programa se pode ligar. A linha de alarmes diz porquê.</translation>
+    </message>
+    <message>
+        <source>No program is connected yet</source>
+        <translation>Ainda nenhum programa está ligado</translation>
+    </message>
+    <message>
+        <source>Connected: %1</source>
+        <translation>Ligados: %1</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::GuideConnect</name>
+    <message>
+        <source>id %1: %2, %3, firmware %4</source>
+        <translation>id %1: %2, %3, firmware %4</translation>
+    </message>
+    <message>
+        <source>%1, id %2: no answer</source>
+        <translation>%1, id %2: sem resposta</translation>
+    </message>
+    <message>
+        <source>%1, id %2: %3, %4</source>
+        <translation>%1, id %2: %3, %4</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Ver de novo</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Procurar</translation>
+    </message>
+    <message>
+        <source>Ask who is on the selected bus; nothing moves</source>
+        <translation>Pergunta quem está no barramento selecionado; nada se move</translation>
+    </message>
+    <message>
+        <source>Use this</source>
+        <translation>Usar este</translation>
+    </message>
+    <message>
+        <source>Connect to the mount by the selected adapter</source>
+        <translation>Liga-se à montagem pelo adaptador selecionado</translation>
+    </message>
+    <message>
+        <source>Adapters of this computer</source>
+        <translation>Adaptadores deste computador</translation>
+    </message>
+    <message>
+        <source>Who answers</source>
+        <translation>Quem responde</translation>
+    </message>
+    <message>
+        <source>List the adapters anew, after one was plugged in</source>
+        <translation>Lista de novo os adaptadores, depois de ligar um</translation>
+    </message>
+    <message>
+        <source>%1 (unknown to Boresight)</source>
+        <translation>%1 (desconhecido do Boresight)</translation>
+    </message>
+    <message>
+        <source>select an adapter first</source>
+        <translation>selecione primeiro um adaptador</translation>
+    </message>
+    <message>
+        <source>%1 is being looked at</source>
+        <translation>%1 está a ser examinado</translation>
+    </message>
+    <message>
+        <source>it is in use</source>
+        <translation>está em uso</translation>
+    </message>
+    <message>
+        <source>In use. %1.</source>
+        <translation>Em uso. %1.</translation>
+    </message>
+    <message>
+        <source>id %1: not in the profile</source>
+        <translation>id %1: não está no perfil</translation>
+    </message>
+    <message>
+        <source>Asking who is there …</source>
+        <translation>A perguntar quem está lá …</translation>
+    </message>
+    <message>
+        <source>Press Scan to see who answers there. Scanning moves nothing.</source>
+        <translation>Prima Procurar para ver quem responde. Procurar não move nada.</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::GuideDirections</name>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>The other axis moved:
+swap the motors</source>
+        <translation>Moveu-se o outro eixo:
+trocar os motores</translation>
+    </message>
+    <message>
+        <source>Azimuth and elevation exchange their motors; connects anew</source>
+        <translation>Azimute e elevação trocam de motor; liga-se de novo</translation>
+    </message>
+    <message>
+        <source>Both turn as the arrows show</source>
+        <translation>Ambos giram como as setas</translation>
+    </message>
+    <message>
+        <source>From now on the mount may be moved faster and farther</source>
+        <translation>A partir de agora a montagem pode mover-se mais depressa e mais longe</translation>
+    </message>
+    <message>
+        <source>Test move</source>
+        <translation>Movimento de teste</translation>
+    </message>
+    <message>
+        <source>AZ ↺
+(hold)</source>
+        <translation>AZ ↺
+(segurar)</translation>
+    </message>
+    <message>
+        <source>Turn azimuth back at %1 while held</source>
+        <translation>Gira o azimute para trás a %1 enquanto segurar</translation>
+    </message>
+    <message>
+        <source>AZ ↻
+(hold)</source>
+        <translation>AZ ↻
+(segurar)</translation>
+    </message>
+    <message>
+        <source>Turn azimuth on at %1 while held</source>
+        <translation>Gira o azimute para a frente a %1 enquanto segurar</translation>
+    </message>
+    <message>
+        <source>EL ↓
+(hold)</source>
+        <translation>EL ↓
+(segurar)</translation>
+    </message>
+    <message>
+        <source>Lower elevation at %1 while held</source>
+        <translation>Baixa a elevação a %1 enquanto segurar</translation>
+    </message>
+    <message>
+        <source>EL ↑
+(hold)</source>
+        <translation>EL ↑
+(segurar)</translation>
+    </message>
+    <message>
+        <source>Raise elevation at %1 while held</source>
+        <translation>Levanta a elevação a %1 enquanto segurar</translation>
+    </message>
+    <message>
+        <source>Test move of the %1</source>
+        <translation>Movimento de teste de %1</translation>
+    </message>
+    <message>
+        <source>AZ turned the other way</source>
+        <translation>AZ girou ao contrário</translation>
+    </message>
+    <message>
+        <source>EL turned the other way</source>
+        <translation>EL girou ao contrário</translation>
+    </message>
+    <message>
+        <source>The %1 motor counts the other way round; connects anew</source>
+        <translation>O motor de %1 conta ao contrário; liga-se de novo</translation>
+    </message>
+    <message>
+        <source>↻ must turn the antenna clockwise, seen from above</source>
+        <translation>↻ deve girar a antena no sentido horário, visto de cima</translation>
+    </message>
+    <message>
+        <source>↑ must raise the antenna</source>
+        <translation>↑ deve levantar a antena</translation>
+    </message>
+    <message>
+        <source>%1 Now %2.</source>
+        <translation>%1 Agora %2.</translation>
+    </message>
+    <message>
+        <source>it is confirmed already</source>
+        <translation>já está confirmado</translation>
+    </message>
+    <message>
+        <source>move the %1 a little first, and look at it</source>
+        <translation>mova primeiro um pouco o eixo de %1 e olhe para ele</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::GuidePage</name>
+    <message>
+        <source>Step of the guide</source>
+        <translation>Passo do guia</translation>
+    </message>
+    <message>
+        <source>What is in the way</source>
+        <translation>O que impede</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Voltar</translation>
+    </message>
+    <message>
+        <source>To the step before (Alt+Left)</source>
+        <translation>Para o passo anterior (Alt+Esquerda)</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Seguinte</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Saltar</translation>
+    </message>
+    <message>
+        <source>Leave this step for later and go on</source>
+        <translation>Deixa este passo para depois e continua</translation>
+    </message>
+    <message>
+        <source>Finish later</source>
+        <translation>Acabar depois</translation>
+    </message>
+    <message>
+        <source>To the panels; F3 comes back to this step</source>
+        <translation>Para os painéis; F3 volta a este passo</translation>
+    </message>
+    <message>
+        <source>Commissioning guide</source>
+        <translation>Guia de instalação</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Terminar</translation>
+    </message>
+    <message>
+        <source>This step is right; to the next one (Alt+Right)</source>
+        <translation>Este passo está certo; para o seguinte (Alt+Direita)</translation>
+    </message>
+    <message>
+        <source>Not yet: %1. Skip leaves it for later.</source>
+        <translation>Ainda não: %1. Saltar deixa-o para depois.</translation>
+    </message>
+    <message>
+        <source>Boresight asks which turn the %1 is on: press Ctrl+9 to answer, F3 to come back</source>
+        <translation>O Boresight pergunta em que volta está o eixo de %1: Ctrl+9 para responder, F3 para voltar</translation>
+    </message>
+    <message>
+        <source>Nothing may move before step 2, Protect, is done: %1</source>
+        <translation>Nada se pode mover antes do passo 2, Proteger: %1</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::GuideSite</name>
+    <message>
+        <source>What is wrong</source>
+        <translation>O que está errado</translation>
+    </message>
+    <message>
+        <source>What Gpredict knows</source>
+        <translation>O que o Gpredict sabe</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Latitude</translation>
+    </message>
+    <message>
+        <source>Degrees, north positive</source>
+        <translation>Graus, norte positivo</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Longitude</translation>
+    </message>
+    <message>
+        <source>Degrees, east positive</source>
+        <translation>Graus, leste positivo</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>Above sea level</source>
+        <translation>Acima do nível do mar</translation>
+    </message>
+    <message>
+        <source>Set the site</source>
+        <translation>Definir o local</translation>
+    </message>
+    <message>
+        <source>Takes the place into the profile</source>
+        <translation>Leva o lugar para o perfil</translation>
+    </message>
+    <message>
+        <source>Maidenhead locator</source>
+        <translation>Localizador Maidenhead</translation>
+    </message>
+    <message>
+        <source>4 to 10 characters, like JN58td; the middle of its square becomes the place</source>
+        <translation>4 a 10 caracteres, como JN58td; o centro do seu quadrado passa a ser o lugar</translation>
+    </message>
+    <message>
+        <source>Station of Gpredict</source>
+        <translation>Estação do Gpredict</translation>
+    </message>
+    <message>
+        <source>Ground stations that Gpredict on this computer knows; choosing one fills the fields</source>
+        <translation>Estações terrestres que o Gpredict deste computador conhece; escolher uma preenche os campos</translation>
+    </message>
+    <message>
+        <source>Latitude (north +)</source>
+        <translation>Latitude (norte +)</translation>
+    </message>
+    <message>
+        <source>Longitude (east +)</source>
+        <translation>Longitude (leste +)</translation>
+    </message>
+    <message>
+        <source>Locator</source>
+        <translation>Localizador</translation>
+    </message>
+    <message>
+        <source>From Gpredict</source>
+        <translation>Do Gpredict</translation>
+    </message>
+    <message>
+        <source>none found</source>
+        <translation>nenhuma encontrada</translation>
+    </message>
+    <message>
+        <source>choose …</source>
+        <translation>escolher …</translation>
+    </message>
+    <message>
+        <source>enter where the mount stands first</source>
+        <translation>indique primeiro onde está a montagem</translation>
+    </message>
+    <message>
+        <source>this is the site in the profile</source>
+        <translation>este é o local do perfil</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::GuideTravel</name>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Use these ends</source>
+        <translation>Usar estes fins</translation>
+    </message>
+    <message>
+        <source>Takes them into the profile and connects anew; afterwards the drives&apos; own bounds are to be fixed (step Protect)</source>
+        <translation>Leva-os para o perfil e liga-se de novo; depois há que corrigir os limites dos próprios acionamentos (passo Proteger)</translation>
+    </message>
+    <message>
+        <source>What the ends are</source>
+        <translation>O que são os fins</translation>
+    </message>
+    <message>
+        <source>Type the ends, or drive there and set them here. Turns of the cable count: 370° is not 10°.</source>
+        <translation>Escreva os fins, ou vá até lá e defina-os aqui. As voltas do cabo contam: 370° não são 10°.</translation>
+    </message>
+    <message>
+        <source>%1, a mechanical angle</source>
+        <translation>%1, um ângulo mecânico</translation>
+    </message>
+    <message>
+        <source>Lower end of %1</source>
+        <translation>Fim inferior de %1</translation>
+    </message>
+    <message>
+        <source>Upper end of %1</source>
+        <translation>Fim superior de %1</translation>
+    </message>
+    <message>
+        <source>from </source>
+        <translation>de </translation>
+    </message>
+    <message>
+        <source>to </source>
+        <translation>a </translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>inferior</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>superior</translation>
+    </message>
+    <message>
+        <source>Travel of the %1 in force; the pointer is where it is now</source>
+        <translation>Curso de %1 em vigor; o ponteiro é onde está agora</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mover</translation>
+    </message>
+    <message>
+        <source>AZ ↺ hold</source>
+        <translation>AZ ↺ segurar</translation>
+    </message>
+    <message>
+        <source>EL ↓ hold</source>
+        <translation>EL ↓ segurar</translation>
+    </message>
+    <message>
+        <source>Towards the lower end of %1 while held</source>
+        <translation>Para o fim inferior de %1 enquanto segurar</translation>
+    </message>
+    <message>
+        <source>AZ ↻ hold</source>
+        <translation>AZ ↻ segurar</translation>
+    </message>
+    <message>
+        <source>EL ↑ hold</source>
+        <translation>EL ↑ segurar</translation>
+    </message>
+    <message>
+        <source>Towards the upper end of %1 while held</source>
+        <translation>Para o fim superior de %1 enquanto segurar</translation>
+    </message>
+    <message>
+        <source>Set here</source>
+        <translation>É aqui</translation>
+    </message>
+    <message>
+        <source>Set the %1 end of %2 here</source>
+        <translation>Definir aqui o fim %1 de %2</translation>
+    </message>
+    <message>
+        <source>The %1 end of %2 is where the axis stands now</source>
+        <translation>O fim %1 de %2 é onde o eixo está agora</translation>
+    </message>
+    <message>
+        <source>these are the ends in force</source>
+        <translation>estes são os fins em vigor</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::GuideZero</name>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>O que fazer</translation>
+    </message>
+    <message>
+        <source>What the %1 reads now</source>
+        <translation>O que marca agora: %1</translation>
+    </message>
+    <message>
+        <source>What the change does</source>
+        <translation>O que a alteração faz</translation>
+    </message>
+    <message>
+        <source>Cable and stops are where they were: their numbers change</source>
+        <translation>Cabo e batentes ficam onde estavam: mudam os seus números</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mover</translation>
+    </message>
+    <message>
+        <source>Set it</source>
+        <translation>Definir</translation>
+    </message>
+    <message>
+        <source>Takes the new zero into the profile and connects anew; nothing moves</source>
+        <translation>Leva o novo zero para o perfil e liga-se de novo; nada se move</translation>
+    </message>
+    <message>
+        <source>True azimuth of the antenna</source>
+        <translation>Azimute verdadeiro da antena</translation>
+    </message>
+    <message>
+        <source>True elevation of the antenna</source>
+        <translation>Elevação verdadeira da antena</translation>
+    </message>
+    <message>
+        <source>The direction the antenna points to, from true north</source>
+        <translation>A direção para onde a antena aponta, a partir do norte verdadeiro</translation>
+    </message>
+    <message>
+        <source>By a spirit level on the antenna: 0° is level</source>
+        <translation>Por um nível de bolha na antena: 0° é nivelada</translation>
+    </message>
+    <message>
+        <source>Point the antenna at a landmark whose bearing is known, and type the bearing. Without one press Skip: north can wait, everything else works.</source>
+        <translation>Aponte a antena a um marco de azimute conhecido e escreva-o. Sem nenhum, prima Saltar: o norte pode esperar, o resto funciona.</translation>
+    </message>
+    <message>
+        <source>Bring the antenna level, by a spirit level on it, and set 0° here. Or type what an inclinometer shows.</source>
+        <translation>Nivele a antena com um nível de bolha e defina aqui 0°. Ou escreva o que mostra um inclinómetro.</translation>
+    </message>
+    <message>
+        <source>Moves the %1 slowly while held</source>
+        <translation>Move devagar enquanto segurar: %1</translation>
+    </message>
+    <message>
+        <source>AZ ↺ hold</source>
+        <translation>AZ ↺ segurar</translation>
+    </message>
+    <message>
+        <source>EL ↓ hold</source>
+        <translation>EL ↓ segurar</translation>
+    </message>
+    <message>
+        <source>AZ ↻ hold</source>
+        <translation>AZ ↻ segurar</translation>
+    </message>
+    <message>
+        <source>EL ↑ hold</source>
+        <translation>EL ↑ segurar</translation>
+    </message>
+    <message>
+        <source>Off: the ends keep their numbers, and lie elsewhere on the mount</source>
+        <translation>Desligado: os fins mantêm os números e ficam noutro sítio da montagem</translation>
+    </message>
+    <message>
+        <source>It really points to</source>
+        <translation>Aponta de facto para</translation>
+    </message>
+    <message>
+        <source>It really is</source>
+        <translation>De facto é</translation>
+    </message>
+    <message>
+        <source>the drive does not say where the %1 is</source>
+        <translation>o acionamento não diz onde está o eixo de %1</translation>
+    </message>
+    <message>
+        <source>which turn the %1 is on is not known yet</source>
+        <translation>ainda não se sabe em que volta está o eixo de %1</translation>
+    </message>
+    <message>
+        <source>the mount moves: stop it first</source>
+        <translation>a montagem move-se: pare-a primeiro</translation>
+    </message>
+    <message>
+        <source>It reads %1</source>
+        <translation>Marca %1</translation>
+    </message>
+    <message>
+        <source>travel %1, now %2</source>
+        <translation>curso %1, agora %2</translation>
+    </message>
+    <message>
+        <source>Horizon and keep-outs are directions and stay.</source>
+        <translation>Horizonte e zonas proibidas são direções e ficam.</translation>
+    </message>
+    <message>
+        <source>The drives&apos; own bounds stay right.</source>
+        <translation>Os limites dos próprios acionamentos continuam certos.</translation>
+    </message>
+    <message>
+        <source>The drives&apos; own bounds are to be fixed afterwards (step Protect).</source>
+        <translation>Depois há que corrigir os limites dos próprios acionamentos (passo Proteger).</translation>
+    </message>
+    <message>
+        <source>Every angle changes by %1: %2. %3 %4</source>
+        <translation>Todos os ângulos mudam %1: %2. %3 %4</translation>
     </message>
 </context>
 <context>
@@ -4673,6 +5433,21 @@ emergência por cabo junto ao mastro.</translation>
     <message>
         <source>jog by the left stick while LB or RB is held (panel Jog); B is STOP</source>
         <translation>movimento manual pelo manípulo esquerdo com LB ou RB premido (painel Manual); B é STOP</translation>
+    </message>
+    <message>
+        <source>F3, Alt+Left, Alt+Right</source>
+        <translation>F3, Alt+Esquerda, Alt+Direita</translation>
+    </message>
+    <message>
+        <source>commissioning guide and back; its steps; Space held moves</source>
+        <translation>guia de instalação e voltar; os seus passos; Espaço seguro move</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::HoldButtons</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -5343,6 +6118,18 @@ emergência por cabo junto ao mastro.</translation>
     <message>
         <source>All settings, and the mounts that are kept (Ctrl+8)</source>
         <translation>Todos os parâmetros, e as montagens guardadas (Ctrl+8)</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Guia</translation>
+    </message>
+    <message>
+        <source>Commissioning guide</source>
+        <translation>Guia de instalação</translation>
+    </message>
+    <message>
+        <source>Commissioning guide: from a new mount to the first pass, step by step (F3)</source>
+        <translation>Guia de instalação: de uma montagem nova à primeira passagem, passo a passo (F3)</translation>
     </message>
 </context>
 <context>
@@ -6344,6 +7131,29 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     </message>
 </context>
 <context>
+    <name>boresight::ui::StepButton</name>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>Passo %1: %2</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>feito</translation>
+    </message>
+    <message>
+        <source>later</source>
+        <translation>depois</translation>
+    </message>
+    <message>
+        <source>to do</source>
+        <translation>por fazer</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::StopButton</name>
     <message>
         <source>STOP</source>
@@ -6595,8 +7405,8 @@ This is a function of the program. It does not replace the hard-wired emergency 
         <translation>Subir a %1 enquanto premido</translation>
     </message>
     <message>
-        <source>Unwind: %1</source>
-        <translation>Desenrolar: %1</translation>
+        <source>Unwind</source>
+        <translation>Desenrolar</translation>
     </message>
 </context>
 </TS>

@@ -6,6 +6,7 @@
 #include "ui/header_bar.h"
 #include "ui/language.h"
 #include "ui/polar_plot.h"
+#include "ui/step_button.h"
 #include "ui/stop_button.h"
 
 #include <QDir>
@@ -260,6 +261,42 @@ TEST_F(PicturesTest, AreWrittenForThePlotBeingEditedAndMagnified)
             plot.toggleZoom();
             save("magnified");
             plot.toggleZoom();
+        }
+    }
+    applyTheme(ThemeKind::Day);
+}
+
+// The guide's steps, on a mount that nobody has commissioned.
+TEST_F(PicturesTest, AreWrittenForTheStepsOfTheGuide)
+{
+    const QDir folder(QDir::current().filePath(QStringLiteral("pictures")));
+    ASSERT_TRUE(QDir().mkpath(folder.path()));
+    QTest::keyClick(&window, Qt::Key_F3);
+    Q_EMIT window.host().adaptersFound(
+        adaptersOf({{.device = QStringLiteral("/dev/ttyACM0"),
+                     .stableName = QStringLiteral("/dev/serial/by-id/usb-mjbots_fdcanusb"),
+                     .manufacturer = QStringLiteral("mjbots"),
+                     .description = QStringLiteral("fdcanusb"),
+                     .serialNumber = QStringLiteral("1A2B3C4D"),
+                     .vendor = 0x0483,
+                     .product = 0x5740}},
+                   {{QStringLiteral("can0"), false}}));
+    for (const ThemeKind kind : {ThemeKind::Day, ThemeKind::Night, ThemeKind::Red}) {
+        applyTheme(kind);
+        for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
+            window.resize(size);
+            for (const GuideStep step : kGuideSteps) {
+                give(samples::update(step == GuideStep::Protection ? samples::factoryDrives() : samples::freshMount()));
+                const auto steps = window.findChildren<StepButton*>();
+                QTest::mouseClick(steps.at(static_cast<int>(step)), Qt::LeftButton);
+                QTest::qWait(1);
+                const QString file = QStringLiteral("guide-%1-%2-%3.png")
+                                         .arg(static_cast<int>(step) + 1)
+                                         .arg(name(kind).toLower())
+                                         .arg(size.width());
+                EXPECT_TRUE(picture(1).save(folder.filePath(file), "PNG", 80));
+                ASSERT_EQ(window.size(), size) << title(step).toStdString();
+            }
         }
     }
     applyTheme(ThemeKind::Day);

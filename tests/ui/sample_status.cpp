@@ -452,6 +452,17 @@ StationStatus asking(Axis axis, int places, Angle period, bool proposed)
     return status;
 }
 
+StationStatus freshMount()
+{
+    StationStatus status = idle();
+    profile::Profile fresh = *status.profile;
+    fresh.mount.directions = profile::Directions::Unconfirmed;
+    status.profile = std::make_shared<const profile::Profile>(fresh);
+    status.state = StationState::Hold;
+    place(status, {10_deg, 20_deg}, {10_deg, 20_deg}, {10_deg, 20_deg});
+    return status;
+}
+
 StationStatus withAge(StationStatus status, std::chrono::milliseconds age)
 {
     status.azimuth.age = age;

@@ -27,6 +27,8 @@ inline constexpr double kPassLength = 600.0;
 // The turn of an axis is asked for: `places` each `period`, a quarter of them below 45.1° (elevation 20°),
 // which is proposed if wanted.
 [[nodiscard]] StationStatus asking(Axis axis, int places, Angle period, bool proposed);
+// Fit to move, nobody has confirmed yet which way the axes turn; both stand a little above the horizon.
+[[nodiscard]] StationStatus freshMount();
 [[nodiscard]] StationStatus withAge(StationStatus status, std::chrono::milliseconds age);
 [[nodiscard]] StationStatus withClients(StationStatus status, int count);
 // A Gpredict that leaps leads, a logging program wants to, a third only reads.

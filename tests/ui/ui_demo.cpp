@@ -12,7 +12,8 @@
 #include <numbers>
 
 // A look at the window without a station: a pass crossing north in quick motion at 20 Hz, or one scene of trouble.
-//   ui_demo [--scene track|stopped|fault|disconnected|limited|operator|stale|factory|reading|released|proof|turn|turns]
+//   ui_demo [--scene
+//   track|stopped|fault|disconnected|limited|operator|stale|factory|fresh|reading|released|proof|turn|turns]
 //   [--theme day|night|red] [--seconds N]
 // With --seconds it ends by itself and prints the time to the first picture and the processor time used.
 namespace {
@@ -40,6 +41,9 @@ StationStatus scene(const QString& name, double seconds)
     }
     if (name == QLatin1String("factory")) {
         return samples::factoryDrives();
+    }
+    if (name == QLatin1String("fresh")) {
+        return samples::freshMount();  // F3 opens the guide
     }
     if (name == QLatin1String("reading")) {
         return samples::reading();

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the first start to the first safe move: the real window, the real station, the simulated mount with its physics.
+// The clock is turned by hand, in step with the real time that the dead-man needs.
+#include "core/sim/simulated_link.h"
+#include "core/station/link_factory.h"
+#include "core/station/station.h"
+#include "tests/fakes/manual_clock.h"
+#include "ui/command_button.h"
+#include "ui/guide_page.h"
+#include "ui/jog_button.h"
+#include "ui/main_window.h"
+#include "ui/step_button.h"
+#include "ui/stop_button.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace boresight::ui {
+namespace {
+
+constexpr Seconds kTick{0.02};
+constexpr int kTickMs = 20;
+
+profile::Profile fresh()
+{
+    profile::Profile profile;
+    profile.rotctld.listen.port = 0;
+    profile.mount.directions = profile::Directions::Unconfirmed;
+    return profile;
+}
+
+class GuideWalk : public testing::Test
+{
+protected:
+    GuideWalk() : links(fresh(), clock), window(clock, settings())
+    {
+        QObject::connect(&window, &MainWindow::requested, &window,
+                         [this](const NumberedRequest& request) { station->request(request); });
+        window.resize(1024, 700);
+        window.show();
+        window.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
+        connectTo(fresh());
+    }
+
+    static WindowSettings settings()
+    {
+        WindowSettings settings;
+        settings.guide.open = true;
+        return settings;
+    }
+
+    void connectTo(const profile::Profile& profile)
+    {
+        station.reset();
+        auto made = links.make(profile.bus);
+        ASSERT_TRUE(made);
+        link = dynamic_cast<SimulatedLink*>(made->get());
+        station = std::make_unique<Station>(profile, std::move(*made), folder.path(), clock);
+        QObject::connect(station.get(), &Station::updated, &window, &MainWindow::showUpdate);
+        QObject::connect(station.get(), &Station::reconnectWanted, &window,
+                         [this](const profile::Profile& wanted) { next = wanted; });
+        QObject::connect(station.get(), &Station::profileApplied, &window,
+                         [this](const profile::Profile& applied) { kept = applied; });
+        station->openAll();
+    }
+
+    void tick()
+    {
+        clock.advance(kTick);
+        link->deliver();
+        station->tick();
+        link->deliver();
+        station->updateTaken();
+        station->publish();
+        QTest::qWait(0);
+        farthest = {
+            .azimuth = std::max(farthest.azimuth, abs(link->truth(Axis::Azimuth).angle - origin.azimuth)),
+            .elevation = std::max(farthest.elevation, abs(link->truth(Axis::Elevation).angle - origin.elevation))};
+        fastest = std::max({fastest, abs(link->truth(Axis::Azimuth).rate), abs(link->truth(Axis::Elevation).rate)});
+        if (next) {
+            connectTo(*std::exchange(next, std::nullopt));
+        }
+    }
+    bool until(const std::function<bool()>& condition, Seconds limit)
+    {
+        for (Seconds waited{0.0}; waited < limit; waited += kTick) {
+            tick();
+            if (condition()) {
+                return true;
+            }
+        }
+        return false;
+    }
+    void runInRealTime(Seconds time)
+    {
+        for (Seconds waited{0.0}; waited < time; waited += kTick) {
+            QTest::qWait(kTickMs);
+            tick();
+        }
+    }
+    void markPlace()
+    {
+        origin = {.azimuth = link->truth(Axis::Azimuth).angle, .elevation = link->truth(Axis::Elevation).angle};
+        farthest = {};
+        fastest = {};
+    }
+
+    GuidePage& guide() { return *window.findChild<GuidePage*>(); }
+    template <class T>
+    T& inGuide(const char* name)
+    {
+        for (T* const widget : guide().findChildren<T*>()) {
+            if (widget->accessibleName() == QString::fromUtf8(name) && widget->isVisible()) {
+                return *widget;
+            }
+        }
+        throw std::runtime_error(std::string("nothing in the guide is called ") + name);
+    }
+    void click(const char* name)
+    {
+        auto& button = inGuide<QPushButton>(name);
+        EXPECT_TRUE(button.isEnabled()) << name << ": " << button.toolTip().toStdString();
+        QTest::mouseClick(&button, Qt::LeftButton);
+        tick();
+    }
+    void goTo(GuideStep step)
+    {
+        QTest::mouseClick(window.findChildren<StepButton*>().at(static_cast<int>(step)), Qt::LeftButton);
+    }
+    void hold(const char* name, Seconds time)
+    {
+        auto& button = inGuide<JogButton>(name);
+        EXPECT_TRUE(button.isEnabled()) << name << ": " << button.toolTip().toStdString();
+        QTest::mousePress(&button, Qt::LeftButton);
+        runInRealTime(time);
+        QTest::mouseRelease(&button, Qt::LeftButton);
+    }
+    bool fit()
+    {
+        const StationStatus now = station->status();
+        return now.state != StationState::Disconnected && now.drives.survey == survey::SurveyState::Done &&
+               now.drives.armingObstacle.isEmpty() && now.drives.azimuth.turnKnown && now.drives.elevation.turnKnown;
+    }
+
+    fakes::ManualClock clock;
+    QTemporaryDir folder;
+    LinkMaker links;
+    SimulatedLink* link = nullptr;
+    std::optional<profile::Profile> next;
+    std::optional<profile::Profile> kept;
+    AxisPosition origin;
+    AxisPosition farthest;
+    AngularRate fastest;
+    MainWindow window;
+    std::unique_ptr<Station> station;  // goes before the window
+};
+
+TEST_F(GuideWalk, FromTheFirstStartToTheFirstSafeMove)
+{
+    ASSERT_TRUE(until([this] { return fit(); }, Seconds(15.0)));
+    ASSERT_TRUE(guide().isVisible());
+    markPlace();
+    click("Next");  // connected
+    click("Next");  // protected
+    EXPECT_EQ(guide().progress().current, GuideStep::Directions);
+
+    // Nothing but the small slow move is possible.
+    station->request({.id = 900, .request = request::PointSky{{.azimuth = 113_deg, .elevation = 10_deg}}});
+    runInRealTime(Seconds(0.2));
+    EXPECT_LT(farthest.azimuth, 0.05_deg);
+    hold("Turn azimuth on at 1.0°/s while held", Seconds(3.0));
+    hold("Raise elevation at 1.0°/s while held", Seconds(3.0));
+    ASSERT_TRUE(until([this] { return station->status().azimuth.state != AxisState::Moving; }, Seconds(5.0)));
+    EXPECT_GT(farthest.azimuth, 0.5_deg);
+    EXPECT_GT(farthest.elevation, 0.5_deg);
+    EXPECT_LE(farthest.azimuth, 2_deg);
+    EXPECT_LE(farthest.elevation, 2_deg);
+    EXPECT_LE(fastest, 5_deg_s);
+    ASSERT_TRUE(
+        until([this] { return inGuide<QPushButton>("Both turn as the arrows show").isEnabled(); }, Seconds(2.0)));
+    click("Both turn as the arrows show");
+    tick();
+    EXPECT_EQ(station->status().profile->mount.directions, profile::Directions::Confirmed);
+    ASSERT_TRUE(kept) << "it is written down";
+
+    // Level: the antenna is where it is, and the numbers change.
+    goTo(GuideStep::Level);
+    markPlace();
+    tick();
+    inGuide<QDoubleSpinBox>("True elevation of the antenna").setValue(20.0);
+    click("Set it");
+    ASSERT_TRUE(until(
+        [this] {
+            return station->status().profile->elevation.geometry.offset != 90_deg &&
+                   station->status().drives.survey == survey::SurveyState::Done;
+        },
+        Seconds(20.0)));
+    EXPECT_LT(farthest.elevation, 0.1_deg) << "nothing moved";
+    EXPECT_EQ(station->status().profile->mount.directions, profile::Directions::Confirmed);
+    // The ends stayed on the mount, so the drives' own bounds are right as they are.
+    ASSERT_TRUE(until([this] { return fit(); }, Seconds(20.0)))
+        << station->status().drives.armingObstacle.toStdString();
+    ASSERT_TRUE(station->status().elevation.actual);
+    EXPECT_NEAR(station->status().elevation.actual->degrees(), 20.0, 0.2);
+
+    // Now it goes, and STOP ends it half way.
+    click("Finish later");
+    station->request({.id = 901, .request = request::PointSky{{.azimuth = 113_deg, .elevation = 15_deg}}});
+    markPlace();
+    ASSERT_TRUE(until([this] { return farthest.azimuth > 30_deg; }, Seconds(30.0)));
+    QTest::mousePress(window.findChild<StopButton*>(), Qt::LeftButton);
+    ASSERT_TRUE(until([this] { return station->status().state == StationState::Stopped; }, Seconds(1.0)));
+    ASSERT_TRUE(until([this] { return station->status().azimuth.state != AxisState::Moving; }, Seconds(5.0)));
+    EXPECT_LT(farthest.azimuth, 60_deg);
+}
+
+}  // namespace
+}  // namespace boresight::ui

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+#include <QWidget>
+
+class QPlainTextEdit;
+class QPushButton;
+
+// The guide's last step: what a Gpredict must be told, ready to be copied, and whether a program is there already.
+namespace boresight::ui {
+
+class ValueLabel;
+
+class GuideClient : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit GuideClient(QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+private:
+    void copy();
+
+    QPlainTextEdit* m_settings;
+    QPushButton* m_copy;
+    ValueLabel* m_there;
+};
+
+}  // namespace boresight::ui

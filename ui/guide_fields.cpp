@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/guide_fields.h"
+
+#include "ui/theme.h"
+
+#include <QDoubleSpinBox>
+#include <QLabel>
+
+namespace boresight::ui {
+
+namespace {
+constexpr int kHeight = 36;  // px; four rows of them fit at 1024×700
+}
+
+QDoubleSpinBox* makeField(const NumberField& field, QWidget* parent)
+{
+    auto* const box = new QDoubleSpinBox(parent);
+    box->setFont(fonts::label());
+    box->setLocale(QLocale::c());
+    box->setDecimals(field.decimals);
+    box->setRange(field.min, field.max);
+    box->setSuffix(field.unit);
+    box->setMinimumHeight(kHeight);
+    box->setAccessibleName(field.name);
+    box->setToolTip(field.help);
+    return box;
+}
+
+QLabel* makeCaption(const QString& text, QWidget* parent)
+{
+    auto* const label = new QLabel(text, parent);
+    label->setFont(fonts::label());
+    return label;
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+class QDoubleSpinBox;
+class QLabel;
+class QWidget;
+
+// The fields of the guide's pages, all alike: numbers with a point, a unit, and a size that a gloved finger hits.
+namespace boresight::ui {
+
+struct NumberField
+{
+    QString name;  // for a screen reader
+    QString help;
+    double min = 0.0;
+    double max = 0.0;
+    int decimals = 2;
+    QString unit;
+};
+
+[[nodiscard]] QDoubleSpinBox* makeField(const NumberField& field, QWidget* parent);
+[[nodiscard]] QLabel* makeCaption(const QString& text, QWidget* parent);
+
+}  // namespace boresight::ui

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/guide_site.h"
+
+#include "core/profile/locator.h"
+#include "ui/command_button.h"
+#include "ui/guide_fields.h"
+#include "ui/host_desk.h"
+#include "ui/value_label.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+
+namespace boresight::ui {
+
+namespace {
+
+QString stationText(const profile::GpredictStation& station)
+{
+    return station.location.isEmpty() ? station.name : QStringLiteral("%1 (%2)").arg(station.name, station.location);
+}
+
+}  // namespace
+
+GuideSite::GuideSite(ProfileChange& change, RequestDesk& desk, HostDesk& host, QWidget* parent)
+    : QWidget(parent),
+      m_change(change),
+      m_host(host),
+      m_notice(new ValueLabel(tr("What is wrong"), fonts::label(), {}, this)),
+      m_gpredictNote(new ValueLabel(tr("What Gpredict knows"), fonts::label(), {}, this)),
+      m_latitude(makeField({.name = tr("Latitude"),
+                            .help = tr("Degrees, north positive"),
+                            .min = -90.0,
+                            .max = 90.0,
+                            .decimals = 5,
+                            .unit = QStringLiteral("°")},
+                           this)),
+      m_longitude(makeField({.name = tr("Longitude"),
+                             .help = tr("Degrees, east positive"),
+                             .min = -180.0,
+                             .max = 180.0,
+                             .decimals = 5,
+                             .unit = QStringLiteral("°")},
+                            this)),
+      m_height(makeField({.name = tr("Height"),
+                          .help = tr("Above sea level"),
+                          .min = -500.0,
+                          .max = 9000.0,
+                          .decimals = 0,
+                          .unit = QStringLiteral(" m")},
+                         this)),
+      m_locator(new QLineEdit(this)),
+      m_gpredict(new QComboBox(this)),
+      m_set(new CommandButton(tr("Set the site"), tr("Takes the place into the profile"), desk, *m_notice, this))
+{
+    build();
+    for (QDoubleSpinBox* const field : {m_latitude, m_longitude}) {
+        connect(field, &QDoubleSpinBox::valueChanged, this, &GuideSite::writeLocator);
+    }
+    connect(m_locator, &QLineEdit::textEdited, this, &GuideSite::readLocator);
+    connect(m_gpredict, &QComboBox::activated, this, &GuideSite::take);
+    connect(&m_host, &HostDesk::gpredictFound, this, &GuideSite::showStations);
+    connect(m_set, &QPushButton::clicked, this, [this] { m_change.ask(*m_set, edit()); });
+}
+
+void GuideSite::build()
+{
+    m_locator->setFont(fonts::label());
+    m_locator->setMaxLength(10);
+    m_locator->setMinimumHeight(m_latitude->minimumHeight());
+    m_locator->setAccessibleName(tr("Maidenhead locator"));
+    m_locator->setToolTip(tr("4 to 10 characters, like JN58td; the middle of its square becomes the place"));
+    m_gpredict->setFont(fonts::label());
+    m_gpredict->setMinimumHeight(m_latitude->minimumHeight());
+    m_gpredict->setAccessibleName(tr("Station of Gpredict"));
+    m_gpredict->setToolTip(tr("Ground stations that Gpredict on this computer knows; choosing one fills the fields"));
+    m_gpredictNote->setStretching(true);
+    m_gpredictNote->setLines(2);
+    m_notice->setStretching(true);
+    auto* const grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(6);
+    const auto add = [&](int row, int column, const QString& text, QWidget* field) {
+        QLabel* const caption = makeCaption(text, this);
+        caption->setBuddy(field);
+        grid->addWidget(caption, row, column);
+        grid->addWidget(field, row, column + 1);
+    };
+    add(0, 0, tr("Latitude (north +)"), m_latitude);
+    add(1, 0, tr("Longitude (east +)"), m_longitude);
+    add(0, 2, tr("Height"), m_height);
+    add(1, 2, tr("Locator"), m_locator);
+    add(2, 0, tr("From Gpredict"), m_gpredict);
+    grid->addWidget(m_set, 2, 2, 1, 2);
+    grid->addWidget(m_gpredictNote, 3, 0, 1, 4);
+    grid->addWidget(m_notice, 4, 0, 1, 4);
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(3, 1);
+    grid->setRowStretch(5, 1);
+}
+
+void GuideSite::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (!m_asked) {
+        m_asked = true;
+        Q_EMIT m_host.gpredictWanted();
+    }
+}
+
+void GuideSite::showStatus(const StationStatus& status)
+{
+    m_status = status;
+    const profile::SiteSettings& site = m_change.applied().site;
+    if (m_shown != site) {
+        m_shown = site;
+        if (site.known) {
+            fill(site);
+        }
+    }
+    showButton();
+}
+
+void GuideSite::fill(const profile::SiteSettings& site)
+{
+    m_latitude->setValue(site.latitude.degrees());
+    m_longitude->setValue(site.longitude.degrees());
+    m_height->setValue(site.heightMetres);
+    writeLocator();
+}
+
+void GuideSite::writeLocator()
+{
+    const auto locator = profile::toLocator(
+        {.latitude = Angle::fromDegrees(m_latitude->value()), .longitude = Angle::fromDegrees(m_longitude->value())});
+    m_locator->setText(locator ? QString::fromStdString(*locator) : QString());
+    m_notice->setValue({});
+    showButton();
+}
+
+void GuideSite::readLocator()
+{
+    const auto place = profile::fromLocator(m_locator->text().trimmed().toStdString());
+    if (!place) {
+        m_notice->setValue(QString::fromStdString(place.error().text), Tone::Warning, Symbol::Warning);
+        return;
+    }
+    const QSignalBlocker latitudeQuiet(m_latitude);  // what is being typed stays as it is
+    const QSignalBlocker longitudeQuiet(m_longitude);
+    m_latitude->setValue(place->latitude.degrees());
+    m_longitude->setValue(place->longitude.degrees());
+    m_notice->setValue({});
+    showButton();
+}
+
+void GuideSite::showStations(const profile::GpredictStations& found)
+{
+    m_stations = found.stations;
+    m_gpredict->clear();
+    for (const profile::GpredictStation& station : m_stations) {
+        m_gpredict->addItem(stationText(station));
+    }
+    m_gpredict->setEnabled(!m_stations.empty());
+    m_gpredict->setCurrentIndex(-1);
+    m_gpredict->setPlaceholderText(m_stations.empty() ? tr("none found") : tr("choose …"));
+    m_gpredictNote->setValue(found.problems.join(QLatin1Char('\n')), Tone::Secondary);
+}
+
+void GuideSite::take(int row)
+{
+    if (row >= 0 && row < static_cast<int>(m_stations.size())) {
+        fill(m_stations[static_cast<std::size_t>(row)].site);
+    }
+}
+
+ProfileChange::Edit GuideSite::edit() const
+{
+    return [latitude = m_latitude->value(), longitude = m_longitude->value(),
+            height = m_height->value()](profile::Profile& profile) {
+        profile.site = {.known = true,
+                        .latitude = Angle::fromDegrees(latitude),
+                        .longitude = Angle::fromDegrees(longitude),
+                        .heightMetres = height};
+    };
+}
+
+void GuideSite::showButton()
+{
+    const bool entered = m_latitude->value() != 0.0 || m_longitude->value() != 0.0;  // nobody's mast stands in that sea
+    m_set->setBlocked(!entered                     ? tr("enter where the mount stands first")
+                      : m_change.isAlready(edit()) ? tr("this is the site in the profile")
+                                                   : m_change.whyNot(m_status, edit()));
+}
+
+}  // namespace boresight::ui

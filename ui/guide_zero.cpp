@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/guide_zero.h"
+
+#include "core/profile/commissioning.h"
+#include "ui/axes.h"
+#include "ui/command_button.h"
+#include "ui/format.h"
+#include "ui/guide_fields.h"
+#include "ui/hold_buttons.h"
+#include "ui/jog_button.h"
+#include "ui/value_label.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+
+namespace boresight::ui {
+
+namespace {
+
+QString rangeText(const TravelRange& range)
+{
+    return angleText(range.min, 1) + QStringLiteral("…") + angleText(range.max, 1);
+}
+
+}  // namespace
+
+GuideZero::GuideZero(Axis axis, ProfileChange& change, RequestDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      m_axis(axis),
+      m_change(change),
+      m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_explanation(new ValueLabel(tr("What to do"), fonts::label(), {}, this)),
+      m_reading(new ValueLabel(tr("What the %1 reads now").arg(name(axis)), fonts::text(), {}, this)),
+      m_effect(new ValueLabel(tr("What the change does"), fonts::label(), {}, this)),
+      m_truth(nullptr),
+      m_endsStay(new QCheckBox(tr("Cable and stops are where they were: their numbers change"), this)),
+      m_hold(new HoldButtons(desk, *m_notice, tr("Move"), {}, this)),
+      m_set(new CommandButton(tr("Set it"), tr("Takes the new zero into the profile and connects anew; nothing moves"),
+                              desk, *m_notice, this))
+{
+    const bool azimuth = m_axis == Axis::Azimuth;
+    m_truth = makeField({.name = azimuth ? tr("True azimuth of the antenna") : tr("True elevation of the antenna"),
+                         .help = azimuth ? tr("The direction the antenna points to, from true north")
+                                         : tr("By a spirit level on the antenna: 0° is level"),
+                         .min = azimuth ? -360.0 : -90.0,
+                         .max = azimuth ? 360.0 : 180.0,
+                         .unit = QStringLiteral("°")},
+                        this);
+    m_explanation->setValue(
+        azimuth ? tr("Point the antenna at a landmark whose bearing is known, and type the bearing. Without one press "
+                     "Skip: north can wait, everything else works.")
+                : tr("Bring the antenna level, by a spirit level on it, and set 0° here. Or type what an inclinometer "
+                     "shows."));
+    const auto add = [this](JogDirection direction, const QString& text) {
+        m_hold->addButton(direction, text, tr("Moves the %1 slowly while held").arg(name(m_axis)));
+    };
+    add(azimuth ? JogDirection::Left : JogDirection::Down, azimuth ? tr("AZ ↺ hold") : tr("EL ↓ hold"));
+    add(azimuth ? JogDirection::Right : JogDirection::Up, azimuth ? tr("AZ ↻ hold") : tr("EL ↑ hold"));
+    m_hold->setKeyHeld(true);
+    m_endsStay->setChecked(true);
+    build();
+    connect(m_truth, &QDoubleSpinBox::valueChanged, this, &GuideZero::showEffect);
+    connect(m_endsStay, &QCheckBox::toggled, this, &GuideZero::showEffect);
+    connect(m_set, &QPushButton::clicked, this, &GuideZero::set);
+    connect(m_set, &CommandButton::accepted, this, &GuideZero::done);
+}
+
+void GuideZero::build()
+{
+    for (ValueLabel* const label : {m_explanation, m_reading, m_effect, m_notice}) {
+        label->setStretching(true);
+    }
+    m_explanation->setLines(2);
+    m_effect->setLines(3);
+    m_notice->setCollapsing(true);
+    m_endsStay->setFont(fonts::label());
+    m_endsStay->setAccessibleName(m_endsStay->text());
+    m_endsStay->setToolTip(tr("Off: the ends keep their numbers, and lie elsewhere on the mount"));
+    auto* const grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(6);
+    auto* const caption = makeCaption(m_axis == Axis::Azimuth ? tr("It really points to") : tr("It really is"), this);
+    caption->setBuddy(m_truth);
+    grid->addWidget(m_explanation, 0, 0, 1, 3);
+    grid->addWidget(m_reading, 1, 0, 1, 2);
+    grid->addWidget(m_hold, 1, 2);
+    grid->addWidget(caption, 2, 0);
+    grid->addWidget(m_truth, 2, 1);
+    grid->addWidget(m_set, 2, 2);
+    grid->addWidget(m_endsStay, 3, 0, 1, 3);
+    grid->addWidget(m_effect, 4, 0, 1, 3);
+    grid->addWidget(m_notice, 6, 0, 1, 3);
+    grid->setColumnStretch(1, 1);
+    grid->setRowStretch(5, 1);
+}
+
+void GuideZero::showStatus(const StationStatus& status)
+{
+    m_status = status;
+    m_hold->setRate(status.profile->jog.slow);
+    m_hold->showStatus(status);
+    showEffect();
+}
+
+Angle GuideZero::truth() const
+{
+    const Angle typed = Angle::fromDegrees(m_truth->value());
+    const auto& actual = axisOf(m_status, m_axis).actual;
+    return m_axis == Axis::Azimuth && actual ? typed.nearestTo(*actual) : typed;
+}
+
+QString GuideZero::whyNot() const
+{
+    const AxisStatus& now = axisOf(m_status, m_axis);
+    if (!now.actual || freshness(now.age) != Freshness::Live) {
+        return tr("the drive does not say where the %1 is").arg(name(m_axis));
+    }
+    if (!isTurnKnown(m_status, m_axis)) {
+        return tr("which turn the %1 is on is not known yet").arg(name(m_axis));
+    }
+    // The zero is read from a standing axis, also where its limits would allow the change in motion.
+    return now.state == AxisState::Moving ? tr("the mount moves: stop it first") : m_change.whyNot(m_status, edit());
+}
+
+ProfileChange::Edit GuideZero::edit() const
+{
+    const Angle reading = axisOf(m_status, m_axis).actual.value_or(Angle{});
+    const auto ends = m_endsStay->isChecked() ? profile::Ends::StayOnTheMount : profile::Ends::KeepTheirNumbers;
+    return [axis = m_axis, reading, truth = truth(), ends](profile::Profile& profile) {
+        profile::setReading(profile, axis, reading, truth, ends);
+    };
+}
+
+void GuideZero::showEffect()
+{
+    const AxisStatus& now = axisOf(m_status, m_axis);
+    const bool known = now.actual && isTurnKnown(m_status, m_axis) && freshness(now.age) != Freshness::NoData;
+    m_reading->setValue(tr("It reads %1").arg(known ? angleText(*now.actual) : noValue()));
+    m_set->setBlocked(whyNot());
+    if (!known) {
+        m_effect->setValue({});
+        return;
+    }
+    profile::Profile then = m_change.applied();
+    edit()(then);
+    const QString by = signedAngleText(truth() - *now.actual);
+    const QString ends = tr("travel %1, now %2")
+                             .arg(rangeText(then.axis(m_axis).geometry.travel),
+                                  rangeText(m_change.applied().axis(m_axis).geometry.travel));
+    const QString directions =
+        m_axis == Axis::Azimuth ? tr("Horizon and keep-outs are directions and stay.") : QString();
+    const QString bounds = m_endsStay->isChecked()
+                               ? tr("The drives' own bounds stay right.")
+                               : tr("The drives' own bounds are to be fixed afterwards (step Protect).");
+    m_effect->setValue(tr("Every angle changes by %1: %2. %3 %4").arg(by, ends, bounds, directions), Tone::Secondary);
+}
+
+void GuideZero::set()
+{
+    m_change.ask(*m_set, edit());
+}
+
+}  // namespace boresight::ui

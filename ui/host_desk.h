@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/can/adapters.h"
+#include "core/profile/gpredict_qth.h"
+#include "core/survey/scan_result.h"
+
+#include <QObject>
+
+#include <vector>
+
+// What the window asks of this computer, as the RequestDesk is what it asks of the station: the asking leaves as a
+// signal, the answer comes back as one, and nobody waits. Gui thread.
+namespace boresight::ui {
+
+class HostDesk : public QObject
+{
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+Q_SIGNALS:
+    // Asked by a page.
+    void adaptersWanted();
+    void scanWanted(const QString& bus);
+    void gpredictWanted();
+    // Answered by the owner of the window.
+    void adaptersFound(const std::vector<boresight::Adapter>& adapters);
+    void scanned(const boresight::survey::ScanResult& result);
+    void gpredictFound(const boresight::profile::GpredictStations& stations);
+};
+
+}  // namespace boresight::ui

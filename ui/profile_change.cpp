@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/profile_change.h"
+
+#include "core/profile/profile_diff.h"
+#include "ui/command_button.h"
+#include "ui/motion_permission.h"
+
+namespace boresight::ui {
+
+namespace {
+
+Error refused(const QString& reason)
+{
+    return {ErrorCode::Refused, reason.toStdString()};
+}
+
+}  // namespace
+
+void ProfileChange::ask(CommandButton& button, const Edit& edit)
+{
+    button.await([&](QObject* asker, const RequestDesk::Reply& reply) { send(edit, asker, reply); });
+}
+
+profile::Profile ProfileChange::changed(const Edit& edit) const
+{
+    profile::Profile profile = m_draft.applied();
+    edit(profile);
+    return profile;
+}
+
+bool ProfileChange::isAlready(const Edit& edit) const
+{
+    return changed(edit) == m_draft.applied();
+}
+
+QString ProfileChange::whyNot(const StationStatus& status, const Edit& edit) const
+{
+    if (m_draft.hasEdits()) {
+        return tr("another panel has changes that are not applied: apply or revert them first");
+    }
+    const profile::Profile wanted = changed(edit);
+    if (const auto problems = profile::problemsOf(wanted); !problems.empty()) {
+        return QString::fromStdString(problems.front().key + ": " + problems.front().text);
+    }
+    const bool anew = !profile::applied(m_draft.inForce(), wanted).waitingKeys.empty();
+    return anew && isMoving(status) ? tr("the mount moves: stop it first") : QString();
+}
+
+void ProfileChange::send(const Edit& edit, QObject* asker, const RequestDesk::Reply& reply)
+{
+    if (m_draft.hasEdits()) {
+        reply(refused(tr("another panel has changes that are not applied: apply or revert them first")));
+        return;
+    }
+    m_draft.edit(edit);
+    if (!m_draft.hasEdits()) {
+        reply({});  // it is so already
+        return;
+    }
+    if (const QString reason = m_draft.whyNoApply(); !reason.isEmpty()) {
+        m_draft.revert();
+        reply(refused(reason));
+        return;
+    }
+    const profile::Profile wanted = m_draft.edited();
+    const bool anew = !profile::applied(m_draft.inForce(), wanted).waitingKeys.empty();
+    m_draft.apply(asker, [this, wanted, anew, asker, reply](const std::optional<Error>& error) {
+        if (error) {
+            m_draft.revert();
+        }
+        if (error || !anew) {
+            reply(error);
+        } else {
+            m_desk.send(request::Reconnect{wanted}, asker, reply);
+        }
+    });
+}
+
+}  // namespace boresight::ui
