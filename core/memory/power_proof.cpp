@@ -38,88 +38,106 @@ std::optional<Seconds> vouchedElapsed(const Evidence& evidence, const TurnRecord
     return std::nullopt;
 }
 
-std::optional<QString> obstacleInTime(const DriveFrame& frame, const Evidence& evidence, const TurnRecord& record)
+std::optional<Obstacle> obstacleInTime(const DriveFrame& frame, const Evidence& evidence, const TurnRecord& record)
 {
     const Seconds byUtc = evidence.now - record.when;
     if (byUtc < Seconds(0.0)) {
-        return Text::tr("The journal is dated %1 in the future: this computer's clock was put back")
-            .arg(inWords(-byUtc));
+        return Obstacle{.why = Text::tr("The journal is dated %1 in the future: this computer's clock was put back")
+            .arg(inWords(-byUtc))};
     }
     if (record.provesNothing()) {
-        return Text::tr("The journal proves no turn any more: a doubt arose after it was written");
+        return Obstacle{.why = Text::tr("The journal proves no turn any more: a doubt arose after it was written")};
     }
     const std::optional<Seconds> elapsed = vouchedElapsed(evidence, record);
     if (!elapsed) {
-        return Text::tr(
+        return Obstacle{.why = Text::tr(
             "This computer was restarted since, and no time server vouches for its clock: whether the "
-            "drive kept its power cannot be told");
+            "drive kept its power cannot be told")};
     }
     if (record.uptime + *elapsed + margin(*elapsed) >= kUptimePeriod) {
-        return Text::tr(
+        return Obstacle{.why = Text::tr(
             "The drive's clock starts again every 49.7 days: whether the drive kept its power cannot "
-            "be told");
+            "be told")};
     }
     // The steady clock of a computer may stand still while it sleeps, UTC does not: the longer of the two counts.
     const Seconds longest = std::max(*elapsed, byUtc);
     if (frame.uptime <= longest + margin(longest)) {
-        return Text::tr("The drive was restarted %1 ago").arg(inWords(frame.uptime));
+        return Obstacle{.why = Text::tr("The drive was restarted %1 ago").arg(inWords(frame.uptime)), .restarted = true};
     }
     // A drive that kept its power counted just the time that went by here. If not, one of the clocks is wrong.
     const Seconds counted = frame.uptime - record.uptime;
     if (*elapsed < Seconds(0.0) || !(std::abs((counted - *elapsed).count()) <= margin(*elapsed).count())) {
-        return Text::tr(
+        return Obstacle{.why = Text::tr(
             "The clocks of the drive and of this computer disagree about the time since the journal: "
-            "whether the drive kept its power cannot be told");
+            "whether the drive kept its power cannot be told")};
     }
     return std::nullopt;
 }
 
-// Read while the axis turns, the two counts differ by less.
-constexpr MotorTurns kSameOrigin = MotorTurns::fromTurns(0.002);
+// The two counts get the same differences; read one after the other they are a 2^-16 turn apart at most. And never near
+// to what the drive can not tell apart.
+constexpr MotorTurns kSameOrigin = MotorTurns::fromTurns(1e-4);
+constexpr double kSamePart = 1.0 / 20.0;
 
-// `d nearest` sets the position by whole places, `d exact` by anything.
-bool byWholePlaces(MotorTurns set, const DriveFrame& frame, const pointing::AxisGeometry& axis)
+Angle originTolerance(Angle period, const pointing::AxisGeometry& axis)
 {
-    const Angle by = axis.toAxis(set) - axis.toAxis(MotorTurns());
-    const Angle same = abs(axis.toAxis(kSameOrigin) - axis.toAxis(MotorTurns()));
-    return abs(by - frame.period * std::round(by / frame.period)) < same;
+    return std::min(abs(axis.toAxis(kSameOrigin) - axis.toAxis(MotorTurns())), period * kSamePart);
 }
 
 std::optional<Obstacle> obstacleInOrigin(const DriveFrame& frame, const TurnRecord& record,
                                          const pointing::AxisGeometry& axis)
 {
     if (!frame.origin || !record.origin) {
-        return Obstacle{Text::tr("The drive did not tell whether its position was set since")};
+        return Obstacle{.why = Text::tr("The drive did not tell whether its position was set since")};
     }
     if (record.origin->beginning != frame.origin->beginning) {
-        return Obstacle{Text::tr("The drive's encoder settings were changed since: it counts anew"), true, true};
+        return Obstacle{.why = Text::tr("The drive's encoder settings were changed since: it counts anew"),
+                        .positionSet = true,
+                        .phaseLost = true};
     }
-    const MotorTurns set = frame.origin->offset - record.origin->offset;
-    if (!(abs(set) < kSameOrigin)) {
-        return Obstacle{Text::tr("The drive's position was set since: what it reports is no motion"), true,
-                        !byWholePlaces(set, frame, axis)};
+    if (!isSameOrigin(*record.origin, *frame.origin, frame.period, axis)) {
+        const Angle set = axis.toAxis(frame.origin->offset) - axis.toAxis(record.origin->offset);
+        // `d nearest` sets the position by whole places, `d exact` by anything.
+        const Angle rest = set - frame.period * std::round(set / frame.period);
+        return Obstacle{.why = Text::tr("The drive's position was set since: what it reports is no motion"),
+                        .positionSet = true,
+                        .phaseLost = !(abs(rest) < originTolerance(frame.period, axis))};
     }
     return std::nullopt;
 }
 
 }  // namespace
 
+bool isSameOrigin(const moteus::CountOrigin& one, const moteus::CountOrigin& other, Angle period,
+                  const pointing::AxisGeometry& axis)
+{
+    const Angle set = axis.toAxis(one.offset) - axis.toAxis(other.offset);
+    return one.beginning == other.beginning && abs(set) < originTolerance(period, axis);
+}
+
 std::optional<Obstacle> obstacleToCountingOn(const DriveFrame& frame, const Evidence& evidence,
                                              const TurnRecord& record, const pointing::AxisGeometry& axis)
 {
     if (record.drive.isEmpty() || record.drive != frame.drive) {
-        return Obstacle{Text::tr("The journal is of another drive (%1)").arg(record.drive)};
+        return Obstacle{.why = Text::tr("The journal is of another drive (%1)").arg(record.drive)};
     }
-    if (auto why = obstacleInTime(frame, evidence, record)) {
-        return Obstacle{*why};
+    const auto inTime = obstacleInTime(frame, evidence, record);
+    const auto inOrigin = obstacleInOrigin(frame, record, axis);
+    const bool restarted = (inTime && inTime->restarted) || frame.uptime < record.uptime;
+    if (inOrigin && inOrigin->positionSet && !restarted) {
+        return inOrigin;  // whatever the clocks say
     }
-    if (record.homeState == moteus::HomeState::Relative) {
-        return Obstacle{Text::tr("The drive had no zero when the journal was written")};
+    if (inTime) {
+        return inTime;
+    }
+    if (record.homeState == moteus::HomeState::Relative || record.homeState != frame.homeState) {
+        return Obstacle{.why = Text::tr("The drive's zero was set or lost since the journal was written")};
     }
     if (!(abs(axis.toAxis(record.reported) - record.counted) <= kRounding)) {
-        return Obstacle{Text::tr("Zero, direction or gear of the axis were changed since the journal was written")};
+        return Obstacle{.why = Text::tr(
+                            "Zero, direction or gear of the axis were changed since the journal was written")};
     }
-    return obstacleInOrigin(frame, record, axis);
+    return inOrigin;
 }
 
 }  // namespace boresight::memory

@@ -50,7 +50,8 @@ double turns(std::uint64_t count)
 
 std::optional<CountOrigin> countOrigin(std::string_view data)
 {
-    if (data.size() < kTail) {
+    // It begins with its error: then both counts stand still, whatever the axis does.
+    if (data.size() <= kTail || data.front() != 0) {
         return std::nullopt;
     }
     const std::string_view tail = data.substr(data.size() - kTail);

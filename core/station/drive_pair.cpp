@@ -109,7 +109,7 @@ bool DrivePair::changingHands() const
         const Drive::Phase phase = drive(axis).phase();
         return phase == Drive::Phase::Capturing || phase == Drive::Phase::Recovering ||
                phase == Drive::Phase::Referencing || phase == Drive::Phase::Starving ||
-               phase == Drive::Phase::Releasing;
+               phase == Drive::Phase::Releasing || phase == Drive::Phase::Unseen;
     });
 }
 

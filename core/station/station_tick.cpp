@@ -157,8 +157,12 @@ void StationControl::watchStall(Seconds gap)
 {
     if (m_tick > 0 && gap > kStall) {
         m_drives.excuse(gap, m_now + std::chrono::duration_cast<SteadyTime::duration>(gap));
-        m_azimuthWatch.forgetMotion();
-        m_elevationWatch.forgetMotion();
+        for (const Axis axis : kAxes) {
+            watchOf(axis).forgetMotion();
+            if (gap > Drive::kSilence) {
+                m_turns.forget(axis);  // whatever was done to the drive meanwhile
+            }
+        }
         m_log.add(Severity::Warning, QStringLiteral("station"),
                   Text::tr("this computer stalled for %1 s; drives may have stopped by their watchdog")
                       .arg(gap.count(), 0, 'f', 2));

@@ -4,6 +4,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/memory/places.h"
+#include "core/memory/power_proof.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,8 @@ constexpr Angle kEyeSight = Angle::fromDegrees(20.0);
 constexpr Seconds kCounterSpan{4294967.296};
 // What is known about the drive may be of before its restart; the survey's heartbeat tells within a second.
 constexpr std::chrono::milliseconds kHeartbeat{1500};
+// Half a dozen frames each.
+constexpr std::chrono::seconds kOriginPeriod{5};
 // Without candidates there is no period to derive it from.
 constexpr Angle kLoneTolerance = Angle::fromDegrees(1.0);
 
@@ -82,7 +85,28 @@ bool TurnKeeper::isFresh(Axis axis, const survey::DriveFacts& facts) const
 bool TurnKeeper::needsOrigin(Axis axis, const survey::DriveFacts& facts) const
 {
     const Phase phase = state(axis).phase;
-    return (phase == Phase::Unjudged || phase == Phase::Known) && !isFresh(axis, facts);
+    const bool old = !isFresh(axis, facts) || m_clock.now() - facts.origin.asked >= kOriginPeriod;
+    return (phase == Phase::Unjudged || phase == Phase::Known) && old;
+}
+
+// A small step of what the drive reports, or one while this computer stood still, is not seen otherwise.
+void TurnKeeper::watchOrigin(Axis axis, const survey::DriveFacts& facts)
+{
+    auto& mine = state(axis).origin;
+    const auto& read = facts.origin.origin;
+    if (!read || !isFresh(axis, facts)) {
+        return;
+    }
+    if (mine && !memory::isSameOrigin(*mine, *read, period(axis, facts), m_profile.axis(axis).geometry)) {
+        forget(axis, Text::tr("The drive's position was set by another tool"));
+        return;
+    }
+    mine = mine ? mine : read;
+}
+
+Angle TurnKeeper::period(Axis axis, const survey::DriveFacts& facts) const
+{
+    return memory::ambiguity(m_profile.axis(axis).geometry, facts.rotorToOutputRatio, facts.outputEncoder);
 }
 
 // The boards are interchanged: what is known of one says nothing of the other axis.
@@ -118,6 +142,8 @@ void TurnKeeper::judge(Axis axis, const survey::DriveFacts& facts, Drive& drive,
             if (drive.report()->homeState != mine.homeState) {
                 forget(axis);  // restarted, or told another place
                 state(axis).notBefore = now + kHeartbeat;
+            } else {
+                watchOrigin(axis, facts);
             }
             break;
     }
@@ -146,9 +172,9 @@ memory::DriveFrame TurnKeeper::frame(Axis axis, const survey::DriveFacts& facts,
             .reported = *report.position,
             .homeState = report.homeState,
             .uptime = Seconds(std::fmod(Seconds(now - facts.bootedAt).count(), kCounterSpan.count())),
-            .origin = isFresh(axis, facts) ? facts.origin.origin : std::nullopt,
+            .origin = known(axis) ? state(axis).origin : facts.origin.origin,
             .outputEncoder = facts.outputEncoder,
-            .period = memory::ambiguity(m_profile.axis(axis).geometry, facts.rotorToOutputRatio, facts.outputEncoder)};
+            .period = period(axis, facts)};
 }
 
 void TurnKeeper::judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now)

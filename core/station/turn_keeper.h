@@ -48,7 +48,8 @@ public:
     // The question that waits for the operator; the places move along when the axis is jogged.
     [[nodiscard]] std::optional<memory::TurnQuestion> question(Axis axis, const Drive& drive) const;
 
-    // The facts do not tell yet what the drive's position counts from now: without that nothing can be proved later.
+    // What the drive's position counts from is to be read (again): nothing can be proved without, and whoever sets the
+    // position of a drive whose turn is known changes it.
     [[nodiscard]] bool needsOrigin(Axis axis, const survey::DriveFacts& facts) const;
     // Writes down where a known axis stands.
     void note(Axis axis, const survey::DriveFacts& facts, const Drive& drive, bool moving, SteadyTime now);
@@ -76,6 +77,7 @@ private:
         std::optional<SteadyTime> noted{};
         SteadyTime notBefore{};                                     // when the next judgement may be made
         moteus::HomeState homeState = moteus::HomeState::Relative;  // while the turn is known
+        std::optional<moteus::CountOrigin> origin{};                // while the turn is known; nothing: not read yet
     };
 
     [[nodiscard]] State& state(Axis axis) { return m_states[index(axis)]; }
@@ -89,8 +91,9 @@ private:
     void ask(Axis axis, const memory::TurnQuestion& question, const Drive& drive);
     [[nodiscard]] bool chooseAsTold(Axis axis, Angle place, Drive& drive);
     void countFromTheMiddle(Axis axis, Drive& drive);
-    void tell(Axis axis, MotorTurns place, MotorTurns near, Drive& drive);
     void watchJog(Axis axis, const Drive& drive);
+    void watchOrigin(Axis axis, const survey::DriveFacts& facts);
+    [[nodiscard]] Angle period(Axis axis, const survey::DriveFacts& facts) const;
     void becomeKnown(Axis axis, const Drive& drive);
     void settle(Axis axis, Angle angle, Angle period, Drive& drive, const QString& source, const QString& why);
     [[nodiscard]] MotorTurns tolerance(Axis axis, Angle period) const;

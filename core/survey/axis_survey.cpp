@@ -68,6 +68,13 @@ void AxisSurvey::startReading()
 
 void AxisSurvey::readOrigin()
 {
+    m_run.reset();
+    m_heartbeat.begin(m_board);
+    m_step = Step::OriginUptime;
+}
+
+void AxisSurvey::startOrigin()
+{
     m_run.emplace(m_id, std::vector<std::string>{"tel stop", kOriginFormat, kGetOrigin});
     m_step = Step::Origin;
 }
@@ -134,6 +141,8 @@ void AxisSurvey::take(const moteus::Reply& reply)
     }
     if (m_step == Step::Uptime && m_heartbeat.isAnswered()) {
         startReading();
+    } else if (m_step == Step::OriginUptime && m_heartbeat.isAnswered()) {
+        startOrigin();
     } else if (m_run) {
         m_run->take(reply);
     }
@@ -202,11 +211,12 @@ void AxisSurvey::finishStoring()
     startReading();
 }
 
-// Silence is for the heartbeat to tell: here it only proves nothing.
+// What is not answered stays as it was, too old to prove anything, and is asked again.
 void AxisSurvey::finishOrigin()
 {
-    const bool answered = m_run->trouble().empty();
-    keepOrigin(answered ? m_run->answers().back() : failure(ErrorCode::NoAnswer, m_run->trouble()));
+    if (m_run->trouble().empty()) {
+        keepOrigin(m_run->answers().back());
+    }
     m_run.reset();
     m_step = Step::Idle;
 }
@@ -262,7 +272,7 @@ std::optional<double> AxisSurvey::value(std::string_view key) const
 
 QString AxisSurvey::progress() const
 {
-    if (m_step == Step::Origin) {
+    if (m_step == Step::Origin || m_step == Step::OriginUptime) {
         return {};  // a glance
     }
     if (!m_run) {

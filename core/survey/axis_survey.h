@@ -39,7 +39,7 @@ public:
     void read(const moteus::Uuid& board);
     // Sets what differs, reads back, and stores only if all of it was taken; then reads everything again.
     void fix();
-    // Only what the position counts from; the rest stays as read.
+    // Only uptime and what the position counts from; the rest stays as read, and without an answer this too.
     void readOrigin();
     void forget();
 
@@ -63,6 +63,7 @@ private:
     {
         Idle,
         Uptime,  // first, and by the way: is it still there?
+        OriginUptime,
         Reading,
         Setting,
         Storing,
@@ -75,6 +76,7 @@ private:
     };
 
     void startReading();
+    void startOrigin();
     void finishRun();
     void finishReading();
     void finishSetting();

@@ -209,7 +209,7 @@ private:
     // By less it is the same place.
     void setExact()
     {
-        m_shift += chance(0.5) ? m_placeTurns : (chance(0.5) ? 1.0 : -1.0) * uniform(0.00201, 1.0);
+        m_shift += chance(0.5) ? m_placeTurns : (chance(0.5) ? 1.0 : -1.0) * uniform(0.00011, 1.0);
         m_home = HomeState::Output;
     }
 
@@ -219,7 +219,7 @@ private:
         const double reported = m_motor + m_shift;
         const double from = m_motor;
         moveByHand();
-        m_shift = std::abs(m_motor - from) < 0.00201 ? m_shift : reported - m_motor;
+        m_shift = std::abs(m_motor - from) < 0.00011 ? m_shift : reported - m_motor;
         m_home = HomeState::Output;
     }
 

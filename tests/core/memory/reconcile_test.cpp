@@ -157,6 +157,24 @@ TEST(Reconcile, APhaseThatWasThrownAwayContradictsNobody)
                 Contains("The drive does not know where the axis is: enter the angle"));
 }
 
+// A computer restarted without a time server knows nothing of the time, but a position that was set it still sees.
+TEST_P(ReconcileKinds, APositionSetIsSeenWhateverTheClocksSay)
+{
+    Scene scene(GetParam().kind);
+    scene.frame.reported = turnsAt(189.0);
+    scene.setTo(405.0).hostRestarted(false, false);
+    EXPECT_THAT(scene.sentences(), Contains("The drive's position was set since: what it reports is no motion"));
+    EXPECT_EQ(scene.question().proposed, std::nullopt);
+}
+
+// An encoder on the output that fell out and came back: the rotor's own was latched meanwhile.
+TEST(Reconcile, AZeroThatWasLostIsNotCountedOver)
+{
+    Scene scene(Kind::HundredToOne);
+    scene.evidence.record->homeState = HomeState::Output;
+    EXPECT_THAT(scene.sentences(), Contains("The drive's zero was set or lost since the journal was written"));
+}
+
 // With other settings of its encoders the drive counts from zero again, and any origin may come out.
 TEST_P(ReconcileKinds, EncodersSetAnewAreNotCountedOver)
 {

@@ -25,7 +25,7 @@ const std::vector<std::uint8_t> kRecord{3, 1, 1,                                
 
 std::string telemetry(const std::vector<std::uint8_t>& end, std::size_t before = 178)
 {
-    return std::string(before, '\x5a') + std::string(end.begin(), end.end());
+    return '\0' + std::string(before, '\x5a') + std::string(end.begin(), end.end());
 }
 
 TEST(CountOrigin, IsReadFromTheEndWhateverTheEncodersTake)
@@ -55,13 +55,16 @@ TEST(CountOrigin, DoesNotChangeWhenTheCountersRunOver)
 TEST(CountOrigin, IsNotReadFromWhatIsNoSuchRecord)
 {
     EXPECT_FALSE(countOrigin(""));
-    EXPECT_FALSE(countOrigin(telemetry(kRecord).substr(0, 44)));
+    EXPECT_FALSE(countOrigin(telemetry(kRecord, 0).substr(1)));
     EXPECT_FALSE(countOrigin(std::string(223, '\0')));
     EXPECT_FALSE(countOrigin("motor_position.error 0 and more than forty-five characters of text"));
     for (std::size_t shift = 1; shift < 12; ++shift) {
         EXPECT_FALSE(countOrigin(telemetry(kRecord) + std::string(shift, '\0'))) << shift;
-        EXPECT_FALSE(countOrigin(telemetry(kRecord).substr(0, 223 - shift))) << shift;
+        EXPECT_FALSE(countOrigin(telemetry(kRecord).substr(0, 224 - shift))) << shift;
     }
+    std::string failed = telemetry(kRecord);
+    failed.front() = 3;
+    EXPECT_FALSE(countOrigin(failed)) << "its encoder does not answer: it counts nothing";
     auto invalid = kRecord;
     invalid[2] = 0;
     EXPECT_FALSE(countOrigin(telemetry(invalid))) << "no encoder yet";

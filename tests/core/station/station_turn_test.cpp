@@ -411,6 +411,27 @@ TEST(StationTurns, APositionSetWhileTheProgramWasClosedIsAskedAbout)
     }
 }
 
+// By less than a jump of the encoder is suspected, or while this computer stood still, nothing else shows it.
+TEST(StationTurns, APositionSetWhileTheTurnIsKnownIsFoundOutBySeconds)
+{
+    for (const bool stalled : {false, true}) {
+        StationRig rig;
+        rig.run(Seconds(0.5));
+        ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
+        rig.settle();
+        if (stalled) {
+            rig.clock.advance(Seconds(20.0));
+        }
+        rig.azimuth.setExact(rig.azimuth.position + (stalled ? 0.6 : 0.001));
+        rig.run(Seconds(6.0));
+        EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown) << stalled;
+        EXPECT_TRUE(rig.control.status().drives.elevation.turnKnown) << stalled;
+        const auto& question = rig.control.status().drives.azimuth.turnQuestion;
+        ASSERT_TRUE(question);
+        EXPECT_FALSE(question->proposed);
+    }
+}
+
 // Until it is known what the drive counts from, its record must not seem to prove anything.
 TEST(StationTurns, ARecordOfADriveThatDoesNotTellProvesNothing)
 {
