@@ -13,6 +13,8 @@ namespace {
 constexpr Seconds kLongestStep{0.1};
 constexpr Seconds kShutDownPatience{5.0};
 constexpr Seconds kStall{0.125};
+// Long enough for a hand at the mount's switch; what a tool sets meanwhile is seen by its origin.
+constexpr Seconds kLongStall{1.0};
 // How long the last order of the program is repeated, so that a lost frame does not matter.
 constexpr std::chrono::milliseconds kLastOrder{150};
 // From full speed, with a second to spare.
@@ -159,7 +161,7 @@ void StationControl::watchStall(Seconds gap)
         m_drives.excuse(gap, m_now + std::chrono::duration_cast<SteadyTime::duration>(gap));
         for (const Axis axis : kAxes) {
             watchOf(axis).forgetMotion();
-            if (gap > Drive::kSilence) {
+            if (gap > kLongStall) {
                 m_turns.forget(axis);  // whatever was done to the drive meanwhile
             }
         }

@@ -86,7 +86,7 @@ public:
 
     void applyNextProfile()
     {
-        m_profile.beamwidth = Angle::fromDegrees(m_profile.beamwidth.degrees() + 0.1);
+        m_profile.beamWidth = Angle::fromDegrees(m_profile.beamWidth.degrees() + 0.1);
         ask(request::ApplyProfile{m_profile});
     }
 
@@ -118,7 +118,7 @@ private:
     [[nodiscard]] static profile::Profile onAnyPort()
     {
         profile::Profile profile;
-        profile.rotctld.port = 0;
+        profile.rotctld.listen.port = 0;
         return profile;
     }
 
