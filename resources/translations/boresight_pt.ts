@@ -2184,10 +2184,6 @@ el %3</translation>
         <translation>O %1 desligou-se</translation>
     </message>
     <message>
-        <source>Motion ended; the other axis holds if its drive can</source>
-        <translation>Movimento terminado; o outro eixo mantém-se se o seu acionamento puder</translation>
-    </message>
-    <message>
         <source>Its supply failed or another program stopped it: check both, then re-arm</source>
         <translation>A alimentação falhou ou outro programa o parou: verifique ambos e depois rearme</translation>
     </message>
@@ -3386,10 +3382,6 @@ el %3</translation>
         <translation>O diário é de outro acionamento (%1)</translation>
     </message>
     <message>
-        <source>The drive had no zero when the journal was written</source>
-        <translation>O acionamento não tinha zero quando o diário foi escrito</translation>
-    </message>
-    <message>
         <source>Zero, direction or gear of the axis were changed since the journal was written</source>
         <translation>O zero, o sentido ou a redução do eixo foram alterados desde que o diário foi escrito</translation>
     </message>
@@ -3576,6 +3568,18 @@ el %3</translation>
     <message>
         <source>built in, to try everything without a mount</source>
         <translation>incluída, para experimentar tudo sem montagem</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s zero was set or lost since the journal was written</source>
+        <translation>O zero do acionamento foi definido ou perdido desde que o diário foi escrito</translation>
+    </message>
+    <message>
+        <source>Motion ended; an order under way may have switched it on again, then it holds by itself; the other axis holds if its drive can</source>
+        <translation>O movimento terminou; uma ordem a caminho pode tê-lo ligado de novo, então ele segura sozinho; o outro eixo segura se o seu acionamento puder</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s position was set by another tool</source>
+        <translation>A posição do acionamento foi definida por outra ferramenta</translation>
     </message>
 </context>
 <context>
