@@ -43,33 +43,34 @@ std::optional<Obstacle> obstacleInTime(const DriveFrame& frame, const Evidence& 
     const Seconds byUtc = evidence.now - record.when;
     if (byUtc < Seconds(0.0)) {
         return Obstacle{.why = Text::tr("The journal is dated %1 in the future: this computer's clock was put back")
-            .arg(inWords(-byUtc))};
+                                   .arg(inWords(-byUtc))};
     }
     if (record.provesNothing()) {
         return Obstacle{.why = Text::tr("The journal proves no turn any more: a doubt arose after it was written")};
     }
     const std::optional<Seconds> elapsed = vouchedElapsed(evidence, record);
     if (!elapsed) {
-        return Obstacle{.why = Text::tr(
-            "This computer was restarted since, and no time server vouches for its clock: whether the "
-            "drive kept its power cannot be told")};
+        return Obstacle{
+            .why = Text::tr("This computer was restarted since, and no time server vouches for its clock: whether the "
+                            "drive kept its power cannot be told")};
     }
     if (record.uptime + *elapsed + margin(*elapsed) >= kUptimePeriod) {
-        return Obstacle{.why = Text::tr(
-            "The drive's clock starts again every 49.7 days: whether the drive kept its power cannot "
-            "be told")};
+        return Obstacle{
+            .why = Text::tr("The drive's clock starts again every 49.7 days: whether the drive kept its power cannot "
+                            "be told")};
     }
     // The steady clock of a computer may stand still while it sleeps, UTC does not: the longer of the two counts.
     const Seconds longest = std::max(*elapsed, byUtc);
     if (frame.uptime <= longest + margin(longest)) {
-        return Obstacle{.why = Text::tr("The drive was restarted %1 ago").arg(inWords(frame.uptime)), .restarted = true};
+        return Obstacle{.why = Text::tr("The drive was restarted %1 ago").arg(inWords(frame.uptime)),
+                        .restarted = true};
     }
     // A drive that kept its power counted just the time that went by here. If not, one of the clocks is wrong.
     const Seconds counted = frame.uptime - record.uptime;
     if (*elapsed < Seconds(0.0) || !(std::abs((counted - *elapsed).count()) <= margin(*elapsed).count())) {
-        return Obstacle{.why = Text::tr(
-            "The clocks of the drive and of this computer disagree about the time since the journal: "
-            "whether the drive kept its power cannot be told")};
+        return Obstacle{
+            .why = Text::tr("The clocks of the drive and of this computer disagree about the time since the journal: "
+                            "whether the drive kept its power cannot be told")};
     }
     return std::nullopt;
 }
@@ -134,8 +135,8 @@ std::optional<Obstacle> obstacleToCountingOn(const DriveFrame& frame, const Evid
         return Obstacle{.why = Text::tr("The drive's zero was set or lost since the journal was written")};
     }
     if (!(abs(axis.toAxis(record.reported) - record.counted) <= kRounding)) {
-        return Obstacle{.why = Text::tr(
-                            "Zero, direction or gear of the axis were changed since the journal was written")};
+        return Obstacle{.why =
+                            Text::tr("Zero, direction or gear of the axis were changed since the journal was written")};
     }
     return inOrigin;
 }

@@ -75,10 +75,11 @@ AlarmText lost(const QString& drive, DriveLoss loss, int faultCode, Seconds watc
                     .action = Text::tr("It stopped itself by its watchdog; the motion of both axes ended"),
                     .remedy = Text::tr("Check the bus and the load of this computer, then re-arm")};
         case DriveLoss::Released:
-            return {.what = Text::tr("The %1 switched itself off").arg(drive),
-                    .action = Text::tr("Motion ended; an order under way may have switched it on again, then it holds by "
-                                       "itself; the other axis holds if its drive can"),
-                    .remedy = Text::tr("Its supply failed or another program stopped it: check both, then re-arm")};
+            return {
+                .what = Text::tr("The %1 switched itself off").arg(drive),
+                .action = Text::tr("Motion ended; an order under way may have switched it on again, then it holds by "
+                                   "itself; the other axis holds if its drive can"),
+                .remedy = Text::tr("Its supply failed or another program stopped it: check both, then re-arm")};
         case DriveLoss::Disobeys:
             break;
     }

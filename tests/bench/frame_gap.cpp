@@ -107,8 +107,7 @@ private:
         // By the clock of the pair: within the part "faults".
         for (const sim::Injection& fault :
              {sim::Injection{.kind = FaultKind::BusOff, .at = Seconds(16.0), .duration = Seconds(1.5)},
-              sim::Injection{
-                  .kind = FaultKind::DriveFault, .axis = Axis::Azimuth, .at = Seconds(20.0), .value = 38.0},
+              sim::Injection{.kind = FaultKind::DriveFault, .axis = Axis::Azimuth, .at = Seconds(20.0), .value = 38.0},
               sim::Injection{.kind = FaultKind::PowerLoss, .at = Seconds(22.0), .duration = Seconds(0.5)}}) {
             link->pair().faults().add(fault);
         }
@@ -140,15 +139,14 @@ struct Part
     void (*again)(Desk&);  // every 200 ms
 };
 
-constexpr Part kParts[] = {
-    {"connect and survey", 4000, [](Desk& desk) { desk.start(); }, [](Desk&) {}},
-    {"scan", 4000, [](Desk& desk) { desk.ask(request::ReadDrives{}); }, [](Desk&) {}},
-    {"move, all panels", 7000,
-     [](Desk& desk) { desk.ask(request::PointAxes{{.azimuth = 100_deg, .elevation = 45_deg}}); },
-     [](Desk& desk) { desk.nextPanel(); }},
-    {"bus off, faults, power loss", 10000, [](Desk&) {}, [](Desk& desk) { desk.nextPanel(); }},
-    {"apply and save", 4000, [](Desk&) {}, [](Desk& desk) { desk.applyNextProfile(); }},
-    {"reconnect", 5000, [](Desk& desk) { desk.reconnect(); }, [](Desk&) {}}};
+constexpr Part kParts[] = {{"connect and survey", 4000, [](Desk& desk) { desk.start(); }, [](Desk&) {}},
+                           {"scan", 4000, [](Desk& desk) { desk.ask(request::ReadDrives{}); }, [](Desk&) {}},
+                           {"move, all panels", 7000,
+                            [](Desk& desk) { desk.ask(request::PointAxes{{.azimuth = 100_deg, .elevation = 45_deg}}); },
+                            [](Desk& desk) { desk.nextPanel(); }},
+                           {"bus off, faults, power loss", 10000, [](Desk&) {}, [](Desk& desk) { desk.nextPanel(); }},
+                           {"apply and save", 4000, [](Desk&) {}, [](Desk& desk) { desk.applyNextProfile(); }},
+                           {"reconnect", 5000, [](Desk& desk) { desk.reconnect(); }, [](Desk&) {}}};
 
 }  // namespace
 
