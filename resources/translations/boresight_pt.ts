@@ -131,11 +131,11 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <name>GuideWords</name>
     <message>
         <source>Connect</source>
-        <translation>Ligar</translation>
+        <translation>Conexão</translation>
     </message>
     <message>
         <source>Protect</source>
-        <translation>Proteger</translation>
+        <translation>Proteção</translation>
     </message>
     <message>
         <source>Turning</source>
@@ -163,19 +163,19 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     </message>
     <message>
         <source>Connect: how are the drives reached?</source>
-        <translation>Ligar: como se chega aos acionamentos?</translation>
+        <translation>Conexão: como se chega aos acionamentos?</translation>
     </message>
     <message>
         <source>Protect: does each drive guard the mount by itself?</source>
-        <translation>Proteger: cada acionamento protege sozinho a montagem?</translation>
+        <translation>Proteção: cada acionamento guarda a montagem por si?</translation>
     </message>
     <message>
         <source>Turning: which motor is which, and which way does it turn?</source>
-        <translation>Sentido: qual motor é qual e para que lado gira?</translation>
+        <translation>Sentido: qual motor é qual, e para que lado gira?</translation>
     </message>
     <message>
         <source>Travel: how far may each axis and its cable go?</source>
-        <translation>Curso: até onde pode ir cada eixo e o seu cabo?</translation>
+        <translation>Curso: até onde podem ir cada eixo e o seu cabo?</translation>
     </message>
     <message>
         <source>Level: where is elevation 0°?</source>
@@ -195,7 +195,7 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     </message>
     <message>
         <source>both drives must answer and be read first</source>
-        <translation>primeiro ambos os acionamentos têm de responder e ser lidos</translation>
+        <translation>os dois acionamentos têm primeiro de responder e ser lidos</translation>
     </message>
     <message>
         <source>the drives have not been read</source>
@@ -3547,11 +3547,11 @@ el %3</translation>
     </message>
     <message>
         <source>another bus is being looked at: wait a moment</source>
-        <translation>outro barramento está a ser examinado: aguarde um momento</translation>
+        <translation>outro barramento está sendo examinado: espere um momento</translation>
     </message>
     <message>
         <source>USB serial port</source>
-        <translation>Porta série USB</translation>
+        <translation>Porta serial USB</translation>
     </message>
     <message>
         <source>CAN interface</source>
@@ -3559,7 +3559,7 @@ el %3</translation>
     </message>
     <message>
         <source>%1, down</source>
-        <translation>%1, em baixo</translation>
+        <translation>%1, desativada</translation>
     </message>
     <message>
         <source>Simulated mount</source>
@@ -3567,7 +3567,7 @@ el %3</translation>
     </message>
     <message>
         <source>built in, to try everything without a mount</source>
-        <translation>incluída, para experimentar tudo sem montagem</translation>
+        <translation>embutida, para experimentar tudo sem montagem</translation>
     </message>
     <message>
         <source>The drive&apos;s zero was set or lost since the journal was written</source>
@@ -4208,7 +4208,7 @@ modo moteus %1, falha %2</translation>
     </message>
     <message>
         <source>clockwise, seen from above</source>
-        <translation>no sentido horário, visto de cima</translation>
+        <translation>horário, visto de cima</translation>
     </message>
     <message>
         <source>upwards</source>
@@ -4216,7 +4216,7 @@ modo moteus %1, falha %2</translation>
     </message>
     <message>
         <source>counter-clockwise, seen from above</source>
-        <translation>no sentido anti-horário, visto de cima</translation>
+        <translation>anti-horário, visto de cima</translation>
     </message>
     <message>
         <source>downwards</source>
@@ -4224,7 +4224,7 @@ modo moteus %1, falha %2</translation>
     </message>
     <message>
         <source>Seen from above: a growing azimuth turns clockwise, from north to east</source>
-        <translation>Visto de cima: um azimute crescente gira no sentido horário, de norte para leste</translation>
+        <translation>Visto de cima: um azimute crescente gira no sentido horário, do norte para leste</translation>
     </message>
     <message>
         <source>Seen from the side: a growing elevation raises the antenna</source>
@@ -4476,35 +4476,35 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     </message>
     <message>
         <source>Programs that are connected</source>
-        <translation>Programas ligados</translation>
+        <translation>Programas conectados</translation>
     </message>
     <message>
         <source>Settings for Gpredict</source>
-        <translation>Definições para o Gpredict</translation>
+        <translation>Configuração para o Gpredict</translation>
     </message>
     <message>
         <source>Copy the settings for Gpredict</source>
-        <translation>Copiar as definições para o Gpredict</translation>
+        <translation>Copiar a configuração para o Gpredict</translation>
     </message>
     <message>
         <source>Put the settings for Gpredict into the clipboard</source>
-        <translation>Põe as definições para o Gpredict na área de transferência</translation>
+        <translation>Pôr a configuração para o Gpredict na área de transferência</translation>
     </message>
     <message>
         <source>Any other client of rotctld works as well, at the same address.</source>
-        <translation>Qualquer outro cliente do rotctld também serve, no mesmo endereço.</translation>
+        <translation>Qualquer outro cliente de rotctld também serve, no mesmo endereço.</translation>
     </message>
     <message>
         <source>rotctld does not listen: no program can connect. The alarm line says why.</source>
-        <translation>O rotctld não está à escuta: nenhum programa se pode ligar. A linha de alarmes diz porquê.</translation>
+        <translation>O rotctld não escuta: nenhum programa pode conectar-se. A linha de alarme diz por quê.</translation>
     </message>
     <message>
         <source>No program is connected yet</source>
-        <translation>Ainda nenhum programa está ligado</translation>
+        <translation>Ainda nenhum programa está conectado</translation>
     </message>
     <message>
         <source>Connected: %1</source>
-        <translation>Ligados: %1</translation>
+        <translation>Conectados: %1</translation>
     </message>
 </context>
 <context>
@@ -4535,7 +4535,7 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     </message>
     <message>
         <source>Ask who is on the selected bus; nothing moves</source>
-        <translation>Pergunta quem está no barramento selecionado; nada se move</translation>
+        <translation>Perguntar quem está no barramento selecionado; nada se move</translation>
     </message>
     <message>
         <source>Use this</source>
@@ -4543,7 +4543,7 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     </message>
     <message>
         <source>Connect to the mount by the selected adapter</source>
-        <translation>Liga-se à montagem pelo adaptador selecionado</translation>
+        <translation>Conectar-se à montagem pelo adaptador selecionado</translation>
     </message>
     <message>
         <source>Adapters of this computer</source>
@@ -4555,7 +4555,7 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     </message>
     <message>
         <source>List the adapters anew, after one was plugged in</source>
-        <translation>Lista de novo os adaptadores, depois de ligar um</translation>
+        <translation>Listar de novo os adaptadores, depois de conectar um</translation>
     </message>
     <message>
         <source>%1 (unknown to Boresight)</source>
@@ -4567,7 +4567,7 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     </message>
     <message>
         <source>%1 is being looked at</source>
-        <translation>%1 está a ser examinado</translation>
+        <translation>%1 está sendo examinado</translation>
     </message>
     <message>
         <source>it is in use</source>
@@ -4579,15 +4579,15 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
     </message>
     <message>
         <source>id %1: not in the profile</source>
-        <translation>id %1: não está no perfil</translation>
+        <translation>id %1: fora do perfil</translation>
     </message>
     <message>
         <source>Asking who is there …</source>
-        <translation>A perguntar quem está lá …</translation>
+        <translation>Perguntando quem está ali …</translation>
     </message>
     <message>
         <source>Press Scan to see who answers there. Scanning moves nothing.</source>
-        <translation>Prima Procurar para ver quem responde. Procurar não move nada.</translation>
+        <translation>Clique em Procurar para ver quem responde ali. Procurar não move nada.</translation>
     </message>
 </context>
 <context>
@@ -4604,7 +4604,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Azimuth and elevation exchange their motors; connects anew</source>
-        <translation>Azimute e elevação trocam de motor; liga-se de novo</translation>
+        <translation>Azimute e elevação trocam os seus motores; conecta-se de novo</translation>
     </message>
     <message>
         <source>Both turn as the arrows show</source>
@@ -4626,7 +4626,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Turn azimuth back at %1 while held</source>
-        <translation>Gira o azimute para trás a %1 enquanto segurar</translation>
+        <translation>Girar o azimute para trás a %1 enquanto premido</translation>
     </message>
     <message>
         <source>AZ ↻
@@ -4636,7 +4636,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Turn azimuth on at %1 while held</source>
-        <translation>Gira o azimute para a frente a %1 enquanto segurar</translation>
+        <translation>Girar o azimute para a frente a %1 enquanto premido</translation>
     </message>
     <message>
         <source>EL ↓
@@ -4646,7 +4646,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Lower elevation at %1 while held</source>
-        <translation>Baixa a elevação a %1 enquanto segurar</translation>
+        <translation>Baixar a elevação a %1 enquanto premido</translation>
     </message>
     <message>
         <source>EL ↑
@@ -4656,7 +4656,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Raise elevation at %1 while held</source>
-        <translation>Levanta a elevação a %1 enquanto segurar</translation>
+        <translation>Subir a elevação a %1 enquanto premido</translation>
     </message>
     <message>
         <source>Test move of the %1</source>
@@ -4672,15 +4672,15 @@ trocar os motores</translation>
     </message>
     <message>
         <source>The %1 motor counts the other way round; connects anew</source>
-        <translation>O motor de %1 conta ao contrário; liga-se de novo</translation>
+        <translation>O motor de %1 conta ao contrário; conecta-se de novo</translation>
     </message>
     <message>
         <source>↻ must turn the antenna clockwise, seen from above</source>
-        <translation>↻ deve girar a antena no sentido horário, visto de cima</translation>
+        <translation>↻ tem de girar a antena no sentido horário, visto de cima</translation>
     </message>
     <message>
         <source>↑ must raise the antenna</source>
-        <translation>↑ deve levantar a antena</translation>
+        <translation>↑ tem de levantar a antena</translation>
     </message>
     <message>
         <source>%1 Now %2.</source>
@@ -4692,7 +4692,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>move the %1 a little first, and look at it</source>
-        <translation>mova primeiro um pouco o eixo de %1 e olhe para ele</translation>
+        <translation>mova primeiro um pouco o eixo de %1, e observe-o</translation>
     </message>
 </context>
 <context>
@@ -4723,11 +4723,11 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Leave this step for later and go on</source>
-        <translation>Deixa este passo para depois e continua</translation>
+        <translation>Deixar este passo para depois e continuar</translation>
     </message>
     <message>
         <source>Finish later</source>
-        <translation>Acabar depois</translation>
+        <translation>Terminar depois</translation>
     </message>
     <message>
         <source>To the panels; F3 comes back to this step</source>
@@ -4755,7 +4755,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Nothing may move before step 2, Protect, is done: %1</source>
-        <translation>Nada se pode mover antes do passo 2, Proteger: %1</translation>
+        <translation>Nada se pode mover antes do passo 2, Proteção: %1</translation>
     </message>
 </context>
 <context>
@@ -4786,7 +4786,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation>Altura</translation>
+        <translation>Altitude</translation>
     </message>
     <message>
         <source>Above sea level</source>
@@ -4806,7 +4806,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>4 to 10 characters, like JN58td; the middle of its square becomes the place</source>
-        <translation>4 a 10 caracteres, como JN58td; o centro do seu quadrado passa a ser o lugar</translation>
+        <translation>4 a 10 caracteres, como JN58td; o meio do seu quadrado torna-se o lugar</translation>
     </message>
     <message>
         <source>Station of Gpredict</source>
@@ -4861,7 +4861,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Takes them into the profile and connects anew; afterwards the drives&apos; own bounds are to be fixed (step Protect)</source>
-        <translation>Leva-os para o perfil e liga-se de novo; depois há que corrigir os limites dos próprios acionamentos (passo Proteger)</translation>
+        <translation>Leva-os para o perfil e conecta-se de novo; depois há que corrigir os limites dos acionamentos (passo Proteção)</translation>
     </message>
     <message>
         <source>What the ends are</source>
@@ -4869,7 +4869,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Type the ends, or drive there and set them here. Turns of the cable count: 370° is not 10°.</source>
-        <translation>Escreva os fins, ou vá até lá e defina-os aqui. As voltas do cabo contam: 370° não são 10°.</translation>
+        <translation>Escreva os fins, ou vá até lá e marque-os. As voltas do cabo contam: 370° não é 10°.</translation>
     </message>
     <message>
         <source>%1, a mechanical angle</source>
@@ -4917,7 +4917,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Towards the lower end of %1 while held</source>
-        <translation>Para o fim inferior de %1 enquanto segurar</translation>
+        <translation>Para o fim inferior de %1 enquanto premido</translation>
     </message>
     <message>
         <source>AZ ↻ hold</source>
@@ -4929,15 +4929,15 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Towards the upper end of %1 while held</source>
-        <translation>Para o fim superior de %1 enquanto segurar</translation>
+        <translation>Para o fim superior de %1 enquanto premido</translation>
     </message>
     <message>
         <source>Set here</source>
-        <translation>É aqui</translation>
+        <translation>Marcar</translation>
     </message>
     <message>
         <source>Set the %1 end of %2 here</source>
-        <translation>Definir aqui o fim %1 de %2</translation>
+        <translation>Marcar aqui o fim %1 de %2</translation>
     </message>
     <message>
         <source>The %1 end of %2 is where the axis stands now</source>
@@ -4960,11 +4960,11 @@ trocar os motores</translation>
     </message>
     <message>
         <source>What the %1 reads now</source>
-        <translation>O que marca agora: %1</translation>
+        <translation>O que o eixo de %1 lê agora</translation>
     </message>
     <message>
         <source>What the change does</source>
-        <translation>O que a alteração faz</translation>
+        <translation>O que a mudança faz</translation>
     </message>
     <message>
         <source>Cable and stops are where they were: their numbers change</source>
@@ -4980,7 +4980,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Takes the new zero into the profile and connects anew; nothing moves</source>
-        <translation>Leva o novo zero para o perfil e liga-se de novo; nada se move</translation>
+        <translation>Leva o novo zero para o perfil e conecta-se de novo; nada se move</translation>
     </message>
     <message>
         <source>True azimuth of the antenna</source>
@@ -4996,19 +4996,19 @@ trocar os motores</translation>
     </message>
     <message>
         <source>By a spirit level on the antenna: 0° is level</source>
-        <translation>Por um nível de bolha na antena: 0° é nivelada</translation>
+        <translation>Com um nível de bolha na antena: 0° é nivelado</translation>
     </message>
     <message>
         <source>Point the antenna at a landmark whose bearing is known, and type the bearing. Without one press Skip: north can wait, everything else works.</source>
-        <translation>Aponte a antena a um marco de azimute conhecido e escreva-o. Sem nenhum, prima Saltar: o norte pode esperar, o resto funciona.</translation>
+        <translation>Aponte a antena a um ponto de azimute conhecido e escreva-o. Sem nenhum, clique em Saltar: o norte pode esperar, o resto funciona.</translation>
     </message>
     <message>
         <source>Bring the antenna level, by a spirit level on it, and set 0° here. Or type what an inclinometer shows.</source>
-        <translation>Nivele a antena com um nível de bolha e defina aqui 0°. Ou escreva o que mostra um inclinómetro.</translation>
+        <translation>Nivele a antena com um nível de bolha e marque 0° aqui. Ou escreva o que mostra um inclinômetro.</translation>
     </message>
     <message>
         <source>Moves the %1 slowly while held</source>
-        <translation>Move devagar enquanto segurar: %1</translation>
+        <translation>Move o eixo de %1 devagar enquanto premido</translation>
     </message>
     <message>
         <source>AZ ↺ hold</source>
@@ -5028,15 +5028,15 @@ trocar os motores</translation>
     </message>
     <message>
         <source>Off: the ends keep their numbers, and lie elsewhere on the mount</source>
-        <translation>Desligado: os fins mantêm os números e ficam noutro sítio da montagem</translation>
+        <translation>Desativado: os fins mantêm os números e ficam noutro lugar da montagem</translation>
     </message>
     <message>
         <source>It really points to</source>
-        <translation>Aponta de facto para</translation>
+        <translation>Aponta de fato para</translation>
     </message>
     <message>
         <source>It really is</source>
-        <translation>De facto é</translation>
+        <translation>É de fato</translation>
     </message>
     <message>
         <source>the drive does not say where the %1 is</source>
@@ -5068,7 +5068,7 @@ trocar os motores</translation>
     </message>
     <message>
         <source>The drives&apos; own bounds are to be fixed afterwards (step Protect).</source>
-        <translation>Depois há que corrigir os limites dos próprios acionamentos (passo Proteger).</translation>
+        <translation>Depois há que corrigir os limites dos acionamentos (passo Proteção).</translation>
     </message>
     <message>
         <source>Every angle changes by %1: %2. %3 %4</source>
