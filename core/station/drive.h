@@ -72,7 +72,8 @@ public:
     };
 
     static constexpr int kMostUnanswered = 2;  // frames in a row that may be lost, as for the watchdog
-    static constexpr std::chrono::milliseconds kSilence{250};
+    // Within 0.3 s on the screen: a tick, an update of the window (0.05 s) and a frame later.
+    static constexpr std::chrono::milliseconds kSilence{200};
     static constexpr std::chrono::milliseconds kObedience{1000};  // enabling takes a drive some 13 ms
 
     Drive(const DriveSettings& settings, std::string name);

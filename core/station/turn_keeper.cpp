@@ -151,7 +151,8 @@ void TurnKeeper::judge(Axis axis, const survey::DriveFacts& facts, Drive& drive,
 
 void TurnKeeper::becomeKnown(Axis axis, const Drive& drive)
 {
-    const SteadyTime since = state(axis).phase == Phase::Writing ? m_clock.now() : state(axis).since;
+    // While it was asked about, the drive counted from the middle; and its place was written.
+    const SteadyTime since = state(axis).phase == Phase::Unjudged ? state(axis).since : m_clock.now();
     state(axis) = {.phase = Phase::Known, .since = since, .homeState = drive.report()->homeState};
     m_log.add(Severity::Advisory, toQString(drive.name()), Text::tr("the turn of its axis is known"));
 }

@@ -47,9 +47,9 @@ struct Fault
     Seconds stall{0.0};                                 // this computer does nothing for so long
     Outcome outcome = Outcome::Latches;
     Hurt hurt = Hurt::Both;
-    std::string alarm{};  // words of the alarm; empty: there need not be one
-    Seconds alarmWithin{0.3};
-    Seconds stillWithin{0.2};  // the hurt axes
+    std::string alarm{};        // words of the alarm; empty: there need not be one
+    Seconds alarmWithin{0.25};  // 0.3 s on the screen, which is updated every 0.05 s
+    Seconds stillWithin{0.2};   // the hurt axes
     Seconds othersStillWithin{2.0};
     Angle beyond = Angle::fromDegrees(0.2);        // the travel
     Angle springsBack = Angle::fromDegrees(0.03);  // when the fault is over: backlash, and the drive coming to rest

@@ -432,6 +432,24 @@ TEST(StationTurns, APositionSetWhileTheTurnIsKnownIsFoundOutBySeconds)
     }
 }
 
+// Story: the axis stood where the drive counted from while it was asked; the setting to there was taken for another
+// tool's, some seconds after the answer.
+TEST(StationTurns, AnAnswerThatNeedsNoSettingIsKept)
+{
+    const StationRig standing;
+    StationRig rig(profile::Profile{}, {.memory = journalOfTheFuture(standing)});
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.control.status().drives.azimuth.turnQuestion);
+    for (const Axis axis : kAxes) {
+        const Angle there = axis == Axis::Azimuth ? 180_deg : 45_deg;
+        ASSERT_TRUE(rig.ask(request::ChooseTurn{axis, there}));
+        rig.run(Seconds(0.2));
+    }
+    rig.run(Seconds(12.0));
+    EXPECT_TRUE(rig.control.status().drives.azimuth.turnKnown);
+    EXPECT_TRUE(rig.control.status().drives.elevation.turnKnown);
+}
+
 // Until it is known what the drive counts from, its record must not seem to prove anything.
 TEST(StationTurns, ARecordOfADriveThatDoesNotTellProvesNothing)
 {
