@@ -86,7 +86,7 @@ public:
 
     void applyNextProfile()
     {
-        m_profile.beamWidth = Angle::fromDegrees(m_profile.beamWidth.degrees() + 0.1);
+        m_profile.mount.beamWidth = Angle::fromDegrees(m_profile.mount.beamWidth.degrees() + 0.1);
         ask(request::ApplyProfile{m_profile});
     }
 
