@@ -87,7 +87,7 @@ TEST_F(FaultTest, ASilentBusStopsTheMountAndNothingMovesWhenItIsBack)
 TEST_F(FaultTest, ADriveThatTimedOutHoldsAndIsReArmedByTheOperator)
 {
     const auto deaf = inject(sim::FaultKind::LostCommand, Axis::Elevation, 1.0);
-    rig.run(Seconds(0.2));  // shorter than what counts as silence: the drive comes back in its time-out mode
+    rig.run(Seconds(0.16));  // shorter than what counts as silence: the drive comes back in its time-out mode
     end(deaf);
     rig.run(Seconds(2.0));
     EXPECT_TRUE(rig.alarmSays(QStringLiteral("elevation drive timed out")));
