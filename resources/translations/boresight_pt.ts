@@ -3581,6 +3581,30 @@ el %3</translation>
         <source>The drive&apos;s position was set by another tool</source>
         <translation>A posição do acionamento foi definida por outra ferramenta</translation>
     </message>
+    <message>
+        <source>%1: no permission: join the group dialout (`sudo usermod -aG dialout $USER`, then log in again)</source>
+        <translation>%1: sem permissão: entre no grupo dialout (`sudo usermod -aG dialout $USER`, depois inicie a sessão de novo)</translation>
+    </message>
+    <message>
+        <source>%1: nothing comes: has the sensor power, and its WiFi (without it, it is silent)?</source>
+        <translation>%1: não chega nada: o sensor tem energia e a sua rede WiFi (sem ela, fica em silêncio)?</translation>
+    </message>
+    <message>
+        <source>%1: what comes is damaged or no sentence of the sensor: is sensor.baud (%2) right?</source>
+        <translation>%1: o que chega está danificado ou não é sentença do sensor: sensor.baud (%2) está certo?</translation>
+    </message>
+    <message>
+        <source>%1: what comes is no sentence of the sensor, but: &quot;%2&quot;</source>
+        <translation>%1: o que chega não é sentença do sensor, mas: &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>%1 is gone: plug the sensor in again</source>
+        <translation>%1 desapareceu: volte a conectar o sensor</translation>
+    </message>
+    <message>
+        <source>%1 is gone: plug the sensor in again; it is found in any socket as %2</source>
+        <translation>%1 desapareceu: volte a conectar o sensor; é encontrado em qualquer tomada como %2</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

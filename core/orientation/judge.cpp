@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/orientation/judge.h"
+
+#include <cmath>
+
+namespace boresight::orientation {
+namespace {
+
+// A sentence comes each second or a little later: so much of the time to being lost is two missing of the five.
+constexpr double kLateShare = 0.6;
+// Compiled into the firmware, and sent with two decimals.
+constexpr Angle kDeadHeading = Angle::fromDegrees(5.07);
+constexpr Angle kRounding = Angle::fromDegrees(0.005);
+// What noise, wind and the average over a second add to a motion.
+constexpr Angle kMargin = Angle::fromDegrees(5.0);
+constexpr int kBelievedAgain = 3;  // the one that jumped, and the two that agree with it
+
+constexpr Calibration kUncalibrated{};
+
+}  // namespace
+
+bool isDeadMark(const Orientation& value)
+{
+    return abs(value.heading.angle() - kDeadHeading) < kRounding && value.elevation == Angle{} &&
+           value.temperature.value_or(0.0) == 0.0 && value.calibration.value_or(kUncalibrated) == kUncalibrated;
+}
+
+Verdict Judge::take(const Orientation& value)
+{
+    m_dead = isDeadMark(value);
+    if (m_dead) {
+        return Verdict::Dead;
+    }
+    if (!isBelieved(value)) {
+        ++m_outliers;
+        return Verdict::Outlier;
+    }
+    use(value);
+    return Verdict::Used;
+}
+
+void Judge::forget()
+{
+    *this = Judge(m_settings);
+}
+
+Presence Judge::presence(SteadyTime now) const
+{
+    if (!m_last) {
+        return Presence::Awaited;
+    }
+    const Seconds age = now - m_last->arrival;
+    return age >= m_settings.lost                ? Presence::Lost
+           : age >= m_settings.lost * kLateShare ? Presence::Late
+                                                 : Presence::Present;
+}
+
+std::optional<SteadyTime> Judge::frozenSince() const
+{
+    return m_last && m_sameSince < m_last->arrival ? m_sameSince : std::nullopt;
+}
+
+bool Judge::follows(const Orientation& before, const Orientation& value) const
+{
+    const Seconds gap = value.arrival - before.arrival;
+    const Angle azimuth = abs(value.heading.since(before.heading));
+    const Angle elevation = abs(value.elevation - before.elevation);
+    return azimuth <= m_settings.azimuthSpeed * gap + kMargin && elevation <= m_settings.elevationSpeed * gap + kMargin;
+}
+
+// After a longer silence there is nothing to compare with: the antenna may be anywhere.
+bool Judge::isBelieved(const Orientation& value)
+{
+    if (!m_last || value.arrival - m_last->arrival >= m_settings.lost || follows(*m_last, value)) {
+        return true;
+    }
+    m_agreeing = m_doubted && follows(*m_doubted, value) ? m_agreeing + 1 : 1;
+    m_doubted = value;
+    return m_agreeing >= kBelievedAgain;
+}
+
+// Its count then begins at 0, or at -1 if its first heading is beyond 180°; and its calibration begins anew.
+bool Judge::isRestart(const Orientation& value) const
+{
+    const Angle turned = value.extendedAzimuth - m_last->extendedAzimuth;
+    const Angle leap = abs(turned - turned.wrapped180());
+    const bool counted = leap > kRounding && (value.revolutions == 0 || value.revolutions == -1);
+    const bool uncalibrated = m_last->calibration && value.calibration && *value.calibration == kUncalibrated &&
+                              m_last->calibration->gyro > 0 && m_last->calibration->magnetometer > 0;
+    return counted || uncalibrated;
+}
+
+void Judge::use(const Orientation& value)
+{
+    if (m_last) {
+        m_restarts += isRestart(value) ? 1 : 0;
+        const Angle way = value.heading.since(m_last->heading);
+        const Angle passed = m_last->heading.angle() + way - value.heading.angle();  // whole turns
+        m_turns += std::llround(passed.turns());
+    }
+    const bool same = m_last && m_last->heading == value.heading && m_last->elevation == value.elevation;
+    m_sameSince = same ? m_sameSince : std::optional(value.arrival);
+    m_last = value;
+    m_doubted.reset();
+    m_agreeing = 0;
+}
+
+}  // namespace boresight::orientation

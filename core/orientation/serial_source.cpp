@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/orientation/serial_source.h"
+
+#include "core/base/control_characters.h"
+#include "core/base/text.h"
+#include "core/can/port_holder.h"
+#include "core/can/serial_port_check.h"
+
+#include <QLoggingCategory>
+
+#include <sys/ioctl.h>
+
+#include <algorithm>
+
+namespace boresight::orientation {
+namespace {
+
+Q_LOGGING_CATEGORY(lcSensor, "boresight.sensor")
+
+// The words of core/can speak of the bus adapter's own rules; a sensor needs only the group.
+Result<> checkPort(const QString& device)
+{
+    const Result<> check = checkSerialPort(device);
+    if (!check && check.error().code == ErrorCode::Denied) {
+        return failure(ErrorCode::Denied, Text::tr("%1: no permission: join the group dialout (`sudo usermod -aG "
+                                                   "dialout $USER`, then log in again)")
+                                              .arg(device));
+    }
+    return check;
+}
+
+}  // namespace
+
+SerialSource::SerialSource(const SerialSettings& settings, const Clock& clock, QObject* parent)
+    : Source(parent), m_settings(settings), m_clock(clock), m_path(settings.port), m_delay(settings.firstRetry)
+{
+    m_retry.setSingleShot(true);
+    m_silence.setSingleShot(true);
+    connect(&m_retry, &QTimer::timeout, this, &SerialSource::open);
+    connect(&m_silence, &QTimer::timeout, this, &SerialSource::tellSilence);
+    connect(&m_port, &QSerialPort::readyRead, this, &SerialSource::read);
+    connect(&m_port, &QSerialPort::errorOccurred, this, &SerialSource::lose);
+}
+
+SerialSource::~SerialSource()
+{
+    m_port.disconnect(this);
+}
+
+QString SerialSource::name() const
+{
+    return QStringLiteral("serial ") + m_path.path();
+}
+
+void SerialSource::open()
+{
+    m_wanted = true;
+    m_retry.stop();
+    if (m_port.isOpen()) {
+        return;
+    }
+    if (const Result<> opened = openPort(m_path.device()); !opened) {
+        tryLater(QString::fromStdString(opened.error().text));
+        return;
+    }
+    m_path.remember();
+    ioctl(m_port.handle(), TIOCNXCL);  // as for the bus: Qt's lock file keeps others out
+    m_port.clear();                    // half a sentence from before
+    m_stream.clear();
+    m_heard = false;
+    m_silence.start(m_settings.silence);
+    show(true, m_status.problem);  // what was wrong is over with the first sentence
+}
+
+// Two programs on one port take each other's bytes away.
+Result<> SerialSource::openPort(const QString& device)
+{
+    if (const Result<> check = checkPort(device); !check) {
+        return check;
+    }
+    if (const std::optional<QString> holder = portHolder(device)) {
+        return failure(ErrorCode::Busy, Text::tr("%1 is in use by %2: end it first").arg(device, *holder));
+    }
+    m_port.setPortName(canonicalPort(device));
+    m_port.setBaudRate(m_settings.baud);
+    if (m_port.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    const QString reason = m_port.errorString();
+    const bool held = m_port.error() == QSerialPort::PermissionError;
+    m_port.clearError();
+    return failure(held ? ErrorCode::Busy : ErrorCode::Io,
+                   held ? Text::tr("%1 is in use by another program (%2): `sudo fuser -v %1` shows which; end it first")
+                              .arg(device, reason)
+                        : Text::tr("%1 cannot be opened: %2").arg(device, reason));
+}
+
+void SerialSource::close()
+{
+    m_wanted = false;
+    m_retry.stop();
+    m_silence.stop();
+    m_port.close();
+    m_port.clearError();
+    m_delay = m_settings.firstRetry;
+    show(false, {});
+}
+
+void SerialSource::read()
+{
+    const QByteArray bytes = m_port.readAll();
+    m_heard = m_heard || !bytes.isEmpty();
+    const auto use = [this](const Orientation& value) {
+        m_status.counts = m_stream.counts();
+        m_heard = false;
+        m_delay = m_settings.firstRetry;
+        m_silence.start(m_settings.silence);
+        show(true, {});
+        Q_EMIT received(value);
+    };
+    const auto refuse = [](const Refused& refused, std::string_view sentence) {
+        qCDebug(lcSensor) << "refused:" << toText(refused).c_str() << printable(std::string(sentence)).c_str();
+    };
+    m_stream.add({bytes.constData(), static_cast<std::size_t>(bytes.size())}, m_clock.now(), use, refuse);
+    m_status.counts = m_stream.counts();
+}
+
+void SerialSource::tellSilence()
+{
+    if (!m_port.isOpen()) {
+        return;
+    }
+    const QString last = toQString(m_stream.lastChatter());
+    show(true, !m_heard ? Text::tr("%1: nothing comes: has the sensor power, and its WiFi (without it, it is silent)?")
+                              .arg(m_path.path())
+               : last.isEmpty()
+                   ? Text::tr("%1: what comes is damaged or no sentence of the sensor: is sensor.baud (%2) right?")
+                         .arg(m_path.path())
+                         .arg(m_settings.baud)
+                   : Text::tr("%1: what comes is no sentence of the sensor, but: \"%2\"").arg(m_path.path(), last));
+}
+
+// Called from inside the port's own functions, so the port is closed when they have returned.
+void SerialSource::lose(QSerialPort::SerialPortError error)
+{
+    const bool gone = error == QSerialPort::ResourceError || error == QSerialPort::ReadError ||
+                      error == QSerialPort::DeviceNotFoundError;
+    if (!gone || !m_wanted || !m_status.open) {
+        return;
+    }
+    tryLater(m_path.name().isEmpty() ? Text::tr("%1 is gone: plug the sensor in again").arg(m_path.path())
+                                     : Text::tr("%1 is gone: plug the sensor in again; it is found in any socket as %2")
+                                           .arg(m_path.path(), m_path.name()));
+    const auto closeLostPort = [this] {
+        if (!m_status.open) {
+            m_port.close();
+            m_port.clearError();
+        }
+    };
+    QMetaObject::invokeMethod(this, closeLostPort, Qt::QueuedConnection);
+}
+
+void SerialSource::tryLater(const QString& problem)
+{
+    m_silence.stop();
+    m_retry.start(m_delay);
+    m_delay = std::min(2 * m_delay, m_settings.longestRetry);
+    show(false, problem);
+}
+
+void SerialSource::show(bool open, const QString& problem)
+{
+    if (m_status.open != open || m_status.problem != problem) {
+        m_status.open = open;
+        m_status.problem = problem;
+        Q_EMIT statusChanged(m_status);
+    }
+}
+
+}  // namespace boresight::orientation

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/can/stable_port.h"
+#include "core/orientation/sentence_stream.h"
+#include "core/orientation/source.h"
+
+#include <QSerialPort>
+#include <QTimer>
+
+// The sensor's sentences from a serial port. Reads only: nothing is ever sent to the sensor. A port that is not there,
+// or goes, is tried again after 1, 2, 4, 8 s, then each 10 s; an adapter that comes back under another name is found by
+// its maker and number. Lives on the station thread.
+namespace boresight::orientation {
+
+struct SerialSettings
+{
+    QString port;  // "/dev/ttyUSB0"
+    qint32 baud = 115200;
+    std::chrono::milliseconds firstRetry{1000};
+    std::chrono::milliseconds longestRetry{10000};
+    // Open for so long without a sentence: then it is said what comes in its place.
+    std::chrono::milliseconds silence{5000};
+};
+
+class SerialSource final : public Source
+{
+    Q_OBJECT
+
+public:
+    // `clock` outlives the source.
+    SerialSource(const SerialSettings& settings, const Clock& clock, QObject* parent = nullptr);
+    ~SerialSource() override;
+
+    [[nodiscard]] QString name() const override;
+    [[nodiscard]] const SourceStatus& status() const override { return m_status; }
+    void open() override;
+    void close() override;
+
+private:
+    [[nodiscard]] Result<> openPort(const QString& device);
+    void read();
+    void tellSilence();
+    void lose(QSerialPort::SerialPortError error);
+    void tryLater(const QString& problem);
+    void show(bool open, const QString& problem);
+
+    SerialSettings m_settings;
+    const Clock& m_clock;
+    StablePort m_path;
+    QSerialPort m_port{this};
+    SentenceStream m_stream;
+    QTimer m_retry{this};
+    QTimer m_silence{this};
+    std::chrono::milliseconds m_delay;
+    bool m_wanted = false;
+    bool m_heard = false;  // bytes, since the last sentence
+    SourceStatus m_status;
+};
+
+}  // namespace boresight::orientation

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/orientation/judge.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight::orientation {
+namespace {
+
+SteadyTime at(double seconds)
+{
+    return SteadyTime{std::chrono::duration_cast<SteadyTime::duration>(Seconds(seconds))};
+}
+
+Orientation value(double second, double extended, std::int64_t revolutions = 0)
+{
+    return {.heading = SensorHeading::folded(Angle::fromDegrees(extended)),
+            .extendedAzimuth = Angle::fromDegrees(extended),
+            .revolutions = revolutions,
+            .elevation = 20_deg,
+            .temperature = 25.0,
+            .calibration = Calibration{.system = 3, .gyro = 3, .accelerometer = 2, .magnetometer = 3},
+            .arrival = at(second)};
+}
+
+Orientation deadValue(double second)
+{
+    Orientation dead = value(second, 5.07);
+    dead.elevation = Angle{};
+    dead.temperature = 0.0;
+    dead.calibration = Calibration{};
+    return dead;
+}
+
+TEST(Judge, LateAfterThreeSecondsLostAfterFive)
+{
+    Judge judge;
+    EXPECT_EQ(judge.presence(at(100.0)), Presence::Awaited);
+    EXPECT_EQ(judge.take(value(10.0, 40.0)), Verdict::Used);
+    EXPECT_EQ(judge.presence(at(12.9)), Presence::Present);
+    EXPECT_EQ(judge.presence(at(13.0)), Presence::Late);
+    EXPECT_EQ(judge.presence(at(14.99)), Presence::Late);
+    EXPECT_EQ(judge.presence(at(15.0)), Presence::Lost);
+    EXPECT_EQ(judge.take(value(16.0, 40.0)), Verdict::Used);
+    EXPECT_EQ(judge.presence(at(16.0)), Presence::Present);
+    judge.setSettings({.lost = Seconds(2.0)});
+    EXPECT_EQ(judge.presence(at(18.0)), Presence::Lost);
+}
+
+TEST(Judge, TheMarkOfADeadSensorIsNotUsed)
+{
+    Judge judge;
+    EXPECT_EQ(judge.take(deadValue(1.0)), Verdict::Dead);
+    EXPECT_TRUE(judge.dead());
+    EXPECT_FALSE(judge.last());
+    EXPECT_EQ(judge.take(value(2.0, 5.07)), Verdict::Used) << "a living one may look there";
+    EXPECT_FALSE(judge.dead());
+    Orientation turned = deadValue(3.0);
+    turned.heading = SensorHeading::folded(725.07_deg);
+    EXPECT_EQ(judge.take(turned), Verdict::Dead) << "with revolutions";
+    Orientation warm = deadValue(4.0);
+    warm.temperature = 1.0;
+    EXPECT_NE(judge.take(warm), Verdict::Dead);
+    Orientation plain = deadValue(5.0);
+    plain.temperature.reset();
+    plain.calibration.reset();
+    EXPECT_EQ(judge.take(plain), Verdict::Dead) << "by MQTT nothing else is told";
+}
+
+TEST(Judge, AJumpIsRejectedOnceAndBelievedWhenTheNextTwoAgree)
+{
+    Judge judge;
+    judge.take(value(0.0, 100.0));
+    EXPECT_EQ(judge.take(value(1.0, 250.0)), Verdict::Outlier);
+    EXPECT_EQ(judge.take(value(2.0, 101.0)), Verdict::Used) << "it was one alone";
+    EXPECT_EQ(judge.take(value(3.0, 250.0)), Verdict::Outlier);
+    EXPECT_EQ(judge.take(value(4.0, 251.0)), Verdict::Outlier);
+    EXPECT_EQ(judge.last()->heading.angle(), (101_deg).wrapped360());
+    EXPECT_EQ(judge.take(value(5.0, 252.0)), Verdict::Used);
+    EXPECT_EQ(judge.outliers(), 3U);
+    EXPECT_EQ(judge.take(value(6.0, 10.0)), Verdict::Outlier);
+    EXPECT_EQ(judge.take(value(7.0, 100.0)), Verdict::Outlier) << "neither agrees";
+    EXPECT_EQ(judge.take(value(8.0, 100.0)), Verdict::Outlier);
+    EXPECT_EQ(judge.take(value(9.0, 100.0)), Verdict::Used);
+}
+
+TEST(Judge, WhatTheAxisCanDoIsNoJump)
+{
+    Judge judge({.azimuthSpeed = 20_deg_s, .elevationSpeed = 6_deg_s});
+    judge.take(value(0.0, 350.0));
+    EXPECT_EQ(judge.take(value(1.0, 374.0, 1)), Verdict::Used);
+    EXPECT_EQ(judge.take(value(3.0, 418.0, 1)), Verdict::Used) << "in two seconds";
+    Orientation high = value(4.0, 418.0, 1);
+    high.elevation = 40_deg;
+    EXPECT_EQ(judge.take(high), Verdict::Outlier);
+    EXPECT_EQ(judge.take(value(9.0, 200.0)), Verdict::Used) << "after a loss anything goes";
+}
+
+TEST(Judge, CountsTheTurnsItself)
+{
+    Judge judge({.azimuthSpeed = 60_deg_s});
+    double second = 0.0;
+    for (double heading = 0.0; heading <= 1090.0; heading += 30.0) {
+        judge.take(value(second, heading));
+        second += 1.0;
+    }
+    EXPECT_EQ(judge.turns(), 3);
+    for (double heading = 1050.0; heading >= -30.0; heading -= 30.0) {
+        judge.take(value(second, heading));
+        second += 1.0;
+    }
+    EXPECT_EQ(judge.turns(), -1);
+    EXPECT_EQ(judge.outliers(), 0U);
+}
+
+TEST(Judge, NoticesARestart)
+{
+    Judge judge;
+    judge.take(value(0.0, 725.0, 2));
+    judge.take(value(1.0, 726.0, 2));
+    EXPECT_EQ(judge.restarts(), 0U);
+    judge.take(value(4.0, 6.0, 0));
+    EXPECT_EQ(judge.restarts(), 1U);
+    EXPECT_EQ(judge.turns(), 0) << "its count jumped, the heading did not";
+
+    judge.take(value(5.0, -1.0, -1));
+    judge.take(value(6.0, 1.0, 0));
+    EXPECT_EQ(judge.restarts(), 1U);
+    Orientation fresh = value(9.0, 1.0, 0);
+    fresh.calibration = Calibration{};
+    judge.take(fresh);
+    EXPECT_EQ(judge.restarts(), 2U);
+    judge.take(fresh);
+    EXPECT_EQ(judge.restarts(), 2U) << "told once";
+}
+
+TEST(Judge, SaysSinceWhenNothingChanges)
+{
+    Judge judge;
+    judge.take(value(1.0, 40.0));
+    EXPECT_FALSE(judge.frozenSince());
+    judge.take(value(2.0, 40.0));
+    judge.take(value(3.0, 40.0));
+    EXPECT_EQ(judge.frozenSince(), at(1.0));
+    judge.take(value(4.0, 40.01));
+    EXPECT_FALSE(judge.frozenSince());
+    judge.forget();
+    EXPECT_FALSE(judge.last());
+}
+
+}  // namespace
+}  // namespace boresight::orientation

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/orientation/serial_source.h"
+
+#include "tests/fakes/manual_clock.h"
+#include "tests/fakes/pseudo_terminal.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+
+namespace boresight::orientation {
+namespace {
+
+using namespace std::chrono_literals;
+
+const QByteArray kSentence = "$PATRK,1771493857399,ms,47.33,dd,19.13,dd,0,revs,29,c,0,3,1,0*34\r\n";
+
+struct SerialSourceTest : testing::Test
+{
+    SerialSourceTest()
+        : source({.port = terminal.path(), .firstRetry = 20ms, .longestRetry = 80ms, .silence = 300ms}, clock)
+    {
+        QObject::connect(&source, &Source::received, &source, [this](const Orientation& value) {
+            values.push_back(value);
+            countsThen.push_back(source.status().counts.accepted);
+        });
+        QObject::connect(&source, &Source::statusChanged, &source,
+                         [this](const SourceStatus& status) { changes.push_back(status); });
+    }
+
+    [[nodiscard]] bool hears(std::size_t count)
+    {
+        return QTest::qWaitFor([&] { return values.size() >= count; }, 2000);
+    }
+    [[nodiscard]] bool becomes(bool open)
+    {
+        return QTest::qWaitFor([&] { return source.status().open == open; }, 2000);
+    }
+    [[nodiscard]] bool complains(const char* of)
+    {
+        return QTest::qWaitFor([&] { return source.status().problem.contains(QLatin1String(of)); }, 2000);
+    }
+
+    fakes::ManualClock clock;
+    fakes::PseudoTerminal terminal;
+    SerialSource source;
+    std::vector<Orientation> values;
+    std::vector<std::uint64_t> countsThen;
+    std::vector<SourceStatus> changes;
+};
+
+TEST_F(SerialSourceTest, HearsSentencesOfAPort)
+{
+    EXPECT_EQ(source.name(), QStringLiteral("serial ") + terminal.path());
+    source.open();
+    ASSERT_TRUE(source.status().open) << qPrintable(source.status().problem);
+    clock.advance(Seconds(3.0));
+    terminal.write("BNO055 initialised...\r\n" + kSentence.left(30));
+    terminal.write(kSentence.mid(30) + kSentence + "$PATRK,x*00\r\n");
+    ASSERT_TRUE(hears(2));
+    EXPECT_EQ(values[0].arrival, clock.now());
+    EXPECT_NEAR(values[0].heading.angle().degrees(), 47.33, 1e-9);
+    EXPECT_EQ(countsThen[0], 1U) << "the counts are right when a value is told";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return source.status().counts.allRefused() == 1; }, 2000));
+    EXPECT_EQ(source.status().counts.chatter, 1U);
+    EXPECT_EQ(source.status().problem, QString());
+    EXPECT_EQ(terminal.takeWritten(), QByteArray()) << "nothing is ever sent to the sensor";
+}
+
+TEST_F(SerialSourceTest, ALostPortIsFoundAgain)
+{
+    const QTemporaryDir folder;
+    const QString link = folder.filePath(QStringLiteral("sensor"));
+    ASSERT_TRUE(QFile::link(terminal.path(), link));
+    SerialSource linked({.port = link, .firstRetry = 20ms, .longestRetry = 80ms, .silence = 300ms}, clock);
+    int heard = 0;
+    QObject::connect(&linked, &Source::received, &linked, [&heard] { ++heard; });
+    linked.open();
+    terminal.write(kSentence);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return heard == 1; }, 2000));
+    terminal.unplug();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !linked.status().open; }, 2000));
+    EXPECT_TRUE(linked.status().problem.contains(QLatin1String("is gone"))) << qPrintable(linked.status().problem);
+
+    fakes::PseudoTerminal other;
+    ASSERT_TRUE(QFile::remove(link) && QFile::link(other.path(), link));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return linked.status().open; }, 3000)) << qPrintable(linked.status().problem);
+    other.write(kSentence);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return heard == 2; }, 2000));
+    EXPECT_EQ(linked.status().problem, QString());
+}
+
+TEST_F(SerialSourceTest, OneTroubleIsToldOnceHoweverOftenItIsTried)
+{
+    SerialSource absent({.port = QStringLiteral("/nowhere/sensor"), .firstRetry = 10ms, .longestRetry = 20ms}, clock);
+    int told = 0;
+    QObject::connect(&absent, &Source::statusChanged, &absent, [&told] { ++told; });
+    absent.open();
+    EXPECT_TRUE(absent.status().problem.contains(QLatin1String("is not there")));
+    QTest::qWait(150);
+    EXPECT_EQ(told, 1);
+    absent.close();
+    EXPECT_EQ(absent.status().problem, QString());
+}
+
+TEST_F(SerialSourceTest, SaysWhatComesInPlaceOfSentences)
+{
+    source.open();
+    EXPECT_TRUE(complains("nothing comes"));
+    terminal.write("Initial begin() failed!\r\n");
+    source.close();
+    source.open();
+    QTest::qWait(20);
+    terminal.write("Initial begin() failed!\r\n");
+    EXPECT_TRUE(complains("Initial begin() failed!"));
+    source.close();
+    source.open();
+    QTest::qWait(20);
+    terminal.write(QByteArray("\xfe\x80\x99\r\n\xff", 6));
+    EXPECT_TRUE(complains("sensor.baud (115200)"));
+    terminal.write("\r\n" + kSentence);
+    ASSERT_TRUE(hears(1));
+    EXPECT_EQ(source.status().problem, QString());
+}
+
+TEST_F(SerialSourceTest, ClosedItHearsNothing)
+{
+    source.open();
+    source.close();
+    EXPECT_FALSE(source.status().open);
+    terminal.write(kSentence);
+    QTest::qWait(50);
+    EXPECT_TRUE(values.empty());
+}
+
+TEST_F(SerialSourceTest, WhatIsNoPortIsNoPort)
+{
+    SerialSource file({.port = QStringLiteral("/dev/null")}, clock);
+    file.open();
+    EXPECT_FALSE(file.status().open);
+    EXPECT_NE(file.status().problem, QString());
+}
+
+}  // namespace
+}  // namespace boresight::orientation
