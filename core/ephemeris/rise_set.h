@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/ephemeris/almanac.h"
+
+#include <chrono>
+#include <optional>
+
+// When the Sun or the Moon comes up next and goes down next, for the operator who waits for one of them. Pure.
+namespace boresight::ephemeris {
+
+// Longer than from one rise of the Moon to the next wherever it rises each day.
+inline constexpr std::chrono::hours kRiseSearch{26};
+
+// The next time, to the second, that the centre of the disc passes a true elevation upwards, or downwards. Empty if it
+// does not within kRiseSearch. What is up, or down, for less than five minutes may be passed over.
+[[nodiscard]] std::optional<UtcTime> nextRise(Almanac& almanac, Body body, UtcTime from, Angle elevation);
+[[nodiscard]] std::optional<UtcTime> nextSet(Almanac& almanac, Body body, UtcTime from, Angle elevation);
+
+}  // namespace boresight::ephemeris

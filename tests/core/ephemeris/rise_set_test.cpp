@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/ephemeris/rise_set.h"
+
+#include "tests/core/ephemeris/body_table.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+using namespace boresight;
+using namespace boresight::ephemeris;
+
+namespace {
+
+const UtcTime kDay = utcOf("2026-12-24T00:00:00Z");  // of which the table has every ten minutes in Lisbon
+
+// The two rows between which the body passes an elevation.
+std::optional<std::pair<UtcTime, UtcTime>> passage(Body body, Angle elevation, bool upwards)
+{
+    std::optional<BodyRow> before;
+    for (const BodyRow& row : bodyTable()) {
+        if (row.body != body || row.utc < kDay || row.site != "Lisbon" || row.utc >= kDay + std::chrono::days(1)) {
+            continue;
+        }
+        const BodyRow& from = upwards ? before.value_or(row) : row;
+        const BodyRow& to = upwards ? row : before.value_or(row);
+        if (from.direction.elevation <= elevation && to.direction.elevation > elevation) {
+            return std::pair(before->utc, row.utc);
+        }
+        before = row;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+TEST(RiseSet, LieWhereTheTablePassesTheElevation)
+{
+    Almanac lisbon(siteOf("Lisbon"));
+    for (const Body body : {Body::Sun, Body::Moon}) {
+        for (const Angle elevation : {0_deg, 10_deg}) {
+            const auto rising = passage(body, elevation, true);
+            const auto setting = passage(body, elevation, false);
+            ASSERT_TRUE(rising && setting);
+            const auto rise = nextRise(lisbon, body, kDay, elevation);
+            const auto set = nextSet(lisbon, body, kDay, elevation);
+            ASSERT_TRUE(rise && set);
+            EXPECT_TRUE(*rise > rising->first && *rise <= rising->second);
+            EXPECT_TRUE(*set > setting->first && *set <= setting->second);
+        }
+    }
+}
+
+TEST(RiseSet, AreExactToTheSecond)
+{
+    Almanac lisbon(siteOf("Lisbon"));
+    const UtcTime rise = nextRise(lisbon, Body::Sun, kDay, 0_deg).value();
+    EXPECT_GT(lisbon.place(Body::Sun, rise).direction.elevation, 0_deg);
+    EXPECT_LE(lisbon.place(Body::Sun, rise - std::chrono::seconds(1)).direction.elevation, 0_deg);
+    EXPECT_GT(nextRise(lisbon, Body::Sun, rise, 0_deg).value(), rise + std::chrono::hours(23)) << "not the same again";
+}
+
+TEST(RiseSet, AreNotWhereThereAreNone)
+{
+    Almanac svalbard(siteOf("Svalbard"));
+    EXPECT_FALSE(nextRise(svalbard, Body::Sun, utcOf("2026-12-24T00:00:00Z"), 0_deg)) << "polar night";
+    EXPECT_FALSE(nextSet(svalbard, Body::Sun, utcOf("2026-06-21T00:00:00Z"), 0_deg)) << "polar day";
+}
