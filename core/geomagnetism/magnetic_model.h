@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geomagnetism/coefficients.h"
+#include "core/geomagnetism/magnetic_field.h"
+#include "core/units/site.h"
+
+#include <string>
+
+// The World Magnetic Model: the Earth's main field and its steady change for five years from an epoch. The coefficients
+// are those of the published file, whichever the operator has: none are built in, so that none grow old unseen. Pure
+// values, any thread. Formulas: README.md.
+namespace boresight::geomagnetism {
+
+class MagneticModel
+{
+public:
+    static constexpr double kYearsValid = 5.0;
+
+    explicit MagneticModel(Coefficients coefficients) : m_coefficients(std::move(coefficients)) {}
+
+    [[nodiscard]] const std::string& name() const { return m_coefficients.name; }
+    [[nodiscard]] double validFrom() const { return m_coefficients.epoch; }
+    [[nodiscard]] double validTo() const { return m_coefficients.epoch + kYearsValid; }
+
+    // At a place, in a decimal year (decimal_year.h); refused outside of the model's five years.
+    [[nodiscard]] Result<MagneticField> at(const Site& site, double year) const;
+
+    // In its last half year: that it ends, and what to do. Else empty.
+    [[nodiscard]] std::string expiry(double year) const;
+
+private:
+    Coefficients m_coefficients;
+};
+
+}  // namespace boresight::geomagnetism

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geomagnetism/declination.h"
+
+#include <gtest/gtest.h>
+
+using namespace boresight;
+using namespace boresight::geomagnetism;
+
+namespace {
+
+Declination lisbon(DeclinationBy by)
+{
+    return {.by = by, .here = -0.87_deg, .origin = DeclinationOrigin::Model};
+}
+
+}  // namespace
+
+// A compass that shows 100° in Lisbon looks to 99.13° from true north. The sensor's firmware, made for Berlin, sends
+// 105.07°.
+TEST(Declination, IsAppliedOnce)
+{
+    EXPECT_NEAR(correctedHeading(105.07_deg, lisbon(DeclinationBy::Boresight))->degrees(), 99.13, 1e-9);
+    EXPECT_NEAR(declinationCorrection(lisbon(DeclinationBy::Boresight))->degrees(), -5.94, 1e-9);
+    EXPECT_EQ(declinationCorrection(lisbon(DeclinationBy::Sensor)), 0_deg);
+    EXPECT_EQ(declinationCorrection(lisbon(DeclinationBy::None)), 0_deg);
+    Declination plain = lisbon(DeclinationBy::Boresight);
+    plain.inSensor = 0_deg;
+    EXPECT_NEAR(correctedHeading(100_deg, plain)->degrees(), 99.13, 1e-9);
+}
+
+TEST(Declination, HeadingsStayOnTheCircle)
+{
+    EXPECT_NEAR(correctedHeading(2_deg, lisbon(DeclinationBy::Boresight))->degrees(), 356.06, 1e-9);
+    EXPECT_NEAR(correctedHeading(725.4_deg, lisbon(DeclinationBy::Sensor))->degrees(), 5.4, 1e-9);
+}
+
+TEST(Declination, OneThatIsNotKnownIsNeverZero)
+{
+    const Declination unknown{.by = DeclinationBy::Boresight};
+    ASSERT_FALSE(declinationCorrection(unknown));
+    EXPECT_EQ(correctedHeading(10_deg, unknown).error().code, ErrorCode::NotAvailable);
+    EXPECT_EQ(describe(unknown),
+              "Declination by Boresight: the declination of this place is not known: type it, or "
+              "give site and magnetic model");
+    EXPECT_TRUE(declinationCorrection({.by = DeclinationBy::Sensor})) << "nothing is needed";
+}
+
+TEST(Declination, IsSaidInWordsWithTheNumbers)
+{
+    EXPECT_EQ(describe(lisbon(DeclinationBy::Sensor)),
+              "Declination by the sensor: it has added +5.07°, Boresight adds nothing");
+    EXPECT_EQ(describe(lisbon(DeclinationBy::Boresight)),
+              "Declination by Boresight: the sensor's +5.07° is taken away and -0.87° by the magnetic model is added, "
+              "together -5.94°");
+    EXPECT_EQ(describe({.by = DeclinationBy::Boresight, .inSensor = 0_deg, .here = 12.5_deg}),
+              "Declination by Boresight: the sensor's +0.00° is taken away and +12.50° as typed is added, together "
+              "+12.50°");
+    EXPECT_EQ(describe(lisbon(DeclinationBy::None)),
+              "No declination: the heading stays as it comes, with the sensor's +5.07° in it");
+}
+
+TEST(Declination, ASensorMadeForAnotherPlaceIsDoubted)
+{
+    const std::string wrong =
+        "the declination here is -0.87° by the magnetic model, the sensor has added +5.07°: its headings are +5.94° "
+        "off";
+    EXPECT_EQ(doubt(lisbon(DeclinationBy::Sensor)), wrong);
+    EXPECT_EQ(doubt(lisbon(DeclinationBy::None)), wrong);
+    EXPECT_EQ(doubt(lisbon(DeclinationBy::Boresight)), "");
+    EXPECT_EQ(doubt({.by = DeclinationBy::Sensor, .here = 5.3_deg}), "") << "near enough: Berlin some years later";
+    EXPECT_EQ(doubt({.by = DeclinationBy::Sensor}), "") << "nobody knows";
+}
