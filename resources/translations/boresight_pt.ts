@@ -3605,6 +3605,94 @@ el %3</translation>
         <source>%1 is gone: plug the sensor in again; it is found in any socket as %2</source>
         <translation>%1 desapareceu: volte a conectar o sensor; é encontrado em qualquer tomada como %2</translation>
     </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation>não se pode ler %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 is too large for the coefficients of a World Magnetic Model</source>
+        <translation>%1 é grande demais para os coeficientes de um World Magnetic Model</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>the term n = %1, m = %2 is missing</source>
+        <translation>falta o termo n = %1, m = %2</translation>
+    </message>
+    <message>
+        <source>a line of nines is expected after degree %1</source>
+        <translation>depois do grau %1 espera-se uma linha de noves</translation>
+    </message>
+    <message>
+        <source>the file ends without its line of nines</source>
+        <translation>o arquivo termina sem a sua linha de noves</translation>
+    </message>
+    <message>
+        <source>this is no header of a magnetic model, which is an epoch, a name and a date</source>
+        <translation>isto não é o cabeçalho de um modelo magnético, que é uma época, um nome e uma data</translation>
+    </message>
+    <message>
+        <source>%1 numbers instead of 6: n m g h and the changes of g and h</source>
+        <translation>%1 números em vez de 6: n m g h e as variações de g e h</translation>
+    </message>
+    <message>
+        <source>the term n = %1, m = %2 is expected</source>
+        <translation>espera-se o termo n = %1, m = %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number</source>
+        <translation>&quot;%1&quot; não é um número</translation>
+    </message>
+    <message>
+        <source>h of a term with m = 0 is not 0</source>
+        <translation>h de um termo com m = 0 não é 0</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>linha %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 by the magnetic model</source>
+        <translation>%1 segundo o modelo magnético</translation>
+    </message>
+    <message>
+        <source>%1 as typed</source>
+        <translation>%1 como digitado</translation>
+    </message>
+    <message>
+        <source>the declination of this place is not known: type it, or give site and magnetic model</source>
+        <translation>a declinação deste lugar não é conhecida: digite-a, ou indique o local e o modelo magnético</translation>
+    </message>
+    <message>
+        <source>Declination by the sensor: it has added %1, Boresight adds nothing</source>
+        <translation>Declinação pelo sensor: ele somou %1, o Boresight não soma nada</translation>
+    </message>
+    <message>
+        <source>Declination by Boresight: the sensor&apos;s %1 is taken away and %2 is added, together %3</source>
+        <translation>Declinação pelo Boresight: retira-se o %1 do sensor e soma-se %2, ao todo %3</translation>
+    </message>
+    <message>
+        <source>Declination by Boresight: %1</source>
+        <translation>Declinação pelo Boresight: %1</translation>
+    </message>
+    <message>
+        <source>No declination: the heading stays as it comes, with the sensor&apos;s %1 in it</source>
+        <translation>Sem declinação: o rumo fica como vem, com o %1 do sensor nele</translation>
+    </message>
+    <message>
+        <source>the declination here is %1, the sensor has added %2: its headings are %3 off</source>
+        <translation>a declinação aqui é %1, o sensor somou %2: os seus rumos têm um erro de %3</translation>
+    </message>
+    <message>
+        <source>the magnetic model %1 is valid from %2 to %3, not in %4: a file of the present one is needed (World Magnetic Model, .COF)</source>
+        <translation>o modelo magnético %1 vale de %2 a %3, não em %4: é preciso um arquivo do atual (World Magnetic Model, .COF)</translation>
+    </message>
+    <message>
+        <source>the magnetic model %1 ends with %2: look for the next one</source>
+        <translation>o modelo magnético %1 termina em %2: procure o próximo</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
