@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pointing/sun_keep_out.h"
+
+#include "core/pointing/permitted_region.h"
+#include "core/pointing/route.h"
+#include "core/units/angle_between.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace boresight;
+using namespace boresight::pointing;
+
+namespace {
+
+constexpr TravelRange kAzimuths{-90_deg, 450_deg};
+constexpr TravelRange kFlipping{-5_deg, 180_deg};
+
+PermittedRegion regionAround(const SkyPointing& sun, Angle radius)
+{
+    Region region;
+    if (const auto keepOut = sunKeepOut(sun, radius)) {
+        region.keepOuts.push_back(*keepOut);
+    }
+    return PermittedRegion(region, kAzimuths, kFlipping);
+}
+
+// The direction at this distance from the Sun, at an angle from straight up around it.
+SkyPointing beside(const SkyPointing& sun, Angle distance, double around)
+{
+    const double elevation = sun.elevation.radians();
+    const double away = distance.radians();
+    const double height =
+        std::asin(std::sin(elevation) * std::cos(away) + std::cos(elevation) * std::sin(away) * std::cos(around));
+    const double turn = std::atan2(std::sin(around) * std::sin(away) * std::cos(elevation),
+                                   std::cos(away) - std::sin(elevation) * std::sin(height));
+    return {.azimuth = (sun.azimuth + Angle::fromRadians(turn)).wrapped360(), .elevation = Angle::fromRadians(height)};
+}
+
+}  // namespace
+
+// Wherever the Sun is up, no place of the axes looks into the circle: on no turn, and not over the top.
+TEST(SunKeepOut, NoPlaceLooksIntoTheCircle)
+{
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    for (int i = 0; i < 20000; ++i) {
+        const SkyPointing sun{.azimuth = Angle::fromDegrees(360.0 * unit(random)),
+                              .elevation = Angle::fromDegrees(-2.0 + 92.0 * unit(random))};
+        const Angle radius = Angle::fromDegrees(0.5 + 30.0 * unit(random));
+        const SkyPointing looked = beside(sun, 0.999 * std::sqrt(unit(random)) * radius, 6.3 * unit(random));
+        ASSERT_LT(angleBetween(sun, looked), radius);
+        if (looked.elevation < kFlipping.min) {
+            continue;
+        }
+        const PermittedRegion region = regionAround(sun, radius);
+        EXPECT_FALSE(region.permits(AxisPosition{looked.azimuth, looked.elevation}));
+        EXPECT_FALSE(region.permits(AxisPosition{looked.azimuth + 360_deg, looked.elevation})) << "another turn";
+        const AxisPosition overTheTop{(looked.azimuth + 180_deg).wrapped360(), 180_deg - looked.elevation};
+        EXPECT_FALSE(region.permits(overTheTop));
+    }
+}
+
+// And it is no larger than it must be: each of its sides touches the circle.
+TEST(SunKeepOut, TouchesTheCircle)
+{
+    const SkyPointing sun{.azimuth = 350_deg, .elevation = 60_deg};
+    const KeepOut keepOut = sunKeepOut(sun, 10_deg).value();
+    EXPECT_NEAR(keepOut.elevationMin.degrees(), 50.0, 1e-9);
+    EXPECT_NEAR(keepOut.elevationMax.degrees(), 70.0, 1e-9);
+    const Angle touching = Angle::fromRadians(std::asin(std::sin(sun.elevation.radians()) / std::cos(0.1745329252)));
+    EXPECT_NEAR(angleBetween(sun, {.azimuth = keepOut.azimuthFrom, .elevation = touching}).degrees(), 10.0, 1e-6);
+    EXPECT_NEAR(angleBetween(sun, {.azimuth = keepOut.azimuthTo, .elevation = touching}).degrees(), 10.0, 1e-6);
+    EXPECT_GT(keepOut.azimuthFrom, keepOut.azimuthTo) << "through north";
+    EXPECT_EQ(keepOut.name, "Sun");
+}
+
+TEST(SunKeepOut, NearTheZenithTakesAllAzimuths)
+{
+    for (const Angle elevation : {80_deg, 85_deg, 90_deg}) {
+        const SkyPointing sun{.azimuth = 123_deg, .elevation = elevation};
+        const PermittedRegion region = regionAround(sun, 10_deg);
+        for (double azimuth = 0.0; azimuth < 360.0; azimuth += 15.0) {
+            EXPECT_FALSE(region.permits(AxisPosition{Angle::fromDegrees(azimuth), elevation - 9.9_deg}));
+            EXPECT_FALSE(region.permits(AxisPosition{Angle::fromDegrees(azimuth), 90_deg})) << "the zenith is no gap";
+            EXPECT_TRUE(region.permits(AxisPosition{Angle::fromDegrees(azimuth), elevation - 10.1_deg}));
+        }
+    }
+}
+
+// Just before the circle reaches the zenith it is wide, and the zenith is free.
+TEST(SunKeepOut, IsWideBeforeTheZenith)
+{
+    const KeepOut keepOut = sunKeepOut({.azimuth = 180_deg, .elevation = 79.9_deg}, 10_deg).value();
+    EXPECT_GT((keepOut.azimuthTo - keepOut.azimuthFrom).degrees(), 160.0);
+    EXPECT_LT(keepOut.elevationMax, 90_deg);
+}
+
+TEST(SunKeepOut, IsNoneWhileTheSunIsDown)
+{
+    EXPECT_FALSE(sunKeepOut({.azimuth = 250_deg, .elevation = -2.01_deg}, 20_deg));
+    EXPECT_FALSE(sunKeepOut({.azimuth = 250_deg, .elevation = -60_deg}, 20_deg));
+    const auto low = sunKeepOut({.azimuth = 250_deg, .elevation = -1_deg}, 20_deg);
+    ASSERT_TRUE(low);
+    EXPECT_NEAR(low->elevationMin.degrees(), -21.0, 1e-9);
+}
+
+// A step into it is refused, a sweep across it is none, and a way leads around.
+TEST(SunKeepOut, HoldsForStepsAndWays)
+{
+    const SkyPointing sun{.azimuth = 180_deg, .elevation = 40_deg};
+    const PermittedRegion region = regionAround(sun, 8_deg);
+    const AxisPosition before{.azimuth = 150_deg, .elevation = 40_deg};
+    const AxisPosition behind{.azimuth = 210_deg, .elevation = 40_deg};
+    EXPECT_FALSE(region.permits(AxisBox::between(before, behind)));
+    EXPECT_EQ(region.obstacle({sun.azimuth, sun.elevation}), "the keep-out \"Sun\"");
+    const auto way = route(region, before, behind, {.azimuth = 6_deg_s, .elevation = 6_deg_s});
+    ASSERT_TRUE(way) << way.error().text;
+    AxisPosition from = before;
+    for (const AxisPosition& to : *way) {
+        EXPECT_TRUE(region.permits(AxisBox::between(from, to)));
+        from = to;
+    }
+    EXPECT_GT(way->size(), 1U);
+    EXPECT_FALSE(route(region, before, {.azimuth = 181_deg, .elevation = 41_deg}, {6_deg_s, 6_deg_s}));
+}
