@@ -3693,6 +3693,10 @@ el %3</translation>
         <source>the magnetic model %1 ends with %2: look for the next one</source>
         <translation>o modelo magnético %1 termina em %2: procure o próximo</translation>
     </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sol</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
