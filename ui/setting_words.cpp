@@ -36,7 +36,8 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"jog", QT_TRANSLATE_NOOP("SettingWords", "Jog")},
                              {"rotctld", QT_TRANSLATE_NOOP("SettingWords", "rotctld server")},
                              {"supervision", QT_TRANSLATE_NOOP("SettingWords", "Supervision")},
-                             {"recovery", QT_TRANSLATE_NOOP("SettingWords", "Recovery")}};
+                             {"recovery", QT_TRANSLATE_NOOP("SettingWords", "Recovery")},
+                             {"sensor", QT_TRANSLATE_NOOP("SettingWords", "Orientation sensor")}};
 
 class SettingWords
 {

@@ -110,6 +110,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     }
     checkRegion(problems, profile);
     checkSupervision(problems, profile);
+    checkSensor(problems, profile);
     return problems;
 }
 

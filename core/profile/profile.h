@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/pointing/mount_model.h"
 #include "core/pointing/region.h"
+#include "core/profile/sensor_settings.h"
 #include "core/tracking/axis_profile.h"
 #include "core/units/sky.h"
 
@@ -223,6 +224,7 @@ struct Profile
     RotctldSettings rotctld;
     SupervisionSettings supervision;
     RecoverySettings recovery;
+    SensorSettings sensor;
 
     [[nodiscard]] const AxisSettings& axis(Axis which) const { return which == Axis::Azimuth ? azimuth : elevation; }
     bool operator==(const Profile&) const = default;

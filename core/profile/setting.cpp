@@ -231,6 +231,7 @@ std::vector<Setting> makeSettings()
     addClients(list);
     addSupervision(list);
     addRecovery(list);
+    addSensor(list);
     return list;
 }
 

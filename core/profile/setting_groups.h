@@ -13,12 +13,14 @@ void addRegion(std::vector<Setting>& list);
 void addSite(std::vector<Setting>& list);
 void addSupervision(std::vector<Setting>& list);
 void addRecovery(std::vector<Setting>& list);
+void addSensor(std::vector<Setting>& list);
 
 // Of clients: "192.168.1.7" or "fe80::1"; a network is an address with the number of its leading bits, "10.0.0.0/8".
 [[nodiscard]] Result<> checkAddress(const std::string& text);
 [[nodiscard]] Result<> checkNetwork(const std::string& text);
 
-// Cross checks of the region, the park place and the presets.
+// Cross checks of the region, the park place and the presets; of the sensor.
 void checkRegion(std::vector<Problem>& problems, const Profile& profile);
+void checkSensor(std::vector<Problem>& problems, const Profile& profile);
 
 }  // namespace boresight::profile

@@ -403,6 +403,10 @@ el %3</translation>
         <source>not given</source>
         <translation>não indicado</translation>
     </message>
+    <message>
+        <source>Orientation sensor</source>
+        <translation>Sensor de orientação</translation>
+    </message>
 </context>
 <context>
     <name>SkyItems</name>
@@ -3696,6 +3700,102 @@ el %3</translation>
     <message>
         <source>Sun</source>
         <translation>Sol</translation>
+    </message>
+    <message>
+        <source>a path on one line is expected</source>
+        <translation>espera-se um caminho numa só linha</translation>
+    </message>
+    <message>
+        <source>a topic is expected, like &quot;antenna/orientation&quot;, without + and #</source>
+        <translation>espera-se um tópico, como &quot;antenna/orientation&quot;, sem + nem #</translation>
+    </message>
+    <message>
+        <source>Whether there is an orientation sensor on the antenna, and how it is heard; &quot;simulated&quot; is that of the simulated mount.</source>
+        <translation>Se há um sensor de orientação na antena, e como é lido; &quot;simulated&quot; é o da montagem simulada.</translation>
+    </message>
+    <message>
+        <source>Device of the sensor&apos;s serial port; a name in /dev/serial/by-id stays the same in every socket.</source>
+        <translation>Dispositivo da porta serial do sensor; um nome em /dev/serial/by-id é o mesmo em qualquer tomada.</translation>
+    </message>
+    <message>
+        <source>Speed of the sensor&apos;s serial port.</source>
+        <translation>Velocidade da porta serial do sensor.</translation>
+    </message>
+    <message>
+        <source>MQTT topic of the sensor&apos;s azimuth and elevation.</source>
+        <translation>Tópico MQTT do azimute e da elevação do sensor.</translation>
+    </message>
+    <message>
+        <source>MQTT topic of the sensor&apos;s temperature and firmware.</source>
+        <translation>Tópico MQTT da temperatura e do firmware do sensor.</translation>
+    </message>
+    <message>
+        <source>MQTT topic of the sensor&apos;s own calibration.</source>
+        <translation>Tópico MQTT da calibração própria do sensor.</translation>
+    </message>
+    <message>
+        <source>Which way the sensor&apos;s azimuth grows, seen from above; it depends on how it is mounted. Turn the mount and look.</source>
+        <translation>Para que lado cresce o azimute do sensor, visto de cima; depende de como está montado. Gire a montagem e observe.</translation>
+    </message>
+    <message>
+        <source>True azimuth of the beam where the sensor looks north.</source>
+        <translation>Azimute verdadeiro do feixe quando o sensor aponta para o norte.</translation>
+    </message>
+    <message>
+        <source>Elevation of the beam where the sensor says 0°.</source>
+        <translation>Elevação do feixe quando o sensor indica 0°.</translation>
+    </message>
+    <message>
+        <source>Whose magnetic declination counts, and it alone: the one that the sensor adds, that of the site in its place, or none.</source>
+        <translation>Qual declinação magnética vale, e só ela: a que o sensor soma, a do local em seu lugar, ou nenhuma.</translation>
+    </message>
+    <message>
+        <source>What the sensor&apos;s firmware adds to its azimuth: 5.07° as delivered, for Berlin.</source>
+        <translation>O que o firmware do sensor soma ao azimute: 5.07° de fábrica, para Berlim.</translation>
+    </message>
+    <message>
+        <source>Magnetic declination of the site, east positive, while declination_file is empty.</source>
+        <translation>Declinação magnética do local, positiva para leste, enquanto declination_file estiver vazio.</translation>
+    </message>
+    <message>
+        <source>Coefficients of the World Magnetic Model (.COF), to reckon the declination of the site from.</source>
+        <translation>Coeficientes do modelo magnético mundial (.COF), dos quais se calcula a declinação do local.</translation>
+    </message>
+    <message>
+        <source>The sensor is lost, and nothing is made of its last values, after so long without.</source>
+        <translation>O sensor está perdido, e nada se faz dos seus últimos valores, após tanto tempo sem nenhum.</translation>
+    </message>
+    <message>
+        <source>Age of the sensor&apos;s azimuth when it arrives: of the middle of what its firmware averages.</source>
+        <translation>Idade do azimute do sensor ao chegar: a do meio do intervalo de que o firmware faz a média.</translation>
+    </message>
+    <message>
+        <source>How long the firmware averages the azimuth.</source>
+        <translation>Durante quanto tempo o firmware faz a média do azimute.</translation>
+    </message>
+    <message>
+        <source>A hint when sensor and axes differ by so much for disagreement_s.</source>
+        <translation>Um aviso quando sensor e eixos diferem tanto durante disagreement_s.</translation>
+    </message>
+    <message>
+        <source>How long sensor and axes may differ.</source>
+        <translation>Durante quanto tempo sensor e eixos podem diferir.</translation>
+    </message>
+    <message>
+        <source>is needed while sensor.source is &quot;serial&quot;</source>
+        <translation>é necessário enquanto sensor.source for &quot;serial&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;simulated&quot; needs the simulated mount (bus.name)</source>
+        <translation>&quot;simulated&quot; exige a montagem simulada (bus.name)</translation>
+    </message>
+    <message>
+        <source>is the same as another topic of the sensor</source>
+        <translation>é igual a outro tópico do sensor</translation>
+    </message>
+    <message>
+        <source>needs the place of the mount (site)</source>
+        <translation>precisa do local da montagem (site)</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/orientation/correction.h"
+
+#include <string>
+
+// The orientation sensor on the antenna: how it is reached, how it is mounted, and what is made of it. Plain values;
+// the MQTT broker has settings of its own.
+namespace boresight::profile {
+
+enum class SensorSource
+{
+    None,
+    Serial,
+    Mqtt,
+    Simulated  // of the built-in simulated mount
+};
+
+struct SensorSettings
+{
+    SensorSource source = SensorSource::None;
+    std::string port;  // device of the serial port
+    int baud = 115200;
+    std::string orientationTopic = "antenna/orientation";
+    std::string statusTopic = "antenna/status";
+    std::string calibrationTopic = "antenna/calibration";
+    orientation::CorrectionSettings correction;
+    std::string declinationFile;  // World Magnetic Model (.COF); empty: correction.ofSite as typed
+    Seconds lost{5.0};
+    // The firmware reads the heading five times within 0.8 s, averages, and sends 1.0 s after the first reading: the
+    // middle of what it averaged is then 0.6 s old. Its elevation is one reading at the end.
+    Seconds latency{0.6};
+    Seconds averaging{1.0};
+    Angle disagreement = Angle::fromDegrees(10.0);  // from the axes, for disagreementTime
+    Seconds disagreementTime{1.5};
+
+    bool operator==(const SensorSettings&) const = default;
+};
+
+}  // namespace boresight::profile

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/profile/profile_diff.h"
+#include "core/profile/profile_file.h"
+#include "core/profile/setting.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace boresight::profile {
+namespace {
+
+std::vector<std::string> keysOf(const Profile& profile)
+{
+    std::vector<std::string> keys;
+    for (const Problem& problem : problemsOf(profile)) {
+        keys.push_back(problem.key);
+    }
+    return keys;
+}
+
+TEST(SensorSettings, WithoutThemThereIsNoSensor)
+{
+    EXPECT_EQ(Profile().sensor.source, SensorSource::None);
+    EXPECT_TRUE(problemsOf(Profile()).empty());
+}
+
+TEST(SensorSettings, SurviveTheRoundTrip)
+{
+    Profile profile;
+    profile.site.known = true;
+    profile.sensor = {.source = SensorSource::Serial,
+                      .port = "/dev/serial/by-id/usb-1a86_USB2.0-Serial-if00-port0",
+                      .baud = 74880,
+                      .orientationTopic = "mast/orientation",
+                      .statusTopic = "mast/status",
+                      .calibrationTopic = "mast/calibration",
+                      .correction = {.sense = orientation::Sense::CounterClockwise,
+                                     .azimuthOffset = -123.456_deg,
+                                     .elevationOffset = 1.25_deg,
+                                     .declination = orientation::Declination::OfSite,
+                                     .ofSensor = 4.98_deg,
+                                     .ofSite = -1.5_deg},
+                      .declinationFile = "/usr/share/wmm/WMM.COF",
+                      .lost = Seconds(7.5),
+                      .latency = Seconds(0.25),
+                      .averaging = Seconds(0.0),
+                      .disagreement = 4.5_deg,
+                      .disagreementTime = Seconds(3.0)};
+    const auto again = parseProfile(toToml(profile), "m.toml");
+    ASSERT_TRUE(again) << again.error().text;
+    EXPECT_EQ(*again, profile);
+}
+
+TEST(SensorSettings, MakeSenseTogether)
+{
+    Profile profile;
+    profile.sensor.source = SensorSource::Serial;
+    EXPECT_EQ(keysOf(profile), std::vector<std::string>{"sensor.port"});
+    profile.sensor.source = SensorSource::Simulated;
+    EXPECT_TRUE(keysOf(profile).empty());
+    profile.bus = "socketcan:can0";
+    EXPECT_EQ(keysOf(profile), std::vector<std::string>{"sensor.source"});
+
+    Profile twice;
+    twice.sensor.statusTopic = twice.sensor.calibrationTopic;
+    EXPECT_EQ(keysOf(twice), std::vector<std::string>{"sensor.status_topic"});
+    twice.sensor.orientationTopic = twice.sensor.calibrationTopic;
+    EXPECT_EQ(keysOf(twice), (std::vector<std::string>{"sensor.orientation_topic", "sensor.status_topic"}));
+
+    Profile nowhere;
+    nowhere.sensor.declinationFile = "WMM.COF";
+    EXPECT_TRUE(keysOf(nowhere).empty());
+    nowhere.sensor.correction.declination = orientation::Declination::OfSite;
+    EXPECT_EQ(keysOf(nowhere), std::vector<std::string>{"sensor.declination_file"});
+    nowhere.site.known = true;
+    EXPECT_TRUE(keysOf(nowhere).empty());
+}
+
+TEST(SensorSettings, ATopicNamesOne)
+{
+    for (const char* const bad : {"", "antenna/#", "+/orientation", "a\nb"}) {
+        Profile profile;
+        profile.sensor.orientationTopic = bad;
+        EXPECT_EQ(keysOf(profile), std::vector<std::string>{"sensor.orientation_topic"}) << bad;
+    }
+}
+
+TEST(SensorSettings, ApplyAtOnce)
+{
+    Profile wanted;
+    wanted.sensor.source = SensorSource::Serial;
+    wanted.sensor.port = "/dev/ttyUSB0";
+    wanted.sensor.correction.azimuthOffset = 37.4_deg;
+    const Application application = applied(Profile(), wanted);
+    EXPECT_EQ(application.inForce, wanted);
+    EXPECT_TRUE(application.waitingKeys.empty());
+}
+
+}  // namespace
+}  // namespace boresight::profile
