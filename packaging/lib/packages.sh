@@ -11,7 +11,7 @@ readonly build_packages=(
     g++ cmake ninja-build ca-certificates
     qt6-base-dev 'qt6-svg-dev|libqt6svg6-dev' 'qt6-serialport-dev|libqt6serialport6-dev'
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools
-    libgl-dev libexpected-dev libtomlplusplus-dev libarchive-dev libsdl2-dev liberfa-dev 'pkgconf|pkg-config' libgtest-dev libgmock-dev libbenchmark-dev
+    libgl-dev libexpected-dev libtomlplusplus-dev libarchive-dev libeigen3-dev libsdl2-dev liberfa-dev 'pkgconf|pkg-config' libgtest-dev libgmock-dev libbenchmark-dev
 )
 
 # What building Qwt from Debian's source package needs on top.

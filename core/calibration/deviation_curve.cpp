@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/deviation_curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight::calibration {
+namespace {
+
+constexpr int kRounds = 60;        // bisection alone would halve an error of a radian to 1e-18
+constexpr double kExact = 1e-14;   // rad
+constexpr double kSteepest = 0.9;  // of the slope -1 at which two headings give one reading
+constexpr Angle kSlack = Angle::fromDegrees(1e-6);
+
+Angle amplitude(Angle sine, Angle cosine)
+{
+    return Angle::fromRadians(std::hypot(sine.radians(), cosine.radians()));
+}
+
+}  // namespace
+
+Angle DeviationCurve::deviation(Angle heading) const
+{
+    const double psi = heading.radians();
+    return a1 * std::sin(psi) + b1 * std::cos(psi) + a2 * std::sin(2.0 * psi) + b2 * std::cos(2.0 * psi);
+}
+
+orientation::SensorHeading DeviationCurve::reading(Angle heading) const
+{
+    const Angle clockwise = heading + constant + deviation(heading);
+    return orientation::SensorHeading::folded(sense == AzimuthSense::Clockwise ? clockwise : -clockwise);
+}
+
+// Newton's steps, kept within a bracket that every step narrows.
+Angle DeviationCurve::corrected(orientation::SensorHeading reading) const
+{
+    const Angle target = (sense == AzimuthSense::Clockwise ? reading.angle() : -reading.angle()) - constant;
+    const Angle reach = firstAmplitude() + secondAmplitude() + kSlack;
+    Angle low = target - reach;
+    Angle high = target + reach;
+    Angle heading = target;
+    for (int round = 0; round < kRounds; ++round) {
+        const Angle excess = heading + deviation(heading) - target;
+        if (std::abs(excess.radians()) < kExact) {
+            break;
+        }
+        (excess > Angle{} ? high : low) = heading;
+        const double psi = heading.radians();
+        const double slope = 1.0 + a1.radians() * std::cos(psi) - b1.radians() * std::sin(psi) +
+                             2.0 * (a2.radians() * std::cos(2.0 * psi) - b2.radians() * std::sin(2.0 * psi));
+        const Angle step = heading - excess / slope;
+        heading = step > low && step < high ? step : (low + high) / 2.0;
+    }
+    return heading.wrapped360();
+}
+
+bool DeviationCurve::isReliable(Angle heading) const
+{
+    return std::none_of(unreliable.begin(), unreliable.end(),
+                        [&](const UnreliableSector& sector) { return sector.contains(heading); });
+}
+
+Angle DeviationCurve::firstAmplitude() const
+{
+    return amplitude(a1, b1);
+}
+
+Angle DeviationCurve::secondAmplitude() const
+{
+    return amplitude(a2, b2);
+}
+
+bool DeviationCurve::isInvertible() const
+{
+    return (firstAmplitude() + secondAmplitude() * 2.0).radians() < kSteepest;
+}
+
+DeviationCurve DeviationCurve::withNorthMoved(Angle correction) const
+{
+    const double once = correction.radians();
+    const double twice = 2.0 * once;
+    DeviationCurve moved = *this;
+    moved.constant = constant - correction;
+    moved.a1 = a1 * std::cos(once) + b1 * std::sin(once);
+    moved.b1 = b1 * std::cos(once) - a1 * std::sin(once);
+    moved.a2 = a2 * std::cos(twice) + b2 * std::sin(twice);
+    moved.b2 = b2 * std::cos(twice) - a2 * std::sin(twice);
+    for (UnreliableSector& sector : moved.unreliable) {
+        sector.from = (sector.from + correction).wrapped360();
+        sector.to = (sector.to + correction).wrapped360();
+    }
+    return moved;
+}
+
+}  // namespace boresight::calibration

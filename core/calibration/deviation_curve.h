@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/orientation/orientation.h"
+
+#include <vector>
+
+// What iron near the sensor does to its heading, as a function of the true heading ψ of the beam:
+//
+//     reading = ψ + constant + a1 sin ψ + b1 cos ψ + a2 sin 2ψ + b2 cos 2ψ      (of a sensor that counts clockwise)
+//
+// The first harmonic is hard iron, the second soft iron that turns with the sensor (the coefficients B, C and D, E of
+// compass adjusters; A is the constant). A swing cannot tell the constant from the offset of north: it is 0 until
+// something that knows north, the Sun say, has been seen. Pure values.
+namespace boresight::calibration {
+
+// Which way the sensor's angle grows when the mount turns clockwise, seen from above.
+enum class AzimuthSense
+{
+    Clockwise,        // with it, as a compass
+    CounterClockwise  // against it: the sensor is mounted face down, or its firmware counts so
+};
+
+// An arc of true headings, clockwise from `from` to `to`, where something steers the needle that no harmonic describes.
+struct UnreliableSector
+{
+    Angle from;
+    Angle to;
+    Angle residual;  // the largest of its middle residuals
+
+    [[nodiscard]] bool contains(Angle heading) const
+    {
+        return (heading - from).wrapped360() <= (to - from).wrapped360();
+    }
+    bool operator==(const UnreliableSector&) const = default;
+};
+
+struct DeviationCurve
+{
+    AzimuthSense sense = AzimuthSense::Clockwise;
+    Angle constant;
+    Angle a1;
+    Angle b1;
+    Angle a2;
+    Angle b2;
+    Angle scatter;  // rms of a single reading about the curve
+    std::vector<UnreliableSector> unreliable;
+
+    // Of a sensor that counts clockwise; without the constant.
+    [[nodiscard]] Angle deviation(Angle heading) const;
+    // What the sensor says while the beam points to this true heading; and back.
+    [[nodiscard]] orientation::SensorHeading reading(Angle heading) const;
+    [[nodiscard]] Angle corrected(orientation::SensorHeading reading) const;
+
+    [[nodiscard]] bool isReliable(Angle heading) const;
+    [[nodiscard]] Angle firstAmplitude() const;
+    [[nodiscard]] Angle secondAmplitude() const;
+    // Only then has each reading one heading: the curve falls nowhere by as much as the heading grows.
+    [[nodiscard]] bool isInvertible() const;
+
+    // The same readings after true north was found elsewhere: what was heading ψ is really ψ + correction.
+    [[nodiscard]] DeviationCurve withNorthMoved(Angle correction) const;
+
+    bool operator==(const DeviationCurve&) const = default;
+};
+
+}  // namespace boresight::calibration

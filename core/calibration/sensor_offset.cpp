@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/sensor_offset.h"
+
+#include "core/base/text.h"
+#include "core/calibration/circular.h"
+#include "core/calibration/robust_fit.h"
+#include "core/calibration/words.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace boresight::calibration {
+namespace {
+
+constexpr double kNoiseFloor = Angle::fromDegrees(0.1).radians();
+constexpr double kFewestIndependent = 3.0;
+constexpr Angle kStandsStill = Angle::fromDegrees(0.3);  // how far the readings of a still mount may be apart
+
+using Calibration = std::optional<int> SensorReading::*;
+
+// Nothing where no reading tells.
+std::optional<int> worst(std::span<const SensorReading> readings, Calibration which)
+{
+    std::optional<int> least;
+    for (const SensorReading& reading : readings) {
+        if (const std::optional<int> value = reading.*which) {
+            least = std::min(least.value_or(*value), *value);
+        }
+    }
+    return least;
+}
+
+Result<> checkCalibration(std::span<const SensorReading> readings, int needed)
+{
+    const auto magnetometer = worst(readings, &SensorReading::magnetometerCalibration);
+    if (magnetometer.value_or(needed) < needed) {
+        return failure(ErrorCode::Refused, Text::tr("the magnetometer's calibration is %1 of 3, and %2 is needed: move "
+                                                    "the sensor in figures of eight, away from iron")
+                                               .arg(*magnetometer)
+                                               .arg(needed));
+    }
+    const auto system = worst(readings, &SensorReading::systemCalibration);
+    if (system.value_or(needed) < needed) {
+        return failure(ErrorCode::Refused, Text::tr("the sensor's system calibration is %1 of 3, and %2 is needed: its "
+                                                    "heading is not yet tied to magnetic north")
+                                               .arg(*system)
+                                               .arg(needed));
+    }
+    return {};
+}
+
+Result<> checkMount(std::span<const SensorReading> readings, const SensorOffsetLimits& limits)
+{
+    const auto pulls = std::find_if(readings.begin(), readings.end(), [&](const auto& reading) {
+        return !(reading.motorCurrent <= limits.motorCurrent);
+    });
+    if (pulls != readings.end()) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("a motor draws %1 A, and above %2 A it would turn the needle: let the mount rest")
+                           .arg(pulls->motorCurrent, 0, 'f', 1)
+                           .arg(limits.motorCurrent, 0, 'f', 1));
+    }
+    const auto byAzimuth = [](const auto& a, const auto& b) { return a.axisAzimuth < b.axisAzimuth; };
+    const auto [low, high] = std::minmax_element(readings.begin(), readings.end(), byAzimuth);
+    const bool turns = std::any_of(readings.begin(), readings.end(),
+                                   [&](const auto& reading) { return !(abs(reading.axisRate) <= limits.rate); });
+    if (turns || high->axisAzimuth - low->axisAzimuth > kStandsStill) {
+        return failure(ErrorCode::Refused, Text::tr("the mount is moving: it has to stand still"));
+    }
+    return {};
+}
+
+Result<> check(std::span<const SensorReading> readings, const SensorOffsetLimits& limits)
+{
+    const bool finite = std::all_of(readings.begin(), readings.end(),
+                                    [](const auto& reading) { return reading.axisAzimuth.isFinite(); });
+    if (!finite) {
+        return failure(ErrorCode::InvalidInput, Text::tr("where the mount stands is not known"));
+    }
+    if (readings.empty() || readings.size() < limits.fewest) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("there are %1 readings, and %2 are needed").arg(readings.size()).arg(limits.fewest));
+    }
+    return checkCalibration(readings, limits.calibration).and_then([&] { return checkMount(readings, limits); });
+}
+
+std::vector<Angle> offsetsOf(std::span<const SensorReading> readings, const std::optional<DeviationCurve>& curve)
+{
+    std::vector<Angle> offsets;
+    for (const SensorReading& reading : readings) {
+        offsets.push_back((curve ? curve->corrected(reading.heading) : reading.heading.angle()) - reading.axisAzimuth);
+    }
+    return offsets;
+}
+
+// A curve leaves what it was fitted with, and an unreliable sector is as bad as no curve.
+Angle systematic(const SensorOffsetLimits& limits, const std::optional<DeviationCurve>& curve, Angle heading)
+{
+    const Angle deviation = curve && curve->isReliable(heading) ? curve->scatter : limits.unknownDeviation;
+    return hypot(deviation, limits.alignment);
+}
+
+}  // namespace
+
+Result<SensorOffset> sensorOffset(std::span<const SensorReading> readings, const SensorOffsetLimits& limits,
+                                  const std::optional<DeviationCurve>& curve)
+{
+    if (const Result<> good = check(readings, limits); !good) {
+        return tl::unexpected(good.error());
+    }
+    const std::vector<Angle> offsets = offsetsOf(readings, curve);
+    const Angle middle = circularMean(offsets).direction;
+    RobustProblem problem(1);
+    for (const Angle offset : offsets) {
+        problem.add(std::array{1.0}, (offset - middle).wrapped180().radians());
+    }
+    const auto fit = fitRobustly(problem, kNoiseFloor);
+    if (!fit || fit->free < kFewestIndependent) {
+        return failure(ErrorCode::Refused, Text::tr("the readings drift together: take them for a longer time"));
+    }
+    const std::size_t rejected = readings.size() - fit->usedRows();
+    const Angle scatter = Angle::fromRadians(fit->rms);
+    if (scatter > limits.scatter ||
+        static_cast<double>(rejected) > limits.outliers * static_cast<double>(offsets.size())) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("the readings disagree: they scatter by %1, and %2 of %3 are far off")
+                           .arg(inWords(scatter))
+                           .arg(rejected)
+                           .arg(readings.size()));
+    }
+    const Angle offset = (middle + Angle::fromRadians(fit->solution[0])).wrapped360();
+    const Angle statistical = Angle::fromRadians(std::sqrt(fit->variance(0)));
+    const Angle heading = offset + readings.front().axisAzimuth;
+    return SensorOffset{.offset = {offset, hypot(statistical, systematic(limits, curve, heading))},
+                        .statistical = statistical,
+                        .scatter = scatter,
+                        .used = fit->usedRows(),
+                        .rejected = rejected,
+                        .calibrationKnown = readings.front().magnetometerCalibration.has_value()};
+}
+
+}  // namespace boresight::calibration

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/calibration/deviation_curve.h"
+#include "core/calibration/estimate.h"
+#include "core/orientation/orientation.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+// North from a mount that stands still: what the sensor says, averaged over a circle, less where the azimuth axis is.
+// Pure. The scatter of the readings says little about how true this is: at one heading the deviation of the needle is
+// not seen. Without a curve from a swing the sigma is therefore some degrees, however long one listens.
+namespace boresight::calibration {
+
+// One reading of the sensor, with the state of the mount at the time it is about.
+struct SensorReading
+{
+    orientation::SensorHeading heading;  // declination is dealt with
+    Angle axisAzimuth;
+    AngularRate axisRate;
+    double motorCurrent = 0.0;             // A, the larger of the two motors'
+    std::optional<int> systemCalibration;  // 0…3; MQTT does not tell
+    std::optional<int> magnetometerCalibration;
+};
+
+struct SensorOffsetLimits
+{
+    std::size_t fewest = 10;
+    int calibration = 2;                                // of magnetometer and system, at least
+    double motorCurrent = 1.0;                          // A, at most
+    AngularRate rate = AngularRate::fromDegrees(0.05);  // of the azimuth, at most
+    Angle scatter = Angle::fromDegrees(3.0);            // rms, at most
+    double outliers = 0.2;                              // of the readings, at most
+    Angle unknownDeviation = Angle::fromDegrees(6.0);  // rms of ±8° once and ±3° twice round the circle, at one heading
+    Angle alignment = Angle::fromDegrees(0.5);         // of the box on the boom, and of the declination
+};
+
+struct SensorOffset
+{
+    Estimate offset;    // true azimuth = azimuth of the axis + offset; 0…360°
+    Angle statistical;  // the part of sigma that more readings make smaller
+    Angle scatter;      // rms of the readings
+    std::size_t used = 0;
+    std::size_t rejected = 0;
+    bool calibrationKnown = true;
+};
+
+// `curve`: from an earlier swing, if there was one. Refused with the reason, for the operator.
+[[nodiscard]] Result<SensorOffset> sensorOffset(std::span<const SensorReading> readings,
+                                                const SensorOffsetLimits& limits = {},
+                                                const std::optional<DeviationCurve>& curve = std::nullopt);
+
+}  // namespace boresight::calibration

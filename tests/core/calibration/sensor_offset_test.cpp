@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/sensor_offset.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace boresight::calibration {
+namespace {
+
+using orientation::SensorHeading;
+using ::testing::HasSubstr;
+
+std::vector<SensorReading> readings(double heading, double noise, std::size_t count, double memory = 0.0,
+                                    unsigned seed = 1)
+{
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> gaussian;
+    std::vector<SensorReading> result;
+    double off = noise * gaussian(random);
+    for (std::size_t i = 0; i < count; ++i) {
+        off = memory * off + std::sqrt(1.0 - memory * memory) * noise * gaussian(random);
+        result.push_back({.heading = SensorHeading::folded(Angle::fromDegrees(heading + off)),
+                          .axisAzimuth = 100_deg,
+                          .axisRate = {},
+                          .motorCurrent = 0.1,
+                          .systemCalibration = 3,
+                          .magnetometerCalibration = 3});
+    }
+    return result;
+}
+
+double offBy(const SensorOffset& offset, double truth)
+{
+    return (offset.offset.value - Angle::fromDegrees(truth)).wrapped180().degrees();
+}
+
+std::string reason(const std::vector<SensorReading>& readings)
+{
+    const auto offset = sensorOffset(readings);
+    return offset ? "accepted" : offset.error().text;
+}
+
+TEST(SensorOffset, IsTheMeanOverTheCircle)
+{
+    const auto offset = sensorOffset(readings(99.9, 0.5, 60));  // the headings are on both sides of the axis
+    ASSERT_TRUE(offset.has_value());
+    EXPECT_NEAR(offBy(*offset, -0.1), 0.0, 0.25);
+    const auto throughNorth = sensorOffset(readings(360.0, 0.5, 60));  // readings of 359.8° and 0.2°
+    ASSERT_TRUE(throughNorth.has_value());
+    EXPECT_NEAR(offBy(*throughNorth, 260.0), 0.0, 0.25);
+    EXPECT_EQ(throughNorth->used, 60U);
+}
+
+TEST(SensorOffset, IsAsUncertainAsTheDeviationThatIsNotSeen)
+{
+    const auto offset = sensorOffset(readings(137.4, 0.5, 100));
+    ASSERT_TRUE(offset.has_value());
+    EXPECT_LT(offset->statistical, 0.15_deg);
+    EXPECT_NEAR(offset->offset.sigma.degrees(), std::hypot(6.0, 0.5), 0.01);
+}
+
+TEST(SensorOffset, UsesTheCurveOfASwing)
+{
+    DeviationCurve curve;
+    curve.a1 = 8_deg;
+    curve.b2 = 3_deg;
+    curve.scatter = 0.5_deg;
+    auto still = readings(0.0, 0.0, 20);
+    for (SensorReading& reading : still) {
+        reading.heading = curve.reading(137.4_deg);
+    }
+    const auto offset = sensorOffset(still, {}, curve);
+    ASSERT_TRUE(offset.has_value());
+    EXPECT_NEAR(offBy(*offset, 37.4), 0.0, 1e-6);
+    EXPECT_LT(offset->offset.sigma, 1_deg);
+    curve.unreliable = {{.from = 130_deg, .to = 150_deg, .residual = 15_deg}};
+    EXPECT_GT(sensorOffset(still, {}, curve)->offset.sigma, 5_deg);
+}
+
+// Noise that lasts from one reading to the next does not average out as fast: the true error is within two of the
+// statistical sigmas nearly always, and would not be if the readings were taken as independent.
+TEST(SensorOffset, ReckonsWithNoiseThatLasts)
+{
+    int inside = 0;
+    int insideIfIndependent = 0;
+    constexpr unsigned kRuns = 300;
+    for (unsigned seed = 1; seed <= kRuns; ++seed) {
+        const auto offset = sensorOffset(readings(137.4, 0.5, 120, 0.7, seed));
+        ASSERT_TRUE(offset.has_value());
+        const double error = std::abs(offBy(*offset, 37.4));
+        inside += error < 2.0 * offset->statistical.degrees() ? 1 : 0;
+        insideIfIndependent += error < 2.0 * offset->scatter.degrees() / std::sqrt(120.0) ? 1 : 0;
+    }
+    EXPECT_GE(inside, kRuns * 92 / 100);
+    EXPECT_LT(insideIfIndependent, kRuns * 75 / 100);
+}
+
+TEST(SensorOffset, LeavesOutWhatPointsAnywhere)
+{
+    auto still = readings(137.4, 0.5, 60);
+    still[10].heading = SensorHeading::folded(300_deg);
+    still[11].heading = SensorHeading::folded(20_deg);
+    const auto offset = sensorOffset(still);
+    ASSERT_TRUE(offset.has_value());
+    EXPECT_GE(offset->rejected, 2U);
+    EXPECT_NEAR(offBy(*offset, 37.4), 0.0, 0.25);
+}
+
+TEST(SensorOffset, IsRefusedWithTheReason)
+{
+    auto still = readings(137.4, 0.5, 30);
+    EXPECT_EQ(reason(still), "accepted");
+
+    auto bad = still;
+    bad[3].magnetometerCalibration = 1;
+    EXPECT_THAT(reason(bad), HasSubstr("the magnetometer's calibration is 1 of 3, and 2 is needed"));
+    bad = still;
+    bad[3].systemCalibration = 0;
+    EXPECT_THAT(reason(bad), HasSubstr("system calibration is 0 of 3"));
+    bad = still;
+    bad[3].motorCurrent = 2.5;
+    EXPECT_THAT(reason(bad), HasSubstr("a motor draws 2.5 A"));
+    bad = still;
+    bad[3].motorCurrent = std::nan("");
+    EXPECT_THAT(reason(bad), HasSubstr("a motor draws"));
+    bad = still;
+    bad[3].axisRate = 1_deg_s;
+    EXPECT_THAT(reason(bad), HasSubstr("the mount is moving"));
+    bad = still;
+    bad[3].axisAzimuth = 101_deg;
+    EXPECT_THAT(reason(bad), HasSubstr("the mount is moving"));
+    EXPECT_THAT(reason(readings(137.4, 0.5, 9)), HasSubstr("there are 9 readings, and 10 are needed"));
+    EXPECT_THAT(reason({}), HasSubstr("there are 0 readings"));
+    auto drifting = readings(137.4, 0.0, 40);
+    for (std::size_t i = 0; i < drifting.size(); ++i) {
+        drifting[i].heading = SensorHeading::folded(Angle::fromDegrees(137.4 + 0.05 * static_cast<double>(i)));
+    }
+    EXPECT_THAT(reason(drifting), HasSubstr("the readings drift together"));
+    EXPECT_THAT(reason(readings(137.4, 20.0, 40)), HasSubstr("the readings disagree"));
+}
+
+TEST(SensorOffset, AcceptsASensorThatDoesNotTellItsCalibration)
+{
+    auto still = readings(137.4, 0.5, 30);
+    for (SensorReading& reading : still) {
+        reading.magnetometerCalibration.reset();
+        reading.systemCalibration.reset();
+    }
+    const auto offset = sensorOffset(still);
+    ASSERT_TRUE(offset.has_value());
+    EXPECT_FALSE(offset->calibrationKnown);
+}
+
+}  // namespace
+}  // namespace boresight::calibration
