@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/swing_verdict.h"
+
+#include "core/base/text.h"
+#include "core/calibration/words.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight::calibration {
+namespace {
+
+constexpr double kFollowsCurrent = 0.6;                   // coefficient of correlation
+constexpr Angle kWorthTelling = Angle::fromDegrees(2.0);  // of hysteresis, of what the current does
+
+std::ptrdiff_t count(const CompassSwing& swing, SampleFate fate)
+{
+    return std::count_if(swing.samples.begin(), swing.samples.end(),
+                         [&](const SwingResidual& sample) { return sample.fate == fate; });
+}
+
+Angle unreliableArc(const CompassSwing& swing)
+{
+    Angle sum;
+    for (const UnreliableSector& sector : swing.curve.unreliable) {
+        const Angle width = (sector.to - sector.from).wrapped360();
+        sum += width > Angle{} ? width : Angle::fromTurns(1.0);
+    }
+    return sum;
+}
+
+struct CurrentEffect
+{
+    double correlation = 0.0;
+    Angle amplitude;  // of the residuals that go with the current, rms
+};
+
+// Between what the curve leaves and the motors' current.
+CurrentEffect effectOfCurrent(const CompassSwing& swing, std::span<const SwingSample> usable)
+{
+    double n = 0.0, current = 0.0, residual = 0.0, currentSquare = 0.0, residualSquare = 0.0, product = 0.0;
+    std::size_t next = 0;
+    for (const SwingResidual& sample : swing.samples) {
+        if (sample.fate != SampleFate::Used && sample.fate != SampleFate::Outlier) {
+            continue;
+        }
+        const double amperes = usable[next++].motorCurrent;
+        const double off = sample.residual.radians();
+        n += 1.0;
+        current += amperes;
+        residual += off;
+        currentSquare += amperes * amperes;
+        residualSquare += off * off;
+        product += amperes * off;
+    }
+    const double currents = currentSquare / n - current / n * (current / n);
+    const double residuals = residualSquare / n - residual / n * (residual / n);
+    if (!(currents > 1e-12) || !(residuals > 1e-12)) {
+        return {};
+    }
+    const double correlation = (product / n - current / n * (residual / n)) / std::sqrt(currents * residuals);
+    return {.correlation = correlation, .amplitude = Angle::fromRadians(std::abs(correlation) * std::sqrt(residuals))};
+}
+
+class Verdict
+{
+public:
+    Verdict(CompassSwing& swing, const SwingLimits& limits) : m_swing(swing), m_limits(limits) {}
+
+    void hopeless()
+    {
+        const DeviationCurve& curve = m_swing.curve;
+        if (curve.scatter > m_limits.hopelessRms) {
+            giveUp(Text::tr("the readings scatter by %1 about the curve").arg(inWords(curve.scatter)));
+        }
+        if (curve.firstAmplitude() > m_limits.hopelessAmplitude) {
+            giveUp(
+                Text::tr("iron near the sensor deflects the needle by %1: it is nearly as strong as the Earth's field")
+                    .arg(inWords(curve.firstAmplitude())));
+        }
+        if (!curve.isInvertible()) {
+            giveUp(Text::tr("the deviation is so steep that different directions give the same reading"));
+        }
+        const auto outliers = static_cast<double>(count(m_swing, SampleFate::Outlier));
+        const auto tried = outliers + static_cast<double>(count(m_swing, SampleFate::Used));
+        if (outliers > m_limits.hopelessPart * tried) {
+            giveUp(Text::tr("%1 of %2 readings are far off the curve").arg(outliers).arg(tried));
+        }
+        const Angle arc = unreliableArc(m_swing);
+        if (arc.turns() > m_limits.hopelessPart) {
+            giveUp(Text::tr("%1 of the circle are unreliable").arg(inWords(arc, 0)));
+        }
+    }
+
+    void hints()
+    {
+        const SwingCoverage& seen = m_swing.coverage;
+        if (m_swing.harmonics == Harmonics::First) {
+            hint(Text::tr("only %1 of 12 sectors were seen, with a gap of %2: soft iron (twice round the circle) could "
+                          "not be told")
+                     .arg(seen.sectors)
+                     .arg(inWords(seen.largestGap, 0)));
+        }
+        if (!seen.isEven) {
+            hint(Text::tr("the azimuths are unequally filled: some sectors have few readings"));
+        }
+        if (!seen.bothWays) {
+            hint(Text::tr("it turned one way only: latency and hysteresis are not seen"));
+        }
+        if (m_swing.hysteresis && abs(m_swing.hysteresis->value) > kWorthTelling) {
+            hint(Text::tr("the two ways of turning differ by %1").arg(inWords(m_swing.hysteresis->value)));
+        }
+        for (const UnreliableSector& sector : m_swing.curve.unreliable) {
+            hint(Text::tr("from %1 to %2 the compass is off by %3: unreliable there")
+                     .arg(inWords(sector.from, 0), inWords(sector.to, 0), inWords(sector.residual, 0)));
+        }
+    }
+
+    void current(const CurrentEffect& effect)
+    {
+        if (std::abs(effect.correlation) > kFollowsCurrent && effect.amplitude > kWorthTelling) {
+            hint(Text::tr("the compass follows the motors' current by %1").arg(inWords(effect.amplitude)));
+        }
+    }
+
+private:
+    void giveUp(const QString& reason) { m_swing.hopeless.push_back(reason.toStdString()); }
+    void hint(const QString& text) { m_swing.hints.push_back(text.toStdString()); }
+
+    CompassSwing& m_swing;
+    const SwingLimits& m_limits;
+};
+
+}  // namespace
+
+void judge(CompassSwing& swing, std::span<const SwingSample> usable, const SwingLimits& limits)
+{
+    Verdict verdict(swing, limits);
+    verdict.hopeless();
+    verdict.hints();
+    verdict.current(effectOfCurrent(swing, usable));
+}
+
+QString whyTooLittle(const CompassSwing& swing, const SwingLimits& limits)
+{
+    const auto uncalibrated = count(swing, SampleFate::Uncalibrated);
+    if (uncalibrated * 2 > static_cast<std::ptrdiff_t>(swing.samples.size())) {
+        return Text::tr(
+                   "in %1 of %2 readings the magnetometer's calibration is below %3: move the sensor in figures of "
+                   "eight, away from iron, then swing again")
+            .arg(uncalibrated)
+            .arg(swing.samples.size())
+            .arg(limits.calibration);
+    }
+    const auto current = count(swing, SampleFate::MotorCurrent);
+    if (current * 2 > static_cast<std::ptrdiff_t>(swing.samples.size())) {
+        return Text::tr("in %1 of %2 readings a motor draws more than %3 A: swing more slowly")
+            .arg(current)
+            .arg(swing.samples.size())
+            .arg(limits.motorCurrent, 0, 'f', 1);
+    }
+    return Text::tr(
+               "%1 of 12 sectors were seen, with a gap of %2: a swing has to see more of the circle; take north from "
+               "the still mount instead")
+        .arg(swing.coverage.sectors)
+        .arg(inWords(swing.coverage.largestGap, 0));
+}
+
+}  // namespace boresight::calibration

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/compass_swing.h"
+
+#include "tests/fakes/swung_mount.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight::calibration {
+namespace {
+
+using fakes::Needle;
+using fakes::Swung;
+using fakes::SwungMount;
+using orientation::SensorHeading;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// North 37.4°, tilt 0.6°, deviation 8° and 3°, noise 0.5°: the mount of the issue.
+SwungMount hidden()
+{
+    SwungMount mount;
+    mount.terms.azimuthOffset = 37.4_deg;
+    mount.terms.tiltNorth = 0.5_deg;
+    mount.terms.tiltEast = 0.33_deg;
+    mount.firstAmplitude = 8.0;
+    mount.firstPhase = 40.0;
+    mount.secondAmplitude = 3.0;
+    mount.secondPhase = 110.0;
+    mount.outliers = 0.01;
+    return mount;
+}
+
+Swung swung(const SwungMount& mount, const fakes::SwingPlan& plan = {})
+{
+    std::mt19937_64 random(5);
+    return fakes::swing(mount, random, plan);
+}
+
+double northError(const CompassSwing& swing, const SwungMount& mount)
+{
+    return (swing.north.value - Angle::fromDegrees(mount.north())).wrapped180().degrees();
+}
+
+CompassSwing fitted(const SwungMount& mount, const fakes::SwingPlan& plan = {})
+{
+    const auto swing = fitCompassSwing(swung(mount, plan).samples);
+    EXPECT_TRUE(swing.has_value()) << (swing ? "" : swing.error().text);
+    return swing.value_or(CompassSwing{});
+}
+
+std::string reason(const std::vector<SwingSample>& samples)
+{
+    const auto swing = fitCompassSwing(samples);
+    return swing ? "accepted" : swing.error().text;
+}
+
+std::ptrdiff_t count(const CompassSwing& swing, SampleFate fate)
+{
+    return std::count_if(swing.samples.begin(), swing.samples.end(),
+                         [&](const SwingResidual& sample) { return sample.fate == fate; });
+}
+
+TEST(CompassSwing, FindsNorthAndTheCurve)
+{
+    const SwungMount mount = hidden();
+    const CompassSwing swing = fitted(mount);
+    EXPECT_NEAR(northError(swing, mount), 0.0, 0.3);
+    EXPECT_LT(swing.statistical, 0.2_deg);
+    EXPECT_LT(swing.north.sigma, 3_deg);
+    EXPECT_TRUE(swing.isUsable());
+    EXPECT_EQ(swing.harmonics, Harmonics::FirstAndSecond);
+    EXPECT_NEAR(swing.curve.secondAmplitude().degrees(), 3.0, 0.25);
+    EXPECT_NEAR(swing.curve.scatter.degrees(), 0.5, 0.1);
+    EXPECT_THAT(swing.hints, IsEmpty());
+    // The boom leans with the tilted axis, which the curve takes for iron: 0.6° × tan 30°.
+    EXPECT_NEAR(swing.curve.firstAmplitude().degrees(), 8.0, 0.7);
+}
+
+TEST(CompassSwing, LaterReadingsAreCorrectedByTheCurve)
+{
+    const SwungMount mount = hidden();
+    const CompassSwing swing = fitted(mount);
+    for (int azimuth = 0; azimuth < 360; azimuth += 5) {
+        const Angle truth = Angle::fromDegrees(azimuth) + swing.north.value;
+        const Angle corrected =
+            swing.curve.corrected(SensorHeading::folded(Angle::fromDegrees(mount.heading(azimuth, 30.0))));
+        EXPECT_NEAR((corrected - truth).wrapped180().degrees(), 0.0, 0.5) << azimuth;
+    }
+}
+
+TEST(CompassSwing, FindsWhichWayTheSensorCounts)
+{
+    SwungMount mount = hidden();
+    mount.sense = AzimuthSense::CounterClockwise;
+    const CompassSwing swing = fitted(mount);
+    EXPECT_EQ(swing.curve.sense, AzimuthSense::CounterClockwise);
+    EXPECT_NEAR(northError(swing, mount), 0.0, 0.3);
+    EXPECT_EQ(fitted(hidden()).curve.sense, AzimuthSense::Clockwise);
+}
+
+TEST(CompassSwing, ListsWhatItLeavesOut)
+{
+    Swung given = swung(hidden());
+    given.samples[20].heading = SensorHeading::folded(given.samples[20].heading.angle() + 90_deg);
+    given.samples[30].magnetometerCalibration = 1;
+    given.samples[40].motorCurrent = 5.0;
+    given.samples[50].axisRate = 9_deg_s;
+    const auto swing = fitCompassSwing(given.samples);
+    ASSERT_TRUE(swing.has_value());
+    ASSERT_EQ(swing->samples.size(), given.samples.size());
+    EXPECT_EQ(swing->samples[20].fate, SampleFate::Outlier);
+    EXPECT_EQ(swing->samples[30].fate, SampleFate::Uncalibrated);
+    EXPECT_EQ(swing->samples[40].fate, SampleFate::MotorCurrent);
+    EXPECT_EQ(swing->samples[50].fate, SampleFate::TooFast);
+    EXPECT_NEAR(swing->samples[20].residual.degrees(), 90.0, 2.0);
+    EXPECT_LT(count(*swing, SampleFate::Outlier), 12);
+}
+
+TEST(CompassSwing, ALatencyIsSeenAsHysteresisAndDoesNotMoveNorth)
+{
+    SwungMount mount = hidden();
+    mount.latency = 1.0;  // half a second more than is reckoned with, at 3°/s: 1.5° behind, either way
+    const CompassSwing swing = fitted(mount);
+    ASSERT_TRUE(swing.hysteresis.has_value());
+    EXPECT_NEAR(swing.hysteresis->value.degrees(), -3.0, 0.3);
+    EXPECT_NEAR(northError(swing, mount), 0.0, 0.3);
+    EXPECT_THAT(swing.hints, Contains(HasSubstr("the two ways of turning differ by -3")));
+
+    const CompassSwing oneWay = fitted(mount, {.back = false});
+    EXPECT_FALSE(oneWay.hysteresis.has_value());
+    EXPECT_NEAR(northError(oneWay, mount), -1.5, 0.3);
+    EXPECT_THAT(oneWay.hints, Contains(HasSubstr("it turned one way only")));
+    const double softIron = oneWay.curve.secondAmplitude().degrees() / std::sqrt(2.0);
+    const double latency = 0.1 * 3.0;  // sigma × rate
+    EXPECT_NEAR(oneWay.systematic.degrees(), std::hypot(std::hypot(1.0, softIron), std::hypot(0.5, latency)), 1e-9);
+}
+
+TEST(CompassSwing, PaintsASectorWhereSteelIs)
+{
+    SwungMount mount = hidden();
+    mount.steelFrom = 200.0;
+    mount.steelStep = 15.0;
+    const CompassSwing swing = fitted(mount);
+    EXPECT_NEAR(northError(swing, mount), 0.0, 0.3);
+    EXPECT_TRUE(swing.isUsable());
+    ASSERT_EQ(swing.curve.unreliable.size(), 1U);
+    const UnreliableSector& sector = swing.curve.unreliable.front();
+    EXPECT_NEAR(sector.from.degrees(), 237.4, 10.0);  // true: the axis at 200°
+    EXPECT_NEAR(sector.to.degrees(), 267.4, 10.0);
+    EXPECT_NEAR(sector.residual.degrees(), 15.0, 1.5);
+    EXPECT_FALSE(swing.curve.isReliable(250_deg));
+    EXPECT_TRUE(swing.curve.isReliable(100_deg));
+}
+
+TEST(CompassSwing, ASectorMayLieAcrossNorth)
+{
+    SwungMount mount = hidden();
+    mount.steelFrom = 310.0;  // true 347.4…17.4°
+    mount.steelStep = -15.0;
+    const CompassSwing swing = fitted(mount);
+    ASSERT_EQ(swing.curve.unreliable.size(), 1U);
+    EXPECT_NEAR(swing.curve.unreliable.front().from.degrees(), 347.4, 10.0);
+    EXPECT_NEAR(swing.curve.unreliable.front().to.degrees(), 17.4, 10.0);
+    EXPECT_NEAR(swing.curve.unreliable.front().residual.degrees(), -15.0, 1.5);
+}
+
+TEST(CompassSwing, SaysWhenThePlaceIsHopeless)
+{
+    SwungMount noisy = hidden();
+    noisy.noise = 9.0;
+    EXPECT_THAT(fitted(noisy).hopeless, Contains(HasSubstr("the readings scatter by")));
+
+    SwungMount iron = hidden();
+    iron.firstAmplitude = 50.0;
+    EXPECT_THAT(fitted(iron).hopeless, Contains(HasSubstr("nearly as strong as the Earth's field")));
+
+    SwungMount steep = hidden();
+    steep.firstAmplitude = 25.0;
+    steep.secondAmplitude = 25.0;
+    EXPECT_THAT(fitted(steep).hopeless, Contains(HasSubstr("different directions give the same reading")));
+
+    SwungMount flips = hidden();
+    flips.outliers = 0.4;
+    EXPECT_THAT(fitted(flips).hopeless, Contains(HasSubstr("readings are far off the curve")));
+}
+
+TEST(CompassSwing, SaysWhenTheNeedleFollowsTheMotors)
+{
+    Swung given = swung(hidden());
+    for (std::size_t i = 0; i < given.samples.size(); ++i) {
+        SwingSample& sample = given.samples[i];
+        sample.motorCurrent = i % 3 == 0 ? 2.5 : 0.5;
+        sample.heading = SensorHeading::folded(sample.heading.angle() + Angle::fromDegrees(3.0 * sample.motorCurrent));
+    }
+    const auto swing = fitCompassSwing(given.samples);
+    ASSERT_TRUE(swing.has_value());
+    EXPECT_THAT(swing->hints, Contains(HasSubstr("the compass follows the motors' current")));
+}
+
+TEST(CompassSwing, FitsLessWhereLessOfTheCircleWasSeen)
+{
+    const SwungMount mount = hidden();
+    const CompassSwing whole = fitted(mount);
+    const CompassSwing part = fitted(mount, {.from = 0.0, .to = 240.0});
+    EXPECT_EQ(part.harmonics, Harmonics::First);
+    EXPECT_EQ(part.curve.secondAmplitude(), 0_deg);
+    EXPECT_GT(part.north.sigma, whole.systematic);
+    EXPECT_THAT(part.hints, Contains(HasSubstr("soft iron (twice round the circle) could not be told")));
+    EXPECT_THAT(reason(swung(mount, {.from = 0.0, .to = 120.0}).samples),
+                HasSubstr("a swing has to see more of the circle"));
+}
+
+TEST(CompassSwing, ToldOfUnequalFilling)
+{
+    Swung given = swung(hidden());
+    std::vector<SwingSample> thinned;
+    for (std::size_t i = 0; i < given.samples.size(); ++i) {
+        if (given.samples[i].axisAzimuth > 90_deg || i % 8 == 0) {
+            thinned.push_back(given.samples[i]);
+        }
+    }
+    const auto swing = fitCompassSwing(thinned);
+    ASSERT_TRUE(swing.has_value());
+    EXPECT_FALSE(swing->coverage.isEven);
+    EXPECT_THAT(swing->hints, Contains(HasSubstr("unequally filled")));
+}
+
+TEST(CompassSwing, StopsAtEightHeadingsAreEnough)
+{
+    const SwungMount mount = hidden();
+    std::mt19937_64 random(9);
+    std::normal_distribution<double> noise(0.0, 0.5);
+    std::vector<SwingSample> samples;
+    for (const Turning turning : {Turning::Clockwise, Turning::CounterClockwise}) {
+        for (int stop = 0; stop < 8; ++stop) {
+            for (int k = 0; k < 5; ++k) {
+                const double heading = mount.heading(stop * 45.0, 30.0) + noise(random);
+                samples.push_back({.axisAzimuth = Angle::fromDegrees(stop * 45.0),
+                                   .axisRate = {},
+                                   .turning = turning,
+                                   .heading = SensorHeading::folded(Angle::fromDegrees(heading)),
+                                   .magnetometerCalibration = 2,
+                                   .motorCurrent = 0.0});
+            }
+        }
+    }
+    const auto swing = fitCompassSwing(samples);
+    ASSERT_TRUE(swing.has_value());
+    EXPECT_EQ(swing->harmonics, Harmonics::FirstAndSecond);
+    EXPECT_NEAR(northError(*swing, mount), 0.0, 0.5);
+}
+
+TEST(CompassSwing, IsRefusedWithTheReason)
+{
+    Swung given = swung(hidden());
+    auto bad = given.samples;
+    for (SwingSample& sample : bad) {
+        sample.magnetometerCalibration = 0;
+    }
+    EXPECT_THAT(reason(bad), HasSubstr("the magnetometer's calibration is below 2"));
+    bad = given.samples;
+    for (SwingSample& sample : bad) {
+        sample.motorCurrent = 8.0;
+    }
+    EXPECT_THAT(reason(bad), HasSubstr("a motor draws more than 3.0 A"));
+    bad = given.samples;
+    for (SwingSample& sample : bad) {
+        sample.heading = SensorHeading::folded(5.07_deg);  // a dead sensor
+    }
+    EXPECT_THAT(reason(bad), HasSubstr("does not follow the mount"));
+    bad = given.samples;
+    bad[3].axisAzimuth = Angle::fromDegrees(std::nan(""));
+    EXPECT_THAT(reason(bad), HasSubstr("for sample 4 is not known"));
+    EXPECT_THAT(reason({}), HasSubstr("0 of 12 sectors"));
+}
+
+// The bench program "swing" does the same with 1000 mounts.
+TEST(CompassSwing, TheSigmaIsHonestForRandomMounts)
+{
+    for (const Needle needle : {Needle::Harmonics, Needle::Iron}) {
+        std::mt19937_64 random(2026);
+        constexpr int kMounts = 100;
+        int within2 = 0;
+        int honest = 0;
+        for (int i = 0; i < kMounts; ++i) {
+            const SwungMount mount = fakes::randomMount(random, needle);
+            const auto swing = fitCompassSwing(fakes::swing(mount, random).samples);
+            ASSERT_TRUE(swing.has_value()) << swing.error().text;
+            ASSERT_EQ(swing->curve.sense, mount.sense);
+            const double error = std::abs(northError(*swing, mount));
+            within2 += error < 2.0 ? 1 : 0;
+            honest += error < 2.0 * swing->north.sigma.degrees() ? 1 : 0;
+            EXPECT_LT(swing->north.sigma, needle == Needle::Harmonics ? 3_deg : 10_deg);
+        }
+        EXPECT_GE(honest, kMounts * 95 / 100);
+        EXPECT_GE(within2, needle == Needle::Harmonics ? kMounts : kMounts * 70 / 100);
+    }
+}
+
+}  // namespace
+}  // namespace boresight::calibration
