@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/cross_scan.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/calibration/robust_fit.h"
+#include "core/calibration/words.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace boresight::calibration {
+namespace {
+
+constexpr std::size_t kFewest = 6;
+constexpr double kNoiseFloor = 0.02;       // dB: finer than receivers tell
+constexpr double kHalfPower = 3.0103;      // dB
+constexpr double kLeastAbove = 1e-3;       // of the background's power, that a reading must be above it to count
+constexpr double kNearZenith = 0.02;       // cosine of elevation: azimuth says nothing there
+constexpr double kWorstSigma = 0.25;       // of the width: a peak less certain is none
+constexpr double kLeastSlopeSigmas = 3.0;  // of the curvature, above its sigma
+
+double linear(double decibels)
+{
+    return std::pow(10.0, decibels / 10.0);
+}
+
+// Without the receiver's own noise, if that was measured; what does not rise above it is left out.
+std::vector<ScanReading> ofSource(std::span<const ScanReading> readings, const ScanLimits& limits)
+{
+    std::vector<ScanReading> result;
+    for (const ScanReading& reading : readings) {
+        if (!limits.background) {
+            result.push_back(reading);
+            continue;
+        }
+        const double noise = linear(*limits.background);
+        const double source = linear(reading.decibels) - noise;
+        if (source > kLeastAbove * noise) {
+            result.push_back({reading.offset, 10.0 * std::log10(source)});
+        }
+    }
+    return result;
+}
+
+bool byPower(const ScanReading& a, const ScanReading& b)
+{
+    return a.decibels < b.decibels;
+}
+
+bool byOffset(const ScanReading& a, const ScanReading& b)
+{
+    return a.offset < b.offset;
+}
+
+// The readings about the best one, down to the given depth: side lobes are not part of the peak.
+std::vector<ScanReading> aboutPeak(std::vector<ScanReading> readings, double depth)
+{
+    std::sort(readings.begin(), readings.end(), byOffset);
+    const auto best = std::max_element(readings.begin(), readings.end(), byPower);
+    const double floor = best->decibels - depth;
+    const auto isBelow = [&](const ScanReading& reading) { return reading.decibels < floor; };
+    const auto last = std::find_if(best, readings.end(), isBelow);
+    const auto first = std::find_if(std::reverse_iterator(best), readings.rend(), isBelow).base();
+    return {first, last};
+}
+
+Result<> check(std::span<const ScanReading> readings)
+{
+    const bool finite = std::all_of(readings.begin(), readings.end(), [](const ScanReading& one) {
+        return one.offset.isFinite() && std::isfinite(one.decibels);
+    });
+    if (!finite) {
+        return failure(ErrorCode::InvalidInput, Text::tr("a reading is not a number"));
+    }
+    if (readings.size() < kFewest) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("%1 readings show the source, and a peak needs %2").arg(readings.size()).arg(kFewest));
+    }
+    return {};
+}
+
+struct Parabola
+{
+    Angle middle;  // of the offsets, and half their range: the fit is in units of it
+    Angle half;
+    RobustFit fit;
+
+    [[nodiscard]] double peak() const { return -fit.solution[1] / (2.0 * fit.solution[2]); }
+    [[nodiscard]] bool bends() const { return fit.solution[2] < -kLeastSlopeSigmas * std::sqrt(fit.variance(2)); }
+    // Of the peak: from the covariance of slope and curvature.
+    [[nodiscard]] double sigma() const
+    {
+        const double bySlope = -1.0 / (2.0 * fit.solution[2]);
+        const double byCurve = -peak() / fit.solution[2];
+        const double both = fit.covariance[1 * 3 + 2];
+        return std::sqrt(bySlope * bySlope * fit.variance(1) + byCurve * byCurve * fit.variance(2) +
+                         2.0 * bySlope * byCurve * both);
+    }
+};
+
+std::optional<Parabola> fitParabola(const std::vector<ScanReading>& readings)
+{
+    const Angle low = readings.front().offset;
+    const Angle high = readings.back().offset;
+    Parabola parabola{.middle = (low + high) / 2.0, .half = (high - low) / 2.0, .fit = {}};
+    if (!(parabola.half > Angle{})) {
+        return std::nullopt;
+    }
+    RobustProblem problem(3);
+    for (const ScanReading& reading : readings) {
+        const double x = (reading.offset - parabola.middle) / parabola.half;
+        problem.add(std::array{1.0, x, x * x}, reading.decibels);
+    }
+    auto fit = fitRobustly(problem, kNoiseFloor);
+    if (!fit) {
+        return std::nullopt;
+    }
+    parabola.fit = std::move(*fit);
+    return parabola;
+}
+
+Result<ScanPeak> peakOf(const Parabola& parabola)
+{
+    const double x = parabola.peak();
+    if (!parabola.bends()) {
+        return failure(ErrorCode::Refused, Text::tr("the power has no peak along this line"));
+    }
+    if (std::abs(x) >= 1.0) {
+        return failure(ErrorCode::Refused, Text::tr("the peak is not inside this line: move its middle towards %1")
+                                               .arg(inWords(parabola.middle + parabola.half * x, 2)));
+    }
+    const double curve = parabola.fit.solution[2];
+    return ScanPeak{.offset = {parabola.middle + parabola.half * x, parabola.half * parabola.sigma()},
+                    .decibels = parabola.fit.solution[0] - curve * x * x,
+                    .halfPowerWidth = parabola.half * (2.0 * std::sqrt(kHalfPower / -curve)),
+                    .scatter = parabola.fit.rms,
+                    .used = parabola.fit.usedRows()};
+}
+
+}  // namespace
+
+Result<ScanPeak> fitScan(std::span<const ScanReading> readings, const ScanLimits& limits)
+{
+    std::vector<ScanReading> source = ofSource(readings, limits);
+    if (const Result<> good = check(source); !good) {
+        return tl::unexpected(good.error());
+    }
+    const auto [low, high] = std::minmax_element(source.begin(), source.end(), byPower);
+    if (high->decibels - low->decibels < limits.least) {
+        return failure(
+            ErrorCode::Refused,
+            Text::tr("the power changes by %1 dB only along this line").arg(high->decibels - low->decibels, 0, 'f', 2));
+    }
+    const std::vector<ScanReading> top = aboutPeak(std::move(source), limits.depth);
+    const auto parabola = top.size() < kFewest ? std::nullopt : fitParabola(top);
+    if (!parabola) {
+        return failure(ErrorCode::Refused, Text::tr("%1 readings within %2 dB of the best are too few: scan in smaller "
+                                                    "steps")
+                                               .arg(top.size())
+                                               .arg(limits.depth, 0, 'f', 0));
+    }
+    return peakOf(*parabola).and_then([](const ScanPeak& peak) -> Result<ScanPeak> {
+        if (peak.offset.sigma > peak.halfPowerWidth * kWorstSigma) {
+            return failure(ErrorCode::Refused, Text::tr("the peak is uncertain by %1: the readings scatter too much")
+                                                   .arg(inWords(peak.offset.sigma, 2)));
+        }
+        return peak;
+    });
+}
+
+Result<CrossScan> fitCrossScan(const AxisPosition& middle, std::span<const ScanReading> across,
+                               std::span<const ScanReading> elevation, const ScanLimits& limits)
+{
+    const double shrink = std::cos(middle.elevation.radians());
+    if (std::abs(shrink) < kNearZenith) {
+        return failure(ErrorCode::Refused, Text::tr("too near to the zenith: azimuth says nothing there"));
+    }
+    const auto acrossPeak = fitScan(across, limits);
+    if (!acrossPeak) {
+        return failure(acrossPeak.error().code, Text::tr("across: %1").arg(toQString(acrossPeak.error().text)));
+    }
+    const auto elevationPeak = fitScan(elevation, limits);
+    if (!elevationPeak) {
+        return failure(elevationPeak.error().code,
+                       Text::tr("in elevation: %1").arg(toQString(elevationPeak.error().text)));
+    }
+    return CrossScan{
+        .across = *acrossPeak,
+        .elevation = *elevationPeak,
+        .peak = {middle.azimuth + acrossPeak->offset.value / shrink, middle.elevation + elevationPeak->offset.value},
+        .sigma = std::max(acrossPeak->offset.sigma, elevationPeak->offset.sigma)};
+}
+
+std::optional<double> parsePower(std::string_view line)
+{
+    constexpr std::string_view kOfNumber = "+-.0123456789eE";
+    for (std::size_t start = line.find_first_of("+-.0123456789"); start != std::string_view::npos;) {
+        const std::size_t end = std::min(line.find_first_not_of(kOfNumber, start), line.size());
+        if (const auto value = parseFinite(line.substr(start, end - start))) {
+            return value;
+        }
+        start = line.find_first_of("+-.0123456789", end);
+    }
+    return std::nullopt;
+}
+
+}  // namespace boresight::calibration

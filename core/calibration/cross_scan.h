@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/calibration/estimate.h"
+#include "core/units/sky.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+// The peak of a source from received power along two lines across it. Powers are in dB: a Gaussian beam is a parabola
+// in dB, about its peak. What a source adds to the receiver's own noise is not: readings of a weak source (the Sun in a
+// small dish) are turned into the source's part first, given the power beside it. Pure.
+namespace boresight::calibration {
+
+struct ScanReading
+{
+    Angle offset;  // from the middle of the scan, on the sky; across: azimuth × cos(elevation)
+    double decibels = 0.0;
+};
+
+struct ScanLimits
+{
+    double depth = 6.0;  // dB below the best reading that still count: a real beam leaves the parabola further down
+    double least = 0.5;  // dB that the peak stands above the lower end
+    std::optional<double> background;  // dB, of the receiver beside the source
+};
+
+struct ScanPeak
+{
+    Estimate offset;
+    double decibels = 0.0;  // at the peak
+    Angle halfPowerWidth;   // of beam and source together
+    double scatter = 0.0;   // dB rms about the parabola
+    std::size_t used = 0;
+};
+
+// One line. Refused with the reason where there is no peak, or none inside.
+[[nodiscard]] Result<ScanPeak> fitScan(std::span<const ScanReading> readings, const ScanLimits& limits = {});
+
+struct CrossScan
+{
+    ScanPeak across;  // crossElevation
+    ScanPeak elevation;
+    AxisPosition peak;  // of the axes
+    Angle sigma;        // on the sky, the larger of the two
+};
+
+// `middle`: where the axes stood at offset 0 of both lines.
+[[nodiscard]] Result<CrossScan> fitCrossScan(const AxisPosition& middle, std::span<const ScanReading> across,
+                                             std::span<const ScanReading> elevation, const ScanLimits& limits = {});
+
+// A power as an S-meter or a receiver program sends it, one a line: the first number of the line, in dB
+// ("-73.2", "RSSI: -73.2 dBm").
+[[nodiscard]] std::optional<double> parsePower(std::string_view line);
+
+}  // namespace boresight::calibration
