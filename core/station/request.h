@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/ephemeris/almanac.h"
+#include "core/ephemeris/refraction.h"
 #include "core/profile/profile.h"
 #include "core/units/sky.h"
 
 #include <QMetaType>
+#include <QString>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <variant>
 
@@ -109,9 +113,71 @@ struct ProveCrashStop  // move each axis at `rate`, really stop feeding its driv
 struct EndProof
 {};
 
+// Those of the calibration desk; only the operator may ask them. What they find out is in StationStatus::calibration.
+struct FollowBody  // keep the beam on it; Nudge trims. Ends by Hold, or any other motion
+{
+    ephemeris::Body body = ephemeris::Body::Sun;
+    ephemeris::Refraction refraction = ephemeris::Refraction::Light;
+};
+struct TakePoint  // the body that was chosen last is centred now
+{};
+struct TakeKnownPoint  // something whose direction is known is centred now: a landmark
+{
+    SkyPointing truth;
+    QString label;
+};
+struct DropPoint
+{
+    std::size_t index = 0;
+};
+struct UsePoint  // a point may stay in the list and be left out of the fit
+{
+    std::size_t index = 0;
+    bool used = true;
+};
+struct DropAllPoints
+{};
+struct MeasureSensorOffset  // the mount stands still, the sensor is averaged
+{};
+struct PlanSwing  // only tells where it would turn, and how long
+{
+    AngularRate rate = AngularRate::fromDegrees(3.0);
+    int headings = 0;  // stops each way; 0: a sweep each way
+};
+struct StartSwing
+{
+    AngularRate rate = AngularRate::fromDegrees(3.0);
+    int headings = 0;
+};
+struct StartCrossScan  // across a body that is followed; wants the power at each place: GivePower
+{
+    Angle width;
+    ephemeris::Body body = ephemeris::Body::Sun;
+};
+struct GivePower
+{
+    double decibels = 0.0;
+};
+struct EndCalibration  // the run ends without a result, the mount holds
+{};
+struct ApplyCalibration
+{
+    std::uint64_t proposal = 0;  // CalibrationProposal::number
+};
+struct UndoCalibration
+{};
+struct RedoCalibration
+{};
+
 }  // namespace boresight::request
 
 namespace boresight {
+
+using CalibrationRequest =
+    std::variant<request::FollowBody, request::TakePoint, request::TakeKnownPoint, request::DropPoint,
+                 request::UsePoint, request::DropAllPoints, request::MeasureSensorOffset, request::PlanSwing,
+                 request::StartSwing, request::StartCrossScan, request::GivePower, request::EndCalibration,
+                 request::ApplyCalibration, request::UndoCalibration, request::RedoCalibration>;
 
 using Request =
     std::variant<request::PointSky, request::PointAxes, request::Jog, request::Move, request::Step, request::Nudge,
@@ -119,8 +185,8 @@ using Request =
                  request::Home, request::Rearm, request::TakeAuthority, request::GiveAuthority, request::GiveLead,
                  request::SetReadOnly, request::Disconnect, request::AcknowledgeAlarms, request::AcknowledgeAlarm,
                  request::ApplyProfile, request::Reconnect, request::ReadDrives, request::FixDrives, request::SwitchOff,
-                 request::ReleaseBus, request::TakeBus, request::ChooseTurn, request::ProveCrashStop,
-                 request::EndProof>;
+                 request::ReleaseBus, request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof,
+                 CalibrationRequest>;
 
 // A request of the screen, numbered so that the answer finds the control that sent it.
 struct NumberedRequest

@@ -142,6 +142,7 @@ private:
     Result<> handle(const request::AcknowledgeAlarm& wanted, const Source& source);
     Result<> handle(const request::ApplyProfile& wanted, const Source& source);
     Result<> handle(const request::Reconnect& wanted, const Source& source);
+    Result<> handle(const CalibrationRequest& wanted, const Source& source);
 
     [[nodiscard]] Result<> mayMove(const Source& source) const;   // armed, and no proof is running
     [[nodiscard]] Result<> mayPoint(const Source& source) const;  // and both axes know where they are

@@ -71,6 +71,12 @@ Result<> StationControl::handle(const request::Reconnect& wanted, const Source& 
     });
 }
 
+// The calibration desk carries it out, and asks for the motions that it needs like everybody else.
+Result<> StationControl::handle(const CalibrationRequest&, const Source& source)
+{
+    return operatorOnly(source);
+}
+
 void StationControl::setProfile(const profile::Profile& profile)
 {
     if (profile.limits != m_profile.limits) {

@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/can/can_link.h"
 #include "core/profile/profile.h"
+#include "core/station/calibration_status.h"
 #include "core/station/drives_status.h"
 #include "core/units/sky.h"
 
@@ -166,6 +167,8 @@ struct StationStatus
     // What is in force: the object that is drawn and edited is the object that is obeyed. Never null.
     std::shared_ptr<const profile::Profile> profile = std::make_shared<const profile::Profile>();
     std::vector<std::string> waitingKeys;  // applied, and in force after Reconnect
+    // What the calibration desk does and has found; never null.
+    std::shared_ptr<const CalibrationStatus> calibration = std::make_shared<const CalibrationStatus>();
 };
 
 // What an axis did in one tick, for the charts. Unknown is empty.
