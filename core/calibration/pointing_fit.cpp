@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/pointing_fit.h"
+
+#include "core/base/text.h"
+#include "core/calibration/term_choice.h"
+#include "core/calibration/words.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight::calibration {
+namespace {
+
+using pointing::PointingModel;
+using pointing::PointingTerms;
+
+constexpr double kDataRule = 0.5;    // of the sigma known before: below, it is the points that tell
+constexpr double kFarOff = 4.0;      // sigmas, of a point that the others do not agree with
+constexpr double kTooNoisy = 2.0;    // times the stated sigmas
+constexpr double kLeastLever = 0.2;  // of cos(elevation)
+constexpr double kLeastArc = 90.0;   // degrees of azimuth
+
+Angle rms(const std::vector<SkyOffset>& offsets)
+{
+    double square = 0.0;
+    for (const SkyOffset& one : offsets) {
+        square += one.size().radians() * one.size().radians();
+    }
+    return Angle::fromRadians(std::sqrt(square / static_cast<double>(std::max<std::size_t>(offsets.size(), 1))));
+}
+
+class Fit
+{
+public:
+    Fit(std::span<const CalibrationPoint> points, const PointingTerms& before, const TermKnowledge& known)
+        : m_given(points), m_before(before), m_known(known)
+    {}
+
+    Result<PointingFit> run()
+    {
+        if (const Result<> good = choosePoints(); !good) {
+            return tl::unexpected(good.error());
+        }
+        const auto choice = chooseTerms(m_used, m_before, m_known);
+        if (!choice) {
+            return failure(ErrorCode::Refused, Text::tr("the points do not determine the azimuth's offset"));
+        }
+        takeTerms(*choice);
+        takeResiduals(*choice);
+        hint();
+        return m_fit;
+    }
+
+private:
+    Result<> choosePoints()
+    {
+        for (const CalibrationPoint& point : m_given) {
+            const bool finite = point.axes.azimuth.isFinite() && point.axes.elevation.isFinite() &&
+                                point.truth.azimuth.isFinite() && point.truth.elevation.isFinite();
+            if (!finite || !(point.sigma > Angle{}) || !point.sigma.isFinite()) {
+                return failure(
+                    ErrorCode::InvalidInput,
+                    Text::tr("point %1 is not a number, or without a sigma").arg(&point - m_given.data() + 1));
+            }
+            if (point.isUsed) {
+                m_used.push_back(point);
+            }
+        }
+        if (m_used.empty()) {
+            return failure(ErrorCode::Refused, Text::tr("there is no point"));
+        }
+        return {};
+    }
+
+    void takeTerms(const TermChoice& choice)
+    {
+        m_fit.terms = choice.terms;
+        m_fit.chiSquare = choice.chiSquare;
+        m_fit.degreesOfFreedom = choice.degreesOfFreedom;
+        m_fit.noiseScale = choice.noiseScale;
+        for (const Term term : kAllTerms) {
+            FittedTerm& one = m_fit.fitted[indexOf(term)];
+            one.estimate = {valueOf(choice.terms, term), choice.sigmas[indexOf(term)]};
+            if (choice.set[indexOf(term)]) {
+                const auto& before = m_known.of(term);
+                const bool told = !before || one.estimate.sigma < before->sigma * kDataRule;
+                one.state = told && m_used.size() >= fewestPoints(term) ? TermState::Fitted : TermState::Held;
+            }
+        }
+    }
+
+    void takeResiduals(const TermChoice& choice)
+    {
+        std::vector<SkyOffset> before;
+        std::vector<SkyOffset> after;
+        std::vector<SkyOffset> leftOut;
+        std::size_t place = 0;
+        for (const CalibrationPoint& point : m_given) {
+            PointResidual& one = m_fit.points.emplace_back();
+            one.before = offsetOf(point, PointingModel(m_before));
+            one.after = offsetOf(point, PointingModel(m_fit.terms));
+            if (!point.isUsed) {
+                continue;
+            }
+            one.leftOut = withoutPoint(place++, choice);
+            before.push_back(one.before);
+            after.push_back(one.after);
+            if (one.leftOut) {
+                leftOut.push_back(*one.leftOut);
+            }
+        }
+        m_fit.rmsBefore = rms(before);
+        m_fit.rmsAfter = rms(after);
+        if (leftOut.size() == m_used.size()) {
+            m_fit.rmsLeftOut = rms(leftOut);
+        }
+    }
+
+    [[nodiscard]] std::optional<SkyOffset> withoutPoint(std::size_t place, const TermChoice& choice) const
+    {
+        std::vector<CalibrationPoint> others = m_used;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(place));
+        for (CalibrationPoint& point : others) {
+            point.sigma = point.sigma * choice.noiseScale;
+        }
+        const auto solved = others.empty() ? std::nullopt : solveTerms(others, choice.terms, choice.set, choice.known);
+        return solved ? std::optional(offsetOf(m_used[place], PointingModel(solved->terms))) : std::nullopt;
+    }
+
+    void hint()
+    {
+        for (std::size_t i = 0; i < m_fit.points.size(); ++i) {
+            const auto& leftOut = m_fit.points[i].leftOut;
+            if (leftOut && m_used.size() > 2 && leftOut->size() > m_given[i].sigma * (kFarOff * m_fit.noiseScale)) {
+                say(Text::tr("point %1 is %2 from where the other points say it should be")
+                        .arg(i + 1)
+                        .arg(inWords(leftOut->size(), 2)));
+            }
+        }
+        if (m_fit.noiseScale > kTooNoisy) {
+            say(Text::tr("the points scatter %1 times as much as their sigmas say").arg(m_fit.noiseScale, 0, 'f', 1));
+        }
+        const auto byLever = [](const auto& a, const auto& b) { return lever(a) < lever(b); };
+        const auto [low, high] = std::minmax_element(m_used.begin(), m_used.end(), byLever);
+        if (m_used.size() > 1 && lever(*high) - lever(*low) < kLeastLever) {
+            say(
+                Text::tr("all points are about as high: the azimuth's offset and the collimation cannot be told apart; "
+                         "take one much higher or lower"));
+        }
+        if (m_used.size() >= fewestPoints(Term::TiltNorth) && arc() < Angle::fromDegrees(kLeastArc)) {
+            say(Text::tr("all points lie within %1 of azimuth: the tilt is seen from one side only")
+                    .arg(inWords(arc(), 0)));
+        }
+    }
+
+    static double lever(const CalibrationPoint& point) { return std::cos(point.truth.elevation.radians()); }
+
+    // Between the ends of the shortest arc that holds all points.
+    [[nodiscard]] Angle arc() const
+    {
+        std::vector<Angle> azimuths;
+        for (const CalibrationPoint& point : m_used) {
+            azimuths.push_back(pointing::upright(point.truth).azimuth);
+        }
+        std::sort(azimuths.begin(), azimuths.end());
+        Angle gap = Angle::fromTurns(1.0) - (azimuths.back() - azimuths.front());
+        for (std::size_t i = 1; i < azimuths.size(); ++i) {
+            gap = std::max(gap, azimuths[i] - azimuths[i - 1]);
+        }
+        return Angle::fromTurns(1.0) - gap;
+    }
+
+    void say(const QString& text) { m_fit.hints.push_back(text.toStdString()); }
+
+    std::span<const CalibrationPoint> m_given;
+    PointingTerms m_before;
+    const TermKnowledge& m_known;
+    std::vector<CalibrationPoint> m_used;
+    PointingFit m_fit;
+};
+
+}  // namespace
+
+int PointingFit::count(TermState state) const
+{
+    return static_cast<int>(
+        std::count_if(fitted.begin(), fitted.end(), [&](const FittedTerm& term) { return term.state == state; }));
+}
+
+std::size_t fewestPoints(Term term)
+{
+    switch (term) {
+        case Term::AzimuthOffset:
+            return 1;
+        case Term::ElevationOffset:
+            return 2;
+        case Term::TiltNorth:
+        case Term::TiltEast:
+            return 4;
+        case Term::Collimation:
+        case Term::NonPerpendicularity:
+        case Term::ElevationSag:
+            break;
+    }
+    return 6;
+}
+
+Result<PointingFit> fitPointing(std::span<const CalibrationPoint> points, const PointingTerms& before,
+                                const TermKnowledge& known)
+{
+    return Fit(points, before, known).run();
+}
+
+}  // namespace boresight::calibration

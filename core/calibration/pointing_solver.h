@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/calibration/pointing_term.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+// Weighted least squares of the exact pointing model, with what is known before as further equations: the terms that
+// make points and knowledge most likely together. Pure.
+namespace boresight::calibration {
+
+struct CalibrationPoint
+{
+    AxisPosition axes;
+    SkyPointing truth;                       // of the source, as the beam sees it (refraction dealt with)
+    Angle sigma = Angle::fromDegrees(0.03);  // of how well the source was centred, on the sky, each way
+    UtcTime when;
+    std::string label;   // "Sun"
+    bool isUsed = true;  // the operator may leave one out
+
+    bool operator==(const CalibrationPoint&) const = default;
+};
+
+// On the sky: across is positive clockwise and is the error of azimuth × cos(elevation) while small.
+struct SkyOffset
+{
+    Angle across;
+    Angle elevation;
+
+    [[nodiscard]] Angle size() const;
+    bool operator==(const SkyOffset&) const = default;
+};
+
+// Where the beam is by the model, seen from where it is in truth.
+[[nodiscard]] SkyOffset offsetOf(const CalibrationPoint& point, const pointing::PointingModel& model);
+
+struct TermSolution
+{
+    pointing::PointingTerms terms;
+    std::array<Angle, kTerms> sigmas;  // of the terms solved for, at the points' own sigmas
+    double chiSquare = 0.0;            // of the points
+    double knowledge = 0.0;            // the same of what was known before
+    double logVolume = 0.0;            // of what is left uncertain: ½ log det of the covariance
+    double condition = 1.0;            // of the correlations between the terms, 1: independent
+};
+
+using TermSet = std::array<bool, kTerms>;
+
+// Solves for the terms of the set; the others stay as they are in `start`. Nothing if points and knowledge together do
+// not determine them, or if it does not converge.
+[[nodiscard]] std::optional<TermSolution> solveTerms(std::span<const CalibrationPoint> points,
+                                                     const pointing::PointingTerms& start, const TermSet& set,
+                                                     const TermKnowledge& known);
+
+}  // namespace boresight::calibration

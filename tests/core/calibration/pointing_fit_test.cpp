@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/pointing_fit.h"
+
+#include "tests/fakes/sun_points.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace boresight::calibration {
+namespace {
+
+using fakes::SunDay;
+using pointing::PointingModel;
+using pointing::PointingTerms;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+PointingTerms hidden()
+{
+    PointingTerms terms;
+    terms.azimuthOffset = 37.4_deg;
+    terms.elevationOffset = -0.8_deg;
+    terms.tiltNorth = 0.45_deg;
+    terms.tiltEast = -0.4_deg;
+    terms.collimation = 0.3_deg;
+    terms.nonPerpendicularity = 0.08_deg;
+    terms.elevationSag = 0.12_deg;
+    return terms;
+}
+
+CalibrationPoint pointAt(const PointingTerms& terms, Angle azimuth, Angle elevation)
+{
+    const SkyPointing truth{azimuth, elevation};
+    return {.axes = PointingModel(terms).toAxes(truth).axes,
+            .truth = truth,
+            .sigma = 0.01_deg,
+            .when = {},
+            .label = "source"};
+}
+
+// All round the sky, low and high.
+std::vector<CalibrationPoint> allRound(const PointingTerms& terms, int count, double noise = 0.0, unsigned seed = 1)
+{
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> gaussian(0.0, noise > 0.0 ? noise : 1.0);
+    std::vector<CalibrationPoint> points;
+    for (int i = 0; i < count; ++i) {
+        const Angle elevation = Angle::fromDegrees(12.0 + (i * 23) % 74);
+        CalibrationPoint point = pointAt(terms, Angle::fromDegrees(i * 137.5).wrapped360(), elevation);
+        if (noise > 0.0) {
+            point.axes.azimuth += Angle::fromDegrees(gaussian(random) / std::cos(elevation.radians()));
+            point.axes.elevation += Angle::fromDegrees(gaussian(random));
+        }
+        points.push_back(point);
+    }
+    return points;
+}
+
+double off(const PointingFit& fit, const PointingTerms& truth, Term term)
+{
+    return (valueOf(fit.terms, term) - valueOf(truth, term)).wrapped180().degrees();
+}
+
+std::string reason(const std::vector<CalibrationPoint>& points)
+{
+    const auto fit = fitPointing(points, {});
+    return fit ? "accepted" : fit.error().text;
+}
+
+TEST(PointingFit, OnePointGivesTheOffsetOfAzimuthOnly)
+{
+    PointingTerms before;
+    before.elevationOffset = 0.5_deg;
+    before.tiltNorth = 0.3_deg;
+    PointingTerms truth = before;
+    truth.azimuthOffset = 217.4_deg;  // far from the model in force
+    const auto fit = fitPointing(allRound(truth, 1), before);
+    ASSERT_TRUE(fit.has_value());
+    EXPECT_NEAR(off(*fit, truth, Term::AzimuthOffset), 0.0, 1e-9);
+    EXPECT_EQ(fit->terms.tiltNorth, before.tiltNorth);  // what is in force stays
+    EXPECT_EQ(fit->terms.elevationOffset, before.elevationOffset);
+    EXPECT_EQ(fit->count(TermState::Fitted), 1);
+    EXPECT_EQ(fit->count(TermState::Off), 6);
+    EXPECT_FALSE(fit->rmsLeftOut.has_value());
+    // One point cannot tell an offset from a collimation of 0.3° and a tilt of 1°.
+    EXPECT_GT(fit->of(Term::AzimuthOffset).estimate.sigma, 0.3_deg);
+}
+
+TEST(PointingFit, TwoPointsGiveTheOffsetOfElevationToo)
+{
+    PointingTerms truth;
+    truth.azimuthOffset = 37.4_deg;
+    truth.elevationOffset = -1.2_deg;
+    const auto fit = fitPointing(allRound(truth, 2), {});
+    ASSERT_TRUE(fit.has_value());
+    EXPECT_NEAR(off(*fit, truth, Term::AzimuthOffset), 0.0, 1e-5);
+    EXPECT_NEAR(off(*fit, truth, Term::ElevationOffset), 0.0, 1e-4);
+    EXPECT_EQ(fit->count(TermState::Fitted), 2);
+}
+
+TEST(PointingFit, ManyPointsGiveEveryTerm)
+{
+    auto points = allRound(hidden(), 24);
+    for (CalibrationPoint& point : points) {
+        point.sigma = 0.002_deg;
+    }
+    const auto fit = fitPointing(points, {});
+    ASSERT_TRUE(fit.has_value());
+    EXPECT_EQ(fit->count(TermState::Fitted), 7);
+    for (const Term term : kAllTerms) {
+        EXPECT_NEAR(off(*fit, hidden(), term), 0.0, 0.005) << nameOf(term);
+    }
+    EXPECT_LT(fit->rmsAfter, 0.001_deg);
+    EXPECT_GT(fit->rmsBefore, 20_deg);
+    ASSERT_TRUE(fit->rmsLeftOut.has_value());
+    EXPECT_LT(*fit->rmsLeftOut, 0.005_deg);
+}
+
+TEST(PointingFit, TermsThatThePointsDoNotAskForStayOff)
+{
+    PointingTerms truth;
+    truth.azimuthOffset = 37.4_deg;
+    truth.elevationOffset = 0.5_deg;
+    int off = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const auto fit = fitPointing(allRound(truth, 12, 0.01, seed), {});
+        ASSERT_TRUE(fit.has_value());
+        EXPECT_EQ(fit->of(Term::AzimuthOffset).state, TermState::Fitted);
+        EXPECT_EQ(fit->of(Term::ElevationOffset).state, TermState::Fitted);
+        off += fit->count(TermState::Off);
+    }
+    EXPECT_GE(off, 20 * 5 * 80 / 100);
+}
+
+TEST(PointingFit, TermsAreFittedByTheNumberOfPoints)
+{
+    const auto three = fitPointing(allRound(hidden(), 3), {});
+    const auto four = fitPointing(allRound(hidden(), 4), {});
+    const auto eight = fitPointing(allRound(hidden(), 8), {});
+    ASSERT_TRUE(three && four && eight);
+    EXPECT_EQ(three->count(TermState::Fitted), 2);
+    EXPECT_EQ(four->count(TermState::Fitted), 4);
+    EXPECT_EQ(four->of(Term::TiltNorth).state, TermState::Fitted);
+    EXPECT_NE(four->of(Term::Collimation).state, TermState::Fitted);
+    EXPECT_GE(eight->count(TermState::Fitted), 5);
+    EXPECT_EQ(eight->of(Term::Collimation).state, TermState::Fitted);
+}
+
+TEST(PointingFit, TheSigmasAreHonest)
+{
+    int inside = 0;
+    int all = 0;
+    for (unsigned seed = 1; seed <= 60; ++seed) {
+        const auto fit = fitPointing(allRound(hidden(), 10, 0.01, seed), {});
+        ASSERT_TRUE(fit.has_value());
+        for (const Term term : kAllTerms) {
+            inside += std::abs(off(*fit, hidden(), term)) < 2.0 * fit->of(term).estimate.sigma.degrees() ? 1 : 0;
+            ++all;
+        }
+    }
+    EXPECT_GE(inside, all * 93 / 100);
+}
+
+// Somebody who is three times as careless as he says gets the sigmas of a careless one.
+TEST(PointingFit, ReckonsWithTheScatterThatThereIs)
+{
+    const auto careful = fitPointing(allRound(hidden(), 20, 0.01), {});
+    const auto careless = fitPointing(allRound(hidden(), 20, 0.03), {});
+    ASSERT_TRUE(careful && careless);
+    EXPECT_LT(careful->noiseScale, 1.4);
+    EXPECT_NEAR(careless->noiseScale, 3.0, 0.8);
+    EXPECT_GT(careless->of(Term::TiltNorth).estimate.sigma, careful->of(Term::TiltNorth).estimate.sigma * 2.0);
+    EXPECT_THAT(careless->hints, Contains(HasSubstr("times as much as their sigmas say")));
+}
+
+TEST(PointingFit, ResidualsAreOnTheSky)
+{
+    PointingTerms truth;
+    truth.azimuthOffset = 2_deg;
+    std::vector<CalibrationPoint> points = {pointAt(truth, 100_deg, 60_deg), pointAt(truth, 200_deg, 30_deg)};
+    points[1].isUsed = false;
+    points[1].axes.elevation += 1_deg;
+    const auto fit = fitPointing(points, {});
+    ASSERT_TRUE(fit.has_value());
+    ASSERT_EQ(fit->points.size(), 2U);
+    EXPECT_NEAR(fit->points[0].before.across.degrees(), -2.0 * 0.5, 0.001);
+    EXPECT_NEAR(fit->points[0].after.size().degrees(), 0.0, 1e-9);
+    // The one left out by the operator is shown, and does not count.
+    EXPECT_NEAR(fit->points[1].after.elevation.degrees(), 1.0, 1e-6);
+    EXPECT_FALSE(fit->points[1].leftOut.has_value());
+    EXPECT_EQ(fit->of(Term::ElevationOffset).state, TermState::Off);
+}
+
+TEST(PointingFit, NamesAPointThatDoesNotAgreeWithTheOthers)
+{
+    auto points = allRound(hidden(), 12, 0.01);
+    points[4].axes.elevation += 2_deg;
+    const auto fit = fitPointing(points, {});
+    ASSERT_TRUE(fit.has_value());
+    EXPECT_THAT(fit->hints, Contains(HasSubstr("point 5 is ")));
+    EXPECT_THAT(fit->hints, Not(Contains(HasSubstr("point 6 is "))));
+}
+
+TEST(PointingFit, SaysWhatKindOfPointIsMissing)
+{
+    std::vector<CalibrationPoint> low;
+    for (int i = 0; i < 5; ++i) {
+        low.push_back(pointAt(hidden(), Angle::fromDegrees(100.0 + 10.0 * i), 30_deg));
+    }
+    const auto fit = fitPointing(low, {});
+    ASSERT_TRUE(fit.has_value());
+    EXPECT_THAT(fit->hints, Contains(HasSubstr("all points are about as high")));
+    EXPECT_THAT(fit->hints, Contains(HasSubstr("all points lie within 40° of azimuth")));
+}
+
+TEST(PointingFit, TheZenithSaysNothingAboutAzimuth)
+{
+    EXPECT_THAT(reason({pointAt(hidden(), 10_deg, Angle::fromDegrees(89.9))}), HasSubstr("do not determine"));
+    auto points = allRound(hidden(), 10);
+    const auto without = fitPointing(points, {});
+    CalibrationPoint zenith = pointAt(hidden(), 10_deg, 88_deg);
+    zenith.axes.azimuth += 3_deg;  // 0.1° on the sky
+    zenith.sigma = 0.1_deg;
+    points.push_back(zenith);
+    const auto with = fitPointing(points, {});
+    ASSERT_TRUE(with && without);
+    EXPECT_NEAR(off(*with, hidden(), Term::AzimuthOffset), off(*without, hidden(), Term::AzimuthOffset), 0.005);
+}
+
+TEST(PointingFit, APointOverTheTopIsAsGood)
+{
+    PointingTerms truth;
+    truth.azimuthOffset = 37.4_deg;
+    CalibrationPoint point;
+    point.axes = {.azimuth = 10_deg, .elevation = 150_deg};
+    point.truth = pointing::upright(PointingModel(truth).toSky(point.axes));
+    const auto fit = fitPointing({&point, 1}, {});
+    ASSERT_TRUE(fit.has_value());
+    EXPECT_NEAR(off(*fit, truth, Term::AzimuthOffset), 0.0, 1e-9);
+}
+
+TEST(PointingFit, IsRefusedWithTheReason)
+{
+    EXPECT_THAT(reason({}), HasSubstr("there is no point"));
+    auto points = allRound(hidden(), 3);
+    points[1].sigma = Angle{};
+    EXPECT_THAT(reason(points), HasSubstr("point 2 is not a number, or without a sigma"));
+    points = allRound(hidden(), 3);
+    points[2].axes.elevation = Angle::fromDegrees(std::nan(""));
+    EXPECT_THAT(reason(points), HasSubstr("point 3 is not a number"));
+}
+
+// Any site within 60° of latitude, any date, points spread over the day, centred to 0.02°; the tilt is known from the
+// swing to 0.05°. The beam is then right along the arc of the Sun. The offset of azimuth as a term is less certain: on
+// a day on which the Sun is never high it cannot be told from the collimation, and its sigma says so.
+struct SunStatistics
+{
+    int onArc = 0;
+    int tilt = 0;
+    int honest = 0;
+    int overSky = 0;
+};
+
+SunStatistics sunStatistics(int count, double arcLimit, int runs)
+{
+    std::mt19937_64 random(2026);
+    std::normal_distribution<double> gaussian(0.0, 0.05);
+    SunStatistics result;
+    for (int run = 0; run < runs; ++run) {
+        const PointingTerms truth = fakes::randomHidden(random);
+        const SunDay day = fakes::randomDay(random);
+        TermKnowledge known = TermKnowledge::usual();
+        known.of(Term::TiltNorth) = {truth.tiltNorth + Angle::fromDegrees(gaussian(random)), 0.05_deg};
+        known.of(Term::TiltEast) = {truth.tiltEast + Angle::fromDegrees(gaussian(random)), 0.05_deg};
+        const auto fit = fitPointing(fakes::sunPoints(truth, day, count, 0.02, random), {}, known);
+        if (!fit) {
+            continue;
+        }
+        const Angle tiltOff =
+            SkyOffset{fit->terms.tiltNorth - truth.tiltNorth, fit->terms.tiltEast - truth.tiltEast}.size();
+        const Estimate north = fit->of(Term::AzimuthOffset).estimate;
+        result.onArc += fakes::worstOnArc(truth, fit->terms, day) < arcLimit ? 1 : 0;
+        result.overSky += fakes::rmsOverSky(truth, fit->terms) < 0.15 ? 1 : 0;
+        result.tilt += tiltOff < 0.1_deg ? 1 : 0;
+        result.honest += abs((north.value - truth.azimuthOffset).wrapped180()) < north.sigma * 2.0 ? 1 : 0;
+    }
+    return result;
+}
+
+TEST(PointingFit, ThreePointsOfTheSun)
+{
+    const SunStatistics result = sunStatistics(3, 0.15, 100);
+    EXPECT_GE(result.onArc, 98);
+    EXPECT_GE(result.overSky, 95);
+    EXPECT_GE(result.honest, 90);
+}
+
+TEST(PointingFit, SixPointsOfTheSun)
+{
+    const SunStatistics result = sunStatistics(6, 0.06, 100);
+    EXPECT_GE(result.onArc, 95);
+    EXPECT_GE(result.overSky, 97);
+    EXPECT_GE(result.tilt, 98);
+    EXPECT_GE(result.honest, 92);
+}
+
+}  // namespace
+}  // namespace boresight::calibration
