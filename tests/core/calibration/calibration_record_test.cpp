@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/calibration_record.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight::calibration {
+namespace {
+
+CalibrationRecord step(int north)
+{
+    CalibrationRecord record;
+    record.title = std::to_string(north);
+    record.terms.before.azimuthOffset = Angle::fromDegrees(north - 1);
+    record.terms.after.azimuthOffset = Angle::fromDegrees(north);
+    return record;
+}
+
+TEST(CalibrationHistory, GoesBackAndForth)
+{
+    CalibrationHistory history;
+    EXPECT_FALSE(history.canUndo());
+    EXPECT_FALSE(history.canRedo());
+    for (int north = 1; north <= 3; ++north) {
+        history.add(step(north));
+    }
+    EXPECT_EQ(history.inForce(), 3U);
+    EXPECT_EQ(history.undo(), step(3));
+    EXPECT_EQ(history.undo(), step(2));
+    EXPECT_EQ(history.inForce(), 1U);
+    EXPECT_EQ(history.redo(), step(2));
+    EXPECT_EQ(history.redo(), step(3));
+    EXPECT_FALSE(history.canRedo());
+}
+
+TEST(CalibrationHistory, ANewOneTakesThePlaceOfWhatWasUndone)
+{
+    CalibrationHistory history({step(1), step(2), step(3)}, 3);
+    history.undo();
+    history.undo();
+    history.add(step(9));
+    EXPECT_EQ(history, CalibrationHistory({step(1), step(9)}, 2));
+    EXPECT_FALSE(history.canRedo());
+}
+
+TEST(CalibrationHistory, NoMoreIsInForceThanThereIs)
+{
+    EXPECT_EQ(CalibrationHistory({step(1)}, 7).inForce(), 1U);
+}
+
+TEST(MountDifference, IsAnotherDriveOrAnotherSite)
+{
+    const RecordMount then{.azimuthDrive = "a", .elevationDrive = "b", .site = RecordSite{48_deg, 11_deg, 500.0}};
+    RecordMount today = then;
+    EXPECT_EQ(difference(then, today), MountDifference::None);
+    today.site->latitude = Angle::fromDegrees(48.008);  // 0.9 km
+    EXPECT_EQ(difference(then, today), MountDifference::None);
+    today.site->latitude = Angle::fromDegrees(48.01);  // 1.1 km
+    EXPECT_EQ(difference(then, today), MountDifference::OtherSite);
+    today.site->latitude = 48_deg;
+    today.site->longitude = Angle::fromDegrees(11.013);  // 0.97 km at this latitude
+    EXPECT_EQ(difference(then, today), MountDifference::None);
+    today.elevationDrive = "c";
+    EXPECT_EQ(difference(then, today), MountDifference::OtherDrive);
+    EXPECT_EQ(difference(then, RecordMount{}), MountDifference::None);  // nothing is known
+}
+
+}  // namespace
+}  // namespace boresight::calibration
