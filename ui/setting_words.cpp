@@ -37,7 +37,8 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"rotctld", QT_TRANSLATE_NOOP("SettingWords", "rotctld server")},
                              {"supervision", QT_TRANSLATE_NOOP("SettingWords", "Supervision")},
                              {"recovery", QT_TRANSLATE_NOOP("SettingWords", "Recovery")},
-                             {"sensor", QT_TRANSLATE_NOOP("SettingWords", "Orientation sensor")}};
+                             {"sensor", QT_TRANSLATE_NOOP("SettingWords", "Orientation sensor")},
+                             {"mqtt", QT_TRANSLATE_NOOP("SettingWords", "MQTT broker")}};
 
 class SettingWords
 {
@@ -136,6 +137,9 @@ QString valueText(const Setting& setting, const profile::Profile& profile)
     const QString typed = typedText(setting, profile);
     if (typed.isEmpty()) {
         return setting.type == SettingType::TextList ? SettingWords::tr("none") : SettingWords::tr("not given");
+    }
+    if (setting.secret) {
+        return Text::of(profile::kHidden);
     }
     return setting.unit.empty() ? typed : typed + QLatin1Char(' ') + QString::fromStdString(setting.unit);
 }

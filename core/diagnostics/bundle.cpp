@@ -5,6 +5,7 @@
 #include "core/diagnostics/report.h"
 #include "core/memory/memory_file.h"
 #include "core/profile/profile_file.h"
+#include "core/profile/setting.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -33,6 +34,11 @@ void addFile(std::vector<BundleFile>& files, const QString& path, const QString&
     } else if (file.exists()) {
         addText(files, name, QStringLiteral("could not be read: %1\n").arg(file.errorString()), about);
     }
+}
+
+QString profileText(const profile::Profile& profile)
+{
+    return QString::fromStdString(profile::toToml(profile::withoutSecrets(profile)));
 }
 
 QString readme(const std::vector<BundleFile>& files, UtcTime when)
@@ -66,11 +72,10 @@ std::vector<BundleFile> collect(const Snapshot& snapshot)
             QStringLiteral("State of the station, its axes, clients and alarms at that moment."));
     addText(files, QStringLiteral("drives.txt"), drivesText(snapshot.status),
             QStringLiteral("Configuration of the drives as the survey read it, and the last crash-stop proofs."));
-    addText(files, QStringLiteral("profile.toml"), QString::fromStdString(profile::toToml(inForce)),
+    addText(files, QStringLiteral("profile.toml"), profileText(inForce),
             QStringLiteral("The mount's settings that were in force."));
     if (!snapshot.status.waitingKeys.empty()) {
-        addText(files, QStringLiteral("profile-waiting.toml"),
-                QString::fromStdString(profile::toToml(snapshot.applied)),
+        addText(files, QStringLiteral("profile-waiting.toml"), profileText(snapshot.applied),
                 QStringLiteral("The same with what waits for a reconnect."));
     }
     const QString folder = snapshot.stateDir + QLatin1Char('/');

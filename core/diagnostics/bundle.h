@@ -4,8 +4,8 @@
 #include "core/diagnostics/archive.h"
 #include "core/station/station_status.h"
 
-// One archive for a bug report: what the program, the mount and its last minutes were like. It holds no passwords: the
-// program knows none. Blocking, and some 10 MB of logs at most: not on the gui thread, nor the station's.
+// One archive for a bug report: what the program, the mount and its last minutes were like. It holds no passwords.
+// Blocking, and some 10 MB of logs at most: not on the gui thread, nor the station's.
 namespace boresight::diagnostics {
 
 struct Snapshot

@@ -206,6 +206,35 @@ struct RecoverySettings
     bool operator==(const RecoverySettings&) const = default;
 };
 
+enum class Tls
+{
+    Off,
+    On
+};
+
+// Whether Boresight tells its own state to the broker.
+enum class Publish
+{
+    Off,
+    On
+};
+
+// The MQTT broker that brings the sensor's messages and takes Boresight's own.
+struct BrokerSettings
+{
+    std::string host = "localhost";
+    int port = 1883;
+    std::string user;      // empty: without
+    std::string password;  // plain, as the broker wants it: it is kept out of logs and diagnostics
+    Tls tls = Tls::Off;
+    std::string caFile;    // PEM; empty: the authorities that this computer knows
+    std::string clientId;  // empty: another one at every start
+    Publish publish = Publish::Off;
+    std::string prefix = "boresight/";
+
+    bool operator==(const BrokerSettings&) const = default;
+};
+
 [[nodiscard]] AxisSettings referenceAzimuth();
 [[nodiscard]] AxisSettings referenceElevation();
 
@@ -225,6 +254,7 @@ struct Profile
     SupervisionSettings supervision;
     RecoverySettings recovery;
     SensorSettings sensor;
+    BrokerSettings mqtt;
 
     [[nodiscard]] const AxisSettings& axis(Axis which) const { return which == Axis::Azimuth ? azimuth : elevation; }
     bool operator==(const Profile&) const = default;

@@ -28,12 +28,18 @@ std::string withUnit(const SettingOf<Owner>& setting, const Owner& owner)
     return toText(setting.get(owner)) + (setting.unit.empty() ? "" : " " + setting.unit);
 }
 
+std::string shownText(const Setting& setting, const Profile& profile)
+{
+    const bool hide = setting.secret && setting.get(profile) != SettingValue(std::string());
+    return hide ? Text::of(kHidden).toStdString() : withUnit(setting, profile);
+}
+
 Item itemOf(const Setting& setting)
 {
     return {.key = setting.key,
             .applies = setting.applies,
             .written = [&setting](const Profile& profile) { return toText(setting.get(profile)); },
-            .text = [&setting](const Profile& shown, const Profile&) { return withUnit(setting, shown); },
+            .text = [&setting](const Profile& shown, const Profile&) { return shownText(setting, shown); },
             .take = [&setting](Profile& into, const Profile& from) { (void)setting.set(into, setting.get(from)); }};
 }
 

@@ -23,7 +23,8 @@ Result<> saveProfile(const Profile& profile, const QString& path)
     if (!all.empty()) {
         return failure(ErrorCode::InvalidInput, all);
     }
-    return writeFile(path, QByteArray::fromStdString(toToml(profile)));
+    return writeFile(path, QByteArray::fromStdString(toToml(profile)),
+                     hasSecrets(profile) ? Readers::OnlyOwner : Readers::Anybody);
 }
 
 }  // namespace boresight::profile

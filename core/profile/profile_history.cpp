@@ -27,7 +27,9 @@ Result<> saveKeepingPrevious(const Profile& profile, const QString& path)
         if (before == QByteArray::fromStdString(toToml(profile))) {
             return {};
         }
-        return writeFile(previousOf(path), before).and_then([&] { return saveProfile(profile, path); });
+        return writeFile(previousOf(path), before, readersOf(path)).and_then([&] {
+            return saveProfile(profile, path);
+        });
     });
 }
 
@@ -40,9 +42,10 @@ Result<Profile> undoLastChange(const QString& path)
     }
     // What is asked for comes first: if the second writing fails, only the undoing cannot be undone.
     return loadProfile(previousOf(path)).and_then([&](const Profile& profile) {
-        return writeFile(path, *previous).and_then([&] { return writeFile(previousOf(path), *now); }).map([&] {
-            return profile;
-        });
+        const Readers before = readersOf(path);
+        return writeFile(path, *previous, readersOf(previousOf(path)))
+            .and_then([&] { return writeFile(previousOf(path), *now, before); })
+            .map([&] { return profile; });
     });
 }
 

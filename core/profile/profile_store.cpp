@@ -116,7 +116,7 @@ Result<> ProfileStore::save(const Profile& profile, const QString& path) const
 
 Result<> ProfileStore::exportFile(const QString& path, const QString& target) const
 {
-    return readFile(path).and_then([&](const QByteArray& bytes) { return writeFile(target, bytes); });
+    return readFile(path).and_then([&](const QByteArray& bytes) { return writeFile(target, bytes, readersOf(path)); });
 }
 
 Result<Profile> ProfileStore::undo(const QString& path) const
@@ -196,7 +196,7 @@ Result<QString> ProfileStore::takeIn(const QString& single) const
         QDir().mkpath(m_profiles);
         const QString path = known != all.end() ? known->path : freePath(name);
         const Result<> kept = known == all.end() ? Result<>{} : readFile(path).and_then([&](const QByteArray& bytes) {
-            return writeFile(previousOf(path), bytes);
+            return writeFile(previousOf(path), bytes, readersOf(path));
         });
         if (!kept || !renameOver(single, path)) {
             return single;  // in a folder that may not be written to it is good where it is

@@ -232,6 +232,7 @@ std::vector<Setting> makeSettings()
     addSupervision(list);
     addRecovery(list);
     addSensor(list);
+    addBroker(list);
     return list;
 }
 
@@ -248,6 +249,21 @@ const Setting* findSetting(std::string_view key)
     const auto all = settings();
     const auto found = std::find_if(all.begin(), all.end(), [key](const Setting& s) { return s.key == key; });
     return found != all.end() ? &*found : nullptr;
+}
+
+bool hasSecrets(const Profile& profile)
+{
+    return withoutSecrets(profile) != profile;
+}
+
+Profile withoutSecrets(Profile profile)
+{
+    for (const Setting& setting : settings()) {
+        if (setting.secret && setting.get(profile) != SettingValue(std::string())) {
+            (void)setting.set(profile, std::string(kHidden));
+        }
+    }
+    return profile;
 }
 
 }  // namespace boresight::profile

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/base/text.h"
 #include "core/profile/profile.h"
 
 #include <cstddef>
@@ -55,6 +56,7 @@ struct SettingOf
     std::function<Result<>(Owner&, const SettingValue&)> set;
     // Set where the keys of a table are given all together or not at all; then the value counts only if this holds.
     std::function<bool(const Owner&)> isGiven = {};
+    bool secret = false;  // not for logs, diagnostics and eyes over the shoulder; the file has it
 
     [[nodiscard]] bool counts(const Owner& owner) const { return !isGiven || isGiven(owner); }
 };
@@ -95,5 +97,10 @@ struct Problem
 [[nodiscard]] std::string toText(const ListenAddress& address);
 // What the setting would look like in the file, without its key.
 [[nodiscard]] std::string toText(const SettingValue& value);
+// What a secret that is set looks like where it must not be read.
+inline constexpr const char* kHidden = QT_TRANSLATE_NOOP("Text", "(hidden)");
+[[nodiscard]] bool hasSecrets(const Profile& profile);
+// For others' eyes: secrets that are set say so, no more.
+[[nodiscard]] Profile withoutSecrets(Profile profile);
 
 }  // namespace boresight::profile

@@ -14,6 +14,7 @@ void addSite(std::vector<Setting>& list);
 void addSupervision(std::vector<Setting>& list);
 void addRecovery(std::vector<Setting>& list);
 void addSensor(std::vector<Setting>& list);
+void addBroker(std::vector<Setting>& list);
 
 // Of clients: "192.168.1.7" or "fe80::1"; a network is an address with the number of its leading bits, "10.0.0.0/8".
 [[nodiscard]] Result<> checkAddress(const std::string& text);

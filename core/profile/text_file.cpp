@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QSaveFile>
 
 namespace boresight::profile {
@@ -11,6 +12,8 @@ namespace boresight::profile {
 namespace {
 
 constexpr qint64 kMaxSize = 4 << 20;  // of a horizon with a point per 0.1° and long comments: 300 kB
+
+constexpr auto kOwnerOnly = QFileDevice::ReadOwner | QFileDevice::WriteOwner;
 
 std::string told(const QFileDevice& file)
 {
@@ -35,13 +38,21 @@ Result<QByteArray> readFile(const QString& path)
     return bytes;
 }
 
-Result<> writeFile(const QString& path, const QByteArray& bytes)
+Result<> writeFile(const QString& path, const QByteArray& bytes, Readers readers)
 {
     QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
+    const auto protect = [&] { return readers == Readers::Anybody || file.setPermissions(kOwnerOnly); };
+    if (!file.open(QIODevice::WriteOnly) || !protect() || file.write(bytes) != bytes.size() || !file.commit()) {
         return failure(ErrorCode::Io, told(file));
     }
     return {};
+}
+
+Readers readersOf(const QString& path)
+{
+    constexpr auto kOthers = QFileDevice::ReadGroup | QFileDevice::ReadOther;
+    const QFileInfo file(path);
+    return file.exists() && (file.permissions() & kOthers) == 0 ? Readers::OnlyOwner : Readers::Anybody;
 }
 
 }  // namespace boresight::profile

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace boresight::diagnostics {
 namespace {
 
@@ -113,6 +115,23 @@ TEST(DiagnosticsBundle, HasWhatABugReportNeeds)
     EXPECT_TRUE(drives.contains("DANGEROUS  servo.timeout_mode  found 12  wanted 10")) << drives.toStdString();
     EXPECT_TRUE(drives.contains("from 2.00°/s stood after 0.42° and 310 ms")) << drives.toStdString();
     EXPECT_TRUE(Rig::read(dir, "station.txt").contains("No reply from elevation"));
+}
+
+// Whatever file of it one looks into.
+TEST(DiagnosticsBundle, HasNoPasswords)
+{
+    Rig rig;
+    rig.snapshot.applied.mqtt.user = "mount";
+    rig.snapshot.applied.mqtt.password = "s3cret";
+    rig.snapshot.status.profile = std::make_shared<const profile::Profile>(rig.snapshot.applied);
+    const auto files = collect(rig.snapshot);
+    for (const BundleFile& one : files) {
+        EXPECT_FALSE(one.file.bytes.contains("s3cret")) << one.file.name.toStdString();
+    }
+    const auto shown =
+        std::ranges::find(files, QStringLiteral("profile.toml"), [](const BundleFile& one) { return one.file.name; });
+    ASSERT_NE(shown, files.end());
+    EXPECT_TRUE(shown->file.bytes.contains("password = \"(hidden)\"\n"));
 }
 
 TEST(DiagnosticsBundle, AMissingLogIsLeftOutAndAnUnreadableOneIsTold)

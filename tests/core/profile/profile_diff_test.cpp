@@ -32,6 +32,17 @@ TEST(ProfileDiff, TellsEachKeyWithBothValuesAndWhenItApplies)
     EXPECT_TRUE(changesBetween(to, to).empty());
 }
 
+TEST(ProfileDiff, DoesNotSaySecrets)
+{
+    Profile from;
+    from.mqtt.user = "mount";
+    Profile to = from;
+    to.mqtt.password = "s3cret";
+    EXPECT_EQ(changesBetween(from, to), (std::vector<Change>{{"mqtt.password", "\"\"", "(hidden)", Applies::Now}}));
+    from.mqtt.password = "s3cre7";
+    EXPECT_EQ(changesBetween(from, to), (std::vector<Change>{{"mqtt.password", "(hidden)", "(hidden)", Applies::Now}}));
+}
+
 TEST(ProfileDiff, ListsAndTheSiteAreOneLineEach)
 {
     Profile from;

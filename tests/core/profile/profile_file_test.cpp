@@ -84,6 +84,15 @@ TEST(ProfileFile, EveryValueSurvivesTheRoundTrip)
                        .outsideLimits = OutsideLimits::Refuse,
                        .azimuth = AzimuthConvention::Continuous,
                        .maxClients = 7};
+    changed.mqtt = {.host = "fe80::1%eth0",
+                    .port = 8883,
+                    .user = "mount \"2\"",
+                    .password = "a\\b \"c\" Ω#",
+                    .tls = Tls::On,
+                    .caFile = "/etc/ca file.pem",
+                    .clientId = "b1",
+                    .publish = Publish::On,
+                    .prefix = "shack/mount"};
     const auto again = parseProfile(toToml(changed), "m.toml");
     ASSERT_TRUE(again) << again.error().text;
     EXPECT_EQ(*again, changed);

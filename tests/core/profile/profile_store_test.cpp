@@ -205,6 +205,28 @@ TEST_F(ProfileStoreTest, ExportsAndImportsTheSameFile)
     EXPECT_NE(bad.error().text.find("export.toml:2: colour: unknown key"), std::string::npos);
 }
 
+// Also the version before, once there was a password in it, and a copy for others.
+TEST_F(ProfileStoreTest, OnlyTheOwnerReadsAFileWithAPassword)
+{
+    const auto mine = [](const QString& file) { return readersOf(file) == Readers::OnlyOwner; };
+    const QString file = added("Roof");
+    EXPECT_FALSE(mine(file));
+    Profile profile = named("Roof");
+    profile.mqtt.user = "mount";
+    profile.mqtt.password = "s3cret";
+    ASSERT_TRUE(store.save(profile, file));
+    EXPECT_TRUE(mine(file));
+    EXPECT_FALSE(mine(previousOf(file)));
+    profile.mqtt.password.clear();
+    ASSERT_TRUE(store.save(profile, file));
+    EXPECT_TRUE(mine(previousOf(file)));
+    ASSERT_TRUE(store.undo(file));
+    EXPECT_TRUE(mine(file));
+    const QString exported = path("exported.toml");
+    ASSERT_TRUE(store.exportFile(file, exported));
+    EXPECT_TRUE(mine(exported));
+}
+
 TEST_F(ProfileStoreTest, TakesInTheSingleProfileWithItsComments)
 {
     const QByteArray text = "# by hand\nversion = 1\nmount.name = \"old\"\n";

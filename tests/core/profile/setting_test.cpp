@@ -290,6 +290,57 @@ TEST(CrossCheck, ALockedMountSaysToWhom)
     EXPECT_TRUE(crossCheck(profile).empty());
 }
 
+TEST(Settings, TheBrokerIsAHostAndTopicsAreTopics)
+{
+    Profile profile;
+    const auto takes = [&profile](const char* key, const char* text) {
+        return findSetting(key)->set(profile, std::string(text)).has_value();
+    };
+    for (const char* const host : {"broker.example", "192.168.1.7", "::1", "fe80::1%eth0"}) {
+        EXPECT_TRUE(takes("mqtt.host", host)) << host;
+    }
+    for (const char* const host : {"", "mqtt://broker", "[::1]", "a broker", "two\nlines"}) {
+        EXPECT_FALSE(takes("mqtt.host", host)) << host;
+    }
+    for (const char* const prefix : {"boresight/", "shack", "/a/b/"}) {
+        EXPECT_TRUE(takes("mqtt.prefix", prefix)) << prefix;
+    }
+    for (const char* const prefix : {"", "#", "a/+/b", "$SYS/"}) {
+        EXPECT_FALSE(takes("mqtt.prefix", prefix)) << prefix;
+    }
+    EXPECT_FALSE(takes("mqtt.password", std::string(201, 'x').c_str()));
+    EXPECT_FALSE(takes("mqtt.port", "1883"));
+}
+
+TEST(CrossCheck, APasswordNeedsAUser)
+{
+    Profile profile;
+    profile.mqtt.password = "s3cret";
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"mqtt.user"});
+    profile.mqtt.user = "mount";
+    EXPECT_TRUE(crossCheck(profile).empty());
+}
+
+TEST(Settings, ThePasswordIsTheOnlySecret)
+{
+    std::vector<std::string> secrets;
+    for (const Setting& setting : settings()) {
+        if (setting.secret) {
+            secrets.push_back(setting.key);
+        }
+    }
+    EXPECT_EQ(secrets, std::vector<std::string>{"mqtt.password"});
+    Profile profile;
+    EXPECT_FALSE(hasSecrets(profile));
+    EXPECT_EQ(withoutSecrets(profile), profile);
+    profile.mqtt.password = "s3cret";
+    EXPECT_TRUE(hasSecrets(profile));
+    Profile shown = withoutSecrets(profile);
+    EXPECT_EQ(shown.mqtt.password, "(hidden)");
+    shown.mqtt.password = profile.mqtt.password;
+    EXPECT_EQ(shown, profile);
+}
+
 // The screen makes profiles without the file's reader; nothing may be applied that could not be read again.
 TEST(ProblemsOf, CountRangesToo)
 {
