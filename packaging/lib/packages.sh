@@ -8,10 +8,11 @@
 # Compiler, build tools and every library that is linked. Google Test and Benchmark are here because one configured
 # folder serves both packaging/run and packaging/test.
 readonly build_packages=(
-    g++ cmake ninja-build ca-certificates
+    g++ cmake ninja-build 'pkgconf|pkg-config' ca-certificates
     qt6-base-dev 'qt6-svg-dev|libqt6svg6-dev' 'qt6-serialport-dev|libqt6serialport6-dev'
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools
-    libgl-dev libexpected-dev libtomlplusplus-dev libarchive-dev libeigen3-dev libsdl2-dev liberfa-dev 'pkgconf|pkg-config' libgtest-dev libgmock-dev libbenchmark-dev
+    libgl-dev libexpected-dev libtomlplusplus-dev libarchive-dev libeigen3-dev liberfa-dev libmosquitto-dev libssl-dev
+    libsdl2-dev libgtest-dev libgmock-dev libbenchmark-dev
 )
 
 # What building Qwt from Debian's source package needs on top.
@@ -19,10 +20,10 @@ readonly qwt_source_packages=(bzip2 debian-archive-keyring)
 
 # What the tests run: User-Mode Linux for a real SocketCAN interface and can-utils as the witness there, Hamlib's rotctl
 # and rotctld as peers, one font so that screens look alike, the formatter, and the checkers of shell scripts, of the
-# manual pages, of the menu entry and of the metadata.
+# manual pages, of the menu entry and of the metadata; a real MQTT broker, with certificates made by openssl.
 readonly test_packages=(
     user-mode-linux kmod iproute2 can-utils libhamlib-utils fonts-dejavu-core clang-format-14 shellcheck
-    man-db desktop-file-utils appstream
+    man-db desktop-file-utils appstream mosquitto openssl
 )
 
 # What showing the window on a real display needs beyond the libraries that are linked: with Qt's own texts in other

@@ -407,6 +407,10 @@ el %3</translation>
         <source>Orientation sensor</source>
         <translation>Sensor de orientação</translation>
     </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>Broker MQTT</translation>
+    </message>
 </context>
 <context>
     <name>SkyItems</name>
@@ -3796,6 +3800,186 @@ el %3</translation>
     <message>
         <source>needs the place of the mount (site)</source>
         <translation>precisa do local da montagem (site)</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>sem motivo indicado</translation>
+    </message>
+    <message>
+        <source>wants a user name and a password: set mqtt.user and mqtt.password</source>
+        <translation>exige nome de usuário e senha: defina mqtt.user e mqtt.password</translation>
+    </message>
+    <message>
+        <source>refuses the user &quot;%1&quot; or the password: check mqtt.user and mqtt.password</source>
+        <translation>recusa o usuário &quot;%1&quot; ou a senha: verifique mqtt.user e mqtt.password</translation>
+    </message>
+    <message>
+        <source>is mqtt.port the broker&apos;s port for TLS?</source>
+        <translation>mqtt.port é a porta TLS do broker?</translation>
+    </message>
+    <message>
+        <source>is mqtt.port right, and does this port want TLS?</source>
+        <translation>mqtt.port está certa, e esta porta exige TLS?</translation>
+    </message>
+    <message>
+        <source>the encryption could not be agreed on (%1): %2</source>
+        <translation>não houve acordo sobre a cifra (%1): %2</translation>
+    </message>
+    <message>
+        <source>is not trusted: %1</source>
+        <translation>não merece confiança: %1</translation>
+    </message>
+    <message>
+        <source>refuses MQTT 3.1.1: a newer broker is needed</source>
+        <translation>recusa MQTT 3.1.1: é preciso um broker mais novo</translation>
+    </message>
+    <message>
+        <source>refuses the client id &quot;%1&quot;: change mqtt.client_id</source>
+        <translation>recusa o identificador de cliente &quot;%1&quot;: mude mqtt.client_id</translation>
+    </message>
+    <message>
+        <source>says that it does not serve at the moment</source>
+        <translation>diz que não atende no momento</translation>
+    </message>
+    <message>
+        <source>the name cannot be resolved (%1): check mqtt.host and the network</source>
+        <translation>não se encontra o nome (%1): verifique mqtt.host e a rede</translation>
+    </message>
+    <message>
+        <source>no connection (%1): does the broker run there?</source>
+        <translation>sem conexão (%1): o broker funciona ali?</translation>
+    </message>
+    <message>
+        <source>no answer: check mqtt.host, the network and the firewall</source>
+        <translation>sem resposta: verifique mqtt.host, a rede e o firewall</translation>
+    </message>
+    <message>
+        <source>takes the connection and says nothing: %1</source>
+        <translation>aceita a conexão e não diz nada: %1</translation>
+    </message>
+    <message>
+        <source>closes the connection before it says anything: %1</source>
+        <translation>fecha a conexão antes de dizer algo: %1</translation>
+    </message>
+    <message>
+        <source>the connection is lost (%1)</source>
+        <translation>a conexão foi perdida (%1)</translation>
+    </message>
+    <message>
+        <source>the connection is lost (nothing was heard any more)</source>
+        <translation>a conexão foi perdida (não se ouviu mais nada)</translation>
+    </message>
+    <message>
+        <source>says something that is not MQTT: %1</source>
+        <translation>diz algo que não é MQTT: %1</translation>
+    </message>
+    <message>
+        <source>MQTT broker %1: %2</source>
+        <translation>broker MQTT %1: %2</translation>
+    </message>
+    <message>
+        <source>closed by the broker</source>
+        <translation>fechada pelo broker</translation>
+    </message>
+    <message>
+        <source>encryption cannot be set up: %1</source>
+        <translation>não se pode preparar a cifra: %1</translation>
+    </message>
+    <message>
+        <source>no certificate of an authority can be read from %1 (%2): check mqtt.ca_file</source>
+        <translation>não se pode ler de %1 nenhum certificado de autoridade (%2): verifique mqtt.ca_file</translation>
+    </message>
+    <message>
+        <source>its certificate has expired, or this computer&apos;s clock is wrong</source>
+        <translation>o seu certificado expirou, ou o relógio deste computador está errado</translation>
+    </message>
+    <message>
+        <source>its certificate is not valid yet, or this computer&apos;s clock is wrong</source>
+        <translation>o seu certificado ainda não é válido, ou o relógio deste computador está errado</translation>
+    </message>
+    <message>
+        <source>its certificate is not made for &quot;%1&quot;: check mqtt.host</source>
+        <translation>o seu certificado não é para &quot;%1&quot;: verifique mqtt.host</translation>
+    </message>
+    <message>
+        <source>its certificate is signed by nobody this computer knows: set mqtt.ca_file</source>
+        <translation>o seu certificado não é assinado por ninguém que este computador conheça: defina mqtt.ca_file</translation>
+    </message>
+    <message>
+        <source>its certificate is not signed by the authority in %1: check mqtt.ca_file</source>
+        <translation>o seu certificado não é assinado pela autoridade em %1: verifique mqtt.ca_file</translation>
+    </message>
+    <message>
+        <source>%1: what comes on %2 is no message of the sensor (%3)</source>
+        <translation>%1: o que chega em %2 não é mensagem do sensor (%3)</translation>
+    </message>
+    <message>
+        <source>%1: nothing comes on %2: has the sensor power and WiFi, and is this its topic?</source>
+        <translation>%1: nada chega em %2: o sensor tem energia e WiFi, e este é o seu tópico?</translation>
+    </message>
+    <message>
+        <source>one line of at most 200 bytes is expected</source>
+        <translation>espera-se uma linha de no máximo 200 bytes</translation>
+    </message>
+    <message>
+        <source>a host name or address is expected, without port, brackets or mqtt://</source>
+        <translation>espera-se um nome ou endereço de computador, sem porta, colchetes ou mqtt://</translation>
+    </message>
+    <message>
+        <source>the beginning of a topic is expected, like &quot;boresight/&quot;, without + # and $</source>
+        <translation>espera-se o começo de um tópico, como &quot;boresight/&quot;, sem + # e $</translation>
+    </message>
+    <message>
+        <source>Name or address of the MQTT broker, for the sensor and for publish.</source>
+        <translation>Nome ou endereço do broker MQTT, para o sensor e para publish.</translation>
+    </message>
+    <message>
+        <source>Port of the broker: mostly 1883, with TLS 8883.</source>
+        <translation>Porta do broker: em geral 1883, com TLS 8883.</translation>
+    </message>
+    <message>
+        <source>User name at the broker; empty: without.</source>
+        <translation>Nome de usuário no broker; vazio: sem.</translation>
+    </message>
+    <message>
+        <source>Password at the broker. It stands in this file as it is, which only its owner may then read, and in no log.</source>
+        <translation>Senha no broker. Fica neste arquivo tal como é, que então só o dono pode ler, e em nenhum registro.</translation>
+    </message>
+    <message>
+        <source>Encrypted, and only with a broker whose certificate is right.</source>
+        <translation>Cifrado, e só com um broker cujo certificado está certo.</translation>
+    </message>
+    <message>
+        <source>With TLS: PEM file of the authority that signed the broker&apos;s certificate; empty: those that this computer knows.</source>
+        <translation>Com TLS: arquivo PEM da autoridade que assinou o certificado do broker; vazio: as que este computador conhece.</translation>
+    </message>
+    <message>
+        <source>Name of this program at the broker, which throws out the first of two of one name; empty: another one at every start.</source>
+        <translation>Nome deste programa no broker, que expulsa o primeiro de dois com o mesmo nome; vazio: outro a cada início.</translation>
+    </message>
+    <message>
+        <source>Whether Boresight tells the broker each second where the mount is and what it does.</source>
+        <translation>Se o Boresight diz ao broker a cada segundo onde está a montagem e o que ela faz.</translation>
+    </message>
+    <message>
+        <source>Beginning of the topics state and availability that it publishes.</source>
+        <translation>Começo dos tópicos state e availability que ele publica.</translation>
+    </message>
+    <message>
+        <source>is needed with a password</source>
+        <translation>é preciso junto com uma senha</translation>
+    </message>
+    <message>
+        <source>(hidden)</source>
+        <translation>(oculta)</translation>
+    </message>
+    <message>
+        <source>connected to the broker %1</source>
+        <translation>conectado ao broker %1</translation>
+    </message>
+    <message>
+        <source>%1; it is tried again and again</source>
+        <translation>%1; tenta-se de novo repetidamente</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mqtt/client.h"
+
+#include "core/base/text.h"
+#include "core/mqtt/session.h"
+
+#include <QFuture>
+#include <QPromise>
+#include <QThreadPool>
+
+#include <utility>
+
+namespace boresight::mqtt {
+
+Client::Client(const Clock& clock, QObject* parent) : QObject(parent), m_clock(clock), m_timer(this)
+{
+    m_timer.setInterval(kServicePeriod);
+    connect(&m_timer, &QTimer::timeout, this, &Client::service);
+}
+
+Client::~Client()
+{
+    dropAttempt();
+}
+
+void Client::open(const Broker& broker, const std::optional<Message>& will)
+{
+    if (m_wanted && broker == m_broker && will == m_will) {
+        return;
+    }
+    close();
+    m_wanted = true;
+    m_broker = broker;
+    m_will = will;
+    m_timer.start();
+    attempt();
+}
+
+void Client::close()
+{
+    if (m_session != nullptr) {
+        m_session->goodbye();
+    }
+    dropAttempt();
+    m_wanted = false;
+    m_timer.stop();
+    m_nextAttempt.reset();
+    m_delay.reset();
+    m_tls.reset();
+    setProblem({});
+}
+
+void Client::subscribe(const QString& filter)
+{
+    if (!m_filters.contains(filter)) {
+        m_filters.append(filter);
+        if (m_connected) {
+            m_session->subscribe(filter);
+        }
+    }
+}
+
+void Client::unsubscribe(const QString& filter)
+{
+    if (m_filters.removeOne(filter) && m_connected) {
+        m_session->unsubscribe(filter);
+    }
+}
+
+bool Client::publish(const Message& message)
+{
+    return m_connected && m_session->publish(message);
+}
+
+void Client::service()
+{
+    if (m_nextAttempt && m_clock.now() >= *m_nextAttempt) {
+        attempt();
+    } else if (m_session != nullptr) {
+        m_session->service();
+    }
+}
+
+void Client::attempt()
+{
+    m_nextAttempt.reset();
+    if (m_broker.encryption == Encryption::Tls && !m_tls) {
+        prepareTls();
+    } else {
+        lookUp();
+    }
+}
+
+// In the thread pool: to read all authorities of a Debian takes 50 ms, two and a half ticks. What was read is kept
+// while it does well; a file that was mended is read again.
+void Client::prepareTls()
+{
+    using Prepared = Result<std::shared_ptr<TlsContext>>;
+    const auto promise = std::make_shared<QPromise<Prepared>>();
+    promise->start();
+    promise->future().then(this, [this, attempt = m_attempt](const Prepared& prepared) {
+        if (attempt != m_attempt) {
+            return;
+        }
+        if (prepared) {
+            m_tls = *prepared;
+            lookUp();
+        } else {
+            giveUp({.kind = EndKind::Local, .detail = toQString(prepared.error().text)});
+        }
+    });
+    QThreadPool::globalInstance()->start([promise, caFile = m_broker.caFile, host = m_broker.host] {
+        promise->addResult(TlsContext::create(caFile, host));
+        promise->finish();
+    });
+}
+
+void Client::lookUp()
+{
+    if (const QHostAddress address(m_broker.host); !address.isNull()) {
+        m_addresses = {address};
+        tryNextAddress();
+    } else {
+        m_lookup = QHostInfo::lookupHost(m_broker.host, this, &Client::takeLookup);
+    }
+}
+
+void Client::takeLookup(const QHostInfo& found)
+{
+    if (found.lookupId() != m_lookup) {
+        return;  // closed meanwhile
+    }
+    m_lookup = -1;
+    m_addresses = found.addresses();
+    if (m_addresses.isEmpty()) {
+        giveUp({.kind = EndKind::NameUnknown, .detail = found.errorString()});
+    } else {
+        tryNextAddress();
+    }
+}
+
+void Client::tryNextAddress()
+{
+    m_session = new Session(m_broker, m_tls, m_will, m_clock, this);
+    connect(m_session, &Session::accepted, this, &Client::accepted);
+    connect(m_session, &Session::received, this, &Client::messageReceived);
+    connect(m_session, &Session::ended, this, &Client::ended);
+    m_session->open(m_addresses.takeFirst());
+}
+
+void Client::accepted()
+{
+    m_connected = true;
+    m_connectedAt = m_clock.now();
+    for (const QString& filter : std::as_const(m_filters)) {
+        m_session->subscribe(filter);
+    }
+    setProblem({});
+    Q_EMIT connected();
+}
+
+void Client::ended(const Ending& ending)
+{
+    const bool tryOthers = isOfTheAddress(ending.kind) && !m_addresses.isEmpty();
+    const auto others = std::exchange(m_addresses, {});
+    if (m_connected && m_clock.now() - m_connectedAt >= kStable) {
+        m_delay.reset();
+    }
+    dropAttempt();
+    if (tryOthers) {
+        m_addresses = others;
+        tryNextAddress();
+    } else {
+        giveUp(ending);
+    }
+}
+
+void Client::giveUp(const Ending& ending)
+{
+    if (ending.kind == EndKind::CertificateWrong) {
+        m_tls.reset();
+    }
+    m_nextAttempt = m_clock.now() + m_delay.next();
+    setProblem(toText(ending, m_broker));
+}
+
+// The session may be the one that is calling.
+void Client::dropAttempt()
+{
+    ++m_attempt;
+    if (m_lookup >= 0) {
+        QHostInfo::abortHostLookup(std::exchange(m_lookup, -1));
+    }
+    m_addresses.clear();
+    m_connected = false;
+    if (Session* const session = std::exchange(m_session, nullptr)) {
+        session->drop();
+        session->disconnect(this);
+        session->deleteLater();
+    }
+}
+
+void Client::setProblem(const QString& problem)
+{
+    if (m_problem != problem) {
+        m_problem = problem;
+        Q_EMIT problemChanged(problem);
+    }
+}
+
+}  // namespace boresight::mqtt

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/mqtt/broker.h"
+#include "core/mqtt/ending.h"
+#include "core/mqtt/retry_delay.h"
+#include "core/mqtt/tls_context.h"
+
+#include <QHostAddress>
+#include <QHostInfo>
+#include <QObject>
+#include <QStringList>
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+
+// An MQTT broker, as long as somebody wants it: connects, comes back by itself with growing delays, renews the
+// subscriptions, and tells in one line what is wrong. Messages go to the receivers of a signal. Station thread; nothing
+// blocks: names are looked up by Qt's helpers, certificates read in the thread pool, the rest is Session's.
+//
+// What is published while there is no connection is lost: nobody wants to know later where the mount was.
+namespace boresight::mqtt {
+
+class Session;
+
+class Client : public QObject
+{
+    Q_OBJECT
+
+public:
+    // A connection that lasted so long was a good one, and the delays begin anew after it.
+    static constexpr std::chrono::seconds kStable{10};
+    static constexpr std::chrono::milliseconds kServicePeriod{250};
+
+    // `clock` outlives the client.
+    explicit Client(const Clock& clock, QObject* parent = nullptr);
+    // Without close(): as if the program had died, so that the broker tells the will.
+    ~Client() override;
+
+    // From now on. With another broker or will than before the connection is made anew.
+    void open(const Broker& broker, const std::optional<Message>& will = std::nullopt);
+    void close();
+
+    // Survives reconnects and other brokers. Each topic has one reader: two of one topic are not counted.
+    void subscribe(const QString& filter);
+    void unsubscribe(const QString& filter);
+    // False: not connected.
+    bool publish(const Message& message);
+
+    [[nodiscard]] const Broker& broker() const { return m_broker; }
+    [[nodiscard]] bool isConnected() const { return m_connected; }
+    // One line for the operator; empty while connected or closed, and before it is known.
+    [[nodiscard]] const QString& problem() const { return m_problem; }
+
+    // Empty while there is a connection or an attempt at one.
+    [[nodiscard]] const std::optional<SteadyTime>& nextAttempt() const { return m_nextAttempt; }
+
+    // What the timer calls; tests with a hand-turned clock call it themselves.
+    void service();
+
+Q_SIGNALS:
+    void connected();
+    void messageReceived(const QString& topic, const QByteArray& payload);
+    // Once for each new trouble, however often it is tried again; empty when it is over.
+    void problemChanged(const QString& text);
+
+private:
+    void attempt();
+    void prepareTls();
+    void lookUp();
+    void takeLookup(const QHostInfo& found);
+    void tryNextAddress();
+    void accepted();
+    void ended(const Ending& ending);
+    void giveUp(const Ending& ending);
+    void dropAttempt();
+    void setProblem(const QString& problem);
+
+    const Clock& m_clock;
+    bool m_wanted = false;
+    Broker m_broker;
+    std::optional<Message> m_will;
+    QStringList m_filters;
+    QTimer m_timer;
+    RetryDelay m_delay;
+    std::optional<SteadyTime> m_nextAttempt;
+    unsigned m_attempt = 0;           // counts, to know what belongs to an earlier one
+    int m_lookup = -1;                // Qt's number of it
+    QList<QHostAddress> m_addresses;  // of the attempt, still untried
+    std::shared_ptr<TlsContext> m_tls;
+    Session* m_session = nullptr;  // a child; replaced at each attempt
+    bool m_connected = false;
+    SteadyTime m_connectedAt{};
+    QString m_problem;
+};
+
+}  // namespace boresight::mqtt

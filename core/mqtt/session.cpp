@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mqtt/session.h"
+
+#include "core/base/text.h"
+
+#include <mosquitto.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+namespace boresight::mqtt {
+namespace {
+
+constexpr int kOnePacket = 1;  // reserved by libmosquitto, "should be 1"
+// Nobody who writes to the topics we read has a reason for more; a stray video would only fill the memory.
+constexpr int kLargestPayload = 64 * 1024;
+
+QString systemText(int error)
+{
+    return QString::fromStdString(std::generic_category().message(error));
+}
+
+// Why a socket that was connecting is not connected now; empty if it is.
+std::optional<Ending> failureToConnect(int socket)
+{
+    sockaddr_storage peer{};
+    socklen_t size = sizeof peer;
+    if (getpeername(socket, reinterpret_cast<sockaddr*>(&peer), &size) == 0) {
+        return std::nullopt;
+    }
+    int error = 0;
+    size = sizeof error;
+    getsockopt(socket, SOL_SOCKET, SO_ERROR, &error, &size);
+    if (error == ECONNRESET || error == EPIPE) {
+        return Ending{.kind = EndKind::HungUp};  // it was connected
+    }
+    // An error is told once, and it can be that the first write of the TLS handshake was told. That comes right after
+    // connecting, when nothing but a refusal is known already.
+    return Ending{.kind = EndKind::ConnectionFailed, .detail = systemText(error != 0 ? error : ECONNREFUSED)};
+}
+
+// libmosquitto's global state, once in the program and to its end.
+void initializeLibrary()
+{
+    struct Library
+    {
+        Library() { mosquitto_lib_init(); }
+        ~Library() { mosquitto_lib_cleanup(); }
+        Library(const Library&) = delete;
+        Library& operator=(const Library&) = delete;
+    };
+    static const Library library;
+}
+
+}  // namespace
+
+void Session::Destroy::operator()(mosquitto* handle) const
+{
+    mosquitto_destroy(handle);
+}
+
+struct Session::Callbacks
+{
+    static void answered(mosquitto* /*handle*/, void* session, int code)
+    {
+        static_cast<Session*>(session)->m_answer = code;
+    }
+
+    static void received(mosquitto* /*handle*/, void* session, const mosquitto_message* message)
+    {
+        if (message->payloadlen <= kLargestPayload) {
+            static_cast<Session*>(session)->m_inbox.push_back(
+                {.topic = QString::fromUtf8(message->topic),
+                 .payload = QByteArray(static_cast<const char*>(message->payload), message->payloadlen)});
+        }
+    }
+
+    // "OpenSSL Error[0]: error:0A00010B:SSL routines::wrong version number"
+    static void logged(mosquitto* /*handle*/, void* session, int level, const char* text)
+    {
+        const QString line = QString::fromUtf8(text);
+        if (level == MOSQ_LOG_ERR && line.startsWith(QLatin1String("OpenSSL"))) {
+            static_cast<Session*>(session)->m_tlsError = line.section(QStringLiteral("::"), -1);
+        }
+    }
+};
+
+Session::Session(const Broker& broker, std::shared_ptr<TlsContext> tls, const std::optional<Message>& will,
+                 const Clock& clock, QObject* parent)
+    : QObject(parent),
+      m_broker(broker),
+      m_tls(std::move(tls)),
+      m_will(will),
+      m_clock(clock),
+      m_readable(QSocketNotifier::Read),
+      m_writable(QSocketNotifier::Write)
+{
+    initializeLibrary();
+    connect(&m_readable, &QSocketNotifier::activated, this, &Session::pump);
+    connect(&m_writable, &QSocketNotifier::activated, this, &Session::socketWritable);
+}
+
+Session::~Session()
+{
+    drop();
+}
+
+bool Session::prepare()
+{
+    const QByteArray id = m_broker.clientId.toUtf8();
+    m_handle.reset(mosquitto_new(id.isEmpty() ? nullptr : id.constData(), true, this));
+    mosquitto* const handle = m_handle.get();
+    if (handle == nullptr) {
+        return false;
+    }
+    mosquitto_connect_callback_set(handle, &Callbacks::answered);
+    mosquitto_message_callback_set(handle, &Callbacks::received);
+    mosquitto_log_callback_set(handle, &Callbacks::logged);
+    bool done = mosquitto_int_option(handle, MOSQ_OPT_TCP_NODELAY, 1) == MOSQ_ERR_SUCCESS;
+    if (!m_broker.user.isEmpty()) {
+        done = done && mosquitto_username_pw_set(handle, m_broker.user.toUtf8().constData(),
+                                                 m_broker.password.toUtf8().constData()) == MOSQ_ERR_SUCCESS;
+    }
+    if (m_will) {
+        done = done &&
+               mosquitto_will_set(handle, m_will->topic.toUtf8().constData(), static_cast<int>(m_will->payload.size()),
+                                  m_will->payload.constData(), 0, m_will->retain == Retain::Yes) == MOSQ_ERR_SUCCESS;
+    }
+    if (m_tls) {
+        done = done && mosquitto_int_option(handle, MOSQ_OPT_SSL_CTX_WITH_DEFAULTS, 0) == MOSQ_ERR_SUCCESS &&
+               mosquitto_void_option(handle, MOSQ_OPT_SSL_CTX, m_tls->get()) == MOSQ_ERR_SUCCESS;
+    }
+    return done;
+}
+
+void Session::open(const QHostAddress& address)
+{
+    m_opened = m_clock.now();
+    int result = MOSQ_ERR_NOMEM;
+    errno = 0;
+    if (prepare()) {
+        // An address, never a name: that would be looked up here and now.
+        result = mosquitto_connect_async(m_handle.get(), address.toString().toUtf8().constData(), m_broker.port,
+                                         static_cast<int>(kKeepAlive.count()));
+    }
+    if (result != MOSQ_ERR_SUCCESS) {
+        const Ending ending = endingOf(result);
+        QMetaObject::invokeMethod(
+            this, [this, ending] { end(ending); }, Qt::QueuedConnection);
+        return;
+    }
+    const int socket = mosquitto_socket(m_handle.get());
+    m_readable.setSocket(socket);
+    m_writable.setSocket(socket);
+    watch();
+}
+
+void Session::goodbye()
+{
+    if (m_phase == Phase::Accepted) {
+        mosquitto_disconnect(m_handle.get());
+    }
+    drop();
+}
+
+void Session::drop()
+{
+    m_phase = Phase::Ended;
+    m_readable.setEnabled(false);
+    m_writable.setEnabled(false);
+    m_handle.reset();
+}
+
+bool Session::publish(const Message& message)
+{
+    if (m_phase != Phase::Accepted) {
+        return false;
+    }
+    const int result = mosquitto_publish(m_handle.get(), nullptr, message.topic.toUtf8().constData(),
+                                         static_cast<int>(message.payload.size()), message.payload.constData(), 0,
+                                         message.retain == Retain::Yes);
+    watch();
+    return result == MOSQ_ERR_SUCCESS;
+}
+
+bool Session::subscribe(const QString& filter)
+{
+    if (m_phase != Phase::Accepted) {
+        return false;
+    }
+    const int result = mosquitto_subscribe(m_handle.get(), nullptr, filter.toUtf8().constData(), 0);
+    watch();
+    return result == MOSQ_ERR_SUCCESS;
+}
+
+bool Session::unsubscribe(const QString& filter)
+{
+    if (m_phase != Phase::Accepted) {
+        return false;
+    }
+    const int result = mosquitto_unsubscribe(m_handle.get(), nullptr, filter.toUtf8().constData());
+    watch();
+    return result == MOSQ_ERR_SUCCESS;
+}
+
+void Session::service()
+{
+    if (m_phase == Phase::Accepted) {
+        settle(mosquitto_loop_misc(m_handle.get()));
+    } else if (m_phase != Phase::Ended && m_clock.now() - m_opened >= kPatience) {
+        end({.kind = m_phase == Phase::Connecting ? EndKind::NoAnswer : EndKind::Silent});
+    }
+}
+
+// The first time it says how connecting went, which libmosquitto does not look at.
+void Session::socketWritable()
+{
+    if (m_phase == Phase::Connecting) {
+        m_phase = Phase::Greeting;
+        if (const auto failed = failureToConnect(mosquitto_socket(m_handle.get()))) {
+            end(*failed);
+            return;
+        }
+    }
+    pump();
+}
+
+// Reading also carries the TLS handshake on; when that is done there is something to write.
+void Session::pump()
+{
+    int result = mosquitto_loop_read(m_handle.get(), kOnePacket);
+    if (result == MOSQ_ERR_SUCCESS && mosquitto_want_write(m_handle.get())) {
+        result = mosquitto_loop_write(m_handle.get(), kOnePacket);
+    }
+    settle(result);
+}
+
+void Session::settle(int result)
+{
+    const Ending ending = endingOf(result);  // before anything else changes errno
+    if (const auto answer = std::exchange(m_answer, std::nullopt)) {
+        if (*answer != 0) {
+            end({.kind = kindOfRefusal(*answer)});
+            return;
+        }
+        m_phase = Phase::Accepted;
+        Q_EMIT accepted();
+    }
+    deliver();
+    if (m_phase == Phase::Ended) {
+        return;  // by a receiver
+    }
+    if (result != MOSQ_ERR_SUCCESS) {
+        end(ending);
+    } else if (m_phase == Phase::Greeting && hungUp()) {
+        end({.kind = EndKind::HungUp});
+    } else {
+        watch();
+    }
+}
+
+void Session::deliver()
+{
+    for (const Message& message : std::exchange(m_inbox, {})) {
+        if (m_phase == Phase::Accepted) {
+            Q_EMIT received(message.topic, message.payload);
+        }
+    }
+}
+
+bool Session::hungUp() const
+{
+    pollfd request{.fd = mosquitto_socket(m_handle.get()), .events = POLLRDHUP, .revents = 0};
+    return poll(&request, 1, 0) == 1 && (request.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0;
+}
+
+EndKind Session::kindOfRefusal(int code)
+{
+    switch (code) {
+        case 1:
+            return EndKind::ProtocolRefused;
+        case 2:
+            return EndKind::ClientIdRefused;
+        case 3:
+            return EndKind::NotServing;
+        case 4:
+        case 5:
+            return EndKind::LoginRefused;
+        default:
+            return EndKind::Nonsense;
+    }
+}
+
+Ending Session::endingOf(int result) const
+{
+    const int error = errno;
+    switch (result) {
+        case MOSQ_ERR_TLS:
+            if (m_tls && !m_tls->refusal().isEmpty()) {
+                return {.kind = EndKind::CertificateWrong, .detail = m_tls->refusal()};
+            }
+            return {.kind = EndKind::TlsRefused, .detail = m_tlsError};
+        case MOSQ_ERR_KEEPALIVE:
+            return {.kind = EndKind::NoPulse};
+        case MOSQ_ERR_PROTOCOL:
+        case MOSQ_ERR_MALFORMED_PACKET:
+            return {.kind = EndKind::Nonsense};
+        case MOSQ_ERR_NOMEM:
+        case MOSQ_ERR_INVAL:
+            return {.kind = EndKind::Local, .detail = QString::fromUtf8(mosquitto_strerror(result))};
+        default:
+            break;
+    }
+    if (m_phase == Phase::Connecting) {
+        return {.kind = EndKind::ConnectionFailed, .detail = systemText(error)};
+    }
+    if (m_phase == Phase::Greeting) {
+        return {.kind = EndKind::HungUp};
+    }
+    const bool closed = result == MOSQ_ERR_CONN_LOST || error == EPROTO || error == 0;
+    return {.kind = EndKind::Lost, .detail = closed ? Text::tr("closed by the broker") : systemText(error)};
+}
+
+// Of an encrypted connection libmosquitto asks to write from the beginning of the handshake to its end, without having
+// anything to write.
+void Session::watch()
+{
+    const bool isOpen = m_phase != Phase::Ended && mosquitto_socket(m_handle.get()) >= 0;
+    const bool mayWrite = m_phase == Phase::Accepted || (m_phase == Phase::Greeting && !m_tls);
+    m_readable.setEnabled(isOpen && m_phase != Phase::Connecting);
+    m_writable.setEnabled(isOpen &&
+                          (m_phase == Phase::Connecting || (mayWrite && mosquitto_want_write(m_handle.get()))));
+}
+
+void Session::end(const Ending& ending)
+{
+    if (m_phase == Phase::Ended) {
+        return;
+    }
+    drop();
+    Q_EMIT ended(ending);
+}
+
+}  // namespace boresight::mqtt

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/mqtt/broker.h"
+#include "core/mqtt/ending.h"
+#include "core/mqtt/tls_context.h"
+
+#include <QHostAddress>
+#include <QObject>
+#include <QSocketNotifier>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+struct mosquitto;  // libmosquitto's client
+
+// One connection to a broker, from the first packet to its end; for the next one a new Session is made. MQTT 3.1.1,
+// quality of service 0, clean. session.cpp is the only user of libmosquitto. Lives in its owner's event loop: no
+// thread, nothing blocks.
+//
+// libmosquitto does not notice everything by itself: a refused encrypted connection, a broker that takes the connection
+// and is silent, one that hangs up in the middle of the TLS handshake. So the socket is watched here as well, and there
+// is a deadline.
+namespace boresight::mqtt {
+
+class Session : public QObject
+{
+    Q_OBJECT
+
+public:
+    // From the first packet to the broker's consent.
+    static constexpr std::chrono::seconds kPatience{10};
+    // A broker that is silent for so long is asked, and given up if it does not answer for as long again.
+    static constexpr std::chrono::seconds kKeepAlive{15};
+
+    // `tls` is empty without encryption; `will` is what the broker tells the others when we are gone without a word.
+    Session(const Broker& broker, std::shared_ptr<TlsContext> tls, const std::optional<Message>& will,
+            const Clock& clock, QObject* parent = nullptr);
+    // Without goodbye(): the broker then tells the will.
+    ~Session() override;
+
+    // ended() tells, later, if it does not work.
+    void open(const QHostAddress& address);
+    void goodbye();
+    // Without ended() and any other signal from here on.
+    void drop();
+
+    // While accepted; false if the broker is gone, which ended() will tell too.
+    bool publish(const Message& message);
+    bool subscribe(const QString& filter);
+    bool unsubscribe(const QString& filter);
+
+    // Deadlines and the keep-alive: to be called some times a second.
+    void service();
+
+Q_SIGNALS:
+    void accepted();
+    void received(const QString& topic, const QByteArray& payload);
+    void ended(const boresight::mqtt::Ending& ending);
+
+private:
+    enum class Phase
+    {
+        Connecting,
+        Greeting,  // connected; TLS handshake, CONNECT, CONNACK
+        Accepted,
+        Ended
+    };
+    struct Callbacks;
+    struct Destroy
+    {
+        void operator()(mosquitto* handle) const;
+    };
+
+    [[nodiscard]] bool prepare();
+    void socketWritable();
+    void pump();
+    void settle(int result);
+    void deliver();
+    [[nodiscard]] bool hungUp() const;
+    [[nodiscard]] Ending endingOf(int result) const;
+    [[nodiscard]] static EndKind kindOfRefusal(int code);
+    void watch();
+    void end(const Ending& ending);
+
+    Broker m_broker;
+    std::shared_ptr<TlsContext> m_tls;
+    std::optional<Message> m_will;
+    const Clock& m_clock;
+    std::unique_ptr<mosquitto, Destroy> m_handle;
+    QSocketNotifier m_readable;
+    QSocketNotifier m_writable;
+    Phase m_phase = Phase::Connecting;
+    SteadyTime m_opened{};
+    // What libmosquitto told while it ran: acted upon when it has returned, for it must not be destroyed before.
+    std::optional<int> m_answer;
+    std::vector<Message> m_inbox;
+    QString m_tlsError;
+};
+
+}  // namespace boresight::mqtt

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mqtt/state_publisher.h"
+
+#include "core/mqtt/client.h"
+
+#include <QDateTime>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <cmath>
+
+namespace boresight::mqtt {
+namespace {
+
+// A ten thousandth of a degree: finer than any encoder here, and short to write.
+double shownDegrees(Angle angle)
+{
+    constexpr double kSteps = 1e4;
+    return std::round(angle.degrees() * kSteps) / kSteps;
+}
+
+QJsonValue toValue(const std::optional<Angle>& angle)
+{
+    return angle ? QJsonValue(shownDegrees(*angle)) : QJsonValue();
+}
+
+std::optional<Angle> azimuthOf(const std::optional<SkyPointing>& direction)
+{
+    return direction ? std::optional(direction->azimuth) : std::nullopt;
+}
+
+std::optional<Angle> elevationOf(const std::optional<SkyPointing>& direction)
+{
+    return direction ? std::optional(direction->elevation) : std::nullopt;
+}
+
+QJsonValue toValue(const std::optional<SkyPointing>& direction)
+{
+    return direction ? QJsonValue(QJsonObject{{QStringLiteral("azimuth"), shownDegrees(direction->azimuth)},
+                                              {QStringLiteral("elevation"), shownDegrees(direction->elevation)}})
+                     : QJsonValue();
+}
+
+QString slashed(const QString& prefix)
+{
+    return prefix.endsWith(QLatin1Char('/')) ? prefix : prefix + QLatin1Char('/');
+}
+
+}  // namespace
+
+QByteArray toJson(const PublishedState& state)
+{
+    const auto time = std::chrono::duration_cast<std::chrono::milliseconds>(state.utc.time_since_epoch()).count();
+    const QJsonObject axes{{QStringLiteral("azimuth"), toValue(state.azimuthAxis)},
+                           {QStringLiteral("elevation"), toValue(state.elevationAxis)}};
+    const QJsonObject units{{QStringLiteral("ts"), QStringLiteral("milliseconds")},
+                            {QStringLiteral("orientation"), QStringLiteral("decimal degrees")}};
+    const QJsonObject all{
+        {QStringLiteral("dateTime"), QDateTime::fromMSecsSinceEpoch(time, Qt::UTC).toString(Qt::ISODate)},
+        {QStringLiteral("ts"), QString::number(time)},
+        {QStringLiteral("state"), state.state},
+        {QStringLiteral("fault"), state.fault},
+        {QStringLiteral("stopLatched"), state.stopLatched},
+        {QStringLiteral("limited"), state.limited},
+        {QStringLiteral("simulated"), state.simulated},
+        {QStringLiteral("azimuth"), toValue(azimuthOf(state.actual))},
+        {QStringLiteral("elevation"), toValue(elevationOf(state.actual))},
+        {QStringLiteral("commanded"), toValue(state.commanded)},
+        {QStringLiteral("target"), toValue(state.target)},
+        {QStringLiteral("targetText"), state.targetText},
+        {QStringLiteral("commander"), state.commander},
+        {QStringLiteral("axes"), axes},
+        {QStringLiteral("units"), units}};
+    return QJsonDocument(all).toJson(QJsonDocument::Compact);
+}
+
+StatePublisher::StatePublisher(Client& client, const Clock& clock, const QString& prefix, QObject* parent)
+    : QObject(parent), m_client(client), m_clock(clock), m_prefix(slashed(prefix))
+{
+    connect(&client, &Client::connected, this, &StatePublisher::sayOnline);
+    if (client.isConnected()) {
+        sayOnline();
+    }
+}
+
+Message StatePublisher::will(const QString& prefix)
+{
+    return {.topic = slashed(prefix) + QStringLiteral("availability"), .payload = "offline", .retain = Retain::Yes};
+}
+
+void StatePublisher::sayOnline()
+{
+    Message message = will(m_prefix);
+    message.payload = "online";
+    m_client.publish(message);
+    m_lastTime.reset();
+}
+
+void StatePublisher::sayOffline()
+{
+    m_client.publish(will(m_prefix));
+}
+
+bool StatePublisher::isNews(const PublishedState& state) const
+{
+    return !m_lastTime || m_clock.now() - *m_lastTime >= kPeriod || state.state != m_last.state ||
+           state.fault != m_last.fault || state.stopLatched != m_last.stopLatched || state.limited != m_last.limited;
+}
+
+void StatePublisher::show(const PublishedState& state)
+{
+    if (!m_client.isConnected() || !isNews(state)) {
+        return;
+    }
+    m_client.publish({.topic = m_prefix + QStringLiteral("state"), .payload = toJson(state)});
+    m_lastTime = m_clock.now();
+    m_last = state;
+}
+
+}  // namespace boresight::mqtt

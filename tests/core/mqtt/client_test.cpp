@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The client with a real broker that lets it in, sooner or later.
+#include "core/mqtt/client.h"
+
+#include "tests/core/mqtt/mqtt_rig.h"
+#include "tests/fakes/mqtt_broker.h"
+
+#include <QFile>
+
+#include <gmock/gmock.h>
+
+namespace boresight::mqtt {
+namespace {
+
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const QString kTopic = QStringLiteral("antenna/orientation");
+
+class MqttClient : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        if (!fakes::MqttBroker::isInstalled()) {
+            GTEST_SKIP() << "no mosquitto, mosquitto_passwd or openssl (Debian packages mosquitto and openssl)";
+        }
+    }
+};
+
+TEST_F(MqttClient, BringsWhatOthersPublish)
+{
+    fakes::MqttBroker broker;
+    ASSERT_TRUE(broker.start());
+    Rig reader;
+    reader.client.subscribe(QStringLiteral("antenna/#"));
+    reader.client.open(onLoopback(broker.port()));
+    ASSERT_TRUE(reader.connected());
+    reader.client.subscribe(QStringLiteral("later"));
+    Rig writer;
+    EXPECT_FALSE(writer.client.publish({.topic = kTopic, .payload = "lost"}));
+    writer.client.open(onLoopback(broker.port()));
+    ASSERT_TRUE(writer.connected());
+    const QByteArray odd("{\"ts\": 1, \"az\": \"\xC2\xB0\"}\0\n", 26);
+    EXPECT_TRUE(writer.client.publish({.topic = kTopic, .payload = odd}));
+    EXPECT_TRUE(writer.client.publish({.topic = QStringLiteral("elsewhere"), .payload = "not for us"}));
+    EXPECT_TRUE(writer.client.publish({.topic = QStringLiteral("later"), .payload = ""}));
+    ASSERT_TRUE(reader.received(2));
+    EXPECT_THAT(reader.messages, ElementsAre(Message{.topic = kTopic, .payload = odd},
+                                             Message{.topic = QStringLiteral("later"), .payload = ""}));
+    EXPECT_THAT(reader.problems, IsEmpty());
+}
+
+// Twice the rate that the sensor would have if it sent each reading.
+TEST_F(MqttClient, LosesNothingOfABurst)
+{
+    fakes::MqttBroker broker;
+    ASSERT_TRUE(broker.start());
+    Rig rig;
+    rig.client.subscribe(kTopic);
+    rig.client.open(onLoopback(broker.port()));
+    ASSERT_TRUE(rig.connected());
+    for (int i = 0; i < 500; ++i) {
+        ASSERT_TRUE(rig.client.publish({.topic = kTopic, .payload = QByteArray::number(i).repeated(100)}));
+    }
+    ASSERT_TRUE(rig.received(500));
+    for (int i = 0; i < 500; ++i) {
+        EXPECT_EQ(rig.messages[static_cast<std::size_t>(i)].payload, QByteArray::number(i).repeated(100));
+    }
+}
+
+TEST_F(MqttClient, IsLetInByItsPassword)
+{
+    fakes::MqttBroker broker(fakes::MqttBroker::Door::Password);
+    ASSERT_TRUE(broker.start());
+    Rig rig;
+    Broker with = onLoopback(broker.port());
+    with.user = QStringLiteral("mount");
+    with.password = QStringLiteral("s3cret");
+    rig.client.open(with);
+    EXPECT_TRUE(rig.connected());
+    EXPECT_THAT(rig.problems, IsEmpty());
+}
+
+TEST_F(MqttClient, AWrongPasswordIsToldOnceHoweverOftenItIsTried)
+{
+    fakes::MqttBroker broker(fakes::MqttBroker::Door::Password);
+    ASSERT_TRUE(broker.start());
+    Rig rig;
+    Broker with = onLoopback(broker.port());
+    with.user = QStringLiteral("mount");
+    with.password = QStringLiteral("secret");
+    rig.client.open(with);
+    for (const int delay : {1, 2, 4, 8, 16, 30, 30}) {
+        ASSERT_TRUE(rig.failed());
+        EXPECT_EQ(*rig.client.nextAttempt() - rig.clock.now(), std::chrono::seconds(delay));
+        rig.letTimePass(Seconds(delay - 1));
+        ASSERT_TRUE(rig.client.nextAttempt()) << "too early";
+        rig.letTimePass(Seconds(1));
+        ASSERT_FALSE(rig.client.nextAttempt());
+    }
+    ASSERT_TRUE(rig.failed());
+    EXPECT_EQ(broker.count("Sending CONNACK"), 8);
+    EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("refuses the user \"mount\" or the password")));
+
+    with.password = QStringLiteral("s3cret");
+    rig.client.open(with);
+    EXPECT_TRUE(rig.connected());
+    EXPECT_THAT(rig.problems.back(), IsEmpty());
+}
+
+TEST_F(MqttClient, WithoutAUserTheBrokerSaysThatItWantsOne)
+{
+    fakes::MqttBroker broker(fakes::MqttBroker::Door::Password);
+    ASSERT_TRUE(broker.start());
+    Rig rig;
+    rig.client.open(onLoopback(broker.port()));
+    ASSERT_TRUE(rig.failed());
+    EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("wants a user name and a password")));
+}
+
+class MqttTls : public MqttClient
+{
+protected:
+    [[nodiscard]] static Broker to(const fakes::MqttBroker& broker, const char* host, const QString& caFile)
+    {
+        return {.host = QLatin1String(host), .port = broker.port(), .encryption = Encryption::Tls, .caFile = caFile};
+    }
+    // The line about a failed attempt.
+    [[nodiscard]] static std::string refused(const Broker& broker)
+    {
+        Rig rig;
+        rig.client.open(broker);
+        EXPECT_TRUE(rig.failed());
+        EXPECT_EQ(rig.problems.size(), 1U);
+        return rig.problems.empty() ? std::string() : rig.problems.back();
+    }
+};
+
+TEST_F(MqttTls, TrustsTheAuthorityOfTheFileByNameAndByAddress)
+{
+    fakes::MqttBroker broker(fakes::MqttBroker::Door::Tls);
+    ASSERT_TRUE(broker.start());
+    for (const char* const host : {"localhost", "127.0.0.1"}) {
+        Rig rig;
+        const LoopWatch watch;
+        rig.client.subscribe(kTopic);
+        rig.client.open(to(broker, host, broker.caFile()));
+        ASSERT_TRUE(rig.connected()) << host;
+        EXPECT_LT(watch.longest(), kLongestStall);
+        RecordProperty("longest_stall_ms", static_cast<int>(watch.longest().count()));
+        // More than one TLS record, so that some of it waits in OpenSSL's buffer.
+        const QByteArray large(40'000, 'x');
+        EXPECT_TRUE(rig.client.publish({.topic = kTopic, .payload = large}));
+        EXPECT_TRUE(rig.client.publish({.topic = kTopic, .payload = "small"}));
+        ASSERT_TRUE(rig.received(2));
+        EXPECT_THAT(rig.messages, ElementsAre(Message{.topic = kTopic, .payload = large},
+                                              Message{.topic = kTopic, .payload = "small"}));
+        EXPECT_THAT(rig.problems, IsEmpty());
+    }
+}
+
+TEST_F(MqttTls, RefusesACertificateOfAnotherAuthority)
+{
+    fakes::MqttBroker broker(fakes::MqttBroker::Door::Tls);
+    ASSERT_TRUE(broker.start());
+    EXPECT_THAT(
+        refused(to(broker, "localhost", broker.strangersCaFile())),
+        HasSubstr("its certificate is not signed by the authority in " + broker.strangersCaFile().toStdString()));
+    EXPECT_THAT(refused(to(broker, "localhost", {})), HasSubstr("signed by nobody this computer knows"));
+}
+
+TEST_F(MqttTls, RefusesACertificateOfAnotherName)
+{
+    fakes::MqttBroker broker(fakes::MqttBroker::Door::TlsOther);
+    ASSERT_TRUE(broker.start());
+    EXPECT_THAT(refused(to(broker, "localhost", broker.caFile())), HasSubstr("not made for \"localhost\""));
+    EXPECT_THAT(refused(to(broker, "127.0.0.1", broker.caFile())), HasSubstr("not made for \"127.0.0.1\""));
+}
+
+// A file that is mended while the program runs is read again.
+TEST_F(MqttTls, TakesAMendedCaFile)
+{
+    fakes::MqttBroker broker(fakes::MqttBroker::Door::Tls);
+    ASSERT_TRUE(broker.start());
+    const QString file = broker.caFile() + QStringLiteral(".link");
+    ASSERT_TRUE(QFile::link(broker.strangersCaFile(), file));
+    Rig rig;
+    rig.client.open(to(broker, "localhost", file));
+    ASSERT_TRUE(rig.failed());
+    ASSERT_TRUE(QFile::remove(file) && QFile::link(broker.caFile(), file));
+    rig.letTimePass(Seconds(1));
+    EXPECT_TRUE(rig.connected());
+    EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("not signed"), ""));
+}
+
+TEST_F(MqttTls, SaysSoWhenOnlyOneSideWantsEncryption)
+{
+    fakes::MqttBroker encrypted(fakes::MqttBroker::Door::Tls);
+    ASSERT_TRUE(encrypted.start());
+    EXPECT_THAT(refused(onLoopback(encrypted.port())), HasSubstr("does this port want TLS?"));
+    fakes::MqttBroker plain;
+    ASSERT_TRUE(plain.start());
+    EXPECT_THAT(refused(to(plain, "127.0.0.1", encrypted.caFile())),
+                HasSubstr("is mqtt.port the broker's port for TLS?"));
+}
+
+TEST_F(MqttTls, SaysSoWhenThereIsNoCaFile)
+{
+    fakes::MqttBroker broker(fakes::MqttBroker::Door::Tls);
+    EXPECT_THAT(refused(to(broker, "localhost", QStringLiteral("/no/such/file.pem"))),
+                EndsWith("no certificate of an authority can be read from /no/such/file.pem (No such file or "
+                         "directory): check mqtt.ca_file"));
+}
+
+TEST_F(MqttClient, ComesBackAfterTheBrokerDiedInTheMiddleOfAStream)
+{
+    fakes::MqttBroker broker;
+    ASSERT_TRUE(broker.start());
+    Rig reader;
+    reader.client.subscribe(kTopic);
+    reader.client.open(onLoopback(broker.port()));
+    Rig writer;
+    writer.client.open(onLoopback(broker.port()));
+    ASSERT_TRUE(reader.connected() && writer.connected());
+    EXPECT_TRUE(writer.client.publish({.topic = kTopic, .payload = "before"}));
+    ASSERT_TRUE(reader.received(1));
+
+    broker.kill();
+    for (int i = 0; i < 3; ++i) {
+        ASSERT_TRUE(reader.failed() && writer.failed());
+        EXPECT_FALSE(writer.client.publish({.topic = kTopic, .payload = "into the void"}));
+        reader.letTimePass(RetryDelay::kLongest);
+        writer.letTimePass(RetryDelay::kLongest);
+    }
+    ASSERT_TRUE(reader.failed() && writer.failed());
+    EXPECT_THAT(reader.problems, ElementsAre(HasSubstr("the connection is lost"), HasSubstr("Connection refused")));
+
+    ASSERT_TRUE(broker.start());
+    reader.letTimePass(RetryDelay::kLongest);
+    writer.letTimePass(RetryDelay::kLongest);
+    ASSERT_TRUE(reader.connected() && writer.connected());
+    EXPECT_TRUE(writer.client.publish({.topic = kTopic, .payload = "after"}));
+    ASSERT_TRUE(reader.received(2));
+    EXPECT_THAT(reader.messages, ElementsAre(Message{.topic = kTopic, .payload = "before"},
+                                             Message{.topic = kTopic, .payload = "after"}));
+    EXPECT_THAT(reader.problems.back(), IsEmpty());
+    EXPECT_EQ(reader.connections, 2);
+}
+
+// A connection that was good makes the next attempt come soon; of one that ends at once nobody knows why.
+TEST_F(MqttClient, TheDelayBeginsAnewOnlyAfterAGoodConnection)
+{
+    fakes::MqttBroker broker;
+    ASSERT_TRUE(broker.start());
+    Rig rig;
+    rig.client.open(onLoopback(broker.port()));
+    for (const int delay : {1, 2, 4}) {
+        ASSERT_TRUE(rig.connected());
+        broker.kill();
+        ASSERT_TRUE(rig.failed());
+        EXPECT_EQ(*rig.client.nextAttempt() - rig.clock.now(), std::chrono::seconds(delay));
+        ASSERT_TRUE(broker.start());
+        rig.letTimePass(Seconds(delay));
+    }
+    ASSERT_TRUE(rig.connected());
+    rig.clock.advance(Client::kStable);
+    broker.kill();
+    ASSERT_TRUE(rig.failed());
+    EXPECT_EQ(*rig.client.nextAttempt() - rig.clock.now(), RetryDelay::kFirst);
+}
+
+TEST_F(MqttClient, OfTwoOfOneNameTheFirstIsThrownOut)
+{
+    fakes::MqttBroker broker;
+    ASSERT_TRUE(broker.start());
+    Broker named = onLoopback(broker.port());
+    named.clientId = QStringLiteral("boresight");
+    Rig first;
+    first.client.open(named);
+    ASSERT_TRUE(first.connected());
+    Rig second;
+    second.client.open(named);
+    ASSERT_TRUE(second.connected());
+    ASSERT_TRUE(first.failed());
+    EXPECT_THAT(first.problems, ElementsAre(HasSubstr("the connection is lost (closed by the broker")));
+    EXPECT_TRUE(second.client.isConnected());
+}
+
+TEST_F(MqttClient, TheWillIsToldWhenTheProgramDiesAndNotWhenItSaysGoodbye)
+{
+    fakes::MqttBroker broker;
+    ASSERT_TRUE(broker.start());
+    const QString topic = QStringLiteral("boresight/availability");
+    const Message will{.topic = topic, .payload = "offline", .retain = Retain::Yes};
+    Rig other;
+    other.client.subscribe(topic);
+    other.client.open(onLoopback(broker.port()));
+    ASSERT_TRUE(other.connected());
+    {
+        Rig dying;
+        dying.client.open(onLoopback(broker.port()), will);
+        ASSERT_TRUE(dying.connected());
+    }
+    ASSERT_TRUE(other.received(1));
+    Rig polite;
+    polite.client.open(onLoopback(broker.port()), will);
+    ASSERT_TRUE(polite.connected());
+    polite.client.publish({.topic = topic, .payload = "online"});
+    polite.client.close();
+    EXPECT_FALSE(polite.client.isConnected());
+    other.client.publish({.topic = topic, .payload = "mark"});
+    ASSERT_TRUE(other.received(3));
+    EXPECT_THAT(other.messages,
+                ElementsAre(Message{.topic = topic, .payload = "offline"}, Message{.topic = topic, .payload = "online"},
+                            Message{.topic = topic, .payload = "mark"}));
+    Rig late;  // the broker has kept it
+    late.client.subscribe(topic);
+    late.client.open(onLoopback(broker.port()));
+    ASSERT_TRUE(late.received(1));
+    EXPECT_EQ(late.messages.front().payload, "offline");
+}
+
+TEST_F(MqttClient, MayBeClosedByWhoReceivesAMessage)
+{
+    fakes::MqttBroker broker;
+    ASSERT_TRUE(broker.start());
+    Rig rig;
+    rig.client.subscribe(kTopic);
+    rig.client.open(onLoopback(broker.port()));
+    ASSERT_TRUE(rig.connected());
+    QObject::connect(&rig.client, &Client::messageReceived, &rig.client, [&] { rig.client.close(); });
+    for (int i = 0; i < 10; ++i) {
+        rig.client.publish({.topic = kTopic, .payload = "x"});
+    }
+    ASSERT_TRUE(rig.received(1));
+    EXPECT_FALSE(rig.client.isConnected());
+    rig.client.open(onLoopback(broker.port()));
+    ASSERT_TRUE(rig.connected());
+    EXPECT_EQ(rig.messages.size(), 1U);
+    EXPECT_EQ(rig.connections, 2);
+}
+
+}  // namespace
+}  // namespace boresight::mqtt

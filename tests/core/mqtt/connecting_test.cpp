@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The client where no broker lets it in, with stand-ins for what may be there instead. The event loop goes on all the
+// time: the same loop feeds the drives, whose watchdog waits for 100 ms.
+#include "core/base/file_descriptor.h"
+#include "tests/core/mqtt/mqtt_rig.h"
+
+#include <QTcpServer>
+#include <QTcpSocket>
+
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <sys/socket.h>
+
+#include <functional>
+
+namespace boresight::mqtt {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// Listens and never answers: its queue is full, so that the system drops what knocks. What an address without a host
+// looks like.
+class DeafPort
+{
+public:
+    DeafPort() : m_listener(newSocket())
+    {
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        EXPECT_EQ(bind(m_listener.number(), generic(address), sizeof address), 0);
+        EXPECT_EQ(listen(m_listener.number(), 0), 0);
+        socklen_t size = sizeof address;
+        EXPECT_EQ(getsockname(m_listener.number(), generic(address), &size), 0);
+        m_port = ntohs(address.sin_port);
+        for (FileDescriptor& visitor : m_visitors) {
+            visitor = newSocket();
+            static_cast<void>(::connect(visitor.number(), generic(address), sizeof address));
+        }
+    }
+    [[nodiscard]] std::uint16_t port() const { return m_port; }
+
+private:
+    [[nodiscard]] static FileDescriptor newSocket()
+    {
+        return FileDescriptor(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+    }
+    [[nodiscard]] static sockaddr* generic(sockaddr_in& address) { return reinterpret_cast<sockaddr*>(&address); }
+
+    FileDescriptor m_listener;
+    std::array<FileDescriptor, 4> m_visitors;
+    std::uint16_t m_port = 0;
+};
+
+// Somebody who takes connections; what he does with what he reads is the test's choice.
+class StandIn
+{
+public:
+    using Behaviour = std::function<void(QTcpSocket& peer)>;
+
+    explicit StandIn(
+        Behaviour atOnce, Behaviour onData = [](QTcpSocket&) {})
+    {
+        EXPECT_TRUE(m_server.listen(QHostAddress::LocalHost));
+        QObject::connect(&m_server, &QTcpServer::newConnection, &m_server, [this, atOnce, onData] {
+            QTcpSocket* const peer = m_server.nextPendingConnection();
+            QObject::connect(peer, &QTcpSocket::readyRead, peer, [peer, onData] { onData(*peer); });
+            ++m_visits;
+            atOnce(*peer);
+        });
+    }
+    [[nodiscard]] std::uint16_t port() const { return m_server.serverPort(); }
+    [[nodiscard]] bool visited() const
+    {
+        return fakes::waitUntil([this] { return m_visits > 0; });
+    }
+
+private:
+    QTcpServer m_server;
+    int m_visits = 0;
+};
+
+StandIn silent()
+{
+    return StandIn([](QTcpSocket&) {});
+}
+
+Broker encrypted(Broker broker)
+{
+    broker.encryption = Encryption::Tls;
+    return broker;
+}
+
+std::uint16_t closedPort()
+{
+    QTcpServer server;
+    EXPECT_TRUE(server.listen(QHostAddress::LocalHost));
+    return server.serverPort();
+}
+
+TEST(MqttConnecting, AClosedPortIsToldWithAndWithoutTls)
+{
+    const Broker broker = onLoopback(closedPort());
+    for (const Broker& one : {broker, encrypted(broker)}) {
+        Rig rig;
+        const LoopWatch watch;
+        rig.client.open(one);
+        ASSERT_TRUE(rig.failed());
+        EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("no connection (Connection refused)")));
+        EXPECT_LT(watch.longest(), kLongestStall);
+    }
+}
+
+// "localhost" is ::1 first on most machines.
+TEST(MqttConnecting, EveryAddressOfANameIsTried)
+{
+    StandIn broker([](QTcpSocket&) {},
+                   [](QTcpSocket& peer) {
+                       if (peer.readAll().startsWith('\x10')) {
+                           peer.write(QByteArray("\x20\x02\0\0", 4));
+                       }
+                   });
+    Rig rig;
+    rig.client.open({.host = QStringLiteral("localhost"), .port = broker.port()});
+    EXPECT_TRUE(rig.connected());
+    EXPECT_THAT(rig.problems, IsEmpty());
+}
+
+TEST(MqttConnecting, AnUnreachableAddressDoesNotHoldTheLoopUp)
+{
+    const DeafPort port;
+    const Broker broker = onLoopback(port.port());
+    for (const Broker& one : {broker, encrypted(broker)}) {
+        Rig rig;
+        LoopWatch watch;
+        rig.client.open(one);
+        EXPECT_LT(watch.turnsIn(std::chrono::milliseconds(300)), 1000) << "the loop runs hot";
+        rig.letTimePass(Seconds(9));
+        EXPECT_FALSE(rig.client.nextAttempt());
+        rig.letTimePass(Seconds(1));
+        ASSERT_TRUE(rig.client.nextAttempt());
+        EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("no answer: check mqtt.host, the network and the firewall")));
+        for (int i = 0; i < 3; ++i) {
+            rig.letTimePass(RetryDelay::kLongest);
+            EXPECT_FALSE(rig.client.nextAttempt());
+            rig.letTimePass(Seconds(10));
+            ASSERT_TRUE(rig.client.nextAttempt());
+        }
+        EXPECT_EQ(rig.problems.size(), 1U);
+        RecordProperty("longest_stall_ms", static_cast<int>(watch.longest().count()));
+        EXPECT_LT(watch.longest(), kLongestStall);
+    }
+}
+
+TEST(MqttConnecting, SomebodyWhoSaysNothingIsGivenUp)
+{
+    const StandIn somebody = silent();
+    const Broker broker = onLoopback(somebody.port());
+    for (const Broker& one : {broker, encrypted(broker)}) {
+        Rig rig;
+        LoopWatch watch;
+        rig.client.open(one);
+        ASSERT_TRUE(somebody.visited());
+        EXPECT_LT(watch.turnsIn(std::chrono::milliseconds(300)), 1000) << "the loop runs hot";
+        rig.letTimePass(Seconds(10));
+        EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("takes the connection and says nothing")));
+        EXPECT_LT(watch.longest(), kLongestStall);
+    }
+}
+
+// In the middle of a TLS handshake libmosquitto does not notice.
+TEST(MqttConnecting, SomebodyWhoHangsUpIsTold)
+{
+    const auto hangUp = [](QTcpSocket& peer) { peer.disconnectFromHost(); };
+    const auto slam = [](QTcpSocket& peer) { peer.abort(); };
+    for (const auto& [atOnce, onData] : {std::pair<StandIn::Behaviour, StandIn::Behaviour>(hangUp, hangUp),
+                                         {[](QTcpSocket&) {}, hangUp},
+                                         {[](QTcpSocket&) {}, slam}}) {
+        const StandIn somebody(atOnce, onData);
+        const Broker broker = onLoopback(somebody.port());
+        for (const Broker& one : {broker, encrypted(broker)}) {
+            Rig rig;
+            rig.client.open(one);
+            ASSERT_TRUE(rig.failed());
+            EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("is mqtt.port")));
+        }
+    }
+}
+
+TEST(MqttConnecting, ARefusalIsToldInWords)
+{
+    for (const auto& [code, words] : {std::pair{'\1', "refuses MQTT 3.1.1"},
+                                      {'\2', "refuses the client id \"b1\""},
+                                      {'\3', "does not serve at the moment"},
+                                      {'\4', "refuses the user"},
+                                      {'\5', "refuses the user"},
+                                      {'\6', "is not MQTT"}}) {
+        const StandIn broker([](QTcpSocket&) {},
+                             [code = code](QTcpSocket& peer) {
+                                 peer.write(QByteArray("\x20\x02\0", 3) + code);
+                                 peer.disconnectFromHost();
+                             });
+        Rig rig;
+        Broker who = onLoopback(broker.port());
+        who.clientId = QStringLiteral("b1");
+        who.user = QStringLiteral("mount");
+        rig.client.open(who);
+        ASSERT_TRUE(rig.failed());
+        EXPECT_THAT(rig.problems, ElementsAre(HasSubstr(words)));
+    }
+}
+
+TEST(MqttConnecting, WhatIsNotMqttIsTold)
+{
+    const StandIn server([](QTcpSocket& peer) { peer.write(QByteArray(200, '\x20')); });
+    Rig rig;
+    rig.client.open(onLoopback(server.port()));
+    ASSERT_TRUE(rig.failed());
+    EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("is mqtt.port")));
+}
+
+TEST(MqttConnecting, ANameThatIsNoneIsTold)
+{
+    Rig rig;
+    rig.client.open({.host = QStringLiteral("broker..example")});
+    ASSERT_TRUE(rig.failed());
+    EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("the name cannot be resolved")));
+}
+
+TEST(MqttConnecting, ClosingEndsAnAttemptInEveryPhase)
+{
+    const DeafPort deaf;
+    const StandIn somebody = silent();
+    for (const Broker& broker : {onLoopback(deaf.port()), onLoopback(somebody.port()),
+                                 Broker{.host = QStringLiteral("localhost"), .port = somebody.port()}}) {
+        Rig rig;
+        rig.client.open(broker);
+        rig.client.close();
+        rig.letTimePass(Seconds(60));
+        EXPECT_FALSE(rig.client.nextAttempt());
+        EXPECT_THAT(rig.problems, IsEmpty());
+    }
+}
+
+}  // namespace
+}  // namespace boresight::mqtt

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mqtt/retry_delay.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace boresight::mqtt {
+namespace {
+
+TEST(MqttRetryDelay, GrowsToHalfAMinuteAndBeginsAnew)
+{
+    RetryDelay delay;
+    std::vector<long> seconds;
+    for (int i = 0; i < 8; ++i) {
+        seconds.push_back(delay.next().count());
+    }
+    EXPECT_EQ(seconds, (std::vector<long>{1, 2, 4, 8, 16, 30, 30, 30}));
+    delay.reset();
+    EXPECT_EQ(delay.next(), std::chrono::seconds(1));
+}
+
+}  // namespace
+}  // namespace boresight::mqtt

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mqtt/state_publisher.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight::mqtt {
+namespace {
+
+// 2026-11-21T18:17:30.250Z
+const UtcTime kWhen{std::chrono::milliseconds{1795285050250}};
+
+TEST(MqttStateMessage, IsOneLineInTheSensorsStyle)
+{
+    const PublishedState state{.utc = kWhen,
+                               .state = QStringLiteral("TRACK"),
+                               .limited = true,
+                               .simulated = true,
+                               .actual = SkyPointing{12.345678_deg, 33.3_deg},
+                               .commanded = SkyPointing{12.35_deg, 33.25_deg},
+                               .target = SkyPointing{13.0_deg, 34.0_deg},
+                               .azimuthAxis = 372.345678_deg,
+                               .elevationAxis = 33.3_deg,
+                               .targetText = QStringLiteral("P 13.00 34.00"),
+                               .commander = QStringLiteral("rotctld 127.0.0.1:51234")};
+    EXPECT_EQ(toJson(state).toStdString(),
+              R"({"axes":{"azimuth":372.3457,"elevation":33.3},"azimuth":12.3457,)"
+              R"("commanded":{"azimuth":12.35,"elevation":33.25},"commander":"rotctld 127.0.0.1:51234",)"
+              R"("dateTime":"2026-11-21T18:17:30Z","elevation":33.3,"fault":"","limited":true,"simulated":true,)"
+              R"("state":"TRACK","stopLatched":false,"target":{"azimuth":13,"elevation":34},)"
+              R"("targetText":"P 13.00 34.00","ts":"1795285050250",)"
+              R"("units":{"orientation":"decimal degrees","ts":"milliseconds"}})");
+}
+
+TEST(MqttStateMessage, SaysNullForWhatIsNotKnown)
+{
+    const PublishedState state{.utc = kWhen,
+                               .state = QStringLiteral("FAULT"),
+                               .fault = QStringLiteral("azimuth: \"38\""),
+                               .stopLatched = true};
+    EXPECT_EQ(toJson(state).toStdString(),
+              R"({"axes":{"azimuth":null,"elevation":null},"azimuth":null,"commanded":null,"commander":"",)"
+              R"("dateTime":"2026-11-21T18:17:30Z","elevation":null,"fault":"azimuth: \"38\"","limited":false,)"
+              R"("simulated":false,"state":"FAULT","stopLatched":true,"target":null,"targetText":"",)"
+              R"("ts":"1795285050250","units":{"orientation":"decimal degrees","ts":"milliseconds"}})");
+}
+
+}  // namespace
+}  // namespace boresight::mqtt

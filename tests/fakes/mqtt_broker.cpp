@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/fakes/mqtt_broker.h"
+
+#include "tests/fakes/wait_until.h"
+
+#include <QFile>
+#include <QStandardPaths>
+#include <QTcpServer>
+
+#include <gtest/gtest.h>
+
+namespace boresight::fakes {
+namespace {
+
+// Debian keeps it where only root looks.
+QString broker()
+{
+    const QString name = QStringLiteral("mosquitto");
+    const QString found = QStandardPaths::findExecutable(name);
+    return found.isEmpty()
+               ? QStandardPaths::findExecutable(name, {QStringLiteral("/usr/sbin"), QStringLiteral("/usr/local/sbin")})
+               : found;
+}
+
+void run(const QString& program, const QStringList& arguments)
+{
+    Program running(program, arguments);
+    EXPECT_EQ(running.waitForEnd(), 0) << running.errors().toStdString();
+}
+
+std::uint16_t freePort()
+{
+    QTcpServer server;
+    EXPECT_TRUE(server.listen(QHostAddress::LocalHost));
+    return server.serverPort();
+}
+
+}  // namespace
+
+bool MqttBroker::isInstalled()
+{
+    const auto isThere = [](const char* name) {
+        return !QStandardPaths::findExecutable(QLatin1String(name)).isEmpty();
+    };
+    return !broker().isEmpty() && isThere("mosquitto_passwd") && isThere("openssl");
+}
+
+MqttBroker::MqttBroker(Door door) : m_door(door), m_port(freePort())
+{
+    if (m_door == Door::Tls || m_door == Door::TlsOther) {
+        makeCertificates();
+    } else if (m_door == Door::Password) {
+        run(QStringLiteral("mosquitto_passwd"), {QStringLiteral("-c"), QStringLiteral("-b"), file("passwords"),
+                                                 QStringLiteral("mount"), QStringLiteral("s3cret")});
+    }
+    configure();
+}
+
+void MqttBroker::write(const char* name, const QByteArray& bytes) const
+{
+    QFile target(file(name));
+    ASSERT_TRUE(target.open(QIODevice::WriteOnly));
+    target.write(bytes);
+}
+
+void MqttBroker::makeCertificates() const
+{
+    const auto request = [this](const char* name, const QStringList& more) {
+        QStringList arguments{QStringLiteral("req"),
+                              QStringLiteral("-x509"),
+                              QStringLiteral("-nodes"),
+                              QStringLiteral("-days"),
+                              QStringLiteral("2"),
+                              QStringLiteral("-newkey"),
+                              QStringLiteral("ec"),
+                              QStringLiteral("-pkeyopt"),
+                              QStringLiteral("ec_paramgen_curve:P-256"),
+                              QStringLiteral("-subj"),
+                              QStringLiteral("/CN=%1").arg(QLatin1String(name)),
+                              QStringLiteral("-out"),
+                              file(name) + QStringLiteral(".pem"),
+                              QStringLiteral("-keyout"),
+                              file(name) + QStringLiteral(".key")};
+        run(QStringLiteral("openssl"), arguments + more);
+    };
+    const QString names =
+        m_door == Door::Tls ? QStringLiteral("DNS:localhost,IP:127.0.0.1") : QStringLiteral("DNS:broker.example");
+    request("ca", {});
+    request("stranger", {});
+    request("server", {QStringLiteral("-CA"), file("ca.pem"), QStringLiteral("-CAkey"), file("ca.key"),
+                       QStringLiteral("-addext"), QStringLiteral("subjectAltName=") + names, QStringLiteral("-addext"),
+                       QStringLiteral("basicConstraints=CA:FALSE")});
+}
+
+void MqttBroker::configure()
+{
+    // "user root": started as root it would else become a user that cannot read the folder.
+    QString text =
+        QStringLiteral("listener %1 127.0.0.1\nuser root\npersistence false\nlog_dest stderr\nlog_type all\n")
+            .arg(m_port);
+    switch (m_door) {
+        case Door::Open:
+            text += QStringLiteral("allow_anonymous true\n");
+            break;
+        case Door::Password:
+            text += QStringLiteral("allow_anonymous false\npassword_file %1\n").arg(file("passwords"));
+            break;
+        case Door::Tls:
+        case Door::TlsOther:
+            text += QStringLiteral("allow_anonymous true\ncafile %1\ncertfile %2\nkeyfile %3\n")
+                        .arg(caFile(), file("server.pem"), file("server.key"));
+            break;
+    }
+    write("mosquitto.conf", text.toUtf8());
+}
+
+bool MqttBroker::start()
+{
+    m_process = std::make_unique<Program>(broker(), QStringList{QStringLiteral("-c"), file("mosquitto.conf")});
+    return waitUntil([this] { return log().contains(QLatin1String(" running")); });
+}
+
+void MqttBroker::stop()
+{
+    m_process->terminate();
+    EXPECT_EQ(m_process->waitForEnd(), 0);
+}
+
+void MqttBroker::kill()
+{
+    m_process->kill();
+    EXPECT_EQ(m_process->waitForEnd(), -1);
+}
+
+}  // namespace boresight::fakes
