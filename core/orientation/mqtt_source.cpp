@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/orientation/mqtt_source.h"
+
+#include "core/base/control_characters.h"
+#include "core/base/text.h"
+#include "core/mqtt/ending.h"
+
+#include <QLoggingCategory>
+
+#include <utility>
+
+namespace boresight::orientation {
+namespace {
+
+Q_LOGGING_CATEGORY(lcSensor, "boresight.sensor.mqtt")
+
+}  // namespace
+
+MqttSource::MqttSource(mqtt::Client& client, const MqttTopics& topics, const Clock& clock, QObject* parent)
+    : Source(parent), m_client(client), m_topics(topics), m_clock(clock), m_silence(this)
+{
+    m_silence.setSingleShot(true);
+    connect(&m_silence, &QTimer::timeout, this, &MqttSource::tellSilence);
+}
+
+MqttSource::~MqttSource()
+{
+    stopListening();
+}
+
+QString MqttSource::name() const
+{
+    return QStringLiteral("mqtt ") + mqtt::toText(m_client.broker());
+}
+
+void MqttSource::open()
+{
+    if (m_wanted) {
+        return;
+    }
+    m_wanted = true;
+    connect(&m_client, &mqtt::Client::connected, this, &MqttSource::showConnection);
+    connect(&m_client, &mqtt::Client::problemChanged, this, &MqttSource::showConnection);
+    connect(&m_client, &mqtt::Client::messageReceived, this, &MqttSource::take);
+    for (const QString& topic : {m_topics.orientation, m_topics.status, m_topics.calibration}) {
+        m_client.subscribe(topic);
+    }
+    showConnection();
+}
+
+void MqttSource::close()
+{
+    stopListening();
+    show(false, {});
+}
+
+void MqttSource::stopListening()
+{
+    if (!std::exchange(m_wanted, false)) {
+        return;
+    }
+    m_client.disconnect(this);
+    for (const QString& topic : {m_topics.orientation, m_topics.status, m_topics.calibration}) {
+        m_client.unsubscribe(topic);
+    }
+    m_silence.stop();
+}
+
+void MqttSource::showConnection()
+{
+    const bool isConnected = m_client.isConnected();
+    if (!isConnected) {
+        m_silence.stop();
+    } else if (!m_status.open) {
+        m_refused.reset();
+        m_silence.start(m_topics.silence);
+    }
+    // What was wrong with the messages is over with the first that is right.
+    show(isConnected, isConnected && m_status.open ? m_status.problem : m_client.problem());
+}
+
+std::optional<Topic> MqttSource::topicOf(const QString& name) const
+{
+    return name == m_topics.orientation   ? std::optional(Topic::Orientation)
+           : name == m_topics.status      ? std::optional(Topic::Status)
+           : name == m_topics.calibration ? std::optional(Topic::Calibration)
+                                          : std::nullopt;
+}
+
+void MqttSource::take(const QString& name, const QByteArray& payload)
+{
+    const auto topic = topicOf(name);
+    if (!topic) {
+        return;
+    }
+    const auto parsed = m_reader.take(*topic, payload, m_clock.now());
+    m_status.counts = m_reader.counts();
+    if (!parsed) {
+        m_refused = parsed.error();
+        qCDebug(lcSensor) << "refused:" << toText(parsed.error()).c_str() << printable(payload.toStdString()).c_str();
+    } else if (*parsed) {
+        m_refused.reset();
+        m_silence.start(m_topics.silence);
+        show(true, {});
+        Q_EMIT received(**parsed);
+    }
+}
+
+void MqttSource::tellSilence()
+{
+    show(true, m_refused ? Text::tr("%1: what comes on %2 is no message of the sensor (%3)")
+                               .arg(name(), m_topics.orientation, toQString(toText(*m_refused)))
+                         : Text::tr("%1: nothing comes on %2: has the sensor power and WiFi, and is this its topic?")
+                               .arg(name(), m_topics.orientation));
+}
+
+void MqttSource::show(bool open, const QString& problem)
+{
+    if (m_status.open != open || m_status.problem != problem) {
+        m_status.open = open;
+        m_status.problem = problem;
+        Q_EMIT statusChanged(m_status);
+    }
+}
+
+}  // namespace boresight::orientation

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mqtt/client.h"
+#include "core/orientation/json_payload.h"
+#include "core/orientation/source.h"
+
+#include <QTimer>
+
+#include <optional>
+
+// The sensor's messages by an MQTT broker. The connection is somebody else's, who opens it and shares it with others:
+// this only listens on three topics, and works without the last two, which newer firmware hardly sends. Station thread.
+namespace boresight::orientation {
+
+struct MqttTopics
+{
+    QString orientation = QStringLiteral("antenna/orientation");
+    QString status = QStringLiteral("antenna/status");
+    QString calibration = QStringLiteral("antenna/calibration");
+    // Connected for so long without an orientation: then it is said.
+    std::chrono::milliseconds silence{5000};
+};
+
+class MqttSource final : public Source
+{
+    Q_OBJECT
+
+public:
+    // `client` and `clock` outlive the source.
+    MqttSource(mqtt::Client& client, const MqttTopics& topics, const Clock& clock, QObject* parent = nullptr);
+    ~MqttSource() override;
+
+    [[nodiscard]] QString name() const override;
+    [[nodiscard]] const SourceStatus& status() const override { return m_status; }
+    void open() override;
+    void close() override;
+
+private:
+    void stopListening();
+    void showConnection();
+    void take(const QString& topic, const QByteArray& payload);
+    [[nodiscard]] std::optional<Topic> topicOf(const QString& name) const;
+    void tellSilence();
+    void show(bool open, const QString& problem);
+
+    mqtt::Client& m_client;
+    MqttTopics m_topics;
+    const Clock& m_clock;
+    PayloadReader m_reader;
+    QTimer m_silence;
+    std::optional<Refused> m_refused;  // the last message, if it was
+    bool m_wanted = false;
+    SourceStatus m_status;
+};
+
+}  // namespace boresight::orientation

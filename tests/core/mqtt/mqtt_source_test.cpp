@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sensor's messages by a real broker.
+#include "core/orientation/mqtt_source.h"
+
+#include "tests/core/mqtt/mqtt_rig.h"
+#include "tests/fakes/mqtt_broker.h"
+
+#include <gmock/gmock.h>
+
+namespace boresight::orientation {
+namespace {
+
+using mqtt::Rig;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+// As the firmware prints them, with its runs of spaces.
+const QByteArray kOrientation =
+    R"({  "dateTime": "Thursday, 19-Feb-2026 09:32:40 UTC",  "ts": "1771493560427",  "azimuth": 372.67,  )"
+    R"("elevation": 19.13,  "revolutions": 1,  "units": {    "ts": "milliseconds",    "orientation": "decimal degrees"  }})";
+const QByteArray kStatus = R"({  "dateTime": "Thursday, 19-Feb-2026 09:35:11 UTC",  "ts": "1771493711925",  )"
+                           R"("version": "2.0.6b",  "bssid": "B8:69:F4:81:8D:E6",  "temperatureC": 27})";
+const QByteArray kCalibration = R"({  "dateTime": "Thursday, 19-Feb-2026 09:37:37 UTC",  "ts": "1771493857399",  )"
+                                R"("system": 0,  "gyro": 3,  "accelerometer": 1,  "magnetometer": 2})";
+
+class MqttSourceTest : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        if (!fakes::MqttBroker::isInstalled()) {
+            GTEST_SKIP() << "no mosquitto, mosquitto_passwd or openssl (Debian packages mosquitto and openssl)";
+        }
+        broker = std::make_unique<fakes::MqttBroker>();
+        ASSERT_TRUE(broker->start());
+        sensor.client.open(mqtt::onLoopback(broker->port()));
+        ASSERT_TRUE(sensor.connected());
+    }
+    void listen(std::chrono::milliseconds silence = std::chrono::seconds(5))
+    {
+        source = std::make_unique<MqttSource>(station.client,
+                                              MqttTopics{.orientation = QStringLiteral("roof/orientation"),
+                                                         .status = QStringLiteral("roof/status"),
+                                                         .calibration = QStringLiteral("roof/calibration"),
+                                                         .silence = silence},
+                                              station.clock);
+        QObject::connect(source.get(), &Source::received, source.get(),
+                         [this](const Orientation& value) { values.push_back(value); });
+        QObject::connect(source.get(), &Source::statusChanged, source.get(), [this](const SourceStatus& status) {
+            states.push_back((status.open ? "open " : "closed ") + status.problem.toStdString());
+        });
+        source->open();
+        station.client.open(mqtt::onLoopback(broker->port()));
+        ASSERT_TRUE(station.connected());
+    }
+    void send(const char* topic, const QByteArray& payload)
+    {
+        EXPECT_TRUE(sensor.client.publish({.topic = QLatin1String(topic), .payload = payload}));
+    }
+    [[nodiscard]] bool received(std::size_t count) const
+    {
+        return fakes::waitUntil([this, count] { return values.size() >= count; });
+    }
+
+    std::unique_ptr<fakes::MqttBroker> broker;
+    Rig sensor;
+    Rig station;
+    std::vector<Orientation> values;
+    std::vector<std::string> states;
+    std::unique_ptr<MqttSource> source;
+};
+
+TEST_F(MqttSourceTest, JoinsWhatTheThreeTopicsSay)
+{
+    listen();
+    EXPECT_EQ(source->name(), QStringLiteral("mqtt 127.0.0.1:%1").arg(broker->port()));
+    send("roof/orientation", kOrientation);
+    ASSERT_TRUE(received(1));
+    EXPECT_NEAR(values[0].heading.angle().degrees(), 12.67, 1e-9);
+    EXPECT_NEAR(values[0].elevation.degrees(), 19.13, 1e-9);
+    EXPECT_EQ(values[0].revolutions, 1);
+    EXPECT_EQ(values[0].arrival, station.clock.now());
+    EXPECT_EQ(values[0].transport, Transport::Mqtt);
+    EXPECT_FALSE(values[0].calibration || values[0].temperature) << "the firmware does not send them any more";
+
+    send("roof/status", kStatus);
+    send("roof/calibration", kCalibration);
+    send("roof/orientation", kOrientation);
+    ASSERT_TRUE(received(2));
+    EXPECT_EQ(values[1].temperature, 27.0);
+    EXPECT_EQ(values[1].calibration, (Calibration{.system = 0, .gyro = 3, .accelerometer = 1, .magnetometer = 2}));
+    EXPECT_THAT(states, ElementsAre("open "));
+}
+
+TEST_F(MqttSourceTest, WhatMakesNoSenseIsCountedAndNotUsed)
+{
+    listen();
+    QByteArray notFinite = kOrientation;
+    notFinite.replace("372.67", "nan");
+    send("roof/orientation", notFinite);
+    send("roof/orientation", "");
+    send("roof/orientation", kOrientation);
+    ASSERT_TRUE(received(1));
+    EXPECT_EQ(values.size(), 1U);
+    EXPECT_EQ(source->status().counts.accepted, 1U);
+    EXPECT_EQ(source->status().counts.allRefused(), 2U);
+}
+
+TEST_F(MqttSourceTest, SaysWhenNothingComesAndWhenItIsNothingOfTheSensor)
+{
+    listen(std::chrono::milliseconds(20));
+    ASSERT_TRUE(fakes::waitUntil([this] { return states.size() == 2; }));
+    EXPECT_THAT(states, ElementsAre("open ", HasSubstr("nothing comes on roof/orientation")));
+    send("roof/orientation", kOrientation);
+    ASSERT_TRUE(received(1));
+    EXPECT_EQ(states.back(), "open ");
+    send("roof/orientation", "21.5");
+    ASSERT_TRUE(fakes::waitUntil([this] { return states.size() == 4; }));
+    EXPECT_THAT(states.back(), HasSubstr("what comes on roof/orientation is no message of the sensor"));
+}
+
+TEST_F(MqttSourceTest, OutlivesTheBroker)
+{
+    listen();
+    send("roof/orientation", kOrientation);
+    ASSERT_TRUE(received(1));
+    broker->kill();
+    ASSERT_TRUE(station.failed() && sensor.failed());
+    EXPECT_FALSE(source->status().open);
+    EXPECT_THAT(states, ElementsAre("open ", HasSubstr("the connection is lost")));
+    ASSERT_TRUE(broker->start());
+    station.letTimePass(Seconds(1));
+    sensor.letTimePass(Seconds(1));
+    ASSERT_TRUE(station.connected() && sensor.connected());
+    EXPECT_EQ(states.back(), "open ");
+    send("roof/orientation", kOrientation);
+    EXPECT_TRUE(received(2));
+}
+
+// The connection goes on: others use it too.
+TEST_F(MqttSourceTest, ClosedItHearsNothing)
+{
+    listen();
+    source->close();
+    EXPECT_FALSE(source->status().open);
+    send("roof/orientation", kOrientation);
+    station.client.subscribe(QStringLiteral("mark"));
+    ASSERT_TRUE(fakes::waitUntil([this] {
+        sensor.client.publish({.topic = QStringLiteral("mark")});
+        return !station.messages.empty();
+    }));
+    EXPECT_TRUE(values.empty());
+    EXPECT_TRUE(station.client.isConnected());
+    source->open();
+    EXPECT_TRUE(source->status().open) << "at once: the connection is there";
+}
+
+}  // namespace
+}  // namespace boresight::orientation
