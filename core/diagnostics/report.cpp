@@ -145,6 +145,12 @@ QString stationText(const StationStatus& status)
         QStringLiteral("rotctld: listens on %1").arg(orUnknown(status.listening)),
         axisLine("azimuth", status.azimuth),
         axisLine("elevation", status.elevation)};
+    if (status.broker.wanted) {
+        lines << QStringLiteral("mqtt: %1%2%3")
+                     .arg(status.broker.name,
+                          status.broker.connected ? QStringLiteral(" connected ") : QStringLiteral(" "),
+                          status.broker.problem);
+    }
     for (const std::string& key : status.waitingKeys) {
         lines << QStringLiteral("waits for a reconnect: %1").arg(QString::fromStdString(key));
     }

@@ -57,6 +57,7 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
       m_rotator(m_control, profile, m_log, clock),
       m_link(std::move(link)),
       m_server(serverSettings(profile.rotctld), m_rotator, clock, this),
+      m_broker(m_log, clock, this),
       m_eventFile(stateDir),
       m_tickTimer(this),
       m_updateTimer(this),
@@ -135,6 +136,7 @@ void Station::openAll()
     m_opened = m_clock.now();
     openBus();
     openServer();
+    m_broker.apply(m_profile.inForce()->mqtt);
     writeEvents();
 }
 
@@ -238,6 +240,7 @@ void Station::finish()
     m_updateTimer.stop();
     m_reopenTimer.stop();
     m_server.close();
+    m_broker.close();
     m_link->close();
     m_updateWanted = true;  // the last words, also to a screen that is slow: who asked for the end has an answer to get
     publish();
@@ -312,6 +315,7 @@ void Station::apply(const profile::Profile& wanted)
     m_control.setProfile(*m_profile.inForce());
     m_rotator.setProfile(*m_profile.inForce());
     m_server.setAllowed(m_profile.inForce()->rotctld.allow);
+    m_broker.apply(m_profile.inForce()->mqtt);
     Q_EMIT profileApplied(wanted);
 }
 
@@ -322,6 +326,9 @@ void Station::updateTaken()
 
 void Station::publish()
 {
+    if (m_broker.isPublishing()) {
+        m_broker.show(status());
+    }
     if (!m_updateWanted) {
         return;
     }
@@ -351,6 +358,7 @@ StationStatus Station::status() const
     m_care.fill(status.drives);
     status.listening = QString::fromStdString(m_server.address());
     status.clients = clients();
+    status.broker = m_broker.status();
     return status;
 }
 

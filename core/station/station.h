@@ -11,6 +11,7 @@
 #include "core/station/event_log.h"
 #include "core/station/live_profile.h"
 #include "core/station/request.h"
+#include "core/station/station_broker.h"
 #include "core/station/station_control.h"
 #include "core/station/station_rotator.h"
 #include "core/station/station_status.h"
@@ -96,6 +97,7 @@ private:
     StationRotator m_rotator;
     std::unique_ptr<CanLink> m_link;
     rotctld::Server m_server;
+    StationBroker m_broker;
     EventFile m_eventFile;
     QTimer m_tickTimer;
     QTimer m_updateTimer;

@@ -126,6 +126,15 @@ struct ClientStatus
     QString advice;        // what would make it work better; mostly empty
 };
 
+// The MQTT broker, as far as somebody needs it: the sensor, or the publishing of the station's state.
+struct BrokerStatus
+{
+    bool wanted = false;
+    bool connected = false;
+    QString name;     // "broker.example:1883"
+    QString problem;  // one line: what, where, what to do; empty while all is well
+};
+
 struct Alarm
 {
     std::uint64_t id = 0;
@@ -161,6 +170,7 @@ struct StationStatus
     bool simulated = false;
     QString listening;  // "127.0.0.1:4533", empty when the server could not listen
     std::vector<ClientStatus> clients;
+    BrokerStatus broker;
     std::vector<Alarm> alarms;  // active or unacknowledged, worst first
     UtcTime utc;
     std::uint64_t tick = 0;

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/station_broker.h"
+
+#include "core/base/text.h"
+#include "core/mqtt/ending.h"
+
+#include <QUuid>
+
+namespace boresight {
+namespace {
+
+const QString kSource = QStringLiteral("mqtt");
+
+// For programs, so in no other language.
+QString protocolWord(StationState state)
+{
+    switch (state) {
+        case StationState::Disconnected:
+            return QStringLiteral("DISCONNECTED");
+        case StationState::Standby:
+            return QStringLiteral("STANDBY");
+        case StationState::Hold:
+            return QStringLiteral("HOLD");
+        case StationState::Slew:
+            return QStringLiteral("SLEW");
+        case StationState::Track:
+            return QStringLiteral("TRACK");
+        case StationState::Jog:
+            return QStringLiteral("JOG");
+        case StationState::Parked:
+            return QStringLiteral("PARKED");
+        case StationState::Calibrate:
+            return QStringLiteral("CALIBRATE");
+        case StationState::Stopped:
+            return QStringLiteral("STOPPED");
+        case StationState::Fault:
+            return QStringLiteral("FAULT");
+    }
+    return {};
+}
+
+mqtt::PublishedState published(const StationStatus& status)
+{
+    return {.utc = status.utc,
+            .state = protocolWord(status.state),
+            .fault = status.state == StationState::Fault ? status.stateReason : QString(),
+            .stopLatched = status.stopLatched,
+            .limited = status.limited,
+            .simulated = status.simulated,
+            .actual = status.actual,
+            .commanded = status.commanded,
+            .target = status.target,
+            .azimuthAxis = status.azimuth.actual,
+            .elevationAxis = status.elevation.actual,
+            .targetText = status.targetText,
+            .commander = status.commander.name};
+}
+
+}  // namespace
+
+StationBroker::StationBroker(EventLog& log, const Clock& clock, QObject* parent)
+    : QObject(parent),
+      m_log(log),
+      m_clock(clock),
+      m_ownId(QStringLiteral("boresight-") + QUuid::createUuid().toString(QUuid::Id128).left(8)),
+      m_client(clock, this)
+{
+    connect(&m_client, &mqtt::Client::connected, this, [this] {
+        m_log.add(Severity::Advisory, kSource,
+                  Text::tr("connected to the broker %1").arg(mqtt::toText(m_client.broker())));
+    });
+    connect(&m_client, &mqtt::Client::problemChanged, this, [this](const QString& problem) {
+        if (!problem.isEmpty()) {
+            m_log.add(Severity::Warning, kSource, Text::tr("%1; it is tried again and again").arg(problem));
+        }
+    });
+}
+
+mqtt::Broker StationBroker::broker() const
+{
+    return {.host = toQString(m_settings.host),
+            .port = static_cast<std::uint16_t>(m_settings.port),
+            .user = toQString(m_settings.user),
+            .password = toQString(m_settings.password),
+            .encryption = m_settings.tls == profile::Tls::On ? mqtt::Encryption::Tls : mqtt::Encryption::None,
+            .caFile = toQString(m_settings.caFile),
+            .clientId = m_settings.clientId.empty() ? m_ownId : toQString(m_settings.clientId)};
+}
+
+void StationBroker::apply(const profile::BrokerSettings& settings)
+{
+    if (settings != m_settings) {
+        stopPublishing();
+        m_settings = settings;
+    }
+    connectAnew();
+}
+
+void StationBroker::setSensorWanted(bool wanted)
+{
+    m_sensorWanted = wanted;
+    connectAnew();
+}
+
+void StationBroker::connectAnew()
+{
+    const bool publishes = m_settings.publish == profile::Publish::On;
+    if (!publishes && !m_sensorWanted) {
+        m_client.close();
+        return;
+    }
+    const QString prefix = toQString(m_settings.prefix);
+    m_client.open(broker(), publishes ? std::optional(mqtt::StatePublisher::will(prefix)) : std::nullopt);
+    if (publishes && !m_publisher) {
+        m_publisher = std::make_unique<mqtt::StatePublisher>(m_client, m_clock, prefix);
+    }
+}
+
+void StationBroker::stopPublishing()
+{
+    if (m_publisher) {
+        m_publisher->sayOffline();
+        m_publisher.reset();
+    }
+}
+
+void StationBroker::close()
+{
+    stopPublishing();
+    m_client.close();
+}
+
+void StationBroker::show(const StationStatus& status)
+{
+    if (m_publisher) {
+        m_publisher->show(published(status));
+    }
+}
+
+BrokerStatus StationBroker::status() const
+{
+    const bool isWanted = m_settings.publish == profile::Publish::On || m_sensorWanted;
+    return {.wanted = isWanted,
+            .connected = m_client.isConnected(),
+            .name = isWanted ? mqtt::toText(m_client.broker()) : QString(),
+            .problem = m_client.problem()};
+}
+
+}  // namespace boresight

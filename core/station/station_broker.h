@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mqtt/client.h"
+#include "core/mqtt/state_publisher.h"
+#include "core/profile/profile.h"
+#include "core/station/event_log.h"
+#include "core/station/station_status.h"
+
+#include <QObject>
+
+#include <memory>
+
+// The MQTT broker as the station uses it: one connection, by which the station's state goes out and the sensor's
+// messages come in. What happens to it is told in the log and never moves or stops anything. Station thread.
+namespace boresight {
+
+class StationBroker : public QObject
+{
+    Q_OBJECT
+
+public:
+    // `log` and `clock` outlive this.
+    StationBroker(EventLog& log, const Clock& clock, QObject* parent);
+
+    // Connects if somebody needs the broker. From here on; what did not change stays as it is.
+    void apply(const profile::BrokerSettings& settings);
+    // Whether the orientation sensor is heard by the broker.
+    void setSensorWanted(bool wanted);
+    void close();
+
+    [[nodiscard]] mqtt::Client& client() { return m_client; }
+    [[nodiscard]] bool isPublishing() const { return m_publisher != nullptr && m_client.isConnected(); }
+    // To be called some times a second, while it publishes.
+    void show(const StationStatus& status);
+    [[nodiscard]] BrokerStatus status() const;
+
+private:
+    void connectAnew();
+    void stopPublishing();
+    [[nodiscard]] mqtt::Broker broker() const;
+
+    EventLog& m_log;
+    const Clock& m_clock;
+    QString m_ownId;  // while the profile has none
+    mqtt::Client m_client;
+    std::unique_ptr<mqtt::StatePublisher> m_publisher;
+    profile::BrokerSettings m_settings;
+    bool m_sensorWanted = false;
+};
+
+}  // namespace boresight

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The station and a real broker.
+#include "core/station/station_broker.h"
+
+#include "core/sim/simulated_link.h"
+#include "core/station/station.h"
+#include "tests/core/mqtt/mqtt_rig.h"
+#include "tests/fakes/mqtt_broker.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+
+namespace boresight {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+profile::Profile publishing(std::uint16_t port)
+{
+    profile::Profile profile;
+    profile.rotctld.listen.port = 0;
+    profile.mqtt.host = "127.0.0.1";
+    profile.mqtt.port = port;
+    profile.mqtt.publish = profile::Publish::On;
+    return profile;
+}
+
+class StationBrokerTest : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        if (!fakes::MqttBroker::isInstalled()) {
+            GTEST_SKIP() << "no mosquitto, mosquitto_passwd or openssl (Debian packages mosquitto and openssl)";
+        }
+        broker = std::make_unique<fakes::MqttBroker>();
+        ASSERT_TRUE(broker->start());
+        logger.client.subscribe(QStringLiteral("boresight/#"));
+        logger.client.open(mqtt::onLoopback(broker->port()));
+        ASSERT_TRUE(logger.connected());
+    }
+    void build(const profile::Profile& profile)
+    {
+        station = std::make_unique<Station>(profile, std::make_unique<SimulatedLink>(clock), stateDir.path(), clock);
+        link = station->findChild<SimulatedLink*>();
+        QObject::connect(station.get(), &Station::updated, station.get(), [this](const StationUpdate& update) {
+            for (const LogEntry& entry : update.log) {
+                if (entry.source == QLatin1String("mqtt")) {
+                    log.push_back(entry.text.toStdString());
+                }
+            }
+            station->updateTaken();
+        });
+        station->openAll();
+    }
+    void run(int ticks)
+    {
+        for (int i = 0; i < ticks; ++i) {
+            clock.advance(Seconds(0.02));
+            link->deliver();
+            station->tick();
+            station->publish();
+        }
+    }
+    [[nodiscard]] bool connected() const
+    {
+        return fakes::waitUntil([this] { return station->status().broker.connected; });
+    }
+    // Runs the station until somebody reads this, and tells all that was read since the last time.
+    std::vector<QByteArray> heardUntil(const QString& topic, const QByteArray& part)
+    {
+        const auto isIt = [&](const mqtt::Message& message) {
+            return message.topic == topic && message.payload.contains(part);
+        };
+        EXPECT_TRUE(fakes::waitUntil([&] { return std::ranges::any_of(logger.messages, isIt); })) << part.toStdString();
+        std::vector<QByteArray> all;
+        for (const mqtt::Message& message : std::exchange(logger.messages, {})) {
+            if (message.topic == topic) {
+                all.push_back(message.payload);
+            }
+        }
+        return all;
+    }
+
+    const QString kState = QStringLiteral("boresight/state");
+    const QString kAvailability = QStringLiteral("boresight/availability");
+    std::unique_ptr<fakes::MqttBroker> broker;
+    mqtt::Rig logger;
+    fakes::ManualClock clock;
+    QTemporaryDir stateDir;
+    SimulatedLink* link = nullptr;
+    std::unique_ptr<Station> station;
+    std::vector<std::string> log;
+};
+
+TEST_F(StationBrokerTest, TellsWhatTheMountDoes)
+{
+    build(publishing(broker->port()));
+    ASSERT_TRUE(connected());
+    EXPECT_THAT(heardUntil(kAvailability, "line"), ElementsAre("online"));
+    run(200);
+    (void)heardUntil(kState, R"("state":"STANDBY")");
+    station->request({.id = 1, .request = request::PointSky{{.azimuth = 90_deg, .elevation = 30_deg}}});
+    run(100);
+    const QJsonObject slewing = QJsonDocument::fromJson(heardUntil(kState, R"("state":"SLEW")").back()).object();
+    EXPECT_EQ(slewing[QStringLiteral("target")],
+              (QJsonObject{{QStringLiteral("azimuth"), 90.0}, {QStringLiteral("elevation"), 30.0}}));
+    EXPECT_EQ(slewing[QStringLiteral("commander")].toString(), QStringLiteral("operator"));
+    EXPECT_TRUE(slewing[QStringLiteral("simulated")].toBool());
+    EXPECT_TRUE(slewing[QStringLiteral("azimuth")].isDouble());
+
+    station->request({.id = 2, .request = request::Stop{}});
+    station->publish();
+    (void)heardUntil(kState, R"("stopLatched":true)");
+    station->shutDown();
+    run(300);
+    EXPECT_THAT(heardUntil(kAvailability, "line"), ElementsAre("offline"));
+}
+
+TEST_F(StationBrokerTest, ALostBrokerIsALineInTheLogAndNothingElse)
+{
+    build(publishing(broker->port()));
+    ASSERT_TRUE(connected());
+    run(200);
+    station->request({.id = 1, .request = request::PointSky{{.azimuth = 90_deg, .elevation = 30_deg}}});
+    run(50);
+    broker->kill();
+    ASSERT_TRUE(fakes::waitUntil([this] { return !station->status().broker.connected; }));
+    for (int i = 0; i < 30; ++i) {
+        run(50);
+        QCoreApplication::sendPostedEvents();
+    }
+    const StationStatus status = station->status();
+    EXPECT_EQ(status.state, StationState::Hold) << "it has arrived";
+    EXPECT_NEAR(status.azimuth.actual->degrees(), 90.0, 0.3);
+    EXPECT_TRUE(status.alarms.empty());
+    EXPECT_THAT(status.broker.problem.toStdString(), HasSubstr("MQTT broker 127.0.0.1:"));
+    ASSERT_TRUE(broker->start());
+    ASSERT_TRUE(fakes::waitUntil([this] {
+        clock.advance(Seconds(30));
+        return station->status().broker.connected;
+    }));
+    run(1);
+    EXPECT_THAT(log.front(), HasSubstr("connected to the broker 127.0.0.1:"));
+    EXPECT_THAT(log.back(), HasSubstr("connected to the broker 127.0.0.1:"));
+    EXPECT_THAT(log[1], HasSubstr("the connection is lost (closed by the broker); it is tried again and again"));
+    EXPECT_LE(log.size(), 4U) << "each trouble once";
+}
+
+TEST_F(StationBrokerTest, IsSwitchedOnAndOffWithoutAReconnectOfTheMount)
+{
+    profile::Profile profile = publishing(broker->port());
+    profile.mqtt.publish = profile::Publish::Off;
+    build(profile);
+    run(5);
+    EXPECT_FALSE(station->status().broker.wanted);
+    EXPECT_EQ(broker->count("New client connected"), 1) << "the logger";
+
+    profile.mqtt.publish = profile::Publish::On;
+    station->request({.id = 1, .request = request::ApplyProfile{profile}});
+    EXPECT_TRUE(station->status().waitingKeys.empty());
+    ASSERT_TRUE(connected());
+    EXPECT_THAT(heardUntil(kAvailability, "line"), ElementsAre("online"));
+    profile.mqtt.prefix = "boresight/roof";
+    station->request({.id = 2, .request = request::ApplyProfile{profile}});
+    ASSERT_TRUE(connected());
+    EXPECT_THAT(heardUntil(QStringLiteral("boresight/roof/availability"), "line"), ElementsAre("online"));
+    profile.mqtt.publish = profile::Publish::Off;
+    station->request({.id = 3, .request = request::ApplyProfile{profile}});
+    EXPECT_THAT(heardUntil(QStringLiteral("boresight/roof/availability"), "line"), ElementsAre("offline"));
+    EXPECT_FALSE(station->status().broker.wanted);
+}
+
+// For the sensor alone nothing is published.
+TEST_F(StationBrokerTest, TheSensorGetsTheSameConnection)
+{
+    EventLog events(clock);
+    StationBroker shared(events, clock, nullptr);
+    profile::Profile profile = publishing(broker->port());
+    profile.mqtt.publish = profile::Publish::Off;
+    shared.apply(profile.mqtt);
+    EXPECT_FALSE(shared.status().wanted);
+    shared.setSensorWanted(true);
+    ASSERT_TRUE(fakes::waitUntil([&] { return shared.status().connected; }));
+    EXPECT_FALSE(shared.isPublishing());
+    profile.mqtt.publish = profile::Publish::On;
+    shared.apply(profile.mqtt);
+    ASSERT_TRUE(fakes::waitUntil([&] { return shared.isPublishing(); }));
+    shared.setSensorWanted(false);
+    EXPECT_TRUE(shared.isPublishing()) << "the same connection";
+    EXPECT_EQ(broker->count("New client connected"), 3) << "the logger, without a will, with one";
+}
+
+}  // namespace
+}  // namespace boresight
