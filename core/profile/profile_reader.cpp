@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The only file that includes toml++: it is large and slow to compile.
+// One of the two files that include toml++, which is large and slow to compile.
 #include "core/base/control_characters.h"
 #include "core/base/text.h"
 #include "core/profile/profile_file.h"

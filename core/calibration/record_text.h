@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/calibration/calibration_record.h"
+
+#include <string>
+#include <string_view>
+
+// A history of calibrations as a TOML file, and back. One record to be exchanged is a history of one entry. Angles are
+// in degrees, to a billionth; README.md describes the keys. Pure.
+namespace boresight::calibration {
+
+// Refuses what could not be read again: a number that is not finite or out of range.
+[[nodiscard]] Result<std::string> toText(const CalibrationHistory& history);
+
+// Strict: a key that is unknown, missing, of another type or out of range is an error, and all errors are told at once,
+// one "FILE:LINE: key: reason" per line.
+[[nodiscard]] Result<CalibrationHistory> parseHistory(std::string_view text, const std::string& fileName);
+
+}  // namespace boresight::calibration
