@@ -86,7 +86,23 @@ private:
                 const bool told = !before || one.estimate.sigma < before->sigma * kDataRule;
                 one.state = told && m_used.size() >= fewestPoints(term) ? TermState::Fitted : TermState::Held;
             }
+            one.why = whyNotFitted(term, one.state).toStdString();
         }
+    }
+
+    [[nodiscard]] QString whyNotFitted(Term term, TermState state) const
+    {
+        if (state == TermState::Fitted) {
+            return {};
+        }
+        const std::size_t fewest = fewestPoints(term);
+        if (m_used.size() < fewest) {
+            return state == TermState::Held
+                       ? Text::tr("near what was known of it, until there are %1 points").arg(fewest)
+                       : Text::tr("as it was known, until there are %1 points").arg(fewest);
+        }
+        return state == TermState::Held ? Text::tr("what was known of it counts as much as the points")
+                                        : Text::tr("the points do not ask for it");
     }
 
     void takeResiduals(const TermChoice& choice)

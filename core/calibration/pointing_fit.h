@@ -31,6 +31,7 @@ struct FittedTerm
 {
     Estimate estimate;  // its sigma reckons with all the other terms as uncertain as they are, also those that are off
     TermState state = TermState::Off;
+    std::string why;  // of what is not fitted: a clause for the operator
 };
 
 struct PointResidual

@@ -84,6 +84,8 @@ TEST(PointingFit, OnePointGivesTheOffsetOfAzimuthOnly)
     EXPECT_EQ(fit->terms.elevationOffset, before.elevationOffset);
     EXPECT_EQ(fit->count(TermState::Fitted), 1);
     EXPECT_EQ(fit->count(TermState::Off), 6);
+    EXPECT_EQ(fit->of(Term::AzimuthOffset).why, "");
+    EXPECT_EQ(fit->of(Term::TiltEast).why, "as it was known, until there are 4 points");
     EXPECT_FALSE(fit->rmsLeftOut.has_value());
     // One point cannot tell an offset from a collimation of 0.3° and a tilt of 1°.
     EXPECT_GT(fit->of(Term::AzimuthOffset).estimate.sigma, 0.3_deg);
@@ -130,6 +132,9 @@ TEST(PointingFit, TermsThatThePointsDoNotAskForStayOff)
         ASSERT_TRUE(fit.has_value());
         EXPECT_EQ(fit->of(Term::AzimuthOffset).state, TermState::Fitted);
         EXPECT_EQ(fit->of(Term::ElevationOffset).state, TermState::Fitted);
+        if (fit->of(Term::ElevationSag).state == TermState::Off) {
+            EXPECT_EQ(fit->of(Term::ElevationSag).why, "the points do not ask for it");
+        }
         off += fit->count(TermState::Off);
     }
     EXPECT_GE(off, 20 * 5 * 80 / 100);
@@ -145,6 +150,7 @@ TEST(PointingFit, TermsAreFittedByTheNumberOfPoints)
     EXPECT_EQ(four->count(TermState::Fitted), 4);
     EXPECT_EQ(four->of(Term::TiltNorth).state, TermState::Fitted);
     EXPECT_NE(four->of(Term::Collimation).state, TermState::Fitted);
+    EXPECT_THAT(four->of(Term::Collimation).why, HasSubstr("until there are 6 points"));
     EXPECT_GE(eight->count(TermState::Fitted), 5);
     EXPECT_EQ(eight->of(Term::Collimation).state, TermState::Fitted);
 }
