@@ -187,10 +187,14 @@ private:
         m_taken.emplace(key);
         const toml::node* node = m_table.get(key);
         if (node == nullptr) {
-            m_problems.push_back(
-                {m_table.source().begin.line, pathOf(key) + ": " + Text::tr("is missing").toStdString()});
+            complainOfMissing(key);
         }
         return node;
+    }
+
+    void complainOfMissing(std::string_view key)
+    {
+        m_problems.push_back({m_table.source().begin.line, pathOf(key) + ": " + Text::tr("is missing").toStdString()});
     }
 
     [[nodiscard]] std::string pathOf(std::string_view key) const

@@ -3981,6 +3981,226 @@ el %3</translation>
         <source>%1; it is tried again and again</source>
         <translation>%1; tenta-se de novo repetidamente</translation>
     </message>
+    <message>
+        <source>a reading is not a number</source>
+        <translation>uma leitura não é um número</translation>
+    </message>
+    <message>
+        <source>the tilt is read with the boom between %1 and %2</source>
+        <translation>a inclinação lê-se com a lança entre %1 e %2</translation>
+    </message>
+    <message>
+        <source>the tilt needs readings over %1 of azimuth at least</source>
+        <translation>a inclinação precisa de leituras em pelo menos %1 de azimute</translation>
+    </message>
+    <message>
+        <source>%1 readings are too few for the tilt</source>
+        <translation>%1 leituras são poucas para a inclinação</translation>
+    </message>
+    <message>
+        <source>%1 samples could be used: too few for a swing</source>
+        <translation>só %1 amostras serviram: poucas para a volta da bússola</translation>
+    </message>
+    <message>
+        <source>where the mount stood for sample %1 is not known</source>
+        <translation>não se sabe onde estava a montagem na amostra %1</translation>
+    </message>
+    <message>
+        <source>the sensor&apos;s heading does not follow the mount, neither clockwise nor counter-clockwise</source>
+        <translation>o rumo do sensor não acompanha a montagem, nem no sentido horário nem no anti-horário</translation>
+    </message>
+    <message>
+        <source>%1 readings show the source, and a peak needs %2</source>
+        <translation>%1 leituras mostram a fonte, e um pico precisa de %2</translation>
+    </message>
+    <message>
+        <source>the power has no peak along this line</source>
+        <translation>a potência não tem pico ao longo desta linha</translation>
+    </message>
+    <message>
+        <source>the peak is not inside this line: move its middle towards %1</source>
+        <translation>o pico não está dentro desta linha: desloque o meio dela para %1</translation>
+    </message>
+    <message>
+        <source>the power changes by %1 dB only along this line</source>
+        <translation>a potência varia apenas %1 dB ao longo desta linha</translation>
+    </message>
+    <message>
+        <source>%1 readings within %2 dB of the best are too few: scan in smaller steps</source>
+        <translation>%1 leituras a menos de %2 dB da melhor são poucas: varra em passos menores</translation>
+    </message>
+    <message>
+        <source>the peak is uncertain by %1: the readings scatter too much</source>
+        <translation>o pico é incerto em %1: as leituras dispersam-se demais</translation>
+    </message>
+    <message>
+        <source>too near to the zenith: azimuth says nothing there</source>
+        <translation>perto demais do zênite: ali o azimute nada diz</translation>
+    </message>
+    <message>
+        <source>across: %1</source>
+        <translation>de través: %1</translation>
+    </message>
+    <message>
+        <source>in elevation: %1</source>
+        <translation>em elevação: %1</translation>
+    </message>
+    <message>
+        <source>the points do not determine the azimuth&apos;s offset</source>
+        <translation>os pontos não determinam o desvio do azimute</translation>
+    </message>
+    <message>
+        <source>point %1 is not a number, or without a sigma</source>
+        <translation>o ponto %1 não é um número, ou não tem sigma</translation>
+    </message>
+    <message>
+        <source>there is no point</source>
+        <translation>não há nenhum ponto</translation>
+    </message>
+    <message>
+        <source>near what was known of it, until there are %1 points</source>
+        <translation>perto do que dele se sabia, até haver %1 pontos</translation>
+    </message>
+    <message>
+        <source>as it was known, until there are %1 points</source>
+        <translation>como se conhecia, até haver %1 pontos</translation>
+    </message>
+    <message>
+        <source>what was known of it counts as much as the points</source>
+        <translation>o que dele se sabia pesa tanto quanto os pontos</translation>
+    </message>
+    <message>
+        <source>the points do not ask for it</source>
+        <translation>os pontos não o pedem</translation>
+    </message>
+    <message>
+        <source>point %1 is %2 from where the other points say it should be</source>
+        <translation>o ponto %1 está a %2 de onde os outros pontos dizem que deveria estar</translation>
+    </message>
+    <message>
+        <source>the points scatter %1 times as much as their sigmas say</source>
+        <translation>os pontos dispersam-se %1 vezes mais do que dizem os seus sigmas</translation>
+    </message>
+    <message>
+        <source>all points are about as high: the azimuth&apos;s offset and the collimation cannot be told apart; take one much higher or lower</source>
+        <translation>todos os pontos têm quase a mesma altura: não se distinguem o desvio do azimute e a colimação; tome um bem mais alto ou mais baixo</translation>
+    </message>
+    <message>
+        <source>all points lie within %1 of azimuth: the tilt is seen from one side only</source>
+        <translation>todos os pontos cabem em %1 de azimute: a inclinação só é vista de um lado</translation>
+    </message>
+    <message>
+        <source>%1 is not within %2…%3</source>
+        <translation>%1 não está em %2…%3</translation>
+    </message>
+    <message>
+        <source>a text in quotes is expected, without control characters</source>
+        <translation>espera-se um texto entre aspas, sem caracteres de controle</translation>
+    </message>
+    <message>
+        <source>true or false is expected</source>
+        <translation>espera-se true ou false</translation>
+    </message>
+    <message>
+        <source>a UTC time is expected, like 2026-11-21T21:34:00.000Z</source>
+        <translation>espera-se uma hora UTC, como 2026-11-21T21:34:00.000Z</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; or &quot;%2&quot; is expected</source>
+        <translation>espera-se &quot;%1&quot; ou &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>falta</translation>
+    </message>
+    <message>
+        <source>the magnetometer&apos;s calibration is %1 of 3, and %2 is needed: move the sensor in figures of eight, away from iron</source>
+        <translation>a calibração do magnetômetro é %1 de 3, e é preciso %2: mova o sensor em forma de oito, longe de ferro</translation>
+    </message>
+    <message>
+        <source>the sensor&apos;s system calibration is %1 of 3, and %2 is needed: its heading is not yet tied to magnetic north</source>
+        <translation>a calibração do sistema do sensor é %1 de 3, e é preciso %2: o rumo ainda não está ligado ao norte magnético</translation>
+    </message>
+    <message>
+        <source>a motor draws %1 A, and above %2 A it would turn the needle: let the mount rest</source>
+        <translation>um motor consome %1 A, e acima de %2 A desviaria a agulha: deixe a montagem em repouso</translation>
+    </message>
+    <message>
+        <source>the mount is moving: it has to stand still</source>
+        <translation>a montagem move-se: tem de estar parada</translation>
+    </message>
+    <message>
+        <source>where the mount stands is not known</source>
+        <translation>não se sabe onde está a montagem</translation>
+    </message>
+    <message>
+        <source>there are %1 readings, and %2 are needed</source>
+        <translation>há %1 leituras, e são precisas %2</translation>
+    </message>
+    <message>
+        <source>the readings drift together: take them for a longer time</source>
+        <translation>as leituras derivam juntas: recolha-as por mais tempo</translation>
+    </message>
+    <message>
+        <source>the readings disagree: they scatter by %1, and %2 of %3 are far off</source>
+        <translation>as leituras discordam: dispersam-se em %1, e %2 de %3 estão muito longe</translation>
+    </message>
+    <message>
+        <source>the readings scatter by %1 about the curve</source>
+        <translation>as leituras dispersam-se em %1 em torno da curva</translation>
+    </message>
+    <message>
+        <source>iron near the sensor deflects the needle by %1: it is nearly as strong as the Earth&apos;s field</source>
+        <translation>ferro perto do sensor desvia a agulha em %1: é quase tão forte quanto o campo da Terra</translation>
+    </message>
+    <message>
+        <source>the deviation is so steep that different directions give the same reading</source>
+        <translation>o desvio é tão íngreme que direções diferentes dão a mesma leitura</translation>
+    </message>
+    <message>
+        <source>%1 of %2 readings are far off the curve</source>
+        <translation>%1 de %2 leituras estão muito longe da curva</translation>
+    </message>
+    <message>
+        <source>%1 of the circle are unreliable</source>
+        <translation>%1 do círculo não são de confiança</translation>
+    </message>
+    <message>
+        <source>only %1 of 12 sectors were seen, with a gap of %2: soft iron (twice round the circle) could not be told</source>
+        <translation>só foram vistos %1 de 12 setores, com uma lacuna de %2: não se pôde reconhecer o ferro doce (duas vezes por volta)</translation>
+    </message>
+    <message>
+        <source>the azimuths are unequally filled: some sectors have few readings</source>
+        <translation>os azimutes estão desigualmente preenchidos: alguns setores têm poucas leituras</translation>
+    </message>
+    <message>
+        <source>it turned one way only: latency and hysteresis are not seen</source>
+        <translation>girou só para um lado: não se veem a latência nem a histerese</translation>
+    </message>
+    <message>
+        <source>the two ways of turning differ by %1</source>
+        <translation>os dois sentidos de giro diferem em %1</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 the compass is off by %3: unreliable there</source>
+        <translation>de %1 a %2 a bússola erra em %3: ali não é de confiança</translation>
+    </message>
+    <message>
+        <source>the compass follows the motors&apos; current by %1</source>
+        <translation>a bússola segue a corrente dos motores em %1</translation>
+    </message>
+    <message>
+        <source>in %1 of %2 readings the magnetometer&apos;s calibration is below %3: move the sensor in figures of eight, away from iron, then swing again</source>
+        <translation>em %1 de %2 leituras a calibração do magnetômetro está abaixo de %3: mova o sensor em forma de oito, longe de ferro, e dê a volta outra vez</translation>
+    </message>
+    <message>
+        <source>in %1 of %2 readings a motor draws more than %3 A: swing more slowly</source>
+        <translation>em %1 de %2 leituras um motor consome mais de %3 A: gire mais devagar</translation>
+    </message>
+    <message>
+        <source>%1 of 12 sectors were seen, with a gap of %2: a swing has to see more of the circle; take north from the still mount instead</source>
+        <translation>foram vistos %1 de 12 setores, com uma lacuna de %2: a volta tem de ver mais do círculo; tome antes o norte com a montagem parada</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
