@@ -118,7 +118,7 @@ private:
             if (!point.isUsed) {
                 continue;
             }
-            one.leftOut = withoutPoint(place++, choice);
+            one.leftOut = choice.leftOut[place++];
             before.push_back(one.before);
             after.push_back(one.after);
             if (one.leftOut) {
@@ -130,17 +130,6 @@ private:
         if (leftOut.size() == m_used.size()) {
             m_fit.rmsLeftOut = rms(leftOut);
         }
-    }
-
-    [[nodiscard]] std::optional<SkyOffset> withoutPoint(std::size_t place, const TermChoice& choice) const
-    {
-        std::vector<CalibrationPoint> others = m_used;
-        others.erase(others.begin() + static_cast<std::ptrdiff_t>(place));
-        for (CalibrationPoint& point : others) {
-            point.sigma = point.sigma * choice.noiseScale;
-        }
-        const auto solved = others.empty() ? std::nullopt : solveTerms(others, choice.terms, choice.set, choice.known);
-        return solved ? std::optional(offsetOf(m_used[place], PointingModel(solved->terms))) : std::nullopt;
     }
 
     void hint()

@@ -38,7 +38,7 @@ struct PointResidual
 {
     SkyOffset before;  // by the model that was in force
     SkyOffset after;
-    std::optional<SkyOffset> leftOut;  // by a fit without this point; nothing if too few are left
+    std::optional<SkyOffset> leftOut;  // by a fit without this point, to first order; nothing if too few are left
 };
 
 struct PointingFit

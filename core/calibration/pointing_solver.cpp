@@ -14,9 +14,11 @@ using pointing::PointingModel;
 using pointing::PointingTerms;
 
 constexpr int kRounds = 30;
+constexpr int kFreshDerivatives = 2;  // rounds; then they are right, for the model is nearly linear
 constexpr double kConverged = 1e-11;  // rad
 constexpr double kStep = 1e-5;        // rad, of the derivatives: their error is its square
 constexpr double kWorstCondition = 1e10;
+constexpr double kAllLeverage = 1e-6;  // of a point that alone determines what it is held against
 
 struct Vector
 {
@@ -53,8 +55,8 @@ public:
     std::optional<TermSolution> run()
     {
         for (int round = 0; round < kRounds; ++round) {
-            linearise();
-            if (!isDetermined()) {
+            linearise(round < kFreshDerivatives);
+            if (round < kFreshDerivatives && !isDetermined()) {
                 return std::nullopt;
             }
             const Eigen::VectorXd step = m_normal.ldlt().solve(m_gradient);
@@ -97,11 +99,13 @@ private:
         return result;
     }
 
-    void linearise()
+    void linearise(bool afresh)
     {
-        const Eigen::MatrixXd design = derivatives();
-        m_normal = design.transpose() * design;
-        m_gradient = -design.transpose() * residuals(m_terms);
+        if (afresh) {
+            m_design = derivatives();
+        }
+        m_normal = m_design.transpose() * m_design;
+        m_gradient = -m_design.transpose() * residuals(m_terms);
         for (Eigen::Index i = 0; i < m_size; ++i) {
             const Term term = m_unknowns[static_cast<std::size_t>(i)];
             if (const auto& before = m_known.of(term)) {
@@ -135,13 +139,35 @@ private:
             const Term term = m_unknowns[static_cast<std::size_t>(i)];
             result.sigmas[indexOf(term)] = Angle::fromRadians(std::sqrt(covariance(i, i)));
             if (const auto& before = m_known.of(term)) {
-                const double off = (valueOf(m_terms, term) - before->value) / before->sigma;
-                result.knowledge += off * off;
+                const double moved = (valueOf(m_terms, term) - before->value) / before->sigma;
+                result.knowledge += moved * moved;
             }
         }
-        result.chiSquare = residuals(m_terms).squaredNorm();
+        const Eigen::VectorXd off = residuals(m_terms);
+        result.chiSquare = off.squaredNorm();
+        result.leftOut = leftOut(off, covariance);
         result.logVolume = -0.5 * m_normal.ldlt().vectorD().array().log().sum();
         result.condition = condition();
+        return result;
+    }
+
+    // A fit follows each point by its leverage H = J C Jᵀ, so without it the point is off by (1 - H)⁻¹ times as much.
+    [[nodiscard]] std::vector<std::optional<SkyOffset>> leftOut(const Eigen::VectorXd& off,
+                                                                const Eigen::MatrixXd& covariance) const
+    {
+        std::vector<std::optional<SkyOffset>> result;
+        Eigen::Index row = 0;
+        for (const CalibrationPoint& point : m_points) {
+            const Eigen::MatrixXd design = m_design.middleRows(row, 2);
+            const Eigen::Matrix2d rest = Eigen::Matrix2d::Identity() - design * covariance * design.transpose();
+            if (rest.determinant() < kAllLeverage) {
+                result.emplace_back();
+            } else {
+                const Eigen::Vector2d without = rest.inverse() * off.segment<2>(row);
+                result.push_back(SkyOffset{point.sigma * without[0], point.sigma * without[1]});
+            }
+            row += 2;
+        }
         return result;
     }
 
@@ -150,6 +176,7 @@ private:
     const TermKnowledge& m_known;
     std::vector<Term> m_unknowns;
     Eigen::Index m_size = 0;
+    Eigen::MatrixXd m_design;
     Eigen::MatrixXd m_normal;
     Eigen::VectorXd m_gradient;  // downhill
 };

@@ -47,6 +47,8 @@ struct TermSolution
     double knowledge = 0.0;            // the same of what was known before
     double logVolume = 0.0;            // of what is left uncertain: ½ log det of the covariance
     double condition = 1.0;            // of the correlations between the terms, 1: independent
+    // Where a fit without this point would see it, to first order; nothing if the others do not determine the terms.
+    std::vector<std::optional<SkyOffset>> leftOut;
 };
 
 using TermSet = std::array<bool, kTerms>;

@@ -199,7 +199,7 @@ std::optional<TermChoice> chooseTerms(std::span<const CalibrationPoint> points, 
                       .sigmas = points.size() < kPointsForMore
                                     ? sigmasAmidUnknown(weighed, *start, *best, known)
                                     : solveTerms(weighed, *start, all, known).value_or(best->solution).sigmas,
-                      .known = known,
+                      .leftOut = best->solution.leftOut,
                       .chiSquare = best->solution.chiSquare * scale * scale,
                       .degreesOfFreedom = rows - unknownsTold(best->solution, best->set, known),
                       .noiseScale = scale};

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <vector>
 
 // Which terms of the pointing model the points ask for. A step of fitPointing(); pure.
 namespace boresight::calibration {
@@ -14,8 +15,8 @@ struct TermChoice
 {
     TermSet set{};  // the terms that move
     pointing::PointingTerms terms;
-    std::array<Angle, kTerms> sigmas;  // with all terms uncertain
-    TermKnowledge known;               // of one or two points: about the model in force
+    std::array<Angle, kTerms> sigmas;               // with all terms uncertain
+    std::vector<std::optional<SkyOffset>> leftOut;  // of each point, by a fit without it
     double chiSquare = 0.0;
     double degreesOfFreedom = 0.0;
     double noiseScale = 1.0;

@@ -200,6 +200,31 @@ TEST(PointingFit, ResidualsAreOnTheSky)
     EXPECT_EQ(fit->of(Term::ElevationOffset).state, TermState::Off);
 }
 
+// To first order, that is as good as really doing it.
+TEST(PointingFit, LeavesOutEachPointInTurn)
+{
+    const auto points = allRound(hidden(), 12, 0.01);
+    const auto fit = fitPointing(points, {});
+    ASSERT_TRUE(fit.has_value());
+    TermSet moving{};
+    for (const Term term : kAllTerms) {
+        moving[indexOf(term)] = fit->of(term).state != TermState::Off;
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        auto others = points;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+        for (CalibrationPoint& point : others) {
+            point.sigma = point.sigma * fit->noiseScale;
+        }
+        const auto without = solveTerms(others, fit->terms, moving, TermKnowledge::usual());
+        ASSERT_TRUE(without && fit->points[i].leftOut);
+        const SkyOffset really = offsetOf(points[i], PointingModel(without->terms));
+        EXPECT_NEAR(fit->points[i].leftOut->across.degrees(), really.across.degrees(), 0.0005);
+        EXPECT_NEAR(fit->points[i].leftOut->elevation.degrees(), really.elevation.degrees(), 0.0005);
+        EXPECT_GE(fit->points[i].leftOut->size(), fit->points[i].after.size());
+    }
+}
+
 TEST(PointingFit, NamesAPointThatDoesNotAgreeWithTheOthers)
 {
     auto points = allRound(hidden(), 12, 0.01);
