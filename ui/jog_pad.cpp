@@ -18,6 +18,7 @@ namespace boresight::ui {
 namespace {
 
 constexpr std::chrono::minutes kArmedFor{1};
+constexpr QSize kLargestButton{260, 180};  // of a direction: a larger target is no better, and no button any more
 
 std::optional<JogDirection> directionOf(int key)
 {
@@ -67,13 +68,25 @@ void JogPad::build()
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(8, 8, 8, 6);
     grid->setSpacing(6);
-    grid->addWidget(m_buttons.at(JogDirection::Up), 0, 1);
-    grid->addWidget(m_buttons.at(JogDirection::Left), 1, 0);
-    grid->addWidget(m_hold, 1, 1);
-    grid->addWidget(m_buttons.at(JogDirection::Right), 1, 2);
-    grid->addWidget(m_buttons.at(JogDirection::Down), 2, 1);
-    grid->addWidget(m_caption, 3, 0, 1, 3);
+    grid->addWidget(m_buttons.at(JogDirection::Up), 1, 2);
+    grid->addWidget(m_buttons.at(JogDirection::Left), 2, 1);
+    grid->addWidget(m_hold, 2, 2);
+    grid->addWidget(m_buttons.at(JogDirection::Right), 2, 3);
+    grid->addWidget(m_buttons.at(JogDirection::Down), 3, 2);
+    grid->addWidget(m_caption, 5, 0, 1, 5);
     m_hold->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    m_hold->setMaximumSize(kLargestButton);
+    for (const auto& [direction, button] : m_buttons) {
+        button->setMaximumSize(kLargestButton);
+    }
+    for (const int middle : {1, 2, 3}) {  // what these leave of a large pad is around them
+        grid->setRowStretch(middle, 1000);
+        grid->setColumnStretch(middle, 1000);
+    }
+    for (const int rim : {0, 4}) {
+        grid->setRowStretch(rim, 1);
+        grid->setColumnStretch(rim, 1);
+    }
     m_hold->setFocusPolicy(Qt::TabFocus);  // a click does not disarm the pad
     m_caption->setStretching(true);
     m_caption->setAlignment(Qt::AlignCenter);

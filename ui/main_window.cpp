@@ -119,7 +119,7 @@ void MainWindow::build()
     auto* const grid = new QGridLayout(ground);
     grid->setContentsMargins(8, 8, 8, 6);
     grid->setSpacing(8);
-    auto* const side = new QWidget(ground);  // as wide as it must be: the plot gets the rest
+    auto* const side = new QWidget(ground);  // as wide as it must be, in a wide window a third of it
     auto* const right = new QVBoxLayout(side);
     grid->addWidget(m_header, 0, 0, 1, 2);
     grid->addWidget(m_alarms, 1, 0, 1, 2);
@@ -128,11 +128,12 @@ void MainWindow::build()
     grid->addWidget(m_cable, 3, 0);
     grid->addWidget(m_lastCommand, 3, 1);
     grid->setRowStretch(2, 1);
-    grid->setColumnStretch(0, 1);
+    grid->setColumnStretch(0, 2);
+    grid->setColumnStretch(1, 1);
 
     m_plotCell->addWidget(m_plot, 0, 0);
     addPrompts();
-    side->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+    side->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
     right->setContentsMargins(0, 0, 0, 0);
     right->addWidget(m_readout);
     m_side->addWidget(m_panels);

@@ -2,6 +2,8 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/cable_bar.h"
 #include "ui/command_button.h"
+#include "ui/jog_button.h"
+#include "ui/panel_tabs.h"
 #include "ui/polar_plot.h"
 
 #include <QAbstractButton>
@@ -341,6 +343,22 @@ TEST_F(WindowTest, EveryControlHasANameAndATouchableSize)
     give(samples::update(samples::asking(Axis::Azimuth, 7, 60_deg, false)));
     expectUsable();
     EXPECT_EQ(window.size(), QSize(1024, 700)) << "seven places do not fit";
+}
+
+TEST_F(WindowTest, ALargeScreenGivesThePanelsAThirdAndTheJogButtonsNoMoreThanAHandNeeds)
+{
+    window.resize(3840, 2160);
+    openPanel('1');
+    QTest::qWait(1);
+    const auto* const panels = window.findChild<PanelTabs*>();
+    EXPECT_GT(panels->width(), window.width() / 4);
+    EXPECT_LT(panels->width(), window.width() / 2);
+    for (const JogButton* const button : window.findChildren<JogButton*>()) {
+        if (button->isVisible()) {
+            EXPECT_LE(button->height(), 200) << button->accessibleName().toStdString();
+            EXPECT_LE(button->height(), button->width()) << button->accessibleName().toStdString();
+        }
+    }
 }
 
 }  // namespace
