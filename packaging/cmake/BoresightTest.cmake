@@ -5,11 +5,11 @@ include(GoogleTest)
 # One GoogleTest executable per module. LIBRARIES is what is tested (boresight_core or boresight_ui); NO_MAIN leaves
 # out GTest's main for tests that bring their own (a QCoreApplication or QApplication). SERIAL is for tests that measure
 # real time: nothing else runs beside them. ONE_THREAD is for tests in which ThreadSanitizer has nothing to find, or
-# nothing that a test beside them does not show: its build leaves them out.
+# nothing that a test beside them does not show: its build leaves them out. HEADERS are precompiled besides the usual.
 #
 # Tests are not optimised: what they test is, and half of the time of a build from nothing goes into them.
 function(boresight_add_test name)
-  cmake_parse_arguments(T "NO_MAIN;SERIAL;ONE_THREAD" "LABEL;TIMEOUT" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(T "NO_MAIN;SERIAL;ONE_THREAD" "LABEL;TIMEOUT" "SOURCES;LIBRARIES;HEADERS" ${ARGN})
   if(T_ONE_THREAD AND BORESIGHT_SANITIZE MATCHES "thread")
     return()
   endif()
@@ -29,6 +29,10 @@ function(boresight_add_test name)
     target_link_libraries(${name} PRIVATE ${T_LIBRARIES} GTest::gmock_main)
   endif()
   target_compile_options(${name} PRIVATE -O0)
+  list(LENGTH T_SOURCES sources)
+  if(sources GREATER 3)
+    boresight_precompile(${name} <gmock/gmock.h> <gtest/gtest.h> ${core_headers} ${T_HEADERS})
+  endif()
   target_compile_definitions(${name} PRIVATE BORESIGHT_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data")
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${T_LABEL}" TIMEOUT ${T_TIMEOUT}
     RUN_SERIAL ${serial})
