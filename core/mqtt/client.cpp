@@ -163,7 +163,8 @@ void Client::ended(const Ending& ending)
 {
     const bool tryOthers = isOfTheAddress(ending.kind) && !m_addresses.isEmpty();
     const auto others = std::exchange(m_addresses, {});
-    if (m_connected && m_clock.now() - m_connectedAt >= kStable) {
+    const bool wasGood = m_connected && m_clock.now() - m_connectedAt >= kStable;
+    if (wasGood) {
         m_delay.reset();
     }
     dropAttempt();
@@ -171,7 +172,8 @@ void Client::ended(const Ending& ending)
         m_addresses = others;
         tryNextAddress();
     } else {
-        giveUp(ending);
+        const bool isOusted = ending.kind == EndKind::Lost && !wasGood && !m_broker.clientId.isEmpty();
+        giveUp(isOusted ? Ending{.kind = EndKind::Ousted} : ending);
     }
 }
 

@@ -77,6 +77,11 @@ QString toText(const Ending& ending, const Broker& broker)
                 return Text::tr("closes the connection before it says anything: %1").arg(wrongPortText(broker));
             case EndKind::Lost:
                 return withDetail(Text::tr("the connection is lost (%1)"), ending);
+            case EndKind::Ousted:
+                return Text::tr(
+                           "lets us in and hangs up soon after: was it stopped, or does another program use the "
+                           "client id \"%1\"?")
+                    .arg(broker.clientId);
             case EndKind::NoPulse:
                 return Text::tr("the connection is lost (nothing was heard any more)");
             case EndKind::Nonsense:

@@ -22,6 +22,7 @@ enum class EndKind
     NotServing,
     LoginRefused,
     Lost,      // it worked before
+    Ousted,    // the same, soon after it had begun
     NoPulse,   // it worked before, and nothing was heard since
     Nonsense,  // what comes is not MQTT
     Local      // nothing to do with the broker: memory, a CA file that cannot be read

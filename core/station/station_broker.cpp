@@ -6,6 +6,8 @@
 
 #include <QUuid>
 
+#include <algorithm>
+
 namespace boresight {
 namespace {
 
@@ -71,7 +73,7 @@ StationBroker::StationBroker(EventLog& log, const Clock& clock, QObject* parent)
     });
     connect(&m_client, &mqtt::Client::problemChanged, this, [this](const QString& problem) {
         if (!problem.isEmpty()) {
-            m_log.add(Severity::Warning, kSource, Text::tr("%1; it is tried again and again").arg(problem));
+            m_log.add(Severity::Warning, kSource, Text::tr("%1 (tried again and again)").arg(problem));
         }
     });
 }
@@ -137,13 +139,20 @@ void StationBroker::show(const StationStatus& status)
     }
 }
 
+std::optional<Seconds> StationBroker::untilNext() const
+{
+    const auto& next = m_client.nextAttempt();
+    return next ? std::optional(std::max(Seconds(*next - m_clock.now()), Seconds(0.0))) : std::nullopt;
+}
+
 BrokerStatus StationBroker::status() const
 {
     const bool isWanted = m_settings.publish == profile::Publish::On || m_sensorWanted;
     return {.wanted = isWanted,
             .connected = m_client.isConnected(),
             .name = isWanted ? mqtt::toText(m_client.broker()) : QString(),
-            .problem = m_client.problem()};
+            .problem = m_client.problem(),
+            .retryIn = untilNext()};
 }
 
 }  // namespace boresight

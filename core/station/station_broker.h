@@ -10,6 +10,7 @@
 #include <QObject>
 
 #include <memory>
+#include <optional>
 
 // The MQTT broker as the station uses it: one connection, by which the station's state goes out and the sensor's
 // messages come in. What happens to it is told in the log and never moves or stops anything. Station thread.
@@ -39,6 +40,7 @@ private:
     void connectAnew();
     void stopPublishing();
     [[nodiscard]] mqtt::Broker broker() const;
+    [[nodiscard]] std::optional<Seconds> untilNext() const;
 
     EventLog& m_log;
     const Clock& m_clock;

@@ -131,8 +131,9 @@ struct BrokerStatus
 {
     bool wanted = false;
     bool connected = false;
-    QString name;     // "broker.example:1883"
-    QString problem;  // one line: what, where, what to do; empty while all is well
+    QString name;                    // "broker.example:1883"
+    QString problem;                 // one line: what, where, what to do; empty while all is well
+    std::optional<Seconds> retryIn;  // empty while there is a connection or an attempt at one
 };
 
 struct Alarm

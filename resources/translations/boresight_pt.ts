@@ -3978,8 +3978,12 @@ el %3</translation>
         <translation>conectado ao broker %1</translation>
     </message>
     <message>
-        <source>%1; it is tried again and again</source>
-        <translation>%1; tenta-se de novo repetidamente</translation>
+        <source>%1 (tried again and again)</source>
+        <translation>%1 (tenta-se de novo repetidamente)</translation>
+    </message>
+    <message>
+        <source>lets us in and hangs up soon after: was it stopped, or does another program use the client id &quot;%1&quot;?</source>
+        <translation>deixa entrar e desliga logo depois: foi parado, ou outro programa usa o identificador de cliente &quot;%1&quot;?</translation>
     </message>
     <message>
         <source>a reading is not a number</source>

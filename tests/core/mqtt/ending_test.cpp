@@ -8,11 +8,11 @@
 namespace boresight::mqtt {
 namespace {
 
-constexpr EndKind kAll[] = {EndKind::NameUnknown,      EndKind::ConnectionFailed, EndKind::NoAnswer,
-                            EndKind::Silent,           EndKind::HungUp,           EndKind::TlsRefused,
-                            EndKind::CertificateWrong, EndKind::ProtocolRefused,  EndKind::ClientIdRefused,
-                            EndKind::NotServing,       EndKind::LoginRefused,     EndKind::Lost,
-                            EndKind::NoPulse,          EndKind::Nonsense,         EndKind::Local};
+constexpr EndKind kAll[] = {
+    EndKind::NameUnknown,     EndKind::ConnectionFailed, EndKind::NoAnswer,         EndKind::Silent,
+    EndKind::HungUp,          EndKind::TlsRefused,       EndKind::CertificateWrong, EndKind::ProtocolRefused,
+    EndKind::ClientIdRefused, EndKind::NotServing,       EndKind::LoginRefused,     EndKind::Lost,
+    EndKind::Ousted,          EndKind::NoPulse,          EndKind::Nonsense,         EndKind::Local};
 
 const Broker kBroker{
     .host = QStringLiteral("shack"), .user = QStringLiteral("mount"), .clientId = QStringLiteral("b1")};
