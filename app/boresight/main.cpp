@@ -166,16 +166,19 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     const LinkMaker links(options.profile, clock);
     const auto build = [&](const profile::Profile& profile) {
         return links.make(profile.bus).map([&](std::unique_ptr<CanLink> link) {
-            return std::make_unique<Station>(profile, std::move(link), options.stateDir, clock);
+            auto station = std::make_unique<Station>(profile, std::move(link), options.stateDir, clock);
+            station->setSensorMaker(links.sensors());
+            return station;
         });
     };
     auto link = links.make(options.profile.bus);
     if (!link) {
         return complain(link.error().text);
     }
-    app::StationThread station(
-        std::make_unique<Station>(options.profile, std::move(*link), options.stateDir, clock, options.standingAt),
-        build);
+    auto first =
+        std::make_unique<Station>(options.profile, std::move(*link), options.stateDir, clock, options.standingAt);
+    first->setSensorMaker(links.sensors());
+    app::StationThread station(std::move(first), build);
     app::ProfileSaver saver(options.configDir, options.profilePath, options.profile);
     ui::MainWindow window(clock, windowSettings(options, layout));
     app::HostSearch search(makeLink);

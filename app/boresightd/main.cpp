@@ -32,11 +32,13 @@ void announce(const QString& listening)
 int run(QCoreApplication& application, const app::Options& options)
 {
     const SystemClock clock;
-    auto link = LinkMaker(options.profile, clock).make(options.profile.bus);
+    const LinkMaker links(options.profile, clock);
+    auto link = links.make(options.profile.bus);
     if (!link) {
         return complain(link.error().text);
     }
     Station station(options.profile, std::move(*link), options.stateDir, clock, options.standingAt);
+    station.setSensorMaker(links.sensors());
     app::UnixSignals signals;
     QObject::connect(&station, &Station::started, &application, [&](const QString& listening, const QString& problem) {
         if (listening.isEmpty()) {

@@ -119,9 +119,7 @@ private:
         }
         all.push_back(placeSentence());
         addJournal(all);
-        all.push_back(m_evidence.sensorHeading
-                          ? Text::tr("The sensor says %1").arg(inWords(m_evidence.sensorHeading->wrapped360()))
-                          : Text::tr("There is no sensor to compare with"));
+        all.push_back(sensorSentence(m_evidence.sensorHeading));
         return all;
     }
 
@@ -224,6 +222,12 @@ Angle ambiguity(const pointing::AxisGeometry& axis, double rotorToOutputRatio, b
 {
     const MotorTurns turn = MotorTurns::fromTurns(outputEncoder ? 1.0 : rotorToOutputRatio);
     return abs(axis.toAxis(turn) - axis.toAxis(MotorTurns()));
+}
+
+QString sensorSentence(const std::optional<Angle>& heading)
+{
+    return heading ? Text::tr("The sensor says %1").arg(inWords(heading->wrapped360()))
+                   : Text::tr("There is no sensor to compare with");
 }
 
 Judgement reconcile(const DriveFrame& frame, const Evidence& evidence, const pointing::AxisGeometry& axis)

@@ -57,6 +57,9 @@ using Judgement = std::variant<Certain, TurnQuestion>;
 [[nodiscard]] Judgement reconcile(const DriveFrame& frame, const Evidence& evidence,
                                   const pointing::AxisGeometry& axis);
 
+// The last sentence of the evidence.
+[[nodiscard]] QString sensorSentence(const std::optional<Angle>& heading);
+
 // What to remember of an axis whose absolute angle is known.
 [[nodiscard]] TurnRecord recordOf(const DriveFrame& frame, Angle angle, const pointing::AxisGeometry& axis, bool moving,
                                   UtcTime now, const HostTime& host);

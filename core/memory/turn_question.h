@@ -16,7 +16,7 @@ struct TurnQuestion
 {
     std::vector<Angle> candidates;  // in order; empty: the drive knows nothing, an angle must be entered
     std::optional<Angle> proposed;  // the candidate that the evidence speaks for
-    std::vector<QString> evidence;  // one sentence each, for the operator
+    std::vector<QString> evidence;  // one sentence each, for the operator; the last is the sensor's
     Angle period;                   // between two candidates
     Angle movedSince;               // by jogging since the question arose
 

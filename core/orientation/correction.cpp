@@ -3,24 +3,17 @@
 
 namespace boresight::orientation {
 
-Angle Correction::declination() const
-{
-    switch (m_settings.declination) {
-        case Declination::OfSensor:
-            return m_settings.ofSensor;
-        case Declination::OfSite:
-            return m_settings.ofSite;
-        case Declination::None:
-            break;
-    }
-    return {};
-}
+Correction::Correction(const Mounting& mounting, const geomagnetism::Declination& declination)
+    : m_mounting(mounting),
+      m_inSensor(declination.inSensor),
+      m_correction(geomagnetism::declinationCorrection(declination).value_or(Angle{}))
+{}
 
 Angle Correction::trueHeading(SensorHeading heading) const
 {
-    const Angle magnetic = heading.angle() - m_settings.ofSensor;
-    const Angle clockwise = m_settings.sense == Sense::Clockwise ? magnetic : -magnetic;
-    return (clockwise + m_settings.azimuthOffset + declination()).wrapped360();
+    const Angle magnetic = heading.angle() - m_inSensor;
+    const Angle clockwise = m_mounting.sense == Sense::Clockwise ? magnetic : -magnetic;
+    return (clockwise + m_mounting.azimuthOffset + declination()).wrapped360();
 }
 
 }  // namespace boresight::orientation

@@ -79,34 +79,35 @@ void addMounting(std::vector<Setting>& list)
         QT_TRANSLATE_NOOP("Text",
                           "Which way the sensor's azimuth grows, seen from above; it depends on how it is mounted. "
                           "Turn the mount and look."),
-        [](auto& p) -> auto& { return p.sensor.correction.sense; }));
+        [](auto& p) -> auto& { return p.sensor.mounting.sense; }));
     list.push_back(number(
         "sensor.azimuth_offset_deg", "°", {-360.0, 360.0}, kNow,
         QT_TRANSLATE_NOOP("Text", "True azimuth of the beam where the sensor looks north."),
-        [](auto& p) -> auto& { return p.sensor.correction.azimuthOffset; }));
+        [](auto& p) -> auto& { return p.sensor.mounting.azimuthOffset; }));
     list.push_back(number(
         "sensor.elevation_offset_deg", "°", {-180.0, 180.0}, kNow,
         QT_TRANSLATE_NOOP("Text", "Elevation of the beam where the sensor says 0°."),
-        [](auto& p) -> auto& { return p.sensor.correction.elevationOffset; }));
+        [](auto& p) -> auto& { return p.sensor.mounting.elevationOffset; }));
 }
 
 void addDeclination(std::vector<Setting>& list)
 {
     constexpr Range kDeclination{-180.0, 180.0};
     list.push_back(choice(
-        "sensor.declination", {"of_sensor", "of_site", "none"}, kNow,
-        QT_TRANSLATE_NOOP("Text",
-                          "Whose magnetic declination counts, and it alone: the one that the sensor adds, that of the "
-                          "site in its place, or none."),
-        [](auto& p) -> auto& { return p.sensor.correction.declination; }));
+        "sensor.declination_by", {"sensor", "boresight", "none"}, kNow,
+        QT_TRANSLATE_NOOP(
+            "Text",
+            "Who applies the magnetic declination: the sensor alone, Boresight alone (that of the site in "
+            "place of the sensor's), or nobody."),
+        [](auto& p) -> auto& { return p.sensor.declinationBy; }));
     list.push_back(number(
         "sensor.firmware_declination_deg", "°", kDeclination, kNow,
         QT_TRANSLATE_NOOP("Text", "What the sensor's firmware adds to its azimuth: 5.07° as delivered, for Berlin."),
-        [](auto& p) -> auto& { return p.sensor.correction.ofSensor; }));
+        [](auto& p) -> auto& { return p.sensor.declinationInSensor; }));
     list.push_back(number(
         "sensor.declination_deg", "°", kDeclination, kNow,
         QT_TRANSLATE_NOOP("Text", "Magnetic declination of the site, east positive, while declination_file is empty."),
-        [](auto& p) -> auto& { return p.sensor.correction.ofSite; }));
+        [](auto& p) -> auto& { return p.sensor.declination; }));
     list.push_back(line("sensor.declination_file",
                         QT_TRANSLATE_NOOP("Text",
                                           "Coefficients of the World Magnetic Model (.COF), to reckon the declination "
@@ -165,7 +166,7 @@ void checkSensor(std::vector<Problem>& problems, const Profile& profile)
            "orientation_topic", Text::tr("is the same as another topic of the sensor"));
     demand(sensor.statusTopic != sensor.calibrationTopic, "status_topic",
            Text::tr("is the same as another topic of the sensor"));
-    demand(sensor.correction.declination != orientation::Declination::OfSite || sensor.declinationFile.empty() ||
+    demand(sensor.declinationBy != geomagnetism::DeclinationBy::Boresight || sensor.declinationFile.empty() ||
                profile.site.known,
            "declination_file", Text::tr("needs the place of the mount (site)"));
 }

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/orientation/correction.h"
+#include "core/geomagnetism/declination.h"
+#include "core/orientation/mounting.h"
 
 #include <string>
 
@@ -26,8 +27,11 @@ struct SensorSettings
     std::string orientationTopic = "antenna/orientation";
     std::string statusTopic = "antenna/status";
     std::string calibrationTopic = "antenna/calibration";
-    orientation::CorrectionSettings correction;
-    std::string declinationFile;  // World Magnetic Model (.COF); empty: correction.ofSite as typed
+    orientation::Mounting mounting;
+    geomagnetism::DeclinationBy declinationBy = geomagnetism::DeclinationBy::Sensor;
+    Angle declinationInSensor = geomagnetism::kDeclinationInFirmware;
+    Angle declination;            // of the site, as typed; east positive
+    std::string declinationFile;  // World Magnetic Model (.COF), to reckon it from; empty: as typed
     Seconds lost{5.0};
     // The firmware reads the heading five times within 0.8 s, averages, and sends 1.0 s after the first reading: the
     // middle of what it averaged is then 0.6 s old. Its elevation is one reading at the end.

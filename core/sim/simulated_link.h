@@ -5,6 +5,7 @@
 #include "core/can/can_link.h"
 #include "core/sim/due_queue.h"
 #include "core/sim/simulated_pair.h"
+#include "core/sim/simulated_sensor.h"
 
 #include <QTimer>
 
@@ -16,13 +17,14 @@
 // event loop; with a clock turned by hand, deliver() hands over those that are due.
 namespace boresight {
 
-// A pair, and when its time began. One link at a time uses it.
+// A pair, when its time began, and the sensor on its antenna. One link and one source at a time use it.
 struct SimulatedMount
 {
     SimulatedMount(const Clock& clock, const sim::PairSettings& settings) : epoch(clock.now()), pair(settings) {}
 
     SteadyTime epoch;
     sim::SimulatedPair pair;
+    sim::SimulatedSensor sensor;
 };
 
 class SimulatedLink final : public CanLink

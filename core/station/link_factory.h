@@ -6,13 +6,12 @@
 #include "core/can/can_link.h"
 #include "core/profile/profile.h"
 #include "core/sim/simulated_pair.h"
+#include "core/station/sensor_factory.h"
 
 #include <memory>
 
 // Makes the bus of a name: "socketcan:IFACE", "fdcanusb:PATH" or "simulated". Not opened yet.
 namespace boresight {
-
-struct SimulatedMount;
 
 // A simulated mount of its own, as delivered.
 [[nodiscard]] Result<std::unique_ptr<CanLink>> makeLink(const std::string& busName, const Clock& clock);
@@ -31,6 +30,8 @@ public:
 
     // The link that it made before is gone by then.
     [[nodiscard]] Result<std::unique_ptr<CanLink>> make(const std::string& busName) const;
+    // Also of the sensor on the simulated mount.
+    [[nodiscard]] SensorMaker sensors() const { return sensorMaker(m_clock, m_simulated); }
 
 private:
     const Clock& m_clock;

@@ -58,6 +58,7 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
       m_link(std::move(link)),
       m_server(serverSettings(profile.rotctld), m_rotator, clock, this),
       m_broker(m_log, clock, this),
+      m_sensor(profile, clock, m_log, m_control.alarms(), m_broker, this),
       m_eventFile(stateDir),
       m_tickTimer(this),
       m_updateTimer(this),
@@ -137,6 +138,7 @@ void Station::openAll()
     openBus();
     openServer();
     m_broker.apply(m_profile.inForce()->mqtt);
+    m_sensor.open();
     writeEvents();
 }
 
@@ -218,6 +220,7 @@ void Station::tick()
 {
     keepSample();
     const auto motion = m_control.tick();
+    witness();
     std::vector<CanFrame> frames(motion.begin(), motion.end());
     std::ranges::copy(m_care.tick(m_clock.now()), std::back_inserter(frames));
     if (const LinkState state = m_link->status().state; state == LinkState::Up || state == LinkState::Down) {
@@ -233,6 +236,14 @@ void Station::tick()
     }
 }
 
+// What the sensor on the antenna says is compared, shown and told; nothing more comes of it.
+void Station::witness()
+{
+    m_sensor.tick(m_control.direction());
+    const SensorEvidence evidence = m_sensor.evidence();
+    m_control.setSensor(evidence.azimuth, evidence.elevation);
+}
+
 void Station::finish()
 {
     m_finished = true;
@@ -240,6 +251,7 @@ void Station::finish()
     m_updateTimer.stop();
     m_reopenTimer.stop();
     m_server.close();
+    m_sensor.close();
     m_broker.close();
     m_link->close();
     m_updateWanted = true;  // the last words, also to a screen that is slow: who asked for the end has an answer to get
@@ -316,6 +328,7 @@ void Station::apply(const profile::Profile& wanted)
     m_rotator.setProfile(*m_profile.inForce());
     m_server.setAllowed(m_profile.inForce()->rotctld.allow);
     m_broker.apply(m_profile.inForce()->mqtt);
+    m_sensor.apply(*m_profile.inForce());
     Q_EMIT profileApplied(wanted);
 }
 
@@ -359,6 +372,7 @@ StationStatus Station::status() const
     status.listening = QString::fromStdString(m_server.address());
     status.clients = clients();
     status.broker = m_broker.status();
+    status.sensor = m_sensor.status();
     return status;
 }
 

@@ -14,6 +14,7 @@
 #include "core/station/station_broker.h"
 #include "core/station/station_control.h"
 #include "core/station/station_rotator.h"
+#include "core/station/station_sensor.h"
 #include "core/station/station_status.h"
 #include "core/station/tick_lateness.h"
 
@@ -44,6 +45,9 @@ public:
     Station(const profile::Profile& profile, std::unique_ptr<CanLink> link, const QString& stateDir, const Clock& clock,
             const std::optional<AxisPosition>& standingAt = std::nullopt);
     ~Station() override;
+
+    // How the orientation sensor is reached, if not by what the profile says alone. Before start().
+    void setSensorMaker(SensorMaker maker) { m_sensor.setMaker(std::move(maker)); }
 
     [[nodiscard]] StationStatus status() const;
     [[nodiscard]] const TickLateness& lateness() const { return m_lateness; }
@@ -83,6 +87,7 @@ private:
     void saveMemory();
     void openServer();
     void tellStart();
+    void witness();
     void finish();
     void keepSample();
     void writeEvents();
@@ -98,6 +103,7 @@ private:
     std::unique_ptr<CanLink> m_link;
     rotctld::Server m_server;
     StationBroker m_broker;
+    StationSensor m_sensor;
     EventFile m_eventFile;
     QTimer m_tickTimer;
     QTimer m_updateTimer;

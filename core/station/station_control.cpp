@@ -423,6 +423,18 @@ Result<AxisPosition> StationControl::measured() const
     return *m_drives.measured();
 }
 
+std::optional<SkyPointing> StationControl::direction() const
+{
+    const auto place = measured();
+    return place ? std::optional(m_model.toSky(*place)) : std::nullopt;
+}
+
+void StationControl::setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation)
+{
+    m_turns.setSensor(Axis::Azimuth, azimuth);
+    m_turns.setSensor(Axis::Elevation, elevation);
+}
+
 std::optional<AxisPosition> StationControl::trimInUse() const
 {
     return m_activity == Activity::Streaming ? std::optional(m_trim) : std::nullopt;

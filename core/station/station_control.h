@@ -65,6 +65,8 @@ public:
     void describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const;
     // The axes as measured; an error when unknown or older than 1 s.
     [[nodiscard]] Result<AxisPosition> measured() const;
+    // Where the beam points, while that is known and measured within the last second.
+    [[nodiscard]] std::optional<SkyPointing> direction() const;
     // What is added to the targets of the client that is followed now: it is told positions without it.
     [[nodiscard]] std::optional<AxisPosition> trimInUse() const;
     [[nodiscard]] AlarmBoard& alarms() { return m_alarms; }
@@ -77,6 +79,8 @@ public:
     void setProfile(const profile::Profile& profile);
     // What the survey knows about a drive now; empty: nothing, its turn is then judged anew.
     void learn(Axis axis, const std::optional<survey::DriveFacts>& facts);
+    // Where a sensor on the antenna says that the beam points: it speaks when a turn is asked for, and nowhere else.
+    void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation);
     // What its position counts from is to be read anew.
     [[nodiscard]] bool needsOrigin(Axis axis) const { return facts(axis) && m_turns.needsOrigin(axis, *facts(axis)); }
     // The drive was power-cycled under our eyes.

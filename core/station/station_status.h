@@ -7,6 +7,7 @@
 #include "core/profile/profile.h"
 #include "core/station/calibration_status.h"
 #include "core/station/drives_status.h"
+#include "core/station/sensor_status.h"
 #include "core/units/sky.h"
 
 #include <QMetaType>
@@ -172,6 +173,7 @@ struct StationStatus
     QString listening;  // "127.0.0.1:4533", empty when the server could not listen
     std::vector<ClientStatus> clients;
     BrokerStatus broker;
+    SensorStatus sensor;
     std::vector<Alarm> alarms;  // active or unacknowledged, worst first
     UtcTime utc;
     std::uint64_t tick = 0;

@@ -187,6 +187,7 @@ void TurnKeeper::judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& dr
     const auto doubt = state(axis).doubt;
     const memory::Evidence evidence{.record = record(axis),
                                     .recordProblem = record(axis) ? QString() : m_start.problem,
+                                    .sensorHeading = m_sensor[index(axis)],
                                     .now = m_clock.utc(),
                                     .host = memory::hostTime(m_clock),
                                     .trusted = trusted,
@@ -261,6 +262,7 @@ std::optional<memory::TurnQuestion> TurnKeeper::question(Axis axis, const Drive&
         return std::nullopt;
     }
     memory::TurnQuestion question = mine.question;
+    question.evidence.back() = memory::sensorSentence(m_sensor[index(axis)]);  // it may have come, or moved, since
     question.movedSince = drive.phase() == Drive::Phase::Referencing ? Angle{} : movedSince(axis, drive);
     if (question.candidates.empty()) {
         return question;

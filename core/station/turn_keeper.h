@@ -43,6 +43,9 @@ public:
     // The operator has looked: the axis stands at about `angle`. Refused if the drive's direction contradicts it.
     Result<> choose(Axis axis, Angle angle, Drive& drive, const QString& source);
 
+    // What a sensor on the antenna says of the axis now, as a mechanical direction; it speaks in the question.
+    void setSensor(Axis axis, const std::optional<Angle>& heading) { m_sensor[index(axis)] = heading; }
+
     [[nodiscard]] bool known(Axis axis) const { return state(axis).phase == Phase::Known; }
     [[nodiscard]] bool asked(Axis axis) const { return state(axis).phase == Phase::Asked; }
     // The question that waits for the operator; the places move along when the axis is jogged.
@@ -104,6 +107,7 @@ private:
     EventLog& m_log;
     Start m_start;
     std::array<State, 2> m_states;
+    std::array<std::optional<Angle>, 2> m_sensor;
     bool m_changed = false;
 };
 

@@ -3750,10 +3750,6 @@ el %3</translation>
         <translation>Elevação do feixe quando o sensor indica 0°.</translation>
     </message>
     <message>
-        <source>Whose magnetic declination counts, and it alone: the one that the sensor adds, that of the site in its place, or none.</source>
-        <translation>Qual declinação magnética vale, e só ela: a que o sensor soma, a do local em seu lugar, ou nenhuma.</translation>
-    </message>
-    <message>
         <source>What the sensor&apos;s firmware adds to its azimuth: 5.07° as delivered, for Berlin.</source>
         <translation>O que o firmware do sensor soma ao azimute: 5.07° de fábrica, para Berlim.</translation>
     </message>
@@ -4204,6 +4200,82 @@ el %3</translation>
     <message>
         <source>%1 of 12 sectors were seen, with a gap of %2: a swing has to see more of the circle; take north from the still mount instead</source>
         <translation>foram vistos %1 de 12 setores, com uma lacuna de %2: a volta tem de ver mais do círculo; tome antes o norte com a montagem parada</translation>
+    </message>
+    <message>
+        <source>Who applies the magnetic declination: the sensor alone, Boresight alone (that of the site in place of the sensor&apos;s), or nobody.</source>
+        <translation>Quem aplica a declinação magnética: só o sensor, só o Boresight (a do local em vez da do sensor), ou ninguém.</translation>
+    </message>
+    <message>
+        <source>the sensor does not tell how well its compass is calibrated</source>
+        <translation>o sensor não diz quão bem a sua bússola está calibrada</translation>
+    </message>
+    <message>
+        <source>its compass is not calibrated (magnetometer %1, system %2 of 3)</source>
+        <translation>a sua bússola não está calibrada (magnetômetro %1, sistema %2 de 3)</translation>
+    </message>
+    <message>
+        <source>the orientation sensor is heard: %1</source>
+        <translation>o sensor de orientação é recebido: %1</translation>
+    </message>
+    <message>
+        <source>the orientation sensor has been restarted: its calibration begins anew</source>
+        <translation>o sensor de orientação reiniciou: a sua calibração recomeça</translation>
+    </message>
+    <message>
+        <source>its messages hold more than is known here: %1</source>
+        <translation>as suas mensagens contêm mais do que aqui se conhece: %1</translation>
+    </message>
+    <message>
+        <source>Pointing goes on without it: it is only a witness</source>
+        <translation>O apontamento continua sem ele: é só uma testemunha</translation>
+    </message>
+    <message>
+        <source>The orientation sensor sends nothing but zeros</source>
+        <translation>O sensor de orientação só envia zeros</translation>
+    </message>
+    <message>
+        <source>Its BNO055 does not answer its board: check their wires, then switch it off and on</source>
+        <translation>O BNO055 não responde à sua placa: verifique os fios entre eles, depois desligue e ligue</translation>
+    </message>
+    <message>
+        <source>Nothing is heard of the orientation sensor (%1)</source>
+        <translation>Nada se recebe do sensor de orientação (%1)</translation>
+    </message>
+    <message>
+        <source>Check its power, its WiFi and its cable</source>
+        <translation>Verifique a sua alimentação, o WiFi e o cabo</translation>
+    </message>
+    <message>
+        <source>The orientation sensor and the axes differ by %1 in azimuth</source>
+        <translation>O sensor de orientação e os eixos diferem %1 em azimute</translation>
+    </message>
+    <message>
+        <source>The orientation sensor and the axes differ by %1 in elevation</source>
+        <translation>O sensor de orientação e os eixos diferem %1 em elevação</translation>
+    </message>
+    <message>
+        <source>Nothing is moved because of it: the encoders count, the sensor is only a witness</source>
+        <translation>Nada é movido por isso: valem os codificadores, o sensor é só uma testemunha</translation>
+    </message>
+    <message>
+        <source>The sensor repeats one value to the last digit: switch it off and on</source>
+        <translation>O sensor repete um valor até ao último algarismo: desligue e ligue</translation>
+    </message>
+    <message>
+        <source>Likely: sensor.elevation_offset_deg is not set, the sensor has come loose, the zero of the elevation is not true, or a coupling slips: look at the antenna</source>
+        <translation>Provável: sensor.elevation_offset_deg não está definido, o sensor se soltou, o zero da elevação não é verdadeiro, ou um acoplamento desliza: olhe para a antena</translation>
+    </message>
+    <message>
+        <source>It began while the mount moved. Likely: current of the motors or iron near the compass, sensor.azimuth_sense is wrong, or a coupling slips: look at the antenna</source>
+        <translation>Começou com a montagem em movimento. Provável: corrente dos motores ou ferro perto da bússola, sensor.azimuth_sense errado, ou um acoplamento desliza: olhe para a antena</translation>
+    </message>
+    <message>
+        <source>Likely: sensor.azimuth_offset_deg is not set, iron near the compass, the sensor has come loose, or the zero of the azimuth is not true: look at the antenna</source>
+        <translation>Provável: sensor.azimuth_offset_deg não está definido, ferro perto da bússola, o sensor se soltou, ou o zero do azimute não é verdadeiro: olhe para a antena</translation>
+    </message>
+    <message>
+        <source>sensor</source>
+        <translation>sensor</translation>
     </message>
 </context>
 <context>

@@ -6,42 +6,47 @@
 namespace boresight::orientation {
 namespace {
 
-double trueDegrees(const CorrectionSettings& settings, double heading)
+using geomagnetism::Declination;
+using geomagnetism::DeclinationBy;
+
+double trueDegrees(const Mounting& mounting, const Declination& declination, double heading)
 {
-    return Correction(settings).trueHeading(SensorHeading::folded(Angle::fromDegrees(heading))).degrees();
+    return Correction(mounting, declination).trueHeading(SensorHeading::folded(Angle::fromDegrees(heading))).degrees();
 }
 
 TEST(Correction, WithoutSettingsTheSensorIsRight)
 {
-    EXPECT_NEAR(trueDegrees({}, 347.33), 347.33, 1e-9);
-    EXPECT_NEAR(trueDegrees({.azimuthOffset = 37.4_deg}, 347.33), 24.73, 1e-9);
+    EXPECT_NEAR(Correction().trueHeading(SensorHeading::folded(-12.67_deg)).degrees(), 347.33, 1e-9);
+    EXPECT_NEAR(trueDegrees({}, {}, 347.33), 347.33, 1e-9);
+    EXPECT_NEAR(trueDegrees({.azimuthOffset = 37.4_deg}, {}, 347.33), 24.73, 1e-9);
 }
 
 // The firmware is built for Berlin: what it adds is taken off before another is added.
 TEST(Correction, NoDeclinationIsAppliedTwice)
 {
-    const CorrectionSettings ofSite{.declination = Declination::OfSite, .ofSite = -12.5_deg};
-    EXPECT_NEAR(trueDegrees(ofSite, 105.07), 87.5, 1e-9);
-    EXPECT_NEAR(trueDegrees({.declination = Declination::None}, 105.07), 100.0, 1e-9);
-    const CorrectionSettings same{.declination = Declination::OfSite, .ofSite = 5.07_deg};
-    EXPECT_NEAR(trueDegrees(same, 105.07), 105.07, 1e-9);
-    const CorrectionSettings ofOwnFirmware{.declination = Declination::OfSite, .ofSensor = Angle{}, .ofSite = 3_deg};
-    EXPECT_NEAR(trueDegrees(ofOwnFirmware, 105.0), 108.0, 1e-9);
+    const auto bySite = [](Angle here) { return Declination{.by = DeclinationBy::Boresight, .here = here}; };
+    EXPECT_NEAR(trueDegrees({}, bySite(-12.5_deg), 105.07), 87.5, 1e-9);
+    EXPECT_NEAR(trueDegrees({}, bySite(5.07_deg), 105.07), 105.07, 1e-9);
+    EXPECT_NEAR(trueDegrees({}, {.by = DeclinationBy::None}, 105.07), 105.07, 1e-9);
+    EXPECT_NEAR(trueDegrees({}, {.by = DeclinationBy::Boresight, .inSensor = Angle{}, .here = 3_deg}, 105.0), 108.0,
+                1e-9);
+    EXPECT_NEAR(Correction({}, bySite(-12.5_deg)).declination().degrees(), -12.5, 1e-12);
+    EXPECT_NEAR(Correction({}, {.by = DeclinationBy::Boresight}).declination().degrees(), 5.07, 1e-12)
+        << "one that is not known is not 0";
 }
 
 // Face down the sensor turns against the compass, but a declination is east all the same.
 TEST(Correction, ASensorFaceDownCountsBackwards)
 {
-    const CorrectionSettings down{.sense = Sense::CounterClockwise};
-    EXPECT_NEAR(trueDegrees(down, 5.07), 5.07, 1e-9);
-    EXPECT_NEAR(trueDegrees(down, 35.07), 335.07, 1e-9);
-    const CorrectionSettings offset{.sense = Sense::CounterClockwise, .azimuthOffset = 90_deg};
-    EXPECT_NEAR(trueDegrees(offset, 35.07), 65.07, 1e-9);
+    const Mounting down{.sense = Sense::CounterClockwise};
+    EXPECT_NEAR(trueDegrees(down, {}, 5.07), 5.07, 1e-9);
+    EXPECT_NEAR(trueDegrees(down, {}, 35.07), 335.07, 1e-9);
+    EXPECT_NEAR(trueDegrees({.sense = Sense::CounterClockwise, .azimuthOffset = 90_deg}, {}, 35.07), 65.07, 1e-9);
 }
 
 TEST(Correction, TheElevationHasItsOwnOffset)
 {
-    EXPECT_NEAR(Correction({.elevationOffset = -3.5_deg}).elevation(20_deg).degrees(), 16.5, 1e-12);
+    EXPECT_NEAR(Correction({.elevationOffset = -3.5_deg}, {}).elevation(20_deg).degrees(), 16.5, 1e-12);
 }
 
 }  // namespace

@@ -35,12 +35,12 @@ TEST(SensorSettings, SurviveTheRoundTrip)
                       .orientationTopic = "mast/orientation",
                       .statusTopic = "mast/status",
                       .calibrationTopic = "mast/calibration",
-                      .correction = {.sense = orientation::Sense::CounterClockwise,
-                                     .azimuthOffset = -123.456_deg,
-                                     .elevationOffset = 1.25_deg,
-                                     .declination = orientation::Declination::OfSite,
-                                     .ofSensor = 4.98_deg,
-                                     .ofSite = -1.5_deg},
+                      .mounting = {.sense = orientation::Sense::CounterClockwise,
+                                   .azimuthOffset = -123.456_deg,
+                                   .elevationOffset = 1.25_deg},
+                      .declinationBy = geomagnetism::DeclinationBy::Boresight,
+                      .declinationInSensor = 4.98_deg,
+                      .declination = -1.5_deg,
                       .declinationFile = "/usr/share/wmm/WMM.COF",
                       .lost = Seconds(7.5),
                       .latency = Seconds(0.25),
@@ -71,7 +71,7 @@ TEST(SensorSettings, MakeSenseTogether)
     Profile nowhere;
     nowhere.sensor.declinationFile = "WMM.COF";
     EXPECT_TRUE(keysOf(nowhere).empty());
-    nowhere.sensor.correction.declination = orientation::Declination::OfSite;
+    nowhere.sensor.declinationBy = geomagnetism::DeclinationBy::Boresight;
     EXPECT_EQ(keysOf(nowhere), std::vector<std::string>{"sensor.declination_file"});
     nowhere.site.known = true;
     EXPECT_TRUE(keysOf(nowhere).empty());
@@ -91,7 +91,7 @@ TEST(SensorSettings, ApplyAtOnce)
     Profile wanted;
     wanted.sensor.source = SensorSource::Serial;
     wanted.sensor.port = "/dev/ttyUSB0";
-    wanted.sensor.correction.azimuthOffset = 37.4_deg;
+    wanted.sensor.mounting.azimuthOffset = 37.4_deg;
     const Application application = applied(Profile(), wanted);
     EXPECT_EQ(application.inForce, wanted);
     EXPECT_TRUE(application.waitingKeys.empty());

@@ -56,6 +56,18 @@ TEST(StationTurns, AfterAPowerCutTheOperatorIsAsked)
     EXPECT_EQ(rig.ask(request::ProveCrashStop{2_deg_s}).error().code, ErrorCode::Refused);
 }
 
+TEST(StationTurns, ASensorOnTheAntennaSpeaksInTheQuestion)
+{
+    RestartedRig rig;
+    ASSERT_TRUE(rig.question());
+    EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("There is no sensor to compare with"));
+    rig.control.setSensor(98_deg, std::nullopt);
+    EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("The sensor says 98.0°"));
+    rig.control.setSensor(-1.5_deg, std::nullopt);
+    EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("The sensor says 358.5°"));
+    EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown) << "it decides nothing";
+}
+
 TEST(StationTurns, OnlyTheOperatorJogsMeanwhileAndSlowly)
 {
     RestartedRig rig;

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sim/simulated_sensor.h"
+
+#include <cmath>
+
+namespace boresight::sim {
+namespace {
+
+// printf writes two decimals.
+double rounded(double degrees)
+{
+    return std::round(degrees * 100.0) / 100.0;
+}
+
+SkyPointing beamAt(const SensorTruth& truth, const AxisPosition& axes)
+{
+    return pointing::PointingModel(truth.mount).toSky(axes);
+}
+
+}  // namespace
+
+void SimulatedSensor::restart()
+{
+    m_before = 0.0;
+    m_revolutions = 0;
+    m_readings = 0;
+    m_last.reset();
+    m_due.clear();
+}
+
+// What the firmware makes of one quaternion.
+Angle SimulatedSensor::headingAt(const SkyPointing& beam) const
+{
+    const double psi = beam.azimuth.radians();
+    const Angle deviation = m_truth.a1 * std::sin(psi) + m_truth.b1 * std::cos(psi) + m_truth.a2 * std::sin(2.0 * psi) +
+                            m_truth.b2 * std::cos(2.0 * psi);
+    const Angle magnetic = beam.azimuth - m_truth.mountingOffset - m_truth.declination + deviation;
+    return (m_truth.faceDown ? -magnetic : magnetic) + m_truth.inFirmware;
+}
+
+std::optional<SensorMessage> SimulatedSensor::read(SteadyTime now, UtcTime utc, const AxisPosition& axes)
+{
+    if (m_fault == SensorFault::Silent) {
+        m_readings = 0;
+        m_due.clear();
+        return std::nullopt;
+    }
+    const SkyPointing beam = beamAt(m_truth, axes);
+    const Angle heading = headingAt(beam);
+    if (m_readings == 0) {
+        m_began = utc;
+        m_first = heading;
+        m_sum = {};
+    }
+    m_sum += (heading - m_first).wrapped180();
+    if (++m_readings >= m_truth.readings) {
+        m_due.push_back({now + std::chrono::duration_cast<SteadyTime::duration>(m_truth.delay), message(beam)});
+        m_readings = 0;
+    }
+    return takeDue(now);
+}
+
+SensorMessage SimulatedSensor::message(const SkyPointing& beam)
+{
+    if (m_fault == SensorFault::Frozen && m_last) {
+        m_last->time = m_began;
+        return *m_last;
+    }
+    const bool dead = m_fault == SensorFault::Dead;
+    const Angle mean = dead ? m_truth.inFirmware : m_first + m_sum / m_readings + noise();
+    const double heading = mean.wrapped360().degrees();
+    const std::int64_t revolutions = counted(heading);
+    const Angle tilt = abs(beam.elevation - m_truth.elevationOffset + noise());
+    m_last = SensorMessage{.time = m_began,
+                           .azimuth = rounded(heading + 360.0 * static_cast<double>(revolutions)),
+                           .elevation = dead ? 0.0 : rounded(std::min(tilt.degrees(), 180.0)),
+                           .revolutions = revolutions,
+                           .temperature = dead ? 0 : m_truth.temperature,
+                           .calibration = dead ? orientation::Calibration{} : m_truth.calibration};
+    return *m_last;
+}
+
+// Passages through the zero of the heading that is sent; before the first one it was 0.
+std::int64_t SimulatedSensor::counted(double heading)
+{
+    if (heading - m_before < -180.0) {
+        ++m_revolutions;
+    } else if (heading - m_before > 180.0) {
+        --m_revolutions;
+    }
+    m_before = heading;
+    return m_revolutions;
+}
+
+Angle SimulatedSensor::noise()
+{
+    return m_truth.noise * m_normal(m_random);
+}
+
+std::optional<SensorMessage> SimulatedSensor::takeDue(SteadyTime now)
+{
+    if (m_due.empty() || m_due.front().at > now) {
+        return std::nullopt;
+    }
+    const SensorMessage message = m_due.front().message;
+    m_due.pop_front();
+    return message;
+}
+
+}  // namespace boresight::sim

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/orientation/judge.h"
+#include "core/orientation/orientation.h"
+#include "core/orientation/refusal.h"
+#include "core/units/sky.h"
+
+#include <QString>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+// What the station tells of the orientation sensor. Plain values; nothing is ever moved because of them.
+namespace boresight {
+
+struct SensorStatus
+{
+    QString source;  // "serial /dev/ttyUSB0"; empty: the profile has none
+    bool open = false;
+    QString problem;  // one line: what, where, what to do; empty while all is well
+    orientation::Presence presence = orientation::Presence::Awaited;
+    bool dead = false;                             // it sends nothing but zeros
+    std::optional<orientation::Orientation> last;  // as sent, the newest that was believed, whatever its age
+    std::optional<std::chrono::milliseconds> age;  // of that
+    std::optional<SkyPointing> direction;          // true, after all corrections; not once it is lost
+    // Why its azimuth is no evidence: the compass is not calibrated. Empty: it is.
+    QString doubt;
+    Angle declination;        // that is in `direction`
+    QString declinationText;  // whose that is, or why there is none
+    // Sensor minus axes, where these were when it measured, the shorter way; empty: there was nothing to compare.
+    std::optional<Angle> azimuthDifference;
+    std::optional<Angle> elevationDifference;
+    bool disagrees = false;  // for longer than the profile lets it
+    std::int64_t turns = 0;  // counted from its headings, since it is heard without a gap
+    std::uint64_t outliers = 0;
+    std::uint64_t restarts = 0;
+    orientation::Counts counts;
+
+    [[nodiscard]] bool configured() const { return !source.isEmpty(); }
+    bool operator==(const SensorStatus&) const = default;
+};
+
+}  // namespace boresight

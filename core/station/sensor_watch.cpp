@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/sensor_watch.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+
+namespace boresight {
+namespace {
+
+const QString kCause = QStringLiteral("sensor");
+const QString kDisagreementCause = QStringLiteral("sensor disagreement");
+// The sensor waits for its WiFi and the time before it says anything.
+constexpr Seconds kFirstPatience{10.0};
+// A compass below this is not tied to magnetic north, or about to lose it.
+constexpr int kFewestMagnetometer = 2;
+constexpr int kFewestSystem = 1;
+constexpr int kFewestAccelerometer = 1;
+constexpr Seconds kFrozen{5.0};
+
+QString degreesText(Angle angle)
+{
+    return toQString(formatFixed(angle.degrees(), 1)) + QStringLiteral("°");
+}
+
+orientation::JudgeSettings judgeSettings(const profile::Profile& profile)
+{
+    return {.lost = profile.sensor.lost,
+            .azimuthSpeed = profile.azimuth.limits.speed,
+            .elevationSpeed = profile.elevation.limits.speed};
+}
+
+SensorCheckSettings checkSettings(const profile::SensorSettings& sensor)
+{
+    return {.threshold = sensor.disagreement,
+            .time = sensor.disagreementTime,
+            .latency = sensor.latency,
+            .averaging = sensor.averaging};
+}
+
+bool isTiedToNorth(const orientation::Calibration& calibration)
+{
+    return calibration.magnetometer >= kFewestMagnetometer && calibration.system >= kFewestSystem;
+}
+
+QString doubtOf(const orientation::Orientation& value)
+{
+    if (!value.calibration) {
+        return Text::tr("the sensor does not tell how well its compass is calibrated");
+    }
+    return isTiedToNorth(*value.calibration)
+               ? QString()
+               : Text::tr("its compass is not calibrated (magnetometer %1, system %2 of 3)")
+                     .arg(value.calibration->magnetometer)
+                     .arg(value.calibration->system);
+}
+
+}  // namespace
+
+SensorWatch::SensorWatch(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms)
+    : m_settings(profile.sensor),
+      m_clock(clock),
+      m_log(log),
+      m_alarms(alarms),
+      m_judge(judgeSettings(profile)),
+      m_check(checkSettings(profile.sensor))
+{
+    correct();
+}
+
+void SensorWatch::setProfile(const profile::Profile& profile)
+{
+    m_settings = profile.sensor;
+    m_judge.setSettings(judgeSettings(profile));
+    m_check.setSettings(checkSettings(profile.sensor));
+    correct();
+}
+
+void SensorWatch::setSiteDeclination(const Result<Angle>& declination)
+{
+    m_siteDeclination = declination;
+    correct();
+}
+
+geomagnetism::Declination SensorWatch::declination() const
+{
+    geomagnetism::Declination declination{
+        .by = m_settings.declinationBy, .inSensor = m_settings.declinationInSensor, .here = m_settings.declination};
+    if (!m_settings.declinationFile.empty()) {
+        declination.origin = geomagnetism::DeclinationOrigin::Model;
+        const bool known = m_siteDeclination && *m_siteDeclination;
+        declination.here = known ? std::optional(**m_siteDeclination) : std::nullopt;
+    }
+    return declination;
+}
+
+// What was compared before is compared anew: the difference was perhaps that of a wrong setting.
+void SensorWatch::correct()
+{
+    m_correction = orientation::Correction(m_settings.mounting, declination());
+    m_check.forget();
+}
+
+void SensorWatch::begin(const QString& source)
+{
+    m_name = source;
+    m_source = {};
+    m_begun = m_clock.now();
+    m_judge.forget();
+    m_check.forget();
+    m_heard = false;
+    m_unknownTold = false;
+    m_restartsTold = 0;
+    m_alarms.clear(kCause);
+    tellDisagreement();
+}
+
+void SensorWatch::take(const orientation::Orientation& value)
+{
+    const orientation::Verdict verdict = m_judge.take(value);
+    if (verdict == orientation::Verdict::Dead) {
+        return;
+    }
+    // Outliers too: a sensor that was knocked over differs at once, and one outlier alone never counts.
+    const bool level = !value.calibration || value.calibration->accelerometer >= kFewestAccelerometer;
+    m_check.take({.direction = directionOf(value),
+                  .arrival = value.arrival,
+                  .azimuthCounts = !value.calibration || isTiedToNorth(*value.calibration),
+                  .elevationCounts = level});
+    if (verdict == orientation::Verdict::Used) {
+        note(value);
+    }
+}
+
+SkyPointing SensorWatch::directionOf(const orientation::Orientation& value) const
+{
+    SkyPointing direction = m_correction.direction(value);
+    if (m_deviation) {
+        direction.azimuth = m_deviation->corrected(value.heading);
+    }
+    return direction;
+}
+
+void SensorWatch::note(const orientation::Orientation& value)
+{
+    if (!std::exchange(m_heard, true)) {
+        m_log.add(Severity::Advisory, kCause, Text::tr("the orientation sensor is heard: %1").arg(m_name));
+    }
+    if (m_judge.restarts() > m_restartsTold) {
+        m_restartsTold = m_judge.restarts();
+        m_log.add(Severity::Warning, kCause,
+                  Text::tr("the orientation sensor has been restarted: its calibration begins anew"));
+    }
+    if (!value.unknown.empty() && !std::exchange(m_unknownTold, true)) {
+        m_log.add(Severity::Advisory, kCause,
+                  Text::tr("its messages hold more than is known here: %1").arg(toQString(value.unknown)));
+    }
+}
+
+void SensorWatch::tick(const std::optional<SkyPointing>& axes)
+{
+    if (m_name.isEmpty()) {
+        return;
+    }
+    const SteadyTime now = m_clock.now();
+    m_check.note(now, axes);
+    if (m_judge.dead() || m_judge.presence(now) == orientation::Presence::Lost) {
+        m_check.forget();
+    }
+    m_check.tick(now);
+    tellPresence();
+    tellDisagreement();
+}
+
+void SensorWatch::tellPresence()
+{
+    const SteadyTime now = m_clock.now();
+    const orientation::Presence presence = m_judge.presence(now);
+    const bool overdue =
+        presence == orientation::Presence::Awaited && now - m_begun >= std::max(kFirstPatience, m_settings.lost);
+    const bool absent = presence == orientation::Presence::Lost || overdue;
+    if (absent || m_judge.dead()) {
+        m_alarms.raise(kCause, Severity::Warning, absence());
+        m_heard = false;
+    } else if (m_heard) {
+        m_alarms.clear(kCause);
+    }
+}
+
+AlarmText SensorWatch::absence() const
+{
+    const QString action = Text::tr("Pointing goes on without it: it is only a witness");
+    if (m_judge.dead()) {
+        return {.what = Text::tr("The orientation sensor sends nothing but zeros"),
+                .action = action,
+                .remedy = Text::tr("Its BNO055 does not answer its board: check their wires, then switch it off and "
+                                   "on")};
+    }
+    return {
+        .what = Text::tr("Nothing is heard of the orientation sensor (%1)").arg(m_name),
+        .action = action,
+        .remedy = m_source.problem.isEmpty() ? Text::tr("Check its power, its WiFi and its cable") : m_source.problem};
+}
+
+void SensorWatch::tellDisagreement()
+{
+    const bool disagrees = m_check.disagrees();
+    if (disagrees && !m_disagreed) {
+        m_alarms.raise(kDisagreementCause, Severity::Warning, disagreement());
+    } else if (!disagrees && m_disagreed) {
+        m_alarms.clear(kDisagreementCause);
+    }
+    m_disagreed = disagrees;
+}
+
+AlarmText SensorWatch::disagreement() const
+{
+    const Axis axis = m_check.difference(Axis::Azimuth).lasts ? Axis::Azimuth : Axis::Elevation;
+    const Angle apart = abs(m_check.difference(axis).now.value_or(Angle{}));
+    const QString what = axis == Axis::Azimuth
+                             ? Text::tr("The orientation sensor and the axes differ by %1 in azimuth")
+                             : Text::tr("The orientation sensor and the axes differ by %1 in elevation");
+    return {.what = what.arg(degreesText(apart)),
+            .action = Text::tr("Nothing is moved because of it: the encoders count, the sensor is only a witness"),
+            .remedy = causes(axis)};
+}
+
+QString SensorWatch::causes(Axis axis) const
+{
+    const auto frozen = m_judge.frozenSince();
+    if (frozen && m_check.difference(axis).beganMoving && m_clock.now() - *frozen >= kFrozen) {
+        return Text::tr("The sensor repeats one value to the last digit: switch it off and on");
+    }
+    if (axis == Axis::Elevation) {
+        return Text::tr(
+            "Likely: sensor.elevation_offset_deg is not set, the sensor has come loose, the zero of the "
+            "elevation is not true, or a coupling slips: look at the antenna");
+    }
+    return m_check.difference(axis).beganMoving
+               ? Text::tr(
+                     "It began while the mount moved. Likely: current of the motors or iron near the compass, "
+                     "sensor.azimuth_sense is wrong, or a coupling slips: look at the antenna")
+               : Text::tr(
+                     "Likely: sensor.azimuth_offset_deg is not set, iron near the compass, the sensor has come "
+                     "loose, or the zero of the azimuth is not true: look at the antenna");
+}
+
+bool SensorWatch::isYoung() const
+{
+    const orientation::Presence presence = m_judge.presence(m_clock.now());
+    return !m_judge.dead() && (presence == orientation::Presence::Present || presence == orientation::Presence::Late);
+}
+
+SensorStatus SensorWatch::status() const
+{
+    if (m_name.isEmpty()) {
+        return {};
+    }
+    const SteadyTime now = m_clock.now();
+    SensorStatus status{.source = m_name,
+                        .open = m_source.open,
+                        .problem = m_source.problem,
+                        .presence = m_judge.presence(now),
+                        .dead = m_judge.dead(),
+                        .last = m_judge.last(),
+                        .declination = m_correction.declination(),
+                        .declinationText = toQString(geomagnetism::describe(declination())),
+                        .azimuthDifference = m_check.difference(Axis::Azimuth).now,
+                        .elevationDifference = m_check.difference(Axis::Elevation).now,
+                        .disagrees = m_check.disagrees(),
+                        .turns = m_judge.turns(),
+                        .outliers = m_judge.outliers(),
+                        .restarts = m_judge.restarts(),
+                        .counts = m_source.counts};
+    if (status.last) {
+        status.age = std::chrono::duration_cast<std::chrono::milliseconds>(now - status.last->arrival);
+        status.doubt = doubtOf(*status.last);
+        status.direction = isYoung() ? std::optional(directionOf(*status.last)) : std::nullopt;
+    }
+    return status;
+}
+
+SensorEvidence SensorWatch::evidence() const
+{
+    const auto last = m_judge.last();
+    if (!last || !isYoung()) {
+        return {};
+    }
+    const SkyPointing direction = directionOf(*last);
+    const bool level = !last->calibration || last->calibration->accelerometer >= kFewestAccelerometer;
+    return {.azimuth = doubtOf(*last).isEmpty() ? std::optional(direction.azimuth) : std::nullopt,
+            .elevation = level ? std::optional(direction.elevation) : std::nullopt};
+}
+
+}  // namespace boresight

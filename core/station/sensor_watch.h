@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/calibration/deviation_curve.h"
+#include "core/orientation/correction.h"
+#include "core/orientation/judge.h"
+#include "core/orientation/source.h"
+#include "core/profile/profile.h"
+#include "core/station/alarm_board.h"
+#include "core/station/event_log.h"
+#include "core/station/sensor_check.h"
+#include "core/station/sensor_status.h"
+
+// What the station makes of the orientation sensor: judges its values, turns them into true directions, compares these
+// with the axes, and tells all that in the status, by at most two alarms and few lines of the log. It is a witness: it
+// moves nothing and stops nothing. Pure but for the log; station thread.
+namespace boresight {
+
+// True angles that are young and calibrated enough to speak for a place of the axes.
+struct SensorEvidence
+{
+    std::optional<Angle> azimuth;
+    std::optional<Angle> elevation;
+
+    bool operator==(const SensorEvidence&) const = default;
+};
+
+class SensorWatch
+{
+public:
+    SensorWatch(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms);
+
+    void setProfile(const profile::Profile& profile);
+    // What a swing found; it then stands for mounting and declination together.
+    void setDeviation(const std::optional<calibration::DeviationCurve>& deviation) { m_deviation = deviation; }
+    // Of the site by the magnetic model, or why it is not known. Counts while the profile names a file of one.
+    void setSiteDeclination(const Result<Angle>& declination);
+
+    // Another source from now on, by its name; empty: none.
+    void begin(const QString& source);
+    void show(const orientation::SourceStatus& status) { m_source = status; }
+    void take(const orientation::Orientation& value);
+    // Once per tick; where the axes point, if that is known.
+    void tick(const std::optional<SkyPointing>& axes);
+
+    [[nodiscard]] SensorStatus status() const;
+    [[nodiscard]] SensorEvidence evidence() const;
+
+private:
+    [[nodiscard]] geomagnetism::Declination declination() const;
+    [[nodiscard]] SkyPointing directionOf(const orientation::Orientation& value) const;
+    [[nodiscard]] bool isYoung() const;
+    void correct();
+    void note(const orientation::Orientation& value);
+    void tellPresence();
+    void tellDisagreement();
+    [[nodiscard]] AlarmText absence() const;
+    [[nodiscard]] AlarmText disagreement() const;
+    [[nodiscard]] QString causes(Axis axis) const;
+
+    profile::SensorSettings m_settings;
+    const Clock& m_clock;
+    EventLog& m_log;
+    AlarmBoard& m_alarms;
+    orientation::Judge m_judge;
+    orientation::Correction m_correction;
+    std::optional<calibration::DeviationCurve> m_deviation;
+    std::optional<Result<Angle>> m_siteDeclination;  // by the model
+    SensorCheck m_check;
+    QString m_name;
+    orientation::SourceStatus m_source;
+    SteadyTime m_begun{};
+    bool m_heard = false;  // as the log was told
+    bool m_disagreed = false;
+    bool m_unknownTold = false;
+    std::uint64_t m_restartsTold = 0;
+};
+
+}  // namespace boresight

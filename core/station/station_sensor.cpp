@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/station_sensor.h"
+
+#include "core/base/text.h"
+#include "core/geomagnetism/coefficient_file.h"
+#include "core/geomagnetism/decimal_year.h"
+#include "core/geomagnetism/magnetic_model.h"
+
+#include <QPromise>
+#include <QThreadPool>
+
+namespace boresight {
+namespace {
+
+const QString kSource = QStringLiteral("sensor");
+
+Site siteOf(const profile::SiteSettings& site)
+{
+    return {.latitude = site.latitude, .longitude = site.longitude, .heightMetres = site.heightMetres};
+}
+
+}  // namespace
+
+StationSensor::StationSensor(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
+                             StationBroker& broker, QObject* parent)
+    : QObject(parent),
+      m_profile(profile),
+      m_clock(clock),
+      m_log(log),
+      m_broker(broker),
+      m_watch(profile, clock, log, alarms),
+      m_maker(sensorMaker(clock, nullptr)),
+      m_model(this)
+{
+    connect(&m_model, &QFutureWatcherBase::finished, this, &StationSensor::takeModel);
+}
+
+void StationSensor::open()
+{
+    close();
+    m_open = true;
+    m_source = m_maker(m_profile, m_broker.client());
+    m_broker.setSensorWanted(m_profile.sensor.source == profile::SensorSource::Mqtt);
+    readModel();
+    if (!m_source) {
+        return;
+    }
+    connect(m_source.get(), &orientation::Source::received, this, [this](const orientation::Orientation& value) {
+        m_watch.take(value);
+        m_watch.show(m_source->status());
+    });
+    connect(m_source.get(), &orientation::Source::statusChanged, this, [this](const orientation::SourceStatus& status) {
+        m_watch.show(status);
+        if (!status.problem.isEmpty()) {
+            m_log.add(Severity::Warning, kSource, status.problem);
+        }
+    });
+    m_watch.begin(m_source->name());
+    m_source->open();
+    m_watch.show(m_source->status());
+}
+
+void StationSensor::close()
+{
+    m_open = false;
+    if (m_source) {
+        m_source->disconnect(this);
+        m_source->close();
+        m_source.reset();
+    }
+    m_watch.begin({});
+}
+
+void StationSensor::apply(const profile::Profile& profile)
+{
+    const bool another = namesAnotherSensor(m_profile, profile);
+    const bool elsewhere =
+        m_profile.site != profile.site || m_profile.sensor.declinationFile != profile.sensor.declinationFile;
+    m_profile = profile;
+    m_watch.setProfile(profile);
+    if (m_open && another) {
+        open();
+    } else if (m_open && elsewhere) {
+        readModel();
+    }
+}
+
+void StationSensor::readModel()
+{
+    if (m_profile.sensor.declinationFile.empty() || !m_profile.site.known) {
+        return;
+    }
+    const auto promise = std::make_shared<QPromise<ModelAnswer>>();
+    m_model.setFuture(promise->future());
+    promise->start();
+    QThreadPool::globalInstance()->start([promise, path = toQString(m_profile.sensor.declinationFile),
+                                          site = siteOf(m_profile.site),
+                                          year = geomagnetism::decimalYear(m_clock.utc())] {
+        ModelAnswer answer;
+        answer.declination = geomagnetism::readCoefficients(path).and_then(
+            [&](const geomagnetism::Coefficients& coefficients) -> Result<Angle> {
+                const geomagnetism::MagneticModel model(coefficients);
+                answer.expiry = model.expiry(year);
+                return model.at(site, year).map([](const geomagnetism::MagneticField& field) {
+                    return field.now.declination;
+                });
+            });
+        promise->addResult(answer);
+        promise->finish();
+    });
+}
+
+void StationSensor::takeModel()
+{
+    const ModelAnswer answer = m_model.result();
+    m_watch.setSiteDeclination(answer.declination);
+    if (!answer.declination) {
+        m_log.add(Severity::Warning, kSource, toQString(answer.declination.error().text));
+    } else if (!answer.expiry.empty()) {
+        m_log.add(Severity::Warning, kSource, toQString(answer.expiry));
+    }
+}
+
+}  // namespace boresight

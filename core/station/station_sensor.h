@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/sensor_factory.h"
+#include "core/station/sensor_watch.h"
+#include "core/station/station_broker.h"
+
+#include <QFutureWatcher>
+#include <QObject>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+// The orientation sensor as the station uses it: the source that the profile names, opened and closed as the profile
+// changes, and what SensorWatch makes of its values. The magnetic model is read in the thread pool. Station thread.
+namespace boresight {
+
+class StationSensor : public QObject
+{
+    Q_OBJECT
+
+public:
+    // Clock, log, alarms and broker outlive this.
+    StationSensor(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
+                  StationBroker& broker, QObject* parent);
+
+    // Before open().
+    void setMaker(SensorMaker maker) { m_maker = std::move(maker); }
+    void open();
+    void close();
+    // What is in force from here on; a source that did not change goes on.
+    void apply(const profile::Profile& profile);
+    void tick(const std::optional<SkyPointing>& axes) { m_watch.tick(axes); }
+
+    [[nodiscard]] SensorStatus status() const { return m_watch.status(); }
+    [[nodiscard]] SensorEvidence evidence() const { return m_watch.evidence(); }
+    [[nodiscard]] SensorWatch& watch() { return m_watch; }
+
+private:
+    struct ModelAnswer
+    {
+        Result<Angle> declination;
+        std::string expiry;
+    };
+    void readModel();
+    void takeModel();
+
+    profile::Profile m_profile;
+    const Clock& m_clock;
+    EventLog& m_log;
+    StationBroker& m_broker;
+    SensorWatch m_watch;
+    SensorMaker m_maker;
+    std::unique_ptr<orientation::Source> m_source;
+    QFutureWatcher<ModelAnswer> m_model;
+    bool m_open = false;
+};
+
+}  // namespace boresight

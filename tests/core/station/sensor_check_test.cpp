@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/sensor_check.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace boresight {
+namespace {
+
+using Degrees = std::function<double(double second)>;
+
+const SensorCheckSettings kSettings{
+    .threshold = 10_deg, .time = Seconds(1.5), .latency = Seconds(0.6), .averaging = Seconds(1.0)};
+
+SteadyTime at(double second)
+{
+    return SteadyTime{std::chrono::duration_cast<SteadyTime::duration>(Seconds(second))};
+}
+
+// Axes that tell where they are each 20 ms, and a sensor that says each 1.03 s where they were, the mean of the second
+// that ended 0.1 s ago, plus an error of its own.
+struct CheckRig
+{
+    CheckRig(Degrees azimuthThen, Degrees elevationThen)
+        : azimuth(std::move(azimuthThen)), elevation(std::move(elevationThen))
+    {}
+
+    [[nodiscard]] SensorReading reading() const
+    {
+        double sum = 0.0;
+        for (int i = 0; i < 11; ++i) {
+            sum += azimuth(second - 1.1 + 0.1 * i);
+        }
+        return {.direction = {.azimuth = Angle::fromDegrees(sum / 11.0 + error).wrapped360(),
+                              .elevation = Angle::fromDegrees(elevation(second - 0.1) + elevationError)},
+                .arrival = at(second)};
+    }
+
+    void run(double seconds)
+    {
+        for (const double end = second + seconds; second < end; second += 0.02) {
+            check.note(at(second), SkyPointing{.azimuth = Angle::fromDegrees(azimuth(second)).wrapped360(),
+                                               .elevation = Angle::fromDegrees(elevation(second))});
+            if (second >= due) {
+                due += 1.03;
+                check.take(reading());
+            }
+            check.tick(at(second));
+            everDisagreed = everDisagreed || check.disagrees();
+            if (check.disagrees() && !told) {
+                told = second;
+            }
+        }
+    }
+
+    Degrees azimuth;
+    Degrees elevation;
+    SensorCheck check{kSettings};
+    double second = 0.0;
+    double due = 0.5;
+    double error = 0.0;
+    double elevationError = 0.0;
+    bool everDisagreed = false;
+    std::optional<double> told;
+};
+
+Degrees constant(double value)
+{
+    return [value](double) { return value; };
+}
+
+// To and fro at 12°/s, around through north.
+double slewing(double second)
+{
+    const double phase = std::fmod(second, 60.0);
+    return 300.0 + 12.0 * (phase < 30.0 ? phase : 60.0 - phase);
+}
+
+TEST(SensorCheck, MotionIsNoDisagreement)
+{
+    CheckRig rig(slewing, [](double second) { return 30.0 + 20.0 * std::sin(second / 2.0); });
+    rig.run(180.0);
+    EXPECT_FALSE(rig.everDisagreed);
+    ASSERT_TRUE(rig.check.difference(Axis::Azimuth).now);
+    EXPECT_LT(abs(*rig.check.difference(Axis::Azimuth).now), 3_deg);
+}
+
+TEST(SensorCheck, AnErrorWithinTheThresholdIsShownOnly)
+{
+    CheckRig rig(slewing, constant(30.0));
+    rig.error = 9.0;
+    rig.run(60.0);
+    EXPECT_FALSE(rig.everDisagreed);
+    EXPECT_NEAR(rig.check.difference(Axis::Azimuth).now->degrees(), 9.0, 3.0);
+}
+
+// At every phase of the sensor's second.
+TEST(SensorCheck, ALargeErrorIsToldWithinThreeSecondsAndGoesWithItsCause)
+{
+    for (double phase = 0.0; phase < 1.05; phase += 0.05) {
+        CheckRig rig(constant(350.0), constant(20.0));
+        rig.run(10.0 + phase);
+        const double begun = rig.second;
+        rig.error = 25.0;
+        rig.run(4.0);
+        ASSERT_TRUE(rig.told) << phase;
+        EXPECT_LE(*rig.told - begun, 3.0) << phase;
+        EXPECT_NEAR(rig.check.difference(Axis::Azimuth).now->degrees(), 25.0, 0.1);
+        rig.error = 8.0;
+        rig.run(3.0);
+        EXPECT_TRUE(rig.check.disagrees()) << "not clearly below the threshold";
+        rig.error = 2.0;
+        rig.run(3.0);
+        EXPECT_FALSE(rig.check.disagrees());
+    }
+}
+
+TEST(SensorCheck, OneOutlierIsNone)
+{
+    CheckRig rig(constant(100.0), constant(20.0));
+    rig.run(10.0);
+    const double begun = rig.due;
+    rig.error = 90.0;
+    rig.run(begun + 0.5 - rig.second);
+    rig.error = 0.0;
+    rig.run(10.0);
+    EXPECT_FALSE(rig.everDisagreed);
+
+    rig.error = 90.0;
+    rig.run(rig.due + 0.1 - rig.second);
+    rig.due += 60.0;  // and then it is silent
+    rig.run(30.0);
+    EXPECT_FALSE(rig.everDisagreed);
+}
+
+TEST(SensorCheck, TheElevationIsComparedToo)
+{
+    CheckRig rig(constant(100.0), constant(20.0));
+    rig.run(5.0);
+    rig.elevationError = -12.0;
+    rig.run(4.0);
+    EXPECT_TRUE(rig.check.difference(Axis::Elevation).lasts);
+    EXPECT_FALSE(rig.check.difference(Axis::Azimuth).lasts);
+    EXPECT_NEAR(rig.check.difference(Axis::Elevation).now->degrees(), -12.0, 1e-9);
+}
+
+TEST(SensorCheck, NearTheZenithAnAzimuthSaysNothing)
+{
+    CheckRig high(constant(100.0), constant(80.0));
+    high.error = 90.0;
+    high.run(10.0);
+    EXPECT_FALSE(high.everDisagreed);
+    EXPECT_FALSE(high.check.difference(Axis::Azimuth).now);
+    CheckRig steep(constant(100.0), constant(60.0));
+    steep.error = 18.0;
+    steep.run(10.0);
+    EXPECT_FALSE(steep.everDisagreed) << "across the sky these are 9°";
+    steep.error = 22.0;
+    steep.run(10.0);
+    EXPECT_TRUE(steep.everDisagreed);
+}
+
+TEST(SensorCheck, WhereTheAxesAreNotKnownNothingIsCompared)
+{
+    CheckRig rig(constant(100.0), constant(20.0));
+    rig.error = 90.0;
+    rig.run(5.0);
+    ASSERT_TRUE(rig.check.disagrees());
+    rig.check.note(at(rig.second), std::nullopt);
+    rig.check.take(rig.reading());
+    EXPECT_FALSE(rig.check.disagrees());
+    EXPECT_FALSE(rig.check.difference(Axis::Azimuth).now);
+}
+
+TEST(SensorCheck, SaysWhetherItBeganInMotion)
+{
+    CheckRig still(constant(100.0), constant(20.0));
+    still.run(5.0);
+    still.error = 40.0;
+    still.run(5.0);
+    EXPECT_FALSE(still.check.difference(Axis::Azimuth).beganMoving);
+    CheckRig moving(slewing, constant(20.0));
+    moving.run(5.0);
+    moving.error = 40.0;
+    moving.run(5.0);
+    EXPECT_TRUE(moving.check.difference(Axis::Azimuth).beganMoving);
+}
+
+}  // namespace
+}  // namespace boresight

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/sensor_watch.h"
+
+#include "tests/fakes/manual_clock.h"
+
+#include <gmock/gmock.h>
+
+namespace boresight {
+namespace {
+
+using orientation::Presence;
+using testing::HasSubstr;
+
+constexpr SkyPointing kAxes{.azimuth = Angle::fromDegrees(100.0), .elevation = Angle::fromDegrees(20.0)};
+
+struct WatchRig
+{
+    explicit WatchRig(const profile::Profile& settings = {}) : profile(settings), watch(settings, clock, log, alarms)
+    {
+        watch.begin(QStringLiteral("serial /dev/ttyUSB0"));
+    }
+
+    // A value each second, while `speaking`.
+    void run(double seconds)
+    {
+        for (int i = 0; i < static_cast<int>(seconds * 50.0); ++i) {
+            clock.advance(Seconds(0.02));
+            watch.tick(kAxes);
+            if (speaking && ++ticks % 50 == 0) {
+                watch.take(value());
+            }
+        }
+    }
+
+    [[nodiscard]] orientation::Orientation value() const
+    {
+        return {.heading = orientation::SensorHeading::folded(heading),
+                .extendedAzimuth = heading,
+                .elevation = elevation,
+                .temperature = 27.0,
+                .calibration = calibration,
+                .arrival = clock.now(),
+                .unknown = unknown};
+    }
+
+    [[nodiscard]] std::string alarmText() const
+    {
+        for (const Alarm& alarm : alarms.list()) {
+            if (alarm.active) {
+                EXPECT_EQ(alarm.severity, Severity::Warning) << "amber: the mount goes on";
+                return (alarm.what + QLatin1Char(' ') + alarm.action + QLatin1Char(' ') + alarm.remedy).toStdString();
+            }
+        }
+        return {};
+    }
+
+    [[nodiscard]] std::string logText() const
+    {
+        std::string text;
+        for (const LogEntry& entry : log.since(0, 100)) {
+            text += entry.source.toStdString() + ": " + entry.text.toStdString() + "\n";
+        }
+        return text;
+    }
+
+    fakes::ManualClock clock;
+    EventLog log{clock};
+    AlarmBoard alarms{log, clock};
+    profile::Profile profile;
+    SensorWatch watch;
+    bool speaking = true;
+    int ticks = 0;
+    Angle heading = 100_deg;
+    Angle elevation = 20_deg;
+    std::optional<orientation::Calibration> calibration{
+        {.system = 3, .gyro = 3, .accelerometer = 3, .magnetometer = 3}};
+    std::string unknown;
+};
+
+TEST(SensorWatch, WithoutASensorThereIsNothingToTell)
+{
+    WatchRig rig;
+    rig.watch.begin({});
+    rig.speaking = false;
+    rig.run(60.0);
+    EXPECT_EQ(rig.watch.status(), SensorStatus());
+    EXPECT_EQ(rig.alarmText(), "");
+}
+
+TEST(SensorWatch, ShowsTheTrueDirectionAndItsAge)
+{
+    profile::Profile profile;
+    profile.sensor.mounting.azimuthOffset = 37.4_deg;
+    profile.sensor.mounting.elevationOffset = 1_deg;
+    WatchRig rig(profile);
+    rig.heading = 62.6_deg;
+    rig.elevation = 19_deg;
+    rig.run(10.5);
+    const SensorStatus status = rig.watch.status();
+    EXPECT_EQ(status.presence, Presence::Present);
+    ASSERT_TRUE(status.direction);
+    EXPECT_NEAR(status.direction->azimuth.degrees(), 100.0, 1e-9);
+    EXPECT_NEAR(status.direction->elevation.degrees(), 20.0, 1e-9);
+    EXPECT_NEAR(static_cast<double>(status.age->count()), 500.0, 25.0);
+    EXPECT_NEAR(status.azimuthDifference->degrees(), 0.0, 1e-9);
+    EXPECT_EQ(status.doubt, QString());
+    EXPECT_THAT(rig.logText(), HasSubstr("sensor: the orientation sensor is heard: serial /dev/ttyUSB0"));
+}
+
+TEST(SensorWatch, LateThenLostThenBack)
+{
+    WatchRig rig;
+    rig.run(10.0);
+    rig.speaking = false;
+    rig.run(3.5);
+    EXPECT_EQ(rig.watch.status().presence, Presence::Late);
+    EXPECT_TRUE(rig.watch.status().direction);
+    EXPECT_EQ(rig.alarmText(), "");
+    rig.watch.show({.open = false, .problem = QStringLiteral("/dev/ttyUSB0 is gone: plug the sensor in again")});
+    rig.run(2.0);
+    EXPECT_EQ(rig.watch.status().presence, Presence::Lost);
+    EXPECT_FALSE(rig.watch.status().direction);
+    EXPECT_EQ(rig.watch.evidence(), SensorEvidence());
+    EXPECT_THAT(rig.alarmText(), HasSubstr("is gone: plug the sensor in again"));
+    rig.speaking = true;
+    rig.run(2.0);
+    EXPECT_EQ(rig.alarmText(), "");
+}
+
+TEST(SensorWatch, AFirstWordIsWaitedForTenSeconds)
+{
+    WatchRig rig;
+    rig.speaking = false;
+    rig.run(9.9);
+    EXPECT_EQ(rig.alarmText(), "");
+    rig.run(0.2);
+    EXPECT_THAT(rig.alarmText(), HasSubstr("Nothing is heard of the orientation sensor"));
+}
+
+TEST(SensorWatch, ADeadOneIsToldAsThat)
+{
+    WatchRig rig;
+    rig.run(3.0);
+    orientation::Orientation dead = rig.value();
+    dead.heading = orientation::SensorHeading::folded(5.07_deg);
+    dead.elevation = Angle{};
+    dead.temperature = 0.0;
+    dead.calibration = orientation::Calibration{};
+    rig.watch.take(dead);
+    rig.speaking = false;
+    rig.run(0.1);
+    EXPECT_THAT(rig.alarmText(), HasSubstr("nothing but zeros"));
+    EXPECT_FALSE(rig.watch.status().direction);
+    EXPECT_EQ(rig.watch.evidence(), SensorEvidence());
+}
+
+TEST(SensorWatch, APersistentDifferenceIsAmberWithItsLikelyCauses)
+{
+    WatchRig rig;
+    rig.run(5.0);
+    rig.heading = 130_deg;
+    rig.run(3.0);
+    EXPECT_THAT(rig.alarmText(), HasSubstr("differ by 30.0° in azimuth"));
+    EXPECT_THAT(rig.alarmText(), HasSubstr("Nothing is moved because of it"));
+    EXPECT_THAT(rig.alarmText(), HasSubstr("iron near the compass"));
+    EXPECT_TRUE(rig.watch.status().disagrees);
+    rig.heading = 100_deg;
+    rig.run(6.0);
+    EXPECT_EQ(rig.alarmText(), "");
+    rig.elevation = 45_deg;
+    rig.run(3.0);
+    EXPECT_THAT(rig.alarmText(), HasSubstr("differ by 25.0° in elevation"));
+}
+
+TEST(SensorWatch, ANewSettingTakesADifferenceAway)
+{
+    WatchRig rig;
+    rig.heading = 62.6_deg;
+    rig.run(5.0);
+    EXPECT_NE(rig.alarmText(), "");
+    rig.profile.sensor.mounting.azimuthOffset = 37.4_deg;
+    rig.watch.setProfile(rig.profile);
+    rig.run(2.0);
+    EXPECT_EQ(rig.alarmText(), "");
+    EXPECT_NEAR(rig.watch.status().direction->azimuth.degrees(), 100.0, 1e-9);
+}
+
+TEST(SensorWatch, AnUncalibratedCompassIsNoWitness)
+{
+    WatchRig rig;
+    rig.calibration->magnetometer = 1;
+    rig.heading = 180_deg;
+    rig.run(10.0);
+    EXPECT_EQ(rig.alarmText(), "");
+    EXPECT_THAT(rig.watch.status().doubt.toStdString(), HasSubstr("magnetometer 1"));
+    EXPECT_EQ(rig.watch.evidence(), (SensorEvidence{.azimuth = std::nullopt, .elevation = 20_deg}));
+    rig.calibration->magnetometer = 2;
+    rig.run(2.0);
+    EXPECT_EQ(rig.watch.evidence(), (SensorEvidence{.azimuth = 180_deg, .elevation = 20_deg}));
+}
+
+// Practically no calibration comes by MQTT: that is no proof, but a difference is told all the same.
+TEST(SensorWatch, WithoutACalibrationItWarnsButProvesNothing)
+{
+    WatchRig rig;
+    rig.calibration.reset();
+    rig.heading = 150_deg;
+    rig.run(5.0);
+    EXPECT_NE(rig.alarmText(), "");
+    EXPECT_FALSE(rig.watch.evidence().azimuth);
+}
+
+TEST(SensorWatch, WhatASwingFoundStandsForTheMounting)
+{
+    WatchRig rig;
+    const calibration::DeviationCurve curve{.constant = -37_deg, .a1 = 8_deg, .b2 = 3_deg};
+    rig.watch.setDeviation(curve);
+    rig.heading = curve.reading(100_deg).angle();
+    rig.run(3.0);
+    EXPECT_NEAR(rig.watch.status().direction->azimuth.degrees(), 100.0, 1e-6);
+}
+
+TEST(SensorWatch, TheDeclinationOfTheSiteCountsOnceItIsKnown)
+{
+    profile::Profile profile;
+    profile.sensor.declinationBy = geomagnetism::DeclinationBy::Boresight;
+    profile.sensor.declinationFile = "WMM.COF";
+    WatchRig rig(profile);
+    rig.run(2.0);
+    EXPECT_NEAR(rig.watch.status().direction->azimuth.degrees(), 100.0, 1e-9);
+    rig.watch.setSiteDeclination(-14.93_deg);
+    rig.run(2.0);
+    EXPECT_NEAR(rig.watch.status().direction->azimuth.degrees(), 80.0, 1e-9);
+    EXPECT_NEAR(rig.watch.status().declination.degrees(), -14.93, 1e-9);
+    EXPECT_THAT(rig.watch.status().declinationText.toStdString(), HasSubstr("magnetic model"));
+    rig.watch.setSiteDeclination(failure(ErrorCode::NoDevice, "WMM.COF: no such file"));
+    rig.run(2.0);
+    EXPECT_NEAR(rig.watch.status().direction->azimuth.degrees(), 100.0, 1e-9) << "not known is not 0";
+}
+
+TEST(SensorWatch, TellsRestartsAndUnknownFieldsOnce)
+{
+    WatchRig rig;
+    rig.unknown = "12.5,hPa";
+    rig.run(5.0);
+    rig.calibration = orientation::Calibration{};
+    rig.run(5.0);
+    const std::string log = rig.logText();
+    EXPECT_THAT(log, HasSubstr("hold more than is known here: 12.5,hPa"));
+    EXPECT_THAT(log, HasSubstr("has been restarted"));
+    EXPECT_EQ(std::ranges::count(log, '\n'), 3) << log;
+}
+
+}  // namespace
+}  // namespace boresight
