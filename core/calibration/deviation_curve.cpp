@@ -19,6 +19,12 @@ Angle amplitude(Angle sine, Angle cosine)
 
 }  // namespace
 
+Angle UnreliableSector::width() const
+{
+    const Angle width = (to - from).wrapped360();
+    return width < kSlack ? Angle::fromTurns(1.0) : width;
+}
+
 Angle DeviationCurve::deviation(Angle heading) const
 {
     const double psi = heading.radians();

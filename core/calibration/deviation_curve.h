@@ -21,17 +21,16 @@ enum class AzimuthSense
     CounterClockwise  // against it: the sensor is mounted face down, or its firmware counts so
 };
 
-// An arc of true headings, clockwise from `from` to `to`, where something steers the needle that no harmonic describes.
+// An arc of true headings, clockwise from `from` to `to` (the whole circle where these are the same), where something
+// steers the needle that no harmonic describes.
 struct UnreliableSector
 {
     Angle from;
     Angle to;
     Angle residual;  // the largest of its middle residuals
 
-    [[nodiscard]] bool contains(Angle heading) const
-    {
-        return (heading - from).wrapped360() <= (to - from).wrapped360();
-    }
+    [[nodiscard]] Angle width() const;
+    [[nodiscard]] bool contains(Angle heading) const { return (heading - from).wrapped360() <= width(); }
     bool operator==(const UnreliableSector&) const = default;
 };
 

@@ -138,7 +138,8 @@ Result<SensorOffset> sensorOffset(std::span<const SensorReading> readings, const
                         .scatter = scatter,
                         .used = fit->usedRows(),
                         .rejected = rejected,
-                        .calibrationKnown = readings.front().magnetometerCalibration.has_value()};
+                        .calibrationKnown = readings.front().magnetometerCalibration.has_value(),
+                        .isReliableHere = !curve || curve->isReliable(heading)};
 }
 
 }  // namespace boresight::calibration

@@ -46,6 +46,7 @@ struct SensorOffset
     std::size_t used = 0;
     std::size_t rejected = 0;
     bool calibrationKnown = true;
+    bool isReliableHere = true;  // false: the curve says that steel steers the needle at this heading
 };
 
 // `curve`: from an earlier swing, if there was one. Refused with the reason, for the operator.

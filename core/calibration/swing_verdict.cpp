@@ -23,8 +23,7 @@ Angle unreliableArc(const CompassSwing& swing)
 {
     Angle sum;
     for (const UnreliableSector& sector : swing.curve.unreliable) {
-        const Angle width = (sector.to - sector.from).wrapped360();
-        sum += width > Angle{} ? width : Angle::fromTurns(1.0);
+        sum += sector.width();
     }
     return sum;
 }

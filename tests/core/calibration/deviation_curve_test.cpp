@@ -64,6 +64,11 @@ TEST(DeviationCurve, KnowsWhereItIsNotToBeBelieved)
     EXPECT_TRUE(throughNorth.contains(0_deg));
     EXPECT_TRUE(throughNorth.contains(355_deg));
     EXPECT_FALSE(throughNorth.contains(180_deg));
+    const UnreliableSector everywhere{.from = 0_deg, .to = 360_deg, .residual = {}};
+    EXPECT_TRUE(everywhere.contains(180_deg));
+    DeviationCurve hopeless;
+    hopeless.unreliable = {everywhere};
+    EXPECT_FALSE(hopeless.withNorthMoved(12.3_deg).isReliable(200_deg));
 }
 
 TEST(DeviationCurve, SaysTheSameWhenNorthIsFoundElsewhere)

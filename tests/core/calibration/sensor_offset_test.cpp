@@ -78,7 +78,11 @@ TEST(SensorOffset, UsesTheCurveOfASwing)
     EXPECT_NEAR(offBy(*offset, 37.4), 0.0, 1e-6);
     EXPECT_LT(offset->offset.sigma, 1_deg);
     curve.unreliable = {{.from = 130_deg, .to = 150_deg, .residual = 15_deg}};
-    EXPECT_GT(sensorOffset(still, {}, curve)->offset.sigma, 5_deg);
+    const auto inSteel = sensorOffset(still, {}, curve);
+    ASSERT_TRUE(inSteel.has_value());
+    EXPECT_GT(inSteel->offset.sigma, 5_deg);
+    EXPECT_FALSE(inSteel->isReliableHere);
+    EXPECT_TRUE(offset->isReliableHere);
 }
 
 // Noise that lasts from one reading to the next does not average out as fast: the true error is within two of the
