@@ -30,6 +30,7 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"azimuth", QT_TRANSLATE_NOOP("SettingWords", "Azimuth axis")},
                              {"elevation", QT_TRANSLATE_NOOP("SettingWords", "Elevation axis")},
                              {"control", QT_TRANSLATE_NOOP("SettingWords", "Control")},
+                             {"pointing", QT_TRANSLATE_NOOP("SettingWords", "Pointing model")},
                              {"limits", QT_TRANSLATE_NOOP("SettingWords", "Limits of operation")},
                              {"park", QT_TRANSLATE_NOOP("SettingWords", "Park and presets")},
                              {"site", QT_TRANSLATE_NOOP("SettingWords", "Site")},

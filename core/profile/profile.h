@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/pointing/mount_model.h"
+#include "core/pointing/pointing_model.h"
 #include "core/pointing/region.h"
 #include "core/profile/sensor_settings.h"
 #include "core/tracking/axis_profile.h"
@@ -66,7 +67,7 @@ enum class AzimuthConvention
 {
     ZeroTo360,
     PlusMinus180,
-    Continuous  // the mechanical angle: 370° stays 370°
+    Continuous  // goes on with the turns of the axis: 370° stays 370°
 };
 
 // Whether a person has seen that each axis turns the way the profile says. Before, the mount is only moved a little.
@@ -245,6 +246,7 @@ struct Profile
     AxisSettings azimuth = referenceAzimuth();
     AxisSettings elevation = referenceElevation();
     ControlSettings control;
+    pointing::PointingTerms pointing;  // how the true direction differs from what the axes show
     pointing::Region limits;
     AxisPosition park{};  // mechanical angles
     std::vector<Preset> presets;

@@ -201,7 +201,9 @@ void addClients(std::vector<Setting>& list)
         [](auto& p) -> auto& { return p.rotctld.outsideLimits; }));
     list.push_back(choice(
         "rotctld.azimuth", {"0..360", "-180..180", "continuous"}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text", "How clients are told the azimuth; \"continuous\" is the mechanical angle."),
+        QT_TRANSLATE_NOOP(
+            "Text",
+            "How clients are told the azimuth; \"continuous\" counts the turns of the axis on: 370° is not 10°."),
         [](auto& p) -> auto& { return p.rotctld.azimuth; }));
     list.push_back(choice(
         "rotctld.dump_state", {"old_and_new", "as_hamlib"}, Applies::OnReconnect,
@@ -224,6 +226,7 @@ std::vector<Setting> makeSettings()
         addGeometry(list, table, axis);
         addLimits(list, table, axis);
     }
+    addPointing(list);
     addRegion(list);
     addControl(list);
     addSite(list);

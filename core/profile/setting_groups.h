@@ -9,6 +9,7 @@
 // The groups of settings that have a file of their own, put together in setting.cpp, and checks they need.
 namespace boresight::profile {
 
+void addPointing(std::vector<Setting>& list);
 void addRegion(std::vector<Setting>& list);
 void addSite(std::vector<Setting>& list);
 void addSupervision(std::vector<Setting>& list);
