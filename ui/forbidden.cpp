@@ -12,7 +12,8 @@ namespace {
 
 pointing::PermittedRegion regionOf(const profile::Profile& profile)
 {
-    return {profile.limits, profile.azimuth.geometry.travel, profile.elevation.geometry.travel};
+    return {profile.limits, profile.azimuth.geometry.travel, profile.elevation.geometry.travel,
+            pointing::PointingModel(profile.pointing)};
 }
 
 QString forbidden(const std::string& reason)
@@ -28,7 +29,8 @@ QString whyForbidden(const StationStatus& status, const SkyPointing& direction)
 {
     const profile::Profile& profile = *status.profile;
     const pointing::PermittedRegion region = regionOf(profile);
-    pointing::MountModel model(profile.azimuth.geometry, profile.elevation.geometry);
+    pointing::MountModel model(profile.azimuth.geometry, profile.elevation.geometry,
+                               pointing::PointingModel(profile.pointing));
     model.limitTo(region.ranges().azimuth, region.ranges().elevation);
     const AxisPosition now{status.azimuth.actual.value_or(0_deg), status.elevation.actual.value_or(0_deg)};
     const pointing::Resolved resolved = model.resolve(direction, now);

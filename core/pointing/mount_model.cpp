@@ -51,6 +51,9 @@ const Angle kRounding = Angle::fromDegrees(1e-9);
 // each of its points: this much beyond the end, the end itself will do. A small beam is still several times wider.
 const Angle kEndTolerance = Angle::fromDegrees(0.25);
 
+// A direction that a collimation keeps the beam from at the zenith: this near to it is as good.
+const Angle kHoleTolerance = Angle::fromDegrees(0.5);
+
 // In the middle of a gap both ends are equally near: the other one must be better by this much to be worth the way.
 const Angle kEndPreference = Angle::fromDegrees(1.0);
 
@@ -100,26 +103,25 @@ std::optional<Angle> turnInside(const TravelRange& travel, Angle azimuth, Angle 
     return reaches(travel, back) ? std::optional(travel.clamped(back)) : std::nullopt;
 }
 
-// Angle on the sky between two pointings, as its cosine: larger is nearer.
-double nearness(const AxisPosition& axes, const SkyPointing& direction)
+// Angle on the sky between two places, as its cosine: larger is nearer.
+double nearness(const AxisPosition& axes, const AxisPosition& wanted)
 {
     const double e = axes.elevation.radians();
-    const double s = direction.elevation.radians();
-    return std::sin(e) * std::sin(s) +
-           std::cos(e) * std::cos(s) * std::cos((axes.azimuth - direction.azimuth).radians());
+    const double s = wanted.elevation.radians();
+    return std::sin(e) * std::sin(s) + std::cos(e) * std::cos(s) * std::cos((axes.azimuth - wanted.azimuth).radians());
 }
 
-// The nearest permitted point when azimuth has to stay at `end`: there the sky distance to the direction is least at
+// The nearest permitted point when azimuth has to stay at `end`: there the sky distance to what is wanted is least at
 // atan2(sin E, cos E cos D), D being the azimuth that is missing.
-AxisPosition nearestAtEnd(const TravelRange& travel, Angle end, const SkyPointing& direction)
+AxisPosition nearestAtEnd(const TravelRange& travel, Angle end, const AxisPosition& wanted)
 {
-    const double missing = (direction.azimuth - end).radians();
-    const double e = direction.elevation.radians();
+    const double missing = (wanted.azimuth - end).radians();
+    const double e = wanted.elevation.radians();
     const Angle best = Angle::fromRadians(std::atan2(std::sin(e), std::cos(e) * std::cos(missing)));
     AxisPosition chosen{.azimuth = end, .elevation = travel.clamped(best)};
     for (const Angle elevation : {travel.min, travel.max}) {
         const AxisPosition other{.azimuth = end, .elevation = elevation};
-        if (nearness(other, direction) > nearness(chosen, direction)) {
+        if (nearness(other, wanted) > nearness(chosen, wanted)) {
             chosen = other;
         }
     }
@@ -128,8 +130,12 @@ AxisPosition nearestAtEnd(const TravelRange& travel, Angle end, const SkyPointin
 
 }  // namespace
 
-MountModel::MountModel(const AxisGeometry& azimuth, const AxisGeometry& elevation)
-    : m_azimuth(azimuth), m_elevation(elevation), m_azimuths(azimuth.travel), m_elevations(elevation.travel)
+MountModel::MountModel(const AxisGeometry& azimuth, const AxisGeometry& elevation, const PointingModel& pointing)
+    : m_azimuth(azimuth),
+      m_elevation(elevation),
+      m_pointing(pointing),
+      m_azimuths(azimuth.travel),
+      m_elevations(elevation.travel)
 {}
 
 void MountModel::limitTo(const TravelRange& azimuths, const TravelRange& elevations)
@@ -145,42 +151,56 @@ const AxisGeometry& MountModel::axis(Axis which) const
     return which == Axis::Azimuth ? m_azimuth : m_elevation;
 }
 
+// Where a direction above 90° is reached over the top.
+std::optional<AxisPosition> MountModel::overTheTop(const SkyPointing& direction, const AxisPosition& now) const
+{
+    const AxisPosition wanted = m_pointing.toAxes(direction).axes;
+    const auto azimuth = turnInside(m_azimuths, wanted.azimuth, now.azimuth);
+    if (direction.elevation <= 90_deg || !azimuth || !reaches(m_elevations, wanted.elevation)) {
+        return std::nullopt;
+    }
+    return AxisPosition{.azimuth = *azimuth, .elevation = m_elevations.clamped(wanted.elevation)};
+}
+
 Resolved MountModel::resolve(const SkyPointing& direction, const AxisPosition& now) const
 {
-    const TravelRange& elevations = m_elevations;
-    if (direction.elevation > 90_deg && reaches(elevations, direction.elevation)) {
-        if (const auto azimuth = turnInside(m_azimuths, direction.azimuth, now.azimuth)) {
-            return {.position = {*azimuth, elevations.clamped(direction.elevation)}};
-        }
+    if (const auto over = overTheTop(direction, now)) {
+        return {.position = *over};
     }
-    const SkyPointing upright = toSky({direction.azimuth, direction.elevation});
+    const auto [wanted, miss] = m_pointing.toAxes(upright(direction));
     Resolved resolved;
-    if (const auto azimuth = turnInside(m_azimuths, upright.azimuth, now.azimuth)) {
-        resolved.position = {*azimuth, elevations.clamped(upright.elevation)};
+    if (const auto azimuth = turnInside(m_azimuths, wanted.azimuth, now.azimuth)) {
+        resolved.position = {*azimuth, m_elevations.clamped(wanted.elevation)};
     } else {
-        resolved.position = nearestAcrossGap(upright, now);
+        resolved.position = nearestAcrossGap(wanted, now);
         const QString sentence = m_azimuths == m_azimuth.travel ? Text::tr("azimuth %1 outside travel %2…%3")
                                                                 : Text::tr("azimuth %1 outside limits %2…%3");
         addReason(
             resolved,
-            sentence.arg(degrees(upright.azimuth), degrees(m_azimuths.min), degrees(m_azimuths.max)).toStdString());
+            sentence.arg(degrees(wanted.azimuth), degrees(m_azimuths.min), degrees(m_azimuths.max)).toStdString());
     }
-    if (!reaches(elevations, upright.elevation)) {
-        addReason(resolved, elevationReason(upright.elevation, elevations));
+    if (!reaches(m_elevations, wanted.elevation)) {
+        addReason(resolved, elevationReason(wanted.elevation, m_elevations));
+    }
+    if (resolved.limited && !m_pointing.isIdentity()) {
+        resolved.reason += " " + Text::tr("(mechanical angles)").toStdString();
+    }
+    if (miss > kHoleTolerance) {
+        addReason(resolved, Text::tr("at the zenith the beam misses it by %1").arg(degrees(miss)).toStdString());
     }
     return resolved;
 }
 
-AxisPosition MountModel::nearestAcrossGap(const SkyPointing& direction, const AxisPosition& now) const
+AxisPosition MountModel::nearestAcrossGap(const AxisPosition& wanted, const AxisPosition& now) const
 {
     const TravelRange& azimuths = m_azimuths;
     const bool nearMin = abs(now.azimuth - azimuths.min) < abs(now.azimuth - azimuths.max);
     const Angle here = nearMin ? azimuths.min : azimuths.max;
     const Angle there = nearMin ? azimuths.max : azimuths.min;
-    const AxisPosition stay = nearestAtEnd(m_elevations, here, direction);
-    const AxisPosition change = nearestAtEnd(m_elevations, there, direction);
+    const AxisPosition stay = nearestAtEnd(m_elevations, here, wanted);
+    const AxisPosition change = nearestAtEnd(m_elevations, there, wanted);
     const auto distance = [&](const AxisPosition& axes) {
-        return Angle::fromRadians(std::acos(std::clamp(nearness(axes, direction), -1.0, 1.0)));
+        return Angle::fromRadians(std::acos(std::clamp(nearness(axes, wanted), -1.0, 1.0)));
     };
     return distance(change) + kEndPreference < distance(stay) ? change : stay;
 }
@@ -195,14 +215,6 @@ Resolved MountModel::resolve(const AxisPosition& position) const
         addReason(resolved, elevationReason(position.elevation, m_elevations));
     }
     return resolved;
-}
-
-SkyPointing MountModel::toSky(const AxisPosition& position)
-{
-    if (position.elevation > 90_deg) {
-        return {.azimuth = (position.azimuth + 180_deg).wrapped360(), .elevation = 180_deg - position.elevation};
-    }
-    return {.azimuth = position.azimuth.wrapped360(), .elevation = position.elevation};
 }
 
 }  // namespace boresight::pointing

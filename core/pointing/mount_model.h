@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/pointing/pointing_model.h"
 #include "core/units/sky.h"
 
+#include <optional>
 #include <string>
 
 // The one place where a direction in the sky, the mechanical angles of the axes and the turns of the motors become one
@@ -50,11 +52,15 @@ struct Resolved
 class MountModel
 {
 public:
-    MountModel(const AxisGeometry& azimuth, const AxisGeometry& elevation);
+    MountModel(const AxisGeometry& azimuth, const AxisGeometry& elevation, const PointingModel& pointing = {});
 
     [[nodiscard]] const AxisGeometry& azimuth() const { return m_azimuth; }
     [[nodiscard]] const AxisGeometry& elevation() const { return m_elevation; }
     [[nodiscard]] const AxisGeometry& axis(Axis which) const;
+
+    // How the true direction differs from what the axes show. Directions are true here, places of the axes mechanical.
+    [[nodiscard]] const PointingModel& pointing() const { return m_pointing; }
+    void setPointing(const PointingModel& pointing) { m_pointing = pointing; }
 
     // Directions are resolved into these ranges, which are the travel of the axes until told otherwise: a place on a
     // turn outside of the limits of operation is no answer. Ranges with nothing in them change nothing.
@@ -70,13 +76,15 @@ public:
     [[nodiscard]] Resolved resolve(const AxisPosition& position) const;
 
     // Where the beam points: azimuth in [0°, 360°), elevation -90…90° (over the top is turned to its sky place).
-    [[nodiscard]] static SkyPointing toSky(const AxisPosition& position);
+    [[nodiscard]] SkyPointing toSky(const AxisPosition& position) const { return upright(m_pointing.toSky(position)); }
 
 private:
-    [[nodiscard]] AxisPosition nearestAcrossGap(const SkyPointing& direction, const AxisPosition& now) const;
+    [[nodiscard]] std::optional<AxisPosition> overTheTop(const SkyPointing& direction, const AxisPosition& now) const;
+    [[nodiscard]] AxisPosition nearestAcrossGap(const AxisPosition& wanted, const AxisPosition& now) const;
 
     AxisGeometry m_azimuth;
     AxisGeometry m_elevation;
+    PointingModel m_pointing;
     TravelRange m_azimuths;
     TravelRange m_elevations;
 };

@@ -109,11 +109,14 @@ std::optional<AxisPosition> PermittedRegion::nearest(const AxisPosition& place) 
     search.tryAzimuth(m_ranges.azimuth.max);
     const double first = std::floor(m_ranges.azimuth.min / kFullTurn) - 2.0;
     const double last = std::ceil(m_ranges.azimuth.max / kFullTurn) + 1.0;
-    for (std::size_t i = 0; i < m_skyline.lineCount(); ++i) {
-        const auto [from, to] = m_skyline.line(i);
-        for (double turn = first; turn <= last; turn += 1.0) {
-            const Angle by = turn * kFullTurn;
+    for (double turn = first; turn <= last; turn += 1.0) {
+        const Angle by = turn * kFullTurn;
+        for (std::size_t i = 0; i < m_upright.lineCount(); ++i) {
+            const auto [from, to] = m_upright.line(i);
             search.tryLine({from.azimuth + by, from.elevation}, {to.azimuth + by, to.elevation});
+        }
+        for (std::size_t i = 0; i < m_overTheTop.lineCount(); ++i) {
+            const auto [from, to] = m_overTheTop.line(i);
             search.tryLine({from.azimuth + by + 180_deg, 180_deg - from.elevation},
                            {to.azimuth + by + 180_deg, 180_deg - to.elevation});
         }

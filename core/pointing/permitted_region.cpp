@@ -3,7 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
-#include "core/pointing/mount_model.h"
+#include "core/pointing/axis_image.h"
 #include "core/pointing/slits.h"
 
 #include <algorithm>
@@ -86,70 +86,59 @@ std::optional<AxisBox> slitBetween(const AxisBox& a, const AxisBox& b)
 
 }  // namespace
 
-AxisBox AxisBox::at(const AxisPosition& place)
-{
-    return {.azimuth = {place.azimuth, place.azimuth}, .elevation = {place.elevation, place.elevation}};
-}
-
-AxisBox AxisBox::between(const AxisPosition& a, const AxisPosition& b)
-{
-    return {.azimuth = {std::min(a.azimuth, b.azimuth), std::max(a.azimuth, b.azimuth)},
-            .elevation = {std::min(a.elevation, b.elevation), std::max(a.elevation, b.elevation)}};
-}
-
 PermittedRegion::PermittedRegion(const Region& region, const TravelRange& azimuthTravel,
-                                 const TravelRange& elevationTravel)
-    : m_ranges{.azimuth = common(region.azimuth, azimuthTravel),
+                                 const TravelRange& elevationTravel, const PointingModel& pointing)
+    : m_pointing(pointing),
+      m_ranges{.azimuth = common(region.azimuth, azimuthTravel),
                .elevation = common(region.elevation, elevationTravel)},
-      m_skyline(region.horizon),
+      m_horizon(region.horizon),
+      m_upright(AxisImage(pointing).of(m_horizon, Side::Upright)),
+      m_overTheTop(AxisImage(pointing).of(m_horizon, Side::OverTheTop)),
       m_keepOuts(region.keepOuts)
 {
+    const AxisImage image(pointing);
     for (std::size_t i = 0; i < m_keepOuts.size(); ++i) {
-        layOut(m_keepOuts[i], i);
-        for (const KeepOut& standing : standingOnHorizon(m_keepOuts[i], m_skyline)) {
-            layOut(standing, i);
+        std::vector<KeepOut> parts = standingOnHorizon(m_keepOuts[i], m_horizon);
+        parts.insert(parts.begin(), m_keepOuts[i]);
+        for (const KeepOut& part : parts) {
+            for (const AxisBox& box : image.of(part)) {
+                layOut(box, i);
+            }
         }
+    }
+    for (const AxisBox& cap : image.capOf(m_horizon)) {
+        layOut(cap, m_keepOuts.size());
     }
     closeSlits();
     closeSlits();  // where three meet, between what the first round closed
     dropCovered();
 }
 
-// On every turn that can be reached, upright and over the top. One that goes all round and up to the zenith is one box
-// across it: else the zenith in its middle would be an edge.
-void PermittedRegion::layOut(const KeepOut& keepOut, std::size_t index)
+// On every turn that can be reached.
+void PermittedRegion::layOut(const AxisBox& box, std::size_t index)
 {
-    const Angle top = std::min(keepOut.elevationMax, 90_deg);
-    const Angle width = (keepOut.azimuthTo - keepOut.azimuthFrom).wrapped360();
-    const bool allRound = abs(keepOut.azimuthTo - keepOut.azimuthFrom) >= kFullTurn - kRounding;
-    if (allRound) {
-        const TravelRange everywhere{m_ranges.azimuth.min - kFullTurn, m_ranges.azimuth.max + kFullTurn};
-        const Angle high = top >= 90_deg - kRounding ? 180_deg - keepOut.elevationMin : top;
-        add({.azimuth = everywhere, .elevation = {keepOut.elevationMin, high}}, index);
-        if (high == top) {
-            add({.azimuth = everywhere, .elevation = {180_deg - top, 180_deg - keepOut.elevationMin}}, index);
-        }
+    const TravelRange& azimuth = m_ranges.azimuth;
+    if (box.azimuth.max - box.azimuth.min >= kFullTurn) {
+        add({.azimuth = {azimuth.min - kFullTurn, azimuth.max + kFullTurn}, .elevation = box.elevation}, index);
         return;
     }
-    const TravelRange upright{keepOut.azimuthFrom, keepOut.azimuthFrom + width};
-    const double first = std::floor((m_ranges.azimuth.min - upright.max) / kFullTurn) - 1.0;
-    const double last = std::ceil((m_ranges.azimuth.max - upright.min) / kFullTurn);
+    const double first = std::floor((azimuth.min - box.azimuth.max) / kFullTurn);
+    const double last = std::ceil((azimuth.max - box.azimuth.min) / kFullTurn);
     for (double turn = first; turn <= last; turn += 1.0) {
-        const TravelRange azimuths = shifted(upright, turn * kFullTurn);
-        add({.azimuth = azimuths, .elevation = {keepOut.elevationMin, top}}, index);
-        add({.azimuth = shifted(azimuths, 180_deg), .elevation = {180_deg - top, 180_deg - keepOut.elevationMin}},
-            index);
+        add({.azimuth = shifted(box.azimuth, turn * kFullTurn), .elevation = box.elevation}, index);
     }
 }
 
-// What reaches the end of a range goes on beyond it.
+// What reaches the end of a range goes on beyond it: below a mast that begins at 0° there is no way, not either for a
+// mount that leans so that its own 0° are lower there.
 void PermittedRegion::add(AxisBox box, std::size_t index)
 {
     const bool empty = box.azimuth.max - box.azimuth.min <= 2.0 * kRounding ||
                        box.elevation.max - box.elevation.min <= 2.0 * kRounding;
-    const auto extend = [](TravelRange& side, const TravelRange& range) {
-        side.min = side.min <= range.min + kSlit ? std::min(side.min, range.min - kBeyond) : side.min;
-        side.max = side.max >= range.max - kSlit ? std::max(side.max, range.max + kBeyond) : side.max;
+    const Angle slit = kSlit + m_pointing.skew();
+    const auto extend = [slit](TravelRange& side, const TravelRange& range) {
+        side.min = side.min <= range.min + slit ? std::min(side.min, range.min - kBeyond) : side.min;
+        side.max = side.max >= range.max - slit ? std::max(side.max, range.max + kBeyond) : side.max;
     };
     const bool reachable = box.azimuth.max > m_ranges.azimuth.min && box.azimuth.min < m_ranges.azimuth.max &&
                            box.elevation.max > m_ranges.elevation.min && box.elevation.min < m_ranges.elevation.max;
@@ -191,12 +180,12 @@ void PermittedRegion::dropCovered()
 
 Angle PermittedRegion::floor(const TravelRange& azimuths) const
 {
-    return m_skyline.highest(azimuths.min, azimuths.max);
+    return m_upright.highest(azimuths.min, azimuths.max);
 }
 
 Angle PermittedRegion::ceiling(const TravelRange& azimuths) const
 {
-    return 180_deg - m_skyline.highest(azimuths.min + 180_deg, azimuths.max + 180_deg);
+    return 180_deg - m_overTheTop.highest(azimuths.min + 180_deg, azimuths.max + 180_deg);
 }
 
 bool PermittedRegion::permits(const AxisBox& box) const
@@ -207,20 +196,21 @@ bool PermittedRegion::permits(const AxisBox& box) const
     if (std::ranges::any_of(m_boxes, [&](const AxisBox& keepOut) { return overlap(box, keepOut); })) {
         return false;
     }
-    if (m_skyline.empty()) {
-        return true;
-    }
-    const bool upright = box.elevation.min <= 90_deg;
-    const bool overTheTop = box.elevation.max > 90_deg;
-    return (!upright || floor(box.azimuth) <= box.elevation.min + kRounding) &&
-           (!overTheTop || ceiling(box.azimuth) >= box.elevation.max - kRounding);
+    const bool above = m_upright.peak() <= box.elevation.min;
+    const bool below = m_overTheTop.peak() <= 180_deg - box.elevation.max;
+    return (above || floor(box.azimuth) <= box.elevation.min + kRounding) &&
+           (below || ceiling(box.azimuth) >= box.elevation.max - kRounding);
 }
 
 const KeepOut* PermittedRegion::keepOutAt(const AxisPosition& place) const
 {
     const auto box = std::ranges::find_if(
         m_boxes, [at = AxisBox::at(place)](const AxisBox& keepOut) { return overlap(at, keepOut); });
-    return box == m_boxes.end() ? nullptr : &m_keepOuts[m_owner[static_cast<std::size_t>(box - m_boxes.begin())]];
+    if (box == m_boxes.end()) {
+        return nullptr;
+    }
+    const std::size_t owner = m_owner[static_cast<std::size_t>(box - m_boxes.begin())];
+    return owner < m_keepOuts.size() ? &m_keepOuts[owner] : nullptr;
 }
 
 std::string PermittedRegion::reason(const AxisPosition& place) const
@@ -237,14 +227,21 @@ std::string PermittedRegion::reason(const AxisPosition& place) const
     if (!within(AxisBox::at(place).elevation, m_ranges.elevation)) {
         return outside(Text::tr("elevation %1 outside limits %2…%3"), place.elevation, m_ranges.elevation);
     }
+    return trueReason(place);
+}
+
+// In the words of who drew it: true directions.
+std::string PermittedRegion::trueReason(const AxisPosition& place) const
+{
     if (const KeepOut* const keepOut = keepOutAt(place)) {
+        const SkyPointing beam = beamAt(place);
         return Text::tr("azimuth %1 elevation %2 is in the keep-out \"%3\"")
-            .arg(degrees(place.azimuth), degrees(place.elevation), toQString(keepOut->name))
+            .arg(degrees(beam.azimuth), degrees(beam.elevation), toQString(keepOut->name))
             .toStdString();
     }
-    const SkyPointing beam = MountModel::toSky(place);
+    const SkyPointing beam = upright(beamAt(place));
     return Text::tr("elevation %1 below the horizon %2 at azimuth %3")
-        .arg(degrees(beam.elevation), degrees(m_skyline.at(beam.azimuth)), degrees(beam.azimuth))
+        .arg(degrees(beam.elevation), degrees(m_horizon.at(beam.azimuth)), degrees(beam.azimuth))
         .toStdString();
 }
 
@@ -275,17 +272,12 @@ TravelRange PermittedRegion::azimuthsAround(const AxisBox& box) const
             cut(range, box.azimuth, keepOut.azimuth);
         }
     }
-    const auto stayAbove = [&](Angle height, Angle turned) {
-        range.max = std::min(range.max, box.azimuth.max + m_skyline.clearClockwise(box.azimuth.max + turned, height));
-        range.min =
-            std::max(range.min, box.azimuth.min - m_skyline.clearAnticlockwise(box.azimuth.min + turned, height));
+    const auto stayAbove = [&](const Skyline& line, Angle height, Angle turned) {
+        range.max = std::min(range.max, box.azimuth.max + line.clearClockwise(box.azimuth.max + turned, height));
+        range.min = std::max(range.min, box.azimuth.min - line.clearAnticlockwise(box.azimuth.min + turned, height));
     };
-    if (!m_skyline.empty() && box.elevation.min <= 90_deg) {
-        stayAbove(box.elevation.min, 0_deg);
-    }
-    if (!m_skyline.empty() && box.elevation.max > 90_deg) {
-        stayAbove(180_deg - box.elevation.max, 180_deg);
-    }
+    stayAbove(m_upright, box.elevation.min, 0_deg);
+    stayAbove(m_overTheTop, 180_deg - box.elevation.max, 180_deg);
     return hull(range, box.azimuth);
 }
 
@@ -297,7 +289,7 @@ TravelRange PermittedRegion::elevationsAround(const AxisBox& box) const
             cut(range, box.elevation, keepOut.elevation);
         }
     }
-    if (!m_skyline.empty()) {
+    if (!m_horizon.empty()) {
         range.min = std::max(range.min, floor(box.azimuth));
         range.max = std::min(range.max, ceiling(box.azimuth));
     }

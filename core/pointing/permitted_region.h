@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/pointing/axis_box.h"
+#include "core/pointing/pointing_model.h"
 #include "core/pointing/region.h"
 #include "core/pointing/skyline.h"
 #include "core/units/sky.h"
@@ -11,24 +13,15 @@
 
 // Where the axes may be: a Region and the travel of both axes, laid out in mechanical angles for quick answers, for
 // every turn of the azimuth and for elevations above 90°, where the beam looks to azimuth + 180°, 180° - elevation.
-// Edges are permitted where one can move along them (slits.h); rounding of 1e-9° is forgiven. A box is what two axes
-// that move independently of each other can sweep between two places. Pure values, any thread.
+// Horizon and keep-outs are true directions: a pointing model tells where the axes meet them (axis_image.h). Edges are
+// permitted where one can move along them (slits.h); rounding of 1e-9° is forgiven. Pure values, any thread.
 namespace boresight::pointing {
-
-struct AxisBox
-{
-    TravelRange azimuth;
-    TravelRange elevation;
-
-    [[nodiscard]] static AxisBox at(const AxisPosition& place);
-    [[nodiscard]] static AxisBox between(const AxisPosition& a, const AxisPosition& b);
-    bool operator==(const AxisBox&) const = default;
-};
 
 class PermittedRegion
 {
 public:
-    PermittedRegion(const Region& region, const TravelRange& azimuthTravel, const TravelRange& elevationTravel);
+    PermittedRegion(const Region& region, const TravelRange& azimuthTravel, const TravelRange& elevationTravel,
+                    const PointingModel& pointing = {});
 
     // What travel and limits of operation leave of the axes; min > max if they have nothing in common.
     [[nodiscard]] const AxisBox& ranges() const { return m_ranges; }
@@ -47,6 +40,9 @@ public:
     // Empty when nothing at all is permitted.
     [[nodiscard]] std::optional<AxisPosition> nearest(const AxisPosition& place) const;
 
+    // What the beam looks at; the turn and the side of the zenith are those of the axes.
+    [[nodiscard]] SkyPointing beamAt(const AxisPosition& place) const { return m_pointing.toSky(place); }
+
     // The horizon under these azimuths; its image over the top, which a beam that looks backwards has to stay below.
     [[nodiscard]] Angle floor(const TravelRange& azimuths) const;
     [[nodiscard]] Angle ceiling(const TravelRange& azimuths) const;
@@ -54,17 +50,21 @@ public:
     [[nodiscard]] const std::vector<AxisBox>& keepOuts() const { return m_boxes; }
 
 private:
-    void layOut(const KeepOut& keepOut, std::size_t index);
+    void layOut(const AxisBox& box, std::size_t index);
     void add(AxisBox box, std::size_t index);
     void closeSlits();
     void dropCovered();
     [[nodiscard]] const KeepOut* keepOutAt(const AxisPosition& place) const;
+    [[nodiscard]] std::string trueReason(const AxisPosition& place) const;
 
+    PointingModel m_pointing;
     AxisBox m_ranges;
-    Skyline m_skyline;
+    Skyline m_horizon;     // true
+    Skyline m_upright;     // as the axes meet it
+    Skyline m_overTheTop;  // its image, turned by 180° and with 180° - elevation
     std::vector<KeepOut> m_keepOuts;
     std::vector<AxisBox> m_boxes;
-    std::vector<std::size_t> m_owner;  // of each box, into m_keepOuts
+    std::vector<std::size_t> m_owner;  // of each box, into m_keepOuts; beyond its end: the horizon
 };
 
 }  // namespace boresight::pointing

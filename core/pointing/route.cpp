@@ -176,9 +176,9 @@ std::string obstacleBetween(const PermittedRegion& region, const AxisPosition& f
     return Text::tr("what is forbidden").toStdString();
 }
 
-std::string degrees(const AxisPosition& place)
+QString degrees(const SkyPointing& beam)
 {
-    return formatFixed(place.azimuth.degrees(), 1) + "° " + formatFixed(place.elevation.degrees(), 1) + "°";
+    return toQString(formatFixed(beam.azimuth.degrees(), 1) + "° " + formatFixed(beam.elevation.degrees(), 1) + "°");
 }
 
 }  // namespace
@@ -203,7 +203,7 @@ Result<std::vector<AxisPosition>> route(const PermittedRegion& region, const Axi
     const auto further = QuickestWay(region, turningPlaces(region, *start, to), speed, bend.count()).find();
     if (!further) {
         return failure(ErrorCode::OutOfRange, Text::tr("there is no way from %1 to %2: %3 is in between")
-                                                  .arg(toQString(degrees(from)), toQString(degrees(to)),
+                                                  .arg(degrees(region.beamAt(from)), degrees(region.beamAt(to)),
                                                        toQString(obstacleBetween(region, *start, to))));
     }
     way.insert(way.end(), further->begin(), further->end());

@@ -17,6 +17,7 @@ public:
     explicit Skyline(const std::vector<HorizonPoint>& points);
 
     [[nodiscard]] bool empty() const { return m_count == 0; }
+    [[nodiscard]] Angle peak() const { return m_highest; }
     [[nodiscard]] Angle at(Angle azimuth) const;
     // The highest elevation of the line between two azimuths, from <= to.
     [[nodiscard]] Angle highest(Angle from, Angle to) const;

@@ -63,7 +63,8 @@ void checkPark(std::vector<Problem>& problems, const Profile& profile)
         !elevationTravel.contains(profile.park.elevation)) {
         return;
     }
-    const pointing::PermittedRegion region(profile.limits, azimuthTravel, elevationTravel);
+    const pointing::PermittedRegion region(profile.limits, azimuthTravel, elevationTravel,
+                                           pointing::PointingModel(profile.pointing));
     if (const std::string reason = region.reason(profile.park); !reason.empty()) {
         problems.push_back({"park.elevation_deg", reason});
     }

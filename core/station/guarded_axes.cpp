@@ -61,7 +61,7 @@ int heldWay(const AxisWish& wish, Angle place, const TravelRange& room)
 
 GuardedAxes::GuardedAxes(const profile::Profile& profile)
     : m_travel{.azimuth = profile.azimuth.geometry.travel, .elevation = profile.elevation.geometry.travel},
-      m_region(profile.limits, m_travel.azimuth, m_travel.elevation),
+      m_region(profile.limits, m_travel.azimuth, m_travel.elevation, pointing::PointingModel(profile.pointing)),
       m_azimuth(profileOf(profile.azimuth)),
       m_elevation(profileOf(profile.elevation))
 {}
@@ -72,9 +72,9 @@ void GuardedAxes::start(Axis axis, Angle measured)
     m_swept.reset();
 }
 
-void GuardedAxes::setRegion(const pointing::Region& region)
+void GuardedAxes::setRegion(const pointing::Region& region, const pointing::PointingModel& pointing)
 {
-    m_region = pointing::PermittedRegion(region, m_travel.azimuth, m_travel.elevation);
+    m_region = pointing::PermittedRegion(region, m_travel.azimuth, m_travel.elevation, pointing);
     m_swept.reset();
 }
 

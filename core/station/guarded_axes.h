@@ -34,7 +34,7 @@ public:
     void step(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
 
     // From the next step on. New limits of motion take their time, as AxisProfile says.
-    void setRegion(const pointing::Region& region);
+    void setRegion(const pointing::Region& region, const pointing::PointingModel& pointing);
     void setLimits(Axis axis, const tracking::MotionLimits& limits);
     // While nobody knows on which turn an axis stands, nobody knows what is forbidden: only the travel counts.
     void enforce(bool enforced);

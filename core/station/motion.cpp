@@ -86,9 +86,9 @@ void Motion::run(const AxisRates& rates)
     forgetWay();
 }
 
-void Motion::setRegion(const pointing::Region& region)
+void Motion::setRegion(const pointing::Region& region, const pointing::PointingModel& pointing)
 {
-    m_axes.setRegion(region);
+    m_axes.setRegion(region, pointing);
     forgetWay();
 }
 

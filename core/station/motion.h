@@ -37,7 +37,7 @@ public:
     void setTrim(const AxisPosition& trim) { m_trim = trim; }  // is added to the points of streams
 
     // Settings of the profile that apply at once, also in the middle of a motion.
-    void setRegion(const pointing::Region& region);
+    void setRegion(const pointing::Region& region, const pointing::PointingModel& pointing);
     void setLimits(Axis axis, const tracking::MotionLimits& limits);
     // While nobody knows on which turn an axis stands, nobody knows what is forbidden: only the travel counts.
     void enforceRegion(bool enforced) { m_axes.enforce(enforced); }

@@ -39,7 +39,7 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
     : m_profile(profile),
       m_clock(clock),
       m_log(log),
-      m_model(profile.azimuth.geometry, profile.elevation.geometry),
+      m_model(profile.azimuth.geometry, profile.elevation.geometry, pointing::PointingModel(profile.pointing)),
       m_drives(profile),
       m_motion(profile),
       m_arming(profile, m_drives, log),
@@ -51,7 +51,7 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
       m_started(clock.now()),
       m_now(m_started)
 {
-    setRegion(profile.limits);
+    setRegion(profile);
 }
 
 Result<> StationControl::request(const Request& request, const Source& source)
@@ -163,7 +163,7 @@ void StationControl::begin(Activity activity, const Source& source, const QStrin
     const bool continues = m_activity == activity && m_commander == source &&
                            (activity == Activity::Streaming || activity == Activity::Jogging);
     if (!continues) {
-        tell(Severity::Advisory, source, Text::tr("moves the mount from %1: %2").arg(text(heading()), what),
+        tell(Severity::Advisory, source, Text::tr("moves the mount from %1: %2").arg(directionText(heading()), what),
              LogKind::MotionStart);
     }
     if (source.kind == SourceKind::Client) {
@@ -207,9 +207,10 @@ Result<> StationControl::mayGoTo(const AxisPosition& place) const
     }
     if (const std::string why = m_motion.region().reason(resolved.position); !why.empty()) {
         const auto nearest = m_motion.region().nearest(resolved.position);
-        return failure(
-            ErrorCode::OutOfRange,
-            nearest ? Text::tr("%1; permitted nearest to it: %2").arg(toQString(why), text(*nearest)) : toQString(why));
+        return failure(ErrorCode::OutOfRange,
+                       nearest
+                           ? Text::tr("%1; permitted nearest to it: %2").arg(toQString(why), directionText(*nearest))
+                           : toQString(why));
     }
     return m_motion.route(standing(), resolved.position).map([](const auto&) {});
 }
@@ -275,9 +276,8 @@ Result<> StationControl::handle(const request::PointSky& wanted, const Source& s
 Result<> StationControl::handle(const request::PointAxes& wanted, const Source& source)
 {
     if (source.kind == SourceKind::Client) {
-        return mayPoint(source).and_then([&] {
-            return streamTo(m_model.resolve(wanted.position), pointing::MountModel::toSky(wanted.position), source);
-        });
+        return mayPoint(source).and_then(
+            [&] { return streamTo(m_model.resolve(wanted.position), m_model.toSky(wanted.position), source); });
     }
     return goTo(wanted.position, Activity::Pointing, source, Text::tr("go to axes %1").arg(text(wanted.position)));
 }
@@ -286,19 +286,19 @@ Result<> StationControl::handle(const request::Step& wanted, const Source& sourc
 {
     const AxisPosition from = heading();
     const AxisPosition place{.azimuth = from.azimuth + wanted.azimuth, .elevation = from.elevation + wanted.elevation};
-    return goTo(place, Activity::Pointing, source, Text::tr("step to %1").arg(text(place)));
+    return goTo(place, Activity::Pointing, source, Text::tr("step to %1").arg(directionText(place)));
 }
 
 Result<> StationControl::handle(const request::Park&, const Source& source)
 {
-    return goTo(m_profile.park, Activity::Parking, source, Text::tr("park at %1").arg(text(m_profile.park)));
+    return goTo(m_profile.park, Activity::Parking, source, Text::tr("park at %1").arg(directionText(m_profile.park)));
 }
 
 Result<> StationControl::handle(const request::Home&, const Source& source)
 {
     const pointing::AxisBox& ranges = m_motion.region().ranges();
     const AxisPosition home{.azimuth = ranges.azimuth.clamped(0_deg), .elevation = ranges.elevation.clamped(0_deg)};
-    return goTo(home, Activity::Pointing, source, Text::tr("home to %1").arg(text(home)));
+    return goTo(home, Activity::Pointing, source, Text::tr("home to %1").arg(directionText(home)));
 }
 
 // Down to 0°, or as far as it goes.
@@ -309,7 +309,7 @@ Result<> StationControl::handle(const request::Horizon&, const Source& source)
     if (!m_motion.region().permits(low)) {
         low.elevation = std::max(0_deg, m_motion.region().elevationsAround(pointing::AxisBox::at(here)).min);
     }
-    return goTo(low, Activity::Pointing, source, Text::tr("horizon at %1").arg(text(low)));
+    return goTo(low, Activity::Pointing, source, Text::tr("horizon at %1").arg(directionText(low)));
 }
 
 Result<> StationControl::runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& what)
@@ -454,10 +454,19 @@ void StationControl::driveRestarted(Axis axis)
     holdHere(Activity::None);
 }
 
-void StationControl::setRegion(const pointing::Region& region)
+// The direction that the beam has there; on the turn of the axes.
+QString StationControl::directionText(const AxisPosition& place) const
 {
-    m_profile.limits = region;
-    m_motion.setRegion(region);
+    return text(m_model.pointing().toSky(place));
+}
+
+// What is permitted, and what a place of the axes looks at: neither moves anything.
+void StationControl::setRegion(const profile::Profile& profile)
+{
+    m_profile.limits = profile.limits;
+    m_profile.pointing = profile.pointing;
+    m_model.setPointing(pointing::PointingModel(profile.pointing));
+    m_motion.setRegion(profile.limits, m_model.pointing());
     const pointing::AxisBox& ranges = m_motion.region().ranges();
     m_model.limitTo(ranges.azimuth, ranges.elevation);
     const auto target = m_motion.target(m_now);

@@ -158,7 +158,8 @@ private:
     [[nodiscard]] AxisPosition turnWithAWay(const AxisPosition& place) const;
     Result<> streamTo(pointing::Resolved resolved, const SkyPointing& asked, const Source& source);
     Result<> runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& text);
-    void setRegion(const pointing::Region& region);
+    void setRegion(const profile::Profile& profile);
+    [[nodiscard]] QString directionText(const AxisPosition& place) const;
     [[nodiscard]] Result<> mayJogFirst(const AxisRates& rates);
     void watchFirstMoves();
     void setTrim(const AxisPosition& trim, const Source& source);

@@ -79,8 +79,8 @@ Result<> StationControl::handle(const CalibrationRequest&, const Source& source)
 
 void StationControl::setProfile(const profile::Profile& profile)
 {
-    if (profile.limits != m_profile.limits) {
-        setRegion(profile.limits);
+    if (profile.limits != m_profile.limits || profile.pointing != m_profile.pointing) {
+        setRegion(profile);
     }
     if (profile.mount.directions != m_profile.mount.directions) {
         m_firstMoves = {};  // the small way begins where the mount stands now

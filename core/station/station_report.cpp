@@ -248,10 +248,10 @@ StationStatus StationControl::status() const
     status.stateReason =
         m_arming.released() ? Text::tr("the bus is left to other tools") : m_arming.fault().value_or(m_commandText);
     if (const auto measured = m_drives.measured(); measured && turnsKnown()) {
-        status.actual = pointing::MountModel::toSky(*measured);
+        status.actual = m_model.toSky(*measured);
     }
     if (m_drives.engaged() && turnsKnown()) {
-        status.commanded = pointing::MountModel::toSky(m_motion.place());
+        status.commanded = m_model.toSky(m_motion.place());
     }
     if (m_trim != AxisPosition{}) {
         status.trim = SkyPointing{.azimuth = m_trim.azimuth, .elevation = m_trim.elevation};
@@ -259,7 +259,7 @@ StationStatus StationControl::status() const
     if (m_wantedDirection) {
         status.target = m_wantedDirection;
     } else if (const auto target = m_motion.target(m_now)) {
-        status.target = pointing::MountModel::toSky(*target);
+        status.target = m_model.toSky(*target);
     }
     return status;
 }

@@ -45,6 +45,25 @@ Angle snapped(Angle value, Angle min, Angle max)
     return abs(value - inRange) <= kLimitTolerance ? inRange : value;
 }
 
+// What can be true of an axis; rather a little too wide than a target withheld.
+TravelRange trueRange(const TravelRange& travel, Angle offset, Angle rest)
+{
+    return {.min = travel.min + offset - rest, .max = travel.max + offset + rest};
+}
+
+// An axis that ends at the zenith does not look over the top because the mast leans.
+TravelRange trueElevations(const profile::Profile& profile)
+{
+    const TravelRange& travel = profile.elevation.geometry.travel;
+    const pointing::PointingTerms& terms = profile.pointing;
+    const Angle rest = pointing::PointingModel(terms).skew() + abs(terms.elevationSag);
+    TravelRange range = trueRange(travel, terms.elevationOffset, rest);
+    if (travel.max + terms.elevationOffset <= 90_deg) {
+        range.max = std::min(range.max, 90_deg);
+    }
+    return range;
+}
+
 }  // namespace
 
 Source clientSource(const rotctld::Client& client)
@@ -58,11 +77,18 @@ StationRotator::StationRotator(StationControl& control, const profile::Profile& 
                                const Clock& clock)
     : m_control(control),
       m_profile(profile),
+      m_pointing(profile.pointing),
       m_remarks(log, clock, kRemarksPerSecond),
       m_refusals(log, clock, kRefusalsPerSecond),
       m_commands(log, clock, kCommandsPerSecond),
       m_connections(log, clock, kConnectionsPerSecond)
 {}
+
+void StationRotator::setProfile(const profile::Profile& profile)
+{
+    m_profile = profile;
+    m_pointing = pointing::PointingModel(profile.pointing);
+}
 
 std::string StationRotator::info() const
 {
@@ -71,8 +97,9 @@ std::string StationRotator::info() const
 
 rotctld::Limits StationRotator::limits() const
 {
-    const TravelRange azimuth = m_profile.azimuth.geometry.travel;
-    const TravelRange elevation = m_profile.elevation.geometry.travel;
+    const TravelRange azimuth =
+        trueRange(m_profile.azimuth.geometry.travel, m_profile.pointing.azimuthOffset.wrapped180(), m_pointing.skew());
+    const TravelRange elevation = trueElevations(m_profile);
     rotctld::Limits limits{.minAzimuth = azimuth.min,
                            .maxAzimuth = azimuth.max,
                            .minElevation = elevation.min,
@@ -97,15 +124,16 @@ Result<SkyPointing> StationRotator::position(const rotctld::Client& client)
         if (const auto trim = m_control.trimInUse()) {
             axes = {axes.azimuth - trim->azimuth, axes.elevation - trim->elevation};
         }
+        const SkyPointing beam = m_pointing.toSky(axes);
         switch (m_profile.rotctld.azimuth) {
             case profile::AzimuthConvention::ZeroTo360:
-                return SkyPointing{.azimuth = axes.azimuth.wrapped360(), .elevation = axes.elevation};
+                return SkyPointing{.azimuth = beam.azimuth.wrapped360(), .elevation = beam.elevation};
             case profile::AzimuthConvention::PlusMinus180:
-                return SkyPointing{.azimuth = axes.azimuth.wrapped180(), .elevation = axes.elevation};
+                return SkyPointing{.azimuth = beam.azimuth.wrapped180(), .elevation = beam.elevation};
             case profile::AzimuthConvention::Continuous:
                 break;
         }
-        return SkyPointing{.azimuth = axes.azimuth, .elevation = axes.elevation};
+        return beam;
     });
 }
 
@@ -142,6 +170,18 @@ Result<> StationRotator::permitted(const rotctld::PointRequest& request) const
         });
 }
 
+// The turn that a client means which counts them; none beyond the travel.
+std::optional<AxisPosition> StationRotator::placeOf(const SkyPointing& continuous) const
+{
+    const TravelRange& azimuths = m_profile.azimuth.geometry.travel;
+    const TravelRange& elevations = m_profile.elevation.geometry.travel;
+    const AxisPosition axes = m_pointing.toAxes(continuous).axes;
+    const AxisPosition place{.azimuth = snapped(axes.azimuth, azimuths.min, azimuths.max),
+                             .elevation = snapped(axes.elevation, elevations.min, elevations.max)};
+    return azimuths.contains(place.azimuth) && elevations.contains(place.elevation) ? std::optional(place)
+                                                                                    : std::nullopt;
+}
+
 Result<> StationRotator::pointTo(const rotctld::Client& client, const rotctld::PointRequest& request)
 {
     const QString command =
@@ -153,10 +193,10 @@ Result<> StationRotator::pointTo(const rotctld::Client& client, const rotctld::P
     const rotctld::Limits range = limits();
     const Angle azimuth = snapped(request.azimuth, range.minAzimuth, range.maxAzimuth);
     const Angle elevation = snapped(request.elevation, range.minElevation, range.maxElevation);
-    const bool place =
-        m_profile.azimuth.geometry.travel.contains(azimuth) && m_profile.elevation.geometry.travel.contains(elevation);
-    if (place && m_profile.rotctld.azimuth == profile::AzimuthConvention::Continuous) {
-        return ask(client, request::PointAxes{{.azimuth = azimuth, .elevation = elevation}}, command);
+    if (m_profile.rotctld.azimuth == profile::AzimuthConvention::Continuous) {
+        if (const auto place = placeOf({.azimuth = azimuth, .elevation = elevation})) {
+            return ask(client, request::PointAxes{*place}, command);
+        }
     }
     return ask(client, request::PointSky{{.azimuth = azimuth, .elevation = elevation}}, command);
 }

@@ -6,8 +6,10 @@
 #include "core/station/log_throttle.h"
 #include "core/station/station_control.h"
 
+#include <optional>
+
 // The mount as the rotctld server sees it: translates the clients' commands into requests to StationControl and its
-// measured position into the azimuth convention of the profile. Station thread only.
+// measured position into the azimuth convention of the profile. Clients know true directions only. Station thread only.
 namespace boresight {
 
 class StationRotator final : public rotctld::Rotator
@@ -15,7 +17,7 @@ class StationRotator final : public rotctld::Rotator
 public:
     StationRotator(StationControl& control, const profile::Profile& profile, EventLog& log, const Clock& clock);
 
-    void setProfile(const profile::Profile& profile) { m_profile = profile; }
+    void setProfile(const profile::Profile& profile);
 
     [[nodiscard]] std::string info() const override;
     [[nodiscard]] rotctld::Limits limits() const override;
@@ -36,12 +38,14 @@ public:
     void clientRemark(const rotctld::Client& client, const std::string& text) override;
 
 private:
+    [[nodiscard]] std::optional<AxisPosition> placeOf(const SkyPointing& continuous) const;
     Result<> ask(const rotctld::Client& client, const Request& request, const QString& command);
     [[nodiscard]] Result<> permitted(const rotctld::PointRequest& request) const;
     void logRefusal(const rotctld::Client& client, const QString& command, const Error& error);
 
     StationControl& m_control;
     profile::Profile m_profile;
+    pointing::PointingModel m_pointing;
     int m_speedLevel = 2;  // of 1…4, as Hamlib's dummy starts
     // Lines that clients can cause at will; each kind has a share of its own, so that none hides another.
     LogThrottle m_remarks;      // dropped clients, strangers, odd commands

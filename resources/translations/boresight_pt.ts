@@ -411,6 +411,10 @@ el %3</translation>
         <source>MQTT broker</source>
         <translation>Broker MQTT</translation>
     </message>
+    <message>
+        <source>Pointing model</source>
+        <translation>Modelo de apontamento</translation>
+    </message>
 </context>
 <context>
     <name>SkyItems</name>
@@ -1697,10 +1701,6 @@ el %3</translation>
     <message>
         <source>A direction where the mount may not go: drive to the nearest permitted point, or refuse it.</source>
         <translation>Uma direção aonde a montagem não pode ir: conduzir ao ponto permitido mais próximo, ou recusar.</translation>
-    </message>
-    <message>
-        <source>How clients are told the azimuth; &quot;continuous&quot; is the mechanical angle.</source>
-        <translation>Como se diz o azimute aos clientes; &quot;continuous&quot; é o ângulo mecânico.</translation>
     </message>
     <message>
         <source>Form of the \dump_state reply: readable for Hamlib clients of every age, or exactly as Hamlib 4.5.1 and later.</source>
@@ -4276,6 +4276,46 @@ el %3</translation>
     <message>
         <source>sensor</source>
         <translation>sensor</translation>
+    </message>
+    <message>
+        <source>(mechanical angles)</source>
+        <translation>(ângulos mecânicos)</translation>
+    </message>
+    <message>
+        <source>at the zenith the beam misses it by %1</source>
+        <translation>no zênite o feixe erra-a por %1</translation>
+    </message>
+    <message>
+        <source>True azimuth of the beam where the azimuth axis shows 0°: how the mount finds north.</source>
+        <translation>Azimute verdadeiro do feixe quando o eixo de azimute indica 0°: é como a montagem acha o norte.</translation>
+    </message>
+    <message>
+        <source>True elevation of the beam where the elevation axis shows 0°.</source>
+        <translation>Elevação verdadeira do feixe quando o eixo de elevação indica 0°.</translation>
+    </message>
+    <message>
+        <source>How far the azimuth axis leans to the north; negative to the south.</source>
+        <translation>Quanto o eixo de azimute se inclina para o norte; negativo para o sul.</translation>
+    </message>
+    <message>
+        <source>How far the azimuth axis leans to the east; negative to the west.</source>
+        <translation>Quanto o eixo de azimute se inclina para leste; negativo para oeste.</translation>
+    </message>
+    <message>
+        <source>How far the beam looks clockwise of the right angle to the elevation axis, at any elevation.</source>
+        <translation>Quanto o feixe olha, no sentido horário, além do ângulo reto com o eixo de elevação, em qualquer elevação.</translation>
+    </message>
+    <message>
+        <source>How far the elevation axis is off the right angle to the azimuth axis: a raised beam then looks clockwise.</source>
+        <translation>Quanto o eixo de elevação se afasta do ângulo reto com o de azimute: um feixe erguido olha então no sentido horário.</translation>
+    </message>
+    <message>
+        <source>How much lower the beam hangs at the horizon than at the zenith.</source>
+        <translation>Quanto o feixe pende mais baixo no horizonte do que no zênite.</translation>
+    </message>
+    <message>
+        <source>How clients are told the azimuth; &quot;continuous&quot; counts the turns of the axis on: 370° is not 10°.</source>
+        <translation>Como se diz o azimute aos clientes; &quot;continuous&quot; continua a contar as voltas do eixo: 370° não é 10°.</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/pointing/mount_model.h"
+#include "core/pointing/pointing_model.h"
 #include "core/pointing/region.h"
 
 #include <algorithm>
@@ -104,9 +104,10 @@ inline double horizonAt(const pointing::Region& region, double azimuth)
 
 // How deep a place is inside of what is forbidden: how far the axes would have to go, straight up or sideways, to leave
 // the worst of it. Zero or less where it is permitted.
-inline double depthInside(const pointing::Region& region, const AxisPosition& place)
+inline double depthInside(const pointing::Region& region, const AxisPosition& place,
+                          const pointing::PointingModel& model = {})
 {
-    const SkyPointing beam = pointing::MountModel::toSky(place);
+    const SkyPointing beam = pointing::upright(model.toSky(place));
     const double azimuth = beam.azimuth.degrees();
     const double elevation = beam.elevation.degrees();
     double depth =

@@ -2,6 +2,7 @@
 #include "core/pointing/mount_model.h"
 
 #include "core/base/numbers.h"
+#include "tests/fakes/random_pointing.h"
 
 #include <gtest/gtest.h>
 
@@ -243,7 +244,7 @@ TEST(Resolve, IsThePermittedPointNearestOnTheSky)
         ASSERT_TRUE(model.azimuth().travel.contains(resolved.position.azimuth));
         ASSERT_TRUE(model.elevation().travel.contains(resolved.position.elevation));
         ASSERT_EQ(resolved.limited, !resolved.reason.empty());
-        const double reached = skyDistance(MountModel::toSky(resolved.position), wanted);
+        const double reached = skyDistance(model.toSky(resolved.position), wanted);
         if (!resolved.limited) {
             ASSERT_LE(reached, 0.25 + 1e-6);
             continue;
@@ -269,10 +270,10 @@ TEST(Resolve, MechanicalAnglesAreTakenAsTheyAre)
 
 TEST(ToSky, FoldsTurnsAndOverTheTop)
 {
-    const SkyPointing turned = MountModel::toSky({370_deg, 30_deg});
+    const SkyPointing turned = mount({-90_deg, 450_deg}).toSky({370_deg, 30_deg});
     EXPECT_NEAR(turned.azimuth.degrees(), 10, 1e-9);
     EXPECT_NEAR(turned.elevation.degrees(), 30, 1e-9);
-    const SkyPointing flipped = MountModel::toSky({200_deg, 150_deg});
+    const SkyPointing flipped = mount({-90_deg, 450_deg}).toSky({200_deg, 150_deg});
     EXPECT_NEAR(flipped.azimuth.degrees(), 20, 1e-9);
     EXPECT_NEAR(flipped.elevation.degrees(), 30, 1e-9);
 }
@@ -287,7 +288,7 @@ TEST(ToSky, IsTheInverseOfResolve)
     for (int i = 0; i < 10000; ++i) {
         const SkyPointing wanted{Angle::fromDegrees(azimuth(random)), Angle::fromDegrees(elevation(random))};
         now = model.resolve(wanted, now).position;
-        const SkyPointing reached = MountModel::toSky(now);
+        const SkyPointing reached = model.toSky(now);
         ASSERT_NEAR((reached.azimuth - wanted.azimuth).wrapped180().degrees(), 0.0, 1e-9);
         ASSERT_NEAR(reached.elevation.degrees(), wanted.elevation.degrees(), 1e-9);
     }
@@ -325,4 +326,44 @@ TEST(Resolve, FollowsPlannedPassesToTheirEnd)
         ++passes;
     }
     EXPECT_GT(passes, 40);
+}
+
+// A mount as of issue 5, and worse ones: whatever true direction is asked for, the beam comes to look there.
+TEST(Resolve, WithAPointingModelTheBeamLooksWhereItWasAsked)
+{
+    std::mt19937 random(5);
+    fakes::RandomPointing make(random);
+    AxisPosition now{};
+    for (int i = 0; i < 20000; ++i) {
+        MountModel model = mount({-200_deg, 460_deg}, {-20_deg, 110_deg});
+        model.setPointing(PointingModel(make.terms()));
+        const SkyPointing wanted{make.degrees(0, 360), make.degrees(0, 83)};
+        const Resolved resolved = model.resolve(wanted, now);
+        ASSERT_FALSE(resolved.limited) << resolved.reason;
+        now = resolved.position;
+        ASSERT_NEAR(fakes::separation(model.toSky(now), wanted), 0.0, 1e-9);
+    }
+}
+
+TEST(Resolve, WithAPointingModelTheTurnIsChosenByTheCable)
+{
+    MountModel model = mount({-90_deg, 450_deg});
+    model.setPointing(PointingModel({.azimuthOffset = 37.4_deg}));
+    EXPECT_NEAR(azimuthFor(model, 10, 350), 332.6, 1e-9);
+    EXPECT_NEAR(azimuthFor(model, 50, 350), 372.6, 1e-9);
+    EXPECT_NEAR(azimuthFor(model, 50, 20), 12.6, 1e-9);
+    const Resolved low = resolveDegrees(model, 100, -2, 100);
+    EXPECT_EQ(low.reason, "elevation -2.0° below limit 0.0° (mechanical angles)");
+}
+
+TEST(Resolve, TheHoleAtTheZenithIsToleratedOrTold)
+{
+    MountModel model = mount({-90_deg, 450_deg});
+    model.setPointing(PointingModel({.collimation = 0.3_deg}));
+    EXPECT_FALSE(resolveDegrees(model, 0, 90, 0).limited);
+    model.setPointing(PointingModel({.collimation = 1_deg}));
+    const Resolved zenith = resolveDegrees(model, 0, 90, 0);
+    EXPECT_TRUE(zenith.limited);
+    EXPECT_EQ(zenith.reason, "at the zenith the beam misses it by 1.0°");
+    EXPECT_NEAR(zenith.position.elevation.degrees(), 90.0, 1e-9);
 }

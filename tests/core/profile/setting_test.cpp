@@ -258,6 +258,37 @@ TEST(CrossCheck, TheMountParksWhereItMayBe)
     EXPECT_TRUE(crossCheck(profile).empty()) << "its edge is permitted";
 }
 
+TEST(Settings, ThePointingModelAppliesAtOnce)
+{
+    Profile profile;
+    int terms = 0;
+    for (const Setting& setting : settings()) {
+        if (setting.key.starts_with("pointing.")) {
+            EXPECT_EQ(setting.applies, Applies::Now) << setting.key;
+            const bool anyAngle = setting.key == "pointing.azimuth_offset_deg";
+            EXPECT_EQ(setting.set(profile, 37.4).has_value(), anyAngle) << setting.key;
+            EXPECT_TRUE(setting.set(profile, -9.5)) << setting.key;
+            ++terms;
+        }
+    }
+    EXPECT_EQ(terms, 7);
+    const Angle k = Angle::fromDegrees(-9.5);
+    EXPECT_EQ(profile.pointing, (pointing::PointingTerms{k, k, k, k, k, k, k}));
+}
+
+// Parked at mechanical 0° the beam looks to 37.4°, where the mast is.
+TEST(CrossCheck, TheMountParksWhereTheBeamMayBe)
+{
+    Profile profile;
+    profile.limits.keepOuts = {{"mast", 30_deg, 45_deg, 0_deg, 40_deg}};
+    profile.park = {.azimuth = 0_deg, .elevation = 20_deg};
+    EXPECT_TRUE(crossCheck(profile).empty());
+    profile.pointing.azimuthOffset = 37.4_deg;
+    const auto problems = crossCheck(profile);
+    ASSERT_EQ(keysOf(problems), std::vector<std::string>{"park.elevation_deg"});
+    EXPECT_EQ(problems.front().text, "azimuth 37.4° elevation 20.0° is in the keep-out \"mast\"");
+}
+
 TEST(CrossCheck, AHorizonHasNoMorePointsThanCanBeChecked)
 {
     Profile profile;

@@ -93,7 +93,7 @@ public:
     void draw(const pointing::Region& drawn)
     {
         region = drawn;
-        motion.setRegion(drawn);
+        motion.setRegion(drawn, {});
         m_edited = true;
     }
 

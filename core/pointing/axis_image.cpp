@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pointing/axis_image.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace boresight::pointing {
+
+namespace {
+
+constexpr Angle kFullTurn = Angle::fromTurns(1.0);
+constexpr Angle kRounding = Angle::fromDegrees(1e-9);
+constexpr Angle kBeyond = Angle::fromDegrees(3600.0);
+constexpr std::array kSides{Side::Upright, Side::OverTheTop};
+
+// An edge is looked at in this many places; in between it is within a thousandth of a degree, and the margin is more.
+constexpr int kSamples = 32;
+constexpr Angle kMargin = Angle::fromDegrees(0.005);
+constexpr Angle kDeep = Angle::fromDegrees(-45.0);
+// A line of the horizon is divided until it is as straight as this, and no part longer than that.
+constexpr Angle kStraight = Angle::fromDegrees(0.002);
+constexpr Angle kLongest = Angle::fromDegrees(5.0);
+constexpr int kDeepest = 12;
+
+TravelRange common(const TravelRange& a, const TravelRange& b)
+{
+    return {.min = std::max(a.min, b.min), .max = std::min(a.max, b.max)};
+}
+
+void include(TravelRange& range, Angle angle)
+{
+    range = {.min = std::min(range.min, angle), .max = std::max(range.max, angle)};
+}
+
+void include(AxisBox& box, const AxisPosition& place)
+{
+    include(box.azimuth, place.azimuth);
+    include(box.elevation, place.elevation);
+}
+
+Angle part(const TravelRange& range, int index, int count)
+{
+    return range.min + (range.max - range.min) * (double(index) / count);
+}
+
+// Of a line that may lean over itself the highest at each azimuth. Between the points of a line, straight lines only:
+// what is straight above the highest at both ends is above all in between.
+class Envelope
+{
+public:
+    explicit Envelope(const std::vector<HorizonPoint>& line) : m_line(line)
+    {
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            const bool forward = line[i].azimuth >= line[i - 1].azimuth;
+            m_parts.push_back(forward ? Part{line[i - 1], line[i]} : Part{line[i], line[i - 1]});
+            m_widest = std::max(m_widest, m_parts.back().to.azimuth - m_parts.back().from.azimuth);
+        }
+        std::ranges::sort(m_parts, {}, [](const Part& one) { return one.from.azimuth; });
+    }
+
+    [[nodiscard]] std::vector<HorizonPoint> highest() const
+    {
+        std::vector<HorizonPoint> envelope;
+        for (const HorizonPoint& point : m_line) {
+            HorizonPoint top = point;
+            for (const Angle turn : {-kFullTurn, Angle{}, kFullTurn}) {
+                raise(top, point.azimuth + turn);
+            }
+            envelope.push_back(top);
+        }
+        return envelope;
+    }
+
+private:
+    struct Part
+    {
+        HorizonPoint from;
+        HorizonPoint to;
+    };
+
+    void raise(HorizonPoint& top, Angle azimuth) const
+    {
+        const auto azimuthOf = [](const Part& one) { return one.from.azimuth; };
+        auto part = std::ranges::lower_bound(m_parts, azimuth - m_widest, {}, azimuthOf);
+        for (; part != m_parts.end() && part->from.azimuth <= azimuth; ++part) {
+            const auto& [from, to] = *part;
+            if (to.azimuth < azimuth) {
+                continue;
+            }
+            const Angle width = to.azimuth - from.azimuth;
+            const Angle there =
+                width > Angle{} ? from.elevation + (to.elevation - from.elevation) * ((azimuth - from.azimuth) / width)
+                                : std::max(from.elevation, to.elevation);
+            top.elevation = std::max(top.elevation, there);
+        }
+    }
+
+    const std::vector<HorizonPoint>& m_line;
+    std::vector<Part> m_parts;
+    Angle m_widest;
+};
+
+}  // namespace
+
+// Twice as far from the zenith as the beam can be moved its azimuth is turned by 30° at most.
+AxisImage::AxisImage(const PointingModel& model)
+    : m_model(model),
+      m_skew(model.skew()),
+      m_loose(std::max(0.5_deg, 0.5 * m_skew)),
+      m_tame(model.isSkewed() ? TravelRange{-89_deg + 2.0 * m_skew, 89_deg - 2.0 * m_skew}
+                              : TravelRange{-90_deg, 90_deg})
+{}
+
+AxisPosition AxisImage::place(const SkyPointing& beam, Side side) const
+{
+    return m_model.toAxes(side == Side::Upright ? beam : SkyPointing{beam.azimuth + 180_deg, 180_deg - beam.elevation})
+        .axes;
+}
+
+std::vector<AxisBox> AxisImage::of(const KeepOut& keepOut) const
+{
+    const bool allRound = abs(keepOut.azimuthTo - keepOut.azimuthFrom) >= kFullTurn - kRounding;
+    const Angle width = allRound ? kFullTurn : (keepOut.azimuthTo - keepOut.azimuthFrom).wrapped360();
+    const TravelRange azimuths{keepOut.azimuthFrom, keepOut.azimuthFrom + width};
+    const TravelRange elevations{keepOut.elevationMin, std::min(keepOut.elevationMax, 90_deg)};
+    return m_model.isSkewed() ? enclosed(azimuths, elevations) : shifted(azimuths, elevations);
+}
+
+// One that goes all round and up to the zenith is one box across it: else the zenith in its middle would be an edge.
+std::vector<AxisBox> AxisImage::shifted(const TravelRange& azimuths, const TravelRange& elevations) const
+{
+    const auto box = [&](Side from, Side to) {
+        const Angle top = from == to ? elevations.max : elevations.min;
+        return AxisBox::between(place({azimuths.min, elevations.min}, from), place({azimuths.max, top}, to));
+    };
+    if (azimuths.max - azimuths.min >= kFullTurn && elevations.max >= 90_deg - kRounding) {
+        return {box(Side::Upright, Side::OverTheTop)};
+    }
+    return {box(Side::Upright, Side::Upright), box(Side::OverTheTop, Side::OverTheTop)};
+}
+
+std::vector<AxisBox> AxisImage::enclosed(const TravelRange& azimuths, const TravelRange& elevations) const
+{
+    std::vector<AxisBox> boxes;
+    for (const TravelRange& row : rows(common(elevations, m_tame))) {
+        for (const TravelRange& column : columns(azimuths)) {
+            for (const Side side : kSides) {
+                boxes.push_back(enclosing(column, row, side));
+            }
+        }
+    }
+    if (elevations.max > m_tame.max) {
+        boxes.push_back(zenithCap(std::max(elevations.min, m_tame.max)));
+    }
+    if (elevations.min < m_tame.min) {
+        boxes.push_back(nadirCap(Side::Upright));
+        boxes.push_back(nadirCap(Side::OverTheTop));
+    }
+    return boxes;
+}
+
+// The image of a part of the sky without its caps has no hole and no fold: where its edges go it goes.
+AxisBox AxisImage::enclosing(const TravelRange& azimuths, const TravelRange& elevations, Side side) const
+{
+    AxisBox box = AxisBox::at(place({azimuths.min, elevations.min}, side));
+    for (int i = 0; i <= kSamples; ++i) {
+        const Angle azimuth = part(azimuths, i, kSamples);
+        const Angle elevation = part(elevations, i, kSamples);
+        include(box, place({azimuth, elevations.min}, side));
+        include(box, place({azimuth, elevations.max}, side));
+        include(box, place({azimuths.min, elevation}, side));
+        include(box, place({azimuths.max, elevation}, side));
+    }
+    const Angle aside = kMargin / std::cos(elevations.max.radians());
+    return {.azimuth = {box.azimuth.min - aside, box.azimuth.max + aside},
+            .elevation = {box.elevation.min - kMargin, box.elevation.max + kMargin}};
+}
+
+// So wide that the lean moves their ends hardly more than their middle.
+std::vector<TravelRange> AxisImage::columns(const TravelRange& azimuths) const
+{
+    const Angle widest = Angle::fromRadians(m_loose / m_skew);
+    const int count = std::max(1, static_cast<int>(std::ceil((azimuths.max - azimuths.min) / widest)));
+    std::vector<TravelRange> list;
+    for (int i = 0; i < count; ++i) {
+        list.push_back({part(azimuths, i, count), part(azimuths, i + 1, count)});
+    }
+    return list;
+}
+
+// So high that their sides, which lean with the tangent of the elevation, are moved hardly more above than below. Deep
+// below the horizon no beam is brought: there one row will do.
+std::vector<TravelRange> AxisImage::rows(const TravelRange& elevations) const
+{
+    const auto above = [&](Angle from) {
+        if (from < kDeep) {
+            return kDeep;
+        }
+        const double rise = (m_loose / m_skew) / std::cos(std::max(from, 0_deg).radians());
+        return Angle::fromRadians(std::atan(std::tan(from.radians()) + rise));
+    };
+    std::vector<TravelRange> list;
+    for (Angle from = elevations.min; from < elevations.max - kRounding; from = list.back().max) {
+        list.push_back({from, std::min(elevations.max, above(from))});
+    }
+    return list;
+}
+
+AxisBox AxisImage::zenithCap(Angle from) const
+{
+    const Angle radius = 90_deg - from + m_skew;
+    // Gravity and offset alone, which the axes have everywhere alike.
+    const PointingModel level(PointingTerms{.elevationOffset = m_model.terms().elevationOffset,
+                                            .elevationSag = m_model.terms().elevationSag});
+    return {.azimuth = {-kBeyond, kBeyond},
+            .elevation = {level.toAxes({{}, 90_deg - radius}).axes.elevation,
+                          level.toAxes({{}, 90_deg + radius}).axes.elevation}};
+}
+
+AxisBox AxisImage::nadirCap(Side side) const
+{
+    const Angle above =
+        -90_deg + 3.0 * m_skew + 1_deg + abs(m_model.terms().elevationOffset) + abs(m_model.terms().elevationSag);
+    return {.azimuth = {-kBeyond, kBeyond},
+            .elevation = side == Side::Upright ? TravelRange{-kBeyond, above} : TravelRange{180_deg - above, kBeyond}};
+}
+
+HorizonPoint AxisImage::lineAt(const HorizonPoint& truth, Side side) const
+{
+    const AxisPosition axes = place({truth.azimuth, std::clamp(truth.elevation, m_tame.min, m_tame.max)}, side);
+    return side == Side::Upright ? HorizonPoint{axes.azimuth, axes.elevation}
+                                 : HorizonPoint{axes.azimuth - 180_deg, 180_deg - axes.elevation};
+}
+
+// Adds the image of a line without its begin, in parts that are as good as straight.
+void AxisImage::trace(std::vector<HorizonPoint>& line, const HorizonPoint& from, const HorizonPoint& to, Side side,
+                      int depth) const
+{
+    const HorizonPoint middle{.azimuth = 0.5 * (from.azimuth + to.azimuth),
+                              .elevation = 0.5 * (from.elevation + to.elevation)};
+    const HorizonPoint begin = lineAt(from, side);
+    const HorizonPoint bend = lineAt(middle, side);
+    const HorizonPoint end = lineAt(to, side);
+    const Angle off = std::max(abs(bend.azimuth - 0.5 * (begin.azimuth + end.azimuth)),
+                               abs(bend.elevation - 0.5 * (begin.elevation + end.elevation)));
+    if (depth == 0 || (off <= kStraight && to.azimuth - from.azimuth <= kLongest)) {
+        line.push_back(end);
+        return;
+    }
+    trace(line, from, middle, side, depth - 1);
+    trace(line, middle, to, side, depth - 1);
+}
+
+std::vector<HorizonPoint> AxisImage::of(const Skyline& horizon, Side side) const
+{
+    std::vector<HorizonPoint> line;
+    const bool bent = m_model.isSkewed() || m_model.terms().elevationSag != Angle{};
+    for (std::size_t i = 0; i < horizon.lineCount(); ++i) {
+        const auto [from, to] = horizon.line(i);
+        if (!bent) {
+            line.push_back(lineAt(from, side));
+            continue;
+        }
+        if (line.empty()) {
+            line.push_back(lineAt(from, side));
+        }
+        trace(line, from, to, side, kDeepest);
+    }
+    if (!bent) {
+        return line;
+    }
+    std::vector<HorizonPoint> envelope = Envelope(line).highest();
+    for (HorizonPoint& point : envelope) {
+        point.elevation += kMargin;
+    }
+    return envelope;
+}
+
+std::vector<AxisBox> AxisImage::capOf(const Skyline& horizon) const
+{
+    return m_model.isSkewed() && horizon.peak() > m_tame.max ? std::vector{zenithCap(m_tame.max)}
+                                                             : std::vector<AxisBox>{};
+}
+
+}  // namespace boresight::pointing
