@@ -87,7 +87,7 @@ struct HostSearch::Scan
 HostSearch::HostSearch(MakeLink makeLink, QObject* parent) : QObject(parent), m_makeLink(std::move(makeLink))
 {
     qRegisterMetaType<std::vector<Adapter>>();
-    qRegisterMetaType<profile::GpredictStations>();
+    qRegisterMetaType<profile::GpredictFiles>();
     qRegisterMetaType<survey::ScanResult>();
     m_files.setMaxThreadCount(1);
 }
@@ -102,9 +102,9 @@ void HostSearch::findAdapters()
     m_files.start([this] { Q_EMIT adaptersFound(boresight::findAdapters()); });
 }
 
-void HostSearch::findGpredict()
+void HostSearch::findGpredict(const QString& folder)
 {
-    m_files.start([this] { Q_EMIT gpredictFound(profile::findGpredictStations(profile::gpredictFolder())); });
+    m_files.start([this, folder] { Q_EMIT gpredictFound(profile::findGpredict(folder)); });
 }
 
 void HostSearch::scan(const QString& bus)

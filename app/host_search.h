@@ -31,13 +31,13 @@ public:
 
 public Q_SLOTS:
     void findAdapters();
-    void findGpredict();
+    void findGpredict(const QString& folder);
     // Only asks: nothing moves. One at a time; a second while one runs is answered by a problem.
     void scan(const QString& bus);
 
 Q_SIGNALS:
     void adaptersFound(const std::vector<boresight::Adapter>& adapters);
-    void gpredictFound(const boresight::profile::GpredictStations& stations);
+    void gpredictFound(const boresight::profile::GpredictFiles& files);
     void scanned(const boresight::survey::ScanResult& result);
 
 private:

@@ -3,6 +3,7 @@
 
 #include "core/profile/locator.h"
 #include "ui/command_button.h"
+#include "ui/file_dialog.h"
 #include "ui/guide_fields.h"
 #include "ui/host_desk.h"
 #include "ui/value_label.h"
@@ -21,6 +22,28 @@ namespace {
 QString stationText(const profile::GpredictStation& station)
 {
     return station.location.isEmpty() ? station.name : QStringLiteral("%1 (%2)").arg(station.name, station.location);
+}
+
+QString daysText(UtcTime from, UtcTime to)
+{
+    const double days = std::chrono::duration<double, std::chrono::days::period>(to - from).count();
+    return days < 1.0 ? GuideSite::tr("less than a day") : GuideSite::tr("%1 days").arg(days, 0, 'f', 1);
+}
+
+QString satellitesText(const profile::GpredictFiles& found, UtcTime now)
+{
+    const profile::GpredictSatellites& satellites = found.satellites;
+    if (satellites.files == 0) {
+        return found.stations.empty() ? GuideSite::tr("%1: nothing of Gpredict there").arg(found.folder)
+                                      : GuideSite::tr("%1: no satellite data").arg(found.folder);
+    }
+    return satellites.newest ? GuideSite::tr("%1: satellites %2, the newest elements %3 old")
+                                   .arg(found.folder)
+                                   .arg(satellites.files)
+                                   .arg(daysText(*satellites.newest, now))
+                             : GuideSite::tr("%1: satellites %2, none with elements that can be read")
+                                   .arg(found.folder)
+                                   .arg(satellites.files);
 }
 
 }  // namespace
@@ -54,6 +77,8 @@ GuideSite::GuideSite(ProfileChange& change, RequestDesk& desk, HostDesk& host, Q
                          this)),
       m_locator(new QLineEdit(this)),
       m_gpredict(new QComboBox(this)),
+      m_choose(new CommandButton(tr("Folder …"), tr("Where Gpredict keeps its files, if not at the usual place"), desk,
+                                 *m_notice, this)),
       m_set(new CommandButton(tr("Set the site"), tr("Takes the place into the profile"), desk, *m_notice, this))
 {
     build();
@@ -62,7 +87,8 @@ GuideSite::GuideSite(ProfileChange& change, RequestDesk& desk, HostDesk& host, Q
     }
     connect(m_locator, &QLineEdit::textEdited, this, &GuideSite::readLocator);
     connect(m_gpredict, &QComboBox::activated, this, &GuideSite::take);
-    connect(&m_host, &HostDesk::gpredictFound, this, &GuideSite::showStations);
+    connect(&m_host, &HostDesk::gpredictFound, this, &GuideSite::showGpredict);
+    connect(m_choose, &QPushButton::clicked, this, &GuideSite::chooseFolder);
     connect(m_set, &QPushButton::clicked, this, [this] { m_change.ask(*m_set, edit()); });
 }
 
@@ -78,7 +104,7 @@ void GuideSite::build()
     m_gpredict->setAccessibleName(tr("Station of Gpredict"));
     m_gpredict->setToolTip(tr("Ground stations that Gpredict on this computer knows; choosing one fills the fields"));
     m_gpredictNote->setStretching(true);
-    m_gpredictNote->setLines(2);
+    m_gpredictNote->setLines(3);
     m_notice->setStretching(true);
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -94,21 +120,43 @@ void GuideSite::build()
     add(0, 2, tr("Height"), m_height);
     add(1, 2, tr("Locator"), m_locator);
     add(2, 0, tr("From Gpredict"), m_gpredict);
-    grid->addWidget(m_set, 2, 2, 1, 2);
+    grid->addWidget(m_choose, 2, 2, 1, 2);
     grid->addWidget(m_gpredictNote, 3, 0, 1, 4);
-    grid->addWidget(m_notice, 4, 0, 1, 4);
+    grid->addWidget(m_set, 4, 2, 1, 2);
+    grid->addWidget(m_notice, 5, 0, 1, 4);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(3, 1);
-    grid->setRowStretch(5, 1);
+    grid->setRowStretch(6, 1);
 }
 
 void GuideSite::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    if (!m_asked) {
-        m_asked = true;
-        Q_EMIT m_host.gpredictWanted();
+    lookForGpredict();
+}
+
+void GuideSite::lookForGpredict()
+{
+    const QString folder = profile::gpredictFolder(m_change.applied().gpredict);
+    if (isVisible() && folder != m_folder) {
+        m_folder = folder;
+        Q_EMIT m_host.gpredictWanted(folder);
     }
+}
+
+void GuideSite::chooseFolder()
+{
+    const QFileDialog* const dialog = askForFolder(*this, tr("Where Gpredict keeps its files"), m_folder);
+    connect(dialog, &QFileDialog::fileSelected, this, &GuideSite::takeFolder);
+}
+
+// The usual place is not written down: on another computer, or for another user, it is another.
+void GuideSite::takeFolder(const QString& folder)
+{
+    const bool usual = folder == profile::gpredictFolder({});
+    m_change.ask(*m_choose, [path = usual ? std::string() : folder.toStdString()](profile::Profile& profile) {
+        profile.gpredict.folder = path;
+    });
 }
 
 void GuideSite::showStatus(const StationStatus& status)
@@ -121,6 +169,7 @@ void GuideSite::showStatus(const StationStatus& status)
             fill(site);
         }
     }
+    lookForGpredict();
     showButton();
 }
 
@@ -156,8 +205,11 @@ void GuideSite::readLocator()
     showButton();
 }
 
-void GuideSite::showStations(const profile::GpredictStations& found)
+void GuideSite::showGpredict(const profile::GpredictFiles& found)
 {
+    if (found.folder != m_folder) {
+        return;  // the answer to what was asked before
+    }
     m_stations = found.stations;
     m_gpredict->clear();
     for (const profile::GpredictStation& station : m_stations) {
@@ -166,7 +218,8 @@ void GuideSite::showStations(const profile::GpredictStations& found)
     m_gpredict->setEnabled(!m_stations.empty());
     m_gpredict->setCurrentIndex(-1);
     m_gpredict->setPlaceholderText(m_stations.empty() ? tr("none found") : tr("choose …"));
-    m_gpredictNote->setValue(found.problems.join(QLatin1Char('\n')), Tone::Secondary);
+    m_gpredictNote->setValue(
+        (QStringList(satellitesText(found, m_status.utc)) + found.problems).join(QLatin1Char('\n')), Tone::Secondary);
 }
 
 void GuideSite::take(int row)
@@ -190,6 +243,7 @@ ProfileChange::Edit GuideSite::edit() const
 void GuideSite::showButton()
 {
     const bool entered = m_latitude->value() != 0.0 || m_longitude->value() != 0.0;  // nobody's mast stands in that sea
+    m_choose->setBlocked(m_change.whyNot(m_status, [](profile::Profile&) {}));
     m_set->setBlocked(!entered                     ? tr("enter where the mount stands first")
                       : m_change.isAlready(edit()) ? tr("this is the site in the profile")
                                                    : m_change.whyNot(m_status, edit()));

@@ -14,7 +14,7 @@ class QDoubleSpinBox;
 class QLineEdit;
 
 // The guide's step for where the mount stands: degrees or a locator, each follows the other, or a station that a
-// Gpredict on this computer knows.
+// Gpredict on this computer knows; and where that Gpredict keeps its files, with how fresh its satellite data are.
 namespace boresight::ui {
 
 class CommandButton;
@@ -38,7 +38,10 @@ private:
     void fill(const profile::SiteSettings& site);
     void readLocator();
     void writeLocator();
-    void showStations(const profile::GpredictStations& stations);
+    void lookForGpredict();
+    void chooseFolder();
+    void takeFolder(const QString& folder);
+    void showGpredict(const profile::GpredictFiles& found);
     void take(int row);
     [[nodiscard]] ProfileChange::Edit edit() const;
     void showButton();
@@ -48,7 +51,7 @@ private:
     StationStatus m_status;
     std::optional<profile::SiteSettings> m_shown;  // of the profile, when the fields were filled
     std::vector<profile::GpredictStation> m_stations;
-    bool m_asked = false;  // for Gpredict's stations
+    QString m_folder;  // of Gpredict, as last asked for
     ValueLabel* m_notice;
     ValueLabel* m_gpredictNote;
     QDoubleSpinBox* m_latitude;
@@ -56,6 +59,7 @@ private:
     QDoubleSpinBox* m_height;
     QLineEdit* m_locator;
     QComboBox* m_gpredict;
+    CommandButton* m_choose;  // Gpredict's folder
     CommandButton* m_set;
 };
 

@@ -24,11 +24,11 @@ Q_SIGNALS:
     // Asked by a page.
     void adaptersWanted();
     void scanWanted(const QString& bus);
-    void gpredictWanted();
+    void gpredictWanted(const QString& folder);
     // Answered by the owner of the window.
     void adaptersFound(const std::vector<boresight::Adapter>& adapters);
     void scanned(const boresight::survey::ScanResult& result);
-    void gpredictFound(const boresight::profile::GpredictStations& stations);
+    void gpredictFound(const boresight::profile::GpredictFiles& files);
 };
 
 }  // namespace boresight::ui

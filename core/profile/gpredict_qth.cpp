@@ -3,6 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/profile/key_file.h"
 #include "core/profile/setting.h"
 #include "core/profile/text_file.h"
 
@@ -15,23 +16,6 @@
 namespace boresight::profile {
 
 namespace {
-
-// The value of a key in a group of GLib's key files; the last one counts, as there.
-std::optional<QString> keyFileValue(const QByteArray& text, const QString& group, const QString& key)
-{
-    const QString heading = QLatin1Char('[') + group + QLatin1Char(']');
-    bool isInGroup = false;
-    std::optional<QString> value;
-    for (const QString& raw : QString::fromUtf8(text).split(QLatin1Char('\n'))) {
-        const QString line = raw.trimmed();
-        if (line.startsWith(QLatin1Char('['))) {
-            isInGroup = line == heading;
-        } else if (isInGroup && line.section(QLatin1Char('='), 0, 0).trimmed() == key) {
-            value = line.section(QLatin1Char('='), 1).trimmed();
-        }
-    }
-    return value;
-}
 
 Result<> readNumber(const QByteArray& text, const char* key, const char* setting, Profile& into)
 {
@@ -48,8 +32,11 @@ Result<> readNumber(const QByteArray& text, const char* key, const char* setting
 
 }  // namespace
 
-QString gpredictFolder()
+QString gpredictFolder(const GpredictSettings& settings)
 {
+    if (!settings.folder.empty()) {
+        return QString::fromStdString(settings.folder);
+    }
     return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + QStringLiteral("/Gpredict");
 }
 
@@ -67,13 +54,13 @@ Result<GpredictStation> parseQth(const QByteArray& text, const QString& name)
         });
 }
 
-GpredictStations findGpredictStations(const QString& folder)
+GpredictFiles findGpredict(const QString& folder)
 {
     const auto settings = readFile(folder + QStringLiteral("/gpredict.cfg"));
     const QString defaultFile =
         keyFileValue(settings.value_or(QByteArray()), QStringLiteral("GLOBAL"), QStringLiteral("DEFAULT_QTH"))
             .value_or(QStringLiteral("sample.qth"));
-    GpredictStations found;
+    GpredictFiles found{.folder = folder, .satellites = findGpredictSatellites(folder)};
     const auto files = QDir(folder).entryInfoList({QStringLiteral("*.qth")}, QDir::Files, QDir::Name);
     for (const QFileInfo& file : files) {
         auto station = readFile(file.filePath()).and_then([&](const QByteArray& text) {
@@ -89,12 +76,6 @@ GpredictStations findGpredictStations(const QString& folder)
     }
     std::ranges::stable_partition(found.stations, &GpredictStation::isDefault);
     return found;
-}
-
-std::optional<QString> gpredictSatelliteFolder(const QString& folder)
-{
-    const QDir data(folder + QStringLiteral("/satdata"));
-    return data.entryList({QStringLiteral("*.sat")}, QDir::Files).isEmpty() ? std::nullopt : std::optional(data.path());
 }
 
 }  // namespace boresight::profile

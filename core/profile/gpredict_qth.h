@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/profile/gpredict_satellites.h"
 #include "core/profile/profile.h"
 
 #include <QByteArray>
@@ -27,18 +28,17 @@ struct GpredictStation
     bool operator==(const GpredictStation&) const = default;
 };
 
-// Where Gpredict keeps its files for this user; it need not exist.
-[[nodiscard]] QString gpredictFolder();
+// Where Gpredict keeps its files: as the profile says, else where it does for this user. It need not exist.
+[[nodiscard]] QString gpredictFolder(const GpredictSettings& settings);
 
-struct GpredictStations
+struct GpredictFiles
 {
+    QString folder;
     std::vector<GpredictStation> stations;  // the default first, then by name
-    QStringList problems;                   // of files that were passed over: "FILE: reason"
+    GpredictSatellites satellites;
+    QStringList problems;  // of files that were passed over: "FILE: reason"
 };
-[[nodiscard]] GpredictStations findGpredictStations(const QString& folder);
-
-// Satellite data, NUMBER.sat files with elements; empty if there is none.
-[[nodiscard]] std::optional<QString> gpredictSatelliteFolder(const QString& folder);
+[[nodiscard]] GpredictFiles findGpredict(const QString& folder);
 
 // The text of one .qth file. A place that is incomplete is refused; Gpredict would take it for 0°, 0°.
 [[nodiscard]] Result<GpredictStation> parseQth(const QByteArray& text, const QString& name);

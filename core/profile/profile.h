@@ -118,6 +118,14 @@ struct SiteSettings
     bool operator==(const SiteSettings&) const = default;
 };
 
+// A Gpredict on this computer, whose stations and satellites are read.
+struct GpredictSettings
+{
+    std::string folder;  // with its .qth files and satdata; empty: where Gpredict keeps them by itself
+
+    bool operator==(const GpredictSettings&) const = default;
+};
+
 // A named direction of the operator's own.
 struct Preset
 {
@@ -251,6 +259,7 @@ struct Profile
     AxisPosition park{};  // mechanical angles
     std::vector<Preset> presets;
     SiteSettings site;
+    GpredictSettings gpredict;
     JogSettings jog;
     RotctldSettings rotctld;
     SupervisionSettings supervision;

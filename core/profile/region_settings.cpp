@@ -111,6 +111,23 @@ void addSite(std::vector<Setting>& list)
         [](auto& p) -> auto& { return p.site.heightMetres; }));
 }
 
+void addGpredict(std::vector<Setting>& list)
+{
+    list.push_back(textual(
+        "gpredict.folder", Applies::Now,
+        QT_TRANSLATE_NOOP("Text",
+                          "Folder of the Gpredict whose stations and satellite data are read; empty: where Gpredict "
+                          "keeps them for this user."),
+        [](const Profile& p) { return p.gpredict.folder; },
+        [](Profile& p, const std::string& text) -> Result<> {
+            if (!text.empty() && text.front() != '/') {
+                return failure(ErrorCode::InvalidInput, Text::tr("a path from / on is expected"));
+            }
+            p.gpredict.folder = text;
+            return {};
+        }));
+}
+
 std::span<const SettingOf<pointing::HorizonPoint>> horizonSettings()
 {
     static const std::vector<SettingOf<pointing::HorizonPoint>> list = makeHorizonSettings();

@@ -230,6 +230,7 @@ std::vector<Setting> makeSettings()
     addRegion(list);
     addControl(list);
     addSite(list);
+    addGpredict(list);
     addJog(list);
     addClients(list);
     addSupervision(list);

@@ -12,6 +12,7 @@ namespace boresight::profile {
 void addPointing(std::vector<Setting>& list);
 void addRegion(std::vector<Setting>& list);
 void addSite(std::vector<Setting>& list);
+void addGpredict(std::vector<Setting>& list);
 void addSupervision(std::vector<Setting>& list);
 void addRecovery(std::vector<Setting>& list);
 void addSensor(std::vector<Setting>& list);

@@ -6,6 +6,8 @@
 #include "core/station/link_factory.h"
 #include "tests/fakes/wait_until.h"
 
+#include <QDir>
+
 #include <gtest/gtest.h>
 
 namespace boresight::app {
@@ -84,7 +86,7 @@ TEST_F(HostSearchTest, ListsAdaptersAndGpredictInTheBackground)
     QObject::connect(&search, &HostSearch::adaptersFound, &search, [&](const auto& found) { adapters = found; });
     QObject::connect(&search, &HostSearch::gpredictFound, &search, [&](const auto&) { gpredict = true; });
     search.findAdapters();
-    search.findGpredict();
+    search.findGpredict(QDir::tempPath());
     EXPECT_TRUE(fakes::waitUntil([&] { return !adapters.empty() && gpredict; }));
     EXPECT_EQ(adapters.back().bus, QStringLiteral("simulated"));
 }

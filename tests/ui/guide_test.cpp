@@ -471,26 +471,6 @@ TEST_F(GuideTest, SiteAndLocatorFollowEachOther)
     EXPECT_EQ(stepButton(GuideStep::Site).state(), StepState::Done);
 }
 
-TEST_F(GuideTest, AStationOfGpredictFillsTheFields)
-{
-    QSignalSpy wanted(&window.host(), &HostDesk::gpredictWanted);
-    open<GuideSite>(GuideStep::Site);
-    ASSERT_EQ(wanted.count(), 1);
-    profile::GpredictStations found;
-    found.stations.push_back(
-        {.name = QStringLiteral("home"),
-         .location = QStringLiteral("Porto"),
-         .site = {.known = true, .latitude = 41.15_deg, .longitude = -8.61_deg, .heightMetres = 90.0},
-         .isDefault = true});
-    Q_EMIT window.host().gpredictFound(found);
-    auto& stations = inGuide<QComboBox>("Station of Gpredict");
-    stations.setFocus();
-    QTest::keyClick(&stations, Qt::Key_Down);
-    EXPECT_NEAR(inGuide<QDoubleSpinBox>("Latitude").value(), 41.15, 1e-9);
-    EXPECT_EQ(inGuide<QLineEdit>("Maidenhead locator").text(), QStringLiteral("IN51qd"));
-    EXPECT_TRUE(requests.empty()) << "choosing changes nothing yet";
-}
-
 TEST_F(GuideTest, GpredictsSettingsAreCopied)
 {
     open<GuideClient>(GuideStep::Client);

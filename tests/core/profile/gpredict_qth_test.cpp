@@ -70,14 +70,14 @@ TEST(GpredictQth, AnIncompletePlaceIsRefused)
 TEST(GpredictQth, FindsTheStationsWithTheDefaultFirst)
 {
     const QTemporaryDir folder;
-    EXPECT_TRUE(findGpredictStations(folder.path()).stations.empty());
+    EXPECT_TRUE(findGpredict(folder.path()).stations.empty());
     write(folder.filePath(QStringLiteral("away.qth")), "[QTH]\nLAT=1\nLON=2\nALT=3\n");
     write(folder.filePath(QStringLiteral("home.qth")), kHome);
     write(folder.filePath(QStringLiteral("sample.qth")), "[QTH]\nLAT=55.6167\nLON=12.6500\nALT=5\n");
     write(folder.filePath(QStringLiteral("bad.qth")), "[QTH]\nLAT=1\n");
     const auto names = [&] {
         std::string all;
-        for (const GpredictStation& station : findGpredictStations(folder.path()).stations) {
+        for (const GpredictStation& station : findGpredict(folder.path()).stations) {
             all += station.name.toStdString() + (station.isDefault ? "* " : " ");
         }
         return all;
@@ -85,21 +85,16 @@ TEST(GpredictQth, FindsTheStationsWithTheDefaultFirst)
     EXPECT_EQ(names(), "sample* away home ") << "Gpredict's own default";
     write(folder.filePath(QStringLiteral("gpredict.cfg")), "[GLOBAL]\nDEFAULT_QTH=home.qth\n[MODULES]\nOPEN=Amateur\n");
     EXPECT_EQ(names(), "home* away sample ");
-    EXPECT_EQ(findGpredictStations(folder.path()).problems, QStringList{QStringLiteral("bad.qth: LON is missing")});
+    EXPECT_EQ(findGpredict(folder.path()).problems, QStringList{QStringLiteral("bad.qth: LON is missing")});
 }
 
-TEST(GpredictQth, FindsTheFolders)
+TEST(GpredictQth, ItsFolderIsTheProfilesElseTheUsersOwn)
 {
     const QTemporaryDir home;
     const QByteArray before = qgetenv("XDG_CONFIG_HOME");
     qputenv("XDG_CONFIG_HOME", home.path().toUtf8());
-    const QString folder = gpredictFolder();
+    const QString folder = gpredictFolder({});
     qputenv("XDG_CONFIG_HOME", before);
     EXPECT_EQ(folder, home.filePath(QStringLiteral("Gpredict")));
-
-    EXPECT_EQ(gpredictSatelliteFolder(folder), std::nullopt);
-    ASSERT_TRUE(QDir().mkpath(folder + QStringLiteral("/satdata")));
-    EXPECT_EQ(gpredictSatelliteFolder(folder), std::nullopt) << "nothing in it";
-    write(folder + QStringLiteral("/satdata/25544.sat"), "[Satellite]\n");
-    EXPECT_EQ(gpredictSatelliteFolder(folder), folder + QStringLiteral("/satdata"));
+    EXPECT_EQ(gpredictFolder({.folder = "/mnt/shack/Gpredict"}), QStringLiteral("/mnt/shack/Gpredict"));
 }
