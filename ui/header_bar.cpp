@@ -203,7 +203,8 @@ void HeaderBar::showTarget(const StationStatus& status)
 {
     m_limited->setVisible(status.limited);
     m_limited->setValue(status.limited ? tr("LIMITED") : QString(), Tone::Warning, Symbol::Warning);
-    m_limited->setToolTip(tr("The target is outside the limits: the mount goes to the nearest permitted point"));
+    m_limited->setToolTip(tr("The target is outside the limits: the mount goes to the nearest permitted point.\n%1")
+                              .arg(status.limitedReason));
     if (status.targetText.isEmpty()) {
         m_target->setValue(tr("no target"), Tone::Secondary);
         return;
@@ -226,6 +227,12 @@ void HeaderBar::showLinks(const StationStatus& status)
     m_clients->setToolTip(clientsHelp(status));
     m_control->setValue(status.authority == Authority::Operator ? tr("Control: operator") : tr("Control: clients"),
                         status.authority == Authority::Operator ? Tone::Normal : Tone::Secondary);
+}
+
+void HeaderBar::setOnlySimulated()
+{
+    m_simulated->setToolTip(
+        tr("Started with --simulate: no real drive is connected, whatever mount is chosen, until the program ends"));
 }
 
 void HeaderBar::setStopRequested()

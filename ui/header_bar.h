@@ -20,6 +20,7 @@ public:
     explicit HeaderBar(QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
+    void setOnlySimulated();  // says so by the word SIMULATED
     void setStopRequested();  // until the status says STOPPED
     void setStopRefused();
 

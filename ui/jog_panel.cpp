@@ -26,12 +26,16 @@ JogPanel::JogPanel(const Clock& clock, ProfileDraft& draft, RequestDesk& desk, c
                                   *m_notice, this)),
       m_home(new CommandButton(tr("Home"), tr("Go to azimuth 0° and the lowest elevation"), desk, *m_notice, this)),
       m_park(new CommandButton(tr("Park"), {}, desk, *m_notice, this)),
-      m_clearTrim(new CommandButton(tr("Clear trim"), {}, desk, *m_notice, this))
+      m_clearTrim(new CommandButton(tr("Clear trim"), {}, desk, *m_notice, this)),
+      m_unwind(new CommandButton(
+          tr("Unwind"), tr("Turn back by whole turns to the same direction, where the azimuth cable is wound least"),
+          desk, *m_notice, this))
 {
     build();
     connect(m_goTo, &GoToBar::recentChanged, this, &JogPanel::recentGoTosChanged);
     connect(m_horizon, &QPushButton::clicked, this, [this] { m_horizon->ask(request::Horizon{}); });
     connect(m_home, &QPushButton::clicked, this, [this] { m_home->ask(request::Home{}); });
+    connect(m_unwind, &QPushButton::clicked, this, [this] { m_unwind->ask(request::Unwind{}); });
     connect(m_park, &QPushButton::clicked, this, &JogPanel::parkOrUnpark);
     connect(m_clearTrim, &QPushButton::clicked, this, [this] { m_clearTrim->ask(request::ClearTrim{}); });
     connect(m_pad, &JogPad::interrupted, this, [this] { m_pilot.letGo(); });
@@ -72,6 +76,7 @@ QWidget* JogPanel::makeLowest()
     row->setSpacing(4);
     row->addWidget(m_notice, 1);
     row->addWidget(m_clearTrim);
+    row->addWidget(m_unwind);
     row->addWidget(m_home);
     m_notice->setStretching(true);
     m_notice->setLines(2);
@@ -91,6 +96,7 @@ void JogPanel::showStatus(const StationStatus& status)
     m_goTo->setBlocked(reason);
     m_horizon->setBlocked(reason);
     m_home->setBlocked(reason.isEmpty() ? m_homeForbidden : reason);
+    m_unwind->setBlocked(whyNoUnwind(status));
     showPark();
     showTrim();
 }

@@ -61,6 +61,7 @@ private:
     CommandButton* m_home;
     CommandButton* m_park;
     CommandButton* m_clearTrim;
+    CommandButton* m_unwind;
     GamepadPilot m_pilot;
     StationStatus m_status;
     QString m_homeForbidden;

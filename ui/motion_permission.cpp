@@ -115,6 +115,16 @@ AngularRate fastestJog(const StationStatus& status)
     return confirmed ? jog.fast : std::min(jog.fast, FirstMoves::kFastest);
 }
 
+QString whyNoUnwind(const StationStatus& status)
+{
+    const QString reason = whyNoPointing(status);
+    if (!reason.isEmpty()) {
+        return reason;
+    }
+    const bool wound = status.azimuth.actual && abs(*status.azimuth.actual) > 180_deg;
+    return wound ? QString() : MotionPermission::tr("the azimuth cable is not wound by more than half a turn");
+}
+
 bool followsAClient(const StationStatus& status)
 {
     return status.state == StationState::Track && status.commander.kind == SourceKind::Client;

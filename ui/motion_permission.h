@@ -23,6 +23,7 @@ enum class JogDirection
 [[nodiscard]] QString whyNoStep(const StationStatus& status, JogDirection direction);
 // By hand: less while nobody knows the turn of an axis, or which way the axes turn.
 [[nodiscard]] AngularRate fastestJog(const StationStatus& status);
+[[nodiscard]] QString whyNoUnwind(const StationStatus& status);
 [[nodiscard]] bool followsAClient(const StationStatus& status);  // a step then trims the client's target
 [[nodiscard]] bool isMoving(const StationStatus& status);
 

@@ -58,6 +58,8 @@ struct Park
 {};
 struct Home  // azimuth 0°, elevation at its lower limit or 0°
 {};
+struct Unwind  // the same direction, on the turn where the azimuth cable is wound least
+{};
 struct Rearm  // clears a drive fault or time-out; the mount then stands in STANDBY
 {};
 struct TakeAuthority  // clients' motion is refused until GiveAuthority
@@ -182,7 +184,7 @@ using CalibrationRequest =
 using Request =
     std::variant<request::PointSky, request::PointAxes, request::Jog, request::Move, request::Step, request::Nudge,
                  request::ClearTrim, request::Horizon, request::Hold, request::Stop, request::ResetStop, request::Park,
-                 request::Home, request::Rearm, request::TakeAuthority, request::GiveAuthority, request::GiveLead,
+                 request::Home, request::Unwind, request::Rearm, request::TakeAuthority, request::GiveAuthority, request::GiveLead,
                  request::SetReadOnly, request::Disconnect, request::AcknowledgeAlarms, request::AcknowledgeAlarm,
                  request::ApplyProfile, request::Reconnect, request::ReadDrives, request::FixDrives, request::SwitchOff,
                  request::ReleaseBus, request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of StationControl that tells in time when the cable ends before the pass does.
+// The part of StationControl about the azimuth cable: unwinding, and telling in time that it ends before the pass does.
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/station/station_control.h"
@@ -30,6 +30,36 @@ QString timeText(Seconds time)
 }
 
 }  // namespace
+
+// Of the turns of this direction the one nearest to the cable that is not wound, 0°; empty if it stands there.
+std::optional<AxisPosition> StationControl::leastWound(const AxisPosition& place) const
+{
+    const TravelRange& range = m_motion.region().ranges().azimuth;
+    std::optional<AxisPosition> best;
+    Angle least = abs(place.azimuth);
+    for (double turns = std::ceil((range.min - place.azimuth).turns()); turns <= (range.max - place.azimuth).turns();
+         turns += 1.0) {
+        const AxisPosition other{.azimuth = place.azimuth + Angle::fromTurns(turns), .elevation = place.elevation};
+        if (turns != 0.0 && abs(other.azimuth) < least) {
+            least = abs(other.azimuth);
+            best = other;
+        }
+    }
+    return best;
+}
+
+Result<> StationControl::handle(const request::Unwind&, const Source& source)
+{
+    return mayPoint(source).and_then([&]() -> Result<> {
+        const auto place = leastWound(standing());
+        if (!place) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("in this direction the azimuth cable can not be wound less than it is"));
+        }
+        const QString azimuth = QString::fromStdString(formatFixed(place->azimuth.degrees(), 1)) + QStringLiteral("°");
+        return goTo(*place, Activity::Pointing, source, Text::tr("unwind the cable, azimuth to %1").arg(azimuth));
+    });
+}
 
 void StationControl::watchCable()
 {
@@ -70,7 +100,7 @@ void StationControl::tellCable(const CableEnd& end)
                         .action = Text::tr("There Boresight turns back by 360° and follows on; the target is "
                                            "lost for about %1")
                                       .arg(timeText(*end.turningBack)),
-                        .remedy = Text::tr("To turn back earlier press Home, then give control back")});
+                        .remedy = Text::tr("To turn back earlier press Unwind, then give control back")});
     } else {
         m_alarms.raise(kCause, severity,
                        {.what = what,

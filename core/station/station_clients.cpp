@@ -8,6 +8,7 @@ namespace {
 
 // Longer than a tracking client pauses between two targets, short enough that the screen asks about what happens now.
 constexpr std::chrono::seconds kStillWanting{5};
+const QString kOutside = QStringLiteral("target");
 
 }  // namespace
 
@@ -91,6 +92,32 @@ void StationControl::describe(ClientStatus& client, const std::optional<SteadyTi
     const bool kept = rules.lead == profile::Lead::Locked && !client.locked;  // as the operator wants it
     client.wanting = lastMotion && m_now - *lastMotion < kStillWanting && m_arming.authority() == Authority::Clients &&
                      !client.readOnly && !kept && !m_lead.admits(rules, source, m_now);
+    if (const QString reason = limitedReason(); client.driving && !reason.isEmpty()) {
+        client.advice =
+            Text::tr("asks for a place outside the limits: %1; the nearest permitted one is driven").arg(reason);
+    }
+}
+
+// The client's target itself, or what the operator's trim makes of it.
+QString StationControl::limitedReason() const
+{
+    return m_limitedReason.isEmpty() && m_motion.limited()
+               ? Text::tr("the target is beyond %1").arg(toQString(m_motion.obstacle()))
+               : m_limitedReason;
+}
+
+// The protocol has no word for it: a client is answered "done". So the screen must say it, for as long as it lasts.
+void StationControl::watchLimited()
+{
+    const QString reason = limitedReason();
+    if (reason.isEmpty()) {
+        m_alarms.clear(kOutside);
+        return;
+    }
+    m_alarms.raise(kOutside, Severity::Advisory,
+                   {.what = Text::tr("the target is outside the limits"),
+                    .action = Text::tr("LIMITED, the nearest permitted point is driven: %1").arg(reason),
+                    .remedy = Text::tr("None needed: the mount follows on when the target comes inside")});
 }
 
 }  // namespace boresight

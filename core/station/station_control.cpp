@@ -172,7 +172,7 @@ void StationControl::begin(Activity activity, const Source& source, const QStrin
     m_activity = activity;
     m_commander = source;
     m_commandText = what;
-    m_limited = false;
+    m_limitedReason.clear();
     m_wantedDirection.reset();
     m_jogDeadline.reset();
     m_drives.engage();
@@ -184,7 +184,7 @@ void StationControl::holdHere(Activity activity)
         endProof(Text::tr("ended before it was done"));
     }
     m_activity = activity;
-    m_limited = false;
+    m_limitedReason.clear();
     m_wantedDirection.reset();
     m_jogDeadline.reset();
     m_commandText.clear();
@@ -237,16 +237,19 @@ Result<> StationControl::streamTo(pointing::Resolved resolved, const SkyPointing
     if (resolved.limited && m_profile.rotctld.outsideLimits == profile::OutsideLimits::Refuse) {
         return failure(ErrorCode::OutOfRange, resolved.reason);
     }
+    const bool wasLimited = !m_limitedReason.isEmpty();
     const bool newStream = m_activity != Activity::Streaming || m_commander != source;
     begin(Activity::Streaming, source, QStringLiteral("P ") + text(asked));
     if (newStream) {
         m_motion.rest();  // the points of another client say nothing about this one's
     }
     if (resolved.limited) {
-        m_limited = true;
+        m_limitedReason = toQString(resolved.reason);
         m_wantedDirection = asked;
-        tell(Severity::Warning, source,
-             Text::tr("LIMITED: %1; driven to the nearest permitted point").arg(toQString(resolved.reason)));
+        if (newStream || !wasLimited) {
+            tell(Severity::Warning, source,
+                 Text::tr("LIMITED: %1; driven to the nearest permitted point").arg(m_limitedReason));
+        }
     }
     m_motion.follow(resolved.position, m_now);
     return {};

@@ -125,6 +125,7 @@ private:
     Result<> handle(const request::ResetStop& wanted, const Source& source);
     Result<> handle(const request::Park& wanted, const Source& source);
     Result<> handle(const request::Home& wanted, const Source& source);
+    Result<> handle(const request::Unwind& wanted, const Source& source);
     Result<> handle(const request::Horizon& wanted, const Source& source);
     Result<> handle(const request::Rearm& wanted, const Source& source);
     Result<> handle(const request::TakeAuthority& wanted, const Source& source);
@@ -185,6 +186,9 @@ private:
     void watchFitness();
     void watchRegion();
     void watchCable();
+    void watchLimited();
+    [[nodiscard]] QString limitedReason() const;
+    [[nodiscard]] std::optional<AxisPosition> leastWound(const AxisPosition& place) const;
     void tellCable(const CableEnd& end);
     void finishRearm();
     void stepProof();
@@ -227,9 +231,9 @@ private:
     Source m_commander;
     QString m_commandText;
     std::optional<SkyPointing> m_wantedDirection;  // as asked, before limits
-    bool m_limited = false;
-    std::string m_heldAt;   // what the log last said the motion is held at
-    AxisPosition m_trim{};  // what the operator adds to the targets of clients
+    QString m_limitedReason;  // why not the target is driven but the nearest permitted point; empty: it is driven
+    std::string m_heldAt;     // what the log last said the motion is held at
+    AxisPosition m_trim{};    // what the operator adds to the targets of clients
     FirstMoves m_firstMoves;
     std::optional<CableEnd> m_cableEnd;
     Severity m_cableSeverity = Severity::Advisory;

@@ -88,7 +88,8 @@ bool StationControl::atTravelEnd(Axis axis) const
 // Wants to go on and can not: the end of the travel, a limit, a keep-out, the horizon.
 bool StationControl::atLimit(Axis axis) const
 {
-    const bool pressed = m_limited || m_activity == Activity::Jogging || m_activity == Activity::Running;
+    const bool pressed =
+        !m_limitedReason.isEmpty() || m_activity == Activity::Jogging || m_activity == Activity::Running;
     return pressed && (atTravelEnd(axis) || (turnsKnown() && (m_motion.held(axis) || m_motion.limited(axis))));
 }
 
@@ -236,7 +237,8 @@ StationStatus StationControl::status() const
                          .elevation = axisStatus(Axis::Elevation),
                          .targetText = m_commandText,
                          .commander = m_commander,
-                         .limited = m_limited || m_motion.limited(),
+                         .limited = !limitedReason().isEmpty(),
+                         .limitedReason = limitedReason(),
                          .route = m_motion.route(),
                          .cableEnd = m_cableEnd,
                          .authority = m_arming.authority(),

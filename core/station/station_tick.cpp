@@ -51,6 +51,7 @@ std::array<CanFrame, 2> StationControl::tick()
     moveOn(step);
     watchRegion();
     watchCable();
+    watchLimited();
     shutDownFurther();
     return m_drives.frames();
 }

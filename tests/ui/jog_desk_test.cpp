@@ -142,6 +142,22 @@ TEST_F(JogDeskTest, ATrimIsShownByTheReadoutsInEveryPanelAndCleared)
     EXPECT_FALSE(clear->isEnabled());
 }
 
+TEST_F(JogDeskTest, AWoundCableIsUnwoundByOneClick)
+{
+    EXPECT_FALSE(named<CommandButton>("Unwind")->isEnabled());
+    EXPECT_TRUE(
+        named<CommandButton>("Unwind")->toolTip().contains(QStringLiteral("not wound by more than half a turn")));
+    StationStatus status = holding();
+    status.azimuth.travel = {-90_deg, 450_deg};
+    status.azimuth.actual = 425_deg;
+    give(samples::update(status));
+    click("Unwind");
+    EXPECT_EQ(asked<request::Unwind>().size(), 1u);
+    status.state = StationState::Stopped;
+    give(samples::acceptance(status, requests.back().id));
+    EXPECT_FALSE(named<CommandButton>("Unwind")->isEnabled());
+}
+
 TEST_F(JogDeskTest, TheLastTenDirectionsThatWereAcceptedCanBeChosenAgain)
 {
     QSignalSpy kept(&window, &MainWindow::recentGoTosChanged);

@@ -320,7 +320,7 @@ StationStatus cableEnding()
     status.cableEnd = CableEnd{.end = 450_deg, .in = Seconds(41.0), .turningBack = Seconds(37.0)};
     addAlarm(status, Severity::Warning, QStringLiteral("Azimuth cable ends in 58 s, at 450.0°."),
              QStringLiteral("There Boresight turns back by 360° and follows on; the target is lost for about 37 s."),
-             QStringLiteral("To turn back earlier press Home, then give control back."));
+             QStringLiteral("To turn back earlier press Unwind, then give control back."));
     profile::Profile profile = *status.profile;
     profile.presets = {{"beacon", {113_deg, 10_deg}}, {"zenith", {0_deg, 90_deg}}};
     status.profile = std::make_shared<const profile::Profile>(profile);
@@ -338,9 +338,10 @@ StationStatus limited()
     status.elevation.state = AxisState::Limit;
     status.targetText = QStringLiteral("P 171.25 -2.40");
     status.limited = true;
-    addAlarm(status, Severity::Warning, QStringLiteral("Target outside the limits"),
-             QStringLiteral("The nearest permitted point is driven"), QStringLiteral("None needed"));
-    status.alarms.back().acknowledged = true;
+    status.limitedReason = QStringLiteral("elevation -2.4° below limit 10.0°");
+    addAlarm(status, Severity::Advisory, QStringLiteral("the target is outside the limits"),
+             QStringLiteral("LIMITED, the nearest permitted point is driven: elevation -2.4° below limit 10.0°"),
+             QStringLiteral("None needed: the mount follows on when the target comes inside"));
     return status;
 }
 

@@ -270,6 +270,17 @@ TEST_F(WindowTest, ControlGoesBackToTheClientsWithOneClick)
     EXPECT_EQ(asked<request::GiveAuthority>().size(), 1u);
 }
 
+TEST_F(WindowTest, ATargetOutsideTheLimitsIsToldWithTheReason)
+{
+    give(samples::update(samples::limited()));
+    EXPECT_EQ(text("Target limited"), QStringLiteral("LIMITED"));
+    EXPECT_TRUE(
+        named<ValueLabel>("Target limited")->toolTip().endsWith(QStringLiteral("elevation -2.4° below limit 10.0°")));
+    EXPECT_TRUE(text("Worst alarm").contains(QStringLiteral("outside the limits")));
+    EXPECT_TRUE(
+        named<ValueLabel>("Worst alarm")->toolTip().contains(QStringLiteral("elevation -2.4° below limit 10.0°")));
+}
+
 TEST_F(WindowTest, ClosingAsksOnceOnlyWhileTheMountMoves)
 {
     QSignalSpy close(&window, &MainWindow::closeRequested);

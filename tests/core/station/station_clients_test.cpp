@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace boresight {
 namespace {
 
@@ -54,6 +56,54 @@ TEST_F(StationClients, AnybodyStops)
     ASSERT_TRUE(rig.point(80.0, 30.0));
     EXPECT_TRUE(rig.ask(request::Hold{}, kOtherClient));
     EXPECT_EQ(rig.state(), StationState::Hold);
+}
+
+// Story: "P 90 -5" was answered RPRT 0, and nobody could see why the mount stood at 0°.
+TEST_F(StationClients, ATargetOutsideIsToldForAsLongAsItLasts)
+{
+    const auto limitedLines = [this] {
+        const auto lines = rig.log.since(0, EventLog::kCapacity);
+        return std::ranges::count_if(
+            lines, [](const LogEntry& line) { return line.text.startsWith(QStringLiteral("LIMITED: ")); });
+    };
+    for (int second = 0; second < 30; ++second) {
+        ASSERT_TRUE(rig.point(90.0, -5.0));
+        rig.run(Seconds(1.0));
+    }
+    const StationStatus shown = rig.control.status();
+    EXPECT_NEAR(shown.elevation.actual->degrees(), 0.0, 0.05);
+    EXPECT_TRUE(shown.limited);
+    EXPECT_EQ(shown.limitedReason.toStdString(), "elevation -5.0° below limit 0.0°");
+    EXPECT_NEAR(shown.target->elevation.degrees(), -5.0, 1e-9) << "the target is shown as it was asked";
+    ASSERT_EQ(shown.alarms.size(), 1U);
+    EXPECT_EQ(shown.alarms.front().severity, Severity::Advisory);
+    EXPECT_EQ(shown.alarms.front().action.toStdString(),
+              "LIMITED, the nearest permitted point is driven: elevation -5.0° below limit 0.0°.");
+    EXPECT_EQ(status(kClient).advice.toStdString(),
+              "asks for a place outside the limits: elevation -5.0° below limit 0.0°; the nearest permitted one is "
+              "driven");
+    EXPECT_TRUE(status(kOtherClient).advice.isEmpty());
+    EXPECT_EQ(limitedLines(), 1) << "once, not with each of its points";
+
+    ASSERT_TRUE(rig.point(90.0, 5.0));
+    rig.run(Seconds(0.1));
+    EXPECT_FALSE(rig.control.status().limited);
+    EXPECT_TRUE(rig.control.status().limitedReason.isEmpty());
+    EXPECT_TRUE(rig.control.status().alarms.empty());
+    EXPECT_TRUE(status(kClient).advice.isEmpty());
+    ASSERT_TRUE(rig.point(90.0, -5.0));
+    EXPECT_EQ(limitedLines(), 2) << "outside again";
+}
+
+TEST_F(StationClients, ATrimThatLeadsOutsideIsTold)
+{
+    ASSERT_TRUE(rig.point(90.0, 1.0));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = 0_deg, .elevation = -4_deg}));
+    ASSERT_TRUE(rig.point(90.0, 1.0));
+    rig.run(Seconds(1.0));
+    EXPECT_TRUE(rig.control.status().limited);
+    EXPECT_FALSE(rig.control.status().limitedReason.isEmpty());
 }
 
 TEST_F(StationClients, ASilentDriverIsReleasedAndTheMountHolds)

@@ -48,6 +48,34 @@ TEST(StationDesk, ANudgeWithoutAStreamIsAStep)
     EXPECT_FALSE(rig.control.status().trim);
 }
 
+TEST(StationDesk, UnwindTurnsBackToTheSameDirection)
+{
+    StationRig rig;  // travel -90…450°
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 425_deg, .elevation = 30_deg}}));
+    rig.settle();
+    ASSERT_TRUE(rig.ask(request::Unwind{}));
+    EXPECT_EQ(rig.lastLog(), "moves the mount from 425.00° 30.00°: unwind the cable, azimuth to 65.0°");
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 65.0, 0.05);
+    EXPECT_NEAR(rig.elevationDegrees(), 30.0, 0.05);
+    const auto again = rig.ask(request::Unwind{});
+    ASSERT_FALSE(again);
+    EXPECT_EQ(again.error().text, "in this direction the azimuth cable can not be wound less than it is");
+}
+
+TEST(StationDesk, UnwindStaysInsideTheLimits)
+{
+    profile::Profile profile;
+    profile.limits.azimuth = {100_deg, 450_deg};
+    StationRig rig(profile);
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 425_deg, .elevation = 30_deg}}));
+    rig.settle();
+    EXPECT_FALSE(rig.ask(request::Unwind{})) << "65° is forbidden";
+    EXPECT_EQ(rig.state(), StationState::Hold);
+}
+
 TEST(StationDesk, HorizonKeepsTheAzimuth)
 {
     StationRig rig;

@@ -63,7 +63,8 @@ bool asksForMotion(const Request& request)
     return (rates && *rates != AxisRates{}) || std::holds_alternative<PointSky>(request) ||
            std::holds_alternative<PointAxes>(request) || std::holds_alternative<Move>(request) ||
            std::holds_alternative<Step>(request) || std::holds_alternative<Park>(request) ||
-           std::holds_alternative<Home>(request) || std::holds_alternative<ProveCrashStop>(request);
+           std::holds_alternative<Home>(request) || std::holds_alternative<Unwind>(request) ||
+           std::holds_alternative<ProveCrashStop>(request);
 }
 
 }  // namespace

@@ -88,6 +88,11 @@ private:
         return {AngularRate::fromDegrees(number(-fastest, fastest)),
                 AngularRate::fromDegrees(number(-fastest, fastest))};
     }
+    Request aPlace()
+    {
+        const Request places[] = {request::Park{}, request::Home{}, request::Unwind{}};
+        return places[m_random() % std::size(places)];
+    }
     fakes::IdealDrive& drive(Axis axis) { return axis == Axis::Azimuth ? m_rig.azimuth : m_rig.elevation; }
     Axis anyAxis() { return m_random() % 2 == 0 ? Axis::Azimuth : Axis::Elevation; }
 
@@ -106,7 +111,7 @@ private:
             case 5:
                 return ask(request::Step{angle(-5, 5), angle(-5, 5)}, anybody());
             case 6:
-                return ask(m_random() % 2 == 0 ? Request(request::Park{}) : Request(request::Home{}), anybody());
+                return ask(aPlace(), anybody());
             default:
                 return ask(request::ProveCrashStop{AngularRate::fromDegrees(number(0.2, 6.0))}, anybody());
         }
