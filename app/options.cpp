@@ -120,6 +120,14 @@ Result<QString> makeStateDir(const QCommandLineParser& parser)
 
 }  // namespace
 
+profile::Profile Options::overridden(profile::Profile wanted) const
+{
+    if (onlySimulated) {
+        wanted.bus = toString(BusName{});
+    }
+    return wanted;
+}
+
 Result<Options> readOptions(const QStringList& arguments, const QString& description)
 {
     QCommandLineParser parser;
@@ -131,7 +139,6 @@ Result<Options> readOptions(const QStringList& arguments, const QString& descrip
                                                     "\"? Options begin with --; see --help");
     }
     Options options;
-    options.namesBus = parser.isSet(kBus) || parser.isSet(kSimulate);
     return readProfile(options, parser)
         .and_then([&](const profile::Profile& profile) -> Result<> {
             options.profile = profile;
@@ -141,6 +148,8 @@ Result<Options> readOptions(const QStringList& arguments, const QString& descrip
         .and_then([&] { return applyStandingAt(options, parser); })
         .and_then([&] { return makeStateDir(parser); })
         .map([&](const QString& stateDir) {
+            const bool namesBus = parser.isSet(kBus) || parser.isSet(kSimulate);
+            options.onlySimulated = namesBus && options.profile.bus == toString(BusName{});
             options.stateDir = stateDir;
             return options;
         });

@@ -18,10 +18,13 @@ struct Options
     QString profilePath;                     // empty: built-in defaults, because there is no profile at all
     QString configDir;                       // of the profile store
     QString stateDir;                        // created if absent
-    bool namesBus = false;                   // the command line does
+    bool onlySimulated = false;              // the command line says so
     std::optional<AxisPosition> standingAt;  // where the operator says that the mount stands
 
     [[nodiscard]] bool isFirstStart() const { return profilePath.isEmpty(); }
+    // Another mount's profile with what holds for every mount: who asked for the simulated one must never find that a
+    // real antenna moves.
+    [[nodiscard]] profile::Profile overridden(profile::Profile wanted) const;
 };
 
 // `arguments` with the program's name first. Prints help or version and ends the program when asked for them. The

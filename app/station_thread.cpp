@@ -50,7 +50,7 @@ void StationThread::end()
     }
 }
 
-// Without a station there is nothing to wait for.
+// Between two stations there is nothing to wait for.
 void StationThread::shutDown()
 {
     m_shuttingDown = true;
@@ -74,13 +74,10 @@ void StationThread::beginNext(const profile::Profile& profile)
         return;
     }
     auto next = m_build(profile);
-    if (!next) {
-        Q_EMIT reconnected(profile, QString::fromStdString(next.error().text));
-        return;
-    }
-    take(std::move(*next));
+    const auto inForce = next->status().profile;
+    take(std::move(next));
     start();
-    Q_EMIT reconnected(profile, {});
+    Q_EMIT reconnected(*inForce);
 }
 
 void StationThread::start()

@@ -19,8 +19,9 @@ class StationThread : public QObject
     Q_OBJECT
 
 public:
-    // Builds a station that is not started yet, for the profile in question.
-    using Build = std::function<Result<std::unique_ptr<Station>>(const profile::Profile&)>;
+    // Builds a station that is not started yet, for the profile in question. There always is one: a bus that cannot be
+    // used is its alarm, and it can be asked for another mount.
+    using Build = std::function<std::unique_ptr<Station>(const profile::Profile&)>;
 
     // Takes the first station, which must not be started yet; `build` makes the others.
     StationThread(std::unique_ptr<Station> station, Build build, QObject* parent = nullptr);
@@ -40,8 +41,7 @@ Q_SIGNALS:
     void updated(const boresight::StationUpdate& update);
     void finished();
     void profileApplied(const boresight::profile::Profile& profile);
-    // The next station was built and started, or could not be: then `problem` says why and there is none any more.
-    void reconnected(const boresight::profile::Profile& profile, const QString& problem);
+    void reconnected(const boresight::profile::Profile& inForce);  // the next station was built and started
 
 private:
     struct Running

@@ -39,6 +39,10 @@ QString ProfileChange::whyNot(const StationStatus& status, const Edit& edit) con
         return tr("another panel has changes that are not applied: apply or revert them first");
     }
     const profile::Profile wanted = changed(edit);
+    if (m_draft.keepsSimulated() && wanted.bus != m_draft.inForce().bus) {
+        return tr("Boresight was started with --simulate and stays so: start it with --bus %1 for this one")
+            .arg(QString::fromStdString(wanted.bus));
+    }
     if (const auto problems = profile::problemsOf(wanted); !problems.empty()) {
         return QString::fromStdString(problems.front().key + ": " + problems.front().text);
     }

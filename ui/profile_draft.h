@@ -30,6 +30,10 @@ public:
 
     void showStatus(const StationStatus& status);
 
+    // The program was started for the simulated mount: no bus that a profile names is used until it ends.
+    void keepSimulated() { m_keepsSimulated = true; }
+    [[nodiscard]] bool keepsSimulated() const { return m_keepsSimulated; }
+
     [[nodiscard]] const profile::Profile& inForce() const { return *m_inForce; }
     [[nodiscard]] const profile::Profile& applied() const { return m_applied; }
     [[nodiscard]] const profile::Profile& edited() const { return m_edited; }
@@ -78,6 +82,7 @@ private:
     void send(const profile::Profile& profile, Profiles historyThen, QObject* asker, const RequestDesk::Reply& reply);
 
     RequestDesk& m_desk;
+    bool m_keepsSimulated = false;
     std::shared_ptr<const profile::Profile> m_inForce;
     profile::Profile m_applied;
     profile::Profile m_base;  // what the edits were made upon

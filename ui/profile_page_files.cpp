@@ -93,10 +93,16 @@ void ProfilePage::ask(const QString& title, const QString& text, const QString& 
 void ProfilePage::switchTo()
 {
     load(chosen().path, [this](const profile::Profile& other) {
-        const QString lines = tr("Bus: %1\nThis mount is left as at the end of the program, and the other one is "
-                                 "connected as at a start. "
-                                 "Nothing moves; the window stays.\n\n%2")
-                                  .arg(QString::fromStdString(other.bus), differences(m_draft.applied(), other));
+        const QString bus = QString::fromStdString(other.bus);
+        const QString lines =
+            (m_draft.keepsSimulated() ? tr("Bus: simulated, because Boresight was started with --simulate. That of "
+                                           "this mount, %1, is not used.")
+                                      : tr("Bus: %1"))
+                .arg(bus) +
+            QLatin1Char('\n') +
+            tr("The mount of now is left as at the end of the program, and the other one is connected as at a start. "
+               "Nothing moves; the window stays.") +
+            QStringLiteral("\n\n") + differences(m_draft.applied(), other);
         askFirst({.title = tr("Switch to the mount \"%1\"?").arg(nameOf(other)),
                   .text = lines,
                   .act = tr("Switch"),

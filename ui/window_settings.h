@@ -34,8 +34,9 @@ struct WindowSettings
     bool alarmSound = true;   // at a new alarm, once; silence is the operator's choice
     QStringList recentGoTos;  // of an earlier start, the newest first: "113.50 10.00"
     WindowLayout layout;
-    QString stateDir;   // with logs and memory, for the diagnostics
-    QString configDir;  // with the profiles of the mounts; empty: none are kept
+    QString stateDir;            // with logs and memory, for the diagnostics
+    QString configDir;           // with the profiles of the mounts; empty: none are kept
+    bool onlySimulated = false;  // the command line says so: every mount is, whatever bus its profile names
 };
 
 }  // namespace boresight::ui

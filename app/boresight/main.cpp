@@ -6,7 +6,6 @@
 #include "app/profile_saver.h"
 #include "app/station_thread.h"
 #include "app/unix_signals.h"
-#include "core/base/bus_name.h"
 #include "core/base/version.h"
 #include "core/station/link_factory.h"
 #include "ui/gamepad.h"
@@ -67,8 +66,7 @@ void keepLayout(const ui::WindowLayout& layout, QSettings& kept)
 profile::Profile startingProfile(const app::Options& options)
 {
     profile::Profile profile = options.profile;
-    const bool wantedSimulated = options.namesBus && profile.bus == toString(BusName{});
-    if (options.isFirstStart() && !wantedSimulated) {
+    if (options.isFirstStart() && !options.onlySimulated) {
         profile.mount.directions = profile::Directions::Unconfirmed;
     }
     return profile;
@@ -93,7 +91,8 @@ ui::WindowSettings windowSettings(const app::Options& options, const QSettings& 
             .recentGoTos = layout.value(kRecentKey).toStringList(),
             .layout = readLayout(layout),
             .stateDir = options.stateDir,
-            .configDir = options.configDir};
+            .configDir = options.configDir,
+            .onlySimulated = options.onlySimulated};
 }
 
 // What the start costs, for tests/bench: from main() to the first picture with a live status in it.
@@ -124,8 +123,6 @@ void showFirst(ui::MainWindow& window)
 
 void connectWindow(ui::MainWindow& window, app::StationThread& station, QSettings& layout)
 {
-    QObject::connect(&station, &app::StationThread::reconnected, &window,
-                     [&window](const profile::Profile&, const QString& problem) { window.warn(problem); });
     QObject::connect(&window, &ui::MainWindow::requested, &station, &app::StationThread::requested);
     QObject::connect(&window, &ui::MainWindow::updateShown, &station, &app::StationThread::updateTaken);
     QObject::connect(&station, &app::StationThread::updated, &window, &ui::MainWindow::showUpdate);
@@ -164,19 +161,14 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     const ui::Translation translation(layout.value(kLanguageKey).toString());
     const SystemClock clock;
     const LinkMaker links(options.profile, clock);
-    const auto build = [&](const profile::Profile& profile) {
-        return links.make(profile.bus).map([&](std::unique_ptr<CanLink> link) {
-            auto station = std::make_unique<Station>(profile, std::move(link), options.stateDir, clock);
-            station->setSensorMaker(links.sensors());
-            return station;
-        });
+    const auto build = [&](const profile::Profile& wanted) {
+        const profile::Profile profile = options.overridden(wanted);
+        auto station = std::make_unique<Station>(profile, links.make(profile.bus), options.stateDir, clock);
+        station->setSensorMaker(links.sensors());
+        return station;
     };
-    auto link = links.make(options.profile.bus);
-    if (!link) {
-        return complain(link.error().text);
-    }
-    auto first =
-        std::make_unique<Station>(options.profile, std::move(*link), options.stateDir, clock, options.standingAt);
+    auto first = std::make_unique<Station>(options.profile, links.make(options.profile.bus), options.stateDir, clock,
+                                           options.standingAt);
     first->setSensorMaker(links.sensors());
     app::StationThread station(std::move(first), build);
     app::ProfileSaver saver(options.configDir, options.profilePath, options.profile);
@@ -190,12 +182,7 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     }
     connectHost(window.host(), search);
     QObject::connect(&station, &app::StationThread::profileApplied, &saver, &app::ProfileSaver::save);
-    QObject::connect(&station, &app::StationThread::reconnected, &saver,
-                     [&saver](const profile::Profile& profile, const QString& problem) {
-                         if (problem.isEmpty()) {
-                             saver.follow(profile);
-                         }
-                     });
+    QObject::connect(&station, &app::StationThread::reconnected, &saver, &app::ProfileSaver::follow);
     QObject::connect(&saver, &app::ProfileSaver::failed, &window, &ui::MainWindow::warn);
     app::UnixSignals signals;
     QObject::connect(&signals, &app::UnixSignals::endRequested, &station, &app::StationThread::shutDownRequested);

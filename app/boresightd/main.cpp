@@ -33,11 +33,7 @@ int run(QCoreApplication& application, const app::Options& options)
 {
     const SystemClock clock;
     const LinkMaker links(options.profile, clock);
-    auto link = links.make(options.profile.bus);
-    if (!link) {
-        return complain(link.error().text);
-    }
-    Station station(options.profile, std::move(*link), options.stateDir, clock, options.standingAt);
+    Station station(options.profile, links.make(options.profile.bus), options.stateDir, clock, options.standingAt);
     station.setSensorMaker(links.sensors());
     app::UnixSignals signals;
     QObject::connect(&station, &Station::started, &application, [&](const QString& listening, const QString& problem) {

@@ -4,6 +4,7 @@
 #include "core/base/bus_name.h"
 #include "core/can/fdcanusb_link.h"
 #include "core/can/socketcan_link.h"
+#include "core/can/unusable_link.h"
 #include "core/sim/simulated_link.h"
 #include "core/survey/protections.h"
 
@@ -64,9 +65,10 @@ LinkMaker::LinkMaker(const profile::Profile& profile, const Clock& clock)
     : m_clock(clock), m_simulated(std::make_shared<SimulatedMount>(clock, protectedPair(profile)))
 {}
 
-Result<std::unique_ptr<CanLink>> LinkMaker::make(const std::string& busName) const
+std::unique_ptr<CanLink> LinkMaker::make(const std::string& busName) const
 {
-    return makeLinkTo(busName, m_clock, m_simulated);
+    auto link = makeLinkTo(busName, m_clock, m_simulated);
+    return link ? std::move(*link) : std::make_unique<UnusableLink>(QString::fromStdString(busName), link.error());
 }
 
 }  // namespace boresight

@@ -28,8 +28,8 @@ public:
     // The clock outlives it.
     LinkMaker(const profile::Profile& profile, const Clock& clock);
 
-    // The link that it made before is gone by then.
-    [[nodiscard]] Result<std::unique_ptr<CanLink>> make(const std::string& busName) const;
+    // The link that it made before is gone by then. Of a name that means no bus one that says so when it is opened.
+    [[nodiscard]] std::unique_ptr<CanLink> make(const std::string& busName) const;
     // Also of the sensor on the simulated mount.
     [[nodiscard]] SensorMaker sensors() const { return sensorMaker(m_clock, m_simulated); }
 

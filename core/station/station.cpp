@@ -173,7 +173,10 @@ void Station::showBus(const LinkStatus& status)
     } else {
         m_control.alarms().raise(
             kBusCause, Severity::Alarm,
-            {.what = status.text, .action = Text::tr("Nothing can be commanded; the bus is tried again each second")});
+            {.what = status.text,
+             .action = Text::tr("Nothing can be commanded; the bus is tried again each second"),
+             .remedy =
+                 Text::tr("Mend it; or choose another adapter in the guide, or another mount on the page Profile")});
     }
 }
 

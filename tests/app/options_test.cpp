@@ -74,6 +74,22 @@ TEST_F(OptionsTest, TheCurrentMountOfTheStoreIsTaken)
     EXPECT_EQ(options->profile.bus, "socketcan:can7");
 }
 
+// Story: started with --simulate, a switch to another mount of the list connected its real antenna.
+TEST_F(OptionsTest, WhoAsksForTheSimulatedMountGetsNoOther)
+{
+    profile::Profile real;
+    real.bus = "socketcan:can0";
+    for (const QStringList& words : {QStringList{QStringLiteral("--simulate")},
+                                     QStringList{QStringLiteral("--bus"), QStringLiteral("simulated")}}) {
+        const auto options = read(words);
+        ASSERT_TRUE(options) << options.error().text;
+        EXPECT_EQ(options->overridden(real).bus, "simulated");
+    }
+    EXPECT_EQ(read()->overridden(real), real) << "the simulated mount of a profile is this profile's alone";
+    const auto other = read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")});
+    EXPECT_EQ(other->overridden(real), real) << "the adapter named belongs to the mount of the start";
+}
+
 TEST_F(OptionsTest, TheSingleProfileOfOldGoesOnWorking)
 {
     ASSERT_TRUE(QDir().mkpath(config()));

@@ -29,6 +29,7 @@ protected:
     {
         QObject::connect(&thread, &StationThread::updated, &thread, [this](const StationUpdate& update) {
             inForce = update.status.profile;
+            alarms = update.status.alarms;
             for (const Answer& answer : update.answers) {
                 answers.push_back(answer);
             }
@@ -44,14 +45,11 @@ protected:
 
     std::unique_ptr<Station> station(const profile::Profile& profile)
     {
-        return std::make_unique<Station>(profile, std::move(*makeLink(profile.bus, clock)), folder.path(), clock);
+        return std::make_unique<Station>(profile, links.make(profile.bus), folder.path(), clock);
     }
-    Result<std::unique_ptr<Station>> build(const profile::Profile& profile)
+    std::unique_ptr<Station> build(const profile::Profile& profile)
     {
         ++built;
-        if (!refusal.empty()) {
-            return failure(ErrorCode::NoDevice, refusal);
-        }
         return station(profile);
     }
     void ask(const Request& request) { Q_EMIT thread.requested({.id = ++lastId, .request = request}); }
@@ -66,7 +64,8 @@ protected:
     std::vector<Answer> answers;
     std::uint64_t lastId = 0;
     int built = 0;
-    std::string refusal;
+    std::vector<Alarm> alarms;
+    LinkMaker links{profile::Profile{}, clock};
     StationThread thread{station(mount("Roof")), [this](const profile::Profile& profile) { return build(profile); }};
 };
 
@@ -79,7 +78,6 @@ TEST_F(StationThreadTest, AReconnectRunsTheOtherMountInItsPlace)
     ask(request::Reconnect{mount("Field")});
     ASSERT_TRUE(reconnected.wait());
     EXPECT_EQ(reconnected.front().at(0).value<profile::Profile>().mount.name, "Field");
-    EXPECT_EQ(reconnected.front().at(1).toString(), QString());
     ASSERT_TRUE(shows("Field"));
     EXPECT_TRUE(finished.isEmpty()) << "the window would close";
 
@@ -116,15 +114,23 @@ TEST_F(StationThreadTest, TheNextStationListensWhereTheOldOneDid)
     EXPECT_EQ(started.back().at(1).toString(), QString());
 }
 
-TEST_F(StationThreadTest, WhatCanNotBeBuiltIsTold)
+// A station is always there: else the window would show the last status for ever and take no request.
+TEST_F(StationThreadTest, AMountWhoseBusCanNotBeUsedIsShownAndTheOtherOneComesBack)
 {
     thread.start();
     ASSERT_TRUE(shows("Roof"));
-    refusal = "no such adapter";
-    QSignalSpy reconnected(&thread, &StationThread::reconnected);
-    ask(request::Reconnect{mount("Field")});
-    ASSERT_TRUE(reconnected.wait());
-    EXPECT_EQ(reconnected.front().at(1).toString(), QStringLiteral("no such adapter"));
+    for (const char* const bus : {"socketcan:nosuch0", "fdcanusb:/dev/there/is/none"}) {
+        profile::Profile field = mount("Field");
+        field.bus = bus;
+        ask(request::Reconnect{field});
+        ASSERT_TRUE(shows("Field")) << bus;
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !alarms.empty(); })) << bus;
+        EXPECT_EQ(alarms.front().severity, Severity::Alarm);
+        EXPECT_FALSE(alarms.front().what.isEmpty());
+        EXPECT_TRUE(alarms.front().remedy.contains(QStringLiteral("another mount")));
+        ask(request::Reconnect{mount("Roof")});
+        ASSERT_TRUE(shows("Roof")) << bus;
+    }
 }
 
 TEST_F(StationThreadTest, NothingIsBegunAnewOnceTheProgramIsToEnd)

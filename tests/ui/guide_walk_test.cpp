@@ -58,9 +58,8 @@ protected:
     {
         station.reset();
         auto made = links.make(profile.bus);
-        ASSERT_TRUE(made);
-        link = dynamic_cast<SimulatedLink*>(made->get());
-        station = std::make_unique<Station>(profile, std::move(*made), folder.path(), clock);
+        link = dynamic_cast<SimulatedLink*>(made.get());
+        station = std::make_unique<Station>(profile, std::move(made), folder.path(), clock);
         QObject::connect(station.get(), &Station::updated, &window, &MainWindow::showUpdate);
         QObject::connect(station.get(), &Station::reconnectWanted, &window,
                          [this](const profile::Profile& wanted) { next = wanted; });

@@ -20,14 +20,12 @@ TEST(LinkMaker, TheSimulatedMountIsTheSameOneAfterAReconnect)
     fakes::ManualClock clock;
     const LinkMaker maker(profile::Profile{}, clock);
     auto first = maker.make("simulated");
-    ASSERT_TRUE(first);
-    const sim::SimulatedPair* const mount = &simulated(*first).pair();
-    first->reset();
+    const sim::SimulatedPair* const mount = &simulated(first).pair();
+    first.reset();
     clock.advance(Seconds(3.0));
-    auto second = maker.make("simulated");
-    ASSERT_TRUE(second);
-    EXPECT_EQ(&simulated(*second).pair(), mount);
-    EXPECT_NEAR(simulated(*second).pair().now().count(), 3.0, 1e-6) << "its time went on";
+    const auto second = maker.make("simulated");
+    EXPECT_EQ(&simulated(second).pair(), mount);
+    EXPECT_NEAR(simulated(second).pair().now().count(), 3.0, 1e-6) << "its time went on";
 }
 
 TEST(LinkMaker, TheSimulatedDrivesAreProtectedForTheProfile)
@@ -58,12 +56,18 @@ TEST(LinkMaker, ASwappedProfileDoesNotSwapTheSimulatedMotors)
     EXPECT_NEAR(pair.elevation.config.positionMax, 453.0 / 360.0, 1e-6) << "as the azimuth it is taken for";
 }
 
-TEST(LinkMaker, ARealBusIsMadeByItsNameAndNonsenseRefused)
+TEST(LinkMaker, ARealBusIsMadeByItsNameAndNonsenseSaysSoWhenItIsOpened)
 {
     fakes::ManualClock clock;
     const LinkMaker maker(profile::Profile{}, clock);
-    EXPECT_TRUE(maker.make("socketcan:can0"));
-    EXPECT_FALSE(maker.make("rubbish"));
+    EXPECT_EQ(maker.make("socketcan:can0")->name(), QStringLiteral("socketcan:can0"));
+    const auto nonsense = maker.make("rubbish");
+    EXPECT_EQ(nonsense->name(), QStringLiteral("rubbish"));
+    EXPECT_EQ(nonsense->status().state, LinkState::Lost);
+    const Result<> opened = nonsense->open();
+    ASSERT_FALSE(opened);
+    EXPECT_NE(opened.error().text.find("rubbish"), std::string::npos);
+    EXPECT_FALSE(nonsense->send({}));
 }
 
 }  // namespace

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/can/can_link.h"
+
+// The bus of a name that means none: it never opens and says why. So a station can always be built; it shows what is
+// wrong, and can be asked for another mount or bus like any other.
+namespace boresight {
+
+class UnusableLink : public CanLink
+{
+    Q_OBJECT
+
+public:
+    UnusableLink(QString name, Error why, QObject* parent = nullptr);
+
+    [[nodiscard]] QString name() const override { return m_name; }
+    [[nodiscard]] LinkStatus status() const override;
+    Result<> open() override;
+    void close() override {}
+    Result<> send(std::span<const CanFrame> frames) override;
+
+private:
+    QString m_name;
+    Error m_why;
+};
+
+}  // namespace boresight

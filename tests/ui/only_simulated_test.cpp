@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/profile/profile_store.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/asking_panel.h"
+#include "ui/command_button.h"
+
+#include <QComboBox>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QTemporaryDir>
+
+// A window of a program that was started with --simulate: it says that no other mount's bus will be used.
+namespace boresight::ui {
+namespace {
+
+struct TwoMounts
+{
+    TwoMounts()
+    {
+        real.mount.name = "Field";
+        real.bus = "fdcanusb:/dev/field";
+        (void)profile::ProfileStore(folder.path()).add(profile::Profile{});
+        (void)profile::ProfileStore(folder.path()).add(real);
+    }
+
+    QTemporaryDir folder;
+    profile::Profile real;
+};
+
+WindowSettings simulatedWith(const TwoMounts& mounts)
+{
+    WindowSettings settings;
+    settings.configDir = mounts.folder.path();
+    settings.onlySimulated = true;
+    return settings;
+}
+
+class OnlySimulatedTest : public TwoMounts, public WindowFixture
+{
+protected:
+    OnlySimulatedTest() : WindowFixture(simulatedWith(*this)) {}
+};
+
+TEST_F(OnlySimulatedTest, TheQuestionBeforeASwitchSaysThatTheOtherBusIsNotUsed)
+{
+    openPanel('8');
+    auto* const mounts = named<QComboBox>("Mounts that are kept");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return mounts->count() == 2; }));
+    mounts->setCurrentIndex(mounts->findText(QStringLiteral("Field")));
+    QTest::mouseClick(named<CommandButton>("Switch …"), Qt::LeftButton);
+    const QString says = QStringLiteral(
+        "Bus: simulated, because Boresight was started with --simulate. "
+        "That of this mount, fdcanusb:/dev/field, is not used.");
+    const auto isAsked = [&] {
+        for (const QPlainTextEdit* const one : window.findChildren<QPlainTextEdit*>()) {
+            if (one->isVisible() && one->toPlainText().startsWith(says)) {
+                return true;
+            }
+        }
+        return false;
+    };
+    EXPECT_TRUE(QTest::qWaitFor(isAsked));
+}
+
+TEST_F(OnlySimulatedTest, TheTagSaysHowLongAndTheGuideOffersNoAdapter)
+{
+    EXPECT_EQ(text("Simulated mount"), QStringLiteral("SIMULATED"));
+    EXPECT_TRUE(named<ValueLabel>("Simulated mount")->toolTip().contains(QStringLiteral("--simulate")));
+    QTest::keyClick(&window, Qt::Key_F3);
+    Q_EMIT window.host().adaptersFound(adaptersOf({}, {{QStringLiteral("can0"), false}}));
+    auto* const adapters = named<QListWidget>("Adapters of this computer");
+    for (int row = 0; row < adapters->count(); ++row) {
+        if (adapters->item(row)->toolTip() == QStringLiteral("socketcan:can0")) {
+            adapters->setCurrentRow(row);
+        }
+    }
+    const auto* const use = named<CommandButton>("Use this");
+    EXPECT_FALSE(use->isEnabled());
+    EXPECT_TRUE(use->toolTip().contains(QStringLiteral("start it with --bus socketcan:can0")))
+        << use->toolTip().toStdString();
+}
+
+}  // namespace
+}  // namespace boresight::ui
