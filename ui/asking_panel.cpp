@@ -35,6 +35,7 @@ QWidget* AskingPanel::makeQuestionPage()
     auto* const page = new QWidget(this);
     auto* const grid = new QGridLayout(page);
     m_title->setFont(fonts::text());
+    m_title->setWordWrap(true);  // the name of a mount may be long
     m_text->setFont(fonts::label());
     m_text->setReadOnly(true);
     m_text->setTabChangesFocus(true);

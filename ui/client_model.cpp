@@ -38,6 +38,18 @@ QString help(const ClientStatus& client)
 
 }  // namespace
 
+QStringList roleWords()
+{
+    QStringList words;
+    for (const ClientStatus& one : {ClientStatus{.readOnly = true}, ClientStatus{.driving = true},
+                                    ClientStatus{.leading = true}, ClientStatus{.wanting = true}, ClientStatus{}}) {
+        ClientStatus locked = one;
+        locked.locked = true;
+        words << roleWord(one) << roleWord(locked);
+    }
+    return words;
+}
+
 QString roleWord(const ClientStatus& client)
 {
     QString word = client.readOnly  ? ClientModel::tr("read-only")

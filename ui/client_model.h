@@ -44,5 +44,6 @@ private:
 };
 
 [[nodiscard]] QString roleWord(const ClientStatus& client);
+[[nodiscard]] QStringList roleWords();  // all there are
 
 }  // namespace boresight::ui

@@ -8,6 +8,7 @@
 #include "ui/command_button.h"
 #include "ui/gpredict_settings.h"
 #include "ui/value_label.h"
+#include "ui/widest.h"
 
 #include <QApplication>
 #include <QButtonGroup>
@@ -20,6 +21,10 @@
 #include <algorithm>
 
 namespace boresight::ui {
+
+namespace {
+constexpr int kCellMargins = 10;  // px beside the text of a cell, both together
+}  // namespace
 
 ClientsPanel::ClientsPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
     : QWidget(parent),
@@ -96,6 +101,7 @@ QTableView* ClientsPanel::makeTable()
     auto* const table = new QTableView(this);
     table->setModel(m_model);
     table->setFont(fonts::label());
+    table->setObjectName(QStringLiteral("clients"));
     table->setAccessibleName(tr("Clients"));
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
     table->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -114,9 +120,15 @@ QTableView* ClientsPanel::makeTable()
     header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     header->setHighlightSections(false);
     header->setSectionResizeMode(QHeaderView::Stretch);
-    for (const int column : {ClientModel::Address, ClientModel::Rate, ClientModel::Role}) {
-        header->setSectionResizeMode(column, QHeaderView::ResizeToContents);
-    }
+    header->setSectionResizeMode(ClientModel::Address, QHeaderView::ResizeToContents);
+    // A header measures its contents when rows come and go, not when their words change: these have room for any.
+    const auto reserve = [&](ClientModel::Column column, QStringList texts) {
+        texts << m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        header->setSectionResizeMode(column, QHeaderView::Fixed);
+        header->resizeSection(column, metrics.horizontalAdvance(widest(table->font(), texts)) + kCellMargins);
+    };
+    reserve(ClientModel::Rate, {QStringLiteral("000.0")});
+    reserve(ClientModel::Role, roleWords());
     return table;
 }
 

@@ -46,14 +46,16 @@ GuidePage::GuidePage(ProfileDraft& draft, RequestDesk& desk, HostDesk& host, con
       m_progress(progress),
       m_pages(new QStackedWidget(this)),
       m_title(new ValueLabel(tr("Step of the guide"), fonts::text(), {}, this)),
-      m_hint(new ValueLabel(tr("What is in the way"), fonts::label(), {}, this)),
-      m_back(makeButton(tr("Back"), tr("To the step before (Alt+Left)"), &GuidePage::back)),
-      m_next(makeButton(tr("Next"), {}, &GuidePage::next)),
-      m_skip(makeButton(tr("Skip"), tr("Leave this step for later and go on"), &GuidePage::skip)),
-      m_finish(makeButton(tr("Finish later"), tr("To the panels; F3 comes back to this step"), &GuidePage::finishLater))
+      m_hint(new ValueLabel(tr("What is in the way"), fonts::label(), {}, this))
 {
     setAccessibleName(tr("Commissioning guide"));
+    // Tab goes in the order in which they are made.
+    makeSteps();
     makePages(desk, host);
+    m_back = makeButton(tr("Back"), tr("To the step before (Alt+Left)"), &GuidePage::back);
+    m_next = makeButton(tr("Next"), {}, &GuidePage::next);
+    m_skip = makeButton(tr("Skip"), tr("Leave this step for later and go on"), &GuidePage::skip);
+    m_finish = makeButton(tr("Finish later"), tr("To the panels; F3 comes back to this step"), &GuidePage::finishLater);
     build();
     const auto addKey = [this](const QKeySequence& key, void (GuidePage::*act)()) {
         auto* const shortcut = new QShortcut(key, this);
@@ -77,7 +79,7 @@ void GuidePage::makePages(RequestDesk& desk, HostDesk& host)
     auto* const site = new GuideSite(m_change, desk, host, m_pages);
     auto* const client = new GuideClient(m_pages);
     const auto add = [this](GuideStep step, auto* page) {
-        addPage(step, page);
+        m_pages->addWidget(page);
         m_show[step] = [page](const StationStatus& status) { page->showStatus(status); };
     };
     add(GuideStep::Connect, connectPage);
@@ -93,13 +95,14 @@ void GuidePage::makePages(RequestDesk& desk, HostDesk& host)
     connect(north, &GuideZero::done, this, [this] { pass(GuideStep::North); });
 }
 
-void GuidePage::addPage(GuideStep step, QWidget* page)
+void GuidePage::makeSteps()
 {
-    m_pages->addWidget(page);
-    const int number = static_cast<int>(placeOf(step) - kGuideSteps.begin()) + 1;
-    auto* const button = new StepButton(step, number, this);
-    m_buttons[step] = button;
-    connect(button, &QAbstractButton::clicked, this, [this, step] { go(step); });
+    int number = 0;
+    for (const GuideStep step : kGuideSteps) {
+        auto* const button = new StepButton(step, ++number, this);
+        m_buttons[step] = button;
+        connect(button, &QAbstractButton::clicked, this, [this, step] { go(step); });
+    }
 }
 
 void GuidePage::build()

@@ -42,7 +42,7 @@ Q_SIGNALS:
 
 private:
     void makePages(RequestDesk& desk, HostDesk& host);
-    void addPage(GuideStep step, QWidget* page);
+    void makeSteps();
     void build();
     QPushButton* makeButton(const QString& text, const QString& help, void (GuidePage::*act)());
     void go(GuideStep step);
@@ -64,10 +64,10 @@ private:
     QStackedWidget* m_pages;
     ValueLabel* m_title;
     ValueLabel* m_hint;
-    QPushButton* m_back;
-    QPushButton* m_next;
-    QPushButton* m_skip;
-    QPushButton* m_finish;
+    QPushButton* m_back = nullptr;
+    QPushButton* m_next = nullptr;
+    QPushButton* m_skip = nullptr;
+    QPushButton* m_finish = nullptr;
 };
 
 }  // namespace boresight::ui

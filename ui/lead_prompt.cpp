@@ -32,18 +32,14 @@ QString question(const QString& name)
 }  // namespace
 
 LeadPrompt::LeadPrompt(RequestDesk& desk, QWidget* parent)
-    : PromptBar(tr("A client wants to drive"), parent, QStringLiteral("192.168.100.100 ")),
+    // The host above what it wants, so that little of the sky is covered.
+    : PromptBar(tr("A client wants to drive"), {question(QStringLiteral("192.168.100.100"))}, 2, parent),
       m_give(new CommandButton(tr("Give"), tr("This client moves the mount from now on (panel Clients, Ctrl+4)"), desk,
                                notice(), this))
 {
-    auto* const ignoring = new QPushButton(tr("Ignore"), this);
-    ignoring->setFont(fonts::label());
-    ignoring->setAccessibleName(tr("Ignore"));
-    ignoring->setToolTip(tr("Not asked again while it stays connected"));
-    ignoring->setMinimumHeight(kTouchSize);
-    setLines(2);  // the host above what it wants, so that little of the sky is covered
     addButton(*m_give);
-    addButton(*ignoring);
+    QPushButton* const ignoring = addButton(tr("Ignore"));
+    ignoring->setToolTip(tr("Not asked again while it stays connected"));
     connect(m_give, &QPushButton::clicked, this, [this] { m_give->ask(request::GiveLead{.clientId = m_asking}); });
     connect(ignoring, &QPushButton::clicked, this, &LeadPrompt::ignore);
 }

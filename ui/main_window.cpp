@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window.h"
 
+#include "ui/accessibility.h"
 #include "ui/alarm_line.h"
 #include "ui/axis_readout.h"
 #include "ui/cable_bar.h"
 #include "ui/charts_panel.h"
+#include "ui/close_prompt.h"
 #include "ui/command_button.h"
 #include "ui/diagnostics_saver.h"
+#include "ui/focus_frame.h"
 #include "ui/forbidden.h"
 #include "ui/format.h"
 #include "ui/gamepad.h"
@@ -45,8 +48,9 @@ constexpr std::chrono::seconds kStopUnanswered{1};
 
 }  // namespace
 
+// Before the first of its widgets is made: what a screen reader is told of a widget is settled with it.
 MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidget* parent)
-    : QMainWindow(parent),
+    : QMainWindow((describeOwnWidgets(), parent)),
       m_clock(clock),
       m_draft(m_desk),
       m_lastUpdate(clock.now()),
@@ -61,8 +65,8 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_guideProgress(settings.guide),
       m_lastCommand(new ValueLabel(tr("Last line of the log"), fonts::label(), {}, this)),
       m_leadBar(new LeadPrompt(m_desk, this)),
-      m_pickBar(new PromptBar(tr("Direction under the cursor"), this)),
-      m_closeBar(new PromptBar(tr("Close"), this)),
+      m_pickBar(new PromptBar(tr("Direction under the cursor"), {directionText({359.99_deg, -89.99_deg})}, 1, this)),
+      m_closeBar(new ClosePrompt(this)),
       m_goHere(new CommandButton(tr("Go here"), tr("Go to this direction by the nearest turn"), m_desk,
                                  m_pickBar->notice(), m_pickBar)),
       m_help(new HelpPage(settings.language, this)),
@@ -70,6 +74,11 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_diagnostics(new DiagnosticsSaver(this)),
       m_stateDir(settings.stateDir)
 {
+    if (settings.onlySimulated) {
+        m_draft.keepSimulated();
+        m_header->setOnlySimulated();
+    }
+    new FocusFrame(this);
     applyTheme(settings.theme);
     setWindowTitle(tr("Boresight"));
     setWindowIcon(QIcon(QStringLiteral(":/boresight/icons/boresight.svg")));
@@ -148,20 +157,11 @@ void MainWindow::addPrompts()
     m_plotCell->addWidget(m_pickBar, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
     m_plotCell->addWidget(m_leadBar, 0, 0, Qt::AlignLeft | Qt::AlignBottom);
     m_plotCell->addWidget(m_closeBar, 0, 0, Qt::AlignHCenter | Qt::AlignTop);
-    const auto addButton = [this](PromptBar& bar, const QString& text, void (MainWindow::*act)()) {
-        auto* const button = new QPushButton(text, &bar);
-        button->setFont(fonts::label());
-        button->setAccessibleName(text);
-        button->setMinimumHeight(kTouchSize);
-        connect(button, &QPushButton::clicked, this, act);
-        bar.addButton(*button);
-    };
     m_pickBar->addButton(*m_goHere);
-    addButton(*m_pickBar, tr("Dismiss"), &MainWindow::unpick);
+    connect(m_pickBar->addButton(tr("Dismiss")), &QPushButton::clicked, this, &MainWindow::unpick);
     connect(m_goHere, &QPushButton::clicked, this, &MainWindow::goToPicked);
     connect(m_goHere, &CommandButton::accepted, this, &MainWindow::unpick);
-    addButton(*m_closeBar, tr("Stop and close"), &MainWindow::confirmClose);
-    addButton(*m_closeBar, tr("Keep open"), &MainWindow::keepOpen);
+    connect(m_closeBar, &ClosePrompt::confirmed, this, &MainWindow::closeRequested);
 }
 
 void MainWindow::addKeys()
@@ -354,22 +354,10 @@ void MainWindow::closeEvent(QCloseEvent* event)
     }
     event->ignore();
     if (isMoving(m_status)) {
-        m_closeBar->setText(tr("Stop the mount and close?"));
-        m_closeBar->show();
+        m_closeBar->ask();
     } else {
-        confirmClose();
+        m_closeBar->confirm();
     }
-}
-
-void MainWindow::confirmClose()
-{
-    m_closeBar->setText(tr("Stopping and closing …"));
-    Q_EMIT closeRequested();
-}
-
-void MainWindow::keepOpen()
-{
-    m_closeBar->hide();
 }
 
 void MainWindow::closeNow()

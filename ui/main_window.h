@@ -24,6 +24,7 @@ namespace boresight::ui {
 class AlarmLine;
 class AxisReadout;
 class CableBar;
+class ClosePrompt;
 class CommandButton;
 class DiagnosticsSaver;
 class Gamepad;
@@ -89,8 +90,6 @@ private:
     void unpick();
     void blockGoHere(const StationStatus& status);
     void goToPicked();
-    void confirmClose();
-    void keepOpen();
     void nextTheme();
     void showEditing(bool on);  // of the limits on the plot
     void toggleEditing();
@@ -128,7 +127,7 @@ private:
     ValueLabel* m_lastCommand;
     LeadPrompt* m_leadBar;
     PromptBar* m_pickBar;
-    PromptBar* m_closeBar;
+    ClosePrompt* m_closeBar;
     CommandButton* m_goHere;
     HelpPage* m_help;
     StopKeys* m_stopKeys;

@@ -37,6 +37,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
 {
     setFont(fonts::label());
     setAccessibleName(tr("Panels"));
+    tabBar()->setAccessibleName(tr("Panels"));
     addPanel(*this, *m_jog, tr("Jog"), tr("Jog panel (Ctrl+1)"), Qt::Key_1);
     addPanel(*this, *m_charts, tr("Charts"), tr("Position, error and drive over the time (Ctrl+2)"), Qt::Key_2);
     addPanel(*this, *m_limits, tr("Limits"), tr("Limits, horizon and keep-outs (Ctrl+3)"), Qt::Key_3);
@@ -69,6 +70,7 @@ QTabWidget* PanelTabs::makeMountTabs()
     auto* const tabs = new QTabWidget(this);
     tabs->setFont(fonts::label());
     tabs->setAccessibleName(tr("The mount itself"));
+    tabs->tabBar()->setAccessibleName(tr("The mount itself"));
     tabs->setDocumentMode(true);
     addPanel(*tabs, *m_drives, tr("Drives"), tr("Drives, bus and crash-stop proof (Ctrl+6)"), Qt::Key_6);
     addPanel(*tabs, *m_protection, tr("Protection"), tr("The drives' own protections (Ctrl+7)"), Qt::Key_7);

@@ -74,6 +74,20 @@ void ProfileDraftBar::showDraft()
     m_undo->setVisible(!overtaken);
     m_reconnect->setVisible(!m_draft.waitingKeys().empty());
     showLine();
+    showOrCollapse();
+}
+
+void ProfileDraftBar::setCollapsing(bool on)
+{
+    m_collapsing = on;
+    showOrCollapse();
+}
+
+void ProfileDraftBar::showOrCollapse()
+{
+    const bool idle = !m_draft.hasEdits() && m_draft.waitingKeys().empty() && m_draft.overtakenKeys().empty() &&
+                      m_draft.problems().empty() && !m_draft.whyNoUndo().isEmpty();
+    setVisible(!m_collapsing || !idle);
 }
 
 // The worst of it: one line that needs no scrolling. The whole text is in its tooltip.

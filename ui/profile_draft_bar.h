@@ -19,11 +19,15 @@ class ProfileDraftBar : public QWidget
 public:
     ProfileDraftBar(ProfileDraft& draft, RequestDesk& desk, QWidget* parent = nullptr);
 
+    void setCollapsing(bool on);  // takes no room while there is nothing to apply, to take back or to be told
+
 private:
     void showDraft();
     void showLine();
+    void showOrCollapse();
 
     ProfileDraft& m_draft;
+    bool m_collapsing = false;
     ValueLabel* m_line;
     ValueLabel* m_notice;
     CommandButton* m_apply;

@@ -44,6 +44,7 @@ void ProfilePage::build()
     column->addWidget(m_notice);
     column->addWidget(m_settings, 1);
     column->addWidget(m_bar);
+    m_bar->setCollapsing(true);  // the settings get its room
     m_notice->setStretching(true);
     m_notice->setCollapsing(true);
 }

@@ -1,28 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/prompt_bar.h"
 
+#include "ui/command_button.h"
 #include "ui/value_label.h"
+#include "ui/widest.h"
 
 #include <QGridLayout>
+#include <QPushButton>
 
 namespace boresight::ui {
 
-PromptBar::PromptBar(const QString& accessibleName, QWidget* parent, const QString& widest)
+PromptBar::PromptBar(const QString& accessibleName, const QStringList& texts, int lines, QWidget* parent)
     : QFrame(parent),
-      m_text(new ValueLabel(accessibleName, fonts::text(), widest, this)),
+      m_text(new ValueLabel(accessibleName, fonts::text(), widestLine(fonts::text(), texts, lines), this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_buttons(new QHBoxLayout)
 {
     setFrameStyle(QFrame::Box | QFrame::Plain);
     setAutoFillBackground(true);
     setAccessibleName(accessibleName);
+    m_text->setLines(lines);
     m_notice->setStretching(true);
+    m_notice->setLines(2);
+    m_notice->setCollapsing(true);
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(8, 6, 6, 6);
     grid->setVerticalSpacing(2);
     grid->addWidget(m_text, 0, 0);
-    grid->addWidget(m_notice, 1, 0);
-    grid->addLayout(m_buttons, 0, 1, 2, 1);
+    grid->addLayout(m_buttons, 0, 1);
+    grid->addWidget(m_notice, 1, 0, 1, 2);
     hide();
 }
 
@@ -31,9 +37,14 @@ void PromptBar::addButton(QWidget& button)
     m_buttons->addWidget(&button);
 }
 
-void PromptBar::setLines(int lines)
+QPushButton* PromptBar::addButton(const QString& text)
 {
-    m_text->setLines(lines);
+    auto* const button = new QPushButton(text, this);
+    button->setFont(fonts::label());
+    button->setAccessibleName(text);
+    button->setMinimumHeight(kTouchSize);
+    addButton(*button);
+    return button;
 }
 
 void PromptBar::setText(const QString& text)

@@ -4,6 +4,7 @@
 #include <QFrame>
 
 class QHBoxLayout;
+class QPushButton;
 
 // A question or an offer that lies over a corner of the plot, never over STOP, and blocks nothing: a text and a few
 // buttons. Hidden until shown.
@@ -16,13 +17,13 @@ class PromptBar : public QFrame
     Q_OBJECT
 
 public:
-    // `widest`: the longest text; a shorter one has its room.
-    PromptBar(const QString& accessibleName, QWidget* parent,
-              const QString& widest = QStringLiteral("Stopping and closing …"));
+    // `texts`: the longest that it will say. It is as wide as the widest of them needs in so many lines, once and for
+    // all.
+    PromptBar(const QString& accessibleName, const QStringList& texts, int lines, QWidget* parent);
 
     void addButton(QWidget& button);
+    QPushButton* addButton(const QString& text);
     void setText(const QString& text);
-    void setLines(int lines);  // of the text
 
     [[nodiscard]] ValueLabel& notice() { return *m_notice; }
 

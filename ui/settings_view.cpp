@@ -8,6 +8,7 @@
 #include "ui/value_label.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QShortcut>
@@ -39,6 +40,7 @@ SettingsView::SettingsView(ProfileDraft& draft, QWidget* parent)
     column->addWidget(m_explanation);
     m_explanation->setStretching(true);
     m_explanation->setLines(2);
+    m_explanation->setCollapsing(true);
     connect(m_model, &SettingTree::refused, this, [this](const QString& reason) {
         m_refusal = reason;
         explain();
@@ -82,6 +84,8 @@ void SettingsView::buildTree()
     m_tree->setModel(m_filter);
     m_tree->setFont(fonts::label());
     m_tree->setAccessibleName(tr("Settings of the mount"));
+    m_tree->setToolTip(tr("Select a line to read what it means; Enter changes its value"));
+    m_tree->viewport()->installEventFilter(this);
     m_tree->setItemDelegate(new SettingDelegate(m_tree->fontMetrics().lineSpacing() + kRowRoom, m_tree));
     m_tree->setUniformRowHeights(true);
     m_tree->setAllColumnsShowFocus(true);
@@ -150,8 +154,16 @@ void SettingsView::explain()
     }
     const QModelIndex current = m_tree->currentIndex();
     const QString text = current.data(SettingTree::ExplanationRole).toString();
-    m_explanation->setValue(text.isEmpty() ? tr("Select a line to read what it means; Enter changes its value") : text,
-                            text.isEmpty() ? Tone::Secondary : Tone::Normal);
+    m_explanation->setValue(text);
+}
+
+// When the lines below it come and go, what is being read or changed stays in sight.
+bool SettingsView::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize && m_tree->currentIndex().isValid()) {
+        m_tree->scrollTo(m_tree->currentIndex());
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 }  // namespace boresight::ui

@@ -25,6 +25,9 @@ class SettingsView : public QWidget
 public:
     explicit SettingsView(ProfileDraft& draft, QWidget* parent = nullptr);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void buildTree();
     QWidget* makeSearch();

@@ -8,6 +8,8 @@
 namespace boresight::ui {
 
 [[nodiscard]] QString widest(const QFont& font, const QStringList& texts);
+// The narrowest line with which each of the texts, its words wrapped, needs no more than so many lines.
+[[nodiscard]] QString widestLine(const QFont& font, const QStringList& texts, int lines);
 [[nodiscard]] QString widestStationState(const QFont& font);
 [[nodiscard]] QString widestAxisState(const QFont& font);
 

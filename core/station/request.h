@@ -184,11 +184,11 @@ using CalibrationRequest =
 using Request =
     std::variant<request::PointSky, request::PointAxes, request::Jog, request::Move, request::Step, request::Nudge,
                  request::ClearTrim, request::Horizon, request::Hold, request::Stop, request::ResetStop, request::Park,
-                 request::Home, request::Unwind, request::Rearm, request::TakeAuthority, request::GiveAuthority, request::GiveLead,
-                 request::SetReadOnly, request::Disconnect, request::AcknowledgeAlarms, request::AcknowledgeAlarm,
-                 request::ApplyProfile, request::Reconnect, request::ReadDrives, request::FixDrives, request::SwitchOff,
-                 request::ReleaseBus, request::TakeBus, request::ChooseTurn, request::ProveCrashStop, request::EndProof,
-                 CalibrationRequest>;
+                 request::Home, request::Unwind, request::Rearm, request::TakeAuthority, request::GiveAuthority,
+                 request::GiveLead, request::SetReadOnly, request::Disconnect, request::AcknowledgeAlarms,
+                 request::AcknowledgeAlarm, request::ApplyProfile, request::Reconnect, request::ReadDrives,
+                 request::FixDrives, request::SwitchOff, request::ReleaseBus, request::TakeBus, request::ChooseTurn,
+                 request::ProveCrashStop, request::EndProof, CalibrationRequest>;
 
 // A request of the screen, numbered so that the answer finds the control that sent it.
 struct NumberedRequest

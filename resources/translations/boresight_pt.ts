@@ -271,6 +271,10 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <source>it is not confirmed yet which way the axes turn: jog each a little and confirm it first</source>
         <translation>ainda não está confirmado para que lado giram os eixos: mova um pouco cada um e confirme primeiro</translation>
     </message>
+    <message>
+        <source>the azimuth cable is not wound by more than half a turn</source>
+        <translation>o cabo de azimute não está enrolado mais de meia volta</translation>
+    </message>
 </context>
 <context>
     <name>PlotPicture</name>
@@ -288,6 +292,10 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>the mount moves: stop it first</source>
         <translation>a montagem move-se: pare-a primeiro</translation>
+    </message>
+    <message>
+        <source>Boresight was started with --simulate and stays so: start it with --bus %1 for this one</source>
+        <translation>o Boresight foi iniciado com --simulate e assim fica: inicie-o com --bus %1 para este</translation>
     </message>
 </context>
 <context>
@@ -3542,10 +3550,6 @@ el %3</translation>
         <translation>Ali o Boresight gira 360° para trás e continua a seguir; perde-se o alvo por cerca de %1</translation>
     </message>
     <message>
-        <source>To turn back earlier press Home, then give control back</source>
-        <translation>Para voltar antes, clique em Origem e depois devolva o controle</translation>
-    </message>
-    <message>
         <source>Boresight holds there until the target can be reached again</source>
         <translation>O Boresight mantém-se ali até o alvo voltar a ser alcançável</translation>
     </message>
@@ -4317,6 +4321,50 @@ el %3</translation>
         <source>How clients are told the azimuth; &quot;continuous&quot; counts the turns of the axis on: 370° is not 10°.</source>
         <translation>Como se diz o azimute aos clientes; &quot;continuous&quot; continua a contar as voltas do eixo: 370° não é 10°.</translation>
     </message>
+    <message>
+        <source>Folder of the Gpredict whose stations and satellite data are read; empty: where Gpredict keeps them for this user.</source>
+        <translation>Pasta do Gpredict cujas estações e dados de satélites são lidos; vazia: onde o Gpredict os guarda para este usuário.</translation>
+    </message>
+    <message>
+        <source>a path from / on is expected</source>
+        <translation>espera-se um caminho desde /</translation>
+    </message>
+    <message>
+        <source>Mend it; or choose another adapter in the guide, or another mount on the page Profile</source>
+        <translation>Conserte-o; ou escolha outro adaptador no guia, ou outra montagem na página Perfil</translation>
+    </message>
+    <message>
+        <source>in this direction the azimuth cable can not be wound less than it is</source>
+        <translation>nesta direção o cabo de azimute não pode ficar menos enrolado do que está</translation>
+    </message>
+    <message>
+        <source>unwind the cable, azimuth to %1</source>
+        <translation>desenrolar o cabo, azimute para %1</translation>
+    </message>
+    <message>
+        <source>To turn back earlier press Unwind, then give control back</source>
+        <translation>Para voltar antes, clique em Desenrolar e depois devolva o controle</translation>
+    </message>
+    <message>
+        <source>asks for a place outside the limits: %1; the nearest permitted one is driven</source>
+        <translation>pede um lugar fora dos limites: %1; vai-se ao permitido mais próximo</translation>
+    </message>
+    <message>
+        <source>the target is beyond %1</source>
+        <translation>o alvo está além de %1</translation>
+    </message>
+    <message>
+        <source>the target is outside the limits</source>
+        <translation>o alvo está fora dos limites</translation>
+    </message>
+    <message>
+        <source>LIMITED, the nearest permitted point is driven: %1</source>
+        <translation>LIMITADO, vai-se ao ponto permitido mais próximo: %1</translation>
+    </message>
+    <message>
+        <source>None needed: the mount follows on when the target comes inside</source>
+        <translation>Nada a fazer: a montagem volta a seguir quando o alvo entrar</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -4908,6 +4956,29 @@ modo moteus %1, falha %2</translation>
     <message>
         <source>Who moves: %1</source>
         <translation>Quem move: %1</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ClosePrompt</name>
+    <message>
+        <source>Stop the mount and close?</source>
+        <translation>Parar a montagem e fechar?</translation>
+    </message>
+    <message>
+        <source>Stopping and closing …</source>
+        <translation>Parando e fechando …</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>Parar e fechar</translation>
+    </message>
+    <message>
+        <source>Keep open</source>
+        <translation>Manter aberto</translation>
     </message>
 </context>
 <context>
@@ -5584,6 +5655,42 @@ trocar os motores</translation>
         <source>this is the site in the profile</source>
         <translation>este é o local do perfil</translation>
     </message>
+    <message>
+        <source>less than a day</source>
+        <translation>menos de um dia</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 dias</translation>
+    </message>
+    <message>
+        <source>%1: nothing of Gpredict there</source>
+        <translation>%1: nada do Gpredict ali</translation>
+    </message>
+    <message>
+        <source>%1: no satellite data</source>
+        <translation>%1: sem dados de satélites</translation>
+    </message>
+    <message>
+        <source>%1: satellites %2, the newest elements %3 old</source>
+        <translation>%1: satélites %2, os elementos mais novos têm %3</translation>
+    </message>
+    <message>
+        <source>%1: satellites %2, none with elements that can be read</source>
+        <translation>%1: satélites %2, nenhum com elementos legíveis</translation>
+    </message>
+    <message>
+        <source>Folder …</source>
+        <translation>Pasta …</translation>
+    </message>
+    <message>
+        <source>Where Gpredict keeps its files, if not at the usual place</source>
+        <translation>Onde o Gpredict guarda seus arquivos, se não for no lugar habitual</translation>
+    </message>
+    <message>
+        <source>Where Gpredict keeps its files</source>
+        <translation>Onde o Gpredict guarda seus arquivos</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::GuideTravel</name>
@@ -5922,10 +6029,6 @@ trocar os motores</translation>
         <translation>LIMITADO</translation>
     </message>
     <message>
-        <source>The target is outside the limits: the mount goes to the nearest permitted point</source>
-        <translation>O alvo está fora dos limites: a montagem vai ao ponto permitido mais próximo</translation>
-    </message>
-    <message>
         <source>no target</source>
         <translation>sem alvo</translation>
     </message>
@@ -5956,6 +6059,16 @@ trocar os motores</translation>
     <message>
         <source>Control: clients</source>
         <translation>Controle: clientes</translation>
+    </message>
+    <message>
+        <source>The target is outside the limits: the mount goes to the nearest permitted point.
+%1</source>
+        <translation>O alvo está fora dos limites: a montagem vai ao ponto permitido mais próximo.
+%1</translation>
+    </message>
+    <message>
+        <source>Started with --simulate: no real drive is connected, whatever mount is chosen, until the program ends</source>
+        <translation>Iniciado com --simulate: nenhum acionamento real é conectado, qualquer que seja a montagem escolhida, até o fim do programa</translation>
     </message>
 </context>
 <context>
@@ -6396,6 +6509,14 @@ emergência por cabo junto ao mastro.</translation>
         <source>Park: %1</source>
         <translation>Estacionar: %1</translation>
     </message>
+    <message>
+        <source>Unwind</source>
+        <translation>Desenrolar</translation>
+    </message>
+    <message>
+        <source>Turn back by whole turns to the same direction, where the azimuth cable is wound least</source>
+        <translation>Voltar por voltas inteiras à mesma direção, onde o cabo de azimute fica menos enrolado</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::LeadPrompt</name>
@@ -6705,10 +6826,6 @@ emergência por cabo junto ao mastro.</translation>
         <translation>Direção sob o cursor</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Fechar</translation>
-    </message>
-    <message>
         <source>Go here</source>
         <translation>Ir para aqui</translation>
     </message>
@@ -6723,14 +6840,6 @@ emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Dismiss</source>
         <translation>Dispensar</translation>
-    </message>
-    <message>
-        <source>Stop and close</source>
-        <translation>Parar e fechar</translation>
-    </message>
-    <message>
-        <source>Keep open</source>
-        <translation>Manter aberto</translation>
     </message>
     <message>
         <source>Use the hard-wired emergency stop if the mount moves</source>
@@ -6755,14 +6864,6 @@ emergência por cabo junto ao mastro.</translation>
     <message>
         <source>STOP: %1</source>
         <translation>STOP: %1</translation>
-    </message>
-    <message>
-        <source>Stop the mount and close?</source>
-        <translation>Parar a montagem e fechar?</translation>
-    </message>
-    <message>
-        <source>Stopping and closing …</source>
-        <translation>Parando e fechando …</translation>
     </message>
     <message>
         <source>Diagnostics saved: %1</source>
@@ -7239,16 +7340,6 @@ el %2</translation>
         <translation>%1: %2 → %3, ao reconectar</translation>
     </message>
     <message>
-        <source>Bus: %1
-This mount is left as at the end of the program, and the other one is connected as at a start. Nothing moves; the window stays.
-
-%2</source>
-        <translation>Barramento: %1
-Esta montagem é deixada como no fim do programa, e a outra é conectada como num início. Nada se move; a janela fica.
-
-%2</translation>
-    </message>
-    <message>
         <source>Switch to the mount &quot;%1&quot;?</source>
         <translation>Trocar para a montagem &quot;%1&quot;?</translation>
     </message>
@@ -7439,6 +7530,18 @@ Ao lado da montagem em vigor:
     <message>
         <source>The last change is taken back</source>
         <translation>A última alteração foi anulada</translation>
+    </message>
+    <message>
+        <source>Bus: simulated, because Boresight was started with --simulate. That of this mount, %1, is not used.</source>
+        <translation>Barramento: simulado, porque o Boresight foi iniciado com --simulate. O desta montagem, %1, não é usado.</translation>
+    </message>
+    <message>
+        <source>Bus: %1</source>
+        <translation>Barramento: %1</translation>
+    </message>
+    <message>
+        <source>The mount of now is left as at the end of the program, and the other one is connected as at a start. Nothing moves; the window stays.</source>
+        <translation>A montagem de agora é deixada como no fim do programa, e a outra é conectada como no início. Nada se move; a janela fica.</translation>
     </message>
 </context>
 <context>

@@ -262,6 +262,21 @@ TEST_F(ProfilePageTest, SwitchingAsksWithTheDifferencesAndIsOneRequest)
     EXPECT_TRUE(QTest::qWaitFor([this] { return mounts()->currentText() == QLatin1String("Field (in force)"); }));
 }
 
+TEST_F(ProfilePageTest, TheSettingsHaveTheRoomThatNothingElseNeeds)
+{
+    const auto rows = [this] {
+        QTest::qWait(1);
+        const QModelIndex first = tree()->model()->index(0, 0);
+        return tree()->viewport()->height() / tree()->visualRect(first).height();
+    };
+    EXPECT_GE(rows(), 9) << "at 1024x700";
+    edit("azimuth.max_speed_deg_s", "4.5");
+    EXPECT_TRUE(named<CommandButton>("Apply")->isEnabled());
+    EXPECT_GE(rows(), 4) << "with what the line means, what is not applied, and the buttons for it";
+    const QRect current = tree()->visualRect(tree()->currentIndex());
+    EXPECT_TRUE(tree()->viewport()->rect().contains(current.center())) << "what was changed stays in sight";
+}
+
 TEST_F(ProfilePageTest, NothingIsSwitchedInMotionNorOverEdits)
 {
     choose("Field");

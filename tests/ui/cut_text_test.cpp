@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window_fixture.h"
+#include "ui/asking_panel.h"
+#include "ui/client_model.h"
+#include "ui/close_prompt.h"
+#include "ui/language.h"
+#include "ui/lead_prompt.h"
+#include "ui/polar_plot.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QTableView>
+
+// What is asked is read before it is answered: no question, no banner and no word about a client is cut off at the
+// smallest size, in any language.
+namespace boresight::ui {
+namespace {
+
+struct InALanguage : public ::testing::WithParamInterface<const char*>
+{
+    Translation translation{QLatin1String(GetParam())};  // before the window
+};
+
+class CutTextTest : public InALanguage, public WindowFixture
+{
+protected:
+    static bool isWhole(const QLabel& label)
+    {
+        return label.wordWrap() ? label.heightForWidth(label.width()) <= label.height()
+                                : label.sizeHint().width() <= label.width();
+    }
+
+    void expectWhole(const QWidget& root)
+    {
+        QTest::qWait(1);  // laid out
+        ASSERT_TRUE(root.isVisible());
+        int texts = 0;
+        for (const ValueLabel* const label : root.findChildren<ValueLabel*>()) {
+            EXPECT_FALSE(label->isVisible() && label->isElided()) << label->text().toStdString();
+            texts += label->isVisible() && !label->text().isEmpty() ? 1 : 0;
+        }
+        for (const QLabel* const label : root.findChildren<QLabel*>()) {
+            EXPECT_TRUE(!label->isVisible() || isWhole(*label)) << label->text().toStdString();
+            texts += label->isVisible() ? 1 : 0;
+        }
+        for (const QPushButton* const button : root.findChildren<QPushButton*>()) {
+            EXPECT_TRUE(!button->isVisible() || button->sizeHint().width() <= button->width())
+                << button->text().toStdString();
+        }
+        EXPECT_GT(texts, 0);
+        EXPECT_EQ(window.size(), QSize(1024, 700)) << "something needed more room than there is";
+    }
+
+    // Each button of the panel in front that asks first, one after the other; how many there were.
+    int askAll()
+    {
+        int asked = 0;
+        for (AskingPanel* const panel : window.findChildren<AskingPanel*>()) {
+            for (QPushButton* const button : panel->findChildren<QPushButton*>()) {
+                if (button->isVisible() && button->isEnabled() && button->text().endsWith(QChar(0x2026))) {
+                    QTest::mouseClick(button, Qt::LeftButton);
+                    asked += expectQuestion(*panel, button->text());
+                }
+                if (button->isVisible() && button->menu() != nullptr) {
+                    for (const int action : {0, 1}) {  // what follows asks for a file
+                        button->menu()->actions().at(action)->trigger();
+                        asked += expectQuestion(*panel, button->text());
+                    }
+                }
+            }
+        }
+        return asked;
+    }
+    int expectQuestion(AskingPanel& panel, const QString& button)
+    {
+        SCOPED_TRACE(button.toStdString());
+        EXPECT_TRUE(panel.isAsking());
+        expectWhole(*panel.currentWidget());
+        panel.cancel();
+        return 1;
+    }
+};
+
+TEST_P(CutTextTest, TheQuestionBeforeClosingIsWhole)
+{
+    give(samples::update(samples::tracking(10)));
+    window.close();
+    const auto* const prompt = window.findChild<ClosePrompt*>();
+    expectWhole(*prompt);
+    QTest::mouseClick(prompt->findChildren<QPushButton*>().front(), Qt::LeftButton);
+    expectWhole(*prompt);
+}
+
+TEST_P(CutTextTest, AClientThatWantsToDriveIsNamedWhole)
+{
+    StationStatus status = samples::fighting();
+    for (const char* const address : {"192.168.100.100:51999", "127.0.0.1:51235"}) {
+        status.clients.at(1).address = QLatin1String(address);
+        give(samples::update(status));
+        expectWhole(*window.findChild<LeadPrompt*>());
+    }
+}
+
+TEST_P(CutTextTest, WhyADirectionIsForbiddenIsWhole)
+{
+    give(samples::update(samples::bounded()));
+    for (const double azimuth : {5.0, 95.0, 185.0, 275.0, 315.0}) {
+        Q_EMIT window.findChild<PolarPlot*>()->clicked(SkyPointing{Angle::fromDegrees(azimuth), 1.5_deg});
+        for (const PromptBar* const prompt : window.findChildren<PromptBar*>()) {
+            if (prompt->isVisible()) {
+                expectWhole(*prompt);
+            }
+        }
+    }
+}
+
+TEST_P(CutTextTest, QuestionsBeforeAnActAreWhole)
+{
+    StationStatus named = samples::idle();
+    profile::Profile profile = *named.profile;
+    profile.mount.name = "The four metre dish on the roof of the eastern laboratory";
+    named.profile = std::make_shared<const profile::Profile>(profile);
+    int asked = 0;
+    for (const StationStatus& status : {samples::idle(), samples::factoryDrives(), named}) {
+        give(samples::update(status));
+        for (const char panel : {'6', '7', '8'}) {
+            openPanel(panel);
+            asked += askAll();
+        }
+    }
+    EXPECT_GE(asked, 12);
+}
+
+TEST_P(CutTextTest, WhatAClientMayDoIsWholeWheneverItChanges)
+{
+    openPanel('4');
+    StationStatus status = samples::fighting();
+    for (ClientStatus& client : status.clients) {
+        client = {.id = client.id, .address = client.address, .program = client.program};
+    }
+    give(samples::update(status));
+    QTest::qWait(1);
+    give(samples::update(samples::fighting()));  // the same clients, other words
+    QTest::qWait(1);
+    const auto* const table = window.findChild<QTableView*>(QStringLiteral("clients"));
+    ASSERT_NE(table, nullptr);
+    const QHeaderView& header = *table->horizontalHeader();
+    const int right = header.sectionViewportPosition(ClientModel::Role) + header.sectionSize(ClientModel::Role);
+    EXPECT_LE(right, table->viewport()->width());
+    for (const QString& word : roleWords()) {
+        EXPECT_LT(table->fontMetrics().horizontalAdvance(word) + 6, header.sectionSize(ClientModel::Role))
+            << word.toStdString();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CutTextTest, ::testing::Values("en", "pt"));
+
+}  // namespace
+}  // namespace boresight::ui
