@@ -41,19 +41,29 @@ QString protocolWord(StationState state)
     return {};
 }
 
+// As for the rotctld clients: what is older is no position, and neither is one on a turn that nobody knows.
+constexpr std::chrono::seconds kPositionAge{1};
+
+std::optional<Angle> place(const AxisStatus& axis, bool turnKnown)
+{
+    return axis.age && *axis.age < kPositionAge && turnKnown ? axis.actual : std::nullopt;
+}
+
 mqtt::PublishedState published(const StationStatus& status)
 {
+    const auto azimuth = place(status.azimuth, status.drives.azimuth.turnKnown);
+    const auto elevation = place(status.elevation, status.drives.elevation.turnKnown);
     return {.utc = status.utc,
             .state = protocolWord(status.state),
             .fault = status.state == StationState::Fault ? status.stateReason : QString(),
             .stopLatched = status.stopLatched,
             .limited = status.limited,
             .simulated = status.simulated,
-            .actual = status.actual,
+            .actual = azimuth && elevation ? status.actual : std::nullopt,
             .commanded = status.commanded,
             .target = status.target,
-            .azimuthAxis = status.azimuth.actual,
-            .elevationAxis = status.elevation.actual,
+            .azimuthAxis = azimuth,
+            .elevationAxis = elevation,
             .targetText = status.targetText,
             .commander = status.commander.name};
 }

@@ -144,21 +144,21 @@ TEST_F(MqttTls, TrustsTheAuthorityOfTheFileByNameAndByAddress)
     fakes::MqttBroker broker(fakes::MqttBroker::Door::Tls);
     ASSERT_TRUE(broker.start());
     for (const char* const host : {"localhost", "127.0.0.1"}) {
-        Rig rig;
-        const LoopWatch watch;
-        rig.client.subscribe(kTopic);
-        rig.client.open(to(broker, host, broker.caFile()));
-        ASSERT_TRUE(rig.connected()) << host;
-        EXPECT_LT(watch.longest(), kLongestStall);
-        RecordProperty("longest_stall_ms", static_cast<int>(watch.longest().count()));
-        // More than one TLS record, so that some of it waits in OpenSSL's buffer.
-        const QByteArray large(40'000, 'x');
-        EXPECT_TRUE(rig.client.publish({.topic = kTopic, .payload = large}));
-        EXPECT_TRUE(rig.client.publish({.topic = kTopic, .payload = "small"}));
-        ASSERT_TRUE(rig.received(2));
-        EXPECT_THAT(rig.messages, ElementsAre(Message{.topic = kTopic, .payload = large},
-                                              Message{.topic = kTopic, .payload = "small"}));
-        EXPECT_THAT(rig.problems, IsEmpty());
+        const auto stall = stallOf([&](LoopWatch&) {
+            Rig rig;
+            rig.client.subscribe(kTopic);
+            rig.client.open(to(broker, host, broker.caFile()));
+            ASSERT_TRUE(rig.connected()) << host;
+            // More than one TLS record, so that some of it waits in OpenSSL's buffer.
+            const QByteArray large(40'000, 'x');
+            EXPECT_TRUE(rig.client.publish({.topic = kTopic, .payload = large}));
+            EXPECT_TRUE(rig.client.publish({.topic = kTopic, .payload = "small"}));
+            ASSERT_TRUE(rig.received(2));
+            EXPECT_THAT(rig.messages, ElementsAre(Message{.topic = kTopic, .payload = large},
+                                                  Message{.topic = kTopic, .payload = "small"}));
+            EXPECT_THAT(rig.problems, IsEmpty());
+        });
+        EXPECT_LT(stall, kLongestStall) << host;
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include <QTcpServer>
 #include <QTcpSocket>
+#include <QThreadPool>
 
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
@@ -104,12 +105,13 @@ TEST(MqttConnecting, AClosedPortIsToldWithAndWithoutTls)
 {
     const Broker broker = onLoopback(closedPort());
     for (const Broker& one : {broker, encrypted(broker)}) {
-        Rig rig;
-        const LoopWatch watch;
-        rig.client.open(one);
-        ASSERT_TRUE(rig.failed());
-        EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("no connection (Connection refused)")));
-        EXPECT_LT(watch.longest(), kLongestStall);
+        const auto stall = stallOf([&one](LoopWatch&) {
+            Rig rig;
+            rig.client.open(one);
+            ASSERT_TRUE(rig.failed());
+            EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("no connection (Connection refused)")));
+        });
+        EXPECT_LT(stall, kLongestStall);
     }
 }
 
@@ -128,29 +130,33 @@ TEST(MqttConnecting, EveryAddressOfANameIsTried)
     EXPECT_THAT(rig.problems, IsEmpty());
 }
 
+void waitForTheUnreachable(const Broker& broker, LoopWatch& watch)
+{
+    Rig rig;
+    rig.client.open(broker);
+    // With TLS it begins when the authorities have been read; the watch's timer keeps looking.
+    ASSERT_TRUE(fakes::waitUntil([] { return QThreadPool::globalInstance()->activeThreadCount() == 0; }));
+    EXPECT_LT(watch.turnsIn(std::chrono::milliseconds(300)), 1000) << "the loop runs hot";
+    rig.letTimePass(Seconds(9));
+    EXPECT_FALSE(rig.client.nextAttempt());
+    rig.letTimePass(Seconds(1));
+    ASSERT_TRUE(rig.client.nextAttempt());
+    EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("no answer: check mqtt.host, the network and the firewall")));
+    for (int i = 0; i < 3; ++i) {
+        rig.letTimePass(RetryDelay::kLongest);
+        EXPECT_FALSE(rig.client.nextAttempt());
+        rig.letTimePass(Seconds(10));
+        ASSERT_TRUE(rig.client.nextAttempt());
+    }
+    EXPECT_EQ(rig.problems.size(), 1U);
+}
+
 TEST(MqttConnecting, AnUnreachableAddressDoesNotHoldTheLoopUp)
 {
     const DeafPort port;
     const Broker broker = onLoopback(port.port());
     for (const Broker& one : {broker, encrypted(broker)}) {
-        Rig rig;
-        LoopWatch watch;
-        rig.client.open(one);
-        EXPECT_LT(watch.turnsIn(std::chrono::milliseconds(300)), 1000) << "the loop runs hot";
-        rig.letTimePass(Seconds(9));
-        EXPECT_FALSE(rig.client.nextAttempt());
-        rig.letTimePass(Seconds(1));
-        ASSERT_TRUE(rig.client.nextAttempt());
-        EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("no answer: check mqtt.host, the network and the firewall")));
-        for (int i = 0; i < 3; ++i) {
-            rig.letTimePass(RetryDelay::kLongest);
-            EXPECT_FALSE(rig.client.nextAttempt());
-            rig.letTimePass(Seconds(10));
-            ASSERT_TRUE(rig.client.nextAttempt());
-        }
-        EXPECT_EQ(rig.problems.size(), 1U);
-        RecordProperty("longest_stall_ms", static_cast<int>(watch.longest().count()));
-        EXPECT_LT(watch.longest(), kLongestStall);
+        EXPECT_LT(stallOf([&one](LoopWatch& watch) { waitForTheUnreachable(one, watch); }), kLongestStall);
     }
 }
 
@@ -159,14 +165,15 @@ TEST(MqttConnecting, SomebodyWhoSaysNothingIsGivenUp)
     const StandIn somebody = silent();
     const Broker broker = onLoopback(somebody.port());
     for (const Broker& one : {broker, encrypted(broker)}) {
-        Rig rig;
-        LoopWatch watch;
-        rig.client.open(one);
-        ASSERT_TRUE(somebody.visited());
-        EXPECT_LT(watch.turnsIn(std::chrono::milliseconds(300)), 1000) << "the loop runs hot";
-        rig.letTimePass(Seconds(10));
-        EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("takes the connection and says nothing")));
-        EXPECT_LT(watch.longest(), kLongestStall);
+        const auto stall = stallOf([&](LoopWatch& watch) {
+            Rig rig;
+            rig.client.open(one);
+            ASSERT_TRUE(somebody.visited());
+            EXPECT_LT(watch.turnsIn(std::chrono::milliseconds(300)), 1000) << "the loop runs hot";
+            rig.letTimePass(Seconds(10));
+            EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("takes the connection and says nothing")));
+        });
+        EXPECT_LT(stall, kLongestStall);
     }
 }
 
@@ -187,6 +194,18 @@ TEST(MqttConnecting, SomebodyWhoHangsUpIsTold)
             EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("is mqtt.port")));
         }
     }
+}
+
+// A broker behind a proxy is found by the name in the TLS greeting, and libmosquitto only knows the address.
+TEST(MqttConnecting, TheTlsGreetingSaysTheName)
+{
+    QByteArray greeting;
+    const StandIn somebody([](QTcpSocket&) {}, [&greeting](QTcpSocket& peer) { greeting += peer.readAll(); });
+    Rig rig;
+    rig.client.open(encrypted({.host = QStringLiteral("localhost"), .port = somebody.port()}));
+    ASSERT_TRUE(fakes::waitUntil([&] { return !greeting.isEmpty(); }));
+    EXPECT_TRUE(greeting.contains("localhost"));
+    EXPECT_FALSE(greeting.contains("127.0.0.1"));
 }
 
 TEST(MqttConnecting, ARefusalIsToldInWords)

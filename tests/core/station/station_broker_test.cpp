@@ -121,6 +121,30 @@ TEST_F(StationBrokerTest, TellsWhatTheMountDoes)
     EXPECT_THAT(heardUntil(kAvailability, "line"), ElementsAre("offline"));
 }
 
+// Story: the last place that was measured went on being told, for ever, after the drives had lost their power.
+TEST_F(StationBrokerTest, AnOldPositionIsNone)
+{
+    build(publishing(broker->port()));
+    ASSERT_TRUE(connected());
+    run(200);
+    const auto isHeard = [this](const char* state, bool withPlace) {
+        const auto fits = [&](const mqtt::Message& message) {
+            const QJsonObject all = QJsonDocument::fromJson(message.payload).object();
+            const QJsonObject axes = all[QStringLiteral("axes")].toObject();
+            return all[QStringLiteral("state")].toString() == QLatin1String(state) &&
+                   all[QStringLiteral("azimuth")].isDouble() == withPlace &&
+                   all[QStringLiteral("elevation")].isDouble() == withPlace &&
+                   axes[QStringLiteral("azimuth")].isDouble() == withPlace &&
+                   axes[QStringLiteral("elevation")].isDouble() == withPlace;
+        };
+        return fakes::waitUntil([&] { return std::ranges::any_of(logger.messages, fits); });
+    };
+    EXPECT_TRUE(isHeard("STANDBY", true));
+    link->close();
+    run(100);
+    EXPECT_TRUE(isHeard("DISCONNECTED", false));
+}
+
 TEST_F(StationBrokerTest, ALostBrokerIsALineInTheLogAndNothingElse)
 {
     build(publishing(broker->port()));
