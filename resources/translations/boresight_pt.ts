@@ -423,6 +423,10 @@ el %3</translation>
         <source>Pointing model</source>
         <translation>Modelo de apontamento</translation>
     </message>
+    <message>
+        <source>Gpredict</source>
+        <translation>Gpredict</translation>
+    </message>
 </context>
 <context>
     <name>SkyItems</name>
