@@ -54,6 +54,39 @@ Shown driveShown(const QString& name, const AxisStatus& axis, bool released)
     return {name};
 }
 
+// Empty without a sensor: then the label takes no room.
+Shown sensorShown(const SensorStatus& sensor)
+{
+    if (!sensor.configured()) {
+        return {QString(), Tone::Secondary, Symbol::None};
+    }
+    if (sensor.dead || sensor.presence == orientation::Presence::Lost) {
+        return {HeaderBar::tr("Sensor lost"), Tone::Warning, Symbol::Warning};
+    }
+    if (sensor.disagrees) {
+        return {HeaderBar::tr("Sensor differs"), Tone::Warning, Symbol::Warning};
+    }
+    if (sensor.presence == orientation::Presence::Late) {
+        return {HeaderBar::tr("Sensor late"), Tone::Warning, Symbol::Warning};
+    }
+    return sensor.presence == orientation::Presence::Awaited
+               ? Shown{HeaderBar::tr("Sensor awaited"), Tone::Secondary, Symbol::Lost}
+               : Shown{HeaderBar::tr("Sensor")};
+}
+
+QString sensorHelp(const SensorStatus& sensor)
+{
+    QString text = HeaderBar::tr("%1: %2 values, %3 refused, %4 outliers")
+                       .arg(sensor.source)
+                       .arg(sensor.counts.accepted)
+                       .arg(sensor.counts.allRefused())
+                       .arg(sensor.outliers);
+    for (const QString& more : {sensor.problem, sensor.doubt}) {
+        text += more.isEmpty() ? QString() : QLatin1Char('\n') + more;
+    }
+    return text;
+}
+
 QString busHelp(const StationStatus& status)
 {
     const LinkStatus& bus = status.bus;
@@ -127,6 +160,7 @@ HeaderBar::HeaderBar(QWidget* parent)
                            widest(fonts::label(), {tr("CAN off"), tr("CAN down"), tr("CAN lost")}), this)),
       m_azimuth(new ValueLabel(tr("Azimuth drive"), fonts::label(), widestDrive(tr("AZ")), this)),
       m_elevation(new ValueLabel(tr("Elevation drive"), fonts::label(), widestDrive(tr("EL")), this)),
+      m_sensor(new ValueLabel(tr("Orientation sensor"), fonts::label(), tr("Sensor awaited"), this)),
       m_clients(new ValueLabel(tr("rotctld clients"), fonts::label(), tr("rotctld off"), this)),
       m_control(new ValueLabel(tr("Who may move the mount"), fonts::label(), {}, this)),
       m_utc(new ValueLabel(tr("UTC"), fonts::clock(), QStringLiteral("00:00:00Z"), this)),
@@ -142,9 +176,10 @@ void HeaderBar::build()
     for (ValueLabel* const wide : {m_reason, m_target, m_control}) {
         wide->setStretching(true);
     }
-    for (ValueLabel* const marked : {m_state, m_limited, m_bus, m_azimuth, m_elevation, m_clients}) {
+    for (ValueLabel* const marked : {m_state, m_limited, m_bus, m_azimuth, m_elevation, m_sensor, m_clients}) {
         marked->setSymbolRoom(true);
     }
+    m_sensor->setCollapsing(true);
     m_simulated->setOutlined(true);
     m_simulated->setAlignment(Qt::AlignCenter);
     m_utc->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -161,7 +196,7 @@ void HeaderBar::build()
     auto* const linkRow = new QHBoxLayout;
     grid->addLayout(linkRow, 1, 1);
     linkRow->setSpacing(1);
-    for (ValueLabel* const link : {m_bus, m_azimuth, m_elevation, m_clients}) {
+    for (ValueLabel* const link : {m_bus, m_azimuth, m_elevation, m_sensor, m_clients}) {
         linkRow->addWidget(link);
     }
     linkRow->addWidget(m_control, 1);
@@ -221,6 +256,8 @@ void HeaderBar::showLinks(const StationStatus& status)
     setShown(*m_elevation, driveShown(tr("EL"), status.elevation, status.drives.released));
     setShown(*m_clients, status.listening.isEmpty() ? Shown{tr("rotctld off"), Tone::Warning, Symbol::Warning}
                                                     : Shown{tr("rotctld %1").arg(status.clients.size())});
+    setShown(*m_sensor, sensorShown(status.sensor));
+    m_sensor->setToolTip(status.sensor.configured() ? sensorHelp(status.sensor) : QString());
     m_bus->setToolTip(busHelp(status));
     m_azimuth->setToolTip(status.azimuth.stateText);
     m_elevation->setToolTip(status.elevation.stateText);

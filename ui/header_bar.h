@@ -40,6 +40,7 @@ private:
     ValueLabel* m_bus;
     ValueLabel* m_azimuth;
     ValueLabel* m_elevation;
+    ValueLabel* m_sensor;
     ValueLabel* m_clients;
     ValueLabel* m_control;
     ValueLabel* m_utc;

@@ -24,6 +24,7 @@
 #include "ui/panel_tabs.h"
 #include "ui/polar_plot.h"
 #include "ui/prompt_bar.h"
+#include "ui/sensor_readout.h"
 #include "ui/stop_keys.h"
 #include "ui/strip_charts.h"
 #include "ui/value_label.h"
@@ -59,6 +60,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
       m_plot(new PolarPlot(m_draft, this)),
       m_plotCell(new QGridLayout),
       m_readout(new AxisReadout(this)),
+      m_sensor(new SensorReadout(this)),
       m_cable(new CableBar(this)),
       m_side(new QStackedWidget(this)),
       m_panels(new PanelTabs(clock, m_desk, m_draft, settings, this)),
@@ -145,6 +147,7 @@ void MainWindow::build()
     side->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
     right->setContentsMargins(0, 0, 0, 0);
     right->addWidget(m_readout);
+    right->addWidget(m_sensor);
     m_side->addWidget(m_panels);
     right->addWidget(m_side, 1);
     m_lastCommand->setStretching(true);
@@ -223,6 +226,7 @@ void MainWindow::showStatus(const StationStatus& status)
     m_alarms->showStatus(status);
     m_plot->showStatus(status);
     m_readout->showStatus(status);
+    m_sensor->showStatus(status.sensor);
     m_cable->showStatus(status);
     m_panels->showStatus(status);
     if (m_guide != nullptr) {

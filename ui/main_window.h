@@ -35,6 +35,7 @@ class LeadPrompt;
 class PanelTabs;
 class PolarPlot;
 class PromptBar;
+class SensorReadout;
 class StopKeys;
 class ValueLabel;
 
@@ -119,6 +120,7 @@ private:
     PolarPlot* m_plot;
     QGridLayout* m_plotCell;  // the plot, or the charts in its place, and prompts over it
     AxisReadout* m_readout;
+    SensorReadout* m_sensor;
     CableBar* m_cable;
     QStackedWidget* m_side;  // the panels, or the guide in their place
     PanelTabs* m_panels;

@@ -300,6 +300,7 @@ void PolarPlot::showMarkers(const StationStatus& status)
     const bool known = areTurnsKnown(status);
     markers.commanded = age == Freshness::NoData || !known ? std::nullopt : status.commanded;
     markers.target = status.target;
+    markers.sensor = status.sensor.direction;
     markers.way = markers.commanded ? wayAhead(status) : std::vector<AxisPosition>();
     markers.targetLabel = targetLabel(status);
     markers.beamWidth = m_beamWidth;

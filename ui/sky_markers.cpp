@@ -203,6 +203,9 @@ QRegion SkyMarkers::occupied() const
         add(markerBox(*m_markers.target, kMarkerSize));
         add(targetLabelBox());
     }
+    if (m_markers.sensor) {
+        add(markerBox(*m_markers.sensor, kMarkerSize));
+    }
     if (m_markers.picked) {
         add(markerBox(*m_markers.picked, kCommandedSize));
     }
@@ -240,6 +243,9 @@ void SkyMarkers::paint(QPainter& painter) const
     if (m_markers.offTarget && m_markers.actual && m_markers.target) {
         painter.setPen(QPen(colours.warning, 2.0));
         painter.drawLine(m_projection.toPixel(*m_markers.actual), m_projection.toPixel(*m_markers.target));
+    }
+    if (m_markers.sensor) {
+        drawSymbol(painter, Symbol::Sensor, markerBox(*m_markers.sensor, kMarkerSize), colours.sensor);
     }
     drawTarget(painter);
     if (m_markers.commanded) {

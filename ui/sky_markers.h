@@ -23,6 +23,7 @@ struct MarkerData
     std::optional<SkyPointing> actual;
     std::optional<SkyPointing> commanded;
     std::optional<SkyPointing> target;
+    std::optional<SkyPointing> sensor;  // where the independent sensor says that the beam points
     std::optional<SkyPointing> picked;  // clicked by the operator
     std::vector<AxisPosition> way;      // from the set-point to the target, its corners; straight in both angles
     QString targetLabel;

@@ -67,6 +67,10 @@ void drawSymbol(QPainter& painter, Symbol symbol, const QRectF& box, const QColo
                                QPointF(c.x(), inner.bottom()), QPointF(inner.left(), c.y())}),
                     colour, stroke);
             break;
+        case Symbol::Sensor:
+            outline(painter, QPolygonF({QPointF(c.x(), inner.top()), inner.bottomRight(), inner.bottomLeft()}), colour,
+                    stroke);
+            break;
         case Symbol::Commanded:
             painter.setPen(QPen(colour, stroke, Qt::SolidLine, Qt::FlatCap));
             for (const QPointF& arm : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {

@@ -23,6 +23,7 @@ enum class Symbol
     Target,     // ◇
     Commanded,  // ✛, open in the middle
     Actual,     // ●
+    Sensor,     // △
     Lost        // ◌, the last known place of a mount that is silent
 };
 

@@ -18,6 +18,7 @@ const Theme kDay{.kind = ThemeKind::Day,
                  .secondary = QColor(0x5b646d),
                  .grid = QColor(0xc3c9ce),
                  .accent = QColor(0x1f4e79),
+                 .sensor = QColor(0x7a3e8e),
                  .advisory = QColor(0x00677a),
                  .warning = QColor(0x8f5200),
                  .alarm = QColor(0xc42727),
@@ -33,6 +34,7 @@ const Theme kNight{.kind = ThemeKind::Night,
                    .secondary = QColor(0x8f99a3),
                    .grid = QColor(0x343b42),
                    .accent = QColor(0x9cc9f2),
+                   .sensor = QColor(0xd7a6e8),
                    .advisory = QColor(0x5cc6d8),
                    .warning = QColor(0xffb84d),
                    .alarm = QColor(0xff5449),
@@ -48,6 +50,7 @@ const Theme kRed{.kind = ThemeKind::Red,
                  .secondary = QColor(0xd9513f),
                  .grid = QColor(0x4a1510),
                  .accent = QColor(0xff6a5a),
+                 .sensor = QColor(0xff6a5a),
                  .advisory = QColor(0xff6a5a),
                  .warning = QColor(0xff6a5a),
                  .alarm = QColor(0xff6a5a),
@@ -78,6 +81,8 @@ QColor Theme::colour(Tone tone) const
             return secondary;
         case Tone::Accent:
             return accent;
+        case Tone::Sensor:
+            return sensor;
         case Tone::Advisory:
             return advisory;
         case Tone::Warning:

@@ -24,6 +24,7 @@ enum class Tone
     Normal,
     Secondary,
     Accent,
+    Sensor,
     Advisory,
     Warning,
     Alarm
@@ -40,6 +41,7 @@ struct Theme
     QColor secondary;
     QColor grid;
     QColor accent;
+    QColor sensor;  // the independent sensor
     QColor advisory;
     QColor warning;
     QColor alarm;

@@ -4736,6 +4736,49 @@ modo moteus %1, falha %2</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::CalibrationBars</name>
+    <message>
+        <source>SYS</source>
+        <translation>SIS</translation>
+    </message>
+    <message>
+        <source>GYR</source>
+        <translation>GIR</translation>
+    </message>
+    <message>
+        <source>ACC</source>
+        <translation>ACE</translation>
+    </message>
+    <message>
+        <source>MAG</source>
+        <translation>MAG</translation>
+    </message>
+    <message>
+        <source>Fusion of all: it follows the other three. At 0 the heading is not tied to north.</source>
+        <translation>Fusão de todos: segue os outros três. Em 0 o rumo não está ligado ao norte.</translation>
+    </message>
+    <message>
+        <source>Gyro: hold the sensor still for some seconds.</source>
+        <translation>Giroscópio: mantenha o sensor imóvel durante alguns segundos.</translation>
+    </message>
+    <message>
+        <source>Accelerometer: hold the sensor still on each of its six sides, some seconds each.</source>
+        <translation>Acelerômetro: mantenha o sensor imóvel em cada um dos seus seis lados, alguns segundos em cada.</translation>
+    </message>
+    <message>
+        <source>Magnetometer: move the sensor in figures of eight, away from iron and motors; on the mast, turn the mount through its range.</source>
+        <translation>Magnetômetro: mova o sensor em forma de oito, longe de ferro e motores; no mastro, gire a montagem por todo o seu curso.</translation>
+    </message>
+    <message>
+        <source>Calibration: system %1, gyro %2, accelerometer %3, magnetometer %4 of 3</source>
+        <translation>Calibração: sistema %1, giroscópio %2, acelerômetro %3, magnetômetro %4 de 3</translation>
+    </message>
+    <message>
+        <source>Calibration: not told</source>
+        <translation>Calibração: não informada</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::ChartsPanel</name>
     <message>
         <source>The charts stand in the place of the sky.</source>
@@ -6073,6 +6116,34 @@ trocar os motores</translation>
     <message>
         <source>Started with --simulate: no real drive is connected, whatever mount is chosen, until the program ends</source>
         <translation>Iniciado com --simulate: nenhum acionamento real é conectado, qualquer que seja a montagem escolhida, até o fim do programa</translation>
+    </message>
+    <message>
+        <source>Sensor lost</source>
+        <translation>Sensor perdido</translation>
+    </message>
+    <message>
+        <source>Sensor differs</source>
+        <translation>Sensor difere</translation>
+    </message>
+    <message>
+        <source>Sensor late</source>
+        <translation>Sensor atrasado</translation>
+    </message>
+    <message>
+        <source>Sensor awaited</source>
+        <translation>Sensor esperado</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>%1: %2 values, %3 refused, %4 outliers</source>
+        <translation>%1: %2 valores, %3 recusados, %4 discrepantes</translation>
+    </message>
+    <message>
+        <source>Orientation sensor</source>
+        <translation>Sensor de orientação</translation>
     </message>
 </context>
 <context>
@@ -7813,6 +7884,45 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     <message>
         <source>the station does not answer</source>
         <translation>a estação não responde</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::SensorReadout</name>
+    <message>
+        <source>SNS %1 %2</source>
+        <translation>SNS %1 %2</translation>
+    </message>
+    <message>
+        <source>SNS %1</source>
+        <translation>SNS %1</translation>
+    </message>
+    <message>
+        <source>AZ</source>
+        <translation>AZ</translation>
+    </message>
+    <message>
+        <source>EL</source>
+        <translation>EL</translation>
+    </message>
+    <message>
+        <source>against the axes: %1</source>
+        <translation>em relação aos eixos: %1</translation>
+    </message>
+    <message>
+        <source>Direction by the sensor</source>
+        <translation>Direção segundo o sensor</translation>
+    </message>
+    <message>
+        <source>Age of the sensor&apos;s value</source>
+        <translation>Idade do valor do sensor</translation>
+    </message>
+    <message>
+        <source>age %1</source>
+        <translation>idade %1</translation>
+    </message>
+    <message>
+        <source>Sensor against the axes</source>
+        <translation>Sensor em relação aos eixos</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The orientation sensor on the screen: its readout, its calibration bars, its link in the header, its marker.
+#include "ui/calibration_bars.h"
+#include "ui/header_bar.h"
+#include "ui/sensor_readout.h"
+#include "ui/sky_markers.h"
+#include "ui/value_label.h"
+
+#include <QPainter>
+
+#include <gtest/gtest.h>
+
+namespace boresight::ui {
+namespace {
+
+SensorStatus calibrated()
+{
+    orientation::Orientation value;
+    value.calibration = orientation::Calibration{.system = 3, .gyro = 3, .accelerometer = 2, .magnetometer = 1};
+    return {.source = QStringLiteral("serial /dev/ttyUSB0"),
+            .open = true,
+            .presence = orientation::Presence::Present,
+            .last = value,
+            .age = std::chrono::milliseconds(300),
+            .direction = SkyPointing{.azimuth = 334.9_deg, .elevation = 55.3_deg},
+            .azimuthDifference = -0.4_deg};
+}
+
+QString shown(const QWidget& in, const char* accessibleName)
+{
+    for (const ValueLabel* const label : in.findChildren<ValueLabel*>()) {
+        if (label->accessibleName() == QLatin1String(accessibleName)) {
+            return label->text();
+        }
+    }
+    return QStringLiteral("no such label");
+}
+
+TEST(SensorReadout, IsThereOnlyWithASensor)
+{
+    SensorReadout readout;
+    readout.showStatus({});
+    EXPECT_TRUE(readout.isHidden());
+    readout.showStatus(calibrated());
+    EXPECT_FALSE(readout.isHidden());
+    EXPECT_EQ(shown(readout, "Direction by the sensor"), QStringLiteral("SNS 334.9° 55.3°"));
+    EXPECT_EQ(shown(readout, "Age of the sensor's value"), QStringLiteral("age 0.3 s"));
+    EXPECT_EQ(shown(readout, "Sensor against the axes"), QStringLiteral("against the axes: AZ -0.40°"));
+}
+
+TEST(SensorReadout, ALostOneShowsNoNumber)
+{
+    SensorStatus lost = calibrated();
+    lost.presence = orientation::Presence::Lost;
+    lost.direction.reset();
+    lost.problem = QStringLiteral("/dev/ttyUSB0 is gone: plug the sensor in again");
+    SensorReadout readout;
+    readout.showStatus(lost);
+    EXPECT_FALSE(shown(readout, "Direction by the sensor").contains(QLatin1String("334")));
+    EXPECT_EQ(shown(readout, "Sensor against the axes"), lost.problem);
+    EXPECT_EQ(readout.findChild<CalibrationBars*>()->accessibleName(), QStringLiteral("Calibration: not told"));
+}
+
+TEST(CalibrationBars, SayTheirDigits)
+{
+    CalibrationBars bars;
+    EXPECT_EQ(bars.accessibleName(), QStringLiteral("Calibration: not told"));
+    bars.showCalibration(orientation::Calibration{.system = 0, .gyro = 3, .accelerometer = 1, .magnetometer = 2});
+    EXPECT_EQ(bars.accessibleName(),
+              QStringLiteral("Calibration: system 0, gyro 3, accelerometer 1, magnetometer 2 of 3"));
+}
+
+TEST(HeaderBar, ShowsTheSensorIfThereIsOne)
+{
+    HeaderBar header;
+    StationStatus status;
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "Orientation sensor"), QString());
+    status.sensor = calibrated();
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "Orientation sensor"), QStringLiteral("Sensor"));
+    status.sensor.presence = orientation::Presence::Late;
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "Orientation sensor"), QStringLiteral("Sensor late"));
+    status.sensor.disagrees = true;
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "Orientation sensor"), QStringLiteral("Sensor differs"));
+    status.sensor.dead = true;
+    header.showStatus(status);
+    EXPECT_EQ(shown(header, "Orientation sensor"), QStringLiteral("Sensor lost"));
+}
+
+QImage pictureOf(const MarkerData& data)
+{
+    SkyMarkers markers;
+    markers.resize(200, 200);
+    QPixmap ground(200, 200);
+    ground.fill(currentTheme().plotGround);
+    markers.setGround(ground, {.zenith = {100.0, 100.0}, .radius = 90.0});
+    markers.setMarkers(data, UtcTime());
+    QImage image(200, 200, QImage::Format_RGB32);
+    image.fill(currentTheme().plotGround);
+    QPainter painter(&image);
+    markers.paint(painter);
+    return image;
+}
+
+TEST(SkyMarkers, TheSensorHasATriangleOfItsOwnColour)
+{
+    MarkerData data;
+    EXPECT_EQ(pictureOf(data).pixelColor(100, 100), currentTheme().plotGround);
+    data.sensor = SkyPointing{.azimuth = 0_deg, .elevation = 90_deg};
+    const QImage picture = pictureOf(data);
+    int coloured = 0;
+    for (int x = 80; x < 120; ++x) {
+        for (int y = 80; y < 120; ++y) {
+            coloured += picture.pixelColor(x, y) == currentTheme().sensor ? 1 : 0;
+        }
+    }
+    EXPECT_GT(coloured, 20);
+}
+
+}  // namespace
+}  // namespace boresight::ui
