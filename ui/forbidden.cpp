@@ -3,6 +3,7 @@
 
 #include "core/pointing/mount_model.h"
 #include "core/pointing/permitted_region.h"
+#include "core/pointing/sun_keep_out.h"
 
 #include <QCoreApplication>
 
@@ -10,10 +11,11 @@ namespace boresight::ui {
 
 namespace {
 
-pointing::PermittedRegion regionOf(const profile::Profile& profile)
+pointing::PermittedRegion regionOf(const StationStatus& status)
 {
-    return {profile.limits, profile.azimuth.geometry.travel, profile.elevation.geometry.travel,
-            pointing::PointingModel(profile.pointing)};
+    const profile::Profile& profile = *status.profile;
+    return {pointing::withSun(profile.limits, status.sunKeepOut), profile.azimuth.geometry.travel,
+            profile.elevation.geometry.travel, pointing::PointingModel(profile.pointing)};
 }
 
 QString forbidden(const std::string& reason)
@@ -28,7 +30,7 @@ QString forbidden(const std::string& reason)
 QString whyForbidden(const StationStatus& status, const SkyPointing& direction)
 {
     const profile::Profile& profile = *status.profile;
-    const pointing::PermittedRegion region = regionOf(profile);
+    const pointing::PermittedRegion region = regionOf(status);
     pointing::MountModel model(profile.azimuth.geometry, profile.elevation.geometry,
                                pointing::PointingModel(profile.pointing));
     model.limitTo(region.ranges().azimuth, region.ranges().elevation);
@@ -37,9 +39,9 @@ QString whyForbidden(const StationStatus& status, const SkyPointing& direction)
     return forbidden(resolved.limited ? resolved.reason : region.obstacle(resolved.position));
 }
 
-QString whyHomeForbidden(const profile::Profile& profile)
+QString whyHomeForbidden(const StationStatus& status)
 {
-    const pointing::PermittedRegion region = regionOf(profile);
+    const pointing::PermittedRegion region = regionOf(status);
     return forbidden(region.reason(
         {.azimuth = region.ranges().azimuth.clamped(0_deg), .elevation = region.ranges().elevation.clamped(0_deg)}));
 }

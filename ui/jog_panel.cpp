@@ -85,8 +85,8 @@ QWidget* JogPanel::makeLowest()
 
 void JogPanel::showStatus(const StationStatus& status)
 {
-    if (status.profile != m_status.profile) {
-        m_homeForbidden = whyHomeForbidden(*status.profile);
+    if (status.profile != m_status.profile || status.sunKeepOut != m_status.sunKeepOut) {
+        m_homeForbidden = whyHomeForbidden(status);
     }
     m_status = status;
     m_choices->showStatus(status);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/polar_plot.h"
 
+#include "core/pointing/sun_keep_out.h"
 #include "ui/axes.h"
 #include "ui/format.h"
 #include "ui/plot_tools.h"
@@ -280,9 +281,10 @@ void PolarPlot::showRegion(const StationStatus& status)
     m_beamWidth = status.profile->mount.beamWidth;
     m_focus = status.target ? *status.target : status.actual.value_or(m_focus);
     const bool moved = !m_editor->isDragging() && m_zoom.follow(m_focus);
-    const bool changed = m_region != status.profile->limits || travel != m_travel;
+    const pointing::Region region = pointing::withSun(status.profile->limits, status.sunKeepOut);
+    const bool changed = m_region != region || travel != m_travel;
     if (changed) {
-        m_region = status.profile->limits;
+        m_region = region;
         m_travel = travel;
         m_regionItem->setRegion(*m_region, travel);
         m_editor->setTravel(travel);

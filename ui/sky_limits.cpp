@@ -72,8 +72,9 @@ std::vector<SkySector> unreachable(const Travel& permitted)
 
 SkySector sectorOf(const pointing::KeepOut& keepOut)
 {
+    const Angle width = keepOut.azimuthTo - keepOut.azimuthFrom;
     return {.fromAzimuth = keepOut.azimuthFrom,
-            .toAzimuth = keepOut.azimuthFrom + (keepOut.azimuthTo - keepOut.azimuthFrom).wrapped360(),
+            .toAzimuth = keepOut.azimuthFrom + (width < 360_deg ? width.wrapped360() : width),
             .fromElevation = keepOut.elevationMin,
             .toElevation = keepOut.elevationMax,
             .name = QString::fromStdString(keepOut.name),

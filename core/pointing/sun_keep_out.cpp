@@ -34,4 +34,13 @@ std::optional<KeepOut> sunKeepOut(const SkyPointing& sun, Angle radius)
     return keepOut;
 }
 
+Region withSun(const Region& drawn, const std::optional<KeepOut>& sun)
+{
+    Region region = drawn;
+    if (sun) {
+        region.keepOuts.push_back(*sun);
+    }
+    return region;
+}
+
 }  // namespace boresight::pointing

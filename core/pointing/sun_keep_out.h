@@ -16,4 +16,7 @@ namespace boresight::pointing {
 // refraction, its disc and a site above the horizon's plain do not matter.
 [[nodiscard]] std::optional<KeepOut> sunKeepOut(const SkyPointing& sun, Angle radius);
 
+// What was drawn, and the Sun besides if there is one.
+[[nodiscard]] Region withSun(const Region& drawn, const std::optional<KeepOut>& sun);
+
 }  // namespace boresight::pointing

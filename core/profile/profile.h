@@ -126,6 +126,21 @@ struct GpredictSettings
     bool operator==(const GpredictSettings&) const = default;
 };
 
+// A feed that the Sun would melt, or a receiver that hears nothing beside it, is kept away from the Sun.
+enum class KeepAway
+{
+    Off,
+    On  // from where the Sun is by the site and the computer's clock
+};
+
+struct SunSettings
+{
+    KeepAway keepAway = KeepAway::Off;
+    Angle radius = Angle::fromDegrees(10.0);  // of the part of the sky around it that the beam stays out of
+
+    bool operator==(const SunSettings&) const = default;
+};
+
 // A named direction of the operator's own.
 struct Preset
 {
@@ -260,6 +275,7 @@ struct Profile
     std::vector<Preset> presets;
     SiteSettings site;
     GpredictSettings gpredict;
+    SunSettings sun;
     JogSettings jog;
     RotctldSettings rotctld;
     SupervisionSettings supervision;

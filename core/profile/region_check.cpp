@@ -132,6 +132,11 @@ void checkRegion(std::vector<Problem>& problems, const Profile& profile)
         checkPark(problems, profile);
     }
     checkNames(problems, kPresetKey, profile.presets);
+    if (profile.sun.keepAway == KeepAway::On && !profile.site.known) {
+        problems.push_back(
+            {"sun.keep_away",
+             Text::tr("the site is not given: where the Sun stands cannot be reckoned without it").toStdString()});
+    }
 }
 
 Result<> checkAddress(const std::string& text)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the mount may point, where it stands, and the operator's own directions.
+// Where the mount may point, where it stands, the Sun, and the operator's own directions.
 #include "core/base/text.h"
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
@@ -126,6 +126,18 @@ void addGpredict(std::vector<Setting>& list)
             p.gpredict.folder = text;
             return {};
         }));
+}
+
+void addSun(std::vector<Setting>& list)
+{
+    list.push_back(choice(
+        "sun.keep_away", {"off", "on"}, Applies::Now,
+        QT_TRANSLATE_NOOP("Text", "Whether the beam stays away from the Sun, whoever moves it; needs the site."),
+        [](auto& p) -> auto& { return p.sun.keepAway; }));
+    list.push_back(number(
+        "sun.radius_deg", "°", {0.5, 45.0}, Applies::Now,
+        QT_TRANSLATE_NOOP("Text", "How far from the middle of the Sun the beam stays."),
+        [](auto& p) -> auto& { return p.sun.radius; }));
 }
 
 std::span<const SettingOf<pointing::HorizonPoint>> horizonSettings()

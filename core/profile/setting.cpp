@@ -231,6 +231,7 @@ std::vector<Setting> makeSettings()
     addControl(list);
     addSite(list);
     addGpredict(list);
+    addSun(list);
     addJog(list);
     addClients(list);
     addSupervision(list);

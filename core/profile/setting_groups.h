@@ -13,6 +13,7 @@ void addPointing(std::vector<Setting>& list);
 void addRegion(std::vector<Setting>& list);
 void addSite(std::vector<Setting>& list);
 void addGpredict(std::vector<Setting>& list);
+void addSun(std::vector<Setting>& list);
 void addSupervision(std::vector<Setting>& list);
 void addRecovery(std::vector<Setting>& list);
 void addSensor(std::vector<Setting>& list);
@@ -22,7 +23,7 @@ void addBroker(std::vector<Setting>& list);
 [[nodiscard]] Result<> checkAddress(const std::string& text);
 [[nodiscard]] Result<> checkNetwork(const std::string& text);
 
-// Cross checks of the region, the park place and the presets; of the sensor.
+// Cross checks of the region, the Sun, the park place and the presets; of the sensor.
 void checkRegion(std::vector<Problem>& problems, const Profile& profile);
 void checkSensor(std::vector<Problem>& problems, const Profile& profile);
 

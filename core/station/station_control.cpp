@@ -3,6 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/pointing/sun_keep_out.h"
 
 #include <algorithm>
 
@@ -42,6 +43,7 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
       m_model(profile.azimuth.geometry, profile.elevation.geometry, pointing::PointingModel(profile.pointing)),
       m_drives(profile),
       m_motion(profile),
+      m_sun(profile),
       m_arming(profile, m_drives, log),
       m_alarms(log, clock),
       m_azimuthWatch(Axis::Azimuth, profile, m_alarms),
@@ -51,7 +53,8 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
       m_started(clock.now()),
       m_now(m_started)
 {
-    setRegion(profile);
+    (void)m_sun.update(clock.utc());
+    enforceRegion();
 }
 
 Result<> StationControl::request(const Request& request, const Source& source)
@@ -464,16 +467,16 @@ QString StationControl::directionText(const AxisPosition& place) const
 }
 
 // What is permitted, and what a place of the axes looks at: neither moves anything.
-void StationControl::setRegion(const profile::Profile& profile)
+void StationControl::enforceRegion()
 {
-    m_profile.limits = profile.limits;
-    m_profile.pointing = profile.pointing;
-    m_model.setPointing(pointing::PointingModel(profile.pointing));
-    m_motion.setRegion(profile.limits, m_model.pointing());
+    // A client's target that nobody moves any more is a place as well, unless the nearest permitted one is held for it.
+    const bool standing = m_activity == Activity::Streaming && !m_motion.streaming(m_now) && !m_motion.limited();
+    m_model.setPointing(pointing::PointingModel(m_profile.pointing));
+    m_motion.setRegion(pointing::withSun(m_profile.limits, m_sun.keepOut()), m_model.pointing());
     const pointing::AxisBox& ranges = m_motion.region().ranges();
     m_model.limitTo(ranges.azimuth, ranges.elevation);
     const auto target = m_motion.target(m_now);
-    const bool going = m_activity == Activity::Pointing || m_activity == Activity::Parking;
+    const bool going = m_activity == Activity::Pointing || m_activity == Activity::Parking || standing;
     if (const std::string why = going && target ? m_motion.region().reason(*target) : ""; !why.empty()) {
         m_log.add(Severity::Warning, QStringLiteral("station"), Text::tr("ends the motion: %1").arg(toQString(why)));
         holdHere(Activity::Holding);  // else a mount that stands would set off by itself

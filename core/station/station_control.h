@@ -18,6 +18,7 @@
 #include "core/station/motion.h"
 #include "core/station/request.h"
 #include "core/station/station_status.h"
+#include "core/station/sun_watch.h"
 #include "core/station/turn_keeper.h"
 #include "core/survey/drive_survey.h"
 
@@ -159,7 +160,7 @@ private:
     [[nodiscard]] AxisPosition turnWithAWay(const AxisPosition& place) const;
     Result<> streamTo(pointing::Resolved resolved, const SkyPointing& asked, const Source& source);
     Result<> runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& text);
-    void setRegion(const profile::Profile& profile);
+    void enforceRegion();
     [[nodiscard]] QString directionText(const AxisPosition& place) const;
     [[nodiscard]] Result<> mayJogFirst(const AxisRates& rates);
     void watchFirstMoves();
@@ -185,6 +186,8 @@ private:
     void watchJog();
     void watchFitness();
     void watchRegion();
+    void watchSun();
+    void tellSun();
     void watchCable();
     void watchLimited();
     [[nodiscard]] QString limitedReason() const;
@@ -216,6 +219,7 @@ private:
     pointing::MountModel m_model;
     DrivePair m_drives;
     Motion m_motion;
+    SunWatch m_sun;
     Arming m_arming;
     ClientLead m_lead;
     AlarmBoard m_alarms;

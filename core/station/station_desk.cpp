@@ -79,13 +79,15 @@ Result<> StationControl::handle(const CalibrationRequest&, const Source& source)
 
 void StationControl::setProfile(const profile::Profile& profile)
 {
-    if (profile.limits != m_profile.limits || profile.pointing != m_profile.pointing) {
-        setRegion(profile);
-    }
+    const bool redrawn = profile.limits != m_profile.limits || profile.pointing != m_profile.pointing;
     if (profile.mount.directions != m_profile.mount.directions) {
         m_firstMoves = {};  // the small way begins where the mount stands now
     }
     m_profile = profile;
+    m_sun.setProfile(profile);
+    if (m_sun.update(m_clock.utc()) || redrawn) {
+        enforceRegion();
+    }
     for (const Axis axis : kAxes) {
         m_motion.setLimits(axis, profile.axis(axis).limits);
     }

@@ -258,6 +258,7 @@ StationStatus StationControl::status() const
     if (m_trim != AxisPosition{}) {
         status.trim = SkyPointing{.azimuth = m_trim.azimuth, .elevation = m_trim.elevation};
     }
+    status.sunKeepOut = m_sun.keepOut();
     if (m_wantedDirection) {
         status.target = m_wantedDirection;
     } else if (const auto target = m_motion.target(m_now)) {

@@ -48,6 +48,7 @@ std::array<CanFrame, 2> StationControl::tick()
     watchFitness();
     finishRearm();
     stepProof();
+    watchSun();
     moveOn(step);
     watchRegion();
     watchCable();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pointing/sun_keep_out.h"
 #include "tests/ui/sample_status.h"
 #include "ui/plot_tools.h"
 #include "ui/polar_plot.h"
@@ -253,6 +254,34 @@ TEST_F(PlotTest, TheRegionInForceIsDrawnAndItsNewOneWithTheNextStatus)
     status.profile = std::make_shared<const profile::Profile>(changed);
     plot.showStatus(status);
     EXPECT_EQ(shade(170_deg, 15_deg), currentTheme().plotGround);
+}
+
+TEST_F(PlotTest, TheSunIsDrawnWhileTheBeamIsKeptAwayFromIt)
+{
+    applyTheme(ThemeKind::Day);
+    StationStatus status = samples::bounded();
+    plot.showStatus(status);
+    const auto shade = [this](Angle azimuth, Angle elevation) {
+        return pixel(plot.markers().projection().toPixel({azimuth, elevation}));
+    };
+    const auto isShaded = [&](const SkyPointing& middle) {  // hatched: look at some pixels
+        for (const Angle beside : {0_deg, 0.7_deg, 1.4_deg}) {
+            if (shade(middle.azimuth + beside, middle.elevation + beside) != currentTheme().plotGround) {
+                return true;
+            }
+        }
+        return false;
+    };
+    ASSERT_FALSE(isShaded({.azimuth = 220_deg, .elevation = 55_deg}));
+    status.sunKeepOut = pointing::sunKeepOut({.azimuth = 220_deg, .elevation = 55_deg}, 15_deg);
+    plot.showStatus(status);
+    EXPECT_TRUE(isShaded({.azimuth = 220_deg, .elevation = 55_deg}));
+    status.sunKeepOut = pointing::sunKeepOut({.azimuth = 220_deg, .elevation = 80_deg}, 15_deg);
+    plot.showStatus(status);
+    EXPECT_TRUE(isShaded({.azimuth = 40_deg, .elevation = 70_deg})) << "all round the zenith";
+    status.sunKeepOut.reset();
+    plot.showStatus(status);
+    EXPECT_FALSE(isShaded({.azimuth = 220_deg, .elevation = 55_deg}));
 }
 
 TEST_F(PlotTest, TheGroundIsDrawnAgainOnlyWhenSomethingOfItChanged)

@@ -20,11 +20,7 @@ constexpr TravelRange kFlipping{-5_deg, 180_deg};
 
 PermittedRegion regionAround(const SkyPointing& sun, Angle radius)
 {
-    Region region;
-    if (const auto keepOut = sunKeepOut(sun, radius)) {
-        region.keepOuts.push_back(*keepOut);
-    }
-    return PermittedRegion(region, kAzimuths, kFlipping);
+    return PermittedRegion(withSun({}, sunKeepOut(sun, radius)), kAzimuths, kFlipping);
 }
 
 // The direction at this distance from the Sun, at an angle from straight up around it.

@@ -391,6 +391,16 @@ TEST(ProblemsOf, CountRangesToo)
     EXPECT_EQ(problemsOf(profile).size(), 7U);
 }
 
+TEST(CrossCheck, TheSunNeedsTheSite)
+{
+    Profile profile;
+    EXPECT_EQ(profile.sun.keepAway, KeepAway::Off) << "by choice";
+    profile.sun.keepAway = KeepAway::On;
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"sun.keep_away"});
+    profile.site.known = true;
+    EXPECT_TRUE(crossCheck(profile).empty());
+}
+
 TEST(CrossCheck, TwoTicksMustFitIntoTheReplyAge)
 {
     Profile profile;

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The beam stays away from the Sun, whoever moves it; a mount that stands while the Sun comes over it stays there.
+#include "core/ephemeris/almanac.h"
+#include "core/ephemeris/refraction.h"
+#include "core/station/sun_watch.h"
+#include "core/units/angle_between.h"
+#include "tests/core/station/station_rig.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight {
+namespace {
+
+constexpr Site kLisbon{.latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
+constexpr Angle kRadius = 10_deg;
+
+profile::Profile sunny()
+{
+    profile::Profile profile;
+    profile.site = {.known = true,
+                    .latitude = kLisbon.latitude,
+                    .longitude = kLisbon.longitude,
+                    .heightMetres = kLisbon.heightMetres};
+    profile.sun = {.keepAway = profile::KeepAway::On, .radius = kRadius};
+    return profile;
+}
+
+// Lisbon at noon: the Sun stands in the south, 31° high, and goes 0.3° of azimuth in a minute.
+struct SunRig : StationRig
+{
+    explicit SunRig(const profile::Profile& settings = sunny()) : StationRig(settings)
+    {
+        clock.stepUtc(std::chrono::hours(12));
+        run(Seconds(0.1));
+    }
+
+    [[nodiscard]] SkyPointing sun() const
+    {
+        ephemeris::Almanac almanac(kLisbon);
+        return ephemeris::apparent(almanac.place(ephemeris::Body::Sun, clock.utc()).direction,
+                                   ephemeris::Refraction::Light);
+    }
+    [[nodiscard]] Angle distance() const { return angleBetween(sun(), *control.status().actual); }
+    [[nodiscard]] bool warned() const
+    {
+        for (const Alarm& alarm : control.status().alarms) {
+            if (alarm.active && alarm.what.startsWith(QStringLiteral("The beam is less than 10.0° from the Sun"))) {
+                return true;
+            }
+        }
+        return false;
+    }
+    [[nodiscard]] bool goesTo(double azimuthDegrees, double elevationDegrees)
+    {
+        const bool accepted = point(azimuthDegrees, elevationDegrees, kOperator).has_value();
+        settle();
+        return accepted;
+    }
+    // Hours in which nobody asks for anything, a tick in a second.
+    void wait(Seconds time)
+    {
+        for (Seconds left = time; left > Seconds(0.0); left -= Seconds(1.0)) {
+            clock.stepUtc(Seconds(0.98));
+            tick();
+        }
+    }
+};
+
+TEST(StationSun, IsAKeepOutWhileItIsUp)
+{
+    SunRig rig;
+    const auto keepOut = rig.control.status().sunKeepOut;
+    ASSERT_TRUE(keepOut);
+    EXPECT_EQ(keepOut->name, "Sun");
+    const double middle = (keepOut->azimuthFrom + keepOut->azimuthTo).degrees() / 2.0;
+    EXPECT_NEAR(middle, rig.sun().azimuth.degrees(), 0.2);
+    EXPECT_NEAR((keepOut->elevationMax - keepOut->elevationMin).degrees(), 20.4, 1e-6);
+    rig.clock.stepUtc(std::chrono::hours(8));
+    rig.tick();
+    EXPECT_FALSE(rig.control.status().sunKeepOut) << "at night";
+}
+
+TEST(StationSun, NobodyMovesIntoIt)
+{
+    SunRig rig;
+    const SkyPointing sun = rig.sun();
+    const auto answer = rig.ask(request::PointSky{sun});
+    ASSERT_FALSE(answer);
+    EXPECT_NE(answer.error().text.find("is in the keep-out \"Sun\""), std::string::npos) << answer.error().text;
+    ASSERT_TRUE(rig.goesTo(sun.azimuth.degrees() - 30.0, sun.elevation.degrees()));
+    for (int i = 0; i < 100; ++i) {
+        (void)rig.ask(request::Jog{{.azimuth = 6_deg_s}});
+        rig.run(Seconds(0.1));
+        EXPECT_GE(rig.distance(), kRadius);
+    }
+    EXPECT_LT(rig.distance(), kRadius + 1_deg) << "the jog stopped at the edge";
+    EXPECT_FALSE(rig.warned());
+}
+
+// A client's satellite goes right through the Sun: the beam passes it by.
+TEST(StationSun, AStreamIsLedAroundIt)
+{
+    SunRig rig;
+    const SkyPointing sun = rig.sun();
+    bool limited = false;
+    for (double way = -40.0; way <= 40.0; way += 0.5) {
+        ASSERT_TRUE(rig.point(sun.azimuth.degrees() + way, sun.elevation.degrees()));
+        rig.run(Seconds(1.0));
+        EXPECT_GE(rig.distance(), kRadius);
+        limited = limited || rig.control.status().limited;
+    }
+    rig.settle();
+    EXPECT_TRUE(limited);
+    EXPECT_NEAR(rig.azimuthDegrees(), sun.azimuth.degrees() + 40.0, 0.01);
+}
+
+// For two hours a mount stands where the Sun will come by: it never moves, and it is told while it lasts.
+TEST(StationSun, AMountThatStandsStaysAndIsTold)
+{
+    SunRig rig;
+    const SkyPointing ahead = [&] {
+        ephemeris::Almanac almanac(kLisbon);
+        return almanac.place(ephemeris::Body::Sun, rig.clock.utc() + std::chrono::minutes(60)).direction;
+    }();
+    ASSERT_TRUE(rig.goesTo(ahead.azimuth.degrees(), ahead.elevation.degrees()));
+    const AxisPosition place{*rig.control.status().azimuth.actual, *rig.control.status().elevation.actual};
+    int told = 0;
+    for (int minute = 0; minute < 120; ++minute) {
+        rig.wait(Seconds(60.0));
+        EXPECT_NEAR(rig.azimuthDegrees(), place.azimuth.degrees(), 0.001);
+        EXPECT_NEAR(rig.elevationDegrees(), place.elevation.degrees(), 0.001);
+        if (abs(rig.distance() - kRadius) > 0.3_deg) {
+            EXPECT_EQ(rig.warned(), rig.distance() < kRadius) << "minute " << minute;
+        }
+        told += rig.warned() ? 1 : 0;
+    }
+    EXPECT_GT(told, 50);
+    EXPECT_FALSE(rig.warned()) << "it has passed";
+    EXPECT_EQ(rig.state(), StationState::Hold);
+}
+
+// The same for a client that has pointed there once: its target does not push the mount aside.
+TEST(StationSun, ATargetThatStandsIsGivenUp)
+{
+    SunRig rig;
+    const SkyPointing sun = rig.sun();
+    ASSERT_TRUE(rig.point(sun.azimuth.degrees() + 20.0, sun.elevation.degrees()));
+    rig.settle();
+    const Angle azimuth = *rig.control.status().azimuth.actual;
+    rig.wait(Seconds(3600.0));
+    EXPECT_TRUE(rig.warned());
+    EXPECT_EQ(rig.control.status().azimuth.actual, azimuth);
+}
+
+TEST(StationSun, FromInsideOnlyTheWayOutIsOpen)
+{
+    profile::Profile off = sunny();
+    off.sun.keepAway = profile::KeepAway::Off;
+    SunRig rig(off);
+    const SkyPointing sun = rig.sun();
+    ASSERT_TRUE(rig.goesTo(sun.azimuth.degrees() - 5.0, sun.elevation.degrees()));
+    EXPECT_FALSE(rig.warned());
+    EXPECT_FALSE(rig.control.status().sunKeepOut);
+    rig.profile = sunny();
+    rig.control.setProfile(rig.profile);
+    rig.run(Seconds(1.0));
+    EXPECT_TRUE(rig.warned());
+    const double before = rig.azimuthDegrees();
+    for (int i = 0; i < 20; ++i) {
+        (void)rig.ask(request::Jog{{.azimuth = 2_deg_s}});
+        rig.run(Seconds(0.1));
+    }
+    EXPECT_NEAR(rig.azimuthDegrees(), before, 1e-6) << "towards it: held";
+    ASSERT_TRUE(rig.goesTo(sun.azimuth.degrees() - 30.0, sun.elevation.degrees()));
+    EXPECT_GT(rig.distance(), kRadius);
+    EXPECT_FALSE(rig.warned());
+}
+
+// The computer's clock is set: the keep-out is not 20 s in coming.
+TEST(StationSun, IsFoundAnewWhenTheClockIsSet)
+{
+    SunRig rig;
+    rig.clock.stepUtc(-std::chrono::hours(2));
+    rig.tick();
+    const auto keepOut = rig.control.status().sunKeepOut;
+    ASSERT_TRUE(keepOut);
+    EXPECT_NEAR((keepOut->azimuthFrom + keepOut->azimuthTo).degrees() / 2.0, rig.sun().azimuth.degrees(), 0.2);
+}
+
+// A beam at its edge is out of the circle until the keep-out is renewed, at any time of the day.
+TEST(SunWatch, ServesUntilItIsRenewed)
+{
+    SunWatch watch(sunny());
+    ephemeris::Almanac almanac(kLisbon);
+    const UtcTime day = std::chrono::sys_days{std::chrono::year{2026} / 6 / 21};
+    for (std::chrono::minutes minute{6 * 60}; minute < std::chrono::minutes(18 * 60);
+         minute += std::chrono::minutes(7)) {
+        ASSERT_TRUE(watch.update(day + minute));
+        EXPECT_FALSE(watch.update(day + minute + SunWatch::kRenewal - std::chrono::seconds(1))) << "not yet";
+        const pointing::KeepOut keepOut = watch.keepOut().value();
+        const SkyPointing later =
+            ephemeris::apparent(almanac.place(ephemeris::Body::Sun, day + minute + SunWatch::kRenewal).direction,
+                                ephemeris::Refraction::Light);
+        for (const Angle azimuth : {keepOut.azimuthFrom, keepOut.azimuthTo}) {
+            for (Angle elevation = keepOut.elevationMin; elevation < keepOut.elevationMax; elevation += 0.5_deg) {
+                EXPECT_GT(angleBetween(later, {azimuth, elevation}), kRadius);
+            }
+        }
+        EXPECT_GT(angleBetween(later, {later.azimuth, keepOut.elevationMin}), kRadius);
+    }
+}
+
+}  // namespace
+}  // namespace boresight
