@@ -427,6 +427,10 @@ el %3</translation>
         <source>Gpredict</source>
         <translation>Gpredict</translation>
     </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sol</translation>
+    </message>
 </context>
 <context>
     <name>SkyItems</name>
@@ -4368,6 +4372,30 @@ el %3</translation>
     <message>
         <source>None needed: the mount follows on when the target comes inside</source>
         <translation>Nada a fazer: a montagem volta a seguir quando o alvo entrar</translation>
+    </message>
+    <message>
+        <source>the site is not given: where the Sun stands cannot be reckoned without it</source>
+        <translation>o local não foi indicado: sem ele não se pode calcular onde está o Sol</translation>
+    </message>
+    <message>
+        <source>Whether the beam stays away from the Sun, whoever moves it; needs the site.</source>
+        <translation>Se o feixe fica longe do Sol, seja quem for que o mova; precisa do local.</translation>
+    </message>
+    <message>
+        <source>How far from the middle of the Sun the beam stays.</source>
+        <translation>A que distância do centro do Sol o feixe fica.</translation>
+    </message>
+    <message>
+        <source>The beam is less than %1° from the Sun</source>
+        <translation>O feixe está a menos de %1° do Sol</translation>
+    </message>
+    <message>
+        <source>Nothing moves by itself, and motions only lead out of there</source>
+        <translation>Nada se move sozinho, e os movimentos só levam para fora dali</translation>
+    </message>
+    <message>
+        <source>Move the mount away, or let the Sun pass; sun.keep_away switches this off</source>
+        <translation>Afaste a montagem ou deixe o Sol passar; sun.keep_away desliga isto</translation>
     </message>
 </context>
 <context>
