@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QLineEdit>
 #include <QPainter>
 
 #include <algorithm>
@@ -88,6 +89,10 @@ QWidget* SettingDelegate::createEditor(QWidget* parent, const QStyleOptionViewIt
     QWidget* editor = nullptr;
     if (choices.isEmpty()) {
         editor = QStyledItemDelegate::createEditor(parent, option, index);
+        auto* const line = qobject_cast<QLineEdit*>(editor);
+        if (line != nullptr && index.data(SettingTree::SecretRole).toBool()) {
+            line->setEchoMode(QLineEdit::Password);
+        }
     } else {
         auto* const list = new QComboBox(parent);
         list->addItems(choices);

@@ -220,6 +220,8 @@ QVariant SettingTree::lineData(const Line& line, int column, int role) const
             }
             return choices;
         }
+        case SecretRole:
+            return line.setting != nullptr && line.setting->secret;
         case ShareRole:
         case DefaultShareRole: {
             const auto share = line.setting == nullptr ? std::nullopt

@@ -32,6 +32,7 @@ public:
         ChoicesRole,                // QStringList; empty unless one of them must be chosen
         ShareRole,                  // double: of the range, see shareOfRange()
         DefaultShareRole,           // the same of the default
+        SecretRole,                 // not to be seen while it is typed
         ExplanationRole             // some sentences about the line
     };
 

@@ -215,6 +215,26 @@ TEST_F(ProfilePageTest, WhatIsNoValueIsRefusedAndWhatClashesIsMarked)
     EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
 }
 
+TEST_F(ProfilePageTest, APasswordIsNotSeenOverTheShoulder)
+{
+    QTest::keyClicks(search(), QStringLiteral("mqtt.password"));
+    tree()->setCurrentIndex(tree()->model()->index(0, SettingTree::Value, tree()->model()->index(0, 0)));
+    tree()->setFocus();
+    QTest::keyClick(tree(), Qt::Key_F2);
+    const QPointer<QLineEdit> editor = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    ASSERT_TRUE(editor);
+    QTest::keyClicks(editor, QStringLiteral("s3cret"));
+    EXPECT_EQ(editor->text(), QStringLiteral("s3cret"));
+    EXPECT_FALSE(editor->displayText().contains(QStringLiteral("s3cret")));
+    QTest::keyClick(editor, Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&editor] { return !editor; })) << "the editor stays open";
+    EXPECT_EQ(firstCell(SettingTree::Value), QStringLiteral("(hidden) (was not given)"));
+    edit("mqtt.user", "mount");
+    press("Apply");
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
+    EXPECT_EQ(asked<request::ApplyProfile>().front().profile.mqtt.password, "s3cret");
+}
+
 TEST_F(ProfilePageTest, AChoiceOpensItsList)
 {
     QTest::keyClicks(search(), QStringLiteral("on_exit"));
