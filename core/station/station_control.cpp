@@ -437,8 +437,10 @@ std::optional<SkyPointing> StationControl::direction() const
 
 void StationControl::setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation)
 {
-    m_turns.setSensor(Axis::Azimuth, azimuth);
-    m_turns.setSensor(Axis::Elevation, elevation);
+    const SkyPointing beam{.azimuth = azimuth.value_or(Angle{}), .elevation = elevation.value_or(Angle{})};
+    const AxisPosition axes = m_model.pointing().toAxes(beam).axes;
+    m_turns.setSensor(Axis::Azimuth, azimuth ? std::optional(axes.azimuth) : std::nullopt);
+    m_turns.setSensor(Axis::Elevation, elevation ? std::optional(axes.elevation) : std::nullopt);
 }
 
 std::optional<AxisPosition> StationControl::trimInUse() const

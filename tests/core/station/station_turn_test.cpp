@@ -66,6 +66,11 @@ TEST(StationTurns, ASensorOnTheAntennaSpeaksInTheQuestion)
     rig.control.setSensor(-1.5_deg, std::nullopt);
     EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("The sensor says 358.5°"));
     EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown) << "it decides nothing";
+
+    rig.profile.pointing.azimuthOffset = 37.5_deg;
+    rig.control.setProfile(rig.profile);
+    rig.control.setSensor(98_deg, std::nullopt);
+    EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("The sensor says 60.5°")) << "as the axis counts";
 }
 
 TEST(StationTurns, OnlyTheOperatorJogsMeanwhileAndSlowly)
