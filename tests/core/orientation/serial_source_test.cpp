@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/orientation/serial_source.h"
 
+#include "core/sim/simulated_sensor.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/pseudo_terminal.h"
 
@@ -68,6 +69,22 @@ TEST_F(SerialSourceTest, HearsSentencesOfAPort)
     EXPECT_EQ(source.status().counts.chatter, 1U);
     EXPECT_EQ(source.status().problem, QString());
     EXPECT_EQ(terminal.takeWritten(), QByteArray()) << "nothing is ever sent to the sensor";
+}
+
+TEST_F(SerialSourceTest, HearsTheSimulatedSensorOnAPort)
+{
+    sim::SimulatedSensor sensor({.mountingOffset = 37.4_deg, .noise = Angle{}});
+    source.open();
+    for (int reading = 0; reading < 60; ++reading) {
+        clock.advance(sim::SimulatedSensor::kReadingPeriod);
+        if (const auto message = sensor.read(clock.now(), clock.utc(), {.azimuth = 100_deg, .elevation = 35_deg})) {
+            terminal.write(QByteArray::fromStdString(sim::toSentence(*message)));
+        }
+    }
+    ASSERT_TRUE(hears(11));
+    EXPECT_NEAR(values.back().heading.angle().degrees(), 62.6, 0.006);
+    EXPECT_NEAR(values.back().elevation.degrees(), 35.0, 0.006);
+    EXPECT_EQ(source.status().counts.allRefused(), 0U);
 }
 
 TEST_F(SerialSourceTest, ALostPortIsFoundAgain)
