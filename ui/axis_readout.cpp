@@ -9,6 +9,7 @@
 #include <QGridLayout>
 #include <QHelpEvent>
 #include <QLabel>
+#include <QStringList>
 #include <QToolTip>
 
 #include <cmath>
@@ -78,6 +79,11 @@ QString driveHelp(const QString& axisName, const AxisStatus& axis, bool turnKnow
     return axis.stateText.isEmpty() ? text : text + QLatin1Char('\n') + axis.stateText;
 }
 
+Angle trimOf(const std::optional<SkyPointing>& trim, Axis which)
+{
+    return !trim ? 0_deg : which == Axis::Azimuth ? trim->azimuth : trim->elevation;
+}
+
 QLabel* heading(const QString& text, QWidget* parent)
 {
     auto* const label = new QLabel(text, parent);
@@ -142,6 +148,7 @@ void AxisReadout::showStatus(const StationStatus& status)
     m_shown = {status.azimuth, status.elevation};
     m_turnKnown = {isTurnKnown(status, Axis::Azimuth), isTurnKnown(status, Axis::Elevation)};
     m_trim = status.trim;
+    m_pointing = pointing::PointingModel(status.profile->pointing);
     for (const Axis axis : kAxes) {
         showRow(axis, isTurnKnown(status, axis), isTurnAwaited(status, axis));
     }
@@ -156,24 +163,50 @@ void AxisReadout::showRow(Axis which, bool turnKnown, bool turnAwaited)
     // On an unknown turn the drive counts from anywhere: no number at all.
     const bool known = axis.actual && age != Freshness::NoData && turnKnown;
     const Tone tone = age == Freshness::Live ? Tone::Normal : Tone::Secondary;
-    row.actual->setValue(known ? angleText(shown(*axis.actual)) : noValue(), known ? tone : Tone::Secondary);
-    row.target->setValue(axis.target ? angleText(shown(*axis.target)) : noValue(),
-                         axis.target ? Tone::Normal : Tone::Secondary);
+    const auto actual = known ? beam(which, &AxisStatus::actual) : std::nullopt;
+    const auto target = beam(which, &AxisStatus::target);
+    row.actual->setValue(actual ? angleText(shown(*actual)) : noValue(), actual ? tone : Tone::Secondary);
+    row.target->setValue(target ? angleText(shown(*target)) : noValue(), target ? Tone::Normal : Tone::Secondary);
     const bool comparable = known && axis.target;
     row.error->setValue(comparable ? signedAngleText(*axis.target - *axis.actual) : noValue(),
                         comparable ? tone : Tone::Secondary);
     const Worded state = worded(axis, turnKnown || turnAwaited);
     row.state->setValue(state.word, state.tone, state.symbol);
-    const Angle trim = !m_trim ? 0_deg : which == Axis::Azimuth ? m_trim->azimuth : m_trim->elevation;
-    const QString detail = detailText(axis, turnKnown);
-    const Tone detailTone = age == Freshness::Live ? Tone::Secondary : Tone::Warning;
-    if (trim == 0_deg) {
-        row.detail->setValue(detail, detailTone);
-    } else {
-        const QString text = tr("trim %1").arg(signedAngleText(trim));
-        row.detail->setValue(detail.isEmpty() ? text : tr("%1, %2").arg(text, detail),
-                             age == Freshness::Live ? Tone::Accent : Tone::Warning);
+    const bool live = age == Freshness::Live;
+    const bool trimmed = trimOf(m_trim, which) != 0_deg;
+    row.detail->setValue(detail(which), !live ? Tone::Warning : trimmed ? Tone::Accent : Tone::Secondary);
+}
+
+// What the beam has where the axes are; one angle of a model needs both of the axes.
+std::optional<Angle> AxisReadout::beam(Axis which, std::optional<Angle> AxisStatus::*angle) const
+{
+    const std::optional<Angle>& azimuth = m_shown[0].*angle;
+    const std::optional<Angle>& elevation = m_shown[1].*angle;
+    if (m_pointing.isIdentity()) {
+        return which == Axis::Azimuth ? azimuth : elevation;
     }
+    if (!azimuth || !elevation) {
+        return std::nullopt;
+    }
+    const SkyPointing direction = m_pointing.toSky({*azimuth, *elevation});
+    return which == Axis::Azimuth ? direction.azimuth : direction.elevation;
+}
+
+QString AxisReadout::detail(Axis which) const
+{
+    const AxisStatus& axis = m_shown[axisIndex(which)];
+    const bool turnKnown = m_turnKnown[axisIndex(which)];
+    QStringList parts;
+    if (const Angle trim = trimOf(m_trim, which); trim != 0_deg) {
+        parts << tr("trim %1").arg(signedAngleText(trim));
+    }
+    if (axis.actual && turnKnown && !m_pointing.isIdentity() && freshness(axis.age) != Freshness::NoData) {
+        parts << tr("axis %1").arg(angleText(*axis.actual));
+    }
+    if (const QString text = detailText(axis, turnKnown); !text.isEmpty()) {
+        parts << text;
+    }
+    return parts.join(QStringLiteral(", "));
 }
 
 bool AxisReadout::event(QEvent* event)

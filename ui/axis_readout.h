@@ -8,9 +8,10 @@
 #include <array>
 #include <optional>
 
-// The numbers of both axes: actual, target, error (target minus actual, along the way the axis really goes) and a
-// word; below, what is trimmed, and a detail. An old number is dimmed with its age, a very old one is not shown at all;
-// on an unknown turn it is dimmed, coarse and ends in a question mark.
+// The numbers of both axes: actual and target as true directions, error (target minus actual, along the way the axis
+// really goes) and a word; below, what is trimmed, what the axis shows where that is not the truth, and a detail. An
+// old number is dimmed with its age, a very old one is not shown at all; on an unknown turn it is dimmed, coarse and
+// ends in a question mark.
 namespace boresight::ui {
 
 class ValueLabel;
@@ -39,11 +40,14 @@ private:
 
     Row makeRow(Axis axis);
     void showRow(Axis which, bool turnKnown, bool turnAwaited);
+    [[nodiscard]] QString detail(Axis which) const;
+    [[nodiscard]] std::optional<Angle> beam(Axis which, std::optional<Angle> AxisStatus::*angle) const;
 
     std::array<Row, 2> m_rows;  // by Axis
     std::array<AxisStatus, 2> m_shown;
     std::array<bool, 2> m_turnKnown{};
     std::optional<SkyPointing> m_trim;
+    pointing::PointingModel m_pointing;
 };
 
 }  // namespace boresight::ui

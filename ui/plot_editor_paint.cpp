@@ -28,6 +28,12 @@ void drawGrip(QPainter& painter, QPointF at, bool selected)
     painter.drawRect(selected ? box.adjusted(-2, -2, 2, 2) : box);
 }
 
+// Where the axes look to the horizon.
+Angle levelOf(const Travel& travel)
+{
+    return -travel.pointing.terms().elevationOffset;
+}
+
 }  // namespace
 
 void PlotEditor::paintEvent(QPaintEvent*)
@@ -53,19 +59,20 @@ void PlotEditor::paintChanges(QPainter& painter) const
     const pointing::Region& inForce = m_draft.inForce().limits;
     const Travel before = permitted(inForce, m_travel);
     const Travel after = permitted(edited(), m_travel);
+    const Angle level = levelOf(m_travel);
     if (edited().horizon != inForce.horizon) {
         painter.drawPath(horizonLine(edited().horizon, m_sky));
     }
     for (const auto& [was, is] :
          {std::pair(before.azimuth.min, after.azimuth.min), std::pair(before.azimuth.max, after.azimuth.max)}) {
         if (was != is) {
-            painter.drawPath(meridian(is, 0_deg, 90_deg, m_sky));
+            painter.drawPath(meridian(is, level, level + 90_deg, m_travel.pointing, m_sky));
         }
     }
     for (const auto& [was, is] :
          {std::pair(before.elevation.min, after.elevation.min), std::pair(before.elevation.max, after.elevation.max)}) {
-        if (was != is && is <= 90_deg) {
-            painter.drawPath(ring(is, m_sky));
+        if (was != is && is <= level + 90_deg) {
+            painter.drawPath(ring(is, m_travel.pointing, m_sky));
         }
     }
 }
@@ -96,10 +103,11 @@ void PlotEditor::paintGrips(QPainter& painter) const
     };
     const Travel limits = permitted(edited(), m_travel);
     const bool wholeCircle = limits.azimuth.max - limits.azimuth.min >= 360_deg;
+    const Angle level = levelOf(limits);
     for (const auto& [part, azimuth] : {std::pair(RegionPart::AzimuthMin, limits.azimuth.min),
                                         std::pair(RegionPart::AzimuthMax, limits.azimuth.max)}) {
         painter.setPen(QPen(currentTheme().accent, isSelected(part, 0) ? 4.0 : 2.5));
-        painter.drawPath(meridian(azimuth, 0_deg, wholeCircle ? kTick : kTick * 0.5, m_sky));
+        painter.drawPath(meridian(azimuth, level, level + (wholeCircle ? kTick : kTick * 0.5), limits.pointing, m_sky));
     }
     for (std::size_t i = 0; i < edited().keepOuts.size(); ++i) {
         const SkySector sector = sectorOf(edited().keepOuts[i]);
@@ -113,10 +121,14 @@ void PlotEditor::paintGrips(QPainter& painter) const
         const pointing::HorizonPoint& point = edited().horizon[i];
         drawGrip(painter, m_sky.toPixel({point.azimuth, point.elevation}), isSelected(RegionPart::HorizonPoint, i));
     }
-    if (limits.elevation.max <= 90_deg) {
-        drawGrip(painter, m_sky.toPixel({180_deg, limits.elevation.max}), isSelected(RegionPart::ElevationMax, 0));
+    const auto southOf = [&](Angle elevation) {
+        const Angle south = 180_deg - limits.pointing.terms().azimuthOffset;
+        return m_sky.toPixel(limits.pointing.toSky({south, elevation}));
+    };
+    if (limits.elevation.max <= level + 90_deg) {
+        drawGrip(painter, southOf(limits.elevation.max), isSelected(RegionPart::ElevationMax, 0));
     }
-    drawGrip(painter, m_sky.toPixel({180_deg, limits.elevation.min}), isSelected(RegionPart::ElevationMin, 0));
+    drawGrip(painter, southOf(limits.elevation.min), isSelected(RegionPart::ElevationMin, 0));
 }
 
 }  // namespace boresight::ui

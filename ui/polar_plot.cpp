@@ -277,7 +277,8 @@ void PolarPlot::showStatus(const StationStatus& status)
 
 void PolarPlot::showRegion(const StationStatus& status)
 {
-    const Travel travel{status.azimuth.travel, status.elevation.travel};
+    const Travel travel{status.azimuth.travel, status.elevation.travel,
+                        pointing::PointingModel(status.profile->pointing)};
     m_beamWidth = status.profile->mount.beamWidth;
     m_focus = status.target ? *status.target : status.actual.value_or(m_focus);
     const bool moved = !m_editor->isDragging() && m_zoom.follow(m_focus);
@@ -303,6 +304,7 @@ void PolarPlot::showMarkers(const StationStatus& status)
     markers.commanded = age == Freshness::NoData || !known ? std::nullopt : status.commanded;
     markers.target = status.target;
     markers.sensor = status.sensor.direction;
+    markers.pointing = m_travel.pointing;
     markers.way = markers.commanded ? wayAhead(status) : std::vector<AxisPosition>();
     markers.targetLabel = targetLabel(status);
     markers.beamWidth = m_beamWidth;

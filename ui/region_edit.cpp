@@ -63,6 +63,13 @@ std::string freeName(const std::vector<KeepOut>& keepOuts)
     }
 }
 
+// Where the axes do not show the truth, an angle of theirs says what it is.
+QString axisText(Angle angle, const Travel& travel)
+{
+    const QString text = angleText(angle, 1);
+    return travel.pointing.isIdentity() ? text : RegionEdit::tr("%1\nof the axis").arg(text);
+}
+
 }  // namespace
 
 Angle snapped(Angle angle, Angle step)
@@ -77,13 +84,13 @@ QString describe(const Region& region, const Travel& travel, const Grip& grip)
     const Travel limits = permitted(region, travel);
     switch (grip.part) {
         case RegionPart::AzimuthMin:
-            return RegionEdit::tr("azimuth limit\nfrom %1").arg(angleText(limits.azimuth.min, 1));
+            return RegionEdit::tr("azimuth limit\nfrom %1").arg(axisText(limits.azimuth.min, limits));
         case RegionPart::AzimuthMax:
-            return RegionEdit::tr("azimuth limit\nto %1").arg(angleText(limits.azimuth.max, 1));
+            return RegionEdit::tr("azimuth limit\nto %1").arg(axisText(limits.azimuth.max, limits));
         case RegionPart::ElevationMin:
-            return RegionEdit::tr("lowest elevation\n%1").arg(angleText(limits.elevation.min, 1));
+            return RegionEdit::tr("lowest elevation\n%1").arg(axisText(limits.elevation.min, limits));
         case RegionPart::ElevationMax:
-            return RegionEdit::tr("highest elevation\n%1").arg(angleText(limits.elevation.max, 1));
+            return RegionEdit::tr("highest elevation\n%1").arg(axisText(limits.elevation.max, limits));
         case RegionPart::HorizonPoint: {
             const HorizonPoint& point = region.horizon.at(grip.index);
             return RegionEdit::tr("horizon\naz %1\nel %2")
@@ -104,16 +111,29 @@ RegionDrag::RegionDrag(Region start, const Travel& travel, const Grip& grip, con
       m_travel(travel),
       m_grip(grip),
       m_startIndex(grip.index),
-      m_at(at),
-      m_azimuth(at.azimuth)
+      m_at(inHand(at)),
+      m_azimuth(m_at.azimuth)
 {}
+
+// A limit is an angle of the axes: the hand on it moves them, as it were.
+SkyPointing RegionDrag::inHand(const SkyPointing& place) const
+{
+    if (m_grip.part == RegionPart::HorizonPoint || m_grip.part == RegionPart::KeepOut) {
+        return place;
+    }
+    const AxisPosition axes = m_travel.pointing.toAxes(place).axes;
+    return {axes.azimuth, axes.elevation};
+}
 
 Region RegionDrag::to(const SkyPointing& now, Angle snap)
 {
-    m_azimuth = now.azimuth.nearestTo(m_azimuth);
-    const SkyPointing hand{m_azimuth, now.elevation};
+    const SkyPointing held = inHand(now);
+    m_azimuth = held.azimuth.nearestTo(m_azimuth);
+    const SkyPointing hand{m_azimuth, held.elevation};
     Region region = m_start;
-    const auto& [azimuth, elevation] = permitted(m_start, m_travel);
+    const Travel limits = permitted(m_start, m_travel);
+    const TravelRange& azimuth = limits.azimuth;
+    const TravelRange& elevation = limits.elevation;
     const auto within = [snap](Angle angle, Angle min, Angle max) {
         return std::max(min, std::min(snapped(angle, snap), max));
     };

@@ -62,6 +62,7 @@ public:
     [[nodiscard]] const Grip& grip() const { return m_grip; }  // its index follows a point that passes another one
 
 private:
+    [[nodiscard]] SkyPointing inHand(const SkyPointing& place) const;
     void dragHorizonPoint(pointing::Region& region, const SkyPointing& now, Angle snap);
     void dragKeepOut(pointing::KeepOut& keepOut, const SkyPointing& now, Angle snap) const;
 

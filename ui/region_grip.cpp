@@ -48,6 +48,18 @@ private:
 
     [[nodiscard]] SkyPointing under() const { return m_sky.toSky(m_pixel); }
 
+    // What the axes show where the beam looks there.
+    [[nodiscard]] AxisPosition axesUnder() const { return m_limits.pointing.toAxes(under()).axes; }
+    [[nodiscard]] Angle level() const { return -m_limits.pointing.terms().elevationOffset; }
+    [[nodiscard]] bool onLimitRing(Angle elevation) const
+    {
+        return abs(axesUnder().elevation - std::max(elevation, level())) / 90_deg * m_sky.radius <= m_reach;
+    }
+    [[nodiscard]] bool onLimitRay(Angle azimuth) const
+    {
+        return onRay(under().azimuth + (azimuth - axesUnder().azimuth));
+    }
+
     // Pixels from the ring of an elevation, and from the ray of an azimuth on its side of the zenith.
     [[nodiscard]] bool onRing(Angle elevation) const
     {
@@ -75,15 +87,15 @@ private:
     {
         const auto& [min, max] = m_limits.azimuth;
         const bool wholeCircle = max - min >= 360_deg;
-        if (max <= min || (wholeCircle && under().elevation > kTick)) {
+        if (max <= min || (wholeCircle && axesUnder().elevation > level() + kTick)) {
             return std::nullopt;
         }
-        const bool onMin = onRay(min);
-        const bool onMax = onRay(max);
+        const bool onMin = onLimitRay(min);
+        const bool onMax = onLimitRay(max);
         if (!onMin && !onMax) {
             return std::nullopt;
         }
-        const bool clockwiseOfMin = (under().azimuth - min).wrapped180() >= 0_deg;
+        const bool clockwiseOfMin = (axesUnder().azimuth - min).wrapped180() >= 0_deg;
         return Grip{.part = onMin && (!onMax || clockwiseOfMin) ? RegionPart::AzimuthMin : RegionPart::AzimuthMax};
     }
 
@@ -93,10 +105,10 @@ private:
         if (max <= min) {
             return std::nullopt;
         }
-        if (max <= 90_deg && onRing(max)) {
+        if (max <= level() + 90_deg && onLimitRing(max)) {
             return Grip{.part = RegionPart::ElevationMax};
         }
-        return onRing(std::max(min, 0_deg)) ? std::optional(Grip{.part = RegionPart::ElevationMin}) : std::nullopt;
+        return onLimitRing(min) ? std::optional(Grip{.part = RegionPart::ElevationMin}) : std::nullopt;
     }
 
     [[nodiscard]] KeepOutSides sidesHit(const pointing::KeepOut& keepOut) const

@@ -88,7 +88,8 @@ void RegionItem::drawName(QPainter& painter, const SkySector& sector, const SkyP
 {
     const bool ring = sector.toAzimuth - sector.fromAzimuth >= 360_deg;
     const Angle elevation = (sector.fromElevation + sector.toElevation) * 0.5;
-    QPointF centre = sky.toPixel({ring ? 15_deg : (sector.fromAzimuth + sector.toAzimuth) * 0.5, elevation});
+    const Angle azimuth = ring ? 15_deg : (sector.fromAzimuth + sector.toAzimuth) * 0.5;
+    QPointF centre = sky.toPixel(sector.beam(azimuth, elevation));
     if (!m_view.contains(centre)) {
         centre = ring ? sky.toPixel({sky.toSky(m_view.center()).azimuth, elevation})
                       : (outline(sector, sky).boundingRect() & m_view).center();

@@ -29,13 +29,14 @@ int stepsOf(Angle width)
 }
 
 // The way clockwise from `from` to `to` at one elevation after the other, straight in between.
-void addArc(QPolygonF& line, const SkyPointing& from, const SkyPointing& to, const SkyProjection& sky)
+void addArc(QPolygonF& line, const AxisPosition& from, const AxisPosition& to, const pointing::PointingModel& pointing,
+            const SkyProjection& sky)
 {
     const int steps = stepsOf(abs(to.azimuth - from.azimuth));
     for (int step = 0; step <= steps; ++step) {
         const double part = double(step) / steps;
-        line << sky.toPixel({from.azimuth + (to.azimuth - from.azimuth) * part,
-                             from.elevation + (to.elevation - from.elevation) * part});
+        line << sky.toPixel(pointing.toSky({from.azimuth + (to.azimuth - from.azimuth) * part,
+                                            from.elevation + (to.elevation - from.elevation) * part}));
     }
 }
 
@@ -44,28 +45,35 @@ void addArc(QPolygonF& line, const SkyPointing& from, const SkyPointing& to, con
 Travel permitted(const pointing::Region& region, const Travel& travel)
 {
     return {.azimuth = overlap(region.azimuth, travel.azimuth),
-            .elevation = overlap(region.elevation, travel.elevation)};
+            .elevation = overlap(region.elevation, travel.elevation),
+            .pointing = travel.pointing};
 }
 
 std::vector<SkySector> unreachable(const Travel& permitted)
 {
-    const auto& [azimuth, elevation] = permitted;
+    const auto& [azimuth, elevation, pointing] = permitted;
     std::vector<SkySector> sectors;
     if (azimuth.max <= azimuth.min || elevation.max <= elevation.min) {
         return sectors;  // no profile heard of yet
     }
-    if (elevation.min > 0_deg) {
-        sectors.push_back({0_deg, 360_deg, 0_deg, elevation.min,
-                           named(QT_TRANSLATE_NOOP("SkyLimits", "below %1"), elevation.min), SectorKind::Band});
+    // Where the axes look to the horizon and to their zenith.
+    const Angle level = -pointing.terms().elevationOffset;
+    const Angle zenith = 90_deg + level;
+    const auto add = [&](Angle from, Angle to, Angle low, Angle high, const QString& name, SectorKind kind) {
+        sectors.push_back({from, to, low, high, name, kind, pointing});
+    };
+    if (elevation.min > level) {
+        add(0_deg, 360_deg, level, elevation.min, named(QT_TRANSLATE_NOOP("SkyLimits", "below %1"), elevation.min),
+            SectorKind::Band);
     }
-    if (elevation.max < 90_deg) {
-        sectors.push_back({0_deg, 360_deg, elevation.max, 90_deg,
-                           named(QT_TRANSLATE_NOOP("SkyLimits", "above %1"), elevation.max), SectorKind::Sector});
+    if (elevation.max < zenith) {
+        add(0_deg, 360_deg, elevation.max, zenith, named(QT_TRANSLATE_NOOP("SkyLimits", "above %1"), elevation.max),
+            SectorKind::Sector);
     }
-    const Angle top = std::clamp(180_deg - elevation.max, 0_deg, std::min(elevation.max, 90_deg));
-    if (azimuth.max - azimuth.min < 360_deg && top > 0_deg) {
-        sectors.push_back({azimuth.max, azimuth.min + 360_deg, std::max(elevation.min, 0_deg), top,
-                           QCoreApplication::translate("SkyLimits", "out of limits"), SectorKind::Sector});
+    const Angle top = std::clamp(2.0 * zenith - elevation.max, level, std::min(elevation.max, zenith));
+    if (azimuth.max - azimuth.min < 360_deg && top > level) {
+        add(azimuth.max, azimuth.min + 360_deg, std::max(elevation.min, level), top,
+            QCoreApplication::translate("SkyLimits", "out of limits"), SectorKind::Sector);
     }
     return sectors;
 }
@@ -93,9 +101,11 @@ std::vector<SkySector> sectorsOf(const pointing::Region& region, const Travel& t
 QPainterPath outline(const SkySector& sector, const SkyProjection& sky)
 {
     QPolygonF rim;
-    addArc(rim, {sector.fromAzimuth, sector.fromElevation}, {sector.toAzimuth, sector.fromElevation}, sky);
+    addArc(rim, {sector.fromAzimuth, sector.fromElevation}, {sector.toAzimuth, sector.fromElevation}, sector.pointing,
+           sky);
     QPolygonF inner;
-    addArc(inner, {sector.toAzimuth, sector.toElevation}, {sector.fromAzimuth, sector.toElevation}, sky);
+    addArc(inner, {sector.toAzimuth, sector.toElevation}, {sector.fromAzimuth, sector.toElevation}, sector.pointing,
+           sky);
     QPainterPath path;
     if (sector.toAzimuth - sector.fromAzimuth >= 360_deg) {
         path.addPolygon(rim);
@@ -107,18 +117,26 @@ QPainterPath outline(const SkySector& sector, const SkyProjection& sky)
     return path;
 }
 
-QPainterPath ring(Angle elevation, const SkyProjection& sky)
+QPainterPath ring(Angle elevation, const pointing::PointingModel& pointing, const SkyProjection& sky)
 {
-    const double radius = sky.zenith.y() - sky.toPixel({0_deg, elevation}).y();
+    QPolygonF line;
+    addArc(line, {0_deg, elevation}, {360_deg, elevation}, pointing, sky);
     QPainterPath path;
-    path.addEllipse(sky.zenith, radius, radius);
+    path.addPolygon(line);
+    path.closeSubpath();
     return path;
 }
 
-QPainterPath meridian(Angle azimuth, Angle from, Angle to, const SkyProjection& sky)
+QPainterPath meridian(Angle azimuth, Angle from, Angle to, const pointing::PointingModel& pointing,
+                      const SkyProjection& sky)
 {
-    QPainterPath path(sky.toPixel({azimuth, from}));
-    path.lineTo(sky.toPixel({azimuth, to}));
+    QPolygonF line;
+    const int steps = pointing.isSkewed() ? stepsOf(to - from) : 1;
+    for (int step = 0; step <= steps; ++step) {
+        line << sky.toPixel(pointing.toSky({azimuth, from + (to - from) * (double(step) / steps)}));
+    }
+    QPainterPath path;
+    path.addPolygon(line);
     return path;
 }
 
@@ -132,7 +150,7 @@ QPainterPath horizonLine(const std::vector<pointing::HorizonPoint>& horizon, con
     for (std::size_t i = 0; i < horizon.size(); ++i) {
         const pointing::HorizonPoint& next = horizon[(i + 1) % horizon.size()];
         const Angle wrapped = i + 1 < horizon.size() ? next.azimuth : next.azimuth + 360_deg;
-        addArc(line, {horizon[i].azimuth, horizon[i].elevation}, {wrapped, next.elevation}, sky);
+        addArc(line, {horizon[i].azimuth, horizon[i].elevation}, {wrapped, next.elevation}, {}, sky);
     }
     path.addPolygon(line);
     path.closeSubpath();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/pointing/pointing_model.h"
 #include "core/pointing/region.h"
 #include "core/units/sky.h"
 #include "ui/sky_projection.h"
@@ -10,7 +11,8 @@
 
 #include <vector>
 
-// Which parts of the sky travel, limits and keep-outs leave out, and their shapes on the plot. For drawing only: the
+// Which parts of the sky travel, limits and keep-outs leave out, and their shapes on the plot. Keep-outs and horizon
+// are true directions; travel and limits are mechanical and are drawn where the beam then looks. For drawing only: the
 // station decides what is permitted, from the same values.
 namespace boresight::ui {
 
@@ -21,7 +23,7 @@ enum class SectorKind
     KeepOut  // named by the operator: hatched the other way
 };
 
-// A piece of sky between two azimuths (clockwise from the first) and two elevations.
+// A piece of sky between two azimuths (clockwise from the first) and two elevations, of the axes if they have a model.
 struct SkySector
 {
     Angle fromAzimuth;
@@ -30,15 +32,21 @@ struct SkySector
     Angle toElevation;
     QString name;
     SectorKind kind = SectorKind::Sector;
+    pointing::PointingModel pointing{};
 
+    [[nodiscard]] SkyPointing beam(Angle azimuth, Angle elevation) const
+    {
+        return pointing.toSky({azimuth, elevation});
+    }
     bool operator==(const SkySector&) const = default;
 };
 
-// How far the cable and the mechanics let the axes go.
+// How far the cable and the mechanics let the axes go, and where they look there.
 struct Travel
 {
     TravelRange azimuth;
     TravelRange elevation;
+    pointing::PointingModel pointing{};
 
     bool operator==(const Travel&) const = default;
 };
@@ -56,8 +64,10 @@ struct Travel
 [[nodiscard]] std::vector<SkySector> sectorsOf(const pointing::Region& region, const Travel& travel);
 
 [[nodiscard]] QPainterPath outline(const SkySector& sector, const SkyProjection& sky);
-[[nodiscard]] QPainterPath ring(Angle elevation, const SkyProjection& sky);
-[[nodiscard]] QPainterPath meridian(Angle azimuth, Angle from, Angle to, const SkyProjection& sky);
+// Of the axes: a circle around their zenith, and the way up at one azimuth.
+[[nodiscard]] QPainterPath ring(Angle elevation, const pointing::PointingModel& pointing, const SkyProjection& sky);
+[[nodiscard]] QPainterPath meridian(Angle azimuth, Angle from, Angle to, const pointing::PointingModel& pointing,
+                                    const SkyProjection& sky);
 // The horizon as a closed line, empty without points; the sky below it is between the line and the rim.
 [[nodiscard]] QPainterPath horizonLine(const std::vector<pointing::HorizonPoint>& horizon, const SkyProjection& sky);
 

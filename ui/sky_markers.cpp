@@ -99,8 +99,9 @@ void SkyMarkers::rebuildWay()
         const int steps = std::max(1, static_cast<int>(std::ceil(longest / kWayStep)));
         for (int step = 0; step <= steps; ++step) {
             const double part = double(step) / steps;
-            line << m_projection.toPixel({from.azimuth + (to.azimuth - from.azimuth) * part,
-                                          from.elevation + (to.elevation - from.elevation) * part});
+            line << m_projection.toPixel(
+                m_markers.pointing.toSky({from.azimuth + (to.azimuth - from.azimuth) * part,
+                                          from.elevation + (to.elevation - from.elevation) * part}));
         }
     }
     m_wayPixels.addPolygon(line);

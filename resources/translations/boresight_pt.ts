@@ -344,6 +344,12 @@ el %3</source>
 az %2
 el %3</translation>
     </message>
+    <message>
+        <source>%1
+of the axis</source>
+        <translation>%1
+do eixo</translation>
+    </message>
 </context>
 <context>
     <name>SettingWords</name>
@@ -4726,8 +4732,8 @@ modo moteus %1, falha %2</translation>
         <translation>compensação %1</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
+        <source>axis %1</source>
+        <translation>eixo %1</translation>
     </message>
 </context>
 <context>

@@ -155,5 +155,34 @@ TEST(RegionEdit, SaysWhatIsHeld)
               QStringLiteral("mast\naz 350.0°…10.0°\nel 30.0°…50.0°"));
 }
 
+// A mount that does not know north: its limits lie where the beam looks there, and are dragged there.
+TEST(RegionDrag, LimitsOfAMountThatLeansAreHeldWhereTheyLook)
+{
+    const pointing::PointingModel model(
+        {.azimuthOffset = 37.4_deg, .elevationOffset = 1_deg, .tiltNorth = 0.6_deg, .collimation = 0.3_deg});
+    const Travel leaning{kTravel.azimuth, kTravel.elevation, model};
+    Region region = sample();
+    region.azimuth = {40_deg, 300_deg};
+    const auto grip = [&](const SkyPointing& beam) {
+        return gripAt(region, leaning, kSky, kSky.toPixel(beam), kReach);
+    };
+    EXPECT_EQ(grip(model.toSky({300_deg, 60_deg})), (Grip{RegionPart::AzimuthMax}));
+    EXPECT_EQ(grip(model.toSky({40_deg, 60_deg})), (Grip{RegionPart::AzimuthMin}));
+    EXPECT_EQ(grip({300_deg, 60_deg}), std::nullopt);
+    EXPECT_EQ(grip(model.toSky({150_deg, 0_deg})), (Grip{RegionPart::ElevationMin}));
+    const auto drag = [&](RegionPart part, const AxisPosition& from, const AxisPosition& to) {
+        return RegionDrag(region, leaning, {part}, model.toSky(from)).to(model.toSky(to), 0.5_deg);
+    };
+    EXPECT_EQ(drag(RegionPart::AzimuthMax, {300_deg, 40_deg}, {280.1_deg, 70_deg}).azimuth.max, 280_deg);
+    EXPECT_EQ(drag(RegionPart::AzimuthMin, {40_deg, 40_deg}, {60.1_deg, 20_deg}).azimuth.min, 60_deg);
+    EXPECT_EQ(drag(RegionPart::ElevationMin, {50_deg, 0_deg}, {80_deg, 7.3_deg}).elevation.min, 7.5_deg);
+    // A point of the horizon is a direction.
+    const Grip point{RegionPart::HorizonPoint, 0};
+    EXPECT_EQ(RegionDrag(region, leaning, point, {30_deg, 10_deg}).to({40.1_deg, 12.1_deg}, 0.5_deg).horizon[0],
+              (HorizonPoint{40_deg, 12_deg}));
+    EXPECT_EQ(describe(region, leaning, {RegionPart::AzimuthMax}),
+              QStringLiteral("azimuth limit\nto 300.0°\nof the axis"));
+}
+
 }  // namespace
 }  // namespace boresight::ui

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/axis_readout.h"
+
+#include "tests/ui/sample_status.h"
+#include "ui/value_label.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight::ui {
+namespace {
+
+QString shown(const AxisReadout& readout, const char* name)
+{
+    for (const ValueLabel* const label : readout.findChildren<ValueLabel*>()) {
+        if (label->accessibleName() == QLatin1String(name)) {
+            return label->text();
+        }
+    }
+    return QStringLiteral("no such label");
+}
+
+// At 62.6° and 20° of the axes, on the way to 72.6°.
+StationStatus pointed(const pointing::PointingTerms& terms)
+{
+    StationStatus status = samples::idle();
+    auto profile = std::make_shared<profile::Profile>(*status.profile);
+    profile->pointing = terms;
+    status.profile = profile;
+    status.azimuth.actual = 62.6_deg;
+    status.azimuth.target = 72.6_deg;
+    status.elevation.actual = 20_deg;
+    status.elevation.target = 20_deg;
+    return status;
+}
+
+TEST(AxisReadout, TheNumbersAreTrueAndTheAxisStandsBelow)
+{
+    AxisReadout readout;
+    readout.showStatus(pointed({.azimuthOffset = 37.4_deg, .elevationOffset = -0.5_deg}));
+    EXPECT_EQ(shown(readout, "Actual azimuth"), QStringLiteral("100.00°"));
+    EXPECT_EQ(shown(readout, "Target azimuth"), QStringLiteral("110.00°"));
+    EXPECT_EQ(shown(readout, "Error of azimuth"), QStringLiteral("+10.00°"));
+    EXPECT_TRUE(shown(readout, "Detail of azimuth").contains(QStringLiteral("axis 62.60°")));
+    EXPECT_EQ(shown(readout, "Actual elevation"), QStringLiteral("19.50°"));
+    EXPECT_TRUE(shown(readout, "Detail of elevation").contains(QStringLiteral("axis 20.00°")));
+}
+
+TEST(AxisReadout, WithoutAModelTheAxisIsTheTruth)
+{
+    AxisReadout readout;
+    readout.showStatus(pointed({}));
+    EXPECT_EQ(shown(readout, "Actual azimuth"), QStringLiteral("62.60°"));
+    EXPECT_FALSE(shown(readout, "Detail of azimuth").contains(QStringLiteral("axis")));
+}
+
+}  // namespace
+}  // namespace boresight::ui
