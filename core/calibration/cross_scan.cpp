@@ -6,9 +6,13 @@
 #include "core/calibration/robust_fit.h"
 #include "core/calibration/words.h"
 
+#include <QByteArray>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <string>
 #include <vector>
 
 namespace boresight::calibration {
@@ -45,26 +49,35 @@ std::vector<ScanReading> ofSource(std::span<const ScanReading> readings, const S
     return result;
 }
 
-bool byPower(const ScanReading& a, const ScanReading& b)
-{
-    return a.decibels < b.decibels;
-}
-
 bool byOffset(const ScanReading& a, const ScanReading& b)
 {
     return a.offset < b.offset;
 }
 
-// The readings about the best one, down to the given depth: side lobes are not part of the peak.
-std::vector<ScanReading> aboutPeak(std::vector<ScanReading> readings, double depth)
+// Along the line, each the middle one of itself and its neighbours: one spike or gap is neither peak nor end of it. At
+// the ends the lower of the two.
+std::vector<double> smoothed(const std::vector<ScanReading>& ordered)
 {
-    std::sort(readings.begin(), readings.end(), byOffset);
-    const auto best = std::max_element(readings.begin(), readings.end(), byPower);
-    const double floor = best->decibels - depth;
-    const auto isBelow = [&](const ScanReading& reading) { return reading.decibels < floor; };
-    const auto last = std::find_if(best, readings.end(), isBelow);
-    const auto first = std::find_if(std::reverse_iterator(best), readings.rend(), isBelow).base();
-    return {first, last};
+    std::vector<double> result;
+    for (std::size_t i = 0; i < ordered.size(); ++i) {
+        const double here = ordered[i].decibels;
+        const double before = i > 0 ? ordered[i - 1].decibels : -std::numeric_limits<double>::infinity();
+        const double after =
+            i + 1 < ordered.size() ? ordered[i + 1].decibels : -std::numeric_limits<double>::infinity();
+        result.push_back(std::max(std::min(before, after), std::min(here, std::max(before, after))));
+    }
+    return result;
+}
+
+// The readings about the best one, down to the given depth: side lobes are not part of the peak.
+std::vector<ScanReading> aboutPeak(const std::vector<ScanReading>& ordered, const std::vector<double>& power,
+                                   double depth)
+{
+    const auto best = std::max_element(power.begin(), power.end());
+    const auto isBelow = [floor = *best - depth](double decibels) { return decibels < floor; };
+    const auto last = std::find_if(best, power.end(), isBelow) - power.begin();
+    const auto first = std::find_if(std::reverse_iterator(best), power.rend(), isBelow).base() - power.begin();
+    return {ordered.begin() + first, ordered.begin() + last};
 }
 
 Result<> check(std::span<const ScanReading> readings)
@@ -129,8 +142,11 @@ Result<ScanPeak> peakOf(const Parabola& parabola)
         return failure(ErrorCode::Refused, Text::tr("the power has no peak along this line"));
     }
     if (std::abs(x) >= 1.0) {
-        return failure(ErrorCode::Refused, Text::tr("the peak is not inside this line: move its middle towards %1")
-                                               .arg(inWords(parabola.middle + parabola.half * x, 2)));
+        // How far beyond its end is a guess of a line that has no peak: so scan again from there.
+        const Angle end = parabola.middle + parabola.half * (x > 0.0 ? 1.0 : -1.0);
+        return failure(ErrorCode::Refused,
+                       Text::tr("the peak is not inside this line: move its middle by %1 or more and scan again")
+                           .arg((end > Angle{} ? QStringLiteral("+") : QString()) + inWords(end)));
     }
     const double curve = parabola.fit.solution[2];
     return ScanPeak{.offset = {parabola.middle + parabola.half * x, parabola.half * parabola.sigma()},
@@ -138,6 +154,59 @@ Result<ScanPeak> peakOf(const Parabola& parabola)
                     .halfPowerWidth = parabola.half * (2.0 * std::sqrt(kHalfPower / -curve)),
                     .scatter = parabola.fit.rms,
                     .used = parabola.fit.usedRows()};
+}
+
+// The line in elevation runs at the azimuth of the middle. Where it comes nearest to a source that is so far beside it,
+// it is higher than the source: tan(elevation) = tan(nearest) × cos(beside). Over the top the same holds.
+Angle seenFromBeside(Angle nearest, Angle beside)
+{
+    return Angle::fromRadians(
+        std::atan2(std::sin(nearest.radians()) * std::cos(beside.radians()), std::cos(nearest.radians())));
+}
+
+constexpr std::string_view kOfNumber = "+-.,0123456789eE";
+constexpr std::string_view kBeginsNumber = "+-.0123456789";
+
+bool isLetter(char character)
+{
+    return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z');
+}
+
+// With a point, or with one comma in its place ("-73,2"); a comma at the end is none of it.
+std::optional<double> numberOf(std::string_view text)
+{
+    text = text.substr(0, text.find_last_not_of(",eE") + 1);
+    std::string pointed(text);
+    if (pointed.find('.') == std::string::npos) {
+        std::replace(pointed.begin(), pointed.end(), ',', '.');
+    }
+    const auto value = parseFinite(pointed);
+    return value ? value : parseFinite(text.substr(0, text.find(',')));
+}
+
+// The next that no letter touches from before; the rest of the line begins behind it then.
+std::optional<double> nextNumber(std::string_view& line)
+{
+    std::size_t start = 0;
+    while ((start = line.find_first_of(kBeginsNumber, start)) != std::string_view::npos) {
+        const std::size_t end = std::min(line.find_first_not_of(kOfNumber, start), line.size());
+        const bool isPartOfWord = start > 0 && isLetter(line[start - 1]) && line[start] != '-';
+        const auto value = isPartOfWord ? std::nullopt : numberOf(line.substr(start, end - start));
+        if (value) {
+            line.remove_prefix(end);
+            return value;
+        }
+        start = end;
+    }
+    return std::nullopt;
+}
+
+// In small letters.
+QByteArray wordAhead(std::string_view line)
+{
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    const auto end = std::find_if_not(line.begin(), line.end(), isLetter);
+    return QByteArray(line.data(), end - line.begin()).toLower();
 }
 
 }  // namespace
@@ -148,13 +217,14 @@ Result<ScanPeak> fitScan(std::span<const ScanReading> readings, const ScanLimits
     if (const Result<> good = check(source); !good) {
         return tl::unexpected(good.error());
     }
-    const auto [low, high] = std::minmax_element(source.begin(), source.end(), byPower);
-    if (high->decibels - low->decibels < limits.least) {
-        return failure(
-            ErrorCode::Refused,
-            Text::tr("the power changes by %1 dB only along this line").arg(high->decibels - low->decibels, 0, 'f', 2));
+    std::sort(source.begin(), source.end(), byOffset);
+    const std::vector<double> power = smoothed(source);
+    const auto [low, high] = std::minmax_element(power.begin(), power.end());
+    if (*high - *low < limits.least) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("the power changes by %1 dB only along this line").arg(*high - *low, 0, 'f', 2));
     }
-    const std::vector<ScanReading> top = aboutPeak(std::move(source), limits.depth);
+    const std::vector<ScanReading> top = aboutPeak(source, power, limits.depth);
     const auto parabola = top.size() < kFewest ? std::nullopt : fitParabola(top);
     if (!parabola) {
         return failure(ErrorCode::Refused, Text::tr("%1 readings within %2 dB of the best are too few: scan in smaller "
@@ -187,24 +257,27 @@ Result<CrossScan> fitCrossScan(const AxisPosition& middle, std::span<const ScanR
         return failure(elevationPeak.error().code,
                        Text::tr("in elevation: %1").arg(toQString(elevationPeak.error().text)));
     }
-    return CrossScan{
-        .across = *acrossPeak,
-        .elevation = *elevationPeak,
-        .peak = {middle.azimuth + acrossPeak->offset.value / shrink, middle.elevation + elevationPeak->offset.value},
-        .sigma = std::max(acrossPeak->offset.sigma, elevationPeak->offset.sigma)};
+    const Angle beside = acrossPeak->offset.value / shrink;
+    return CrossScan{.across = *acrossPeak,
+                     .elevation = *elevationPeak,
+                     .peak = {.azimuth = middle.azimuth + beside,
+                              .elevation = seenFromBeside(middle.elevation + elevationPeak->offset.value, beside)},
+                     .sigma = std::max(acrossPeak->offset.sigma, elevationPeak->offset.sigma)};
 }
 
 std::optional<double> parsePower(std::string_view line)
 {
-    constexpr std::string_view kOfNumber = "+-.0123456789eE";
-    for (std::size_t start = line.find_first_of("+-.0123456789"); start != std::string_view::npos;) {
-        const std::size_t end = std::min(line.find_first_not_of(kOfNumber, start), line.size());
-        if (const auto value = parseFinite(line.substr(start, end - start))) {
-            return value;
+    std::optional<double> first;
+    while (const auto found = nextNumber(line)) {
+        const QByteArray unit = wordAhead(line);
+        if (unit.startsWith("db")) {
+            return found;
         }
-        start = line.find_first_of("+-.0123456789", end);
+        if (!first && !unit.endsWith("hz")) {
+            first = found;
+        }
     }
-    return std::nullopt;
+    return first;
 }
 
 }  // namespace boresight::calibration

@@ -17,7 +17,9 @@ namespace boresight::calibration {
 
 struct ScanReading
 {
-    Angle offset;  // from the middle of the scan, on the sky; across: azimuth × cos(elevation)
+    // From the middle of the scan, on the sky; across: azimuth × cos(elevation). Of a source that moves, the middle has
+    // to move with it: the Sun goes a degree in four minutes.
+    Angle offset;
     double decibels = 0.0;
 };
 
@@ -48,12 +50,14 @@ struct CrossScan
     Angle sigma;        // on the sky, the larger of the two
 };
 
-// `middle`: where the axes stood at offset 0 of both lines.
+// `middle`: where the axes stood at offset 0 of both lines; of a moving source, where they would for offset 0 at the
+// time that the peak is to be told for.
 [[nodiscard]] Result<CrossScan> fitCrossScan(const AxisPosition& middle, std::span<const ScanReading> across,
                                              std::span<const ScanReading> elevation, const ScanLimits& limits = {});
 
-// A power as an S-meter or a receiver program sends it, one a line: the first number of the line, in dB
-// ("-73.2", "RSSI: -73.2 dBm").
+// A power as an S-meter or a receiver program sends it, one a line: the first number in dB ("RSSI: -73.2 dBm",
+// "VFO 14.074 MHz -73,2 dBm"), else the first that is no frequency ("-73.2"). A number at the end of a word ("S7") is
+// none.
 [[nodiscard]] std::optional<double> parsePower(std::string_view line);
 
 }  // namespace boresight::calibration

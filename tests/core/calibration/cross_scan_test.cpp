@@ -86,10 +86,49 @@ TEST(CrossScan, IsNotLedAstrayBySideLobesAndSpikes)
     EXPECT_NEAR(peak->offset.value.degrees(), 1.0, 0.2);
 }
 
+// The two lines as a mount sees them, by the true angle between the beam and a source on the sphere.
+TEST(CrossScan, TheGeometryOfTheSphereIsReckonedWith)
+{
+    const AxisPosition middle{.azimuth = 100_deg, .elevation = 75_deg};
+    const AxisPosition source{.azimuth = 116_deg, .elevation = 76_deg};
+    const auto power = [&](Angle azimuth, Angle elevation) {
+        const double cosine = std::sin(elevation.radians()) * std::sin(source.elevation.radians()) +
+                              std::cos(elevation.radians()) * std::cos(source.elevation.radians()) *
+                                  std::cos((azimuth - source.azimuth).radians());
+        const double away = Angle::fromRadians(std::acos(cosine)).degrees() / 10.0;
+        return -12.0 * away * away;
+    };
+    std::vector<ScanReading> across;
+    std::vector<ScanReading> elevation;
+    for (int i = -20; i <= 20; ++i) {
+        const Angle offset = Angle::fromDegrees(0.4 * i);
+        across.push_back(
+            {offset, power(middle.azimuth + offset / std::cos(middle.elevation.radians()), middle.elevation)});
+        elevation.push_back({offset, power(middle.azimuth, middle.elevation + offset)});
+    }
+    const auto cross = fitCrossScan(middle, across, elevation);
+    ASSERT_TRUE(cross.has_value());
+    EXPECT_NEAR(cross->peak.azimuth.degrees(), 116.0, 0.05);
+    EXPECT_NEAR(cross->peak.elevation.degrees(), 76.0, 0.02);
+}
+
+// Somebody's transmitter nearby, and a reading that was lost.
+TEST(CrossScan, OneReadingFarOffIsNotThePeak)
+{
+    auto readings = scan({.at = 1.0, .rise = 1e6, .noise = 0.1}, 8.0, 33);
+    readings[5].decibels += 18.0;
+    readings[18].decibels -= 15.0;
+    const auto peak = fitScan(readings);
+    ASSERT_TRUE(peak.has_value()) << peak.error().text;
+    EXPECT_NEAR(peak->offset.value.degrees(), 1.0, 0.1);
+}
+
 TEST(CrossScan, IsRefusedWithTheReason)
 {
     EXPECT_EQ(reason(scan({}, 6.0, 25)), "accepted");
-    EXPECT_THAT(reason(scan({.at = 9.0}, 6.0, 25)), HasSubstr("the peak is not inside this line"));
+    EXPECT_THAT(reason(scan({.at = 9.0}, 6.0, 25)),
+                HasSubstr("the peak is not inside this line: move its middle by +6.0° or more"));
+    EXPECT_THAT(reason(scan({.at = -9.0}, 6.0, 25)), HasSubstr("by -6.0° or more"));
     EXPECT_THAT(reason(scan({.rise = 0.0}, 6.0, 25)), HasSubstr("dB only along this line"));
     EXPECT_THAT(reason(scan({}, 6.0, 5)), HasSubstr("5 readings show the source"));
     EXPECT_THAT(reason(scan({}, 60.0, 25)), HasSubstr("scan in smaller steps"));
@@ -109,7 +148,8 @@ TEST(CrossScan, BothLinesGiveThePlaceOfTheAxes)
                                     scan({.at = -0.5, .rise = 1e6}, 8.0, 33));
     ASSERT_TRUE(cross.has_value());
     EXPECT_NEAR(cross->peak.azimuth.degrees(), 370.0 + 1.5 / 0.5, 1e-2);
-    EXPECT_NEAR(cross->peak.elevation.degrees(), 59.5, 1e-2);
+    // The line in elevation ran 3° of azimuth beside the source: there its peak is 0.034° higher than the source.
+    EXPECT_NEAR(cross->peak.elevation.degrees(), 59.466, 2e-3);
     const auto bad = fitCrossScan({.azimuth = 0_deg, .elevation = 60_deg}, scan({.at = 1.5}, 8.0, 33), {});
     ASSERT_FALSE(bad.has_value());
     EXPECT_THAT(bad.error().text, HasSubstr("in elevation: 0 readings"));
@@ -121,6 +161,15 @@ TEST(CrossScan, PowersAreReadFromLines)
     EXPECT_EQ(parsePower("-73.2"), -73.2);
     EXPECT_EQ(parsePower("RSSI: -73.2 dBm\r\n"), -73.2);
     EXPECT_EQ(parsePower("l=1e1"), 10.0);
+    EXPECT_EQ(parsePower("-73,2"), -73.2);  // as a German or Portuguese program writes it
+    EXPECT_EQ(parsePower("VFO 14.074 MHz -73 dBm"), -73.0);
+    EXPECT_EQ(parsePower("14.074MHz -73.5dB"), -73.5);
+    EXPECT_EQ(parsePower("-73.2, -74.1"), -73.2);
+    EXPECT_EQ(parsePower("S7"), std::nullopt);
+    EXPECT_EQ(parsePower("VFO 14.074 MHz"), std::nullopt);
+    EXPECT_EQ(parsePower("CH2 -40.5"), -40.5);
+    EXPECT_EQ(parsePower("RSSI-73.2"), -73.2);
+    EXPECT_EQ(parsePower("-73.2 at 1200"), -73.2);
     EXPECT_EQ(parsePower("-- 12"), 12.0);
     EXPECT_EQ(parsePower("no number"), std::nullopt);
     EXPECT_EQ(parsePower("- . e"), std::nullopt);
