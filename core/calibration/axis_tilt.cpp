@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kNoiseFloor = Angle::fromDegrees(0.06).radians();  // the sensor's step: 0.01 m/s² of gravity
 constexpr double kLeastArc = 120.0;                                 // degrees of azimuth
+constexpr std::size_t kFew = 6;                                     // three unknowns and their noise
 
 Angle arcOf(std::span<const LevelSample> samples)
 {
@@ -55,8 +56,10 @@ RobustProblem problemOf(std::span<const LevelSample> samples, Angle north)
     return problem;
 }
 
-// A box that is rolled about the boom by r reads r × (tilt across the boom) / tan(elevation) too much, to first order:
-// the tilt is turned by that part of itself. An error of north turns it, too.
+// With z the sensor's axis, at the elevation e from the vertical in the plane of the boom, cos(reading) = cos(e) -
+// (tilt along the boom) sin(e) + r × (tilt across it) for a box that is rolled about the boom by r. So it reads r ×
+// (tilt across) / sin(e) too little, to first order: the tilt is turned by that part of itself. An error of north turns
+// it, too.
 Angle turned(std::span<const LevelSample> samples, const Estimate& north, const LevelLimits& limits, Angle across)
 {
     Angle sum;
@@ -64,7 +67,7 @@ Angle turned(std::span<const LevelSample> samples, const Estimate& north, const 
         sum += sample.axisElevation;
     }
     const Angle elevation = sum / static_cast<double>(samples.size());
-    return hypot(across * (limits.roll.radians() / std::tan(elevation.radians())), across * north.sigma.radians());
+    return hypot(across * (limits.roll.radians() / std::sin(elevation.radians())), across * north.sigma.radians());
 }
 
 AxisTilt takeOver(const RobustFit& fit)
@@ -96,7 +99,10 @@ Result<AxisTilt> fitAxisTilt(std::span<const LevelSample> samples, const Estimat
     }
     const auto fit = fitRobustly(problemOf(samples, north.value), kNoiseFloor);
     if (!fit) {
-        return failure(ErrorCode::Refused, Text::tr("%1 readings are too few for the tilt").arg(samples.size()));
+        return failure(ErrorCode::Refused,
+                       samples.size() < kFew
+                           ? Text::tr("%1 readings are too few for the tilt").arg(samples.size())
+                           : Text::tr("the readings do not determine the tilt: read it at more azimuths"));
     }
     AxisTilt tilt = takeOver(*fit);
     tilt.north.sigma = hypot(tilt.north.sigma, turned(samples, north, limits, tilt.east.value));

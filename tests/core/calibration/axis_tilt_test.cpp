@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/axis_tilt.h"
 
+#include "core/calibration/words.h"
 #include "tests/fakes/swung_mount.h"
 
 #include <gmock/gmock.h>
@@ -74,6 +75,19 @@ TEST(AxisTilt, TheSigmaIsHonestForRandomMounts)
     EXPECT_GE(honest, 2 * kMounts * 94 / 100);
 }
 
+// With the boom up at 70° a roll still turns the tilt by its whole size: r / sin(elevation), not r / tan(elevation).
+TEST(AxisTilt, TheSigmaIsHonestWithTheBoomHigh)
+{
+    SwungMount mount = leaning();
+    mount.roll = 3.0;
+    const auto tilt = fitAxisTilt(levels(mount, {.elevation = 70.0}), {37.4_deg, 0.01_deg});
+    ASSERT_TRUE(tilt.has_value());
+    const double turned = 0.6 * std::sin((3_deg).radians()) / std::sin((70_deg).radians());
+    EXPECT_GE(hypot(tilt->north.sigma, tilt->east.sigma).degrees(), turned);
+    EXPECT_LT(abs(tilt->north.value - mount.terms.tiltNorth), tilt->north.sigma * 2.0);
+    EXPECT_LT(abs(tilt->east.value - mount.terms.tiltEast), tilt->east.sigma * 2.0);
+}
+
 TEST(AxisTilt, LeavesOutAGust)
 {
     auto samples = levels(leaning());
@@ -93,6 +107,12 @@ TEST(AxisTilt, IsRefusedWithTheReason)
     few.erase(few.begin() + 4, few.end());
     few[3].axisAzimuth = 200_deg;
     EXPECT_THAT(reason(few), HasSubstr("4 readings are too few"));
+    // Many readings, but at two azimuths only.
+    auto two = levels(leaning());
+    for (std::size_t i = 0; i < two.size(); ++i) {
+        two[i].axisAzimuth = i % 2 == 0 ? 0_deg : 150_deg;
+    }
+    EXPECT_THAT(reason(two), HasSubstr("do not determine the tilt: read it at more azimuths"));
     few[2].elevation = Angle::fromDegrees(std::nan(""));
     EXPECT_THAT(reason(few), HasSubstr("not a number"));
 }
