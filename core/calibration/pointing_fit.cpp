@@ -15,7 +15,7 @@ using pointing::PointingModel;
 using pointing::PointingTerms;
 
 constexpr double kDataRule = 0.5;    // of the sigma known before: below, it is the points that tell
-constexpr double kFarOff = 4.0;      // sigmas, of a point that the others do not agree with
+constexpr double kUnlikely = 3e-4;   // of a good point to be so far from where the others see it: four sigmas
 constexpr double kTooNoisy = 2.0;    // times the stated sigmas
 constexpr double kLeastLever = 0.2;  // of cos(elevation)
 constexpr double kLeastArc = 90.0;   // degrees of azimuth
@@ -43,10 +43,11 @@ public:
         }
         const auto choice = chooseTerms(m_used, m_before, m_known);
         if (!choice) {
-            return failure(ErrorCode::Refused, Text::tr("the points do not determine the azimuth's offset"));
+            return tl::unexpected(choice.error());
         }
         takeTerms(*choice);
         takeResiduals(*choice);
+        nameStrangers(*choice);
         hint();
         return m_fit;
     }
@@ -132,16 +133,24 @@ private:
         }
     }
 
-    void hint()
+    void nameStrangers(const TermChoice& choice)
     {
-        for (std::size_t i = 0; i < m_fit.points.size(); ++i) {
+        std::size_t place = 0;
+        for (std::size_t i = 0; i < m_given.size(); ++i) {
+            if (!m_given[i].isUsed) {
+                continue;
+            }
             const auto& leftOut = m_fit.points[i].leftOut;
-            if (leftOut && m_used.size() > 2 && leftOut->size() > m_given[i].sigma * (kFarOff * m_fit.noiseScale)) {
+            if (choice.chances[place++] < kUnlikely && leftOut) {
                 say(Text::tr("point %1 is %2 from where the other points say it should be")
                         .arg(i + 1)
                         .arg(inWords(leftOut->size(), 2)));
             }
         }
+    }
+
+    void hint()
+    {
         if (m_fit.noiseScale > kTooNoisy) {
             say(Text::tr("the points scatter %1 times as much as their sigmas say").arg(m_fit.noiseScale, 0, 'f', 1));
         }

@@ -22,7 +22,7 @@ namespace boresight::calibration {
 
 enum class TermState
 {
-    Off,    // stays where it was known to be: the points do not ask for another value, or are too few
+    Off,    // stays as it is in force, or as it was measured: the points do not ask for another value, or are too few
     Held,   // moves, but what was known counts as much as the points, which are few
     Fitted  // the points determine it
 };
@@ -58,9 +58,9 @@ struct PointingFit
     [[nodiscard]] int count(TermState state) const;
 };
 
-// `before`: the model in force; with one or two points all else of it stays. `known` is what is believed without the
-// points; to take it about the model in force again and again would count the same points twice. Refused with the
-// reason.
+// `before`: the model in force; what the points do not ask for stays as it is there, unless `known` says more of it
+// than the usual. With one or two points all else of it stays. `known` is what is believed without the points; to take
+// it about the model in force again and again would count the same points twice. Refused with the reason.
 [[nodiscard]] Result<PointingFit> fitPointing(std::span<const CalibrationPoint> points,
                                               const pointing::PointingTerms& before,
                                               const TermKnowledge& known = TermKnowledge::usual());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/pointing_solver.h"
 
+#include "core/base/text.h"
 #include "core/calibration/words.h"
 
 #include <Eigen/Dense>
@@ -52,12 +53,12 @@ public:
         m_size = static_cast<Eigen::Index>(m_unknowns.size());
     }
 
-    std::optional<TermSolution> run()
+    Result<TermSolution> run()
     {
         for (int round = 0; round < kRounds; ++round) {
             linearise(round < kFreshDerivatives);
             if (round < kFreshDerivatives && !isDetermined()) {
-                return std::nullopt;
+                return failure(ErrorCode::Refused, Text::tr("the points do not determine the azimuth's offset"));
             }
             const Eigen::VectorXd step = m_normal.ldlt().solve(m_gradient);
             for (Eigen::Index i = 0; i < m_size; ++i) {
@@ -67,7 +68,8 @@ public:
                 return solution();
             }
         }
-        return std::nullopt;
+        return failure(ErrorCode::Refused, Text::tr("no mount fits these points: does each tell the direction of what "
+                                                    "the beam was on?"));
     }
 
 private:
@@ -145,30 +147,30 @@ private:
         }
         const Eigen::VectorXd off = residuals(m_terms);
         result.chiSquare = off.squaredNorm();
-        result.leftOut = leftOut(off, covariance);
+        takeLeftOut(result, off, covariance);
         result.logVolume = -0.5 * m_normal.ldlt().vectorD().array().log().sum();
         result.condition = condition();
         return result;
     }
 
     // A fit follows each point by its leverage H = J C Jᵀ, so without it the point is off by (1 - H)⁻¹ times as much.
-    [[nodiscard]] std::vector<std::optional<SkyOffset>> leftOut(const Eigen::VectorXd& off,
-                                                                const Eigen::MatrixXd& covariance) const
+    // Of the same size is its covariance.
+    void takeLeftOut(TermSolution& result, const Eigen::VectorXd& off, const Eigen::MatrixXd& covariance) const
     {
-        std::vector<std::optional<SkyOffset>> result;
         Eigen::Index row = 0;
         for (const CalibrationPoint& point : m_points) {
             const Eigen::MatrixXd design = m_design.middleRows(row, 2);
             const Eigen::Matrix2d rest = Eigen::Matrix2d::Identity() - design * covariance * design.transpose();
             if (rest.determinant() < kAllLeverage) {
-                result.emplace_back();
+                result.leftOut.emplace_back();
+                result.strangeness.push_back(0.0);
             } else {
                 const Eigen::Vector2d without = rest.inverse() * off.segment<2>(row);
-                result.push_back(SkyOffset{point.sigma * without[0], point.sigma * without[1]});
+                result.leftOut.push_back(SkyOffset{point.sigma * without[0], point.sigma * without[1]});
+                result.strangeness.push_back(without.dot(off.segment<2>(row)));
             }
             row += 2;
         }
-        return result;
     }
 
     std::span<const CalibrationPoint> m_points;
@@ -205,8 +207,8 @@ SkyOffset offsetOf(const CalibrationPoint& point, const PointingModel& model)
     return {.across = Angle::fromRadians(right * stretch), .elevation = Angle::fromRadians(above * stretch)};
 }
 
-std::optional<TermSolution> solveTerms(std::span<const CalibrationPoint> points, const PointingTerms& start,
-                                       const TermSet& set, const TermKnowledge& known)
+Result<TermSolution> solveTerms(std::span<const CalibrationPoint> points, const PointingTerms& start,
+                                const TermSet& set, const TermKnowledge& known)
 {
     return Solver(points, start, set, known).run();
 }

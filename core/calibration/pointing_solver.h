@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/base/result.h"
 #include "core/calibration/pointing_term.h"
 
 #include <array>
@@ -49,14 +50,16 @@ struct TermSolution
     double condition = 1.0;            // of the correlations between the terms, 1: independent
     // Where a fit without this point would see it, to first order; nothing if the others do not determine the terms.
     std::vector<std::optional<SkyOffset>> leftOut;
+    // The square of that in sigmas, of the point and of what the others foresee together; 0 where there is nothing.
+    std::vector<double> strangeness;
 };
 
 using TermSet = std::array<bool, kTerms>;
 
-// Solves for the terms of the set; the others stay as they are in `start`. Nothing if points and knowledge together do
+// Solves for the terms of the set; the others stay as they are in `start`. Refused if points and knowledge together do
 // not determine them, or if it does not converge.
-[[nodiscard]] std::optional<TermSolution> solveTerms(std::span<const CalibrationPoint> points,
-                                                     const pointing::PointingTerms& start, const TermSet& set,
-                                                     const TermKnowledge& known);
+[[nodiscard]] Result<TermSolution> solveTerms(std::span<const CalibrationPoint> points,
+                                              const pointing::PointingTerms& start, const TermSet& set,
+                                              const TermKnowledge& known);
 
 }  // namespace boresight::calibration

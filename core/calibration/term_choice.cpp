@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/term_choice.h"
 
+#include "core/base/text.h"
 #include "core/calibration/words.h"
 
 #include <algorithm>
@@ -52,13 +53,15 @@ TermKnowledge aboutForce(std::size_t points, const PointingTerms& before, const 
     return result;
 }
 
-// What is off stays at what is known of it; the offset of azimuth begins within reach of its solution.
-std::optional<PointingTerms> startFrom(std::span<const CalibrationPoint> points, const PointingTerms& before,
-                                       const TermKnowledge& known)
+// What is off stays in force, typed or found earlier, unless more than the usual is known of it (a tilt, from a swing).
+// The offset of azimuth begins within reach of its solution.
+Result<PointingTerms> startFrom(std::span<const CalibrationPoint> points, const PointingTerms& before,
+                                const TermKnowledge& known)
 {
+    static const TermKnowledge usual = TermKnowledge::usual();
     PointingTerms start = before;
     for (const Term term : kAllTerms) {
-        if (const auto& estimate = known.of(term)) {
+        if (const auto& estimate = known.of(term); estimate && estimate != usual.of(term)) {
             valueOf(start, term) = estimate->value;
         }
     }
@@ -75,7 +78,8 @@ std::optional<PointingTerms> startFrom(std::span<const CalibrationPoint> points,
         weights += shrink * shrink;
     }
     if (weights < kLeastWeight) {
-        return std::nullopt;
+        return failure(ErrorCode::Refused, Text::tr("the points do not determine the azimuth's offset: take one away "
+                                                    "from the zenith"));
     }
     start.azimuthOffset = (start.azimuthOffset + Angle::fromRadians(std::atan2(east, north))).wrapped360();
     return start;
@@ -121,22 +125,38 @@ std::vector<CalibrationPoint> withNoise(std::span<const CalibrationPoint> points
     return result;
 }
 
+// Of each point, against the scatter of the others and no less than the stated sigmas: the tail of the F distribution
+// with two degrees of freedom above. A point among few bends everything, itself included, so then none is accused.
+std::vector<double> chancesOf(const TermSolution& solution, double free)
+{
+    std::vector<double> chances;
+    const double freeOfOthers = free - 2.0;
+    for (const double strangeness : solution.strangeness) {
+        const double scatter = (solution.chiSquare - strangeness) / freeOfOthers;
+        chances.push_back(freeOfOthers < 1.0 ? 1.0
+                                             : std::pow(1.0 + strangeness / (std::max(scatter, 1.0) * freeOfOthers),
+                                                        -freeOfOthers / 2.0));
+    }
+    return chances;
+}
+
 struct Candidate
 {
     TermSet set{};
     TermSolution solution;
 };
 
-std::optional<Candidate> mostProbable(std::span<const CalibrationPoint> points, const PointingTerms& start,
-                                      const TermKnowledge& known)
+Result<Candidate> mostProbable(std::span<const CalibrationPoint> points, const PointingTerms& start,
+                               const TermKnowledge& known)
 {
-    std::optional<Candidate> best;
+    Result<Candidate> best = tl::unexpected(Error{});
     double bestEvidence = 0.0;
     const unsigned last = points.size() >= kPointsForMore ? kAllGroups : 0U;
     for (unsigned groups = 0; groups <= last; ++groups) {
         const TermSet set = withGroups(basicSet(points.size()), groups);
         const auto solution = solveTerms(points, start, set, known);
         if (!solution) {
+            best = best ? best : tl::unexpected(solution.error());
             continue;
         }
         const double found = evidence(*solution, set, known);
@@ -173,26 +193,27 @@ std::array<Angle, kTerms> sigmasAmidUnknown(std::span<const CalibrationPoint> po
 
 }  // namespace
 
-std::optional<TermChoice> chooseTerms(std::span<const CalibrationPoint> points, const PointingTerms& before,
-                                      const TermKnowledge& given)
+Result<TermChoice> chooseTerms(std::span<const CalibrationPoint> points, const PointingTerms& before,
+                               const TermKnowledge& given)
 {
     const TermKnowledge known = aboutForce(points.size(), before, given);
     const auto start = startFrom(points, before, known);
     if (!start) {
-        return std::nullopt;
+        return tl::unexpected(start.error());
     }
     // With all terms moving nothing but noise is left, so that shows what noise there is.
     const TermSet all = withGroups(basicSet(kPointsForMore), kAllGroups);
     const auto whole = solveTerms(points, *start, all, known);
     if (!whole) {
-        return std::nullopt;
+        return tl::unexpected(whole.error());
     }
     const auto rows = 2.0 * static_cast<double>(points.size());
-    const double scale = noiseScaleOf(*whole, rows - unknownsTold(*whole, all, known));
+    const double free = rows - unknownsTold(*whole, all, known);
+    const double scale = noiseScaleOf(*whole, free);
     const std::vector<CalibrationPoint> weighed = withNoise(points, scale);
     const auto best = mostProbable(weighed, *start, known);
     if (!best) {
-        return std::nullopt;
+        return tl::unexpected(best.error());
     }
     return TermChoice{.set = best->set,
                       .terms = best->solution.terms,
@@ -200,6 +221,7 @@ std::optional<TermChoice> chooseTerms(std::span<const CalibrationPoint> points, 
                                     ? sigmasAmidUnknown(weighed, *start, *best, known)
                                     : solveTerms(weighed, *start, all, known).value_or(best->solution).sigmas,
                       .leftOut = best->solution.leftOut,
+                      .chances = chancesOf(*whole, free),
                       .chiSquare = best->solution.chiSquare * scale * scale,
                       .degreesOfFreedom = rows - unknownsTold(best->solution, best->set, known),
                       .noiseScale = scale};

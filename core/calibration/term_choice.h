@@ -17,13 +17,15 @@ struct TermChoice
     pointing::PointingTerms terms;
     std::array<Angle, kTerms> sigmas;               // with all terms uncertain
     std::vector<std::optional<SkyOffset>> leftOut;  // of each point, by a fit without it
+    // Of each point: how likely a good one is so far from where the others see it. 1 where they are too few to tell.
+    std::vector<double> chances;
     double chiSquare = 0.0;
     double degreesOfFreedom = 0.0;
     double noiseScale = 1.0;
 };
 
-// Nothing if the points do not determine the offset of azimuth.
-[[nodiscard]] std::optional<TermChoice> chooseTerms(std::span<const CalibrationPoint> points,
-                                                    const pointing::PointingTerms& before, const TermKnowledge& known);
+// Refused with the reason: the points do not determine the offset of azimuth, or nothing fits them.
+[[nodiscard]] Result<TermChoice> chooseTerms(std::span<const CalibrationPoint> points,
+                                             const pointing::PointingTerms& before, const TermKnowledge& known);
 
 }  // namespace boresight::calibration
