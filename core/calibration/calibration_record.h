@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/calibration/deviation_curve.h"
 #include "core/calibration/pointing_solver.h"
+#include "core/units/site.h"
 
 #include <array>
 #include <cstddef>
@@ -16,14 +17,7 @@
 // these, in which one can go back and forth. Pure values; record_text.h makes files of them.
 namespace boresight::calibration {
 
-struct RecordSite
-{
-    Angle latitude;   // north positive
-    Angle longitude;  // east positive
-    double heightMetres = 0.0;
-
-    bool operator==(const RecordSite&) const = default;
-};
+using RecordSite = Site;
 
 // Of what a calibration holds for: elsewhere, or with another drive, it may be wrong.
 struct RecordMount

@@ -114,7 +114,8 @@ private:
                                        .b1 = angle(2),
                                        .a2 = second ? angle(3) : Angle{},
                                        .b2 = second ? angle(4) : Angle{},
-                                       .scatter = Angle::fromRadians(fit.rms)};
+                                       .scatter = Angle::fromRadians(fit.rms),
+                                       .elevation = meanElevation()};
         m_swing.curve = aboutAxis.withNorthMoved(north);
         m_swing.curve.constant = Angle{};
         if (m_swing.coverage.bothWays) {
@@ -152,6 +153,19 @@ private:
         return sigma;
     }
 
+    // Nothing unless all samples tell.
+    [[nodiscard]] std::optional<Angle> meanElevation() const
+    {
+        Angle sum;
+        for (const SwingSample& sample : m_usable) {
+            if (!sample.axisElevation) {
+                return std::nullopt;
+            }
+            sum += *sample.axisElevation;
+        }
+        return sum / static_cast<double>(m_usable.size());
+    }
+
     [[nodiscard]] AngularRate meanRate() const
     {
         AngularRate sum;
@@ -172,6 +186,7 @@ private:
         m_swing.statistical = Angle::fromRadians(std::sqrt(fit.variance(0)));
         m_swing.systematic = systematic();
         m_swing.north.sigma = hypot(m_swing.statistical, m_swing.systematic);
+        m_swing.curve.constantSigma = m_swing.north.sigma;
     }
 
     std::span<const SwingSample> m_given;

@@ -28,9 +28,10 @@ struct SwingSample
     Angle axisAzimuth;  // at the time the reading is about: the sensor's latency is dealt with
     AngularRate axisRate;
     Turning turning = Turning::Clockwise;  // the way it turns, or came to this heading
-    orientation::SensorHeading heading;    // declination is dealt with
+    orientation::SensorHeading heading;    // as sent, less the declination that the firmware adds
     std::optional<int> magnetometerCalibration;
-    double motorCurrent = 0.0;  // A, the larger of the two motors'
+    double motorCurrent = 0.0;           // A, the larger of the two motors'
+    std::optional<Angle> axisElevation;  // for the curve, which holds there
 };
 
 struct SwingLimits
@@ -83,7 +84,7 @@ struct SwingCoverage
 
 struct CompassSwing
 {
-    Estimate north;     // true azimuth = azimuth of the axis + north; 0…360°
+    Estimate north;     // azimuth from where the headings count = azimuth of the axis + north; 0…360°
     Angle statistical;  // the part of its sigma that comes from the readings,
     Angle systematic;   // and the part that no swing can see
     DeviationCurve curve;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/deviation_curve.h"
 
+#include "core/calibration/words.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace boresight::calibration {
 namespace {
@@ -10,11 +13,20 @@ namespace {
 constexpr int kRounds = 60;        // bisection alone would halve an error of a radian to 1e-18
 constexpr double kExact = 1e-14;   // rad
 constexpr double kSteepest = 0.9;  // of the slope -1 at which two headings give one reading
+constexpr int kSlopes = 360;       // looked at: between two of them a slope differs by less than 0.001
+constexpr Angle kUnseenIron = Angle::fromDegrees(2.0);  // a first harmonic may be small by chance
 constexpr Angle kSlack = Angle::fromDegrees(1e-6);
 
 Angle amplitude(Angle sine, Angle cosine)
 {
     return Angle::fromRadians(std::hypot(sine.radians(), cosine.radians()));
+}
+
+// By how much the reading of a sensor that counts clockwise grows with the heading.
+double slopeAt(const DeviationCurve& curve, double psi)
+{
+    return 1.0 + curve.a1.radians() * std::cos(psi) - curve.b1.radians() * std::sin(psi) +
+           2.0 * (curve.a2.radians() * std::cos(2.0 * psi) - curve.b2.radians() * std::sin(2.0 * psi));
 }
 
 }  // namespace
@@ -51,10 +63,7 @@ Angle DeviationCurve::corrected(orientation::SensorHeading reading) const
             break;
         }
         (excess > Angle{} ? high : low) = heading;
-        const double psi = heading.radians();
-        const double slope = 1.0 + a1.radians() * std::cos(psi) - b1.radians() * std::sin(psi) +
-                             2.0 * (a2.radians() * std::cos(2.0 * psi) - b2.radians() * std::sin(2.0 * psi));
-        const Angle step = heading - excess / slope;
+        const Angle step = heading - excess / slopeAt(*this, heading.radians());
         heading = step > low && step < high ? step : (low + high) / 2.0;
     }
     return heading.wrapped360();
@@ -78,7 +87,24 @@ Angle DeviationCurve::secondAmplitude() const
 
 bool DeviationCurve::isInvertible() const
 {
-    return (firstAmplitude() + secondAmplitude() * 2.0).radians() < kSteepest;
+    for (int i = 0; i < kSlopes; ++i) {
+        if (slopeAt(*this, 2.0 * std::numbers::pi * i / kSlopes) < 1.0 - kSteepest) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Hard iron is a vector that goes up and down with the box. The swing sees what of it lies across the needle at its own
+// elevation; each of its three parts is as likely to be large as the others, so what another elevation brings in has
+// the part of the first harmonic that one direction has, by the way that the box has turned.
+Angle DeviationCurve::sigmaAt(Angle otherElevation) const
+{
+    if (!elevation) {
+        return {};
+    }
+    const Angle iron = hypot(firstAmplitude() / std::numbers::sqrt2, kUnseenIron);
+    return iron * std::abs(2.0 * std::sin((otherElevation - *elevation).radians() / 2.0));
 }
 
 DeviationCurve DeviationCurve::withNorthMoved(Angle correction) const

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/orientation/mounting.h"
 #include "core/orientation/orientation.h"
 
+#include <optional>
 #include <vector>
 
 // What iron near the sensor does to its heading, as a function of the true heading ψ of the beam:
@@ -11,15 +13,15 @@
 //
 // The first harmonic is hard iron, the second soft iron that turns with the sensor (the coefficients B, C and D, E of
 // compass adjusters; A is the constant). A swing cannot tell the constant from the offset of north: it is 0 until
-// something that knows north, the Sun say, has been seen. Pure values.
+// something that knows north, the Sun say, has been seen.
+//
+// Headings are less what the firmware adds for a declination, so they count from magnetic north, in the sensor's own
+// sense; north is then that of the magnetic compass, and the declination of the place is added to it
+// (withNorthMoved()), never to a heading that may count backwards. Pure values.
 namespace boresight::calibration {
 
 // Which way the sensor's angle grows when the mount turns clockwise, seen from above.
-enum class AzimuthSense
-{
-    Clockwise,        // with it, as a compass
-    CounterClockwise  // against it: the sensor is mounted face down, or its firmware counts so
-};
+using AzimuthSense = orientation::Sense;
 
 // An arc of true headings, clockwise from `from` to `to` (the whole circle where these are the same), where something
 // steers the needle that no harmonic describes.
@@ -43,6 +45,9 @@ struct DeviationCurve
     Angle a2;
     Angle b2;
     Angle scatter;  // rms of a single reading about the curve
+    // Of what the constant is taken to be: from the swing, or from what told north since. Not known of a typed curve.
+    std::optional<Angle> constantSigma;
+    std::optional<Angle> elevation;  // of the boom while it was swung; the curve holds there
     std::vector<UnreliableSector> unreliable;
 
     // Of a sensor that counts clockwise; without the constant.
@@ -52,9 +57,11 @@ struct DeviationCurve
     [[nodiscard]] Angle corrected(orientation::SensorHeading reading) const;
 
     [[nodiscard]] bool isReliable(Angle heading) const;
+    // Of what the curve does not tell with the boom elsewhere; 0 if its own elevation is not known.
+    [[nodiscard]] Angle sigmaAt(Angle otherElevation) const;
     [[nodiscard]] Angle firstAmplitude() const;
     [[nodiscard]] Angle secondAmplitude() const;
-    // Only then has each reading one heading: the curve falls nowhere by as much as the heading grows.
+    // Only then has each reading one heading: the curve falls nowhere nearly as fast as the heading grows.
     [[nodiscard]] bool isInvertible() const;
 
     // The same readings after true north was found elsewhere: what was heading ψ is really ψ + correction.

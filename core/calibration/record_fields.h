@@ -76,6 +76,8 @@ void fields(Visitor& visitor, DeviationCurve& curve)
     visitor.angle("a2_deg", curve.a2, kOfTerm);
     visitor.angle("b2_deg", curve.b2, kOfTerm);
     visitor.angle("scatter_deg", curve.scatter, kOfSigma);
+    visitor.optionalAngle("constant_sigma_deg", curve.constantSigma, kOfSigma);
+    visitor.optionalAngle("elevation_deg", curve.elevation, kOfElevation);
     visitor.list("unreliable", curve.unreliable);
 }
 

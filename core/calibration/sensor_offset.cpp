@@ -51,6 +51,18 @@ Result<> checkCalibration(std::span<const SensorReading> readings, int needed)
     return {};
 }
 
+// A chip that hangs sends one value for ever. Where it tells its calibration, that is 0 then.
+Result<> checkAlive(std::span<const SensorReading> readings)
+{
+    const bool same = std::all_of(readings.begin(), readings.end(),
+                                  [&](const auto& reading) { return reading.heading == readings.front().heading; });
+    if (same && !worst(readings, &SensorReading::magnetometerCalibration)) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("the sensor repeats one value to the last digit: switch it off and on"));
+    }
+    return {};
+}
+
 Result<> checkMount(std::span<const SensorReading> readings, const SensorOffsetLimits& limits)
 {
     const auto pulls = std::find_if(readings.begin(), readings.end(), [&](const auto& reading) {
@@ -83,41 +95,52 @@ Result<> check(std::span<const SensorReading> readings, const SensorOffsetLimits
         return failure(ErrorCode::Refused,
                        Text::tr("there are %1 readings, and %2 are needed").arg(readings.size()).arg(limits.fewest));
     }
-    return checkCalibration(readings, limits.calibration).and_then([&] { return checkMount(readings, limits); });
+    return checkCalibration(readings, limits.calibration).and_then([&] { return checkAlive(readings); }).and_then([&] {
+        return checkMount(readings, limits);
+    });
 }
 
-std::vector<Angle> offsetsOf(std::span<const SensorReading> readings, const std::optional<DeviationCurve>& curve)
+std::vector<Angle> offsetsOf(std::span<const SensorReading> readings, const DeviationCurve& curve)
 {
     std::vector<Angle> offsets;
     for (const SensorReading& reading : readings) {
-        offsets.push_back((curve ? curve->corrected(reading.heading) : reading.heading.angle()) - reading.axisAzimuth);
+        offsets.push_back(curve.corrected(reading.heading) - reading.axisAzimuth);
     }
     return offsets;
 }
 
-// A curve leaves what it was fitted with, and an unreliable sector is as bad as no curve.
-Angle systematic(const SensorOffsetLimits& limits, const std::optional<DeviationCurve>& curve, Angle heading)
+// A curve leaves what it was fitted with and what its constant is off, and says less of other elevations; alignment and
+// declination are in that constant already. An unreliable sector is as bad as no curve.
+Angle systematic(const SensorOffsetLimits& limits, const std::optional<DeviationCurve>& curve, Angle heading,
+                 const std::optional<Angle>& elevation)
 {
-    const Angle deviation = curve && curve->isReliable(heading) ? curve->scatter : limits.unknownDeviation;
-    return hypot(deviation, limits.alignment);
+    if (!curve || !curve->isReliable(heading)) {
+        return hypot(limits.unknownDeviation, limits.alignment);
+    }
+    const Angle away = elevation ? curve->sigmaAt(*elevation) : Angle{};
+    return hypot(hypot(curve->scatter, curve->constantSigma.value_or(limits.curveConstant)), away);
 }
 
 }  // namespace
 
 Result<SensorOffset> sensorOffset(std::span<const SensorReading> readings, const SensorOffsetLimits& limits,
-                                  const std::optional<DeviationCurve>& curve)
+                                  const std::optional<DeviationCurve>& curve, AzimuthSense sense)
 {
     if (const Result<> good = check(readings, limits); !good) {
         return tl::unexpected(good.error());
     }
-    const std::vector<Angle> offsets = offsetsOf(readings, curve);
+    const std::vector<Angle> offsets = offsetsOf(readings, curve.value_or(DeviationCurve{.sense = sense}));
     const Angle middle = circularMean(offsets).direction;
     RobustProblem problem(1);
     for (const Angle offset : offsets) {
         problem.add(std::array{1.0}, (offset - middle).wrapped180().radians());
     }
     const auto fit = fitRobustly(problem, kNoiseFloor);
-    if (!fit || fit->free < kFewestIndependent) {
+    if (!fit) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("%1 readings are too few, or do not agree: take more").arg(readings.size()));
+    }
+    if (fit->free < kFewestIndependent) {
         return failure(ErrorCode::Refused, Text::tr("the readings drift together: take them for a longer time"));
     }
     const std::size_t rejected = readings.size() - fit->usedRows();
@@ -132,13 +155,14 @@ Result<SensorOffset> sensorOffset(std::span<const SensorReading> readings, const
     }
     const Angle offset = (middle + Angle::fromRadians(fit->solution[0])).wrapped360();
     const Angle statistical = Angle::fromRadians(std::sqrt(fit->variance(0)));
-    const Angle heading = offset + readings.front().axisAzimuth;
-    return SensorOffset{.offset = {offset, hypot(statistical, systematic(limits, curve, heading))},
+    const SensorReading& first = readings.front();
+    const Angle heading = offset + first.axisAzimuth;
+    return SensorOffset{.offset = {offset, hypot(statistical, systematic(limits, curve, heading, first.axisElevation))},
                         .statistical = statistical,
                         .scatter = scatter,
                         .used = fit->usedRows(),
                         .rejected = rejected,
-                        .calibrationKnown = readings.front().magnetometerCalibration.has_value(),
+                        .calibrationKnown = first.magnetometerCalibration.has_value(),
                         .isReliableHere = !curve || curve->isReliable(heading)};
 }
 

@@ -18,12 +18,13 @@ namespace boresight::calibration {
 // One reading of the sensor, with the state of the mount at the time it is about.
 struct SensorReading
 {
-    orientation::SensorHeading heading;  // declination is dealt with
+    orientation::SensorHeading heading;  // as sent, less the declination that the firmware adds
     Angle axisAzimuth;
     AngularRate axisRate;
     double motorCurrent = 0.0;             // A, the larger of the two motors'
     std::optional<int> systemCalibration;  // 0…3; MQTT does not tell
     std::optional<int> magnetometerCalibration;
+    std::optional<Angle> axisElevation;  // a curve holds best at the elevation at which it was swung
 };
 
 struct SensorOffsetLimits
@@ -36,11 +37,12 @@ struct SensorOffsetLimits
     double outliers = 0.2;                              // of the readings, at most
     Angle unknownDeviation = Angle::fromDegrees(6.0);  // rms of ±8° once and ±3° twice round the circle, at one heading
     Angle alignment = Angle::fromDegrees(0.5);         // of the box on the boom, and of the declination
+    Angle curveConstant = Angle::fromDegrees(1.6);  // of a curve that does not tell: what swings have (README.md)
 };
 
 struct SensorOffset
 {
-    Estimate offset;    // true azimuth = azimuth of the axis + offset; 0…360°
+    Estimate offset;    // azimuth from where the headings count = azimuth of the axis + offset; 0…360°
     Angle statistical;  // the part of sigma that more readings make smaller
     Angle scatter;      // rms of the readings
     std::size_t used = 0;
@@ -49,9 +51,11 @@ struct SensorOffset
     bool isReliableHere = true;  // false: the curve says that steel steers the needle at this heading
 };
 
-// `curve`: from an earlier swing, if there was one. Refused with the reason, for the operator.
+// `curve`: from an earlier swing, if there was one; it tells the sense. Without one it has to be known: nothing in the
+// readings of a still mount shows it. Refused with the reason, for the operator.
 [[nodiscard]] Result<SensorOffset> sensorOffset(std::span<const SensorReading> readings,
                                                 const SensorOffsetLimits& limits = {},
-                                                const std::optional<DeviationCurve>& curve = std::nullopt);
+                                                const std::optional<DeviationCurve>& curve = std::nullopt,
+                                                AzimuthSense sense = AzimuthSense::Clockwise);
 
 }  // namespace boresight::calibration

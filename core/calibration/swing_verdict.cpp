@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kFollowsCurrent = 0.6;                   // coefficient of correlation
 constexpr Angle kWorthTelling = Angle::fromDegrees(2.0);  // of hysteresis, of what the current does
+constexpr Angle kFarAway = Angle::fromDegrees(45.0);      // of elevation
 
 std::ptrdiff_t count(const CompassSwing& swing, SampleFate fate)
 {
@@ -78,7 +79,7 @@ public:
                     .arg(inWords(curve.firstAmplitude())));
         }
         if (!curve.isInvertible()) {
-            giveUp(Text::tr("the deviation is so steep that different directions give the same reading"));
+            giveUp(Text::tr("the deviation is so steep that different directions give the same reading, or nearly so"));
         }
         const auto outliers = static_cast<double>(count(m_swing, SampleFate::Outlier));
         const auto tried = outliers + static_cast<double>(count(m_swing, SampleFate::Used));
@@ -107,7 +108,15 @@ public:
             hint(Text::tr("it turned one way only: latency and hysteresis are not seen"));
         }
         if (m_swing.hysteresis && abs(m_swing.hysteresis->value) > kWorthTelling) {
-            hint(Text::tr("the two ways of turning differ by %1").arg(inWords(m_swing.hysteresis->value)));
+            hint(Text::tr("the two ways of turning differ by %1: sensor.latency_s is not right, or something has play; "
+                          "north is the mean of both")
+                     .arg(inWords(m_swing.hysteresis->value)));
+        }
+        const DeviationCurve& curve = m_swing.curve;
+        if (curve.elevation && curve.sigmaAt(*curve.elevation + kFarAway) > kWorthTelling) {
+            hint(Text::tr("the curve holds with the boom at %1: %2 higher or lower it is uncertain by %3")
+                     .arg(inWords(*curve.elevation, 0), inWords(kFarAway, 0),
+                          inWords(curve.sigmaAt(*curve.elevation + kFarAway))));
         }
         for (const UnreliableSector& sector : m_swing.curve.unreliable) {
             hint(Text::tr("from %1 to %2 the compass is off by %3: unreliable there")

@@ -102,7 +102,8 @@ public:
                  .turning = turning,
                  .heading = orientation::SensorHeading::folded(Angle::fromDegrees(read(about, plan.elevation))),
                  .magnetometerCalibration = 3,
-                 .motorCurrent = 0.5});
+                 .motorCurrent = 0.5,
+                 .axisElevation = Angle::fromDegrees(plan.elevation)});
             swung.levels.push_back(
                 {.axisAzimuth = Angle::fromDegrees(now),
                  .axisElevation = Angle::fromDegrees(plan.elevation),

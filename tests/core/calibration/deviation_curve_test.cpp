@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 namespace boresight::calibration {
 namespace {
 
@@ -52,6 +55,51 @@ TEST(DeviationCurve, CorrectsExactlyUpToTheSteepestThatIsInvertible)
     }
     curve.a1 = 58_deg;  // beyond 1 rad the sensor turns back while the mount goes on
     EXPECT_FALSE(curve.isInvertible());
+}
+
+// Both harmonics steepest at different headings: their sum is less steep than the sum of their slopes.
+TEST(DeviationCurve, IsInvertibleWhereverItIsNowhereTooSteep)
+{
+    DeviationCurve curve;
+    curve.a1 = 30_deg;  // falls most at 180°
+    curve.a2 = 14_deg;  // rises most there, falls most at 90°
+    EXPECT_FALSE((curve.firstAmplitude() + curve.secondAmplitude() * 2.0).radians() < 0.9);
+    ASSERT_TRUE(curve.isInvertible());
+    for (int heading = 0; heading < 360; ++heading) {
+        const Angle back = curve.corrected(curve.reading(Angle::fromDegrees(heading)));
+        ASSERT_NEAR((back - Angle::fromDegrees(heading)).wrapped180().degrees(), 0.0, 1e-9) << heading;
+    }
+    curve.a2 = -14_deg;  // falls there, too
+    EXPECT_FALSE(curve.isInvertible());
+}
+
+// Iron that is fixed to the box, in any direction: seen at 20°, it is another curve at 75°.
+TEST(DeviationCurve, TheSigmaAwayFromItsElevationIsHonest)
+{
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> strength(0.0, 5.0);  // degrees of deflection
+    std::uniform_real_distribution<double> anywhere(0.0, 360.0);
+    constexpr int kBoxes = 1000;
+    int inside = 0;
+    int insideHalf = 0;
+    for (int i = 0; i < kBoxes; ++i) {
+        const double forward = strength(random);
+        const double right = strength(random);
+        const double up = strength(random);
+        const auto curveAt = [&](Angle elevation) {
+            const double level = forward * std::cos(elevation.radians()) - up * std::sin(elevation.radians());
+            return DeviationCurve{
+                .a1 = Angle::fromDegrees(level), .b1 = Angle::fromDegrees(right), .elevation = elevation};
+        };
+        const DeviationCurve swung = curveAt(20_deg);
+        const Angle heading = Angle::fromDegrees(anywhere(random));
+        const Angle off = abs(curveAt(75_deg).deviation(heading) - swung.deviation(heading));
+        inside += off < swung.sigmaAt(75_deg) * 2.0 ? 1 : 0;
+        insideHalf += off < swung.sigmaAt(75_deg) * 0.5 ? 1 : 0;
+    }
+    EXPECT_GE(inside, kBoxes * 93 / 100);
+    EXPECT_LE(insideHalf, kBoxes * 65 / 100);
+    EXPECT_EQ(DeviationCurve{.a1 = 8_deg}.sigmaAt(60_deg), Angle{}) << "of a curve that does not tell";
 }
 
 TEST(DeviationCurve, KnowsWhereItIsNotToBeBelieved)

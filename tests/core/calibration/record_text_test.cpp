@@ -27,6 +27,8 @@ DeviationCurve curve()
             .a2 = 0.125_deg,
             .b2 = 3_deg,
             .scatter = 0.5_deg,
+            .constantSigma = 1.25_deg,
+            .elevation = 30_deg,
             .unreliable = {{.from = 350_deg, .to = 10_deg, .residual = -15_deg},
                            {.from = 100_deg, .to = 120_deg, .residual = 9_deg}}};
 }

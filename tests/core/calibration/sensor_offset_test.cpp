@@ -76,13 +76,63 @@ TEST(SensorOffset, UsesTheCurveOfASwing)
     const auto offset = sensorOffset(still, {}, curve);
     ASSERT_TRUE(offset.has_value());
     EXPECT_NEAR(offBy(*offset, 37.4), 0.0, 1e-6);
-    EXPECT_LT(offset->offset.sigma, 1_deg);
+    // The swing's constant is as uncertain as any swing's; told how much, that counts.
+    EXPECT_NEAR(offset->offset.sigma.degrees(), std::hypot(0.5, 1.6), 0.01);
+    curve.constantSigma = 1.3_deg;
+    const auto told = sensorOffset(still, {}, curve);
+    ASSERT_TRUE(told.has_value());
+    EXPECT_NEAR(told->offset.sigma.degrees(), std::hypot(0.5, 1.3), 0.01);
     curve.unreliable = {{.from = 130_deg, .to = 150_deg, .residual = 15_deg}};
     const auto inSteel = sensorOffset(still, {}, curve);
     ASSERT_TRUE(inSteel.has_value());
     EXPECT_GT(inSteel->offset.sigma, 5_deg);
     EXPECT_FALSE(inSteel->isReliableHere);
     EXPECT_TRUE(offset->isReliableHere);
+}
+
+// A box face up counts against the compass. Nothing in a still mount's readings tells that: it has to be known.
+TEST(SensorOffset, ASensorMayCountAgainstTheCompass)
+{
+    const auto still = readings(360.0 - 137.4, 0.5, 60);
+    const auto offset = sensorOffset(still, {}, std::nullopt, AzimuthSense::CounterClockwise);
+    ASSERT_TRUE(offset.has_value());
+    EXPECT_NEAR(offBy(*offset, 37.4), 0.0, 0.25);
+}
+
+// Sydney, 12.83° east, by firmware made for Berlin: its 5.07° is added to a number that counts backwards and is taken
+// off; north is then that of the magnetic compass, and the declination of the place is added to north.
+TEST(SensorOffset, TheDeclinationIsAddedToNorthWhicheverWayTheSensorCounts)
+{
+    constexpr double kTruth = 137.4;
+    constexpr double kDeclination = 12.83;
+    auto still = readings(0.0, 0.0, 20);
+    for (SensorReading& reading : still) {
+        const Angle sent = Angle::fromDegrees(5.07 - (kTruth - kDeclination));
+        reading.heading = SensorHeading::folded(sent - 5.07_deg);
+    }
+    const auto offset = sensorOffset(still, {}, std::nullopt, AzimuthSense::CounterClockwise);
+    ASSERT_TRUE(offset.has_value());
+    EXPECT_NEAR(offBy(*offset, kTruth - 100.0 - kDeclination), 0.0, 1e-9);
+}
+
+// At another elevation other parts of the iron lie across the needle.
+TEST(SensorOffset, IsLessCertainAwayFromTheElevationOfTheSwing)
+{
+    DeviationCurve curve;
+    curve.a1 = 8_deg;
+    curve.scatter = 0.5_deg;
+    curve.constantSigma = 1.3_deg;
+    curve.elevation = 20_deg;
+    const auto sigmaAt = [&](std::optional<Angle> elevation) {
+        auto still = readings(137.4, 0.5, 60);
+        for (SensorReading& reading : still) {
+            reading.axisElevation = elevation;
+        }
+        return sensorOffset(still, {}, curve)->offset.sigma.degrees();
+    };
+    EXPECT_NEAR(sigmaAt(20_deg), 1.4, 0.1);
+    EXPECT_NEAR(sigmaAt(std::nullopt), 1.4, 0.1) << "not told, not reckoned with";
+    EXPECT_NEAR(sigmaAt(80_deg), std::hypot(std::hypot(1.4, 2.0), 8.0 / std::sqrt(2.0)), 0.1);  // 2 sin(60°/2) = 1
 }
 
 // Noise that lasts from one reading to the next does not average out as fast: the true error is within two of the
@@ -139,6 +189,14 @@ TEST(SensorOffset, IsRefusedWithTheReason)
     EXPECT_THAT(reason(bad), HasSubstr("the mount is moving"));
     EXPECT_THAT(reason(readings(137.4, 0.5, 9)), HasSubstr("there are 9 readings, and 10 are needed"));
     EXPECT_THAT(reason({}), HasSubstr("there are 0 readings"));
+    // By MQTT no calibration comes, and a chip that hangs repeats itself.
+    auto frozen = readings(137.4, 0.0, 20);
+    EXPECT_EQ(reason(frozen), "accepted");
+    for (SensorReading& reading : frozen) {
+        reading.magnetometerCalibration.reset();
+        reading.systemCalibration.reset();
+    }
+    EXPECT_THAT(reason(frozen), HasSubstr("the sensor repeats one value to the last digit"));
     auto drifting = readings(137.4, 0.0, 40);
     for (std::size_t i = 0; i < drifting.size(); ++i) {
         drifting[i].heading = SensorHeading::folded(Angle::fromDegrees(137.4 + 0.05 * static_cast<double>(i)));
