@@ -39,13 +39,6 @@ Result<Angle> declinationCorrection(const Declination& declination)
     return *declination.here - declination.inSensor;
 }
 
-Result<Angle> correctedHeading(Angle sensorHeading, const Declination& declination)
-{
-    return declinationCorrection(declination).map([&](Angle correction) {
-        return (sensorHeading + correction).wrapped360();
-    });
-}
-
 std::string describe(const Declination& declination)
 {
     const QString inSensor = signedDegrees(declination.inSensor);

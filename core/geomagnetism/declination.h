@@ -38,10 +38,9 @@ struct Declination
     bool operator==(const Declination&) const = default;
 };
 
-// What to add to the heading that the sensor sends. Refused where Boresight shall apply a value that is not known.
+// What to add to north in place of what the sensor has added: east is positive, whichever way the sensor counts
+// (orientation::Correction does that). Refused where Boresight shall apply a value that is not known.
 [[nodiscard]] Result<Angle> declinationCorrection(const Declination& declination);
-// From the heading that the sensor sends to the one that is used, 0…360°.
-[[nodiscard]] Result<Angle> correctedHeading(Angle sensorHeading, const Declination& declination);
 
 // What is done, with the numbers; and what is doubtful about it, or empty: a declination that was not compiled in for
 // this place, or one that nobody applies.

@@ -115,10 +115,10 @@ QString yearText(double year)
 
 Result<MagneticField> MagneticModel::at(const Site& site, double year) const
 {
-    if (!(year >= validFrom() && year <= validTo())) {
+    if (!(year >= validFrom() && year <= validTo() + kYearsBeyond)) {
         return failure(ErrorCode::OutOfRange,
                        Text::tr("the magnetic model %1 is valid from %2 to %3, not in %4: a file of the present one is "
-                                "needed (World Magnetic Model, .COF)")
+                                "needed (World Magnetic Model, .COF); type the declination meanwhile")
                            .arg(toQString(name()), yearText(validFrom()), yearText(validTo()), yearText(year)));
     }
     Terms terms = m_coefficients.main;
@@ -134,8 +134,15 @@ Result<MagneticField> MagneticModel::at(const Site& site, double year) const
 
 std::string MagneticModel::expiry(double year) const
 {
-    if (year < validTo() - kNoticeYears || year > validTo()) {
+    if (!(year >= validTo() - kNoticeYears)) {
         return {};
+    }
+    if (year > validTo()) {
+        return Text::tr(
+                   "the magnetic model %1 has ended with %2: its declination grows less true each year; get the "
+                   "present one (World Magnetic Model, .COF)")
+            .arg(toQString(name()), yearText(validTo()))
+            .toStdString();
     }
     return Text::tr("the magnetic model %1 ends with %2: look for the next one")
         .arg(toQString(name()), yearText(validTo()))

@@ -16,6 +16,8 @@ class MagneticModel
 {
 public:
     static constexpr double kYearsValid = 5.0;
+    // What the change is off adds up slowly; a mount shall not lose its north on a New Year's Day.
+    static constexpr double kYearsBeyond = 1.0;
 
     explicit MagneticModel(Coefficients coefficients) : m_coefficients(std::move(coefficients)) {}
 
@@ -23,10 +25,10 @@ public:
     [[nodiscard]] double validFrom() const { return m_coefficients.epoch; }
     [[nodiscard]] double validTo() const { return m_coefficients.epoch + kYearsValid; }
 
-    // At a place, in a decimal year (decimal_year.h); refused outside of the model's five years.
+    // At a place, in a decimal year (decimal_year.h); refused outside of the model's five years and the one after.
     [[nodiscard]] Result<MagneticField> at(const Site& site, double year) const;
 
-    // In its last half year: that it ends, and what to do. Else empty.
+    // From its last half year on: that it ends or has ended, and what to do. Else empty.
     [[nodiscard]] std::string expiry(double year) const;
 
 private:

@@ -142,27 +142,30 @@ TEST(MagneticModel, TellsTheChangeThatTheYearsBring)
     }
 }
 
-TEST(MagneticModel, IsRefusedOutsideItsFiveYears)
+TEST(MagneticModel, IsRefusedOutsideItsFiveYearsAndTheOneAfter)
 {
     const MagneticModel model = mixed();
     EXPECT_TRUE(model.at(kZeroZero, 2025.0));
     EXPECT_TRUE(model.at(kZeroZero, 2030.0));
-    const auto late = model.at(kZeroZero, 2030.01);
+    EXPECT_TRUE(model.at(kZeroZero, 2031.0));
+    const auto late = model.at(kZeroZero, 2031.01);
     ASSERT_FALSE(late);
     EXPECT_EQ(late.error().code, ErrorCode::OutOfRange);
     EXPECT_EQ(late.error().text,
-              "the magnetic model TEST is valid from 2025.00 to 2030.00, not in 2030.01: a file of "
-              "the present one is needed (World Magnetic Model, .COF)");
+              "the magnetic model TEST is valid from 2025.00 to 2030.00, not in 2031.01: a file of "
+              "the present one is needed (World Magnetic Model, .COF); type the declination meanwhile");
     EXPECT_FALSE(model.at(kZeroZero, 2024.99));
     EXPECT_FALSE(model.at(kZeroZero, std::nan("")));
 }
 
-TEST(MagneticModel, WarnsInItsLastHalfYear)
+TEST(MagneticModel, WarnsFromItsLastHalfYearOn)
 {
     const MagneticModel model = mixed();
     EXPECT_EQ(model.expiry(2029.49), "");
     EXPECT_EQ(model.expiry(2029.51), "the magnetic model TEST ends with 2030.00: look for the next one");
-    EXPECT_EQ(model.expiry(2030.2), "") << "it is refused then";
+    EXPECT_EQ(model.expiry(2030.2),
+              "the magnetic model TEST has ended with 2030.00: its declination grows less true each year; get the "
+              "present one (World Magnetic Model, .COF)");
 }
 
 // 2000 and 6000 nT, the limits of the World Magnetic Model's report.

@@ -122,6 +122,6 @@ TEST_F(OfficialValues, KnowWhereACompassFails)
 TEST_F(OfficialValues, ArePastFrom2030)
 {
     EXPECT_EQ(m_model->name(), "WMM-2025");
-    EXPECT_FALSE(m_model->at({}, 2030.5));
+    EXPECT_FALSE(m_model->at({}, 2031.5));
     EXPECT_NE(m_model->expiry(2029.9), "");
 }
