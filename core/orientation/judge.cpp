@@ -8,8 +8,7 @@ namespace {
 
 // A sentence comes each second or a little later: so much of the time to being lost is two missing of the five.
 constexpr double kLateShare = 0.6;
-// Compiled into the firmware, and sent with two decimals.
-constexpr Angle kDeadHeading = Angle::fromDegrees(5.07);
+// Sent with two decimals.
 constexpr Angle kRounding = Angle::fromDegrees(0.005);
 // What noise, wind and the average over a second add to a motion.
 constexpr Angle kMargin = Angle::fromDegrees(5.0);
@@ -19,15 +18,16 @@ constexpr Calibration kUncalibrated{};
 
 }  // namespace
 
-bool isDeadMark(const Orientation& value)
+bool isDeadMark(const Orientation& value, Angle declinationInSensor)
 {
-    return abs(value.heading.angle() - kDeadHeading) < kRounding && value.elevation == Angle{} &&
-           value.temperature.value_or(0.0) == 0.0 && value.calibration.value_or(kUncalibrated) == kUncalibrated;
+    return abs(value.heading.since(SensorHeading::folded(declinationInSensor))) < kRounding &&
+           value.elevation == Angle{} && value.temperature.value_or(0.0) == 0.0 &&
+           value.calibration.value_or(kUncalibrated) == kUncalibrated;
 }
 
 Verdict Judge::take(const Orientation& value)
 {
-    m_dead = isDeadMark(value);
+    m_dead = isDeadMark(value, m_settings.declinationInSensor);
     if (m_dead) {
         return Verdict::Dead;
     }

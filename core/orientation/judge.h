@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geomagnetism/declination.h"
 #include "core/orientation/orientation.h"
 
 #include <cstdint>
@@ -17,6 +18,7 @@ struct JudgeSettings
     // The fastest that the antenna turns: what is faster is an outlier, unless it stays so.
     AngularRate azimuthSpeed = AngularRate::fromDegrees(6.0);
     AngularRate elevationSpeed = AngularRate::fromDegrees(6.0);
+    Angle declinationInSensor = geomagnetism::kDeclinationInFirmware;  // all that a dead sensor's heading is
 
     bool operator==(const JudgeSettings&) const = default;
 };
@@ -76,6 +78,7 @@ private:
 };
 
 // Heading the firmware's own declination and everything else zero: failed readings of the chip come back as zeros.
-[[nodiscard]] bool isDeadMark(const Orientation& value);
+[[nodiscard]] bool isDeadMark(const Orientation& value,
+                              Angle declinationInSensor = geomagnetism::kDeclinationInFirmware);
 
 }  // namespace boresight::orientation

@@ -111,6 +111,9 @@ void SerialSource::read()
     const QByteArray bytes = m_port.readAll();
     m_heard = m_heard || !bytes.isEmpty();
     const auto use = [this](const Orientation& value) {
+        if (!m_wanted) {
+            return;  // whoever took the value before this one has closed the port
+        }
         m_status.counts = m_stream.counts();
         m_heard = false;
         m_delay = m_settings.firstRetry;

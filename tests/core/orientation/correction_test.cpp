@@ -14,6 +14,11 @@ double trueDegrees(const Mounting& mounting, const Declination& declination, dou
     return Correction(mounting, declination).trueHeading(SensorHeading::folded(Angle::fromDegrees(heading))).degrees();
 }
 
+Declination bySite(Angle here)
+{
+    return {.by = DeclinationBy::Boresight, .here = here};
+}
+
 TEST(Correction, WithoutSettingsTheSensorIsRight)
 {
     EXPECT_NEAR(Correction().trueHeading(SensorHeading::folded(-12.67_deg)).degrees(), 347.33, 1e-9);
@@ -24,7 +29,6 @@ TEST(Correction, WithoutSettingsTheSensorIsRight)
 // The firmware is built for Berlin: what it adds is taken off before another is added.
 TEST(Correction, NoDeclinationIsAppliedTwice)
 {
-    const auto bySite = [](Angle here) { return Declination{.by = DeclinationBy::Boresight, .here = here}; };
     EXPECT_NEAR(trueDegrees({}, bySite(-12.5_deg), 105.07), 87.5, 1e-9);
     EXPECT_NEAR(trueDegrees({}, bySite(5.07_deg), 105.07), 105.07, 1e-9);
     EXPECT_NEAR(trueDegrees({}, {.by = DeclinationBy::None}, 105.07), 105.07, 1e-9);
@@ -42,6 +46,17 @@ TEST(Correction, ASensorFaceDownCountsBackwards)
     EXPECT_NEAR(trueDegrees(down, {}, 5.07), 5.07, 1e-9);
     EXPECT_NEAR(trueDegrees(down, {}, 35.07), 335.07, 1e-9);
     EXPECT_NEAR(trueDegrees({.sense = Sense::CounterClockwise, .azimuthOffset = 90_deg}, {}, 35.07), 65.07, 1e-9);
+}
+
+// Sydney, 12.83° east: true 100° is magnetic 87.17°; face up the sensor counts that backwards and adds Berlin's 5.07°.
+TEST(Correction, ADeclinationIsEastWhicheverWayTheSensorCounts)
+{
+    const Mounting backwards{.sense = Sense::CounterClockwise};
+    const double sent = 5.07 - 87.17;
+    EXPECT_NEAR(trueDegrees(backwards, bySite(12.83_deg), sent), 100.0, 1e-9);
+    EXPECT_NEAR(trueDegrees(backwards, {.by = DeclinationBy::None}, sent), 87.17 + 5.07, 1e-9)
+        << "the sensor's stays in, as for one that counts with the compass";
+    EXPECT_NEAR(trueDegrees({}, {.by = DeclinationBy::None}, 5.07 + 87.17), 87.17 + 5.07, 1e-9);
 }
 
 TEST(Correction, TheElevationHasItsOwnOffset)

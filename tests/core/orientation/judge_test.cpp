@@ -66,6 +66,22 @@ TEST(Judge, TheMarkOfADeadSensorIsNotUsed)
     EXPECT_EQ(judge.take(plain), Verdict::Dead) << "by MQTT nothing else is told";
 }
 
+// Compiled for another place, or without a declination.
+TEST(Judge, TheMarkOfADeadSensorHasTheFirmwaresDeclination)
+{
+    Judge judge({.declinationInSensor = 12.5_deg});
+    EXPECT_EQ(judge.take(deadValue(1.0)), Verdict::Used) << "5.07° is a heading there";
+    Orientation dead = deadValue(20.0);
+    dead.heading = SensorHeading::folded(12.5_deg);
+    EXPECT_EQ(judge.take(dead), Verdict::Dead);
+    judge.setSettings({.declinationInSensor = -0.004_deg});
+    dead.heading = SensorHeading::folded(0_deg);
+    EXPECT_EQ(judge.take(dead), Verdict::Dead) << "on both sides of north";
+    judge.setSettings({.declinationInSensor = -3_deg});
+    dead.heading = SensorHeading::folded(357_deg);
+    EXPECT_EQ(judge.take(dead), Verdict::Dead);
+}
+
 TEST(Judge, AJumpIsRejectedOnceAndBelievedWhenTheNextTwoAgree)
 {
     Judge judge;

@@ -153,6 +153,17 @@ TEST_F(SerialSourceTest, ClosedItHearsNothing)
     EXPECT_TRUE(values.empty());
 }
 
+TEST_F(SerialSourceTest, ClosedByWhoTookAValueItTellsNoMoreOfTheSamePiece)
+{
+    QObject::connect(&source, &Source::received, &source, [this] { source.close(); });
+    source.open();
+    terminal.write(kSentence + kSentence + kSentence);
+    ASSERT_TRUE(hears(1));
+    QTest::qWait(20);
+    EXPECT_EQ(values.size(), 1U);
+    EXPECT_FALSE(source.status().open);
+}
+
 TEST_F(SerialSourceTest, WhatIsNoPortIsNoPort)
 {
     SerialSource file({.port = QStringLiteral("/dev/null")}, clock);
