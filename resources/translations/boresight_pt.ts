@@ -3712,10 +3712,6 @@ do eixo</translation>
         <translation>a declinação aqui é %1, o sensor somou %2: os seus rumos têm um erro de %3</translation>
     </message>
     <message>
-        <source>the magnetic model %1 is valid from %2 to %3, not in %4: a file of the present one is needed (World Magnetic Model, .COF)</source>
-        <translation>o modelo magnético %1 vale de %2 a %3, não em %4: é preciso um arquivo do atual (World Magnetic Model, .COF)</translation>
-    </message>
-    <message>
         <source>the magnetic model %1 ends with %2: look for the next one</source>
         <translation>o modelo magnético %1 termina em %2: procure o próximo</translation>
     </message>
@@ -4036,10 +4032,6 @@ do eixo</translation>
         <translation>a potência não tem pico ao longo desta linha</translation>
     </message>
     <message>
-        <source>the peak is not inside this line: move its middle towards %1</source>
-        <translation>o pico não está dentro desta linha: desloque o meio dela para %1</translation>
-    </message>
-    <message>
         <source>the power changes by %1 dB only along this line</source>
         <translation>a potência varia apenas %1 dB ao longo desta linha</translation>
     </message>
@@ -4172,10 +4164,6 @@ do eixo</translation>
         <translation>ferro perto do sensor desvia a agulha em %1: é quase tão forte quanto o campo da Terra</translation>
     </message>
     <message>
-        <source>the deviation is so steep that different directions give the same reading</source>
-        <translation>o desvio é tão íngreme que direções diferentes dão a mesma leitura</translation>
-    </message>
-    <message>
         <source>%1 of %2 readings are far off the curve</source>
         <translation>%1 de %2 leituras estão muito longe da curva</translation>
     </message>
@@ -4194,10 +4182,6 @@ do eixo</translation>
     <message>
         <source>it turned one way only: latency and hysteresis are not seen</source>
         <translation>girou só para um lado: não se veem a latência nem a histerese</translation>
-    </message>
-    <message>
-        <source>the two ways of turning differ by %1</source>
-        <translation>os dois sentidos de giro diferem em %1</translation>
     </message>
     <message>
         <source>from %1 to %2 the compass is off by %3: unreliable there</source>
@@ -4402,6 +4386,50 @@ do eixo</translation>
     <message>
         <source>Move the mount away, or let the Sun pass; sun.keep_away switches this off</source>
         <translation>Afaste a montagem ou deixe o Sol passar; sun.keep_away desliga isto</translation>
+    </message>
+    <message>
+        <source>the readings do not determine the tilt: read it at more azimuths</source>
+        <translation>as leituras não determinam a inclinação: leia-a em mais azimutes</translation>
+    </message>
+    <message>
+        <source>the peak is not inside this line: move its middle by %1 or more and scan again</source>
+        <translation>o pico não está dentro desta linha: desloque o meio dela em %1 ou mais e varra de novo</translation>
+    </message>
+    <message>
+        <source>no mount fits these points: does each tell the direction of what the beam was on?</source>
+        <translation>nenhuma montagem se ajusta a estes pontos: cada um diz a direção daquilo para que o feixe apontava?</translation>
+    </message>
+    <message>
+        <source>the sensor repeats one value to the last digit: switch it off and on</source>
+        <translation>o sensor repete um valor até o último dígito: desligue-o e ligue-o</translation>
+    </message>
+    <message>
+        <source>%1 readings are too few, or do not agree: take more</source>
+        <translation>%1 leituras são poucas, ou não concordam: faça mais</translation>
+    </message>
+    <message>
+        <source>the deviation is so steep that different directions give the same reading, or nearly so</source>
+        <translation>o desvio é tão íngreme que direções diferentes dão a mesma leitura, ou quase</translation>
+    </message>
+    <message>
+        <source>the two ways of turning differ by %1: sensor.latency_s is not right, or something has play; north is the mean of both</source>
+        <translation>os dois sentidos de giro diferem em %1: sensor.latency_s não está certo, ou algo tem folga; o norte é a média dos dois</translation>
+    </message>
+    <message>
+        <source>the curve holds with the boom at %1: %2 higher or lower it is uncertain by %3</source>
+        <translation>a curva vale com a lança a %1: %2 acima ou abaixo ela é incerta em %3</translation>
+    </message>
+    <message>
+        <source>the points do not determine the azimuth&apos;s offset: take one away from the zenith</source>
+        <translation>os pontos não determinam o desvio do azimute: tome um longe do zênite</translation>
+    </message>
+    <message>
+        <source>the magnetic model %1 is valid from %2 to %3, not in %4: a file of the present one is needed (World Magnetic Model, .COF); type the declination meanwhile</source>
+        <translation>o modelo magnético %1 vale de %2 a %3, não em %4: é preciso um arquivo do atual (World Magnetic Model, .COF); enquanto isso, digite a declinação</translation>
+    </message>
+    <message>
+        <source>the magnetic model %1 has ended with %2: its declination grows less true each year; get the present one (World Magnetic Model, .COF)</source>
+        <translation>o modelo magnético %1 terminou em %2: a declinação dele fica menos certa a cada ano; obtenha o atual (World Magnetic Model, .COF)</translation>
     </message>
 </context>
 <context>
