@@ -13,6 +13,10 @@ namespace {
 // A direction less than this inside the hole at the zenith is on its edge; rounding alone is 1e-14°.
 constexpr Angle kRounding = Angle::fromDegrees(1e-9);
 
+// Near the zenith of a leaning mount axis and beam may be half a turn apart. Of the two turns that are then as near,
+// one way takes the lower and the way back the upper: so the turn is kept, whatever rounding does.
+constexpr Angle kBelow = Angle::fromDegrees(1e-6);
+
 Angle angleOf(double y, double x)
 {
     return Angle::fromRadians(std::atan2(y, x));
@@ -86,9 +90,10 @@ SkyPointing PointingModel::toSky(const AxisPosition& axes) const
                               m_tilt.sin);
     const Angle elevation = angleOf(beam.up, std::hypot(beam.north, beam.east));
     if (forward < 0.0) {
-        return {.azimuth = angleOf(-beam.east, -beam.north).nearestTo(azimuth), .elevation = 180_deg - elevation};
+        return {.azimuth = angleOf(-beam.east, -beam.north).nearestTo(azimuth - kBelow),
+                .elevation = 180_deg - elevation};
     }
-    return {.azimuth = angleOf(beam.east, beam.north).nearestTo(azimuth), .elevation = elevation};
+    return {.azimuth = angleOf(beam.east, beam.north).nearestTo(azimuth - kBelow), .elevation = elevation};
 }
 
 Aim PointingModel::toAxes(const SkyPointing& direction) const
@@ -109,9 +114,9 @@ Aim PointingModel::toAxes(const SkyPointing& direction) const
     const Angle azimuth =
         angleOf(beam.east, beam.north) - angleOf(right, overTheTop ? -ahead : ahead) - m_azimuthOffset;
     const Angle elevation = overTheTop ? 180_deg - angleOf(raised, ahead) : angleOf(raised, ahead);
-    return {
-        .axes = {.azimuth = azimuth.nearestTo(direction.azimuth - m_azimuthOffset), .elevation = withoutSag(elevation)},
-        .miss = ahead > 0.0 ? Angle{} : missAt(beam)};
+    return {.axes = {.azimuth = azimuth.nearestTo(direction.azimuth - m_azimuthOffset + kBelow),
+                     .elevation = withoutSag(elevation)},
+            .miss = ahead > 0.0 ? Angle{} : missAt(beam)};
 }
 
 // How much nearer to the zenith (or nadir) of the mount a direction is than the beam can come.

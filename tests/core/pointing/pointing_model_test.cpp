@@ -152,3 +152,18 @@ TEST(PointingModel, TheTurnGoesOnWithTheAxes)
     const PointingModel nearlyATurn({.azimuthOffset = 350_deg});
     EXPECT_NEAR(nearlyATurn.toSky(at(100, 20)).azimuth.degrees(), 90, kExact);
 }
+
+// The mast leans 1° to the east: half a degree from the zenith of the mount, away from the lean, the beam looks half a
+// turn from its axis. Both turns of the axis are then as near.
+TEST(PointingModel, HalfATurnBetweenAxisAndBeamKeepsTheTurn)
+{
+    for (const double elevation : {89.5, 90.5}) {
+        const PointingModel model({.tiltEast = 1_deg});
+        for (const double azimuth : {-450.0, -90.0, 270.0, 630.0}) {
+            const AxisPosition axes = at(azimuth, elevation);
+            const AxisPosition back = model.toAxes(model.toSky(axes)).axes;
+            EXPECT_NEAR(back.azimuth.degrees(), azimuth, kExact) << elevation;
+            EXPECT_NEAR(back.elevation.degrees(), elevation, kExact);
+        }
+    }
+}
