@@ -90,6 +90,34 @@ void addMounting(std::vector<Setting>& list)
         [](auto& p) -> auto& { return p.sensor.mounting.elevationOffset; }));
 }
 
+template <class Access>
+Setting harmonic(const std::string& key, const std::string& text, Access access)
+{
+    constexpr Range kDeviation{-60.0, 60.0};
+    return number("sensor." + key, "°", kDeviation, kNow, text, access);
+}
+
+void addDeviation(std::vector<Setting>& list)
+{
+    list.push_back(harmonic(
+        "deviation_a1_deg",
+        QT_TRANSLATE_NOOP("Text",
+                          "Deviation of the sensor's compass, as a swing finds it: the part that goes with the sine of "
+                          "the true heading."),
+        [](auto& p) -> auto& { return p.sensor.deviation.a1; }));
+    list.push_back(harmonic(
+        "deviation_b1_deg", QT_TRANSLATE_NOOP("Text", "The same: the part that goes with the cosine of the heading."),
+        [](auto& p) -> auto& { return p.sensor.deviation.b1; }));
+    list.push_back(harmonic(
+        "deviation_a2_deg",
+        QT_TRANSLATE_NOOP("Text", "The same: the part that goes with the sine of twice the heading."),
+        [](auto& p) -> auto& { return p.sensor.deviation.a2; }));
+    list.push_back(harmonic(
+        "deviation_b2_deg",
+        QT_TRANSLATE_NOOP("Text", "The same: the part that goes with the cosine of twice the heading."),
+        [](auto& p) -> auto& { return p.sensor.deviation.b2; }));
+}
+
 void addDeclination(std::vector<Setting>& list)
 {
     constexpr Range kDeclination{-180.0, 180.0};
@@ -146,6 +174,7 @@ void addSensor(std::vector<Setting>& list)
 {
     addTransport(list);
     addMounting(list);
+    addDeviation(list);
     addDeclination(list);
     addJudgement(list);
 }

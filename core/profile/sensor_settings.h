@@ -19,6 +19,17 @@ enum class SensorSource
     Simulated  // of the built-in simulated mount
 };
 
+// What iron near the compass does to its heading: the harmonics of core/calibration/deviation_curve.h.
+struct CompassDeviation
+{
+    Angle a1;
+    Angle b1;
+    Angle a2;
+    Angle b2;
+
+    bool operator==(const CompassDeviation&) const = default;
+};
+
 struct SensorSettings
 {
     SensorSource source = SensorSource::None;
@@ -28,6 +39,7 @@ struct SensorSettings
     std::string statusTopic = "antenna/status";
     std::string calibrationTopic = "antenna/calibration";
     orientation::Mounting mounting;
+    CompassDeviation deviation;
     geomagnetism::DeclinationBy declinationBy = geomagnetism::DeclinationBy::Sensor;
     Angle declinationInSensor = geomagnetism::kDeclinationInFirmware;
     Angle declination;            // of the site, as typed; east positive

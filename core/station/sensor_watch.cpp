@@ -3,6 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/station/sensor_curve.h"
 
 namespace boresight {
 namespace {
@@ -97,6 +98,10 @@ geomagnetism::Declination SensorWatch::declination() const
 void SensorWatch::correct()
 {
     m_correction = orientation::Correction(m_settings.mounting, declination());
+    m_deviation.reset();
+    if (m_settings.deviation != profile::CompassDeviation{}) {
+        m_deviation = curveOf(m_settings, m_correction.declination());
+    }
     m_check.forget();
 }
 

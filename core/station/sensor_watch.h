@@ -31,8 +31,6 @@ public:
     SensorWatch(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms);
 
     void setProfile(const profile::Profile& profile);
-    // What a swing found; it then stands for mounting and declination together.
-    void setDeviation(const std::optional<calibration::DeviationCurve>& deviation) { m_deviation = deviation; }
     // Of the site by the magnetic model, or why it is not known. Counts while the profile names a file of one.
     void setSiteDeclination(const Result<Angle>& declination);
 
@@ -64,8 +62,8 @@ private:
     AlarmBoard& m_alarms;
     orientation::Judge m_judge;
     orientation::Correction m_correction;
-    std::optional<calibration::DeviationCurve> m_deviation;
-    std::optional<Result<Angle>> m_siteDeclination;  // by the model
+    std::optional<calibration::DeviationCurve> m_deviation;  // if a swing found one: mounting and declination are in it
+    std::optional<Result<Angle>> m_siteDeclination;          // by the model
     SensorCheck m_check;
     QString m_name;
     orientation::SourceStatus m_source;

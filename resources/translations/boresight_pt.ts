@@ -4431,6 +4431,22 @@ do eixo</translation>
         <source>the magnetic model %1 has ended with %2: its declination grows less true each year; get the present one (World Magnetic Model, .COF)</source>
         <translation>o modelo magnético %1 terminou em %2: a declinação dele fica menos certa a cada ano; obtenha o atual (World Magnetic Model, .COF)</translation>
     </message>
+    <message>
+        <source>Deviation of the sensor&apos;s compass, as a swing finds it: the part that goes with the sine of the true heading.</source>
+        <translation>Desvio da bússola do sensor, como um giro o encontra: a parte que segue o seno do rumo verdadeiro.</translation>
+    </message>
+    <message>
+        <source>The same: the part that goes with the cosine of the heading.</source>
+        <translation>O mesmo: a parte que segue o cosseno do rumo.</translation>
+    </message>
+    <message>
+        <source>The same: the part that goes with the sine of twice the heading.</source>
+        <translation>O mesmo: a parte que segue o seno do dobro do rumo.</translation>
+    </message>
+    <message>
+        <source>The same: the part that goes with the cosine of twice the heading.</source>
+        <translation>O mesmo: a parte que segue o cosseno do dobro do rumo.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

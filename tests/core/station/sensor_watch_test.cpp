@@ -212,9 +212,11 @@ TEST(SensorWatch, WithoutACalibrationItWarnsButProvesNothing)
 
 TEST(SensorWatch, WhatASwingFoundStandsForTheMounting)
 {
-    WatchRig rig;
     const calibration::DeviationCurve curve{.constant = -37_deg, .a1 = 8_deg, .b2 = 3_deg};
-    rig.watch.setDeviation(curve);
+    profile::Profile profile;
+    profile.sensor.mounting.azimuthOffset = 37_deg;
+    profile.sensor.deviation = {.a1 = curve.a1, .b1 = curve.b1, .a2 = curve.a2, .b2 = curve.b2};
+    WatchRig rig(profile);
     rig.heading = curve.reading(100_deg).angle();
     rig.run(3.0);
     EXPECT_NEAR(rig.watch.status().direction->azimuth.degrees(), 100.0, 1e-6);
