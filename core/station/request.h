@@ -39,6 +39,12 @@ struct Step  // move by a fixed amount from the present target
     Angle azimuth;
     Angle elevation;
 };
+struct Follow  // one point of the operator's own stream: what is followed is there now
+{
+    SkyPointing direction;
+    QString what;       // "Sun"
+    bool anew = false;  // the points before say nothing about this one
+};
 struct Nudge  // while a stream is followed: shifts it, see StationStatus::trim; else as Step
 {
     Angle azimuth;
@@ -182,13 +188,13 @@ using CalibrationRequest =
                  request::ApplyCalibration, request::UndoCalibration, request::RedoCalibration>;
 
 using Request =
-    std::variant<request::PointSky, request::PointAxes, request::Jog, request::Move, request::Step, request::Nudge,
-                 request::ClearTrim, request::Horizon, request::Hold, request::Stop, request::ResetStop, request::Park,
-                 request::Home, request::Unwind, request::Rearm, request::TakeAuthority, request::GiveAuthority,
-                 request::GiveLead, request::SetReadOnly, request::Disconnect, request::AcknowledgeAlarms,
-                 request::AcknowledgeAlarm, request::ApplyProfile, request::Reconnect, request::ReadDrives,
-                 request::FixDrives, request::SwitchOff, request::ReleaseBus, request::TakeBus, request::ChooseTurn,
-                 request::ProveCrashStop, request::EndProof, CalibrationRequest>;
+    std::variant<request::PointSky, request::PointAxes, request::Jog, request::Move, request::Step, request::Follow,
+                 request::Nudge, request::ClearTrim, request::Horizon, request::Hold, request::Stop, request::ResetStop,
+                 request::Park, request::Home, request::Unwind, request::Rearm, request::TakeAuthority,
+                 request::GiveAuthority, request::GiveLead, request::SetReadOnly, request::Disconnect,
+                 request::AcknowledgeAlarms, request::AcknowledgeAlarm, request::ApplyProfile, request::Reconnect,
+                 request::ReadDrives, request::FixDrives, request::SwitchOff, request::ReleaseBus, request::TakeBus,
+                 request::ChooseTurn, request::ProveCrashStop, request::EndProof, CalibrationRequest>;
 
 // A request of the screen, numbered so that the answer finds the control that sent it.
 struct NumberedRequest

@@ -73,8 +73,7 @@ Result<> StationControl::handle(const request::Disconnect&, const Source& source
 
 void StationControl::endClientMotion()
 {
-    const bool moves = m_activity != Activity::None && m_activity != Activity::Holding;
-    if (m_commander.kind == SourceKind::Client && moves) {
+    if (followsClient()) {
         m_log.add(Severity::Advisory, m_commander.name, Text::tr("may not move the mount any more: hold"));
         holdHere(Activity::Holding);
     }

@@ -231,7 +231,8 @@ AxisPosition StationControl::turnWithAWay(const AxisPosition& place) const
     return place;
 }
 
-Result<> StationControl::streamTo(pointing::Resolved resolved, const SkyPointing& asked, const Source& source)
+Result<> StationControl::streamTo(pointing::Resolved resolved, const SkyPointing& asked, const Source& source,
+                                  const QString& what)
 {
     if (const std::string why = m_motion.region().reason(resolved.position); !resolved.limited && !why.empty()) {
         resolved.limited = true;  // Motion finds the nearest permitted place, and goes on when the stream comes out
@@ -242,7 +243,7 @@ Result<> StationControl::streamTo(pointing::Resolved resolved, const SkyPointing
     }
     const bool wasLimited = !m_limitedReason.isEmpty();
     const bool newStream = m_activity != Activity::Streaming || m_commander != source;
-    begin(Activity::Streaming, source, QStringLiteral("P ") + text(asked));
+    begin(Activity::Streaming, source, what.isEmpty() ? QStringLiteral("P ") + text(asked) : what);
     if (newStream) {
         m_motion.rest();  // the points of another client say nothing about this one's
     }

@@ -62,6 +62,15 @@ public:
     [[nodiscard]] StationStatus status() const;
     // What the last tick commanded and what the drives have answered to it; empty before the first tick.
     [[nodiscard]] std::optional<TickSample> sample() const;
+    // The mount still does what this source asked for last: nobody has ended it, nor asked for anything else.
+    [[nodiscard]] bool obeys(const Source& source) const { return m_commander == source && moves(); }
+    [[nodiscard]] bool followsClient() const { return m_commander.kind == SourceKind::Client && moves(); }
+    [[nodiscard]] Authority authority() const { return m_arming.authority(); }
+    // Whether this source may send the mount anywhere now; the error says what stands in the way.
+    [[nodiscard]] Result<> mayPoint(const Source& source) const;
+    // Whether the beam can be pointed there from where it is, by all that is permitted.
+    [[nodiscard]] Result<> reaches(const SkyPointing& direction) const;
+    [[nodiscard]] const pointing::PermittedRegion& region() const { return m_motion.region(); }
     // What a client may do now, into its part of the status; `lastMotion` is when it last asked for a motion.
     void describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const;
     // The axes as measured; an error when unknown or older than 1 s.
@@ -121,6 +130,7 @@ private:
     Result<> handle(const request::Jog& wanted, const Source& source);
     Result<> handle(const request::Move& wanted, const Source& source);
     Result<> handle(const request::Step& wanted, const Source& source);
+    Result<> handle(const request::Follow& wanted, const Source& source);
     Result<> handle(const request::Hold& wanted, const Source& source);
     Result<> handle(const request::Stop& wanted, const Source& source);
     Result<> handle(const request::ResetStop& wanted, const Source& source);
@@ -150,15 +160,16 @@ private:
     Result<> handle(const request::Reconnect& wanted, const Source& source);
     Result<> handle(const CalibrationRequest& wanted, const Source& source);
 
-    [[nodiscard]] Result<> mayMove(const Source& source) const;   // armed, and no proof is running
-    [[nodiscard]] Result<> mayPoint(const Source& source) const;  // and both axes know where they are
+    [[nodiscard]] Result<> mayMove(const Source& source) const;  // armed, and no proof is running
     [[nodiscard]] Result<> mayJog(const AxisRates& rates, const Source& source) const;  // or are jogged slowly
     [[nodiscard]] Result<> drivesRest() const;  // for what is done to the drives themselves
+    [[nodiscard]] bool moves() const { return m_activity != Activity::None && m_activity != Activity::Holding; }
     [[nodiscard]] bool turnsKnown() const;
     Result<> goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& text);
     [[nodiscard]] Result<> mayGoTo(const AxisPosition& place) const;  // it is permitted, and there is a way
     [[nodiscard]] AxisPosition turnWithAWay(const AxisPosition& place) const;
-    Result<> streamTo(pointing::Resolved resolved, const SkyPointing& asked, const Source& source);
+    Result<> streamTo(pointing::Resolved resolved, const SkyPointing& asked, const Source& source,
+                      const QString& what = {});
     Result<> runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& text);
     void enforceRegion();
     [[nodiscard]] QString directionText(const AxisPosition& place) const;

@@ -39,7 +39,31 @@ Result<> StationControl::handle(const request::Nudge& wanted, const Source& sour
 
 Result<> StationControl::handle(const request::ClearTrim&, const Source& source)
 {
-    return operatorOnly(source).map([&] { setTrim({}, source); });
+    return operatorOnly(source).map([&] {
+        if (m_trim != AxisPosition{}) {
+            setTrim({}, source);
+        }
+    });
+}
+
+// A stream of the operator's, as a client has one: whatever the stream is of, limits and trim hold for it alike.
+Result<> StationControl::handle(const request::Follow& wanted, const Source& source)
+{
+    return operatorOnly(source).and_then([&] { return mayPoint(source); }).and_then([&] {
+        if (wanted.anew) {
+            m_motion.rest();
+        }
+        return streamTo(m_model.resolve(wanted.direction, heading()), wanted.direction, source, wanted.what);
+    });
+}
+
+Result<> StationControl::reaches(const SkyPointing& direction) const
+{
+    const pointing::Resolved resolved = m_model.resolve(direction, heading());
+    if (resolved.limited) {
+        return failure(ErrorCode::OutOfRange, resolved.reason);
+    }
+    return mayGoTo(resolved.position);
 }
 
 void StationControl::setTrim(const AxisPosition& trim, const Source& source)
@@ -47,7 +71,7 @@ void StationControl::setTrim(const AxisPosition& trim, const Source& source)
     m_trim = trim;
     m_motion.setTrim(trim);
     m_log.add(Severity::Advisory, source.name,
-              Text::tr("trims the targets of clients by %1° in azimuth, %2° in elevation")
+              Text::tr("trims what is followed by %1° in azimuth, %2° in elevation")
                   .arg(trim.azimuth.degrees(), 0, 'f', 2)
                   .arg(trim.elevation.degrees(), 0, 'f', 2));
 }

@@ -2494,10 +2494,6 @@ do eixo</translation>
         <translation>uma compensação acima de %1° já não é uma correção</translation>
     </message>
     <message>
-        <source>trims the targets of clients by %1° in azimuth, %2° in elevation</source>
-        <translation>compensa os alvos dos clientes em %1° de azimute, %2° de elevação</translation>
-    </message>
-    <message>
         <source>jog ends: no farther than 2° until the directions of the axes are confirmed</source>
         <translation>o movimento manual termina: não mais que 2° até estar confirmado para que lado giram os eixos</translation>
     </message>
@@ -4446,6 +4442,14 @@ do eixo</translation>
     <message>
         <source>The same: the part that goes with the cosine of twice the heading.</source>
         <translation>O mesmo: a parte que segue o cosseno do dobro do rumo.</translation>
+    </message>
+    <message>
+        <source>trims what is followed by %1° in azimuth, %2° in elevation</source>
+        <translation>compensa o que é seguido em %1° de azimute, %2° de elevação</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>calibração</translation>
     </message>
 </context>
 <context>
