@@ -4451,6 +4451,58 @@ do eixo</translation>
         <source>calibration</source>
         <translation>calibração</translation>
     </message>
+    <message>
+        <source>a swing turns at %1 to %2°/s</source>
+        <translation>um giro faz-se a %1 até %2°/s</translation>
+    </message>
+    <message>
+        <source>a swing stops at %1 to %2 headings, or at none</source>
+        <translation>um giro para em %1 a %2 rumos, ou em nenhum</translation>
+    </message>
+    <message>
+        <source>only %1 of azimuth are free at this elevation, a swing needs %2: raise the boom</source>
+        <translation>só há %1 de azimute livres nesta elevação, um giro precisa de %2: levante a lança</translation>
+    </message>
+    <message>
+        <source>azimuth axis from %1 to %2 and back, elevation stays at %3</source>
+        <translation>eixo de azimute de %1 a %2 e de volta, a elevação fica em %3</translation>
+    </message>
+    <message>
+        <source>at %1°/s</source>
+        <translation>a %1°/s</translation>
+    </message>
+    <message>
+        <source>with %1 stops each way</source>
+        <translation>com %1 paradas em cada sentido</translation>
+    </message>
+    <message>
+        <source>no tilt at this elevation: it is read between %1 and %2, best at 30°</source>
+        <translation>sem inclinação nesta elevação: lê-se entre %1 e %2, o melhor é 30°</translation>
+    </message>
+    <message>
+        <source>about %1 min %2 s</source>
+        <translation>cerca de %1 min %2 s</translation>
+    </message>
+    <message>
+        <source>the boom stands in what is forbidden: drive it out first</source>
+        <translation>a lança está no que é proibido: tire-a primeiro de lá</translation>
+    </message>
+    <message>
+        <source>going to where the swing begins</source>
+        <translation>indo para onde o giro começa</translation>
+    </message>
+    <message>
+        <source>turning clockwise</source>
+        <translation>girando no sentido horário</translation>
+    </message>
+    <message>
+        <source>turning counter-clockwise</source>
+        <translation>girando no sentido anti-horário</translation>
+    </message>
+    <message>
+        <source>%1, %2 readings</source>
+        <translation>%1, %2 leituras</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

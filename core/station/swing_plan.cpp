@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/swing_plan.h"
+
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+// The compass is a mean over a second: faster, it is smeared over more than it is good for.
+constexpr AngularRate kSlowest = AngularRate::fromDegrees(0.5);
+constexpr AngularRate kFastest = AngularRate::fromDegrees(6.0);
+constexpr int kFewestHeadings = 8;
+constexpr int kMostHeadings = 72;
+// Less does not show even the first harmonic for sure (core/calibration, fitCompassSwing).
+constexpr Angle kLeastArc = Angle::fromDegrees(210.0);
+constexpr Angle kCircle = Angle::fromDegrees(360.0);
+// From the edge of what is free: the swing turns back before it leans on a limit.
+constexpr Angle kMargin = Angle::fromDegrees(1.0);
+constexpr Angle kLowestForTilt = Angle::fromDegrees(10.0);
+constexpr Angle kHighestForTilt = Angle::fromDegrees(80.0);
+
+QString degreesText(Angle angle)
+{
+    return QString::number(angle.degrees(), 'f', 0) + QStringLiteral("°");
+}
+
+// One circle of what is free, as far around the present place as it goes.
+TravelRange arcAround(Angle here, const TravelRange& free)
+{
+    const TravelRange inside{.min = free.min + kMargin, .max = free.max - kMargin};
+    if (inside.max - inside.min <= kCircle) {
+        return inside;
+    }
+    const Angle from = std::clamp(here - kCircle / 2.0, inside.min, inside.max - kCircle);
+    return {.min = from, .max = from + kCircle};
+}
+
+QString obstacleOf(const SwingWish& wish, const SwingPlan& plan)
+{
+    if (wish.rate < kSlowest || wish.rate > kFastest) {
+        return Text::tr("a swing turns at %1 to %2°/s")
+            .arg(kSlowest.degrees(), 0, 'f', 1)
+            .arg(kFastest.degrees(), 0, 'f', 1);
+    }
+    if (wish.headings != 0 && (wish.headings < kFewestHeadings || wish.headings > kMostHeadings)) {
+        return Text::tr("a swing stops at %1 to %2 headings, or at none").arg(kFewestHeadings).arg(kMostHeadings);
+    }
+    if (plan.azimuth.max - plan.azimuth.min < kLeastArc) {
+        return Text::tr("only %1 of azimuth are free at this elevation, a swing needs %2: raise the boom")
+            .arg(degreesText(std::max(plan.azimuth.max - plan.azimuth.min, Angle{})), degreesText(kLeastArc));
+    }
+    return {};
+}
+
+QString textOf(const SwingPlan& plan)
+{
+    const QString where =
+        Text::tr("azimuth axis from %1 to %2 and back, elevation stays at %3")
+            .arg(degreesText(plan.azimuth.min), degreesText(plan.azimuth.max), degreesText(plan.elevation));
+    const QString how = plan.headings == 0 ? Text::tr("at %1°/s").arg(plan.rate.degrees(), 0, 'f', 1)
+                                           : Text::tr("with %1 stops each way").arg(plan.headings);
+    const bool tells = plan.elevation >= kLowestForTilt && plan.elevation <= kHighestForTilt;
+    const QString tilt =
+        tells ? QString()
+              : QStringLiteral("; ") + Text::tr("no tilt at this elevation: it is read between %1 and %2, best at 30°")
+                                           .arg(degreesText(kLowestForTilt), degreesText(kHighestForTilt));
+    const int seconds = static_cast<int>(std::ceil(plan.duration.count()));
+    return QStringLiteral("%1, %2, %3%4")
+        .arg(where, how, Text::tr("about %1 min %2 s").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0')),
+             tilt);
+}
+
+// At full speed; setting off and coming to rest count as a second.
+Seconds wayTime(Angle way, const tracking::MotionLimits& limits)
+{
+    return Seconds(std::abs(way.radians()) / limits.speed.radians() + 1.0);
+}
+
+Seconds durationOf(const SwingPlan& plan, const AxisPosition& here, const tracking::MotionLimits& limits)
+{
+    const Angle arc = plan.azimuth.max - plan.azimuth.min;
+    const Angle nearest = std::min(abs(here.azimuth - plan.azimuth.min), abs(here.azimuth - plan.azimuth.max));
+    Seconds time = wayTime(nearest, limits);
+    if (plan.headings == 0) {
+        return time + Seconds(2.0 * (arc.radians() / plan.rate.radians()) + 2.0);
+    }
+    const auto stops = stopsOf(plan);
+    for (std::size_t i = 1; i < stops.size(); ++i) {
+        time += wayTime(stops[i] - stops[i - 1], limits);
+    }
+    return time + kSwingDwell * static_cast<double>(stops.size());
+}
+
+}  // namespace
+
+Angle stoppingWay(AngularRate rate, const tracking::MotionLimits& limits)
+{
+    const double v = std::abs(rate.radians());
+    const double a = limits.acceleration.radians();
+    return Angle::fromRadians(v * v / (2.0 * a) + v * a / limits.jerk.radians());
+}
+
+std::vector<Angle> stopsOf(const SwingPlan& plan)
+{
+    // A whole circle ends where it began: its last heading is one step before.
+    const Angle arc = plan.azimuth.max - plan.azimuth.min;
+    const bool whole = arc >= kCircle - Angle::fromDegrees(0.01);
+    const Angle step = arc / (whole ? plan.headings : plan.headings - 1);
+    std::vector<Angle> stops;
+    for (int i = 0; i < plan.headings; ++i) {
+        stops.push_back(plan.azimuth.min + step * i);
+    }
+    std::vector<Angle> back(stops.rbegin(), stops.rend());
+    stops.insert(stops.end(), back.begin(), back.end());
+    return stops;
+}
+
+SwingPlan planSwing(const SwingWish& wish, const AxisPosition& here, const pointing::PermittedRegion& region,
+                    const tracking::MotionLimits& limits)
+{
+    SwingPlan plan{.elevation = here.elevation, .rate = std::min(wish.rate, limits.speed), .headings = wish.headings};
+    if (!region.permits(here)) {
+        plan.obstacle = Text::tr("the boom stands in what is forbidden: drive it out first");
+        return plan;
+    }
+    plan.azimuth = arcAround(here.azimuth, region.azimuthsAround(pointing::AxisBox::at(here)));
+    plan.obstacle = obstacleOf(wish, plan);
+    if (plan.obstacle.isEmpty()) {
+        plan.duration = durationOf(plan, here, limits);
+        plan.text = textOf(plan);
+    }
+    return plan;
+}
+
+}  // namespace boresight
