@@ -59,6 +59,7 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
       m_server(serverSettings(profile.rotctld), m_rotator, clock, this),
       m_broker(m_log, clock, this),
       m_sensor(profile, clock, m_log, m_control.alarms(), m_broker, this),
+      m_calibration(m_control, profile, stateDir, clock, m_log),
       m_eventFile(stateDir),
       m_tickTimer(this),
       m_updateTimer(this),
@@ -222,6 +223,7 @@ void Station::keepSample()
 void Station::tick()
 {
     keepSample();
+    m_calibration.tick();
     const auto motion = m_control.tick();
     witness();
     std::vector<CanFrame> frames(motion.begin(), motion.end());
@@ -243,6 +245,7 @@ void Station::tick()
 void Station::witness()
 {
     m_sensor.tick(m_control.direction());
+    m_calibration.take(m_sensor.status());
     const SensorEvidence evidence = m_sensor.evidence();
     m_control.setSensor(evidence.azimuth, evidence.elevation);
 }
@@ -307,6 +310,9 @@ Result<> Station::carryOut(const Request& request)
         apply(applying->profile);
         return {};
     }
+    if (const auto* const wanted = std::get_if<CalibrationRequest>(&request)) {
+        return m_calibration.carryOut(*wanted).map([this] { applyCalibration(); });
+    }
     if (const auto* const reconnect = std::get_if<request::Reconnect>(&request)) {
         m_log.add(
             Severity::Advisory, QStringLiteral("operator"),
@@ -332,7 +338,18 @@ void Station::apply(const profile::Profile& wanted)
     m_server.setAllowed(m_profile.inForce()->rotctld.allow);
     m_broker.apply(m_profile.inForce()->mqtt);
     m_sensor.apply(*m_profile.inForce());
+    m_calibration.setProfile(*m_profile.inForce());
     Q_EMIT profileApplied(wanted);
+}
+
+// As if the operator had typed it into the profile.
+void Station::applyCalibration()
+{
+    if (const auto change = m_calibration.takeChange()) {
+        profile::Profile wanted = m_profile.wanted();
+        change->applyTo(wanted);
+        apply(wanted);
+    }
 }
 
 void Station::updateTaken()
@@ -376,6 +393,7 @@ StationStatus Station::status() const
     status.clients = clients();
     status.broker = m_broker.status();
     status.sensor = m_sensor.status();
+    m_calibration.fill(status);
     return status;
 }
 

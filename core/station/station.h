@@ -6,6 +6,7 @@
 #include "core/memory/memory_file.h"
 #include "core/profile/profile.h"
 #include "core/rotctld/server.h"
+#include "core/station/calibration_desk.h"
 #include "core/station/drive_care.h"
 #include "core/station/event_file.h"
 #include "core/station/event_log.h"
@@ -83,6 +84,7 @@ private:
     [[nodiscard]] TurnKeeper::Start remembered(const std::optional<AxisPosition>& standingAt);
     [[nodiscard]] bool simulated() const { return m_profile.inForce()->bus == "simulated"; }
     void apply(const profile::Profile& wanted);
+    void applyCalibration();
     [[nodiscard]] Result<> carryOut(const Request& request);
     void saveMemory();
     void openServer();
@@ -104,6 +106,7 @@ private:
     rotctld::Server m_server;
     StationBroker m_broker;
     StationSensor m_sensor;
+    CalibrationDesk m_calibration;
     EventFile m_eventFile;
     QTimer m_tickTimer;
     QTimer m_updateTimer;

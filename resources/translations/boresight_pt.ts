@@ -4444,6 +4444,270 @@ do eixo</translation>
         <translation>O mesmo: a parte que segue o cosseno do dobro do rumo.</translation>
     </message>
     <message>
+        <source>the profile does not say where the mount stands: Sun and Moon need the site</source>
+        <translation>o perfil não diz onde está a montagem: Sol e Lua precisam do local</translation>
+    </message>
+    <message>
+        <source>the %1 is below the horizon</source>
+        <translation>%1 está abaixo do horizonte</translation>
+    </message>
+    <message>
+        <source>the profile keeps the beam away from the Sun: if feed and receiver bear it, switch sun.keep_away off first</source>
+        <translation>o perfil mantém o feixe afastado do Sol: se o alimentador e o receptor o suportarem, desligue primeiro sun.keep_away</translation>
+    </message>
+    <message>
+        <source>the %1 is not followed any more: the mount was told otherwise</source>
+        <translation>%1 já não é seguido: a montagem recebeu outra ordem</translation>
+    </message>
+    <message>
+        <source>the %1 is not followed any more</source>
+        <translation>%1 já não é seguido</translation>
+    </message>
+    <message>
+        <source>the beam is led to the Sun</source>
+        <translation>o feixe é levado ao Sol</translation>
+    </message>
+    <message>
+        <source>The mount follows the Sun until something else is asked of it</source>
+        <translation>A montagem segue o Sol até receber outra ordem</translation>
+    </message>
+    <message>
+        <source>Never look along the beam, nor through a sight tube without a solar filter; a dish gathers the Sun&apos;s heat in the feed: cover it, or be quick</source>
+        <translation>Nunca olhe ao longo do feixe, nem por um tubo de visada sem filtro solar; um prato concentra o calor do Sol no alimentador: cubra-o, ou seja rápido</translation>
+    </message>
+    <message>
+        <source>the mount still moves</source>
+        <translation>a montagem ainda se move</translation>
+    </message>
+    <message>
+        <source>there are %1 points already: drop some</source>
+        <translation>já há %1 pontos: descarte alguns</translation>
+    </message>
+    <message>
+        <source>follow the Sun or the Moon first, and centre it</source>
+        <translation>siga primeiro o Sol ou a Lua, e centre-o</translation>
+    </message>
+    <message>
+        <source>an azimuth within 360° and an elevation within 90° are expected</source>
+        <translation>espera-se um azimute até 360° e uma elevação até 90°</translation>
+    </message>
+    <message>
+        <source>landmark</source>
+        <translation>ponto de referência</translation>
+    </message>
+    <message>
+        <source>point %1: %2 at azimuth %3°, elevation %4°; axes %5° %6°</source>
+        <translation>ponto %1: %2 no azimute %3°, elevação %4°; eixos %5° %6°</translation>
+    </message>
+    <message>
+        <source>swings the compass: %1</source>
+        <translation>gira a bússola: %1</translation>
+    </message>
+    <message>
+        <source>a scan is %1° to %2° wide</source>
+        <translation>uma varredura tem de %1° a %2° de largura</translation>
+    </message>
+    <message>
+        <source>this is no power in dB</source>
+        <translation>isto não é uma potência em dB</translation>
+    </message>
+    <message>
+        <source>ended by the operator</source>
+        <translation>terminado pelo operador</translation>
+    </message>
+    <message>
+        <source>the mount follows a client, which the change would move: hold the mount first</source>
+        <translation>a montagem segue um cliente, que a mudança deslocaria: mantenha primeiro a montagem</translation>
+    </message>
+    <message>
+        <source>with this the profile would not make sense, %1: change that first</source>
+        <translation>com isto o perfil não faria sentido, %1: altere isso primeiro</translation>
+    </message>
+    <message>
+        <source>this is not what is proposed any more: look at it again before you apply it</source>
+        <translation>já não é isto que se propõe: veja de novo antes de aplicar</translation>
+    </message>
+    <message>
+        <source>applies &quot;%1&quot;: %2</source>
+        <translation>aplica &quot;%1&quot;: %2</translation>
+    </message>
+    <message>
+        <source>there is no calibration to take back</source>
+        <translation>não há calibração para desfazer</translation>
+    </message>
+    <message>
+        <source>takes back &quot;%1&quot;</source>
+        <translation>desfaz &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>there is no calibration to bring back</source>
+        <translation>não há calibração para refazer</translation>
+    </message>
+    <message>
+        <source>applies &quot;%1&quot; again</source>
+        <translation>aplica &quot;%1&quot; de novo</translation>
+    </message>
+    <message>
+        <source>the calibrations of before cannot be read, and new ones are kept in memory only: %1</source>
+        <translation>as calibrações anteriores não podem ser lidas, e as novas ficam só na memória: %1</translation>
+    </message>
+    <message>
+        <source>the calibrations could not be written: %1</source>
+        <translation>não foi possível gravar as calibrações: %1</translation>
+    </message>
+    <message>
+        <source>azimuth offset</source>
+        <translation>desvio de azimute</translation>
+    </message>
+    <message>
+        <source>elevation offset</source>
+        <translation>desvio de elevação</translation>
+    </message>
+    <message>
+        <source>tilt north</source>
+        <translation>inclinação para norte</translation>
+    </message>
+    <message>
+        <source>tilt east</source>
+        <translation>inclinação para leste</translation>
+    </message>
+    <message>
+        <source>collimation</source>
+        <translation>colimação</translation>
+    </message>
+    <message>
+        <source>non-perpendicularity</source>
+        <translation>não perpendicularidade</translation>
+    </message>
+    <message>
+        <source>elevation sag</source>
+        <translation>flexão em elevação</translation>
+    </message>
+    <message>
+        <source>the azimuth axis shows 0° at a true azimuth of %1 ± %2</source>
+        <translation>o eixo de azimute mostra 0° num azimute verdadeiro de %1 ± %2</translation>
+    </message>
+    <message>
+        <source>north is known to %1 only: Sun or Moon will tell it better</source>
+        <translation>o norte só se conhece a %1: o Sol ou a Lua dizem-no melhor</translation>
+    </message>
+    <message>
+        <source>; the azimuth axis leans by %1 ± %2 towards %3</source>
+        <translation>; o eixo de azimute inclina-se %1 ± %2 para %3</translation>
+    </message>
+    <message>
+        <source>North from the sensor</source>
+        <translation>Norte pelo sensor</translation>
+    </message>
+    <message>
+        <source>North from the compass swing</source>
+        <translation>Norte pelo giro da bússola</translation>
+    </message>
+    <message>
+        <source>Pointing model from %1 points</source>
+        <translation>Modelo de apontamento de %1 pontos</translation>
+    </message>
+    <message>
+        <source>nothing changes</source>
+        <translation>nada muda</translation>
+    </message>
+    <message>
+        <source>at another site</source>
+        <translation>noutro local</translation>
+    </message>
+    <message>
+        <source>with another drive</source>
+        <translation>com outro acionamento</translation>
+    </message>
+    <message>
+        <source>%1 readings</source>
+        <translation>%1 leituras</translation>
+    </message>
+    <message>
+        <source>The beam looks into the Sun: nobody looks along it, nor through a sight tube without a solar filter; mind the heat in the feed</source>
+        <translation>O feixe aponta ao Sol: ninguém olhe ao longo dele, nem por um tubo de visada sem filtro solar; cuidado com o calor no alimentador</translation>
+    </message>
+    <message>
+        <source>a calibration is running: end it first</source>
+        <translation>há uma calibração em curso: termine-a primeiro</translation>
+    </message>
+    <message>
+        <source>the profile names no orientation sensor</source>
+        <translation>o perfil não indica nenhum sensor de orientação</translation>
+    </message>
+    <message>
+        <source>the orientation sensor has said nothing yet</source>
+        <translation>o sensor de orientação ainda não disse nada</translation>
+    </message>
+    <message>
+        <source>the orientation sensor has said nothing for %1 s</source>
+        <translation>o sensor de orientação não diz nada há %1 s</translation>
+    </message>
+    <message>
+        <source>the magnetometer is calibrated to %1 of 3 only, it needs %2: move the sensor in figures of eight</source>
+        <translation>o magnetômetro só está calibrado a %1 de 3, precisa de %2: mova o sensor em forma de oito</translation>
+    </message>
+    <message>
+        <source>the clients have the control: take it before the mount is swung</source>
+        <translation>os clientes têm o controle: assuma-o antes de girar a montagem</translation>
+    </message>
+    <message>
+        <source>done, from %1 readings</source>
+        <translation>feito, de %1 leituras</translation>
+    </message>
+    <message>
+        <source>where the mount stands is not known any more</source>
+        <translation>já não se sabe onde está a montagem</translation>
+    </message>
+    <message>
+        <source>the mount does not get on: something holds it</source>
+        <translation>a montagem não avança: algo a retém</translation>
+    </message>
+    <message>
+        <source>the mount was stopped, or told otherwise</source>
+        <translation>a montagem foi parada, ou recebeu outra ordem</translation>
+    </message>
+    <message>
+        <source>a compass is of no use here: %1</source>
+        <translation>aqui uma bússola não serve: %1</translation>
+    </message>
+    <message>
+        <source>nobody told the power</source>
+        <translation>ninguém indicou a potência</translation>
+    </message>
+    <message>
+        <source>done: the peak is a point now</source>
+        <translation>feito: o pico é agora um ponto</translation>
+    </message>
+    <message>
+        <source>%1, peak</source>
+        <translation>%1, pico</translation>
+    </message>
+    <message>
+        <source>ends without a result: %1</source>
+        <translation>termina sem resultado: %1</translation>
+    </message>
+    <message>
+        <source>there is no point %1</source>
+        <translation>não há ponto %1</translation>
+    </message>
+    <message>
+        <source>back to the middle</source>
+        <translation>de volta ao meio</translation>
+    </message>
+    <message>
+        <source>place %1 of %2</source>
+        <translation>lugar %1 de %2</translation>
+    </message>
+    <message>
+        <source>%1: waits for the power</source>
+        <translation>%1: espera a potência</translation>
+    </message>
+    <message>
+        <source>Moon</source>
+        <translation>Lua</translation>
+    </message>
+    <message>
         <source>trims what is followed by %1° in azimuth, %2° in elevation</source>
         <translation>compensa o que é seguido em %1° de azimute, %2° de elevação</translation>
     </message>

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/body_follower.h"
+
+#include "core/base/text.h"
+
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+using ephemeris::Body;
+
+const QString kCause = QStringLiteral("calibration");
+constexpr std::chrono::seconds kPointPeriod{1};
+// Nearer to the zenith an offset across is more azimuth than anybody means.
+constexpr Angle kHighest = Angle::fromDegrees(89.0);
+
+}  // namespace
+
+const Source& calibrationSource()
+{
+    // Nothing else of the operator's has a number.
+    static const Source kSource{.kind = SourceKind::Operator, .clientId = 1, .name = QStringLiteral("operator")};
+    return kSource;
+}
+
+BodyFollower::BodyFollower(StationControl& control, const profile::Profile& profile, const Clock& clock, EventLog& log)
+    : m_control(control), m_clock(clock), m_log(log), m_bodies(profile.site)
+{
+    setProfile(profile);
+}
+
+void BodyFollower::setProfile(const profile::Profile& profile)
+{
+    m_bodies.setSite(profile.site);
+    m_keepsFromSun = profile.sun.keepAway == profile::KeepAway::On;
+}
+
+Result<SkyPointing> BodyFollower::direction(Body body)
+{
+    const auto direction = m_bodies.direction(body, m_refraction, m_clock.utc());
+    if (!direction) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("the profile does not say where the mount stands: Sun and Moon need the site"));
+    }
+    return *direction;
+}
+
+Result<> BodyFollower::permits(Body body)
+{
+    return direction(body).and_then([&](const SkyPointing& direction) -> Result<> {
+        if (direction.elevation < Angle{}) {
+            return failure(ErrorCode::Refused, Text::tr("the %1 is below the horizon").arg(bodyName(body)));
+        }
+        if (body == Body::Sun && m_keepsFromSun) {
+            return failure(ErrorCode::Refused, Text::tr("the profile keeps the beam away from the Sun: if feed and "
+                                                        "receiver bear it, switch sun.keep_away off first"));
+        }
+        return m_control.reaches(direction);
+    });
+}
+
+BodyNow BodyFollower::now(Body body)
+{
+    BodyNow now{.body = body};
+    if (const auto place = direction(body)) {
+        const auto may = permits(body);
+        const SkyBodies::Times& times = m_bodies.times(body, m_clock.utc());
+        now.direction = *place;
+        now.isUp = place->elevation >= Angle{};
+        now.obstacle = may ? QString() : toQString(may.error().text);
+        now.nextRise = times.rise;
+        now.nextSet = times.set;
+    }
+    return now;
+}
+
+Result<> BodyFollower::follow(Body body, ephemeris::Refraction refraction)
+{
+    m_refraction = refraction;
+    return permits(body)
+        .and_then([&] { return m_control.request(request::ClearTrim{}, calibrationSource()); })
+        .and_then([&] {
+            m_body = body;
+            m_offset = {};
+            return sendPoint(true);
+        })
+        .map([&] {
+            m_following = true;
+            warn();
+        });
+}
+
+Result<> BodyFollower::sendPoint(bool anew)
+{
+    m_next = m_clock.now() + kPointPeriod;
+    return direction(*m_body).and_then([&](SkyPointing place) {
+        place.azimuth += m_offset.across / std::cos(std::min(place.elevation, kHighest).radians());
+        place.elevation += m_offset.elevation;
+        return m_control.request(request::Follow{.direction = place, .what = bodyName(*m_body), .anew = anew},
+                                 calibrationSource());
+    });
+}
+
+Result<> BodyFollower::lookBeside(const calibration::SkyOffset& offset)
+{
+    m_offset = offset;
+    return sendPoint(true);
+}
+
+void BodyFollower::tick()
+{
+    if (!m_following) {
+        return;
+    }
+    if (!m_control.obeys(calibrationSource())) {
+        ended(Text::tr("the %1 is not followed any more: the mount was told otherwise").arg(bodyName(*m_body)));
+    } else if (m_clock.now() >= m_next) {
+        if (const auto may = permits(*m_body).and_then([&] { return sendPoint(false); }); !may) {
+            const QString why = toQString(may.error().text);
+            end();
+            m_log.add(Severity::Warning, kCause, why);
+        }
+    }
+}
+
+void BodyFollower::end()
+{
+    if (m_following) {
+        [[maybe_unused]] const Result<> held = m_control.request(request::Hold{}, calibrationSource());
+        ended(Text::tr("the %1 is not followed any more").arg(bodyName(*m_body)));
+    }
+}
+
+void BodyFollower::ended(const QString& how)
+{
+    m_following = false;
+    m_offset = {};
+    m_control.alarms().clear(kCause);
+    m_log.add(Severity::Advisory, kCause, how);
+    [[maybe_unused]] const Result<> cleared = m_control.request(request::ClearTrim{}, calibrationSource());
+}
+
+void BodyFollower::warn()
+{
+    if (m_body == Body::Sun) {
+        m_control.alarms().raise(
+            kCause, Severity::Warning,
+            {.what = Text::tr("the beam is led to the Sun"),
+             .action = Text::tr("The mount follows the Sun until something else is asked of it"),
+             .remedy = Text::tr("Never look along the beam, nor through a sight tube without a solar filter; a dish "
+                                "gathers the Sun's heat in the feed: cover it, or be quick")});
+    }
+}
+
+}  // namespace boresight

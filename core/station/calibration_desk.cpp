@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/calibration_desk.h"
+
+#include "core/base/text.h"
+#include "core/profile/setting.h"
+#include "core/station/sensor_curve.h"
+
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+const QString kSource = QStringLiteral("calibration");
+// A body that is centred by hand, by shadow or sight tube.
+constexpr Angle kCentred = Angle::fromDegrees(0.03);
+// A landmark from a map, and a hand that points the beam at it.
+constexpr Angle kKnownPoint = Angle::fromDegrees(0.1);
+constexpr AngularRate kStanding = AngularRate::fromDegrees(0.1);  // faster than the Sun but near the zenith
+constexpr std::size_t kMostPoints = 200;
+constexpr Angle kNarrowestScan = Angle::fromDegrees(0.2);
+constexpr Angle kWidestScan = Angle::fromDegrees(40.0);
+constexpr double kLargestPower = 500.0;  // dB, either way
+
+}  // namespace
+
+void CalibrationChange::applyTo(profile::Profile& profile) const
+{
+    profile.pointing = terms;
+    if (sensor) {
+        setMounting(profile.sensor, *sensor);
+    }
+}
+
+CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile& profile, const QString& stateDir,
+                                 const Clock& clock, EventLog& log)
+    : m_control(control),
+      m_profile(profile),
+      m_clock(clock),
+      m_log(log),
+      m_file(stateDir, toQString(profile.mount.name)),
+      m_follower(control, profile, clock, log)
+{
+    if (!m_file.problem().isEmpty()) {
+        m_log.add(Severity::Warning, kSource, m_file.problem());
+    }
+}
+
+Result<> CalibrationDesk::carryOut(const CalibrationRequest& request)
+{
+    m_changed = true;
+    return std::visit([this](const auto& wanted) { return handle(wanted); }, request);
+}
+
+void CalibrationDesk::setProfile(const profile::Profile& profile)
+{
+    const bool other = profile.pointing != m_profile.pointing || profile.sensor != m_profile.sensor;
+    m_profile = profile;
+    m_follower.setProfile(profile);
+    m_changed = true;
+    if (other) {
+        m_book.fit(m_profile.pointing, known());
+        propose(m_by);  // what is proposed is told against what is in force
+    }
+}
+
+Result<> CalibrationDesk::handle(const request::FollowBody& wanted)
+{
+    return nothingRuns().and_then([&] { return m_follower.follow(wanted.body, wanted.refraction); });
+}
+
+Result<> CalibrationDesk::mayTakePoint() const
+{
+    return nothingRuns().and_then([&] { return m_control.measured(); }).and_then([&](const AxisPosition&) -> Result<> {
+        const auto axes = m_trace.now();
+        if (!axes || std::max(abs(axes->rates.azimuth), abs(axes->rates.elevation)) > kStanding) {
+            return failure(ErrorCode::Refused, Text::tr("the mount still moves"));
+        }
+        if (m_book.points().size() >= kMostPoints) {
+            return failure(ErrorCode::Refused, Text::tr("there are %1 points already: drop some").arg(kMostPoints));
+        }
+        return {};
+    });
+}
+
+Result<> CalibrationDesk::mayTakeBody()
+{
+    if (!m_follower.body()) {
+        return failure(ErrorCode::Refused, Text::tr("follow the Sun or the Moon first, and centre it"));
+    }
+    return m_follower.direction(*m_follower.body()).and_then([&](const SkyPointing& place) -> Result<> {
+        if (place.elevation < Angle{}) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("the %1 is below the horizon").arg(bodyName(*m_follower.body())));
+        }
+        return mayTakePoint();
+    });
+}
+
+// Where the axes are now, not where they were told to be, and where the body is now.
+Result<> CalibrationDesk::handle(const request::TakePoint&)
+{
+    return mayTakeBody().and_then([&] {
+        const ephemeris::Body body = *m_follower.body();
+        return addPoint(m_trace.now()->place, *m_follower.direction(body), kCentred, bodyName(body));
+    });
+}
+
+Result<> CalibrationDesk::handle(const request::TakeKnownPoint& wanted)
+{
+    if (!wanted.truth.azimuth.isFinite() || abs(wanted.truth.azimuth) > 360_deg ||
+        !(abs(wanted.truth.elevation) <= 90_deg)) {
+        return failure(ErrorCode::OutOfRange,
+                       Text::tr("an azimuth within 360° and an elevation within 90° are expected"));
+    }
+    return mayTakePoint().and_then([&] {
+        const QString label = wanted.label.trimmed();
+        return addPoint(m_trace.now()->place, {wanted.truth.azimuth.wrapped360(), wanted.truth.elevation}, kKnownPoint,
+                        label.isEmpty() ? Text::tr("landmark") : label);
+    });
+}
+
+Result<> CalibrationDesk::addPoint(const AxisPosition& axes, const SkyPointing& truth, Angle sigma,
+                                   const QString& label)
+{
+    m_book.add({.axes = axes, .truth = truth, .sigma = sigma, .when = m_clock.utc(), .label = label.toStdString()});
+    m_log.add(Severity::Advisory, kSource,
+              Text::tr("point %1: %2 at azimuth %3°, elevation %4°; axes %5° %6°")
+                  .arg(m_book.points().size())
+                  .arg(label)
+                  .arg(truth.azimuth.degrees(), 0, 'f', 2)
+                  .arg(truth.elevation.degrees(), 0, 'f', 2)
+                  .arg(axes.azimuth.degrees(), 0, 'f', 2)
+                  .arg(axes.elevation.degrees(), 0, 'f', 2));
+    pointsChanged();
+    return {};
+}
+
+void CalibrationDesk::pointsChanged()
+{
+    m_book.fit(m_profile.pointing, known());
+    propose(m_book.fitted() ? ProposedBy::Points : ProposedBy::Nothing);
+}
+
+Result<> CalibrationDesk::handle(const request::DropPoint& wanted)
+{
+    return m_book.drop(wanted.index).map([this] { pointsChanged(); });
+}
+
+Result<> CalibrationDesk::handle(const request::UsePoint& wanted)
+{
+    return m_book.use(wanted.index, wanted.used).map([this] { pointsChanged(); });
+}
+
+Result<> CalibrationDesk::handle(const request::DropAllPoints&)
+{
+    m_book.clear();
+    pointsChanged();
+    return {};
+}
+
+Result<> CalibrationDesk::handle(const request::MeasureSensorOffset&)
+{
+    return nothingRuns().and_then([this] { return sensorTells(); }).map([this] {
+        m_offsetRun = OffsetRun{.started = m_clock.now(), .readings = {}};
+    });
+}
+
+Result<> CalibrationDesk::handle(const request::PlanSwing& wanted)
+{
+    m_swingWish = {.rate = wanted.rate, .headings = wanted.headings};
+    return {};
+}
+
+Result<> CalibrationDesk::handle(const request::StartSwing& wanted)
+{
+    m_swingWish = {.rate = wanted.rate, .headings = wanted.headings};
+    return maySwing().and_then([&]() -> Result<> {
+        const SwingPlan plan = planned(m_swingWish);
+        if (!plan.obstacle.isEmpty()) {
+            return failure(ErrorCode::Refused, plan.obstacle);
+        }
+        m_follower.end();
+        m_swing.emplace(plan, *m_control.measured(), m_profile.azimuth.limits, m_profile.sensor, m_clock.now());
+        m_log.add(Severity::Advisory, kSource, Text::tr("swings the compass: %1").arg(plan.text));
+        stepSwing();
+        return {};
+    });
+}
+
+Result<> CalibrationDesk::handle(const request::StartCrossScan& wanted)
+{
+    if (!(wanted.width >= kNarrowestScan && wanted.width <= kWidestScan)) {
+        return failure(ErrorCode::OutOfRange, Text::tr("a scan is %1° to %2° wide")
+                                                  .arg(kNarrowestScan.degrees(), 0, 'f', 1)
+                                                  .arg(kWidestScan.degrees(), 0, 'f', 0));
+    }
+    return nothingRuns()
+        .and_then([&] { return m_follower.follow(wanted.body, ephemeris::Refraction::Radio); })
+        .and_then([&] {
+            m_scan.emplace(wanted.width, m_clock.now());
+            return m_follower.lookBeside(m_scan->offset());
+        });
+}
+
+Result<> CalibrationDesk::handle(const request::GivePower& wanted)
+{
+    if (!(std::abs(wanted.decibels) <= kLargestPower)) {
+        return failure(ErrorCode::OutOfRange, Text::tr("this is no power in dB"));
+    }
+    m_power = wanted.decibels;
+    if (m_scan && m_scan->wantsPower(m_clock.now())) {
+        m_scan->give(wanted.decibels, m_clock.now());
+        return m_follower.lookBeside(m_scan->offset());
+    }
+    return {};
+}
+
+Result<> CalibrationDesk::handle(const request::EndCalibration&)
+{
+    if (run() != CalibrationRun::None) {
+        holdMount();
+        endRun(Text::tr("ended by the operator"), true);
+    }
+    m_follower.end();
+    return {};
+}
+
+// A model that comes into force moves nothing that stands, but a stream of directions would be led elsewhere.
+Result<> CalibrationDesk::mayChange() const
+{
+    return nothingRuns().and_then([&]() -> Result<> {
+        if (m_control.followsClient()) {
+            return failure(ErrorCode::Refused, Text::tr("the mount follows a client, which the change would move: hold "
+                                                        "the mount first"));
+        }
+        return {};
+    });
+}
+
+// A horizon or keep-out that now lies elsewhere over the axes may forbid the place to park: such a profile would not
+// even be loaded again.
+Result<> CalibrationDesk::makesSense(const CalibrationChange& change) const
+{
+    profile::Profile wanted = m_profile;
+    change.applyTo(wanted);
+    const auto problems = profile::problemsOf(wanted);
+    if (!problems.empty()) {
+        return failure(ErrorCode::Refused, Text::tr("with this the profile would not make sense, %1: change that first")
+                                               .arg(toQString(problems.front().key + ": " + problems.front().text)));
+    }
+    return {};
+}
+
+Result<> CalibrationDesk::handle(const request::ApplyCalibration& wanted)
+{
+    if (!m_proposal || m_proposal->number != wanted.proposal) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("this is not what is proposed any more: look at it again before you apply it"));
+    }
+    const Proposal proposal = *m_proposal;
+    const CalibrationChange change{.terms = proposal.terms, .sensor = proposal.sensor};
+    return mayChange().and_then([&] { return makesSense(change); }).map([&] {
+        calibration::CalibrationRecord record{.when = std::chrono::floor<std::chrono::milliseconds>(m_clock.utc()),
+                                              .title = proposal.title.toStdString(),
+                                              .mount = mountToday(),
+                                              .terms = {.before = m_profile.pointing, .after = proposal.terms},
+                                              .sigmas = proposal.sigmas,
+                                              .points = proposal.points};
+        if (proposal.sensor) {
+            record.sensor = {.before = mountingOf(m_profile.sensor), .after = *proposal.sensor};
+        }
+        m_file.add(std::move(record));
+        bringIntoForce(
+            change, Text::tr("applies \"%1\": %2").arg(proposal.title, changeText(m_profile.pointing, proposal.terms)));
+    });
+}
+
+Result<> CalibrationDesk::handle(const request::UndoCalibration&)
+{
+    const calibration::CalibrationHistory& history = m_file.history();
+    if (!history.canUndo()) {
+        return failure(ErrorCode::Refused, Text::tr("there is no calibration to take back"));
+    }
+    const calibration::CalibrationRecord& record = history.entries()[history.inForce() - 1];
+    CalibrationChange change{.terms = record.terms.before};
+    if (record.sensor) {
+        change.sensor = record.sensor->before;
+    }
+    return mayChange().and_then([&] { return makesSense(change); }).map([&] {
+        bringIntoForce(change, Text::tr("takes back \"%1\"").arg(toQString(m_file.undo().title)));
+    });
+}
+
+Result<> CalibrationDesk::handle(const request::RedoCalibration&)
+{
+    const calibration::CalibrationHistory& history = m_file.history();
+    if (!history.canRedo()) {
+        return failure(ErrorCode::Refused, Text::tr("there is no calibration to bring back"));
+    }
+    const calibration::CalibrationRecord& record = history.entries()[history.inForce()];
+    CalibrationChange change{.terms = record.terms.after};
+    if (record.sensor) {
+        change.sensor = record.sensor->after;
+    }
+    return mayChange().and_then([&] { return makesSense(change); }).map([&] {
+        bringIntoForce(change, Text::tr("applies \"%1\" again").arg(toQString(m_file.redo().title)));
+    });
+}
+
+void CalibrationDesk::bringIntoForce(const CalibrationChange& change, const QString& what)
+{
+    m_follower.end();  // the body would be followed elsewhere from now on
+    m_by = ProposedBy::Nothing;
+    m_proposal.reset();
+    m_change = change;
+    m_log.add(Severity::Advisory, QStringLiteral("operator"), what);
+}
+
+void CalibrationDesk::propose(ProposedBy by)
+{
+    m_by = by;
+    m_proposal = proposed();
+    if (m_proposal) {
+        m_proposal->number = ++m_proposals;
+    }
+    m_changed = true;
+}
+
+std::optional<Proposal> CalibrationDesk::proposed() const
+{
+    switch (m_by) {
+        case ProposedBy::SensorOffset:
+            return proposalOf(*m_sensorOffset, m_profile);
+        case ProposedBy::Swing:
+            return proposalOf(*m_swung, m_profile);
+        case ProposedBy::Points:
+            return m_book.fitted() ? std::optional(proposalOf(*m_book.fitted(), m_book.points(), m_profile))
+                                   : std::nullopt;
+        case ProposedBy::Nothing:
+            break;
+    }
+    return std::nullopt;
+}
+
+// A tilt that a swing has found is known apart from any point; one that was fitted to points would be these very points
+// again.
+calibration::TermKnowledge CalibrationDesk::known() const
+{
+    calibration::TermKnowledge known = calibration::TermKnowledge::usual();
+    const auto& entries = m_file.history().entries();
+    for (std::size_t i = m_file.history().inForce(); i > 0; --i) {
+        const calibration::CalibrationRecord& record = entries[i - 1];
+        const auto& north = record.sigmas[calibration::indexOf(calibration::Term::TiltNorth)];
+        const auto& east = record.sigmas[calibration::indexOf(calibration::Term::TiltEast)];
+        if (record.points.empty() && north && east &&
+            calibration::difference(record.mount, mountToday()) == calibration::MountDifference::None) {
+            known.of(calibration::Term::TiltNorth) = {record.terms.after.tiltNorth, *north};
+            known.of(calibration::Term::TiltEast) = {record.terms.after.tiltEast, *east};
+            break;
+        }
+    }
+    return known;
+}
+
+calibration::RecordMount CalibrationDesk::mountToday() const
+{
+    const memory::MountMemory& memory = m_control.memory();
+    const auto drive = [&](std::size_t axis) {
+        return memory.turns[axis] ? memory.turns[axis]->drive.toStdString() : std::string();
+    };
+    calibration::RecordMount mount{.azimuthDrive = drive(0), .elevationDrive = drive(1)};
+    if (m_profile.site.known) {
+        mount.site = calibration::RecordSite{.latitude = m_profile.site.latitude,
+                                             .longitude = m_profile.site.longitude,
+                                             .heightMetres = m_profile.site.heightMetres};
+    }
+    return mount;
+}
+
+}  // namespace boresight

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/orientation/orientation.h"
+#include "core/station/axis_trace.h"
+#include "core/station/body_follower.h"
+#include "core/station/calibration_file.h"
+#include "core/station/calibration_proposal.h"
+#include "core/station/point_book.h"
+#include "core/station/request.h"
+#include "core/station/scan_run.h"
+#include "core/station/swing_run.h"
+
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+// Where the mount is calibrated: takes the operator's requests, leads the runs (sensor average, swing of the compass,
+// Sun and Moon, cross scan), keeps what they found as a proposal, and the history of what was applied. It stands beside
+// StationControl and moves the mount only by asking it, so limits, STOP, faults and authority hold for it like for
+// everybody; whatever else is asked of the mount ends a run at once. Only Apply, Undo and Redo change anything, and
+// they move nothing. Station thread.
+namespace boresight {
+
+// What comes into force of a profile by Apply, Undo or Redo.
+struct CalibrationChange
+{
+    pointing::PointingTerms terms;
+    std::optional<calibration::SensorMounting> sensor;
+
+    void applyTo(profile::Profile& profile) const;
+};
+
+class CalibrationDesk
+{
+public:
+    // An empty folder: the history is kept in memory only. Control, clock and log outlive the desk.
+    CalibrationDesk(StationControl& control, const profile::Profile& profile, const QString& stateDir,
+                    const Clock& clock, EventLog& log);
+
+    // What StationControl has admitted: done, or the reason why not.
+    Result<> carryOut(const CalibrationRequest& request);
+    // Its newest value, if that is a new one.
+    void take(const SensorStatus& sensor);
+    // Once per tick, before StationControl's.
+    void tick();
+    void setProfile(const profile::Profile& profile);
+    // To be put into force at once, as a profile that the operator applies is.
+    [[nodiscard]] std::optional<CalibrationChange> takeChange() { return std::exchange(m_change, std::nullopt); }
+
+    [[nodiscard]] const std::shared_ptr<const CalibrationStatus>& status() const { return m_status; }
+    // A run moves the mount.
+    [[nodiscard]] bool moves() const { return m_swing.has_value() || m_scan.has_value(); }
+    // Its part of the station's; while a run moves the mount the state is CALIBRATE, not what the motion is like.
+    void fill(StationStatus& status) const;
+
+private:
+    // Of a sensor that speaks once a second: twice as many readings as its average must have.
+    static constexpr Seconds kOffsetTime{20.0};
+
+    struct OffsetRun
+    {
+        SteadyTime started;
+        std::vector<calibration::SensorReading> readings;
+    };
+    enum class ProposedBy
+    {
+        Nothing,
+        SensorOffset,
+        Swing,
+        Points
+    };
+
+    Result<> handle(const request::FollowBody& wanted);
+    Result<> handle(const request::TakePoint& wanted);
+    Result<> handle(const request::TakeKnownPoint& wanted);
+    Result<> handle(const request::DropPoint& wanted);
+    Result<> handle(const request::UsePoint& wanted);
+    Result<> handle(const request::DropAllPoints& wanted);
+    Result<> handle(const request::MeasureSensorOffset& wanted);
+    Result<> handle(const request::PlanSwing& wanted);
+    Result<> handle(const request::StartSwing& wanted);
+    Result<> handle(const request::StartCrossScan& wanted);
+    Result<> handle(const request::GivePower& wanted);
+    Result<> handle(const request::EndCalibration& wanted);
+    Result<> handle(const request::ApplyCalibration& wanted);
+    Result<> handle(const request::UndoCalibration& wanted);
+    Result<> handle(const request::RedoCalibration& wanted);
+
+    [[nodiscard]] CalibrationRun run() const;
+    [[nodiscard]] Result<> nothingRuns() const;
+    [[nodiscard]] Result<> sensorTells() const;
+    [[nodiscard]] Result<> maySwing() const;
+    [[nodiscard]] Result<> mayTakePoint() const;
+    [[nodiscard]] Result<> mayTakeBody();
+    [[nodiscard]] Result<> mayChange() const;
+    [[nodiscard]] Result<> makesSense(const CalibrationChange& change) const;
+    [[nodiscard]] SwingPlan planned(const SwingWish& wish) const;
+
+    void noteAxes();
+    void stepOffset();
+    void stepSwing();
+    void stepScan();
+    void finishSwing();
+    void endRun(const QString& outcome, bool failed);
+    void holdMount();
+    void takeForOffset(const orientation::Orientation& value, const AxesThen& about);
+    Result<> addPoint(const AxisPosition& axes, const SkyPointing& truth, Angle sigma, const QString& label);
+    void pointsChanged();
+
+    void propose(ProposedBy by);
+    [[nodiscard]] std::optional<Proposal> proposed() const;
+    [[nodiscard]] calibration::TermKnowledge known() const;
+    [[nodiscard]] calibration::RecordMount mountToday() const;
+    void bringIntoForce(const CalibrationChange& change, const QString& what);
+
+    void publish();
+    [[nodiscard]] CalibrationProgress progress() const;
+    [[nodiscard]] std::optional<CalibrationProposal> proposalStatus() const;
+    [[nodiscard]] std::vector<CalibrationHistoryEntry> historyStatus() const;
+    void fillBodies(CalibrationStatus& status);
+
+    StationControl& m_control;
+    profile::Profile m_profile;
+    const Clock& m_clock;
+    EventLog& m_log;
+    CalibrationFile m_file;
+    BodyFollower m_follower;
+    AxisTrace m_trace;
+    std::optional<orientation::Orientation> m_value;  // of the sensor, the last
+    Angle m_declination;
+
+    std::optional<OffsetRun> m_offsetRun;
+    std::optional<SwingRun> m_swing;
+    std::optional<ScanRun> m_scan;
+    SwingWish m_swingWish;
+    QString m_outcome;
+    bool m_failed = false;
+
+    std::optional<calibration::SensorOffset> m_sensorOffset;
+    std::shared_ptr<const SwingOutcome> m_swung;
+    std::optional<calibration::CrossScan> m_scanned;
+    std::optional<double> m_power;
+    PointBook m_book;
+    ProposedBy m_by = ProposedBy::Nothing;
+    std::optional<Proposal> m_proposal;
+    std::uint64_t m_proposals = 0;
+    std::optional<CalibrationChange> m_change;
+
+    std::shared_ptr<const CalibrationStatus> m_status = std::make_shared<const CalibrationStatus>();
+    SteadyTime m_published{};
+    bool m_changed = true;  // since the status was made
+};
+
+}  // namespace boresight

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of CalibrationDesk that runs once per tick: notes the axes, leads what runs, sees what ends it.
+#include "core/base/text.h"
+#include "core/station/calibration_desk.h"
+#include "core/station/sensor_curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+const QString kSource = QStringLiteral("calibration");
+constexpr int kCalibratedMagnetometer = 2;
+// A peak is not believed to be sharper than the encoder and the gear.
+constexpr Angle kSharpestPeak = Angle::fromDegrees(0.01);
+constexpr std::chrono::milliseconds kPublishPeriod{250};
+// The heading's mean ends when the elevation is read, just before the sensor sends both.
+Seconds levelAge(const profile::SensorSettings& sensor)
+{
+    return std::max(sensor.latency - sensor.averaging / 2.0, Seconds(0.0));
+}
+
+SteadyTime before(SteadyTime time, Seconds age)
+{
+    return time - std::chrono::duration_cast<SteadyTime::duration>(age);
+}
+
+}  // namespace
+
+CalibrationRun CalibrationDesk::run() const
+{
+    return m_swing       ? CalibrationRun::Swing
+           : m_scan      ? CalibrationRun::CrossScan
+           : m_offsetRun ? CalibrationRun::SensorOffset
+                         : CalibrationRun::None;
+}
+
+Result<> CalibrationDesk::nothingRuns() const
+{
+    if (run() != CalibrationRun::None) {
+        return failure(ErrorCode::Busy, Text::tr("a calibration is running: end it first"));
+    }
+    return {};
+}
+
+Result<> CalibrationDesk::sensorTells() const
+{
+    const profile::SensorSettings& sensor = m_profile.sensor;
+    if (sensor.source == profile::SensorSource::None) {
+        return failure(ErrorCode::NotAvailable, Text::tr("the profile names no orientation sensor"));
+    }
+    if (!m_value) {
+        return failure(ErrorCode::NoAnswer, Text::tr("the orientation sensor has said nothing yet"));
+    }
+    if (const Seconds age = m_clock.now() - m_value->arrival; age > sensor.lost) {
+        return failure(ErrorCode::NoAnswer,
+                       Text::tr("the orientation sensor has said nothing for %1 s").arg(age.count(), 0, 'f', 0));
+    }
+    if (m_value->calibration && m_value->calibration->magnetometer < kCalibratedMagnetometer) {
+        return failure(ErrorCode::Refused, Text::tr("the magnetometer is calibrated to %1 of 3 only, it needs %2: move "
+                                                    "the sensor in figures of eight")
+                                               .arg(m_value->calibration->magnetometer)
+                                               .arg(kCalibratedMagnetometer));
+    }
+    return {};
+}
+
+Result<> CalibrationDesk::maySwing() const
+{
+    return nothingRuns()
+        .and_then([this] { return sensorTells(); })
+        .and_then([this] { return m_control.mayPoint(calibrationSource()); })
+        .and_then([this]() -> Result<> {
+            if (m_control.authority() == Authority::Clients) {
+                return failure(ErrorCode::Refused,
+                               Text::tr("the clients have the control: take it before the mount is swung"));
+            }
+            return m_control.measured().map([](const auto&) {});
+        });
+}
+
+SwingPlan CalibrationDesk::planned(const SwingWish& wish) const
+{
+    const auto here = m_control.measured();
+    if (!here) {
+        SwingPlan plan{.rate = wish.rate, .headings = wish.headings};
+        plan.obstacle = toQString(here.error().text);
+        return plan;
+    }
+    return planSwing(wish, *here, m_control.region(), m_profile.azimuth.limits);
+}
+
+// The sensor's value is old and a mean when it arrives: it is laid beside where the axes were then.
+void CalibrationDesk::take(const SensorStatus& sensor)
+{
+    m_declination = sensor.declination;
+    if (!sensor.last || (m_value && sensor.last->arrival == m_value->arrival)) {
+        return;
+    }
+    m_value = sensor.last;
+    const profile::SensorSettings& settings = m_profile.sensor;
+    const auto about = m_trace.about(before(m_value->arrival, settings.latency), settings.averaging);
+    const auto level = m_trace.about(before(m_value->arrival, levelAge(settings)), Seconds(0.0));
+    if (!about || !level) {
+        return;
+    }
+    if (m_swing) {
+        m_swing->take({.value = *m_value, .about = *about, .level = *level});
+    } else if (m_offsetRun) {
+        takeForOffset(*m_value, *about);
+    }
+}
+
+void CalibrationDesk::takeForOffset(const orientation::Orientation& value, const AxesThen& about)
+{
+    calibration::SensorReading reading{
+        .axisAzimuth = about.place.azimuth, .axisRate = about.rates.azimuth, .motorCurrent = about.current};
+    reading.heading =
+        orientation::SensorHeading::folded(curveOf(m_profile.sensor, m_declination).corrected(value.heading));
+    if (value.calibration) {
+        reading.systemCalibration = value.calibration->system;
+        reading.magnetometerCalibration = value.calibration->magnetometer;
+    }
+    m_offsetRun->readings.push_back(reading);
+}
+
+void CalibrationDesk::noteAxes()
+{
+    const auto sample = m_control.sample();
+    if (!m_control.measured() || !sample) {
+        m_trace.clear();
+        return;
+    }
+    const auto& [azimuth, elevation] = sample->axes;
+    if (azimuth.actual && elevation.actual) {
+        m_trace.note(sample->time, {*azimuth.actual, *elevation.actual},
+                     std::max(std::abs(azimuth.current.value_or(0.0)), std::abs(elevation.current.value_or(0.0))));
+    }
+}
+
+void CalibrationDesk::tick()
+{
+    noteAxes();
+    m_follower.tick();
+    if (m_swing) {
+        stepSwing();
+    } else if (m_scan) {
+        stepScan();
+    } else if (m_offsetRun) {
+        stepOffset();
+    }
+    if (m_changed || m_clock.now() - m_published >= kPublishPeriod) {
+        publish();
+    }
+}
+
+void CalibrationDesk::stepOffset()
+{
+    if (const auto tells = sensorTells(); !tells) {
+        endRun(toQString(tells.error().text), true);
+        return;
+    }
+    if (Seconds(m_clock.now() - m_offsetRun->started) < kOffsetTime) {
+        return;
+    }
+    const bool swung = m_profile.sensor.deviation != profile::CompassDeviation{};
+    // The readings are corrected already: the curve only says that one heading's deviation is known.
+    const auto offset = calibration::sensorOffset(m_offsetRun->readings, {},
+                                                  swung ? std::optional(calibration::DeviationCurve{}) : std::nullopt);
+    if (!offset) {
+        endRun(toQString(offset.error().text), true);
+        return;
+    }
+    m_sensorOffset = *offset;
+    endRun(Text::tr("done, from %1 readings").arg(offset->used), false);
+    propose(ProposedBy::SensorOffset);
+}
+
+void CalibrationDesk::stepSwing()
+{
+    const SteadyTime now = m_clock.now();
+    const auto axes = m_trace.now();
+    if (const auto tells = sensorTells(); !tells || !axes || m_swing->late(now)) {
+        holdMount();
+        endRun(!tells  ? toQString(tells.error().text)
+               : !axes ? Text::tr("where the mount stands is not known any more")
+                       : Text::tr("the mount does not get on: something holds it"),
+               true);
+        return;
+    }
+    if (m_swing->begun() && !m_control.obeys(calibrationSource())) {
+        endRun(Text::tr("the mount was stopped, or told otherwise"), true);
+        return;
+    }
+    if (const auto wanted = m_swing->step(now, *axes)) {
+        if (const auto admitted = m_control.request(*wanted, calibrationSource()); !admitted) {
+            holdMount();
+            endRun(toQString(admitted.error().text), true);
+            return;
+        }
+    }
+    if (m_swing->done()) {
+        finishSwing();
+    }
+}
+
+void CalibrationDesk::finishSwing()
+{
+    auto outcome = m_swing->outcome(m_clock.utc(), m_declination);
+    if (!outcome) {
+        endRun(toQString(outcome.error().text), true);
+        return;
+    }
+    m_swung = std::make_shared<const SwingOutcome>(std::move(*outcome));
+    if (m_swung->fit.isUsable()) {
+        endRun(Text::tr("done, from %1 readings").arg(m_swung->samples.size()), false);
+        propose(ProposedBy::Swing);
+    } else {
+        endRun(Text::tr("a compass is of no use here: %1").arg(toQString(m_swung->fit.hopeless.front())), true);
+    }
+}
+
+void CalibrationDesk::stepScan()
+{
+    const SteadyTime now = m_clock.now();
+    const auto axes = m_trace.now();
+    if (!m_follower.following() || !axes) {
+        endRun(Text::tr("the mount was stopped, or told otherwise"), true);
+        return;
+    }
+    if (m_scan->late(now)) {
+        m_follower.end();
+        endRun(Text::tr("nobody told the power"), true);
+        return;
+    }
+    if (!m_scan->done(now)) {
+        return;
+    }
+    const auto scanned = m_scan->outcome(axes->place);
+    if (!scanned) {
+        endRun(toQString(scanned.error().text), true);
+        return;
+    }
+    m_scanned = *scanned;
+    const ephemeris::Body body = *m_follower.body();
+    endRun(Text::tr("done: the peak is a point now"), false);
+    [[maybe_unused]] const Result<> added =
+        addPoint(scanned->peak, *m_follower.direction(body), std::max(scanned->sigma, kSharpestPeak),
+                 Text::tr("%1, peak").arg(bodyName(body)));
+}
+
+void CalibrationDesk::holdMount()
+{
+    if (moves() && m_control.obeys(calibrationSource())) {
+        [[maybe_unused]] const Result<> held = m_control.request(request::Hold{}, calibrationSource());
+    }
+}
+
+void CalibrationDesk::endRun(const QString& outcome, bool failed)
+{
+    m_swing.reset();
+    m_scan.reset();
+    m_offsetRun.reset();
+    m_outcome = outcome;
+    m_failed = failed;
+    m_changed = true;
+    m_log.add(failed ? Severity::Warning : Severity::Advisory, kSource,
+              failed ? Text::tr("ends without a result: %1").arg(outcome) : outcome);
+}
+
+}  // namespace boresight

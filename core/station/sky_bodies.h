@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/ephemeris/almanac.h"
+#include "core/ephemeris/refraction.h"
+#include "core/profile/profile.h"
+
+#include <QString>
+
+#include <array>
+#include <optional>
+
+// Where Sun and Moon appear from the profile's site, and when they rise and set next: looked for again only when that
+// has passed. Station thread only.
+namespace boresight {
+
+inline constexpr std::array kBodies = {ephemeris::Body::Sun, ephemeris::Body::Moon};
+
+[[nodiscard]] QString bodyName(ephemeris::Body body);
+
+class SkyBodies
+{
+public:
+    explicit SkyBodies(const profile::SiteSettings& site) { setSite(site); }
+    void setSite(const profile::SiteSettings& site);
+
+    // Else nothing is told.
+    [[nodiscard]] bool known() const { return m_almanac.has_value(); }
+    // As the beam sees it: bent by the air.
+    [[nodiscard]] std::optional<SkyPointing> direction(ephemeris::Body body, ephemeris::Refraction kind, UtcTime utc);
+
+    struct Times
+    {
+        std::optional<UtcTime> rise;
+        std::optional<UtcTime> set;
+    };
+    [[nodiscard]] const Times& times(ephemeris::Body body, UtcTime utc);
+
+private:
+    struct Searched
+    {
+        Times times;
+        UtcTime from;
+        UtcTime until;  // then they are looked for anew
+    };
+
+    profile::SiteSettings m_site;
+    std::optional<ephemeris::Almanac> m_almanac;
+    std::array<std::optional<Searched>, 2> m_searched;
+};
+
+}  // namespace boresight

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sun and Moon, points, the pointing model from them; Apply, Undo and Redo.
+#include "tests/core/station/calibration_rig.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+
+namespace boresight {
+namespace {
+
+using namespace boresight::literals;
+using ephemeris::Body;
+
+// A summer's day, at this hour of UTC.
+void setHour(CalibrationRig& rig, double hour)
+{
+    const UtcTime midnight = std::chrono::sys_days{std::chrono::year{2026} / 6 / 21};
+    rig.clock.stepUtc(Seconds(midnight - rig.clock.utc()) + Seconds(hour * 3600.0));
+}
+
+// After a swing that has found north to a degree or two.
+CalibrationRig swungRig()
+{
+    CalibrationRig rig;
+    profile::Profile profile = rig.profile;
+    profile.pointing.azimuthOffset = 36_deg;
+    rig.setProfile(profile);
+    return rig;
+}
+
+void follow(CalibrationRig& rig, Body body = Body::Sun)
+{
+    const auto followed = rig.ask(request::FollowBody{.body = body});
+    ASSERT_TRUE(followed) << followed.error().text;
+    rig.run(Seconds(70.0));
+    ASSERT_EQ(StationState::Track, rig.state());
+}
+
+double apart(const SkyPointing& a, const SkyPointing& b)
+{
+    const double across = (a.azimuth - b.azimuth).wrapped180().degrees() * std::cos(a.elevation.radians());
+    return std::hypot(across, (a.elevation - b.elevation).degrees());
+}
+
+// By the arrow keys, as well as an eye does it.
+void centre(CalibrationRig& rig, double noise = 0.01)
+{
+    std::normal_distribution<double> eye(0.0, noise);
+    const SkyPointing sun = rig.status().bodies.at(0).direction;
+    for (int i = 0; i < 3; ++i) {
+        const AxisPosition wanted = rig.model.toAxes(sun).axes;
+        const AxisPosition here = rig.axes();
+        ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = (wanted.azimuth - here.azimuth).wrapped180(),
+                                           .elevation = wanted.elevation - here.elevation}));
+        rig.run(Seconds(3.0));
+    }
+    ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = Angle::fromDegrees(eye(rig.random)),
+                                       .elevation = Angle::fromDegrees(eye(rig.random))}));
+    rig.run(Seconds(3.0));
+    EXPECT_LT(apart(rig.beam(), rig.status().bodies.at(0).direction), 0.1);
+}
+
+void takeSun(CalibrationRig& rig, double hour)
+{
+    setHour(rig, hour);
+    follow(rig);
+    centre(rig);
+    const auto taken = rig.ask(request::TakePoint{});
+    ASSERT_TRUE(taken) << taken.error().text;
+}
+
+TEST(CalibrationPoints, FollowsTheSunAndSaysSo)
+{
+    CalibrationRig rig;
+    setHour(rig, 8.0);
+    follow(rig);
+    const StationStatus status = rig.control.status();
+    EXPECT_EQ(QStringLiteral("Sun"), status.targetText);
+    EXPECT_EQ(QStringLiteral("operator"), status.commander.name);
+    ASSERT_TRUE(status.actual);
+    EXPECT_LT(apart(*status.actual, rig.status().bodies.at(0).direction), 0.02);
+    EXPECT_TRUE(rig.status().following);
+    EXPECT_FALSE(rig.status().warning.isEmpty());
+    ASSERT_FALSE(status.alarms.empty());
+    EXPECT_TRUE(status.alarms.front().remedy.contains(QStringLiteral("solar filter")));
+    // An hour later it still is.
+    rig.run(Seconds(600.0));
+    EXPECT_LT(apart(*rig.control.status().actual, rig.status().bodies.at(0).direction), 0.02);
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    rig.run(Seconds(0.5));
+    EXPECT_FALSE(rig.status().following);
+    EXPECT_TRUE(rig.status().warning.isEmpty());
+}
+
+TEST(CalibrationPoints, TheSunIsRefusedWhereTheProfileKeepsAwayFromIt)
+{
+    profile::Profile profile = calibratedProfile();
+    profile.sun.keepAway = profile::KeepAway::On;
+    CalibrationRig rig({}, profile);
+    setHour(rig, 8.0);
+    rig.run(Seconds(1.0));
+    const auto refused = rig.ask(request::FollowBody{.body = Body::Sun});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(std::string::npos, refused.error().text.find("sun.keep_away"));
+}
+
+TEST(CalibrationPoints, WhatIsDownOrUnknownIsRefused)
+{
+    CalibrationRig rig;
+    setHour(rig, 23.0);
+    EXPECT_FALSE(rig.ask(request::FollowBody{.body = Body::Sun}));
+    rig.run(Seconds(0.5));
+    EXPECT_FALSE(rig.status().bodies.at(0).isUp);
+    ASSERT_TRUE(rig.status().bodies.at(0).nextRise);
+    EXPECT_NEAR(3.9, Seconds(*rig.status().bodies.at(0).nextRise - rig.clock.utc()).count() / 3600.0, 0.2);
+    EXPECT_FALSE(rig.ask(request::TakePoint{}));
+    profile::Profile profile = calibratedProfile();
+    profile.site.known = false;
+    CalibrationRig nowhere({}, profile);
+    EXPECT_FALSE(nowhere.ask(request::FollowBody{.body = Body::Sun}));
+    nowhere.run(Seconds(0.5));
+    EXPECT_FALSE(nowhere.status().noSite.isEmpty());
+    EXPECT_TRUE(nowhere.status().bodies.empty());
+}
+
+TEST(CalibrationPoints, OnePointTellsNorth)
+{
+    CalibrationRig rig = swungRig();
+    takeSun(rig, 8.0);
+    ASSERT_TRUE(rig.apply());
+    EXPECT_NEAR(37.4, rig.terms().azimuthOffset.degrees(), 1.0);  // the tilt is in it
+    EXPECT_LT(apart(rig.beam(), rig.status().bodies.at(0).direction), 0.3);
+}
+
+// The largest error of the beam on the Sun's way over the day.
+double worstOnItsWay(CalibrationRig& rig)
+{
+    const pointing::PointingModel found(rig.terms());
+    double worst = 0.0;
+    for (double hour = 4.5; hour < 18.0; hour += 0.5) {
+        setHour(rig, hour);
+        rig.tick();
+        rig.run(Seconds(0.3));
+        const SkyPointing sun = rig.status().bodies.at(0).direction;
+        worst = std::max(worst, apart(rig.model.toSky(found.toAxes(sun).axes), sun));
+    }
+    return worst;
+}
+
+// The whole way: the compass first, then the Sun of one day, as an operator goes it.
+TEST(CalibrationPoints, ASwingThenThreeAndSixSunsMakeTheModel)
+{
+    CalibrationRig rig;
+    rig.goTo(200.0, 30.0);
+    ASSERT_TRUE(rig.ask(request::StartSwing{.rate = 3_deg_s, .headings = 0}));
+    rig.runOut();
+    ASSERT_TRUE(rig.apply());
+    for (const double hour : {5.0, 9.0, 15.0}) {
+        takeSun(rig, hour);
+    }
+    ASSERT_TRUE(rig.apply());
+    EXPECT_NEAR(37.4, rig.terms().azimuthOffset.degrees(), 0.15);
+    EXPECT_LT(worstOnItsWay(rig), 0.15);
+    for (const double hour : {7.0, 11.0, 17.5}) {
+        takeSun(rig, hour);
+    }
+    ASSERT_EQ(6U, rig.status().points.size());
+    const Angle sigma = rig.status().proposal->terms.at(0).sigma.value();
+    ASSERT_TRUE(rig.apply());
+    EXPECT_NEAR(rig.truth.terms.tiltNorth.degrees(), rig.terms().tiltNorth.degrees(), 0.1);
+    EXPECT_NEAR(rig.truth.terms.tiltEast.degrees(), rig.terms().tiltEast.degrees(), 0.1);
+    EXPECT_LT(worstOnItsWay(rig), 0.05);
+    // What the arc of the Sun leaves between this and the collimation is told by its sigma.
+    EXPECT_LT(abs(rig.terms().azimuthOffset - rig.truth.terms.azimuthOffset), 2.0 * sigma);
+    EXPECT_NEAR(37.4, rig.terms().azimuthOffset.degrees(), 0.15);
+    RecordProperty("north_error", std::to_string(rig.terms().azimuthOffset.degrees() - 37.4));
+}
+
+TEST(CalibrationPoints, ApplyMovesNothing)
+{
+    CalibrationRig rig = swungRig();
+    takeSun(rig, 8.0);
+    const AxisPosition before = rig.axes();
+    const SkyPointing sky = *rig.control.status().actual;
+    ASSERT_TRUE(rig.apply());
+    rig.run(Seconds(5.0));
+    EXPECT_LT(abs(rig.axes().azimuth - before.azimuth), 0.01_deg);
+    EXPECT_LT(abs(rig.axes().elevation - before.elevation), 0.01_deg);
+    EXPECT_GT(apart(sky, *rig.control.status().actual), 0.5);  // it only looks elsewhere in truth
+    EXPECT_FALSE(rig.status().following);
+    EXPECT_FALSE(rig.control.status().trim);
+}
+
+TEST(CalibrationPoints, ApplyWaitsWhileAClientIsFollowed)
+{
+    CalibrationRig rig = swungRig();
+    takeSun(rig, 8.0);
+    ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+    ASSERT_TRUE(rig.point(120.0, 30.0, kClient));
+    rig.run(Seconds(2.0));
+    EXPECT_FALSE(rig.apply());
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    EXPECT_TRUE(rig.apply());
+}
+
+TEST(CalibrationPoints, UndoAndRedoGiveExactlyWhatWas)
+{
+    QTemporaryDir folder;
+    CalibrationRig rig({}, calibratedProfile(), folder.path());
+    profile::Profile first = rig.profile;
+    first.pointing.azimuthOffset = 36_deg;
+    first.sensor.mounting.azimuthOffset = 12.345678_deg;
+    rig.setProfile(first);
+    rig.goTo(200.0, 30.0);
+    ASSERT_TRUE(rig.ask(request::StartSwing{.rate = 3_deg_s, .headings = 0}));
+    rig.runOut();
+    ASSERT_TRUE(rig.apply());
+    const profile::Profile second = rig.profile;
+    EXPECT_NE(first, second);
+    takeSun(rig, 8.0);
+    ASSERT_TRUE(rig.apply());
+    const profile::Profile third = rig.profile;
+    EXPECT_NE(second.sensor, third.sensor);  // the compass follows north
+
+    ASSERT_TRUE(rig.ask(request::UndoCalibration{}));
+    EXPECT_EQ(second, rig.profile);
+    ASSERT_TRUE(rig.ask(request::UndoCalibration{}));
+    EXPECT_EQ(first, rig.profile);
+    EXPECT_FALSE(rig.ask(request::UndoCalibration{}));
+    ASSERT_TRUE(rig.ask(request::RedoCalibration{}));
+    ASSERT_TRUE(rig.ask(request::RedoCalibration{}));
+    EXPECT_EQ(third, rig.profile);
+    EXPECT_FALSE(rig.ask(request::RedoCalibration{}));
+
+    // And after a restart.
+    CalibrationRig again({}, rig.profile, folder.path());
+    again.tick();
+    ASSERT_EQ(2U, again.status().history.size());
+    EXPECT_TRUE(again.status().history.front().inForce);
+    EXPECT_TRUE(again.status().canUndo);
+    ASSERT_TRUE(again.ask(request::UndoCalibration{}));
+    EXPECT_NEAR(second.pointing.azimuthOffset.degrees(), again.terms().azimuthOffset.degrees(), 2e-9);
+}
+
+TEST(CalibrationPoints, WhatWasNotSeenIsNotApplied)
+{
+    CalibrationRig rig = swungRig();
+    takeSun(rig, 8.0);
+    rig.tick();
+    const std::uint64_t seen = rig.status().proposal->number;
+    ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = {.azimuth = 10_deg, .elevation = 30_deg}, .label = {}}));
+    EXPECT_FALSE(rig.ask(request::ApplyCalibration{seen}));
+    ASSERT_TRUE(rig.ask(request::DropPoint{1}));
+    EXPECT_FALSE(rig.ask(request::DropPoint{1}));
+    EXPECT_TRUE(rig.apply());
+}
+
+TEST(CalibrationPoints, AHistoryThatCannotBeReadIsNotWrittenOver)
+{
+    QTemporaryDir folder;
+    const QString path = folder.path() + QStringLiteral("/rubbish");
+    CalibrationRig first({}, calibratedProfile(), folder.path());
+    first.goTo(200.0, 30.0);
+    ASSERT_TRUE(first.ask(request::TakeKnownPoint{.truth = {.azimuth = 10_deg, .elevation = 30_deg}, .label = {}}));
+    ASSERT_TRUE(first.apply());
+    const QStringList files = QDir(folder.path()).entryList(QDir::Files);
+    ASSERT_EQ(1, files.size());
+    QFile file(folder.path() + QLatin1Char('/') + files.front());
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("rubbish");
+    file.close();
+    CalibrationRig second({}, calibratedProfile(), folder.path());
+    second.run(Seconds(1.0));
+    EXPECT_FALSE(second.status().historyProblem.isEmpty());
+    ASSERT_TRUE(second.ask(request::TakeKnownPoint{.truth = {.azimuth = 10_deg, .elevation = 30_deg}, .label = {}}));
+    ASSERT_TRUE(second.apply());
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_EQ(QByteArray("rubbish"), file.readAll());
+}
+
+// The beam of a small dish, and a receiver that is asked at each place.
+TEST(CalibrationPoints, ACrossScanFindsTheSun)
+{
+    CalibrationRig rig = swungRig();
+    setHour(rig, 8.0);
+    follow(rig);
+    ASSERT_TRUE(rig.ask(request::StartCrossScan{.width = 8_deg, .body = Body::Sun}));
+    for (int i = 0; i < 200000 && rig.status().progress.run == CalibrationRun::CrossScan; ++i) {
+        rig.tick();
+        if (rig.status().wantsPower) {
+            const double off = apart(rig.beam(), rig.status().bodies.at(0).direction);
+            ASSERT_TRUE(rig.ask(request::GivePower{-60.0 - 12.0 * off * off / (6.0 * 6.0)}));
+        }
+    }
+    ASSERT_TRUE(rig.status().scan) << rig.status().progress.outcome.toStdString();
+    rig.tick();
+    ASSERT_EQ(1U, rig.status().points.size());
+    const PointStatus point = rig.status().points.front();
+    EXPECT_LT(apart(rig.model.toSky(point.axes), point.truth), 0.1);
+}
+
+}  // namespace
+}  // namespace boresight
