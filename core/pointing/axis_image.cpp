@@ -14,12 +14,16 @@ constexpr Angle kRounding = Angle::fromDegrees(1e-9);
 constexpr Angle kBeyond = Angle::fromDegrees(3600.0);
 constexpr std::array kSides{Side::Upright, Side::OverTheTop};
 
-// An edge is looked at in this many places; in between it is within a thousandth of a degree, and the margin is more.
+// An edge is looked at in this many places; in between it is within a hundredth of a degree, and the margin is more.
 constexpr int kSamples = 32;
-constexpr Angle kMargin = Angle::fromDegrees(0.005);
+constexpr Angle kMargin = Angle::fromDegrees(0.02);
 constexpr Angle kDeep = Angle::fromDegrees(-45.0);
+// A keep-out is enclosed in few boxes, which reach beyond it by about twice the skew: each of them is a place to turn
+// at for every route. Width of an arc, rise of the tangent of the elevation.
+constexpr Angle kWidest = Angle::fromRadians(2.0);
+constexpr double kHighest = 2.0;
 // A line of the horizon is divided until it is as straight as this, and no part longer than that.
-constexpr Angle kStraight = Angle::fromDegrees(0.002);
+constexpr Angle kStraight = Angle::fromDegrees(0.01);
 constexpr Angle kLongest = Angle::fromDegrees(5.0);
 constexpr int kDeepest = 12;
 
@@ -107,7 +111,6 @@ private:
 AxisImage::AxisImage(const PointingModel& model)
     : m_model(model),
       m_skew(model.skew()),
-      m_loose(std::max(0.5_deg, 0.5 * m_skew)),
       m_tame(model.isSkewed() ? TravelRange{-89_deg + 2.0 * m_skew, 89_deg - 2.0 * m_skew}
                               : TravelRange{-90_deg, 90_deg})
 {}
@@ -180,8 +183,7 @@ AxisBox AxisImage::enclosing(const TravelRange& azimuths, const TravelRange& ele
 // So wide that the lean moves their ends hardly more than their middle.
 std::vector<TravelRange> AxisImage::columns(const TravelRange& azimuths) const
 {
-    const Angle widest = Angle::fromRadians(m_loose / m_skew);
-    const int count = std::max(1, static_cast<int>(std::ceil((azimuths.max - azimuths.min) / widest)));
+    const int count = std::max(1, static_cast<int>(std::ceil((azimuths.max - azimuths.min) / kWidest)));
     std::vector<TravelRange> list;
     for (int i = 0; i < count; ++i) {
         list.push_back({part(azimuths, i, count), part(azimuths, i + 1, count)});
@@ -197,7 +199,7 @@ std::vector<TravelRange> AxisImage::rows(const TravelRange& elevations) const
         if (from < kDeep) {
             return kDeep;
         }
-        const double rise = (m_loose / m_skew) / std::cos(std::max(from, 0_deg).radians());
+        const double rise = kHighest / std::cos(std::max(from, 0_deg).radians());
         return Angle::fromRadians(std::atan(std::tan(from.radians()) + rise));
     };
     std::vector<TravelRange> list;

@@ -50,7 +50,6 @@ private:
 
     PointingModel m_model;
     Angle m_skew;
-    Angle m_loose;       // how far a box may reach beyond what it holds
     TravelRange m_tame;  // the elevations between the caps
 };
 

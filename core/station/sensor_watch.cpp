@@ -27,7 +27,8 @@ orientation::JudgeSettings judgeSettings(const profile::Profile& profile)
 {
     return {.lost = profile.sensor.lost,
             .azimuthSpeed = profile.azimuth.limits.speed,
-            .elevationSpeed = profile.elevation.limits.speed};
+            .elevationSpeed = profile.elevation.limits.speed,
+            .declinationInSensor = profile.sensor.declinationInSensor};
 }
 
 SensorCheckSettings checkSettings(const profile::SensorSettings& sensor)
