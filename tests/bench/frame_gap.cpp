@@ -65,7 +65,7 @@ class Desk
 {
 public:
     Desk()
-        : m_station(build(m_profile), [this](const profile::Profile& next) { return Result<Owned>(build(next)); }),
+        : m_station(build(m_profile), [this](const profile::Profile& next) { return build(next); }),
           m_saver(m_folder.path(), m_folder.filePath(QStringLiteral("mount.toml")), m_profile),
           m_window(m_clock, {.stateDir = m_folder.path(), .configDir = m_folder.path()})
     {

@@ -183,9 +183,9 @@ TEST_F(ProfilePageTest, TheSearchLooksThroughNamesAndMeanings)
     QTest::keyClicks(search(), QStringLiteral(" nowhere"));
     EXPECT_EQ(tree()->model()->rowCount(), 0);
     search()->clear();
-    QTest::keyClicks(search(), QStringLiteral("elevation axis"));
+    QTest::keyClicks(search(), QStringLiteral("rotctld server"));
     EXPECT_EQ(tree()->model()->rowCount(), 1) << "the title of a group finds all of it";
-    EXPECT_GT(tree()->model()->rowCount(tree()->model()->index(0, 0)), 10);
+    EXPECT_GT(tree()->model()->rowCount(tree()->model()->index(0, 0)), 5);
 }
 
 TEST_F(ProfilePageTest, AValueIsEditedByKeyboardAppliedAndReverted)
