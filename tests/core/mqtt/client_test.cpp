@@ -43,7 +43,7 @@ TEST_F(MqttClient, BringsWhatOthersPublish)
     EXPECT_FALSE(writer.client.publish({.topic = kTopic, .payload = "lost"}));
     writer.client.open(onLoopback(broker.port()));
     ASSERT_TRUE(writer.connected());
-    const QByteArray odd("{\"ts\": 1, \"az\": \"\xC2\xB0\"}\0\n", 26);
+    const QByteArray odd("{\"ts\": 1, \"az\": \"\xC2\xB0\"}\0\n", 23);
     EXPECT_TRUE(writer.client.publish({.topic = kTopic, .payload = odd}));
     EXPECT_TRUE(writer.client.publish({.topic = QStringLiteral("elsewhere"), .payload = "not for us"}));
     EXPECT_TRUE(writer.client.publish({.topic = QStringLiteral("later"), .payload = ""}));
