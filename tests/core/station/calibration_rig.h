@@ -107,7 +107,7 @@ public:
         desk.setProfile(wanted);
     }
 
-    [[nodiscard]] const CalibrationStatus& status() { return *desk.status(); }
+    [[nodiscard]] CalibrationStatus status() { return *desk.status(); }  // as it is now: the next tick makes another
     [[nodiscard]] AxisPosition axes() const { return *control.measured(); }
     [[nodiscard]] const pointing::PointingTerms& terms() const { return profile.pointing; }
     [[nodiscard]] Result<> apply()
