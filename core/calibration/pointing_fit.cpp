@@ -113,7 +113,7 @@ private:
         std::vector<SkyOffset> leftOut;
         std::size_t place = 0;
         for (const CalibrationPoint& point : m_given) {
-            PointResidual& one = m_fit.points.emplace_back();
+            FittedPoint& one = m_fit.points.emplace_back();
             one.before = offsetOf(point, PointingModel(m_before));
             one.after = offsetOf(point, PointingModel(m_fit.terms));
             if (!point.isUsed) {

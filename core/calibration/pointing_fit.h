@@ -34,7 +34,7 @@ struct FittedTerm
     std::string why;  // of what is not fitted: a clause for the operator
 };
 
-struct PointResidual
+struct FittedPoint
 {
     SkyOffset before;  // by the model that was in force
     SkyOffset after;
@@ -51,7 +51,7 @@ struct PointingFit
     Angle rmsBefore;                // on the sky
     Angle rmsAfter;
     std::optional<Angle> rmsLeftOut;
-    std::vector<PointResidual> points;  // of all that were given, the ones left out by the operator too
+    std::vector<FittedPoint> points;  // of all that were given, the ones left out by the operator too
     std::vector<std::string> hints;
 
     [[nodiscard]] const FittedTerm& of(Term term) const { return fitted[indexOf(term)]; }

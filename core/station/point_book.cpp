@@ -62,13 +62,34 @@ std::vector<PointStatus> PointBook::status() const
                            .isUsed = point.isUsed,
                            .before = residualOf(calibration::offsetOf(point, pointing::PointingModel(m_before)))};
         if (m_fit) {
-            const calibration::PointResidual& residual = m_fit->points[i];
-            status.after = residualOf(residual.after);
-            status.leftOut = residual.leftOut ? std::optional(residual.leftOut->size()) : std::nullopt;
+            const calibration::FittedPoint& fitted = m_fit->points[i];
+            status.after = residualOf(fitted.after);
+            status.leftOut = fitted.leftOut ? std::optional(fitted.leftOut->size()) : std::nullopt;
         }
         list.push_back(status);
     }
     return list;
+}
+
+std::optional<ProposalResiduals> PointBook::residuals(const pointing::PointingTerms& proposed) const
+{
+    const pointing::PointingModel present(m_before);
+    const pointing::PointingModel then(proposed);
+    double before = 0.0;
+    double after = 0.0;
+    std::size_t used = 0;
+    for (const calibration::CalibrationPoint& point : m_points) {
+        if (point.isUsed) {
+            before += squared(calibration::offsetOf(point, present).size());
+            after += squared(calibration::offsetOf(point, then).size());
+            ++used;
+        }
+    }
+    if (used == 0) {
+        return std::nullopt;
+    }
+    const auto rms = [used](double sum) { return Angle::fromRadians(std::sqrt(sum / static_cast<double>(used))); };
+    return ProposalResiduals{.before = rms(before), .after = rms(after), .points = used};
 }
 
 std::optional<PointFitStatus> PointBook::fitStatus(const pointing::PointingTerms& inForce) const
