@@ -41,7 +41,8 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"supervision", QT_TRANSLATE_NOOP("SettingWords", "Supervision")},
                              {"recovery", QT_TRANSLATE_NOOP("SettingWords", "Recovery")},
                              {"sensor", QT_TRANSLATE_NOOP("SettingWords", "Orientation sensor")},
-                             {"mqtt", QT_TRANSLATE_NOOP("SettingWords", "MQTT broker")}};
+                             {"mqtt", QT_TRANSLATE_NOOP("SettingWords", "MQTT broker")},
+                             {"power", QT_TRANSLATE_NOOP("SettingWords", "Received power")}};
 
 class SettingWords
 {

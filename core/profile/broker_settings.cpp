@@ -20,15 +20,6 @@ Result<> checkLine(const std::string& text)
     return {};
 }
 
-Result<> checkHost(const std::string& text)
-{
-    if (text.empty() || text.find_first_of(" /[]") != std::string::npos) {
-        return failure(ErrorCode::InvalidInput,
-                       Text::tr("a host name or address is expected, without port, brackets or mqtt://"));
-    }
-    return checkLine(text);
-}
-
 // What begins with '$' belongs to the broker; '+' and '#' are for those who read.
 Result<> checkPrefix(const std::string& text)
 {
@@ -83,6 +74,15 @@ void addConnection(std::vector<Setting>& list)
 }
 
 }  // namespace
+
+Result<> checkHost(const std::string& text)
+{
+    if (text.empty() || text.find_first_of(" /[]") != std::string::npos) {
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("a host name or address is expected, without port, brackets or ://"));
+    }
+    return checkLine(text);
+}
 
 void addBroker(std::vector<Setting>& list)
 {

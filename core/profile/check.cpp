@@ -114,6 +114,7 @@ std::vector<Problem> crossCheck(const Profile& profile)
     checkRegion(problems, profile);
     checkSupervision(problems, profile);
     checkSensor(problems, profile);
+    checkPower(problems, profile);
     return problems;
 }
 

@@ -5,6 +5,7 @@
 #include "core/pointing/mount_model.h"
 #include "core/pointing/pointing_model.h"
 #include "core/pointing/region.h"
+#include "core/profile/power_settings.h"
 #include "core/profile/sensor_settings.h"
 #include "core/tracking/axis_profile.h"
 #include "core/units/sky.h"
@@ -282,6 +283,7 @@ struct Profile
     RecoverySettings recovery;
     SensorSettings sensor;
     BrokerSettings mqtt;
+    PowerSettings power;
 
     [[nodiscard]] const AxisSettings& axis(Axis which) const { return which == Axis::Azimuth ? azimuth : elevation; }
     bool operator==(const Profile&) const = default;

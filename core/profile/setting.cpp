@@ -238,6 +238,7 @@ std::vector<Setting> makeSettings()
     addRecovery(list);
     addSensor(list);
     addBroker(list);
+    addPower(list);
     return list;
 }
 

@@ -18,13 +18,18 @@ void addSupervision(std::vector<Setting>& list);
 void addRecovery(std::vector<Setting>& list);
 void addSensor(std::vector<Setting>& list);
 void addBroker(std::vector<Setting>& list);
+void addPower(std::vector<Setting>& list);
 
+// Of another computer, or this one: "shack.local", "127.0.0.1".
+[[nodiscard]] Result<> checkHost(const std::string& text);
 // Of clients: "192.168.1.7" or "fe80::1"; a network is an address with the number of its leading bits, "10.0.0.0/8".
 [[nodiscard]] Result<> checkAddress(const std::string& text);
 [[nodiscard]] Result<> checkNetwork(const std::string& text);
 
-// Cross checks of the region, the Sun, the park place and the presets; of the sensor.
+// Cross checks of the region, the Sun, the park place and the presets; of the sensor; of the
+// received power.
 void checkRegion(std::vector<Problem>& problems, const Profile& profile);
 void checkSensor(std::vector<Problem>& problems, const Profile& profile);
+void checkPower(std::vector<Problem>& problems, const Profile& profile);
 
 }  // namespace boresight::profile

@@ -401,6 +401,19 @@ TEST(CrossCheck, TheSunNeedsTheSite)
     EXPECT_TRUE(crossCheck(profile).empty());
 }
 
+TEST(CrossCheck, UdpIsListenedForAtAnAddress)
+{
+    Profile profile;
+    EXPECT_EQ(profile.power.source, PowerSource::None);
+    EXPECT_EQ(profile.power.host, "127.0.0.1") << "nobody else is listened to unless it is wanted";
+    profile.power = {.source = PowerSource::Tcp, .host = "shack.local"};
+    EXPECT_TRUE(crossCheck(profile).empty());
+    profile.power.source = PowerSource::Udp;
+    EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"power.host"});
+    profile.power.host = "0.0.0.0";
+    EXPECT_TRUE(crossCheck(profile).empty());
+}
+
 TEST(CrossCheck, TwoTicksMustFitIntoTheReplyAge)
 {
     Profile profile;

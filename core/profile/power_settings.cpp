@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/profile/power_settings.h"
+
+#include "core/base/text.h"
+#include "core/profile/setting_groups.h"
+#include "core/profile/setting_makers.h"
+
+namespace boresight::profile {
+
+using namespace makers;
+
+void addPower(std::vector<Setting>& list)
+{
+    list.push_back(choice(
+        "power.source", {"none", "udp", "tcp"}, Applies::Now,
+        QT_TRANSLATE_NOOP("Text",
+                          "Whether a receiver tells the received power, one number in dB per line, for the cross scan: "
+                          "\"udp\" listens for it, \"tcp\" connects to it."),
+        [](auto& p) -> auto& { return p.power.source; }));
+    list.push_back(textual(
+        "power.host", Applies::Now,
+        QT_TRANSLATE_NOOP("Text",
+                          "UDP: address of this computer at which is listened; 127.0.0.1 hears only this computer, "
+                          "0.0.0.0 everybody. TCP: name or address of the receiver's program."),
+        [](const Profile& p) { return p.power.host; },
+        [](Profile& p, const std::string& wanted) { return checkHost(wanted).map([&] { p.power.host = wanted; }); }));
+    list.push_back(integer(
+        "power.port", "", {1, 65535}, Applies::Now, QT_TRANSLATE_NOOP("Text", "UDP or TCP port of the received power."),
+        [](auto& p) -> auto& { return p.power.port; }));
+}
+
+void checkPower(std::vector<Problem>& problems, const Profile& profile)
+{
+    if (profile.power.source == PowerSource::Udp && !checkAddress(profile.power.host)) {
+        problems.push_back(
+            {"power.host",
+             Text::tr("an address of this computer is expected while power.source is \"udp\"").toStdString()});
+    }
+}
+
+}  // namespace boresight::profile
