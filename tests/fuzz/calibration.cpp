@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The file of a mount's calibrations: any bytes to parseHistory(); what it accepts can be written, and then reads back
-// as the same text. And any line to parsePower().
+// as the same text. So for the terms of a pointing model, parseTerms(). And any line to parsePower().
 #include "core/base/control_characters.h"
 #include "core/calibration/cross_scan.h"
 #include "core/calibration/record_text.h"
+#include "core/calibration/terms_text.h"
 #include "tests/fuzz/harness.h"
 
 #include <cmath>
@@ -40,6 +41,19 @@ void checkAccepted(const CalibrationHistory& history)
     require(again.has_value() && toText(*again) == written, "a written history reads back as the same text");
 }
 
+void checkTerms(std::string_view text)
+{
+    const auto sheet = parseTerms(text, "a.toml");
+    if (!sheet) {
+        checkReason(sheet.error().text);
+        return;
+    }
+    accept();
+    const std::string written = toText(*sheet);
+    const auto again = parseTerms(written, "a.toml");
+    require(again.has_value() && toText(*again) == written, "written terms read back as the same text");
+}
+
 CalibrationRecord example()
 {
     CalibrationRecord record;
@@ -74,12 +88,20 @@ Grammar grammar()
     Grammar grammar;
     CalibrationRecord bare;
     bare.when = example().when;
-    grammar.corpus = {textOf({}), textOf({{bare}, 0}), textOf({{example(), bare}, 1}), "RSSI: -73.2 dBm"};
+    grammar.corpus = {textOf({}), textOf({{bare}, 0}), textOf({{example(), bare}, 1}), "RSSI: -73.2 dBm",
+                      toText(TermSheet{.mountName = "Roof",
+                                       .when = example().when,
+                                       .mount = example().mount,
+                                       .terms = example().terms.after,
+                                       .sigmas = example().sigmas})};
     grammar.tokens = {"[[calibration]]\n",
                       "[[calibration.point]]\n",
                       "[calibration.sensor.after.curve]\n",
                       "[[calibration.sensor.after.curve.unreliable]]\n",
                       "[calibration.site]\n",
+                      "tilt_north -0.5 arcmin 2\n",
+                      "# site: 90 -180 0\n",
+                      "# date: 2200-12-31T23:59:59Z\n",
                       "in_force = 1\n",
                       "in_force = 0.5\n",
                       "version = 2\n",
@@ -119,6 +141,7 @@ void feed(std::span<const std::uint8_t> input)
 {
     const auto power = parsePower(asText(input));
     require(!power || std::isfinite(*power), "a power is finite");
+    checkTerms(asText(input));
     const auto history = parseHistory(asText(input), "a.toml");
     if (!history) {
         checkReason(history.error().text);

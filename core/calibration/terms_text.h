@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/calibration/calibration_record.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+// The terms of a pointing model as a small text for people and other programs: a header of comments that tells of what
+// mount they are, then one term per line: name, value, unit, sigma. Pure.
+//
+//   # mount: Roof
+//   # date: 2026-11-22T01:30:00Z
+//   # site: 48.2 16.37 200
+//   # azimuth drive: 18c0a7a5-…
+//   # elevation drive: 18c0a7a5-…
+//   azimuth_offset 37.400000000 deg 0.050000000
+//   collimation    0.300000000  deg -
+namespace boresight::calibration {
+
+struct TermSheet
+{
+    std::string mountName;  // empty if it was not told, as everything else of the header
+    std::optional<UtcTime> when;
+    RecordMount mount;
+    pointing::PointingTerms terms;
+    std::array<std::optional<Angle>, kTerms> sigmas;
+
+    bool operator==(const TermSheet&) const = default;
+};
+
+// Angles in degrees, to a billionth; the date to a second.
+[[nodiscard]] std::string toText(const TermSheet& sheet);
+
+// Units are deg, arcmin and arcsec; the sigma may be missing or "-". Every term is expected once. What is wrong is told
+// all at once, one "FILE:LINE: reason" per line; of the comments only those of the header are read.
+[[nodiscard]] Result<TermSheet> parseTerms(std::string_view text, const std::string& fileName);
+
+}  // namespace boresight::calibration

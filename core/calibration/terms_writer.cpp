@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/numbers.h"
+#include "core/calibration/terms_text.h"
+
+#include <QDateTime>
+
+namespace boresight::calibration {
+namespace {
+
+constexpr int kDecimals = 9;  // of degrees, as in a profile
+constexpr std::size_t kNameWidth = 22;
+constexpr std::size_t kValueWidth = 15;
+
+std::string padded(std::string text, std::size_t width)
+{
+    text.resize(std::max(text.size() + 1, width), ' ');
+    return text;
+}
+
+std::string degrees(Angle angle)
+{
+    return formatFixed(angle.degrees(), kDecimals);
+}
+
+// One that rounds to 0 would say that nothing is uncertain.
+std::string sigmaText(const std::optional<Angle>& sigma)
+{
+    const std::string text = sigma ? degrees(*sigma) : "-";
+    return text.find_first_of("123456789") == std::string::npos ? "-" : text;
+}
+
+std::string comment(const std::string& key, const std::string& value)
+{
+    return value.empty() ? "" : "# " + key + ": " + value + "\n";
+}
+
+std::string dateText(UtcTime when)
+{
+    const auto since = std::chrono::floor<std::chrono::seconds>(when.time_since_epoch());
+    return QDateTime::fromSecsSinceEpoch(since.count(), Qt::UTC).toString(Qt::ISODate).toStdString();
+}
+
+std::string siteText(const RecordSite& site)
+{
+    return degrees(site.latitude) + " " + degrees(site.longitude) + " " + formatFixed(site.heightMetres, 3);
+}
+
+}  // namespace
+
+std::string toText(const TermSheet& sheet)
+{
+    std::string text =
+        "# Terms of a pointing model. The site is latitude, longitude (degrees north, east), height (m)\n";
+    text += comment("mount", sheet.mountName);
+    text += comment("date", sheet.when ? dateText(*sheet.when) : "");
+    text += comment("site", sheet.mount.site ? siteText(*sheet.mount.site) : "");
+    text += comment("azimuth drive", sheet.mount.azimuthDrive);
+    text += comment("elevation drive", sheet.mount.elevationDrive);
+    text += padded("#name", kNameWidth) + padded("value", kValueWidth) + "unit sigma\n";
+    for (const Term term : kAllTerms) {
+        text += padded(std::string(nameOf(term)), kNameWidth) +
+                padded(degrees(valueOf(sheet.terms, term)), kValueWidth) + "deg  " +
+                sigmaText(sheet.sigmas[indexOf(term)]) + "\n";
+    }
+    return text;
+}
+
+}  // namespace boresight::calibration

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calibration/terms_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+namespace boresight::calibration {
+namespace {
+
+using ::testing::HasSubstr;
+
+TermSheet full()
+{
+    TermSheet sheet{
+        .mountName = "Roof, \"north\" é: 2",
+        .when = UtcTime(std::chrono::sys_days{std::chrono::year{2026} / 11 / 22} + std::chrono::hours(1)),
+        .mount = {.azimuthDrive = "18c0a7a5-2d94-4d3c-9d5e-0d1f0b7e1a01",
+                  .elevationDrive = "18c0a7a5-2d94-4d3c-9d5e-0d1f0b7e1a02",
+                  .site = RecordSite{Angle::fromDegrees(-38.7223), Angle::fromDegrees(-9.139312345), 120.5}},
+        .terms = {},
+        .sigmas = {}};
+    for (const Term term : kAllTerms) {
+        valueOf(sheet.terms, term) = Angle::fromDegrees(0.123456789 - 0.25 * static_cast<double>(indexOf(term)));
+    }
+    sheet.terms.azimuthOffset = Angle::fromDegrees(-337.4);
+    sheet.sigmas[indexOf(Term::AzimuthOffset)] = 0.05_deg;
+    sheet.sigmas[indexOf(Term::ElevationSag)] = Angle::fromDegrees(0.000000001);
+    return sheet;
+}
+
+const std::string kSmall = R"(azimuth_offset 37.4 deg 0.05
+elevation_offset 0 deg
+tilt_north 0.48 deg -
+tilt_east -21.6 arcmin 0.6
+collimation 1080 arcsec 36
+non_perpendicularity 0 deg
+elevation_sag 0 deg
+)";
+
+std::string reason(const std::string& text)
+{
+    const auto sheet = parseTerms(text, "roof.terms");
+    return sheet ? "accepted" : sheet.error().text;
+}
+
+std::string with(const std::string& what, const std::string& instead)
+{
+    std::string text = kSmall;
+    const std::size_t at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    return at == std::string::npos ? text : text.replace(at, what.size(), instead);
+}
+
+TEST(TermsText, EverythingSurvives)
+{
+    const std::string text = toText(full());
+    const auto read = parseTerms(text, "roof.terms");
+    ASSERT_TRUE(read) << read.error().text;
+    EXPECT_EQ(full().mountName, read->mountName);
+    EXPECT_EQ(full().when, read->when);
+    EXPECT_EQ(full().mount.azimuthDrive, read->mount.azimuthDrive);
+    EXPECT_EQ(full().mount.elevationDrive, read->mount.elevationDrive);
+    ASSERT_TRUE(read->mount.site);
+    EXPECT_NEAR(-9.139312345, read->mount.site->longitude.degrees(), 1e-9);
+    EXPECT_NEAR(120.5, read->mount.site->heightMetres, 1e-3);
+    for (const Term term : kAllTerms) {
+        EXPECT_NEAR(valueOf(full().terms, term).degrees(), valueOf(read->terms, term).degrees(), 1e-9);
+        ASSERT_EQ(full().sigmas[indexOf(term)].has_value(), read->sigmas[indexOf(term)].has_value());
+        if (const auto& sigma = full().sigmas[indexOf(term)]) {
+            EXPECT_NEAR(sigma->degrees(), read->sigmas[indexOf(term)]->degrees(), 1e-9);
+        }
+    }
+    EXPECT_EQ(text, toText(*read));
+}
+
+TEST(TermsText, NothingThatIsNotKnownIsInvented)
+{
+    const std::string text = toText({});
+    EXPECT_EQ(std::string::npos, text.find("site:"));
+    EXPECT_EQ(std::string::npos, text.find("drive:"));
+    const auto read = parseTerms(text, "bare.terms");
+    ASSERT_TRUE(read) << read.error().text;
+    EXPECT_EQ(TermSheet{}, *read);
+}
+
+TEST(TermsText, ASigmaThatRoundsToNothingIsNotWritten)
+{
+    TermSheet sheet;
+    sheet.sigmas[indexOf(Term::TiltNorth)] = Angle::fromDegrees(1e-12);
+    EXPECT_EQ(toText({}), toText(sheet));
+}
+
+TEST(TermsText, IsReadableToPeople)
+{
+    EXPECT_THAT(toText(full()), HasSubstr("# mount: Roof, \"north\" é: 2\n# date: 2026-11-22T01:00:00Z\n"));
+    EXPECT_THAT(toText(full()), HasSubstr("\nazimuth_offset        -337.400000000 deg  0.050000000\n"));
+    EXPECT_THAT(toText(full()), HasSubstr("\nelevation_offset      -0.126543211   deg  -\n"));
+}
+
+TEST(TermsText, ReadsWhatPeopleType)
+{
+    const auto read = parseTerms("\xef\xbb\xbf# by hand: last summer\r\n\r\n  " + kSmall + "\t# the end", "roof.terms");
+    ASSERT_TRUE(read) << read.error().text;
+    EXPECT_NEAR(37.4, read->terms.azimuthOffset.degrees(), 1e-12);
+    EXPECT_NEAR(-0.36, read->terms.tiltEast.degrees(), 1e-12);
+    EXPECT_NEAR(0.01, read->sigmas[indexOf(Term::TiltEast)]->degrees(), 1e-12);
+    EXPECT_NEAR(0.3, read->terms.collimation.degrees(), 1e-12);
+    EXPECT_NEAR(0.01, read->sigmas[indexOf(Term::Collimation)]->degrees(), 1e-12);
+    EXPECT_FALSE(read->sigmas[indexOf(Term::TiltNorth)]);
+    EXPECT_FALSE(read->sigmas[indexOf(Term::ElevationOffset)]);
+}
+
+TEST(TermsText, SaysWhatIsWrongInWhichLine)
+{
+    EXPECT_EQ(
+        "roof.terms:3: unknown term \"tilt_south\"\n"
+        "roof.terms:7: tilt_north is missing: every term is expected, also those of 0",
+        reason(with("tilt_north", "tilt_south")));
+    EXPECT_EQ("roof.terms:1: \"37,4\" is not a number", reason(with("37.4", "37,4")));
+    EXPECT_EQ("roof.terms:1: \"nan\" is not a number", reason(with("37.4", "nan")));
+    EXPECT_EQ("roof.terms:8: \"tilt_east\" stands in line 4 already", reason(kSmall + "tilt_east 1 deg\n"));
+    EXPECT_EQ("roof.terms:7: the unit of \"elevation_sag\" is missing: deg, arcmin or arcsec",
+              reason(with("elevation_sag 0 deg", "elevation_sag 0")));
+    EXPECT_EQ("roof.terms:5: unknown unit \"rad\": deg, arcmin or arcsec is expected",
+              reason(with("1080 arcsec", "1080 rad")));
+    EXPECT_EQ("roof.terms:2: the value of \"elevation_offset\" is missing",
+              reason(with("elevation_offset 0 deg", "elevation_offset")));
+    EXPECT_EQ("roof.terms:1: \"0\" is no sigma: a number above 0 is expected, or - where it is not known",
+              reason(with("0.05", "0")));
+    EXPECT_EQ("roof.terms:4: \"more\" is too much: name, value, unit and sigma are expected",
+              reason(with("arcmin 0.6", "arcmin 0.6 more")));
+}
+
+TEST(TermsText, SaysWhatIsWrongInTheHeader)
+{
+    EXPECT_EQ("accepted", reason("# site: 48.2 16.37 200\n# date: 2026-11-22T01:00:00Z\n" + kSmall));
+    EXPECT_THAT(reason("# site: Vienna\n" + kSmall), HasSubstr("roof.terms:1: \"Vienna\" is no site"));
+    EXPECT_THAT(reason("# site: 98.2 16.37 200\n" + kSmall), HasSubstr("roof.terms:1: "));
+    EXPECT_THAT(reason("\n# date: yesterday\n" + kSmall), HasSubstr("roof.terms:2: \"yesterday\" is no date"));
+    EXPECT_THAT(reason("# date: 2026-11-22 01:00\n" + kSmall), HasSubstr("is no date"));  // of which zone?
+    EXPECT_THAT(reason("# date: 9999-11-22T01:00:00Z\n" + kSmall), HasSubstr("is no date"));
+}
+
+TEST(TermsText, AllIsToldAtOnceButNoFlood)
+{
+    EXPECT_EQ("e.terms:0: azimuth_offset", parseTerms("", "e.terms").error().text.substr(0, 25));
+    std::string rubbish;
+    for (int i = 0; i < 1000; ++i) {
+        rubbish += "x\x1b[2J 1 deg\n";
+    }
+    const std::string told = reason(rubbish);
+    EXPECT_EQ(19, std::count(told.begin(), told.end(), '\n'));
+    EXPECT_EQ(std::string::npos, told.find('\x1b'));
+    EXPECT_EQ("roof.terms is too long for the terms of a pointing model", reason(std::string(200000, '#')));
+}
+
+}  // namespace
+}  // namespace boresight::calibration
