@@ -138,7 +138,8 @@ Result<> CalibrationDesk::addPoint(const AxisPosition& axes, const SkyPointing& 
 void CalibrationDesk::pointsChanged()
 {
     m_book.fit(m_profile.pointing, known());
-    propose(m_book.fitted() ? ProposedBy::Points : ProposedBy::Nothing);
+    const ProposedBy other = m_by == ProposedBy::Points ? ProposedBy::Nothing : m_by;
+    propose(m_book.fitted() ? ProposedBy::Points : other);
 }
 
 Result<> CalibrationDesk::handle(const request::DropPoint& wanted)
@@ -336,6 +337,8 @@ std::optional<Proposal> CalibrationDesk::proposed() const
         case ProposedBy::Points:
             return m_book.fitted() ? std::optional(proposalOf(*m_book.fitted(), m_book.points(), m_profile))
                                    : std::nullopt;
+        case ProposedBy::Given:
+            return proposalOf(m_given, m_profile);
         case ProposedBy::Nothing:
             break;
     }
@@ -343,7 +346,7 @@ std::optional<Proposal> CalibrationDesk::proposed() const
 }
 
 // A tilt that a swing has found is known apart from any point; one that was fitted to points would be these very points
-// again.
+// again, and one that was typed or read says not what it was found from. A swing always changes the sensor.
 calibration::TermKnowledge CalibrationDesk::known() const
 {
     calibration::TermKnowledge known = calibration::TermKnowledge::usual();
@@ -352,7 +355,7 @@ calibration::TermKnowledge CalibrationDesk::known() const
         const calibration::CalibrationRecord& record = entries[i - 1];
         const auto& north = record.sigmas[calibration::indexOf(calibration::Term::TiltNorth)];
         const auto& east = record.sigmas[calibration::indexOf(calibration::Term::TiltEast)];
-        if (record.points.empty() && north && east &&
+        if (record.points.empty() && record.sensor && north && east &&
             calibration::difference(record.mount, mountToday()) == calibration::MountDifference::None) {
             known.of(calibration::Term::TiltNorth) = {record.terms.after.tiltNorth, *north};
             known.of(calibration::Term::TiltEast) = {record.terms.after.tiltEast, *east};

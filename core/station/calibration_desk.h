@@ -69,7 +69,8 @@ private:
         Nothing,
         SensorOffset,
         Swing,
-        Points
+        Points,
+        Given  // typed, or read from a text
     };
 
     Result<> handle(const request::FollowBody& wanted);
@@ -83,6 +84,8 @@ private:
     Result<> handle(const request::StartSwing& wanted);
     Result<> handle(const request::StartCrossScan& wanted);
     Result<> handle(const request::GivePower& wanted);
+    Result<> handle(const request::ProposeTerms& wanted);
+    Result<> handle(const request::ImportTerms& wanted);
     Result<> handle(const request::EndCalibration& wanted);
     Result<> handle(const request::ApplyCalibration& wanted);
     Result<> handle(const request::UndoCalibration& wanted);
@@ -113,6 +116,11 @@ private:
     [[nodiscard]] std::optional<Proposal> proposed() const;
     [[nodiscard]] calibration::TermKnowledge known() const;
     [[nodiscard]] calibration::RecordMount mountToday() const;
+    [[nodiscard]] calibration::TermSheet sheet() const;
+    [[nodiscard]] const calibration::CalibrationRecord* recordInForce() const;
+    [[nodiscard]] QString otherMount() const;
+    void warnOfOtherMount();
+    Result<> proposeGiven(GivenTerms given);
     void bringIntoForce(const CalibrationChange& change, const QString& what);
 
     void publish();
@@ -142,6 +150,7 @@ private:
     std::shared_ptr<const SwingOutcome> m_swung;
     std::optional<calibration::CrossScan> m_scanned;
     std::optional<double> m_power;
+    GivenTerms m_given;
     PointBook m_book;
     ProposedBy m_by = ProposedBy::Nothing;
     std::optional<Proposal> m_proposal;

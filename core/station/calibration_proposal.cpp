@@ -2,9 +2,12 @@
 #include "core/station/calibration_proposal.h"
 
 #include "core/base/text.h"
+#include "core/profile/setting.h"
 #include "core/station/sensor_curve.h"
 
 #include <QStringList>
+
+#include <algorithm>
 
 namespace boresight {
 namespace {
@@ -17,6 +20,9 @@ using calibration::valueOf;
 constexpr double kSignificant = 2.0;
 // A north found less exactly than this is worth a warning: Gpredict's satellites need it to a few degrees.
 constexpr Angle kPoorNorth = Angle::fromDegrees(3.0);
+
+// A north that moves by less leaves a compass where it is.
+constexpr Angle kSameNorth = Angle::fromDegrees(0.01);
 
 constexpr std::array kTermTexts = {
     QT_TRANSLATE_NOOP("Text", "azimuth offset"), QT_TRANSLATE_NOOP("Text", "elevation offset"),
@@ -71,14 +77,18 @@ void setTilt(Proposal& proposal, const calibration::AxisTilt& tilt)
 
 Proposal proposalOf(const calibration::SensorOffset& offset, const profile::Profile& profile)
 {
-    Proposal proposal{.title = Text::tr("North from the sensor"), .text = northText(offset.offset)};
+    Proposal proposal{.title = Text::tr("North from the sensor"),
+                      .reason = Text::tr("still sensor"),
+                      .text = northText(offset.offset)};
     setNorth(proposal, offset.offset, profile);
     return proposal;
 }
 
 Proposal proposalOf(const SwingOutcome& swing, const profile::Profile& profile)
 {
-    Proposal proposal{.title = Text::tr("North from the compass swing"), .text = northText(swing.fit.north)};
+    Proposal proposal{.title = Text::tr("North from the compass swing"),
+                      .reason = Text::tr("compass swing"),
+                      .text = northText(swing.fit.north)};
     setNorth(proposal, swing.fit.north, profile);
     if (swing.tilt) {
         setTilt(proposal, *swing.tilt);
@@ -98,7 +108,10 @@ Proposal proposalOf(const SwingOutcome& swing, const profile::Profile& profile)
 Proposal proposalOf(const calibration::PointingFit& fit, std::span<const calibration::CalibrationPoint> points,
                     const profile::Profile& profile)
 {
-    Proposal proposal{.title = Text::tr("Pointing model from %1 points").arg(points.size()),
+    const auto used = std::ranges::count_if(points, &calibration::CalibrationPoint::isUsed);
+    Proposal proposal{.title = used == 1 ? Text::tr("Pointing model from 1 point")
+                                         : Text::tr("Pointing model from %1 points").arg(used),
+                      .reason = Text::tr("points"),
                       .text = changeText(profile.pointing, fit.terms),
                       .terms = fit.terms,
                       .points = {points.begin(), points.end()}};
@@ -118,6 +131,62 @@ Proposal proposalOf(const calibration::PointingFit& fit, std::span<const calibra
         proposal.warnings.push_back(toQString(hint));
     }
     return proposal;
+}
+
+Proposal proposalOf(const GivenTerms& given, const profile::Profile& profile)
+{
+    Proposal proposal{.title = given.title,
+                      .reason = given.reason,
+                      .text = changeText(profile.pointing, given.terms),
+                      .warnings = given.warnings,
+                      .terms = given.terms,
+                      .sigmas = given.sigmas};
+    const Angle moved = abs((given.terms.azimuthOffset - profile.pointing.azimuthOffset).wrapped180());
+    if (mountingOf(profile.sensor).curve && moved > kSameNorth) {
+        proposal.warnings.push_back(Text::tr("the sensor keeps the north of its swing: sensor and axes will then "
+                                             "differ by about %1")
+                                        .arg(degreesText(moved)));
+    }
+    return proposal;
+}
+
+Result<pointing::PointingTerms> asSettings(const pointing::PointingTerms& terms)
+{
+    profile::Profile profile;
+    QStringList problems;
+    for (const TermStatus& term : termsBeside({}, terms)) {
+        const profile::Setting& setting = *profile::findSetting(term.key);
+        if (const Result<> fits = setting.set(profile, term.proposed.degrees()); !fits) {
+            problems << QStringLiteral("%1: %2").arg(toQString(term.key), toQString(fits.error().text));
+        }
+    }
+    if (!problems.isEmpty()) {
+        return failure(ErrorCode::OutOfRange, problems.join(QStringLiteral("; ")));
+    }
+    return profile.pointing;
+}
+
+std::vector<QString> otherMountWarnings(const calibration::TermSheet& sheet, const calibration::TermSheet& today)
+{
+    using calibration::difference;
+    using calibration::MountDifference;
+    std::vector<QString> warnings;
+    if (!sheet.mountName.empty() && sheet.mountName != today.mountName) {
+        warnings.push_back(Text::tr("the text is of another mount: \"%1\"").arg(toQString(sheet.mountName)));
+    }
+    const auto otherDrive = [](const std::string& then, const std::string& now) {
+        return difference({.azimuthDrive = then}, {.azimuthDrive = now}) == MountDifference::OtherDrive;
+    };
+    if (otherDrive(sheet.mount.azimuthDrive, today.mount.azimuthDrive)) {
+        warnings.push_back(Text::tr("the text is of another azimuth drive: where its axis shows 0° may differ"));
+    }
+    if (otherDrive(sheet.mount.elevationDrive, today.mount.elevationDrive)) {
+        warnings.push_back(Text::tr("the text is of another elevation drive: where its axis shows 0° may differ"));
+    }
+    if (difference({.site = sheet.mount.site}, {.site = today.mount.site}) == MountDifference::OtherSite) {
+        warnings.push_back(Text::tr("the text is of another site: north and tilt may differ"));
+    }
+    return warnings;
 }
 
 std::vector<TermStatus> termsBeside(const pointing::PointingTerms& present, const pointing::PointingTerms& proposed)

@@ -18,6 +18,7 @@ struct Proposal
 {
     std::uint64_t number = 0;
     QString title;
+    QString reason;  // where it comes from, in a word or two
     QString text;
     std::vector<QString> warnings;
     pointing::PointingTerms terms;
@@ -32,6 +33,23 @@ struct Proposal
 [[nodiscard]] Proposal proposalOf(const calibration::PointingFit& fit,
                                   std::span<const calibration::CalibrationPoint> points,
                                   const profile::Profile& profile);
+
+// Terms as an operator gives them, and where from. Sigmas only where they were told. Nothing else of the profile
+// changes.
+struct GivenTerms
+{
+    QString title;
+    QString reason;
+    pointing::PointingTerms terms;
+    std::array<std::optional<Angle>, calibration::kTerms> sigmas;
+    std::vector<QString> warnings;
+};
+[[nodiscard]] Proposal proposalOf(const GivenTerms& given, const profile::Profile& profile);
+// As the profile keeps them. Refused with every term that is out of its range, and the range.
+[[nodiscard]] Result<pointing::PointingTerms> asSettings(const pointing::PointingTerms& terms);
+// What speaks against terms that were found on the mount of a text.
+[[nodiscard]] std::vector<QString> otherMountWarnings(const calibration::TermSheet& sheet,
+                                                      const calibration::TermSheet& today);
 
 // The terms of two models beside each other; sigmas and which are on are left to the caller.
 [[nodiscard]] std::vector<TermStatus> termsBeside(const pointing::PointingTerms& present,

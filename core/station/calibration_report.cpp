@@ -30,8 +30,11 @@ void CalibrationDesk::publish()
 {
     m_changed = false;
     m_published = m_clock.now();
+    warnOfOtherMount();
     CalibrationStatus status{.progress = progress(),
                              .present = m_profile.pointing,
+                             .sheet = sheet(),
+                             .otherMount = otherMount(),
                              .sensorOffset = m_sensorOffset,
                              .sensorObstacle = reasonOf(sensorTells()),
                              .swingPlan = planned(m_swingWish),
@@ -110,15 +113,17 @@ std::optional<CalibrationProposal> CalibrationDesk::proposalStatus() const
     }
     CalibrationProposal told{.number = m_proposal->number,
                              .title = m_proposal->title,
+                             .reason = m_proposal->reason,
                              .text = m_proposal->text,
                              .terms = termsBeside(m_profile.pointing, m_proposal->terms),
+                             .residuals = m_book.residuals(m_proposal->terms),
                              .changesSensor = m_proposal->sensor.has_value(),
                              .warnings = m_proposal->warnings,
                              .obstacle = reasonOf(mayChange())};
     for (const calibration::Term term : calibration::kAllTerms) {
         const auto& sigma = m_proposal->sigmas[calibration::indexOf(term)];
         told.terms[calibration::indexOf(term)].sigma = sigma;
-        told.terms[calibration::indexOf(term)].isOn = sigma.has_value();
+        told.terms[calibration::indexOf(term)].isOn = sigma.has_value() || m_by == ProposedBy::Given;
     }
     return told;
 }

@@ -6,9 +6,11 @@
 #include "core/calibration/compass_swing.h"
 #include "core/calibration/cross_scan.h"
 #include "core/calibration/sensor_offset.h"
+#include "core/calibration/terms_text.h"
 #include "core/ephemeris/almanac.h"
 #include "core/ephemeris/refraction.h"
 #include "core/pointing/pointing_model.h"
+#include "core/power/line_status.h"
 #include "core/units/sky.h"
 
 #include <QString>
@@ -103,7 +105,7 @@ struct TermStatus
     Angle present;
     Angle proposed;
     std::optional<Angle> sigma;  // of what is proposed; empty: nothing was found out about it
-    bool isOn = false;           // the points support it
+    bool isOn = false;           // the points support it, or it was given
 };
 
 struct PointFitStatus
@@ -115,16 +117,26 @@ struct PointFitStatus
     std::vector<QString> remarks;  // which terms are on and why the others are not, which point stands out
 };
 
+// What the points that are used say of the terms in force, and of those proposed: rms on the sky.
+struct ProposalResiduals
+{
+    Angle before;
+    Angle after;
+    std::size_t points = 0;
+};
+
 // What Apply would do.
 struct CalibrationProposal
 {
     std::uint64_t number = 0;  // to be given back with ApplyCalibration: what was seen is what is applied
     QString title;             // "North from the compass swing"
+    QString reason;            // where it comes from: "typed", "compass swing"
     QString text;              // in words, with the figures that change
     std::vector<TermStatus> terms;
-    bool changesSensor = false;     // its mounting or curve, too
-    std::vector<QString> warnings;  // "the place is magnetically hopeless: …"
-    QString obstacle;               // why it can not be applied now; empty: it can
+    std::optional<ProposalResiduals> residuals;  // empty: there are no points to compare with
+    bool changesSensor = false;                  // its mounting or curve, too
+    std::vector<QString> warnings;               // "the place is magnetically hopeless: …"
+    QString obstacle;                            // why it can not be applied now; empty: it can
 };
 
 struct CalibrationHistoryEntry
@@ -141,6 +153,8 @@ struct CalibrationStatus
 {
     CalibrationProgress progress;
     pointing::PointingTerms present;
+    calibration::TermSheet sheet;  // the same with all that is known of it, to be exported
+    QString otherMount;            // what was applied last was for another drive or site; empty: it was not
     std::optional<calibration::SensorOffset> sensorOffset;
     QString sensorObstacle;                     // why the sensor is no evidence now; empty: it is
     SwingPlan swingPlan;                        // for what was planned last, at first with the usual rate
@@ -157,6 +171,7 @@ struct CalibrationStatus
     std::optional<calibration::CrossScan> scan;
     std::optional<double> power;  // dB, given last
     bool wantsPower = false;      // a scan waits for the power at this place
+    power::LineStatus powerLine;  // that the profile names
     std::optional<CalibrationProposal> proposal;
     std::vector<CalibrationHistoryEntry> history;  // newest first
     QString historyProblem;                        // why it could not be read or written; mostly empty

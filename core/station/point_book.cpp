@@ -5,6 +5,7 @@
 #include "core/station/calibration_proposal.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace boresight {
 namespace {
@@ -12,6 +13,11 @@ namespace {
 PointResidual residualOf(const calibration::SkyOffset& offset)
 {
     return {.across = offset.across, .elevation = offset.elevation};
+}
+
+double squared(Angle angle)
+{
+    return angle.radians() * angle.radians();
 }
 
 }  // namespace

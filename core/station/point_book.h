@@ -29,6 +29,8 @@ public:
     [[nodiscard]] const QString& problem() const { return m_problem; }
 
     [[nodiscard]] std::vector<PointStatus> status() const;
+    // With those terms in place of the ones in force; empty without points that are used.
+    [[nodiscard]] std::optional<ProposalResiduals> residuals(const pointing::PointingTerms& proposed) const;
     [[nodiscard]] std::optional<PointFitStatus> fitStatus(const pointing::PointingTerms& inForce) const;
 
 private:

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <variant>
 
 // Everything anybody may ask of the station, as values: they cross threads by queued signals. The station accepts or
@@ -166,6 +167,15 @@ struct GivePower
 {
     double decibels = 0.0;
 };
+struct ProposeTerms  // all of them, as typed: what is proposed from now on
+{
+    pointing::PointingTerms terms;
+};
+struct ImportTerms  // the same from a text of core/calibration/terms_text.h
+{
+    QString name;  // of the file
+    std::string text;
+};
 struct EndCalibration  // the run ends without a result, the mount holds
 {};
 struct ApplyCalibration
@@ -184,8 +194,9 @@ namespace boresight {
 using CalibrationRequest =
     std::variant<request::FollowBody, request::TakePoint, request::TakeKnownPoint, request::DropPoint,
                  request::UsePoint, request::DropAllPoints, request::MeasureSensorOffset, request::PlanSwing,
-                 request::StartSwing, request::StartCrossScan, request::GivePower, request::EndCalibration,
-                 request::ApplyCalibration, request::UndoCalibration, request::RedoCalibration>;
+                 request::StartSwing, request::StartCrossScan, request::GivePower, request::ProposeTerms,
+                 request::ImportTerms, request::EndCalibration, request::ApplyCalibration, request::UndoCalibration,
+                 request::RedoCalibration>;
 
 using Request =
     std::variant<request::PointSky, request::PointAxes, request::Jog, request::Move, request::Step, request::Follow,

@@ -437,6 +437,10 @@ do eixo</translation>
         <source>Sun</source>
         <translation>Sol</translation>
     </message>
+    <message>
+        <source>Received power</source>
+        <translation>Potência recebida</translation>
+    </message>
 </context>
 <context>
     <name>SkyItems</name>
@@ -3928,10 +3932,6 @@ do eixo</translation>
         <translation>espera-se uma linha de no máximo 200 bytes</translation>
     </message>
     <message>
-        <source>a host name or address is expected, without port, brackets or mqtt://</source>
-        <translation>espera-se um nome ou endereço de computador, sem porta, colchetes ou mqtt://</translation>
-    </message>
-    <message>
         <source>the beginning of a topic is expected, like &quot;boresight/&quot;, without + # and $</source>
         <translation>espera-se o começo de um tópico, como &quot;boresight/&quot;, sem + # e $</translation>
     </message>
@@ -4766,6 +4766,142 @@ do eixo</translation>
     <message>
         <source>%1, %2 readings</source>
         <translation>%1, %2 leituras</translation>
+    </message>
+    <message>
+        <source>%1 is missing: every term is expected, also those of 0</source>
+        <translation>falta %1: espera-se cada termo, também os que são 0</translation>
+    </message>
+    <message>
+        <source>%1 is no date like 2026-11-21T21:34:00Z</source>
+        <translation>%1 não é uma data como 2026-11-21T21:34:00Z</translation>
+    </message>
+    <message>
+        <source>%1 is no site: latitude, longitude and height are expected, like 48.2 16.37 200</source>
+        <translation>%1 não é um local: espera-se latitude, longitude e altura, como 48.2 16.37 200</translation>
+    </message>
+    <message>
+        <source>unknown term %1</source>
+        <translation>termo desconhecido %1</translation>
+    </message>
+    <message>
+        <source>%1 stands in line %2 already</source>
+        <translation>%1 já está na linha %2</translation>
+    </message>
+    <message>
+        <source>the value of %1 is missing</source>
+        <translation>falta o valor de %1</translation>
+    </message>
+    <message>
+        <source>the unit of %1 is missing: deg, arcmin or arcsec</source>
+        <translation>falta a unidade de %1: deg, arcmin ou arcsec</translation>
+    </message>
+    <message>
+        <source>unknown unit %1: deg, arcmin or arcsec is expected</source>
+        <translation>unidade desconhecida %1: espera-se deg, arcmin ou arcsec</translation>
+    </message>
+    <message>
+        <source>%1 is too much: name, value, unit and sigma are expected</source>
+        <translation>%1 está a mais: espera-se nome, valor, unidade e sigma</translation>
+    </message>
+    <message>
+        <source>%1 is no sigma: a number above 0 is expected, or - where it is not known</source>
+        <translation>%1 não é um sigma: espera-se um número acima de 0, ou - onde não é conhecido</translation>
+    </message>
+    <message>
+        <source>%1 is too long for the terms of a pointing model</source>
+        <translation>%1 é longo demais para os termos de um modelo de apontamento</translation>
+    </message>
+    <message>
+        <source>a host name or address is expected, without port, brackets or ://</source>
+        <translation>espera-se um nome ou endereço de computador, sem porta, colchetes ou ://</translation>
+    </message>
+    <message>
+        <source>Whether a receiver tells the received power, one number in dB per line, for the cross scan: &quot;udp&quot; listens for it, &quot;tcp&quot; connects to it.</source>
+        <translation>Se um receptor diz a potência recebida, um número em dB por linha, para a varredura em cruz: &quot;udp&quot; a escuta, &quot;tcp&quot; conecta-se a ele.</translation>
+    </message>
+    <message>
+        <source>UDP: address of this computer at which is listened; 127.0.0.1 hears only this computer, 0.0.0.0 everybody. TCP: name or address of the receiver&apos;s program.</source>
+        <translation>UDP: endereço deste computador em que se escuta; 127.0.0.1 ouve só este computador, 0.0.0.0 todos. TCP: nome ou endereço do programa do receptor.</translation>
+    </message>
+    <message>
+        <source>UDP or TCP port of the received power.</source>
+        <translation>Porta UDP ou TCP da potência recebida.</translation>
+    </message>
+    <message>
+        <source>an address of this computer is expected while power.source is &quot;udp&quot;</source>
+        <translation>espera-se um endereço deste computador enquanto power.source é &quot;udp&quot;</translation>
+    </message>
+    <message>
+        <source>still sensor</source>
+        <translation>sensor parado</translation>
+    </message>
+    <message>
+        <source>compass swing</source>
+        <translation>giro da bússola</translation>
+    </message>
+    <message>
+        <source>Pointing model from 1 point</source>
+        <translation>Modelo de apontamento de 1 ponto</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>pontos</translation>
+    </message>
+    <message>
+        <source>the sensor keeps the north of its swing: sensor and axes will then differ by about %1</source>
+        <translation>o sensor mantém o norte do seu giro: sensor e eixos vão então diferir em cerca de %1</translation>
+    </message>
+    <message>
+        <source>the text is of another mount: &quot;%1&quot;</source>
+        <translation>o texto é de outra montagem: &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>the text is of another azimuth drive: where its axis shows 0° may differ</source>
+        <translation>o texto é de outro acionamento de azimute: onde o eixo mostra 0° pode diferir</translation>
+    </message>
+    <message>
+        <source>the text is of another elevation drive: where its axis shows 0° may differ</source>
+        <translation>o texto é de outro acionamento de elevação: onde o eixo mostra 0° pode diferir</translation>
+    </message>
+    <message>
+        <source>the text is of another site: north and tilt may differ</source>
+        <translation>o texto é de outro local: norte e inclinação podem diferir</translation>
+    </message>
+    <message>
+        <source>Typed terms</source>
+        <translation>Termos digitados</translation>
+    </message>
+    <message>
+        <source>typed</source>
+        <translation>digitado</translation>
+    </message>
+    <message>
+        <source>Terms from %1</source>
+        <translation>Termos de %1</translation>
+    </message>
+    <message>
+        <source>read from %1</source>
+        <translation>lido de %1</translation>
+    </message>
+    <message>
+        <source>these are the terms that are in force already</source>
+        <translation>estes são os termos que já estão em vigor</translation>
+    </message>
+    <message>
+        <source>The pointing model in force (&quot;%1&quot;, %2) was applied with another drive</source>
+        <translation>O modelo de apontamento em vigor (&quot;%1&quot;, %2) foi aplicado com outro acionamento</translation>
+    </message>
+    <message>
+        <source>The pointing model in force (&quot;%1&quot;, %2) was applied at another site</source>
+        <translation>O modelo de apontamento em vigor (&quot;%1&quot;, %2) foi aplicado em outro local</translation>
+    </message>
+    <message>
+        <source>It stays in force; nothing moves</source>
+        <translation>Ele continua em vigor; nada se move</translation>
+    </message>
+    <message>
+        <source>Find north anew and apply it, or take the calibration back</source>
+        <translation>Encontre o norte de novo e aplique-o, ou desfaça a calibração</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of CalibrationDesk for terms that are given, typed or from a text; and for what holds of those in force: how
+// exact they are, and for which mount.
+#include "core/base/text.h"
+#include "core/station/calibration_desk.h"
+
+#include <QDateTime>
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+const QString kCause = QStringLiteral("calibration");
+// Half of the last place of what a profile and a history keep, and the rounding of both.
+constexpr Angle kSameTerm = Angle::fromDegrees(2e-9);
+
+bool isSame(const pointing::PointingTerms& a, const pointing::PointingTerms& b)
+{
+    return std::ranges::all_of(calibration::kAllTerms, [&](calibration::Term term) {
+        return abs(calibration::valueOf(a, term) - calibration::valueOf(b, term)) <= kSameTerm;
+    });
+}
+
+QString dayOf(UtcTime when)
+{
+    const auto since = std::chrono::floor<std::chrono::seconds>(when.time_since_epoch());
+    return QDateTime::fromSecsSinceEpoch(since.count(), Qt::UTC).toString(QStringLiteral("yyyy-MM-dd"));
+}
+
+}  // namespace
+
+Result<> CalibrationDesk::handle(const request::ProposeTerms& wanted)
+{
+    return proposeGiven({.title = Text::tr("Typed terms"), .reason = Text::tr("typed"), .terms = wanted.terms});
+}
+
+Result<> CalibrationDesk::handle(const request::ImportTerms& wanted)
+{
+    return calibration::parseTerms(wanted.text, wanted.name.toStdString())
+        .and_then([&](const calibration::TermSheet& read) {
+            return proposeGiven({.title = Text::tr("Terms from %1").arg(wanted.name),
+                                 .reason = Text::tr("read from %1").arg(wanted.name),
+                                 .terms = read.terms,
+                                 .sigmas = read.sigmas,
+                                 .warnings = otherMountWarnings(read, sheet())});
+        });
+}
+
+Result<> CalibrationDesk::proposeGiven(GivenTerms given)
+{
+    return nothingRuns().and_then([&] { return asSettings(given.terms); }).and_then([&](const auto& terms) -> Result<> {
+        if (isSame(terms, m_profile.pointing)) {
+            return failure(ErrorCode::Refused, Text::tr("these are the terms that are in force already"));
+        }
+        given.terms = terms;
+        m_given = std::move(given);
+        propose(ProposedBy::Given);
+        return {};
+    });
+}
+
+// The entry that has brought the terms in force, if they were not changed since by other ways.
+const calibration::CalibrationRecord* CalibrationDesk::recordInForce() const
+{
+    const calibration::CalibrationHistory& history = m_file.history();
+    if (!history.canUndo()) {
+        return nullptr;
+    }
+    const calibration::CalibrationRecord& last = history.entries()[history.inForce() - 1];
+    return isSame(last.terms.after, m_profile.pointing) ? &last : nullptr;
+}
+
+// A term keeps its sigma as long as it keeps its value.
+calibration::TermSheet CalibrationDesk::sheet() const
+{
+    calibration::TermSheet sheet{.mountName = m_profile.mount.name,
+                                 .when = std::chrono::floor<std::chrono::seconds>(m_clock.utc()),
+                                 .mount = mountToday(),
+                                 .terms = m_profile.pointing,
+                                 .sigmas = {}};
+    const calibration::CalibrationHistory& history = m_file.history();
+    for (const calibration::Term term : calibration::kAllTerms) {
+        for (std::size_t i = history.inForce(); i > 0; --i) {
+            const calibration::CalibrationRecord& record = history.entries()[i - 1];
+            const Angle after = calibration::valueOf(record.terms.after, term);
+            if (abs(after - calibration::valueOf(m_profile.pointing, term)) > kSameTerm) {
+                break;
+            }
+            if (const auto& sigma = record.sigmas[calibration::indexOf(term)]) {
+                sheet.sigmas[calibration::indexOf(term)] = sigma;
+                break;
+            }
+        }
+    }
+    return sheet;
+}
+
+QString CalibrationDesk::otherMount() const
+{
+    const calibration::CalibrationRecord* const record = recordInForce();
+    if (record == nullptr) {
+        return {};
+    }
+    const QString what = toQString(record->title);
+    const QString day = dayOf(record->when);
+    switch (calibration::difference(record->mount, mountToday())) {
+        case calibration::MountDifference::OtherDrive:
+            return Text::tr("The pointing model in force (\"%1\", %2) was applied with another drive").arg(what, day);
+        case calibration::MountDifference::OtherSite:
+            return Text::tr("The pointing model in force (\"%1\", %2) was applied at another site").arg(what, day);
+        case calibration::MountDifference::None:
+            break;
+    }
+    return {};
+}
+
+void CalibrationDesk::warnOfOtherMount()
+{
+    const QString what = otherMount();
+    if (what.isEmpty()) {
+        m_control.alarms().clear(kCause);
+        return;
+    }
+    m_control.alarms().raise(kCause, Severity::Warning,
+                             {.what = what,
+                              .action = Text::tr("It stays in force; nothing moves"),
+                              .remedy = Text::tr("Find north anew and apply it, or take the calibration back")});
+}
+
+}  // namespace boresight
