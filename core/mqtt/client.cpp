@@ -4,10 +4,6 @@
 #include "core/base/text.h"
 #include "core/mqtt/session.h"
 
-#include <QFuture>
-#include <QPromise>
-#include <QThreadPool>
-
 #include <utility>
 
 namespace boresight::mqtt {
@@ -84,35 +80,21 @@ void Client::service()
 void Client::attempt()
 {
     m_nextAttempt.reset();
-    if (m_broker.encryption == Encryption::Tls && !m_tls) {
-        prepareTls();
-    } else {
+    if (const auto tls = prepareTls()) {
         lookUp();
+    } else {
+        giveUp({.kind = EndKind::Local, .detail = toQString(tls.error().text)});
     }
 }
 
-// In the thread pool: to read all authorities of a Debian takes 50 ms, two and a half ticks. What was read is kept
-// while it does well; a file that was mended is read again.
-void Client::prepareTls()
+// What was read is kept while it does well; a file that was mended is read again.
+Result<> Client::prepareTls()
 {
-    using Prepared = Result<std::shared_ptr<TlsContext>>;
-    const auto promise = std::make_shared<QPromise<Prepared>>();
-    promise->start();
-    promise->future().then(this, [this, attempt = m_attempt](const Prepared& prepared) {
-        if (attempt != m_attempt) {
-            return;
-        }
-        if (prepared) {
-            m_tls = *prepared;
-            lookUp();
-        } else {
-            giveUp({.kind = EndKind::Local, .detail = toQString(prepared.error().text)});
-        }
-    });
-    QThreadPool::globalInstance()->start([promise, caFile = m_broker.caFile, host = m_broker.host] {
-        promise->addResult(TlsContext::create(caFile, host));
-        promise->finish();
-    });
+    if (m_broker.encryption != Encryption::Tls || m_tls) {
+        return {};
+    }
+    auto context = TlsContext::create(m_broker.caFile, m_broker.host);
+    return std::move(context).map([this](auto&& tls) { m_tls = std::forward<decltype(tls)>(tls); });
 }
 
 void Client::lookUp()
@@ -189,7 +171,6 @@ void Client::giveUp(const Ending& ending)
 // The session may be the one that is calling.
 void Client::dropAttempt()
 {
-    ++m_attempt;
     if (m_lookup >= 0) {
         QHostInfo::abortHostLookup(std::exchange(m_lookup, -1));
     }

@@ -18,7 +18,7 @@
 
 // An MQTT broker, as long as somebody wants it: connects, comes back by itself with growing delays, renews the
 // subscriptions, and tells in one line what is wrong. Messages go to the receivers of a signal. Station thread; nothing
-// blocks: names are looked up by Qt's helpers, certificates read in the thread pool, the rest is Session's.
+// blocks: names are looked up by Qt's helpers, the rest is Session's.
 //
 // What is published while there is no connection is lost: nobody wants to know later where the mount was.
 namespace boresight::mqtt {
@@ -68,7 +68,7 @@ Q_SIGNALS:
 
 private:
     void attempt();
-    void prepareTls();
+    [[nodiscard]] Result<> prepareTls();
     void lookUp();
     void takeLookup(const QHostInfo& found);
     void tryNextAddress();
@@ -86,7 +86,6 @@ private:
     QTimer m_timer;
     RetryDelay m_delay;
     std::optional<SteadyTime> m_nextAttempt;
-    unsigned m_attempt = 0;           // counts, to know what belongs to an earlier one
     int m_lookup = -1;                // Qt's number of it
     QList<QHostAddress> m_addresses;  // of the attempt, still untried
     std::shared_ptr<TlsContext> m_tls;

@@ -3,7 +3,9 @@
 
 #include "core/base/text.h"
 
+#include <linux/tcp.h>
 #include <mosquitto.h>
+#include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
 
@@ -23,6 +25,14 @@ QString systemText(int error)
     return QString::fromStdString(std::generic_category().message(error));
 }
 
+// Only what is connected sends data, be it the greeting of TLS.
+bool hasSent(int socket)
+{
+    tcp_info info{};
+    socklen_t size = sizeof info;
+    return getsockopt(socket, IPPROTO_TCP, TCP_INFO, &info, &size) == 0 && info.tcpi_data_segs_out > 0;
+}
+
 // Why a socket that was connecting is not connected now; empty if it is.
 std::optional<Ending> failureToConnect(int socket)
 {
@@ -34,11 +44,10 @@ std::optional<Ending> failureToConnect(int socket)
     int error = 0;
     size = sizeof error;
     getsockopt(socket, SOL_SOCKET, SO_ERROR, &error, &size);
-    if (error == ECONNRESET || error == EPIPE) {
+    // An error is told once, and it can be that the first write of the TLS handshake was told.
+    if (error == ECONNRESET || error == EPIPE || (error == 0 && hasSent(socket))) {
         return Ending{.kind = EndKind::HungUp};  // it was connected
     }
-    // An error is told once, and it can be that the first write of the TLS handshake was told. That comes right after
-    // connecting, when nothing but a refusal is known already.
     return Ending{.kind = EndKind::ConnectionFailed, .detail = systemText(error != 0 ? error : ECONNREFUSED)};
 }
 

@@ -3,6 +3,8 @@
 
 #include "core/base/text.h"
 
+#include <QFile>
+#include <QFileInfo>
 #include <QHostAddress>
 
 #include <openssl/err.h>
@@ -13,6 +15,8 @@
 
 namespace boresight::mqtt {
 namespace {
+
+constexpr qint64 kLargestCaFile = 32 * 1024;  // bytes: some ten authorities, 3 ms to read
 
 // The first of what went wrong is the cause of the others.
 QString causeOfFailure()
@@ -84,10 +88,24 @@ Result<> TlsContext::prepare()
     SSL_CTX_set_app_data(m_context, this);
     SSL_CTX_set_verify(m_context, SSL_VERIFY_PEER, &Callbacks::verify);
     SSL_CTX_set_info_callback(m_context, &Callbacks::watch);
-    const QByteArray file = m_caFile.toLocal8Bit();
-    const int loaded = file.isEmpty() ? SSL_CTX_set_default_verify_paths(m_context)
-                                      : SSL_CTX_load_verify_locations(m_context, file.constData(), nullptr);
-    if (loaded != 1) {
+    return loadAuthorities();
+}
+
+// The computer's own authorities lie in a directory where OpenSSL looks up the one it needs. To read the list of all of
+// them takes 50 ms, two and a half ticks of the station.
+Result<> TlsContext::loadAuthorities()
+{
+    if (m_caFile.isEmpty()) {
+        SSL_CTX_set_default_verify_dir(m_context);
+        return {};
+    }
+    if (QFileInfo(m_caFile).size() > kLargestCaFile) {
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("%1 is a list of many authorities: name the one that signed the broker's certificate, "
+                                "or leave mqtt.ca_file empty to trust those this computer knows")
+                           .arg(m_caFile));
+    }
+    if (SSL_CTX_load_verify_locations(m_context, QFile::encodeName(m_caFile).constData(), nullptr) != 1) {
         return failure(ErrorCode::NoDevice,
                        Text::tr("no certificate of an authority can be read from %1 (%2): check mqtt.ca_file")
                            .arg(m_caFile, causeOfFailure()));

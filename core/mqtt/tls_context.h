@@ -22,7 +22,7 @@ class TlsContext
     {};
 
 public:
-    // `caFile` empty: the authorities that this computer knows. Reads the file.
+    // `caFile` empty: the authorities that this computer knows. Reads the file, which may hold a few authorities only.
     [[nodiscard]] static Result<std::shared_ptr<TlsContext>> create(const QString& caFile, const QString& host);
     TlsContext(OnlyByCreate, const QString& caFile, const QString& host);
     ~TlsContext();
@@ -37,6 +37,7 @@ private:
     struct Callbacks;
 
     [[nodiscard]] Result<> prepare();
+    [[nodiscard]] Result<> loadAuthorities();
     [[nodiscard]] bool expectHost();
 
     QString m_caFile;

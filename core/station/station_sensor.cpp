@@ -6,8 +6,7 @@
 #include "core/geomagnetism/decimal_year.h"
 #include "core/geomagnetism/magnetic_model.h"
 
-#include <QPromise>
-#include <QThreadPool>
+#include <utility>
 
 namespace boresight {
 namespace {
@@ -29,10 +28,10 @@ StationSensor::StationSensor(const profile::Profile& profile, const Clock& clock
       m_log(log),
       m_broker(broker),
       m_watch(profile, clock, log, alarms),
-      m_maker(sensorMaker(clock, nullptr)),
-      m_model(this)
+      m_maker(sensorMaker(clock, nullptr))
 {
-    connect(&m_model, &QFutureWatcherBase::finished, this, &StationSensor::takeModel);
+    m_reader.setMaxThreadCount(1);
+    connect(this, &StationSensor::modelRead, this, &StationSensor::takeModel);
 }
 
 void StationSensor::open()
@@ -90,29 +89,39 @@ void StationSensor::readModel()
     if (m_profile.sensor.declinationFile.empty() || !m_profile.site.known) {
         return;
     }
-    const auto promise = std::make_shared<QPromise<ModelAnswer>>();
-    m_model.setFuture(promise->future());
-    promise->start();
-    QThreadPool::globalInstance()->start([promise, path = toQString(m_profile.sensor.declinationFile),
-                                          site = siteOf(m_profile.site),
-                                          year = geomagnetism::decimalYear(m_clock.utc())] {
-        ModelAnswer answer;
-        answer.declination = geomagnetism::readCoefficients(path).and_then(
-            [&](const geomagnetism::Coefficients& coefficients) -> Result<Angle> {
-                const geomagnetism::MagneticModel model(coefficients);
-                answer.expiry = model.expiry(year);
-                return model.at(site, year).map([](const geomagnetism::MagneticField& field) {
-                    return field.now.declination;
-                });
-            });
-        promise->addResult(answer);
-        promise->finish();
+    if (std::exchange(m_isReading, true)) {
+        m_readAgain = true;
+        return;
+    }
+    m_reader.start([this, path = toQString(m_profile.sensor.declinationFile), site = siteOf(m_profile.site),
+                    year = geomagnetism::decimalYear(m_clock.utc())] {
+        m_model = askModel(path, site, year);
+        Q_EMIT modelRead();
     });
+}
+
+StationSensor::ModelAnswer StationSensor::askModel(const QString& path, const Site& site, double year)
+{
+    ModelAnswer answer;
+    answer.declination = geomagnetism::readCoefficients(path).and_then(
+        [&](const geomagnetism::Coefficients& coefficients) -> Result<Angle> {
+            const geomagnetism::MagneticModel model(coefficients);
+            answer.expiry = model.expiry(year);
+            return model.at(site, year).map([](const geomagnetism::MagneticField& field) {
+                return field.now.declination;
+            });
+        });
+    return answer;
 }
 
 void StationSensor::takeModel()
 {
-    const ModelAnswer answer = m_model.result();
+    const ModelAnswer answer = std::move(m_model);
+    m_isReading = false;
+    if (std::exchange(m_readAgain, false)) {
+        readModel();
+        return;
+    }
     m_watch.setSiteDeclination(answer.declination);
     if (!answer.declination) {
         m_log.add(Severity::Warning, kSource, toQString(answer.declination.error().text));

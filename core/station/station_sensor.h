@@ -5,15 +5,16 @@
 #include "core/station/sensor_watch.h"
 #include "core/station/station_broker.h"
 
-#include <QFutureWatcher>
 #include <QObject>
+#include <QThreadPool>
 
 #include <memory>
 #include <optional>
 #include <string>
 
 // The orientation sensor as the station uses it: the source that the profile names, opened and closed as the profile
-// changes, and what SensorWatch makes of its values. The magnetic model is read in the thread pool. Station thread.
+// changes, and what SensorWatch makes of its values. The magnetic model is read in a
+// thread of its own. Station thread.
 namespace boresight {
 
 class StationSensor : public QObject
@@ -37,12 +38,16 @@ public:
     [[nodiscard]] SensorEvidence evidence() const { return m_watch.evidence(); }
     [[nodiscard]] SensorWatch& watch() { return m_watch; }
 
+Q_SIGNALS:
+    void modelRead();  // from the reader, to this object
+
 private:
     struct ModelAnswer
     {
         Result<Angle> declination;
         std::string expiry;
     };
+    static ModelAnswer askModel(const QString& path, const Site& site, double year);
     void readModel();
     void takeModel();
 
@@ -53,8 +58,11 @@ private:
     SensorWatch m_watch;
     SensorMaker m_maker;
     std::unique_ptr<orientation::Source> m_source;
-    QFutureWatcher<ModelAnswer> m_model;
     bool m_open = false;
+    ModelAnswer m_model;       // the reader's until it has read
+    bool m_isReading = false;  // takeModel() is still to come
+    bool m_readAgain = false;  // asked for meanwhile
+    QThreadPool m_reader;      // one thread; last, so that it ends first
 };
 
 }  // namespace boresight

@@ -4903,6 +4903,10 @@ do eixo</translation>
         <source>Find north anew and apply it, or take the calibration back</source>
         <translation>Encontre o norte de novo e aplique-o, ou desfaça a calibração</translation>
     </message>
+    <message>
+        <source>%1 is a list of many authorities: name the one that signed the broker&apos;s certificate, or leave mqtt.ca_file empty to trust those this computer knows</source>
+        <translation>%1 é uma lista de muitas autoridades: indique a que assinou o certificado do broker, ou deixe mqtt.ca_file vazio para confiar nas que este computador conhece</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -20,6 +20,8 @@
 #include <link.h>
 #include <sanitizer/tsan_interface.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -39,19 +41,41 @@ struct CodeRange
     }
 };
 
-int findQtCore(dl_phdr_info* library, std::size_t /*size*/, void* found)
+// The libraries that post events to other threads: a looked-up host name comes from Qt Network.
+struct SenderCode
 {
-    if (std::strstr(library->dlpi_name, "libQt6Core.so") == nullptr) {
-        return 0;
-    }
-    for (int i = 0; i < library->dlpi_phnum; ++i) {
-        const auto& segment = library->dlpi_phdr[i];
+    const char* library;
+    CodeRange range;
+};
+
+constinit std::array g_senders{SenderCode{"libQt6Core.so", {}}, SenderCode{"libQt6Network.so", {}}};
+
+bool isQt(const void* caller)
+{
+    return std::any_of(g_senders.begin(), g_senders.end(),
+                       [caller](const SenderCode& sender) { return sender.range.contains(caller); });
+}
+
+CodeRange executableCode(const dl_phdr_info& library)
+{
+    for (int i = 0; i < library.dlpi_phnum; ++i) {
+        const auto& segment = library.dlpi_phdr[i];
         if (segment.p_type == PT_LOAD && (segment.p_flags & PF_X) != 0) {
-            const std::uintptr_t begin = library->dlpi_addr + segment.p_vaddr;
-            *static_cast<CodeRange*>(found) = {.begin = begin, .end = begin + segment.p_memsz};
+            const std::uintptr_t begin = library.dlpi_addr + segment.p_vaddr;
+            return {.begin = begin, .end = begin + segment.p_memsz};
         }
     }
-    return 1;
+    return {};
+}
+
+int findSenders(dl_phdr_info* library, std::size_t /*size*/, void* /*unused*/)
+{
+    for (SenderCode& sender : g_senders) {
+        if (std::strstr(library->dlpi_name, sender.library) != nullptr) {
+            sender.range = executableCode(*library);
+        }
+    }
+    return 0;
 }
 
 // Lives in each thread that has received an event. Qt destroys it when the thread ends, after the deferred deletions
@@ -78,16 +102,14 @@ bool eventDelivered(void** data)
     return false;
 }
 
-constinit CodeRange g_qtCore;
-
 [[maybe_unused]] const bool g_installed = [] {
-    dl_iterate_phdr(findQtCore, &g_qtCore);
+    dl_iterate_phdr(findSenders, nullptr);
     return QInternal::registerCallback(QInternal::EventNotifyCallback, eventDelivered);
 }();
 
 void freeBlock(void* block, const void* caller)
 {
-    if (block != nullptr && g_qtCore.contains(caller)) {
+    if (block != nullptr && isQt(caller)) {
         __tsan_acquire(block);
     }
     std::free(block);
@@ -120,7 +142,7 @@ void* operator new(std::size_t size)
     if (block == nullptr) {
         std::abort();  // the tests never run out of memory on purpose
     }
-    if (g_qtCore.contains(__builtin_return_address(0))) {
+    if (isQt(__builtin_return_address(0))) {
         __tsan_release(block);
     }
     return block;

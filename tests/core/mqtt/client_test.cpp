@@ -6,6 +6,7 @@
 #include "tests/fakes/mqtt_broker.h"
 
 #include <QFile>
+#include <QTemporaryFile>
 
 #include <gmock/gmock.h>
 
@@ -213,6 +214,16 @@ TEST_F(MqttTls, SaysSoWhenThereIsNoCaFile)
     EXPECT_THAT(refused(to(broker, "localhost", QStringLiteral("/no/such/file.pem"))),
                 EndsWith("no certificate of an authority can be read from /no/such/file.pem (No such file or "
                          "directory): check mqtt.ca_file"));
+}
+
+TEST_F(MqttTls, RefusesAListOfManyAuthorities)
+{
+    fakes::MqttBroker broker(fakes::MqttBroker::Door::Tls);
+    QTemporaryFile list;
+    ASSERT_TRUE(list.open());
+    list.write(QByteArray(33 * 1024, '\n'));
+    list.flush();
+    EXPECT_THAT(refused(to(broker, "localhost", list.fileName())), HasSubstr("leave mqtt.ca_file empty"));
 }
 
 TEST_F(MqttClient, ComesBackAfterTheBrokerDiedInTheMiddleOfAStream)
