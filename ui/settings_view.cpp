@@ -106,6 +106,7 @@ void SettingsView::buildTree()
     header->resizeSection(SettingTree::Name, room(QStringLiteral("  max_acceleration_deg_s2")));
     header->resizeSection(SettingTree::Range, room(QStringLiteral("-3600 ▬▬▬▬ 3600")));
     header->resizeSection(SettingTree::AppliesWhen, room(tr("reconnect")));
+    spanSections();
     connect(m_tree, &QTreeView::activated, this, &SettingsView::openEditor);
     auto* const edit = new QShortcut(Qt::Key_F2, m_tree, nullptr, nullptr, Qt::WidgetShortcut);
     connect(edit, &QShortcut::activated, this, [this] { openEditor(m_tree->currentIndex()); });
@@ -137,8 +138,17 @@ void SettingsView::showChangedOnly(bool on)
     expandIfSought();
 }
 
+// A section has nothing but its name, which may be longer than that of a setting.
+void SettingsView::spanSections()
+{
+    for (int row = 0; row < m_filter->rowCount(); ++row) {
+        m_tree->setFirstColumnSpanned(row, {}, true);
+    }
+}
+
 void SettingsView::expandIfSought()
 {
+    spanSections();
     if (m_filter->isSelective()) {
         m_tree->expandAll();
     } else {

@@ -33,6 +33,7 @@ private:
     QWidget* makeSearch();
     void search(const QString& text);
     void showChangedOnly(bool on);
+    void spanSections();
     void expandIfSought();
     void openEditor(const QModelIndex& index);
     void explain();
