@@ -1,30 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/ephemeris/rise_set.h"
 
+#include <algorithm>
+
 namespace boresight::ephemeris {
 
 namespace {
 
-constexpr std::chrono::minutes kStep{5};
 constexpr std::chrono::seconds kExact{1};
+// The sky turns by 15.04° in an hour; the Moon's own way and its parallax add less than a degree to that.
+constexpr Angle kMostInAnHour = Angle::fromDegrees(16.0);
 
-// From a time when `is` does not hold to one when it does.
-template <class Is>
-std::optional<UtcTime> firstTime(UtcTime from, Is is)
+// The height above the elevation, from a time when it does not hold to one when it does. It cannot pass the elevation
+// sooner than at the greatest rate, so most of the time is stepped over.
+template <class Height>
+std::optional<UtcTime> firstTime(UtcTime from, Height height)
 {
-    bool before = is(from);
-    for (UtcTime next = from + kStep; next <= from + kRiseSearch; next += kStep) {
-        const bool now = is(next);
-        if (now && !before) {
-            UtcTime early = next - kStep;
-            UtcTime late = next;
+    UtcTime early = from;
+    Angle there = height(early);
+    const UtcTime end = from + kRiseSearch;
+    while (early < end) {
+        const Seconds away = std::max<Seconds>(kShortestUp, abs(there) / kMostInAnHour * std::chrono::hours(1));
+        UtcTime late = std::min(end, early + std::chrono::duration_cast<UtcTime::duration>(away));
+        const Angle then = height(late);
+        if (there <= Angle{} && then > Angle{}) {
             while (late - early > kExact) {
                 const UtcTime middle = early + (late - early) / 2;
-                (is(middle) ? late : early) = middle;
+                (height(middle) > Angle{} ? late : early) = middle;
             }
             return late;
         }
-        before = now;
+        early = late;
+        there = then;
     }
     return std::nullopt;
 }
@@ -33,12 +40,12 @@ std::optional<UtcTime> firstTime(UtcTime from, Is is)
 
 std::optional<UtcTime> nextRise(Almanac& almanac, Body body, UtcTime from, Angle elevation)
 {
-    return firstTime(from, [&](UtcTime utc) { return almanac.place(body, utc).direction.elevation > elevation; });
+    return firstTime(from, [&](UtcTime utc) { return almanac.place(body, utc).direction.elevation - elevation; });
 }
 
 std::optional<UtcTime> nextSet(Almanac& almanac, Body body, UtcTime from, Angle elevation)
 {
-    return firstTime(from, [&](UtcTime utc) { return almanac.place(body, utc).direction.elevation <= elevation; });
+    return firstTime(from, [&](UtcTime utc) { return elevation - almanac.place(body, utc).direction.elevation; });
 }
 
 }  // namespace boresight::ephemeris

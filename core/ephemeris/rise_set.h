@@ -11,9 +11,11 @@ namespace boresight::ephemeris {
 
 // Longer than from one rise of the Moon to the next wherever it rises each day.
 inline constexpr std::chrono::hours kRiseSearch{26};
+// What is up, or down, for less than this may be passed over: so near to the horizon no search looks closer.
+inline constexpr std::chrono::minutes kShortestUp{10};
 
 // The next time, to the second, that the centre of the disc passes a true elevation upwards, or downwards. Empty if it
-// does not within kRiseSearch. What is up, or down, for less than five minutes may be passed over.
+// does not within kRiseSearch.
 [[nodiscard]] std::optional<UtcTime> nextRise(Almanac& almanac, Body body, UtcTime from, Angle elevation);
 [[nodiscard]] std::optional<UtcTime> nextSet(Almanac& almanac, Body body, UtcTime from, Angle elevation);
 

@@ -65,7 +65,7 @@ BodyNow BodyFollower::now(Body body)
     BodyNow now{.body = body};
     if (const auto place = direction(body)) {
         const auto may = permits(body);
-        const SkyBodies::Times& times = m_bodies.times(body, m_clock.utc());
+        const SkyBodies::Times times = m_bodies.times(body);
         now.direction = *place;
         now.isUp = place->elevation >= Angle{};
         now.obstacle = may ? QString() : toQString(may.error().text);

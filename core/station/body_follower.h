@@ -36,6 +36,8 @@ public:
     // Where it appears now. Refused while the site is not known.
     [[nodiscard]] Result<SkyPointing> direction(ephemeris::Body body);
     [[nodiscard]] BodyNow now(ephemeris::Body body);
+    // One of the times of rising and setting that are told with it.
+    void lookAhead() { m_bodies.lookAhead(m_clock.utc()); }
     // Why it can not be followed; what stands in the way of any motion is not looked at.
     [[nodiscard]] Result<> permits(ephemeris::Body body);
 

@@ -96,6 +96,7 @@ void CalibrationDesk::fillBodies(CalibrationStatus& status)
         status.noSite = toQString(known.error().text);
         return;
     }
+    m_follower.lookAhead();
     for (const ephemeris::Body body : kBodies) {
         status.bodies.push_back(m_follower.now(body));
     }

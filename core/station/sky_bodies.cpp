@@ -19,6 +19,13 @@ std::size_t index(ephemeris::Body body)
     return body == ephemeris::Body::Sun ? 0 : 1;
 }
 
+// The clock may be set back.
+template <class Search>
+bool isDue(const std::optional<Search>& search, UtcTime utc)
+{
+    return !search || utc >= search->until || utc < search->from;
+}
+
 }  // namespace
 
 QString bodyName(ephemeris::Body body)
@@ -32,7 +39,7 @@ void SkyBodies::setSite(const profile::SiteSettings& site)
         return;
     }
     m_site = site;
-    m_searched = {};
+    m_searches = {};
     m_almanac.reset();
     if (site.known) {
         m_almanac.emplace(
@@ -48,19 +55,33 @@ std::optional<SkyPointing> SkyBodies::direction(ephemeris::Body body, ephemeris:
     return ephemeris::apparent(m_almanac->place(body, utc).direction, kind);
 }
 
-const SkyBodies::Times& SkyBodies::times(ephemeris::Body body, UtcTime utc)
+void SkyBodies::lookAhead(UtcTime utc)
 {
-    auto& searched = m_searched[index(body)];
-    if (m_almanac && (!searched || utc >= searched->until || utc < searched->from)) {
-        const Times times{.rise = ephemeris::nextRise(*m_almanac, body, utc, kAtHorizon),
-                          .set = ephemeris::nextSet(*m_almanac, body, utc, kAtHorizon)};
-        const UtcTime until = utc + kSearchAgain;
-        searched = Searched{.times = times,
-                            .from = utc,
-                            .until = std::min({until, times.rise.value_or(until), times.set.value_or(until)})};
+    if (!m_almanac) {
+        return;
     }
-    static const Times kNone;
-    return searched ? searched->times : kNone;
+    const auto made = [utc](std::optional<UtcTime> found) {
+        const UtcTime again = utc + kSearchAgain;
+        return Search{.found = found, .from = utc, .until = std::min(again, found.value_or(again))};
+    };
+    for (const ephemeris::Body body : kBodies) {
+        Searches& searches = m_searches[index(body)];
+        if (isDue(searches.rise, utc)) {
+            searches.rise = made(ephemeris::nextRise(*m_almanac, body, utc, kAtHorizon));
+            return;
+        }
+        if (isDue(searches.set, utc)) {
+            searches.set = made(ephemeris::nextSet(*m_almanac, body, utc, kAtHorizon));
+            return;
+        }
+    }
+}
+
+SkyBodies::Times SkyBodies::times(ephemeris::Body body) const
+{
+    const Searches& searches = m_searches[index(body)];
+    return {.rise = searches.rise ? searches.rise->found : std::nullopt,
+            .set = searches.set ? searches.set->found : std::nullopt};
 }
 
 }  // namespace boresight

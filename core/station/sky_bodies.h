@@ -11,7 +11,7 @@
 #include <optional>
 
 // Where Sun and Moon appear from the profile's site, and when they rise and set next: looked for again only when that
-// has passed. Station thread only.
+// has passed, and one after the other, because a search takes a millisecond or more of a tick. Station thread only.
 namespace boresight {
 
 inline constexpr std::array kBodies = {ephemeris::Body::Sun, ephemeris::Body::Moon};
@@ -29,24 +29,32 @@ public:
     // As the beam sees it: bent by the air.
     [[nodiscard]] std::optional<SkyPointing> direction(ephemeris::Body body, ephemeris::Refraction kind, UtcTime utc);
 
+    // Of the times of rising and setting that are not known, or are to be looked for anew, finds one.
+    void lookAhead(UtcTime utc);
     struct Times
     {
         std::optional<UtcTime> rise;
         std::optional<UtcTime> set;
     };
-    [[nodiscard]] const Times& times(ephemeris::Body body, UtcTime utc);
+    // As found by now.
+    [[nodiscard]] Times times(ephemeris::Body body) const;
 
 private:
-    struct Searched
+    struct Search
     {
-        Times times;
+        std::optional<UtcTime> found;
         UtcTime from;
-        UtcTime until;  // then they are looked for anew
+        UtcTime until;  // then it is made anew
+    };
+    struct Searches
+    {
+        std::optional<Search> rise;
+        std::optional<Search> set;
     };
 
     profile::SiteSettings m_site;
     std::optional<ephemeris::Almanac> m_almanac;
-    std::array<std::optional<Searched>, 2> m_searched;
+    std::array<Searches, kBodies.size()> m_searches;
 };
 
 }  // namespace boresight

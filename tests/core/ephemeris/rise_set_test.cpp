@@ -66,3 +66,24 @@ TEST(RiseSet, AreNotWhereThereAreNone)
     EXPECT_FALSE(nextRise(svalbard, Body::Sun, utcOf("2026-12-24T00:00:00Z"), 0_deg)) << "polar night";
     EXPECT_FALSE(nextSet(svalbard, Body::Sun, utcOf("2026-06-21T00:00:00Z"), 0_deg)) << "polar day";
 }
+
+// The search steps over the hours in which the body cannot come to the horizon; this looks every ten minutes.
+TEST(RiseSet, AreNotSteppedOver)
+{
+    Almanac tromso({.latitude = 69.65_deg, .longitude = 18.96_deg, .heightMetres = 0.0});
+    for (int day = 0; day < 360; day += 12) {
+        const UtcTime from = utcOf("2026-01-01T00:00:00Z") + std::chrono::hours(24 * day + day % 24);
+        const auto isUp = [&](Body body, UtcTime utc) { return tromso.place(body, utc).direction.elevation > 0_deg; };
+        for (const Body body : {Body::Sun, Body::Moon}) {
+            const UtcTime rise = nextRise(tromso, body, from, 0_deg).value_or(from + kRiseSearch);
+            const UtcTime set = nextSet(tromso, body, from, 0_deg).value_or(from + kRiseSearch);
+            bool was = isUp(body, from);
+            for (UtcTime utc = from + kShortestUp; utc <= from + kRiseSearch; utc += kShortestUp) {
+                const bool is = isUp(body, utc);
+                EXPECT_FALSE(is && !was && utc < rise) << "day " << day;
+                EXPECT_FALSE(was && !is && utc < set) << "day " << day;
+                was = is;
+            }
+        }
+    }
+}
