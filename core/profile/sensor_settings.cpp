@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
+#include "core/profile/unreliable_arcs.h"
 
 namespace boresight::profile {
 
@@ -97,6 +98,30 @@ Setting harmonic(const std::string& key, const std::string& text, Access access)
     return number("sensor." + key, "°", kDeviation, kNow, text, access);
 }
 
+// How far that curve is to be believed.
+void addTrust(std::vector<Setting>& list)
+{
+    list.push_back(number(
+        "sensor.deviation_sigma_deg", "°", {0.0, 90.0}, kNow,
+        QT_TRANSLATE_NOOP("Text",
+                          "How well the north that came with the deviation is known, 1 sigma; 0: it is not known."),
+        [](auto& p) -> auto& { return p.sensor.deviation.sigma; }));
+    list.push_back(number(
+        "sensor.deviation_elevation_deg", "°", {-90.0, 180.0}, kNow,
+        QT_TRANSLATE_NOOP("Text", "Elevation of the boom while the compass was swung: there the deviation holds best."),
+        [](auto& p) -> auto& { return p.sensor.deviation.elevation; }));
+    list.push_back(textual(
+        "sensor.deviation_unreliable", kNow,
+        QT_TRANSLATE_NOOP("Text",
+                          "True headings at which steel steers the compass and its azimuth is no evidence, clockwise, "
+                          "like \"40-80, 350-20\"; empty: nowhere."),
+        [](const Profile& p) { return toText(p.sensor.deviation.unreliable); },
+        [](Profile& p, const std::string& text) {
+            return parseArcs(text).map(
+                [&](std::vector<UnreliableArc> arcs) { p.sensor.deviation.unreliable = std::move(arcs); });
+        }));
+}
+
 void addDeviation(std::vector<Setting>& list)
 {
     list.push_back(harmonic(
@@ -116,6 +141,7 @@ void addDeviation(std::vector<Setting>& list)
         "deviation_b2_deg",
         QT_TRANSLATE_NOOP("Text", "The same: the part that goes with the cosine of twice the heading."),
         [](auto& p) -> auto& { return p.sensor.deviation.b2; }));
+    addTrust(list);
 }
 
 void addDeclination(std::vector<Setting>& list)

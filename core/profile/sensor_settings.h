@@ -6,6 +6,7 @@
 #include "core/orientation/mounting.h"
 
 #include <string>
+#include <vector>
 
 // The orientation sensor on the antenna: how it is reached, how it is mounted, and what is made of it. Plain values;
 // the MQTT broker has settings of its own.
@@ -19,13 +20,26 @@ enum class SensorSource
     Simulated  // of the built-in simulated mount
 };
 
-// What iron near the compass does to its heading: the harmonics of core/calibration/deviation_curve.h.
+// True headings, clockwise from one to the other, at which steel steers the needle and no harmonic tells how.
+struct UnreliableArc
+{
+    Angle from;
+    Angle to;
+
+    bool operator==(const UnreliableArc&) const = default;
+};
+
+// What iron near the compass does to its heading: the harmonics of core/calibration/deviation_curve.h, and how far they
+// are to be believed.
 struct CompassDeviation
 {
     Angle a1;
     Angle b1;
     Angle a2;
     Angle b2;
+    Angle sigma;      // of the north that came with them, from the swing or from the Sun since; 0: not known
+    Angle elevation;  // of the boom while it was swung: there that sigma holds
+    std::vector<UnreliableArc> unreliable;
 
     bool operator==(const CompassDeviation&) const = default;
 };

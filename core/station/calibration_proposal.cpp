@@ -125,7 +125,8 @@ Proposal proposalOf(const calibration::PointingFit& fit, std::span<const calibra
     const calibration::SensorMounting mounting = mountingOf(profile.sensor);
     if (mounting.curve) {
         proposal.sensor =
-            withNorthMoved(mounting, (fit.terms.azimuthOffset - profile.pointing.azimuthOffset).wrapped180());
+            withNorthMoved(mounting, (fit.terms.azimuthOffset - profile.pointing.azimuthOffset).wrapped180(),
+                           fit.of(Term::AzimuthOffset).estimate.sigma);
     }
     for (const std::string& hint : fit.hints) {
         proposal.warnings.push_back(toQString(hint));

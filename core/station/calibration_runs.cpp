@@ -116,8 +116,12 @@ void CalibrationDesk::takeForOffset(const orientation::Orientation& value, const
 {
     calibration::SensorReading reading{
         .axisAzimuth = about.place.azimuth, .axisRate = about.rates.azimuth, .motorCurrent = about.current};
+    // Without a swing there is no curve for the fit to be told, only a mounting to be dealt with.
     reading.heading =
-        orientation::SensorHeading::folded(curveOf(m_profile.sensor, m_declination).corrected(value.heading));
+        wasSwung(m_profile.sensor)
+            ? value.heading
+            : orientation::SensorHeading::folded(curveOf(m_profile.sensor, m_declination).corrected(value.heading));
+    reading.axisElevation = about.place.elevation;
     if (value.calibration) {
         reading.systemCalibration = value.calibration->system;
         reading.magnetometerCalibration = value.calibration->magnetometer;
@@ -164,10 +168,9 @@ void CalibrationDesk::stepOffset()
     if (Seconds(m_clock.now() - m_offsetRun->started) < kOffsetTime) {
         return;
     }
-    const bool swung = m_profile.sensor.deviation != profile::CompassDeviation{};
-    // The readings are corrected already: the curve only says that one heading's deviation is known.
-    const auto offset = calibration::sensorOffset(m_offsetRun->readings, {},
-                                                  swung ? std::optional(calibration::DeviationCurve{}) : std::nullopt);
+    const auto curve = wasSwung(m_profile.sensor) ? std::optional(curveOf(m_profile.sensor, m_declination))
+                                                  : std::optional<calibration::DeviationCurve>();
+    const auto offset = calibration::sensorOffset(m_offsetRun->readings, {}, curve);
     if (!offset) {
         endRun(toQString(offset.error().text), true);
         return;

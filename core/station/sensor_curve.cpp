@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/sensor_curve.h"
 
+#include "core/calibration/words.h"
+
 namespace boresight {
 namespace {
 
@@ -10,13 +12,21 @@ using calibration::DeviationCurve;
 // About the heading without any declination.
 DeviationCurve bareCurve(const profile::SensorSettings& settings)
 {
-    const auto& [a1, b1, a2, b2] = settings.deviation;
-    return {.sense = settings.mounting.sense,
-            .constant = -settings.mounting.azimuthOffset,
-            .a1 = a1,
-            .b1 = b1,
-            .a2 = a2,
-            .b2 = b2};
+    const profile::CompassDeviation& deviation = settings.deviation;
+    DeviationCurve curve{.sense = settings.mounting.sense,
+                         .constant = -settings.mounting.azimuthOffset,
+                         .a1 = deviation.a1,
+                         .b1 = deviation.b1,
+                         .a2 = deviation.a2,
+                         .b2 = deviation.b2};
+    if (deviation.sigma > Angle{}) {
+        curve.constantSigma = deviation.sigma;
+        curve.elevation = deviation.elevation;
+    }
+    for (const auto& [from, to] : deviation.unreliable) {
+        curve.unreliable.push_back({.from = from, .to = to});
+    }
+    return curve;
 }
 
 }  // namespace
@@ -26,7 +36,7 @@ calibration::SensorMounting mountingOf(const profile::SensorSettings& settings)
     calibration::SensorMounting mounting{.sense = settings.mounting.sense,
                                          .azimuthOffset = settings.mounting.azimuthOffset,
                                          .elevationOffset = settings.mounting.elevationOffset};
-    if (settings.deviation != profile::CompassDeviation{}) {
+    if (wasSwung(settings)) {
         mounting.curve = bareCurve(settings);
     }
     return mounting;
@@ -37,7 +47,20 @@ void setMounting(profile::SensorSettings& settings, const calibration::SensorMou
     settings.mounting = {
         .sense = mounting.sense, .azimuthOffset = mounting.azimuthOffset, .elevationOffset = mounting.elevationOffset};
     const DeviationCurve curve = mounting.curve.value_or(DeviationCurve{});
-    settings.deviation = {.a1 = curve.a1, .b1 = curve.b1, .a2 = curve.a2, .b2 = curve.b2};
+    settings.deviation = {.a1 = curve.a1,
+                          .b1 = curve.b1,
+                          .a2 = curve.a2,
+                          .b2 = curve.b2,
+                          .sigma = curve.constantSigma.value_or(Angle{}),
+                          .elevation = curve.elevation.value_or(Angle{})};
+    for (const calibration::UnreliableSector& sector : curve.unreliable) {
+        settings.deviation.unreliable.push_back({.from = sector.from, .to = sector.to});
+    }
+}
+
+bool wasSwung(const profile::SensorSettings& settings)
+{
+    return settings.deviation != profile::CompassDeviation{};
 }
 
 DeviationCurve curveOf(const profile::SensorSettings& settings, Angle declination)
@@ -48,12 +71,21 @@ DeviationCurve curveOf(const profile::SensorSettings& settings, Angle declinatio
     return curve;
 }
 
-calibration::SensorMounting withNorthMoved(calibration::SensorMounting mounting, Angle correction)
+std::optional<Angle> azimuthSigma(const DeviationCurve& curve, const SkyPointing& direction)
+{
+    if (!curve.constantSigma) {
+        return std::nullopt;
+    }
+    return calibration::hypot(*curve.constantSigma, curve.sigmaAt(direction.elevation));
+}
+
+calibration::SensorMounting withNorthMoved(calibration::SensorMounting mounting, Angle correction, Angle sigma)
 {
     mounting.azimuthOffset = (mounting.azimuthOffset + correction).wrapped180();
     if (mounting.curve) {
         mounting.curve = mounting.curve->withNorthMoved(correction);
         mounting.curve->constant = -mounting.azimuthOffset;
+        mounting.curve->constantSigma = sigma;
     }
     return mounting;
 }

@@ -25,7 +25,9 @@ struct SensorStatus
     std::optional<orientation::Orientation> last;  // as sent, the newest that was believed, whatever its age
     std::optional<std::chrono::milliseconds> age;  // of that
     std::optional<SkyPointing> direction;          // true, after all corrections; not once it is lost
-    // Why its azimuth is no evidence: the compass is not calibrated. Empty: it is.
+    // Of the azimuth in `direction`, after a swing: what is the same in all readings; empty: nothing is known of it.
+    std::optional<Angle> azimuthSigma;
+    // Why its azimuth is no evidence: the compass is not calibrated, or steel steers it at this heading. Empty: it is.
     QString doubt;
     Angle declination;        // that is in `direction`
     QString declinationText;  // whose that is, or why there is none

@@ -44,7 +44,7 @@ bool isTiedToNorth(const orientation::Calibration& calibration)
     return calibration.magnetometer >= kFewestMagnetometer && calibration.system >= kFewestSystem;
 }
 
-QString doubtOf(const orientation::Orientation& value)
+QString doubtOfCalibration(const orientation::Orientation& value)
 {
     if (!value.calibration) {
         return Text::tr("the sensor does not tell how well its compass is calibrated");
@@ -100,7 +100,7 @@ void SensorWatch::correct()
 {
     m_correction = orientation::Correction(m_settings.mounting, declination());
     m_deviation.reset();
-    if (m_settings.deviation != profile::CompassDeviation{}) {
+    if (wasSwung(m_settings)) {
         m_deviation = curveOf(m_settings, m_correction.declination());
     }
     m_check.forget();
@@ -128,9 +128,10 @@ void SensorWatch::take(const orientation::Orientation& value)
     }
     // Outliers too: a sensor that was knocked over differs at once, and one outlier alone never counts.
     const bool level = !value.calibration || value.calibration->accelerometer >= kFewestAccelerometer;
-    m_check.take({.direction = directionOf(value),
+    const SkyPointing direction = directionOf(value);
+    m_check.take({.direction = direction,
                   .arrival = value.arrival,
-                  .azimuthCounts = !value.calibration || isTiedToNorth(*value.calibration),
+                  .azimuthCounts = (!value.calibration || isTiedToNorth(*value.calibration)) && isReliable(direction),
                   .elevationCounts = level});
     if (verdict == orientation::Verdict::Used) {
         note(value);
@@ -144,6 +145,19 @@ SkyPointing SensorWatch::directionOf(const orientation::Orientation& value) cons
         direction.azimuth = m_deviation->corrected(value.heading);
     }
     return direction;
+}
+
+bool SensorWatch::isReliable(const SkyPointing& direction) const
+{
+    return !m_deviation || m_deviation->isReliable(direction.azimuth);
+}
+
+QString SensorWatch::doubtOf(const orientation::Orientation& value) const
+{
+    const SkyPointing direction = directionOf(value);
+    return isReliable(direction) ? doubtOfCalibration(value)
+                                 : Text::tr("steel steers its compass around %1: the swing found it unreliable there")
+                                       .arg(degreesText(direction.azimuth));
 }
 
 void SensorWatch::note(const orientation::Orientation& value)
@@ -281,6 +295,9 @@ SensorStatus SensorWatch::status() const
         status.age = std::chrono::duration_cast<std::chrono::milliseconds>(now - status.last->arrival);
         status.doubt = doubtOf(*status.last);
         status.direction = isYoung() ? std::optional(directionOf(*status.last)) : std::nullopt;
+        if (status.direction && m_deviation && isReliable(*status.direction)) {
+            status.azimuthSigma = azimuthSigma(*m_deviation, *status.direction);
+        }
     }
     return status;
 }

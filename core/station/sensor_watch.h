@@ -47,6 +47,10 @@ public:
 private:
     [[nodiscard]] geomagnetism::Declination declination() const;
     [[nodiscard]] SkyPointing directionOf(const orientation::Orientation& value) const;
+    // The swing found no steel that steers the compass there.
+    [[nodiscard]] bool isReliable(const SkyPointing& direction) const;
+    // Why its azimuth is no evidence; empty: it is.
+    [[nodiscard]] QString doubtOf(const orientation::Orientation& value) const;
     [[nodiscard]] bool isYoung() const;
     void correct();
     void note(const orientation::Orientation& value);

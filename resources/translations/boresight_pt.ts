@@ -4907,6 +4907,26 @@ do eixo</translation>
         <source>%1 is a list of many authorities: name the one that signed the broker&apos;s certificate, or leave mqtt.ca_file empty to trust those this computer knows</source>
         <translation>%1 é uma lista de muitas autoridades: indique a que assinou o certificado do broker, ou deixe mqtt.ca_file vazio para confiar nas que este computador conhece</translation>
     </message>
+    <message>
+        <source>How well the north that came with the deviation is known, 1 sigma; 0: it is not known.</source>
+        <translation>Com que precisão se conhece o norte que veio com o desvio, 1 sigma; 0: não se conhece.</translation>
+    </message>
+    <message>
+        <source>Elevation of the boom while the compass was swung: there the deviation holds best.</source>
+        <translation>Elevação da lança durante o giro da bússola: é aí que o desvio vale melhor.</translation>
+    </message>
+    <message>
+        <source>True headings at which steel steers the compass and its azimuth is no evidence, clockwise, like &quot;40-80, 350-20&quot;; empty: nowhere.</source>
+        <translation>Rumos verdadeiros em que o aço conduz a bússola e o azimute dela não é prova, no sentido horário, como &quot;40-80, 350-20&quot;; vazio: nenhum.</translation>
+    </message>
+    <message>
+        <source>arcs of headings from 0 to 360° are expected, like &quot;40-80, 350-20&quot;</source>
+        <translation>esperam-se arcos de rumos de 0 a 360°, como &quot;40-80, 350-20&quot;</translation>
+    </message>
+    <message>
+        <source>steel steers its compass around %1: the swing found it unreliable there</source>
+        <translation>o aço conduz a bússola dele perto de %1: o giro mostrou que aí não é de fiar</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -80,10 +80,11 @@ TEST(ProfileDiff, KnowsEveryKey)
             other = setting.get(from) == SettingValue(setting.choices.front()) ? setting.choices.back()
                                                                                : setting.choices.front();
         } else if (setting.type == SettingType::Text) {
-            other = setting.key == "rotctld.listen"    ? "[::1]:1"
-                    : setting.key == "bus.name"        ? "socketcan:can7"
-                    : setting.key == "gpredict.folder" ? "/mnt/Gpredict"
-                                                       : "::1";
+            other = setting.key == "rotctld.listen"                ? "[::1]:1"
+                    : setting.key == "bus.name"                    ? "socketcan:can7"
+                    : setting.key == "gpredict.folder"             ? "/mnt/Gpredict"
+                    : setting.key == "sensor.deviation_unreliable" ? "40.0-80.0"
+                                                                   : "::1";
         }
         if (setting.get(from) == other) {
             other = setting.min;

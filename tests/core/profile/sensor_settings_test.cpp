@@ -2,6 +2,7 @@
 #include "core/profile/profile_diff.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/setting.h"
+#include "core/profile/unreliable_arcs.h"
 
 #include <gtest/gtest.h>
 
@@ -38,6 +39,13 @@ TEST(SensorSettings, SurviveTheRoundTrip)
                       .mounting = {.sense = orientation::Sense::CounterClockwise,
                                    .azimuthOffset = -123.456_deg,
                                    .elevationOffset = 1.25_deg},
+                      .deviation = {.a1 = 8_deg,
+                                    .b1 = -1.5_deg,
+                                    .a2 = 0.25_deg,
+                                    .b2 = 3_deg,
+                                    .sigma = 1.6_deg,
+                                    .elevation = 30_deg,
+                                    .unreliable = {{40_deg, 80_deg}, {350.5_deg, 20_deg}}},
                       .declinationBy = geomagnetism::DeclinationBy::Boresight,
                       .declinationInSensor = 4.98_deg,
                       .declination = -1.5_deg,
@@ -84,6 +92,16 @@ TEST(SensorSettings, ATopicNamesOne)
         profile.sensor.orientationTopic = bad;
         EXPECT_EQ(keysOf(profile), std::vector<std::string>{"sensor.orientation_topic"}) << bad;
     }
+}
+
+TEST(SensorSettings, UnreliableHeadingsAreArcs)
+{
+    for (const char* const bad : {"40", "40-", "-40-80", "40-80-90", "40-361", "40-80,", "forty-80", "nan-3"}) {
+        EXPECT_FALSE(parseArcs(bad)) << bad;
+    }
+    EXPECT_EQ(*parseArcs(""), std::vector<UnreliableArc>{});
+    EXPECT_EQ(*parseArcs(" 350 - 20.5,90-100 "), (std::vector<UnreliableArc>{{350_deg, 20.5_deg}, {90_deg, 100_deg}}));
+    EXPECT_EQ(toText({{350_deg, 20.5_deg}, {90_deg, 100_deg}}), "350.0-20.5, 90.0-100.0");
 }
 
 TEST(SensorSettings, ApplyAtOnce)

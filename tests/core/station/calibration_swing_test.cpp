@@ -60,6 +60,33 @@ TEST(CalibrationSwing, StopsAtHeadingsFindNorthToo)
     EXPECT_LT(std::abs(northError(rig)), 2.0);
 }
 
+// A still mount whose compass was swung knows its deviation, and how well.
+TEST(CalibrationSwing, KeepsHowFarItIsToBeBelieved)
+{
+    CalibrationRig rig;
+    rig.goTo(200.0, 30.0);
+    ASSERT_TRUE(rig.ask(kSweep));
+    rig.runOut();
+    const calibration::DeviationCurve found = rig.status().swing->fit.curve;
+    ASSERT_TRUE(rig.apply());
+    EXPECT_EQ(rig.profile.sensor.deviation.sigma, found.constantSigma);
+    EXPECT_NEAR(rig.profile.sensor.deviation.elevation.degrees(), 30.0, 0.1);
+    const auto offsetSigma = [&rig] {
+        rig.run(Seconds(5.0));
+        EXPECT_TRUE(rig.ask(request::MeasureSensorOffset{}));
+        rig.runOut(Seconds(60.0));
+        EXPECT_TRUE(rig.status().sensorOffset) << rig.status().progress.outcome.toStdString();
+        return rig.status().sensorOffset->offset.sigma;
+    };
+    const Angle there = offsetSigma();
+    EXPECT_GT(there, found.constantSigma);
+    EXPECT_LT(there, *found.constantSigma + 1_deg);
+    rig.goTo(200.0, 80.0);
+    EXPECT_GT(offsetSigma(), there + 1_deg) << "another elevation";
+    ASSERT_TRUE(rig.ask(request::UndoCalibration{}));
+    EXPECT_EQ(rig.profile.sensor.deviation, profile::CompassDeviation());
+}
+
 // The sensor's later readings are true: its curve came into force with north.
 TEST(CalibrationSwing, CorrectsTheSensor)
 {

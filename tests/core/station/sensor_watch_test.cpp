@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/sensor_watch.h"
 
+#include "core/station/sensor_curve.h"
 #include "tests/fakes/manual_clock.h"
 
 #include <gmock/gmock.h>
@@ -220,6 +221,35 @@ TEST(SensorWatch, WhatASwingFoundStandsForTheMounting)
     rig.heading = curve.reading(100_deg).angle();
     rig.run(3.0);
     EXPECT_NEAR(rig.watch.status().direction->azimuth.degrees(), 100.0, 1e-6);
+}
+
+// A swing tells how far it is to be believed, and where steel steers the needle.
+TEST(SensorWatch, WhatASwingFoundSaysHowFarItIsToBeBelieved)
+{
+    profile::Profile profile;
+    profile.sensor.deviation = {.a1 = 8_deg, .sigma = 1.5_deg, .elevation = 20_deg};
+    WatchRig rig(profile);
+    rig.heading = curveOf(profile.sensor, profile.sensor.declinationInSensor).reading(100_deg).angle();
+    rig.run(3.0);
+    EXPECT_NEAR(rig.watch.status().azimuthSigma->degrees(), 1.5, 1e-9);
+    rig.elevation = 80_deg;
+    rig.run(5.0);
+    EXPECT_GT(*rig.watch.status().azimuthSigma, 5_deg) << "swung lower down";
+    rig.elevation = 20_deg;
+    rig.run(6.0);
+    ASSERT_TRUE(rig.watch.evidence().azimuth);
+
+    rig.profile.sensor.deviation.unreliable = {{.from = 90_deg, .to = 130_deg}};
+    rig.watch.setProfile(rig.profile);
+    EXPECT_FALSE(rig.watch.status().azimuthSigma);
+    EXPECT_FALSE(rig.watch.evidence().azimuth);
+    EXPECT_THAT(rig.watch.status().doubt.toStdString(), HasSubstr("steel steers its compass around 100.0°"));
+    rig.heading = curveOf(profile.sensor, profile.sensor.declinationInSensor).reading(120_deg).angle();
+    rig.run(10.0);
+    EXPECT_EQ(rig.alarmText(), "") << "20° off, but nothing is to be made of it there";
+    rig.heading = curveOf(profile.sensor, profile.sensor.declinationInSensor).reading(140_deg).angle();
+    rig.run(5.0);
+    EXPECT_THAT(rig.alarmText(), HasSubstr("in azimuth"));
 }
 
 TEST(SensorWatch, TheDeclinationOfTheSiteCountsOnceItIsKnown)

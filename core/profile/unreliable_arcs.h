@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/profile/sensor_settings.h"
+
+#include <string>
+#include <vector>
+
+// Arcs of headings as one text, in degrees: "40-80, 350-20.5" and "" for none. Pure.
+namespace boresight::profile {
+
+[[nodiscard]] std::string toText(const std::vector<UnreliableArc>& arcs);
+[[nodiscard]] Result<std::vector<UnreliableArc>> parseArcs(const std::string& text);
+
+}  // namespace boresight::profile
