@@ -94,6 +94,7 @@ private:
     [[nodiscard]] CalibrationRun run() const;
     [[nodiscard]] Result<> nothingRuns() const;
     [[nodiscard]] Result<> sensorTells() const;
+    [[nodiscard]] Result<> sensorSpeaks() const;
     [[nodiscard]] Result<> maySwing() const;
     [[nodiscard]] Result<> mayTakePoint() const;
     [[nodiscard]] Result<> mayTakeBody();
@@ -104,6 +105,8 @@ private:
     void noteAxes();
     void stepOffset();
     void stepSwing();
+    [[nodiscard]] QString endOfSwing(const std::optional<AxesThen>& axes) const;
+    void leadSwing(const AxesThen& axes);
     void stepScan();
     void finishSwing();
     void endRun(const QString& outcome, bool failed);
@@ -137,6 +140,7 @@ private:
     BodyFollower m_follower;
     AxisTrace m_trace;
     std::optional<orientation::Orientation> m_value;  // of the sensor, the last
+    QString m_sensorProblem;                          // of its port or broker
     Angle m_declination;
 
     std::optional<OffsetRun> m_offsetRun;

@@ -74,7 +74,7 @@ CalibrationProgress CalibrationDesk::progress() const
     if (m_swing) {
         progress.done = m_swing->part(now);
         progress.left = m_swing->left(now);
-        progress.text = m_swing->text();
+        progress.text = m_swing->text(now);
     } else if (m_scan) {
         progress.done = m_scan->part();
         progress.text = m_scan->text(now);

@@ -44,26 +44,34 @@ Result<> CalibrationDesk::nothingRuns() const
     return {};
 }
 
+Result<> CalibrationDesk::sensorSpeaks() const
+{
+    const Seconds age = m_value ? Seconds(m_clock.now() - m_value->arrival) : Seconds(0.0);
+    if (m_value && age <= m_profile.sensor.lost) {
+        return {};
+    }
+    const QString silence =
+        m_value ? Text::tr("the orientation sensor has said nothing for %1 s").arg(age.count(), 0, 'f', 0)
+                : Text::tr("the orientation sensor has said nothing yet");
+    return failure(ErrorCode::NoAnswer,
+                   m_sensorProblem.isEmpty() ? silence : QStringLiteral("%1 (%2)").arg(silence, m_sensorProblem));
+}
+
 Result<> CalibrationDesk::sensorTells() const
 {
-    const profile::SensorSettings& sensor = m_profile.sensor;
-    if (sensor.source == profile::SensorSource::None) {
+    if (m_profile.sensor.source == profile::SensorSource::None) {
         return failure(ErrorCode::NotAvailable, Text::tr("the profile names no orientation sensor"));
     }
-    if (!m_value) {
-        return failure(ErrorCode::NoAnswer, Text::tr("the orientation sensor has said nothing yet"));
-    }
-    if (const Seconds age = m_clock.now() - m_value->arrival; age > sensor.lost) {
-        return failure(ErrorCode::NoAnswer,
-                       Text::tr("the orientation sensor has said nothing for %1 s").arg(age.count(), 0, 'f', 0));
-    }
-    if (m_value->calibration && m_value->calibration->magnetometer < kCalibratedMagnetometer) {
-        return failure(ErrorCode::Refused, Text::tr("the magnetometer is calibrated to %1 of 3 only, it needs %2: move "
-                                                    "the sensor in figures of eight")
-                                               .arg(m_value->calibration->magnetometer)
-                                               .arg(kCalibratedMagnetometer));
-    }
-    return {};
+    return sensorSpeaks().and_then([this]() -> Result<> {
+        if (m_value->calibration && m_value->calibration->magnetometer < kCalibratedMagnetometer) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("the magnetometer is calibrated to %1 of 3 only, it needs %2: move "
+                                    "the sensor in figures of eight")
+                               .arg(m_value->calibration->magnetometer)
+                               .arg(kCalibratedMagnetometer));
+        }
+        return {};
+    });
 }
 
 Result<> CalibrationDesk::maySwing() const
@@ -95,6 +103,7 @@ SwingPlan CalibrationDesk::planned(const SwingWish& wish) const
 void CalibrationDesk::take(const SensorStatus& sensor)
 {
     m_declination = sensor.declination;
+    m_sensorProblem = sensor.problem;
     if (!sensor.last || (m_value && sensor.last->arrival == m_value->arrival)) {
         return;
     }
@@ -182,29 +191,55 @@ void CalibrationDesk::stepOffset()
 
 void CalibrationDesk::stepSwing()
 {
-    const SteadyTime now = m_clock.now();
     const auto axes = m_trace.now();
-    if (const auto tells = sensorTells(); !tells || !axes || m_swing->late(now)) {
+    if (const QString reason = endOfSwing(axes); !reason.isEmpty()) {
         holdMount();
-        endRun(!tells  ? toQString(tells.error().text)
-               : !axes ? Text::tr("where the mount stands is not known any more")
-                       : Text::tr("the mount does not get on: something holds it"),
-               true);
+        endRun(reason, true);
         return;
     }
-    if (m_swing->begun() && !m_control.obeys(calibrationSource())) {
-        endRun(Text::tr("the mount was stopped, or told otherwise"), true);
-        return;
-    }
-    if (const auto wanted = m_swing->step(now, *axes)) {
-        if (const auto admitted = m_control.request(*wanted, calibrationSource()); !admitted) {
-            holdMount();
-            endRun(toQString(admitted.error().text), true);
-            return;
-        }
-    }
-    if (m_swing->done()) {
+    leadSwing(*axes);
+    if (m_swing && m_swing->done()) {
         finishSwing();
+    }
+}
+
+// A sensor that is silent may come back: that is waited for, standing still.
+QString CalibrationDesk::endOfSwing(const std::optional<AxesThen>& axes) const
+{
+    const SteadyTime now = m_clock.now();
+    const auto tells = sensorTells();
+    if (!tells && (sensorSpeaks() || !m_swing->begun() || m_swing->waitedInVain(now))) {
+        return toQString(tells.error().text);
+    }
+    if (!axes) {
+        return Text::tr("where the mount stands is not known any more");
+    }
+    if (m_swing->late(now)) {
+        return Text::tr("the mount does not get on: something holds it");
+    }
+    return m_swing->begun() && !m_control.obeys(calibrationSource())
+               ? Text::tr("the mount was stopped, or told otherwise")
+               : QString();
+}
+
+void CalibrationDesk::leadSwing(const AxesThen& axes)
+{
+    const auto speaks = sensorSpeaks();
+    const bool waited = m_swing->waits();
+    const auto wanted = m_swing->step(m_clock.now(), axes, speaks.has_value());
+    if (m_swing->waits() != waited) {
+        m_log.add(waited ? Severity::Advisory : Severity::Warning, kSource,
+                  waited ? Text::tr("the sensor is heard again: the swing goes on")
+                         : Text::tr("the swing stands still for %1 s at most: %2")
+                               .arg(SwingRun::kLongestWait.count(), 0, 'f', 0)
+                               .arg(toQString(speaks.error().text)));
+    }
+    if (!wanted) {
+        return;
+    }
+    if (const auto admitted = m_control.request(*wanted, calibrationSource()); !admitted) {
+        holdMount();
+        endRun(toQString(admitted.error().text), true);
     }
 }
 

@@ -50,7 +50,8 @@ void StationSensor::open()
     });
     connect(m_source.get(), &orientation::Source::statusChanged, this, [this](const orientation::SourceStatus& status) {
         m_watch.show(status);
-        if (!status.problem.isEmpty()) {
+        // The broker's own trouble has its line already.
+        if (!status.problem.isEmpty() && status.problem != m_broker.client().problem()) {
             m_log.add(Severity::Warning, kSource, status.problem);
         }
     });

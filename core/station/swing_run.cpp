@@ -97,10 +97,44 @@ bool SwingRun::dwells(SteadyTime now, const AxesThen& axes)
     return stood < std::max(kSwingDwell, m_settling * 2.0);
 }
 
-std::optional<Request> SwingRun::step(SteadyTime now, const AxesThen& axes)
+// Comes to rest on its way: what it passed unheard it will pass again on its way back.
+std::optional<Request> SwingRun::wait(SteadyTime now, const AxesThen& axes)
+{
+    if (waits()) {
+        return std::nullopt;
+    }
+    m_waitsSince = now;
+    m_reads = false;
+    const Angle run = stoppingWay(axes.rates.azimuth, m_limits);
+    const Angle rest = axes.place.azimuth + (axes.rates.azimuth < AngularRate{} ? -run : run);
+    return request::PointAxes{
+        {.azimuth = std::clamp(rest, m_plan.azimuth.min, m_plan.azimuth.max), .elevation = m_plan.elevation}};
+}
+
+void SwingRun::goOn(SteadyTime now)
+{
+    const SteadyTime::duration waited = now - *m_waitsSince;
+    m_started += waited;
+    m_deadline += waited;
+    m_waitsSince.reset();
+    m_begun = false;
+}
+
+bool SwingRun::waitedInVain(SteadyTime now) const
+{
+    return waits() && now - *m_waitsSince >= kLongestWait;
+}
+
+std::optional<Request> SwingRun::step(SteadyTime now, const AxesThen& axes, bool heard)
 {
     if (done()) {
         return std::nullopt;
+    }
+    if (!heard) {
+        return wait(now, axes);
+    }
+    if (waits()) {
+        goOn(now);
     }
     if (!m_begun) {
         return begin(m_legs[m_leg]);
@@ -141,16 +175,21 @@ void SwingRun::take(const SwingReading& reading)
 
 double SwingRun::part(SteadyTime now) const
 {
-    return std::clamp(Seconds(now - m_started) / m_plan.duration, 0.0, done() ? 1.0 : 0.99);
+    return std::clamp(Seconds(m_waitsSince.value_or(now) - m_started) / m_plan.duration, 0.0, done() ? 1.0 : 0.99);
 }
 
 Seconds SwingRun::left(SteadyTime now) const
 {
-    return std::max(m_plan.duration - Seconds(now - m_started), Seconds(0.0));
+    return std::max(m_plan.duration - Seconds(m_waitsSince.value_or(now) - m_started), Seconds(0.0));
 }
 
-QString SwingRun::text() const
+QString SwingRun::text(SteadyTime now) const
 {
+    if (waits()) {
+        const Seconds left = std::max(kLongestWait - Seconds(now - *m_waitsSince), Seconds(0.0));
+        return Text::tr("standing still until the sensor is heard again, %1 s more at most")
+            .arg(left.count(), 0, 'f', 0);
+    }
     if (done() || (m_leg == 0 && m_plan.headings == 0)) {
         return Text::tr("going to where the swing begins");
     }

@@ -30,18 +30,23 @@ public:
     SwingRun(const SwingPlan& plan, const AxisPosition& here, const tracking::MotionLimits& limits,
              const profile::SensorSettings& sensor, SteadyTime now);
 
-    // What is to be asked of the mount now; mostly nothing.
-    [[nodiscard]] std::optional<Request> step(SteadyTime now, const AxesThen& axes);
+    // A sensor that falls silent is waited for so long, at rest: as a broker or a WiFi needs to come back.
+    static constexpr Seconds kLongestWait{30.0};
+
+    // What is to be asked of the mount now; mostly nothing. `heard`: the sensor is.
+    [[nodiscard]] std::optional<Request> step(SteadyTime now, const AxesThen& axes, bool heard);
     void take(const SwingReading& reading);
 
     // Something was asked of the mount.
     [[nodiscard]] bool begun() const { return m_begun || m_leg > 0; }
     [[nodiscard]] bool done() const { return m_leg == m_legs.size(); }
+    [[nodiscard]] bool waits() const { return m_waitsSince.has_value(); }
+    [[nodiscard]] bool waitedInVain(SteadyTime now) const;
     // Longer than planned by far: something holds the mount.
-    [[nodiscard]] bool late(SteadyTime now) const { return now > m_deadline; }
+    [[nodiscard]] bool late(SteadyTime now) const { return !waits() && now > m_deadline; }
     [[nodiscard]] double part(SteadyTime now) const;
     [[nodiscard]] Seconds left(SteadyTime now) const;
-    [[nodiscard]] QString text() const;
+    [[nodiscard]] QString text(SteadyTime now) const;
 
     // What was found: refused with the reason where it says nothing. `declination`: from magnetic to true north.
     [[nodiscard]] Result<SwingOutcome> outcome(UtcTime utc, Angle declination) const;
@@ -59,6 +64,8 @@ private:
     [[nodiscard]] bool reached(const Leg& leg, const AxesThen& axes) const;
     [[nodiscard]] std::optional<Request> begin(const Leg& leg);
     [[nodiscard]] bool dwells(SteadyTime now, const AxesThen& axes);
+    [[nodiscard]] std::optional<Request> wait(SteadyTime now, const AxesThen& axes);
+    void goOn(SteadyTime now);
 
     SwingPlan m_plan;
     tracking::MotionLimits m_limits;
@@ -69,7 +76,8 @@ private:
     bool m_begun = false;                   // the present leg was asked for
     std::optional<SteadyTime> m_standsFor;  // since when, at a stop
     bool m_reads = false;
-    SteadyTime m_started;
+    std::optional<SteadyTime> m_waitsSince;  // for the sensor
+    SteadyTime m_started;                    // later by what was waited
     SteadyTime m_deadline;
     std::vector<calibration::SwingSample> m_samples;
     std::vector<calibration::LevelSample> m_levels;

@@ -4924,8 +4924,20 @@ do eixo</translation>
         <translation>esperam-se arcos de rumos de 0 a 360°, como &quot;40-80, 350-20&quot;</translation>
     </message>
     <message>
+        <source>the sensor is heard again: the swing goes on</source>
+        <translation>o sensor volta a ouvir-se: o giro da bússola continua</translation>
+    </message>
+    <message>
+        <source>the swing stands still for %1 s at most: %2</source>
+        <translation>o giro da bússola fica parado %1 s no máximo: %2</translation>
+    </message>
+    <message>
         <source>steel steers its compass around %1: the swing found it unreliable there</source>
         <translation>o aço conduz a bússola dele perto de %1: o giro mostrou que aí não é de fiar</translation>
+    </message>
+    <message>
+        <source>standing still until the sensor is heard again, %1 s more at most</source>
+        <translation>parado até o sensor voltar a ouvir-se, mais %1 s no máximo</translation>
     </message>
 </context>
 <context>

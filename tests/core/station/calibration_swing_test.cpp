@@ -187,13 +187,57 @@ TEST(CalibrationSwing, ASensorThatIsLostEndsItAndHolds)
     CalibrationRig rig;
     swingHalfWay(rig);
     rig.speaks = false;
-    rig.run(Seconds(10.0));
+    rig.run(Seconds(34.0));
+    EXPECT_EQ(CalibrationRun::Swing, rig.status().progress.run);
+    const AxisPosition rest = rig.axes();
+    rig.run(Seconds(4.0));
     EXPECT_EQ(CalibrationRun::None, rig.status().progress.run);
     EXPECT_TRUE(rig.status().progress.failed);
-    EXPECT_TRUE(rig.status().progress.outcome.contains(QStringLiteral("sensor")));
+    EXPECT_TRUE(rig.status().progress.outcome.contains(QStringLiteral("sensor has said nothing for 3")))
+        << rig.status().progress.outcome.toStdString();
     EXPECT_EQ(StationState::Hold, rig.state());
+    rig.speaks = true;
+    rig.run(Seconds(5.0));
+    EXPECT_EQ(rest, rig.axes()) << "what has ended does not begin by itself";
+}
+
+// Story: a WiFi that was away for ten seconds cost a swing of four minutes.
+TEST(CalibrationSwing, WaitsAtRestForASensorThatFallsSilent)
+{
+    for (const int headings : {0, 16}) {
+        CalibrationRig rig;
+        rig.goTo(200.0, 30.0);
+        ASSERT_TRUE(rig.ask(request::StartSwing{.rate = 3_deg_s, .headings = headings}));
+        rig.run(Seconds(90.0));
+        rig.speaks = false;
+        rig.run(Seconds(15.0));
+        const AxisPosition rest = rig.axes();
+        const Seconds left = rig.status().progress.left;
+        EXPECT_TRUE(rig.status().progress.text.startsWith(QStringLiteral("standing still until the sensor is heard")));
+        rig.run(Seconds(10.0));
+        EXPECT_EQ(rest, rig.axes());
+        EXPECT_EQ(left, rig.status().progress.left) << "waiting is no progress";
+        rig.speaks = true;
+        rig.runOut();
+        ASSERT_TRUE(rig.status().proposal) << rig.status().progress.outcome.toStdString();
+        ASSERT_TRUE(rig.apply());
+        EXPECT_LT(std::abs(northError(rig)), 2.0);
+    }
+}
+
+TEST(CalibrationSwing, StopEndsTheWaitingToo)
+{
+    CalibrationRig rig;
+    swingHalfWay(rig);
+    rig.speaks = false;
+    rig.run(Seconds(12.0));
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(CalibrationRun::None, rig.status().progress.run);
+    ASSERT_TRUE(rig.ask(request::ResetStop{}));
     const AxisPosition rest = rig.axes();
-    rig.run(Seconds(2.0));
+    rig.speaks = true;
+    rig.run(Seconds(5.0));
     EXPECT_EQ(rest, rig.axes());
 }
 

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mqtt/client.h"
+#include "core/sim/simulated_sensor.h"
+#include "core/station/calibration_status.h"
+#include "tests/fakes/mqtt_broker.h"
+#include "tests/fakes/wait_until.h"
+#include "tests/system/simulated_station.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+// The orientation sensor on a simulated mount speaks by a real mosquitto to a whole station, and the broker goes away
+// and comes back. The clock stands still while messages are on their way.
+namespace boresight::system_test {
+namespace {
+
+using testing::HasSubstr;
+
+profile::Profile heardBy(const fakes::MqttBroker& broker)
+{
+    profile::Profile profile = anyPort();
+    profile.sensor.source = profile::SensorSource::Mqtt;
+    profile.mqtt.host = "127.0.0.1";
+    profile.mqtt.port = broker.port();
+    return profile;
+}
+
+// The box on the antenna: reads each 0.2 s, publishes about once a second.
+class PublishingSensor
+{
+public:
+    PublishingSensor(SimulatedStation& rig, const fakes::MqttBroker& broker) : m_rig(rig), m_broker(broker)
+    {
+        m_client.open({.host = QStringLiteral("127.0.0.1"), .port = broker.port()});
+    }
+
+    void tick()
+    {
+        if (++m_ticks % 10 != 0) {
+            return;
+        }
+        const auto message = m_sensor.read(m_rig.clock.now(), m_rig.clock.utc(), m_rig.truth());
+        if (message && isHeard()) {
+            const std::uint64_t before = accepted();
+            publish(*message, "antenna/calibration", orientation::Topic::Calibration);
+            publish(*message, "antenna/orientation", orientation::Topic::Orientation);
+            EXPECT_TRUE(fakes::waitUntil([&] { return accepted() > before; }));
+        }
+    }
+
+    // Both have found the broker, and the station listens.
+    [[nodiscard]] bool isHeard() const
+    {
+        return m_client.isConnected() && m_rig.status().broker.connected &&
+               m_broker.count("Sending SUBACK to boresight-") >= 3;
+    }
+    // Time goes on until they have; each attempt is brought to its end before the next one.
+    [[nodiscard]] bool findBroker(Seconds limit)
+    {
+        auto* const station = m_rig.station->findChild<mqtt::Client*>();
+        const auto settled = [](const mqtt::Client& client) { return client.isConnected() || client.nextAttempt(); };
+        return m_rig.runUntil(
+            [&] {
+                station->service();
+                m_client.service();
+                EXPECT_TRUE(fakes::waitUntil([&] { return settled(*station) && settled(m_client); }));
+                const bool both = station->isConnected() && m_client.isConnected();
+                return both && fakes::waitUntil([this] { return isHeard(); });
+            },
+            limit);
+    }
+
+    [[nodiscard]] sim::SensorTruth& truth() { return m_sensor.truth(); }
+
+private:
+    [[nodiscard]] std::uint64_t accepted() const { return m_rig.status().sensor.counts.accepted; }
+    void publish(const sim::SensorMessage& message, const char* topic, orientation::Topic kind)
+    {
+        EXPECT_TRUE(m_client.publish({.topic = QLatin1String(topic), .payload = sim::toPayload(message, kind)}));
+    }
+
+    SimulatedStation& m_rig;
+    const fakes::MqttBroker& m_broker;
+    sim::SimulatedSensor m_sensor;
+    mqtt::Client m_client{m_rig.clock};
+    int m_ticks = 0;
+};
+
+class MqttSensorTest : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        if (!fakes::MqttBroker::isInstalled()) {
+            GTEST_SKIP() << "no mosquitto, mosquitto_passwd or openssl (Debian packages mosquitto and openssl)";
+        }
+        broker = std::make_unique<fakes::MqttBroker>();
+    }
+
+    // A mount that does not know its north, half a minute into its swing.
+    void swing()
+    {
+        ASSERT_TRUE(broker->start());
+        rig = std::make_unique<SimulatedStation>(heardBy(*broker));
+        sensor = std::make_unique<PublishingSensor>(*rig, *broker);
+        sensor->truth().mount.azimuthOffset = 37.4_deg;
+        sensor->truth().a1 = 8_deg;
+        sensor->truth().b2 = 3_deg;
+        sensor->truth().noise = 0.5_deg;
+        rig->onTick = [this] { sensor->tick(); };
+        ASSERT_TRUE(sensor->findBroker(Seconds(5.0)));
+        ASSERT_EQ(rig->ask(request::TakeAuthority{}), "");
+        ASSERT_EQ(rig->ask(request::PointAxes{{.azimuth = 60_deg, .elevation = 30_deg}}), "");
+        ASSERT_TRUE(rig->settle());
+        ASSERT_EQ(rig->ask(request::StartSwing{.rate = 5_deg_s, .headings = 0}), "");
+        rig->run(Seconds(60.0));
+        ASSERT_EQ(progress().run, CalibrationRun::Swing) << progress().outcome.toStdString();
+    }
+    void stopBroker()
+    {
+        broker->stop();
+        ASSERT_TRUE(fakes::waitUntil([this] { return !rig->status().broker.connected; }));
+    }
+    [[nodiscard]] CalibrationProgress progress() const { return rig->status().calibration->progress; }
+
+    std::unique_ptr<fakes::MqttBroker> broker;
+    std::unique_ptr<SimulatedStation> rig;
+    std::unique_ptr<PublishingSensor> sensor;
+};
+
+TEST_F(MqttSensorTest, ASwingWaitsForABrokerThatIsStartedAgain)
+{
+    swing();
+    stopBroker();
+    rig->run(Seconds(3.0));
+    EXPECT_GT(abs(rig->link->truth(Axis::Azimuth).rate), 4_deg_s) << "a hiccup does not stop it";
+    rig->run(Seconds(9.0));
+    EXPECT_THAT(progress().text.toStdString(), HasSubstr("standing still until the sensor is heard again"));
+    EXPECT_TRUE(
+        rig->logSays(QStringLiteral("the swing stands still for 30 s at most: the orientation sensor has said "
+                                    "nothing for")));
+    EXPECT_TRUE(rig->alarmSays(QStringLiteral("Nothing is heard of the orientation sensor (mqtt 127.0.0.1:")));
+    EXPECT_EQ(rig->status().state, StationState::Calibrate);
+    const AxisPosition rest = rig->truth();
+    rig->run(Seconds(2.0));
+    EXPECT_LT(rig->farthestFrom(rest), 0.01_deg);
+
+    ASSERT_TRUE(broker->start());
+    ASSERT_TRUE(sensor->findBroker(Seconds(15.0)));
+    ASSERT_TRUE(rig->runUntil([this] { return progress().run == CalibrationRun::None; }, Seconds(200.0)));
+    EXPECT_TRUE(rig->logSays(QStringLiteral("the sensor is heard again: the swing goes on")));
+    const auto found = rig->status().calibration;
+    ASSERT_TRUE(found->proposal) << found->progress.outcome.toStdString();
+    ASSERT_EQ(rig->ask(request::ApplyCalibration{found->proposal->number}), "");
+    EXPECT_NEAR(rig->status().profile->pointing.azimuthOffset.degrees(), 37.4, 2.0);
+    rig->run(Seconds(5.0));
+    EXPECT_FALSE(rig->status().sensor.disagrees);
+    ASSERT_TRUE(rig->status().sensor.azimuthSigma);
+    EXPECT_LT(*rig->status().sensor.azimuthSigma, 3_deg);
+}
+
+TEST_F(MqttSensorTest, ASwingEndsWithTheReasonWhereTheBrokerStaysAway)
+{
+    swing();
+    stopBroker();
+    rig->run(Seconds(40.0));
+    EXPECT_EQ(progress().run, CalibrationRun::None);
+    EXPECT_TRUE(progress().failed);
+    EXPECT_THAT(progress().outcome.toStdString(), HasSubstr("the orientation sensor has said nothing for 3"));
+    EXPECT_THAT(progress().outcome.toStdString(), HasSubstr("MQTT broker 127.0.0.1:"));
+    EXPECT_EQ(rig->status().state, StationState::Hold);
+    const AxisPosition rest = rig->truth();
+    EXPECT_THAT(rig->ask(request::StartSwing{}), HasSubstr("MQTT broker 127.0.0.1:"));
+
+    ASSERT_TRUE(broker->start());
+    ASSERT_TRUE(sensor->findBroker(Seconds(40.0)));
+    rig->run(Seconds(5.0));
+    EXPECT_LT(rig->farthestFrom(rest), 0.01_deg) << "nothing moves by itself";
+    EXPECT_EQ(rig->ask(request::StartSwing{}), "");
+}
+
+// Where the antenna is while a client tracks for half a minute.
+std::vector<AxisPosition> tracked(SimulatedStation& rig)
+{
+    const auto client = rig.connect();
+    std::vector<AxisPosition> places;
+    for (int second = 0; second < 30; ++second) {
+        const std::string point = "P " + std::to_string(60 + second) + " 30\n";
+        EXPECT_EQ(client->ask(point), "RPRT 0\n");
+        rig.run(Seconds(1.0));
+        places.push_back(rig.truth());
+    }
+    return places;
+}
+
+TEST_F(MqttSensorTest, ABrokerThatIsNotThereAtTheStartIsOneLineAndTheTrackingDoesNotMindIt)
+{
+    rig = std::make_unique<SimulatedStation>(heardBy(*broker));  // nobody has started it
+    ASSERT_TRUE(
+        fakes::waitUntil([this] { return rig->station->findChild<mqtt::Client*>()->nextAttempt().has_value(); }));
+    const auto places = tracked(*rig);
+    const QString trouble = QStringLiteral("MQTT broker 127.0.0.1:");
+    EXPECT_TRUE(rig->logSays(trouble));
+    const auto told =
+        std::ranges::count_if(rig->log, [&](const LogEntry& entry) { return entry.text.startsWith(trouble); });
+    EXPECT_EQ(told, 1);
+    EXPECT_TRUE(rig->alarmSays(QStringLiteral("Nothing is heard of the orientation sensor (mqtt 127.0.0.1:")));
+    SimulatedStation without;
+    EXPECT_EQ(places, tracked(without));
+}
+
+}  // namespace
+}  // namespace boresight::system_test
