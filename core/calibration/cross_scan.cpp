@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/cross_scan.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/calibration/robust_fit.h"
 #include "core/calibration/words.h"
-
-#include <QByteArray>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <vector>
 
 namespace boresight::calibration {
@@ -164,51 +160,6 @@ Angle seenFromBeside(Angle nearest, Angle beside)
         std::atan2(std::sin(nearest.radians()) * std::cos(beside.radians()), std::cos(nearest.radians())));
 }
 
-constexpr std::string_view kOfNumber = "+-.,0123456789eE";
-constexpr std::string_view kBeginsNumber = "+-.0123456789";
-
-bool isLetter(char character)
-{
-    return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z');
-}
-
-// With a point, or with one comma in its place ("-73,2"); a comma at the end is none of it.
-std::optional<double> numberOf(std::string_view text)
-{
-    text = text.substr(0, text.find_last_not_of(",eE") + 1);
-    std::string pointed(text);
-    if (pointed.find('.') == std::string::npos) {
-        std::replace(pointed.begin(), pointed.end(), ',', '.');
-    }
-    const auto value = parseFinite(pointed);
-    return value ? value : parseFinite(text.substr(0, text.find(',')));
-}
-
-// The next that no letter touches from before; the rest of the line begins behind it then.
-std::optional<double> nextNumber(std::string_view& line)
-{
-    std::size_t start = 0;
-    while ((start = line.find_first_of(kBeginsNumber, start)) != std::string_view::npos) {
-        const std::size_t end = std::min(line.find_first_not_of(kOfNumber, start), line.size());
-        const bool isPartOfWord = start > 0 && isLetter(line[start - 1]) && line[start] != '-';
-        const auto value = isPartOfWord ? std::nullopt : numberOf(line.substr(start, end - start));
-        if (value) {
-            line.remove_prefix(end);
-            return value;
-        }
-        start = end;
-    }
-    return std::nullopt;
-}
-
-// In small letters.
-QByteArray wordAhead(std::string_view line)
-{
-    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-    const auto end = std::find_if_not(line.begin(), line.end(), isLetter);
-    return QByteArray(line.data(), end - line.begin()).toLower();
-}
-
 }  // namespace
 
 Result<ScanPeak> fitScan(std::span<const ScanReading> readings, const ScanLimits& limits)
@@ -263,21 +214,6 @@ Result<CrossScan> fitCrossScan(const AxisPosition& middle, std::span<const ScanR
                      .peak = {.azimuth = middle.azimuth + beside,
                               .elevation = seenFromBeside(middle.elevation + elevationPeak->offset.value, beside)},
                      .sigma = std::max(acrossPeak->offset.sigma, elevationPeak->offset.sigma)};
-}
-
-std::optional<double> parsePower(std::string_view line)
-{
-    std::optional<double> first;
-    while (const auto found = nextNumber(line)) {
-        const QByteArray unit = wordAhead(line);
-        if (unit.startsWith("db")) {
-            return found;
-        }
-        if (!first && !unit.endsWith("hz")) {
-            first = found;
-        }
-    }
-    return first;
 }
 
 }  // namespace boresight::calibration

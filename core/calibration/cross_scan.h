@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string_view>
 
 // The peak of a source from received power along two lines across it. Powers are in dB: a Gaussian beam is a parabola
 // in dB, about its peak. What a source adds to the receiver's own noise is not: readings of a weak source (the Sun in a
@@ -54,10 +53,5 @@ struct CrossScan
 // time that the peak is to be told for.
 [[nodiscard]] Result<CrossScan> fitCrossScan(const AxisPosition& middle, std::span<const ScanReading> across,
                                              std::span<const ScanReading> elevation, const ScanLimits& limits = {});
-
-// A power as an S-meter or a receiver program sends it, one a line: the first number in dB ("RSSI: -73.2 dBm",
-// "VFO 14.074 MHz -73,2 dBm"), else the first that is no frequency ("-73.2"). A number at the end of a word ("S7") is
-// none.
-[[nodiscard]] std::optional<double> parsePower(std::string_view line);
 
 }  // namespace boresight::calibration

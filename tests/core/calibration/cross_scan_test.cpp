@@ -156,25 +156,5 @@ TEST(CrossScan, BothLinesGiveThePlaceOfTheAxes)
     EXPECT_FALSE(fitCrossScan({.azimuth = 0_deg, .elevation = 90_deg}, scan({}, 8.0, 33), scan({}, 8.0, 33)));
 }
 
-TEST(CrossScan, PowersAreReadFromLines)
-{
-    EXPECT_EQ(parsePower("-73.2"), -73.2);
-    EXPECT_EQ(parsePower("RSSI: -73.2 dBm\r\n"), -73.2);
-    EXPECT_EQ(parsePower("l=1e1"), 10.0);
-    EXPECT_EQ(parsePower("-73,2"), -73.2);  // as a German or Portuguese program writes it
-    EXPECT_EQ(parsePower("VFO 14.074 MHz -73 dBm"), -73.0);
-    EXPECT_EQ(parsePower("14.074MHz -73.5dB"), -73.5);
-    EXPECT_EQ(parsePower("-73.2, -74.1"), -73.2);
-    EXPECT_EQ(parsePower("S7"), std::nullopt);
-    EXPECT_EQ(parsePower("VFO 14.074 MHz"), std::nullopt);
-    EXPECT_EQ(parsePower("CH2 -40.5"), -40.5);
-    EXPECT_EQ(parsePower("RSSI-73.2"), -73.2);
-    EXPECT_EQ(parsePower("-73.2 at 1200"), -73.2);
-    EXPECT_EQ(parsePower("-- 12"), 12.0);
-    EXPECT_EQ(parsePower("no number"), std::nullopt);
-    EXPECT_EQ(parsePower("- . e"), std::nullopt);
-    EXPECT_EQ(parsePower(""), std::nullopt);
-}
-
 }  // namespace
 }  // namespace boresight::calibration

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/power/power_text.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+
+#include <QByteArray>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace boresight::power {
+namespace {
+
+constexpr std::string_view kOfNumber = "+-.,0123456789eE";
+constexpr std::string_view kDigits = "0123456789";
+constexpr std::string_view kBlanks = " \t\r\n";
+
+bool isLetter(char character)
+{
+    const auto code = static_cast<unsigned char>(character);
+    return (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z') || code == '_' || code == '%' || code >= 0x80;
+}
+
+// With a point, or with one comma in its place ("-73,2"); a comma or point at its end is none of it.
+std::optional<double> numberOf(std::string_view text)
+{
+    std::string pointed(text.substr(0, text.find_last_not_of(",.eE") + 1));
+    if (pointed.find('.') == std::string::npos && std::count(pointed.begin(), pointed.end(), ',') == 1) {
+        std::replace(pointed.begin(), pointed.end(), ',', '.');
+    }
+    return parseFinite(pointed);
+}
+
+struct Found
+{
+    std::optional<double> value;  // empty: digits that make no number, like those of a date
+    QByteArray unit;              // the word behind it, in small letters
+
+    [[nodiscard]] bool isPower() const { return unit.startsWith("db"); }
+    [[nodiscard]] bool isFrequency() const { return unit.endsWith("hz"); }
+};
+
+// In small letters.
+QByteArray wordAhead(std::string_view line)
+{
+    line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+    const auto end = std::find_if_not(line.begin(), line.end(), isLetter);
+    return QByteArray(line.data(), end - line.begin()).toLower();
+}
+
+// Of a sign that stands apart it is not sure whether it is one.
+bool followsSign(std::string_view before)
+{
+    const std::size_t last = before.find_last_not_of(kBlanks);
+    return last != std::string_view::npos && (before[last] == '-' || before[last] == '+');
+}
+
+// All that have a digit, but for those at the end of a word ("S7").
+std::vector<Found> numbersIn(std::string_view line)
+{
+    std::vector<Found> numbers;
+    std::size_t start = 0;
+    while ((start = line.find_first_of(kOfNumber, start)) != std::string_view::npos) {
+        const std::size_t end = std::min(line.find_first_not_of(kOfNumber, start), line.size());
+        const std::string_view text = line.substr(start, end - start);
+        const bool isSigned = text.front() == '-' || text.front() == '+';
+        const bool touchesWord = start > 0 && isLetter(line[start - 1]);
+        const bool hasDigit = text.find_first_of(kDigits) != std::string_view::npos;
+        if (hasDigit && (!touchesWord || isSigned)) {
+            const bool isSure = !touchesWord && !followsSign(line.substr(0, start)) && !isLetter(text.front());
+            numbers.push_back({isSure ? numberOf(text) : std::nullopt, wordAhead(line.substr(end))});
+        }
+        start = end;
+    }
+    return numbers;
+}
+
+Result<double> onlyOne(const std::vector<Found>& numbers)
+{
+    if (numbers.empty()) {
+        return failure(ErrorCode::InvalidInput, Text::tr("there is no number in it"));
+    }
+    if (numbers.size() > 1) {
+        return failure(ErrorCode::InvalidInput, Text::tr("which of its numbers is the power is not sure"));
+    }
+    if (!numbers.front().value) {
+        return failure(ErrorCode::InvalidInput, Text::tr("its number cannot be read for sure"));
+    }
+    if (!(std::abs(*numbers.front().value) <= kLargestPower)) {
+        return failure(ErrorCode::OutOfRange, Text::tr("more than %1 dB is no power").arg(kLargestPower));
+    }
+    return *numbers.front().value;
+}
+
+}  // namespace
+
+Result<double> parsePower(std::string_view line)
+{
+    std::vector<Found> numbers = numbersIn(line);
+    if (std::any_of(numbers.begin(), numbers.end(), [](const Found& one) { return one.isPower(); })) {
+        std::erase_if(numbers, [](const Found& one) { return !one.isPower(); });
+        return onlyOne(numbers);
+    }
+    std::erase_if(numbers, [](const Found& one) { return one.isFrequency(); });
+    return onlyOne(numbers).and_then([&](double value) -> Result<double> {
+        if (!numbers.front().unit.isEmpty()) {
+            return failure(ErrorCode::InvalidInput, Text::tr("its unit is not dB"));
+        }
+        return value;
+    });
+}
+
+}  // namespace boresight::power

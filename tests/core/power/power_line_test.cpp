@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Real sockets on loopback; the clock is turned by hand.
+#include "core/power/power_line.h"
+
+#include "tests/fakes/manual_clock.h"
+#include "tests/fakes/program.h"
+#include "tests/fakes/wait_until.h"
+
+#include <QTcpServer>
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace boresight::power {
+namespace {
+
+using fakes::waitUntil;
+
+// One that nobody uses now.
+std::uint16_t freePort()
+{
+    QUdpSocket udp;
+    EXPECT_TRUE(udp.bind(QHostAddress::LocalHost, 0));
+    return udp.localPort();
+}
+
+struct Ear
+{
+    explicit Ear(LineSettings settings) : line(settings, clock)
+    {
+        QObject::connect(&line, &PowerLine::received, [this](const Value& value) { values.push_back(value); });
+        line.open();
+    }
+
+    [[nodiscard]] bool hears(std::size_t count)
+    {
+        return waitUntil([this, count] { return values.size() >= count; });
+    }
+    [[nodiscard]] bool refuses(std::uint64_t count)
+    {
+        return waitUntil([this, count] { return line.status().refused >= count; });
+    }
+    [[nodiscard]] std::string problem() const { return line.status().problem.toStdString(); }
+
+    fakes::ManualClock clock;
+    PowerLine line;
+    std::vector<Value> values;
+};
+
+LineSettings udpSettings(std::uint16_t port)
+{
+    return {.transport = Transport::Udp,
+            .host = QStringLiteral("127.0.0.1"),
+            .port = port,
+            .firstRetry = std::chrono::milliseconds(5),
+            .longestRetry = std::chrono::milliseconds(20)};
+}
+
+LineSettings tcpSettings(std::uint16_t port)
+{
+    LineSettings settings = udpSettings(port);
+    settings.transport = Transport::Tcp;
+    return settings;
+}
+
+struct UdpEar : Ear
+{
+    UdpEar() : UdpEar(freePort()) {}
+    explicit UdpEar(std::uint16_t at) : Ear(udpSettings(at)), port(at) {}
+    void send(const QByteArray& datagram)
+    {
+        ASSERT_EQ(datagram.size(), sender.writeDatagram(datagram, QHostAddress::LocalHost, port));
+    }
+
+    std::uint16_t port;
+    QUdpSocket sender;
+};
+
+TEST(PowerLine, UdpIsReadLineByLineWithItsTimeOfArrival)
+{
+    UdpEar ear;
+    ear.clock.advance(Seconds(2.0));
+    ear.send("-73.2\n");
+    ASSERT_TRUE(ear.hears(1));
+    EXPECT_EQ(-73.2, ear.values.at(0).decibels);
+    EXPECT_EQ(ear.clock.now(), ear.values.at(0).arrival);
+    ear.send("STRENGTH -70\r\n\n-69,5 dBm");  // the end of a datagram ends its line
+    ear.send("-68");
+    ASSERT_TRUE(ear.hears(4));
+    EXPECT_EQ(-70.0, ear.values.at(1).decibels);
+    EXPECT_EQ(-69.5, ear.values.at(2).decibels);
+    EXPECT_EQ(-68.0, ear.values.at(3).decibels);
+    ear.clock.advance(Seconds(3.0));
+    const LineStatus status = ear.line.status();
+    EXPECT_EQ(QStringLiteral("UDP 127.0.0.1:%1").arg(ear.port), status.name);
+    EXPECT_EQ(-68.0, status.decibels);
+    EXPECT_NEAR(3.0, status.age.count(), 1e-9);
+    EXPECT_EQ(4U, status.values);
+    EXPECT_EQ("", ear.problem());
+}
+
+TEST(PowerLine, RubbishIsOneLineThatSaysWhatCame)
+{
+    UdpEar ear;
+    ear.send("-73");
+    ASSERT_TRUE(ear.hears(1));
+    for (int i = 0; i < 20; ++i) {
+        ear.send(i == 0 ? "S7 \x1b[J" : "14.074 -73");
+    }
+    ASSERT_TRUE(ear.refuses(20));
+    EXPECT_EQ("", ear.problem()) << "a slip now and then is only counted";
+    ear.clock.advance(Seconds(5.1));
+    const std::string told = ear.problem();
+    EXPECT_NE(std::string::npos, told.find("\"S7 ?[J\": there is no number in it")) << told;
+    ear.send("still nothing");
+    ASSERT_TRUE(ear.refuses(21));
+    EXPECT_EQ(told, ear.problem()) << "the line stays the same";
+    EXPECT_EQ(1U, ear.values.size());
+    ear.send("-72");
+    ASSERT_TRUE(ear.hears(2));
+    EXPECT_EQ("", ear.problem());
+}
+
+TEST(PowerLine, SilenceIsSaid)
+{
+    UdpEar ear;
+    ear.clock.advance(Seconds(4.0));
+    EXPECT_EQ("", ear.problem());
+    ear.clock.advance(Seconds(2.0));
+    EXPECT_NE(std::string::npos, ear.problem().find("nothing comes"));
+    ear.send("-73");
+    ASSERT_TRUE(ear.hears(1));
+    EXPECT_EQ("", ear.problem());
+    ear.clock.advance(Seconds(6.0));
+    EXPECT_NE(std::string::npos, ear.problem().find("nothing comes"));
+    EXPECT_NEAR(6.0, ear.line.status().age.count(), 1e-9);
+}
+
+TEST(PowerLine, LinesThatAreTooLongAreDropped)
+{
+    UdpEar ear;
+    ear.send(QByteArray(1000, '1') + "\n-73\n");
+    ear.send(QByteArray(5000, '2') + "\n-72\n");  // only its beginning is looked at
+    ear.send("-71");
+    ASSERT_TRUE(ear.hears(2));
+    EXPECT_EQ(-73.0, ear.values.at(0).decibels);
+    EXPECT_EQ(-71.0, ear.values.at(1).decibels);
+    EXPECT_EQ(2U, ear.line.status().refused);
+}
+
+TEST(PowerLine, ABurstIsReadWhole)
+{
+    UdpEar ear;
+    for (int i = 0; i < 150; ++i) {
+        ear.send(QByteArray::number(-i));
+    }
+    ASSERT_TRUE(ear.hears(150));
+    EXPECT_EQ(-149.0, ear.values.back().decibels);
+}
+
+TEST(PowerLine, OtherAddressesOfThisComputerAreNotListenedAt)
+{
+    UdpEar ear;
+    QUdpSocket sender;
+    sender.writeDatagram("-1", QHostAddress(QStringLiteral("127.0.0.2")), ear.port);
+    ear.send("-2");
+    ASSERT_TRUE(ear.hears(1));
+    EXPECT_EQ(-2.0, ear.values.front().decibels);
+}
+
+TEST(PowerLine, APortThatIsTakenIsSaidAndTriedAgain)
+{
+    auto holder = std::make_unique<QUdpSocket>();
+    ASSERT_TRUE(holder->bind(QHostAddress::LocalHost, 0, QAbstractSocket::DontShareAddress));
+    UdpEar ear(holder->localPort());
+    EXPECT_NE(std::string::npos, ear.problem().find("cannot be listened at")) << ear.problem();
+    holder.reset();
+    ASSERT_TRUE(waitUntil([&] {
+        ear.sender.writeDatagram("-73", QHostAddress::LocalHost, ear.port);
+        return !ear.values.empty();
+    }));
+    EXPECT_EQ("", ear.problem());
+}
+
+// As a script of an operator does it.
+TEST(PowerLine, AProgramThatSendsByUdpIsHeard)
+{
+    UdpEar ear;
+    fakes::Program shell(QStringLiteral("/bin/bash"),
+                         {QStringLiteral("-c"), QStringLiteral("for power in -73.2 'SNR 12' '-71,5 dBm'; do echo "
+                                                               "\"$power\" >/dev/udp/127.0.0.1/%1; done")
+                                                    .arg(ear.port)});
+    ASSERT_EQ(0, shell.waitForEnd()) << shell.errors().toStdString();
+    ASSERT_TRUE(ear.hears(3));
+    EXPECT_EQ(-73.2, ear.values.at(0).decibels);
+    EXPECT_EQ(12.0, ear.values.at(1).decibels);
+    EXPECT_EQ(-71.5, ear.values.at(2).decibels);
+}
+
+// A program of the receiver, to which Boresight connects.
+struct Receiver
+{
+    explicit Receiver(std::uint16_t port = 0)
+    {
+        EXPECT_TRUE(server.listen(QHostAddress::LocalHost, port)) << server.errorString().toStdString();
+    }
+    [[nodiscard]] QTcpSocket* client()
+    {
+        EXPECT_TRUE(waitUntil([this] { return server.hasPendingConnections(); }));
+        return server.nextPendingConnection();
+    }
+
+    QTcpServer server;
+};
+
+TEST(PowerLine, TcpMayBeSplitAnywhere)
+{
+    Receiver receiver;
+    Ear ear(tcpSettings(receiver.server.serverPort()));
+    QTcpSocket* const socket = receiver.client();
+    ASSERT_NE(nullptr, socket);
+    for (const QByteArray part : {"-7", "3.2\r", "\n-7", "0\n", QByteArray(400, 'x').constData(), "y\nlevel=-69\n"}) {
+        socket->write(part);
+        ASSERT_TRUE(socket->flush());
+        ASSERT_TRUE(waitUntil([socket] { return socket->bytesToWrite() == 0; }));
+    }
+    ASSERT_TRUE(ear.hears(3));
+    EXPECT_EQ(-73.2, ear.values.at(0).decibels);
+    EXPECT_EQ(-70.0, ear.values.at(1).decibels);
+    EXPECT_EQ(-69.0, ear.values.at(2).decibels);
+    EXPECT_EQ(1U, ear.line.status().refused);
+    EXPECT_EQ(0, socket->bytesAvailable()) << "nothing is ever sent";
+}
+
+TEST(PowerLine, TcpConnectsAgain)
+{
+    const std::uint16_t port = freePort();
+    Ear ear(tcpSettings(port));
+    ASSERT_TRUE(waitUntil([&] { return !ear.problem().empty(); }));
+    EXPECT_NE(std::string::npos, ear.problem().find("no connection to the receiver's program")) << ear.problem();
+    {
+        Receiver first(port);
+        QTcpSocket* const socket = first.client();
+        ASSERT_NE(nullptr, socket);
+        EXPECT_FALSE(ear.problem().empty()) << "until something has come";
+        socket->write("-73\n-7");
+        ASSERT_TRUE(ear.hears(1));
+        EXPECT_EQ("", ear.problem());
+        socket->disconnectFromHost();
+        ASSERT_TRUE(waitUntil([&] { return !ear.problem().empty(); }));
+    }
+    Receiver second(port);
+    QTcpSocket* const socket = second.client();
+    ASSERT_NE(nullptr, socket);
+    socket->write("1\n");  // half a line of before is forgotten
+    ASSERT_TRUE(ear.hears(2));
+    EXPECT_EQ(1.0, ear.values.at(1).decibels);
+    EXPECT_EQ("", ear.problem());
+}
+
+TEST(PowerLine, AProgramThatHangsUpAtOnceIsOneLine)
+{
+    Receiver receiver;
+    Ear ear(tcpSettings(receiver.server.serverPort()));
+    std::vector<std::string> told;
+    for (int i = 0; i < 5; ++i) {
+        QTcpSocket* const socket = receiver.client();
+        ASSERT_NE(nullptr, socket);
+        socket->abort();
+        ASSERT_TRUE(waitUntil([&] { return !ear.problem().empty(); }));
+        told.push_back(ear.problem());
+    }
+    for (const std::string& line : told) {
+        EXPECT_EQ(told.back(), line);
+    }
+}
+
+}  // namespace
+}  // namespace boresight::power

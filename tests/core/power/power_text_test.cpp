@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/power/power_text.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight::power {
+namespace {
+
+std::optional<double> read(std::string_view line)
+{
+    const auto power = parsePower(line);
+    return power ? std::optional(*power) : std::nullopt;
+}
+
+TEST(PowerText, ANumberOrANameWithIt)
+{
+    EXPECT_EQ(read("-73.2"), -73.2);
+    EXPECT_EQ(read("  12 \r"), 12.0);
+    EXPECT_EQ(read("+3.5 dB"), 3.5);
+    EXPECT_EQ(read("RSSI: -73.2 dBm\r\n"), -73.2);
+    EXPECT_EQ(read("STRENGTH -73.2"), -73.2);
+    EXPECT_EQ(read("l=1e1"), 10.0);
+    EXPECT_EQ(read("-73.2dBFS."), -73.2);
+    EXPECT_EQ(read("{\"power\": -73.2}"), -73.2);
+    EXPECT_EQ(read("CH2 -40.5"), -40.5);  // 2 is part of a name
+}
+
+TEST(PowerText, ACommaMayStandForThePoint)
+{
+    EXPECT_EQ(read("-73,2"), -73.2);  // as a German or Portuguese program writes it
+    EXPECT_EQ(read("-73,2,1"), std::nullopt);
+    EXPECT_EQ(read("1,234.5"), std::nullopt);
+    EXPECT_EQ(read("-73,-74"), std::nullopt);
+}
+
+TEST(PowerText, TheOneInDecibelsAmongOthers)
+{
+    EXPECT_EQ(read("VFO 14.074 MHz -73 dBm"), -73.0);
+    EXPECT_EQ(read("14.074MHz -73.5dB"), -73.5);
+    EXPECT_EQ(read("14074000 Hz -73"), -73.0);
+    EXPECT_EQ(read("2026-11-22T01:30:00 -73.2 dB"), -73.2);
+    EXPECT_EQ(read("14074000 -73.2 dBm 5"), -73.2);
+}
+
+// The first number used to be taken for it.
+TEST(PowerText, WhatIsNotSureIsRefused)
+{
+    for (const char* const line : {"",
+                                   "no number",
+                                   "- . e",
+                                   "S7",
+                                   "S9+10dB",
+                                   "14.074 -73",
+                                   "-73.2, -74.1",
+                                   "-73.2 dB -74.1 dB",
+                                   "-73.2 at 1200",
+                                   "-- 12",
+                                   "- 73",
+                                   "RSSI-73.2",
+                                   "VFO 14.074 MHz",
+                                   "5 mW",
+                                   "30 %",
+                                   "2026-11-22",
+                                   "01:30:00 -73.2",
+                                   "1.2.3",
+                                   "0x10",
+                                   "nan",
+                                   "inf",
+                                   "1e400",
+                                   "501",
+                                   "-73.2 µV"}) {
+        EXPECT_EQ(read(line), std::nullopt) << line;
+    }
+}
+
+TEST(PowerText, TheReasonIsTold)
+{
+    EXPECT_EQ("there is no number in it", parsePower("S7").error().text);
+    EXPECT_EQ("which of its numbers is the power is not sure", parsePower("14.074 -73").error().text);
+    EXPECT_EQ("its unit is not dB", parsePower("5 mW").error().text);
+    EXPECT_EQ("its number cannot be read for sure", parsePower("- 73").error().text);
+    EXPECT_EQ("more than 500 dB is no power", parsePower("14074000").error().text);
+}
+
+}  // namespace
+}  // namespace boresight::power
