@@ -2,6 +2,7 @@
 #include "core/station/calibration_desk.h"
 
 #include "core/base/text.h"
+#include "core/power/power_text.h"
 #include "core/profile/setting.h"
 #include "core/station/sensor_curve.h"
 
@@ -19,7 +20,6 @@ constexpr AngularRate kStanding = AngularRate::fromDegrees(0.1);  // faster than
 constexpr std::size_t kMostPoints = 200;
 constexpr Angle kNarrowestScan = Angle::fromDegrees(0.2);
 constexpr Angle kWidestScan = Angle::fromDegrees(40.0);
-constexpr double kLargestPower = 500.0;  // dB, either way
 
 }  // namespace
 
@@ -205,15 +205,11 @@ Result<> CalibrationDesk::handle(const request::StartCrossScan& wanted)
 
 Result<> CalibrationDesk::handle(const request::GivePower& wanted)
 {
-    if (!(std::abs(wanted.decibels) <= kLargestPower)) {
+    if (!(std::abs(wanted.decibels) <= power::kLargestPower)) {
         return failure(ErrorCode::OutOfRange, Text::tr("this is no power in dB"));
     }
     m_power = wanted.decibels;
-    if (m_scan && m_scan->wantsPower(m_clock.now())) {
-        m_scan->give(wanted.decibels, m_clock.now());
-        return m_follower.lookBeside(m_scan->offset());
-    }
-    return {};
+    return m_scan && m_scan->wantsPower(m_clock.now()) ? giveScan(wanted.decibels) : Result<>{};
 }
 
 Result<> CalibrationDesk::handle(const request::EndCalibration&)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/orientation/orientation.h"
+#include "core/power/power_line.h"
 #include "core/station/axis_trace.h"
 #include "core/station/body_follower.h"
 #include "core/station/calibration_file.h"
@@ -43,6 +44,9 @@ public:
     Result<> carryOut(const CalibrationRequest& request);
     // Its newest value, if that is a new one.
     void take(const SensorStatus& sensor);
+    // From the line of the received power: what it says, and how it does.
+    void take(const power::Value& value);
+    void show(const power::LineStatus& line) { m_powerLine = line; }
     // Once per tick, before StationControl's.
     void tick();
     void setProfile(const profile::Profile& profile);
@@ -108,7 +112,9 @@ private:
     [[nodiscard]] QString endOfSwing(const std::optional<AxesThen>& axes) const;
     void leadSwing(const AxesThen& axes);
     void stepScan();
+    Result<> giveScan(double decibels);
     void finishSwing();
+    void finishScan(const AxisPosition& middle);
     void endRun(const QString& outcome, bool failed);
     void holdMount();
     void takeForOffset(const orientation::Orientation& value, const AxesThen& about);
@@ -154,6 +160,7 @@ private:
     std::shared_ptr<const SwingOutcome> m_swung;
     std::optional<calibration::CrossScan> m_scanned;
     std::optional<double> m_power;
+    power::LineStatus m_powerLine;
     GivenTerms m_given;
     PointBook m_book;
     ProposedBy m_by = ProposedBy::Nothing;

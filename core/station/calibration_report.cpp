@@ -48,6 +48,7 @@ void CalibrationDesk::publish()
     status.fit = m_book.fitStatus(m_profile.pointing);
     status.scan = m_scanned;
     status.power = m_power;
+    status.powerLine = m_powerLine;
     status.wantsPower = m_scan && m_scan->wantsPower(m_clock.now());
     status.proposal = proposalStatus();
     status.history = historyStatus();

@@ -14,11 +14,20 @@ const QString kSource = QStringLiteral("calibration");
 constexpr int kCalibratedMagnetometer = 2;
 // A peak is not believed to be sharper than the encoder and the gear.
 constexpr Angle kSharpestPeak = Angle::fromDegrees(0.01);
+// Of a scan: faster than Sun and Moon, slower than the way between two places.
+constexpr AngularRate kResting = AngularRate::fromDegrees(0.1);
 constexpr std::chrono::milliseconds kPublishPeriod{250};
 // The heading's mean ends when the elevation is read, just before the sensor sends both.
 Seconds levelAge(const profile::SensorSettings& sensor)
 {
     return std::max(sensor.latency - sensor.averaging / 2.0, Seconds(0.0));
+}
+
+// Near the zenith an axis runs although the beam hardly moves.
+AngularRate onSky(const AxesThen& axes)
+{
+    return AngularRate::fromRadians(std::hypot(axes.rates.azimuth.radians() * std::cos(axes.place.elevation.radians()),
+                                               axes.rates.elevation.radians()));
 }
 
 SteadyTime before(SteadyTime time, Seconds age)
@@ -259,6 +268,19 @@ void CalibrationDesk::finishSwing()
     }
 }
 
+void CalibrationDesk::take(const power::Value& value)
+{
+    if (m_scan) {
+        m_scan->hear(value.decibels, value.arrival);
+    }
+}
+
+Result<> CalibrationDesk::giveScan(double decibels)
+{
+    m_scan->give(decibels, m_clock.now());
+    return m_follower.lookBeside(m_scan->offset());
+}
+
 void CalibrationDesk::stepScan()
 {
     const SteadyTime now = m_clock.now();
@@ -267,15 +289,31 @@ void CalibrationDesk::stepScan()
         endRun(Text::tr("the mount was stopped, or told otherwise"), true);
         return;
     }
-    if (m_scan->late(now)) {
+    if (onSky(*axes) > kResting) {
+        m_scan->moves(now);
+    }
+    if (const QString obstacle = m_scan->obstacle(now); !obstacle.isEmpty()) {
         m_follower.end();
-        endRun(Text::tr("nobody told the power"), true);
+        endRun(obstacle, true);
         return;
     }
-    if (!m_scan->done(now)) {
+    if (const auto power = m_scan->heard(now)) {
+        m_power = *power;
+        m_changed = true;
+        if (const auto looks = giveScan(*power); !looks) {
+            m_follower.end();
+            endRun(toQString(looks.error().text), true);
+        }
         return;
     }
-    const auto scanned = m_scan->outcome(axes->place);
+    if (m_scan->done(now)) {
+        finishScan(axes->place);
+    }
+}
+
+void CalibrationDesk::finishScan(const AxisPosition& middle)
+{
+    const auto scanned = m_scan->outcome(middle);
     if (!scanned) {
         endRun(toQString(scanned.error().text), true);
         return;

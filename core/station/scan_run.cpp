@@ -3,16 +3,21 @@
 
 #include "core/base/text.h"
 
+#include <algorithm>
+
 namespace boresight {
 namespace {
 
-// From one place to the next, or from the end of a line to its middle, and for the receiver to settle.
-constexpr Seconds kRest{4.0};
+// From one place to the next, and for the receiver to settle.
+constexpr SteadyTime::duration kRest = std::chrono::seconds(4);
+// For the receiver to settle, after a way that took longer.
+constexpr SteadyTime::duration kSettling = std::chrono::milliseconds(1500);
+constexpr Seconds kListening{1.0};
 constexpr Seconds kPatience{120.0};
 
 }  // namespace
 
-ScanRun::ScanRun(Angle width, SteadyTime now) : m_width(width), m_came(now) {}
+ScanRun::ScanRun(Angle width, SteadyTime now) : m_width(width), m_came(now), m_moved(now) {}
 
 calibration::SkyOffset ScanRun::offset() const
 {
@@ -25,14 +30,45 @@ calibration::SkyOffset ScanRun::offset() const
                              : calibration::SkyOffset{.across = {}, .elevation = offset};
 }
 
-bool ScanRun::rests(SteadyTime now) const
+SteadyTime ScanRun::settled() const
 {
-    return Seconds(now - m_came) >= kRest;
+    return std::max(m_came + kRest, m_moved + kSettling);
 }
 
-bool ScanRun::late(SteadyTime now) const
+void ScanRun::moves(SteadyTime now)
 {
-    return Seconds(now - m_came) > kPatience;
+    m_moved = now;
+    m_heard.clear();
+}
+
+void ScanRun::hear(double decibels, SteadyTime arrival)
+{
+    if (comesBack() || arrival < settled()) {
+        return;
+    }
+    if (m_heard.empty()) {
+        m_firstHeard = arrival;
+    }
+    m_heard.push_back(decibels);
+}
+
+std::optional<double> ScanRun::heard(SteadyTime now) const
+{
+    if (m_heard.empty() || Seconds(now - m_firstHeard) < kListening) {
+        return std::nullopt;
+    }
+    std::vector<double> powers = m_heard;
+    const auto middle = powers.begin() + static_cast<std::ptrdiff_t>(powers.size() / 2);
+    std::nth_element(powers.begin(), middle, powers.end());
+    return *middle;
+}
+
+QString ScanRun::obstacle(SteadyTime now) const
+{
+    if (Seconds(now - m_came) <= kPatience) {
+        return {};
+    }
+    return rests(now) ? Text::tr("nobody told the power") : Text::tr("the mount does not come to rest");
 }
 
 void ScanRun::give(double decibels, SteadyTime now)
@@ -43,6 +79,7 @@ void ScanRun::give(double decibels, SteadyTime now)
         .push_back({.offset = across ? place.across : place.elevation, .decibels = decibels});
     ++m_place;
     m_came = now;
+    m_heard.clear();
 }
 
 QString ScanRun::text(SteadyTime now) const

@@ -12,8 +12,8 @@
 #include <vector>
 
 // A cross scan: a line of places across the body, then one in elevation, at each of which the received power is waited
-// for; in the end the beam is on the body again, where the middle of both lines is measured. Moves nothing itself.
-// Pure; station thread.
+// for, typed once or heard for a while from a receiver; in the end the beam is on the body again, where the middle of
+// both lines is measured. Moves nothing itself. Pure; station thread.
 namespace boresight {
 
 class ScanRun
@@ -27,13 +27,20 @@ public:
 
     // Where beside the body the beam shall look now.
     [[nodiscard]] calibration::SkyOffset offset() const;
+    // The mount has not come to rest yet.
+    void moves(SteadyTime now);
     // The beam has come to rest there.
     [[nodiscard]] bool wantsPower(SteadyTime now) const { return !comesBack() && rests(now); }
     // The power at this place: the next place is to be looked at.
     void give(double decibels, SteadyTime now);
+    // One that came by a line. What came before the beam and the receiver had settled is of another place, and not
+    // used.
+    void hear(double decibels, SteadyTime arrival);
+    // What was heard at this place, if that is enough: the middle of it, so that a single slip does no harm.
+    [[nodiscard]] std::optional<double> heard(SteadyTime now) const;
     [[nodiscard]] bool done(SteadyTime now) const { return comesBack() && rests(now); }
-    // Nobody told the power for long.
-    [[nodiscard]] bool late(SteadyTime now) const;
+    // Why it does not get on, after having waited for long; empty: it does.
+    [[nodiscard]] QString obstacle(SteadyTime now) const;
 
     [[nodiscard]] double part() const { return static_cast<double>(m_place) / (2.0 * kPlaces + 1.0); }
     [[nodiscard]] QString text(SteadyTime now) const;
@@ -43,11 +50,15 @@ public:
 
 private:
     [[nodiscard]] bool comesBack() const { return m_place == 2 * kPlaces; }
-    [[nodiscard]] bool rests(SteadyTime now) const;
+    [[nodiscard]] SteadyTime settled() const;
+    [[nodiscard]] bool rests(SteadyTime now) const { return now >= settled(); }
 
     Angle m_width;
     int m_place = 0;  // of both lines
     SteadyTime m_came;
+    SteadyTime m_moved;  // the last time that it did
+    SteadyTime m_firstHeard{};
+    std::vector<double> m_heard;  // dB, at this place
     std::vector<calibration::ScanReading> m_across;
     std::vector<calibration::ScanReading> m_elevation;
 };

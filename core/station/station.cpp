@@ -59,6 +59,7 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
       m_server(serverSettings(profile.rotctld), m_rotator, clock, this),
       m_broker(m_log, clock, this),
       m_sensor(profile, clock, m_log, m_control.alarms(), m_broker, this),
+      m_power(profile.power, clock, m_log, this),
       m_calibration(m_control, profile, stateDir, clock, m_log),
       m_eventFile(stateDir),
       m_tickTimer(this),
@@ -82,6 +83,7 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
         m_care.take(frame);
     });
     connect(m_link.get(), &CanLink::statusChanged, this, &Station::showBus);
+    connect(&m_power, &StationPower::received, this, [this](const power::Value& value) { m_calibration.take(value); });
     connect(&m_memoryFile, &memory::MemoryFile::saveFailed, this, [this](const QString& reason) {
         m_control.alarms().raise(kMemoryCause, Severity::Warning,
                                  {.what = reason,
@@ -140,6 +142,7 @@ void Station::openAll()
     openServer();
     m_broker.apply(m_profile.inForce()->mqtt);
     m_sensor.open();
+    m_power.open();
     writeEvents();
 }
 
@@ -223,6 +226,7 @@ void Station::keepSample()
 void Station::tick()
 {
     keepSample();
+    m_calibration.show(m_power.tick());
     m_calibration.tick();
     const auto motion = m_control.tick();
     witness();
@@ -258,6 +262,7 @@ void Station::finish()
     m_reopenTimer.stop();
     m_server.close();
     m_sensor.close();
+    m_power.close();
     m_broker.close();
     m_link->close();
     m_updateWanted = true;  // the last words, also to a screen that is slow: who asked for the end has an answer to get
@@ -338,6 +343,7 @@ void Station::apply(const profile::Profile& wanted)
     m_server.setAllowed(m_profile.inForce()->rotctld.allow);
     m_broker.apply(m_profile.inForce()->mqtt);
     m_sensor.apply(*m_profile.inForce());
+    m_power.apply(m_profile.inForce()->power);
     m_calibration.setProfile(*m_profile.inForce());
     Q_EMIT profileApplied(wanted);
 }

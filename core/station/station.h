@@ -14,6 +14,7 @@
 #include "core/station/request.h"
 #include "core/station/station_broker.h"
 #include "core/station/station_control.h"
+#include "core/station/station_power.h"
 #include "core/station/station_rotator.h"
 #include "core/station/station_sensor.h"
 #include "core/station/station_status.h"
@@ -106,6 +107,7 @@ private:
     rotctld::Server m_server;
     StationBroker m_broker;
     StationSensor m_sensor;
+    StationPower m_power;
     CalibrationDesk m_calibration;
     EventFile m_eventFile;
     QTimer m_tickTimer;

@@ -4939,6 +4939,46 @@ do eixo</translation>
         <source>standing still until the sensor is heard again, %1 s more at most</source>
         <translation>parado até o sensor voltar a ouvir-se, mais %1 s no máximo</translation>
     </message>
+    <message>
+        <source>%1 cannot be listened at: %2</source>
+        <translation>não é possível escutar em %1: %2</translation>
+    </message>
+    <message>
+        <source>%1: no connection to the receiver&apos;s program: %2</source>
+        <translation>%1: sem conexão com o programa do receptor: %2</translation>
+    </message>
+    <message>
+        <source>%1: nothing comes: is the receiver&apos;s program running, and does it send here?</source>
+        <translation>%1: nada chega: o programa do receptor está em execução, e envia para cá?</translation>
+    </message>
+    <message>
+        <source>%1: what comes is no power in dB: %2</source>
+        <translation>%1: o que chega não é uma potência em dB: %2</translation>
+    </message>
+    <message>
+        <source>there is no number in it</source>
+        <translation>não há um número nela</translation>
+    </message>
+    <message>
+        <source>which of its numbers is the power is not sure</source>
+        <translation>não é certo qual dos seus números é a potência</translation>
+    </message>
+    <message>
+        <source>its number cannot be read for sure</source>
+        <translation>o seu número não pode ser lido com certeza</translation>
+    </message>
+    <message>
+        <source>more than %1 dB is no power</source>
+        <translation>mais de %1 dB não é uma potência</translation>
+    </message>
+    <message>
+        <source>its unit is not dB</source>
+        <translation>a sua unidade não é dB</translation>
+    </message>
+    <message>
+        <source>the mount does not come to rest</source>
+        <translation>a montagem não chega ao repouso</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -3,11 +3,16 @@
 #include "core/sim/simulated_source.h"
 #include "core/station/station.h"
 #include "tests/fakes/manual_clock.h"
+#include "tests/fakes/wait_until.h"
 
 #include <QDir>
 #include <QTemporaryDir>
+#include <QUdpSocket>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
 
 namespace boresight {
 namespace {
@@ -23,22 +28,24 @@ profile::Profile withSensor()
 class CalibratedStation
 {
 public:
-    CalibratedStation() : m_mount(std::make_shared<SimulatedMount>(clock, sim::commissionedPair()))
+    explicit CalibratedStation(const profile::Profile& profile = withSensor())
+        : m_mount(std::make_shared<SimulatedMount>(clock, sim::commissionedPair()))
     {
         auto owned = std::make_unique<SimulatedLink>(clock, m_mount);
         m_link = owned.get();
-        station = std::make_unique<Station>(withSensor(), std::move(owned), folder.path(), clock);
+        station = std::make_unique<Station>(profile, std::move(owned), folder.path(), clock);
         station->setSensorMaker([this](const profile::Profile& wanted, mqtt::Client& client) {
             auto made = sensorMaker(clock, m_mount)(wanted, client);
             m_source = dynamic_cast<SimulatedSource*>(made.get());
             return made;
         });
         QObject::connect(station.get(), &Station::profileApplied,
-                         [this](const profile::Profile& profile) { saved = profile; });
+                         [this](const profile::Profile& applied) { saved = applied; });
         QObject::connect(station.get(), &Station::updated, [this](const StationUpdate& update) {
             for (const Answer& answer : update.answers) {
                 m_error = answer.error;
             }
+            log.insert(log.end(), update.log.begin(), update.log.end());
         });
         station->openAll();
         run(Seconds(5.0));  // the drives are surveyed
@@ -73,6 +80,7 @@ public:
     fakes::ManualClock clock;
     std::unique_ptr<Station> station;
     std::optional<profile::Profile> saved;
+    std::vector<LogEntry> log;  // as far as it was asked for
 
 private:
     std::shared_ptr<SimulatedMount> m_mount;
@@ -132,6 +140,142 @@ TEST(StationCalibration, NoSensorIsSaidAndRefused)
     ASSERT_FALSE(refused);
     EXPECT_EQ(ErrorCode::NotAvailable, refused.error().code);
     EXPECT_FALSE(rig.calibration()->swingPlan.obstacle.isEmpty());
+}
+
+// A mast in Vienna whose north is known to a degree or two, and a receiver that tells its power by UDP.
+profile::Profile withReceiver(std::uint16_t port)
+{
+    profile::Profile profile = withSensor();
+    profile.site = {.known = true, .latitude = 48.2_deg, .longitude = 16.37_deg, .heightMetres = 200.0};
+    profile.pointing.azimuthOffset = 36_deg;
+    profile.power = {.source = profile::PowerSource::Udp, .host = "127.0.0.1", .port = port};
+    return profile;
+}
+
+std::uint16_t freePort()
+{
+    QUdpSocket udp;
+    EXPECT_TRUE(udp.bind(QHostAddress::LocalHost, 0));
+    return udp.localPort();
+}
+
+class Receiver
+{
+public:
+    Receiver(CalibratedStation& rig, std::uint16_t port, const pointing::PointingTerms& truth)
+        : m_rig(rig), m_port(port), m_truth(truth)
+    {
+        QObject::connect(rig.station->findChild<StationPower*>(), &StationPower::received, &m_socket,
+                         [this] { ++m_arrived; });
+    }
+
+    // One line; returns when the station has read it.
+    void tell(const QByteArray& line)
+    {
+        const int before = m_arrived;
+        ASSERT_EQ(line.size(), m_socket.writeDatagram(line, QHostAddress::LocalHost, m_port));
+        ASSERT_TRUE(fakes::waitUntil([&] { return m_arrived > before; }));
+    }
+    // A Gaussian beam of 6 degrees, 20 dB above the noise, told to a tenth of a dB.
+    void tellPower(const SkyPointing& source)
+    {
+        const StationStatus status = m_rig.station->status();
+        const SkyPointing beam = m_truth.toSky({*status.azimuth.actual, *status.elevation.actual});
+        const double across =
+            (beam.azimuth - source.azimuth).wrapped180().degrees() * std::cos(source.elevation.radians());
+        const double off = std::hypot(across, (beam.elevation - source.elevation).degrees()) / 6.0;
+        const double power = 1e-6 * std::exp2(-4.0 * off * off) + 1e-8;
+        const double noise = std::normal_distribution<double>(0.0, 0.1)(m_random);
+        tell("LEVEL " + QByteArray::number(10.0 * std::log10(power) + noise, 'f', 1) + " dBm\n");
+    }
+    [[nodiscard]] SkyPointing beam() const
+    {
+        const StationStatus status = m_rig.station->status();
+        return m_truth.toSky({*status.azimuth.actual, *status.elevation.actual});
+    }
+    [[nodiscard]] const pointing::PointingModel& truth() const { return m_truth; }
+
+private:
+    CalibratedStation& m_rig;
+    std::uint16_t m_port;
+    pointing::PointingModel m_truth;
+    QUdpSocket m_socket;
+    int m_arrived = 0;
+    std::mt19937_64 m_random{20261122};
+};
+
+TEST(StationCalibration, ACrossScanHearsTheReceiverAndFindsTheSun)
+{
+    const std::uint16_t port = freePort();
+    CalibratedStation rig(withReceiver(port));
+    Receiver receiver(rig, port,
+                      {.azimuthOffset = 37.4_deg, .elevationOffset = 0.8_deg, .tiltNorth = 0.5_deg, .tiltEast = {}});
+    rig.clock.stepUtc(Seconds(UtcTime(std::chrono::sys_days{std::chrono::year{2026} / 6 / 21} + std::chrono::hours(8)) -
+                              rig.clock.utc()));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
+    ASSERT_TRUE(rig.ask(request::FollowBody{.body = ephemeris::Body::Sun}));
+    rig.run(Seconds(30.0));
+    const auto started = rig.ask(request::StartCrossScan{.width = 8_deg, .body = ephemeris::Body::Sun});
+    ASSERT_TRUE(started) << started.error().text;
+    for (int i = 0; i < 400 && rig.calibration()->progress.run == CalibrationRun::CrossScan; ++i) {
+        rig.run(Seconds(0.4));
+        receiver.tellPower(rig.calibration()->bodies.at(0).direction);
+    }
+    const auto done = rig.calibration();
+    ASSERT_TRUE(done->scan) << done->progress.outcome.toStdString();
+    ASSERT_EQ(1U, done->points.size());
+    const SkyPointing found = receiver.truth().toSky(done->points.front().axes);
+    const SkyPointing sun = done->points.front().truth;
+    EXPECT_NEAR(0.0, (found.azimuth - sun.azimuth).wrapped180().degrees() * std::cos(sun.elevation.radians()), 0.1);
+    EXPECT_NEAR(sun.elevation.degrees(), found.elevation.degrees(), 0.1);
+    EXPECT_NEAR(6.0, done->scan->across.halfPowerWidth.degrees(), 0.6);
+    // The operator reads how the line does.
+    EXPECT_EQ(QStringLiteral("UDP 127.0.0.1:%1").arg(port), done->powerLine.name);
+    EXPECT_TRUE(done->powerLine.decibels);
+    EXPECT_TRUE(done->powerLine.problem.isEmpty());
+    ASSERT_TRUE(rig.ask(request::ApplyCalibration{done->proposal->number}));
+    EXPECT_NEAR(37.4, rig.saved->pointing.azimuthOffset.degrees(), 1.0);  // the tilt is in it
+}
+
+// The receiver went on speaking while the beam was on its way: nothing of that is of the place that it came to.
+TEST(StationCalibration, ASilentReceiverEndsTheScanWithTheReason)
+{
+    const std::uint16_t port = freePort();
+    CalibratedStation rig(withReceiver(port));
+    Receiver receiver(rig, port, {});
+    rig.clock.stepUtc(Seconds(UtcTime(std::chrono::sys_days{std::chrono::year{2026} / 6 / 21} + std::chrono::hours(8)) -
+                              rig.clock.utc()));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
+    ASSERT_TRUE(rig.ask(request::FollowBody{.body = ephemeris::Body::Sun}));
+    rig.run(Seconds(30.0));
+    ASSERT_TRUE(rig.ask(request::StartCrossScan{.width = 8_deg, .body = ephemeris::Body::Sun}));
+    receiver.tell("-60");
+    rig.run(Seconds(20.0));
+    EXPECT_TRUE(rig.calibration()->wantsPower);
+    EXPECT_FALSE(rig.calibration()->power);
+    EXPECT_NEAR(20.0, rig.calibration()->powerLine.age.count(), 0.5);
+    EXPECT_TRUE(rig.calibration()->powerLine.problem.contains(QStringLiteral("nothing comes")));
+    rig.run(Seconds(110.0));
+    EXPECT_EQ(CalibrationRun::None, rig.calibration()->progress.run);
+    EXPECT_EQ(QStringLiteral("nobody told the power"), rig.calibration()->progress.outcome);
+    int told = 0;
+    ASSERT_TRUE(rig.ask(request::AcknowledgeAlarms{}));
+    for (const LogEntry& entry : rig.log) {
+        told += entry.source == QLatin1String("power") ? 1 : 0;
+    }
+    EXPECT_EQ(2, told);  // before it first spoke, and since
+    // Another line, or none, at once.
+    profile::Profile without = withReceiver(port);
+    without.power.source = profile::PowerSource::None;
+    ASSERT_TRUE(rig.ask(request::ApplyProfile{without}));
+    rig.run(Seconds(0.5));
+    EXPECT_TRUE(rig.calibration()->powerLine.name.isEmpty());
+    ASSERT_TRUE(rig.ask(request::ApplyProfile{withReceiver(port)}));
+    receiver.tell("-61");
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.calibration()->powerLine.decibels, -61.0);
 }
 
 }  // namespace

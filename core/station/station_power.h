@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/power/power_line.h"
+#include "core/profile/power_settings.h"
+#include "core/station/log_throttle.h"
+
+#include <QObject>
+
+#include <memory>
+
+// The line of the received power as the station uses it: the one that the profile names, opened and closed as the
+// profile changes; its troubles go to the log. Station thread.
+namespace boresight {
+
+class StationPower : public QObject
+{
+    Q_OBJECT
+
+public:
+    // Clock and log outlive this.
+    StationPower(const profile::PowerSettings& settings, const Clock& clock, EventLog& log, QObject* parent);
+
+    void open();
+    void close();
+    // What is in force from here on; a line that did not change goes on.
+    void apply(const profile::PowerSettings& settings);
+    // How the line does now. Once per tick.
+    power::LineStatus tick();
+
+Q_SIGNALS:
+    void received(const boresight::power::Value& value);
+
+private:
+    profile::PowerSettings m_settings;
+    const Clock& m_clock;
+    LogThrottle m_lines;
+    std::unique_ptr<power::PowerLine> m_line;  // null: the profile names none, or it is closed
+    QString m_problem;                         // told last
+    bool m_open = false;
+};
+
+}  // namespace boresight

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/scan_run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+constexpr SteadyTime kStart{std::chrono::hours(1)};
+
+SteadyTime at(double seconds)
+{
+    return kStart + std::chrono::duration_cast<SteadyTime::duration>(Seconds(seconds));
+}
+
+TEST(ScanRun, WhatCameBeforeItHadSettledIsNeverUsed)
+{
+    ScanRun scan(8_deg, kStart);
+    scan.hear(-10.0, at(0.5));
+    scan.hear(-10.0, at(3.9));
+    EXPECT_FALSE(scan.heard(at(60.0)));
+    scan.hear(-60.0, at(4.1));
+    EXPECT_FALSE(scan.heard(at(5.0))) << "more may come";
+    EXPECT_EQ(scan.heard(at(5.2)), -60.0);
+    scan.give(-60.0, at(5.2));
+    EXPECT_FALSE(scan.heard(at(60.0))) << "of the place before";
+    scan.hear(-10.0, at(9.0));
+    EXPECT_FALSE(scan.heard(at(60.0)));
+}
+
+TEST(ScanRun, AMountThatStillMovesHasNotSettled)
+{
+    ScanRun scan(8_deg, kStart);
+    scan.moves(at(6.0));
+    EXPECT_FALSE(scan.wantsPower(at(7.0)));
+    scan.hear(-10.0, at(7.0));
+    EXPECT_FALSE(scan.heard(at(9.0)));
+    EXPECT_TRUE(scan.wantsPower(at(7.5)));
+    scan.hear(-60.0, at(7.6));
+    EXPECT_EQ(scan.heard(at(8.7)), -60.0);
+    scan.moves(at(8.8));  // a gust
+    EXPECT_FALSE(scan.heard(at(9.0)));
+}
+
+TEST(ScanRun, ASlipOfTheReceiverDoesNoHarm)
+{
+    ScanRun scan(8_deg, kStart);
+    for (const double power : {-60.1, -60.0, -12.0, -59.9, -60.05}) {
+        scan.hear(power, at(5.0));
+    }
+    EXPECT_EQ(scan.heard(at(6.1)), -60.0);
+}
+
+TEST(ScanRun, ItSaysWhatItWaitsFor)
+{
+    ScanRun scan(8_deg, kStart);
+    EXPECT_TRUE(scan.obstacle(at(119.0)).isEmpty());
+    EXPECT_EQ(QStringLiteral("nobody told the power"), scan.obstacle(at(121.0)));
+    scan.moves(at(120.5));
+    EXPECT_EQ(QStringLiteral("the mount does not come to rest"), scan.obstacle(at(121.0)));
+}
+
+TEST(ScanRun, OnTheWayBackNothingIsListenedTo)
+{
+    ScanRun scan(8_deg, kStart);
+    double now = 0.0;
+    for (int place = 0; place < 2 * ScanRun::kPlaces; ++place) {
+        now += 5.0;
+        ASSERT_TRUE(scan.wantsPower(at(now)));
+        const calibration::SkyOffset offset = scan.offset();
+        const double off = std::hypot(offset.across.degrees() - 1.0, offset.elevation.degrees() + 0.5);
+        scan.give(-60.0 - 0.3 * off * off, at(now));
+    }
+    scan.hear(0.0, at(now + 5.0));
+    EXPECT_FALSE(scan.heard(at(now + 10.0)));
+    EXPECT_TRUE(scan.done(at(now + 5.0)));
+    const auto peak = scan.outcome({.azimuth = 100_deg, .elevation = 0_deg});
+    ASSERT_TRUE(peak) << peak.error().text;
+    EXPECT_NEAR(101.0, peak->peak.azimuth.degrees(), 0.01);
+    EXPECT_NEAR(-0.5, peak->peak.elevation.degrees(), 0.01);
+}
+
+}  // namespace
+}  // namespace boresight
