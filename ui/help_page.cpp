@@ -49,7 +49,7 @@ constexpr Line kLines[] = {
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+6 … Ctrl+8"),
      QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "the mount itself: Drives, Protection, Profile")},
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+9"),
-     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "which turn is the axis on? (while asked)")},
+     QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "panel North; while asked: which turn is the axis on?")},
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+L"),
      QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "charts in the place of the sky, and back")},
     {QT_TRANSLATE_NOOP("boresight::ui::HelpPage", "Ctrl+E"),

@@ -5,6 +5,7 @@
 #include "ui/alarm_line.h"
 #include "ui/axis_readout.h"
 #include "ui/cable_bar.h"
+#include "ui/calibration_panel.h"
 #include "ui/charts_panel.h"
 #include "ui/close_prompt.h"
 #include "ui/command_button.h"
@@ -251,6 +252,7 @@ void MainWindow::beat()
     }
     m_alarms->flash(m_beats % kBeatsPerSecond < kBeatsPerSecond / 2);
     m_panels->jog().beat();
+    m_panels->north().beat();
     if (m_beats % kBeatsPerSecond == 0) {
         m_plot->describe(m_status);
     }

@@ -2,6 +2,7 @@
 #include "ui/panel_tabs.h"
 
 #include "ui/axes.h"
+#include "ui/calibration_panel.h"
 #include "ui/charts_panel.h"
 #include "ui/clients_panel.h"
 #include "ui/drives_panel.h"
@@ -33,6 +34,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
       m_drives(new DrivesPanel(desk, this)),
       m_protection(new ProtectionPanel(desk, this)),
       m_profile(new ProfilePage(draft, desk, settings.configDir, this)),
+      m_north(new CalibrationPanel(clock, desk, this)),
       m_turn(new TurnPage(desk, settings.unwind, this))
 {
     setFont(fonts::label());
@@ -46,10 +48,17 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
     addPanel(*this, *m_log, tr("Log"), tr("Log panel (Ctrl+5)"), Qt::Key_5);
     m_mountTabs = makeMountTabs();
     addTab(m_mountTabs, tr("Mount"));
-    addPanel(*this, *m_turn, tr("▲ Turn?"), tr("Which turn is the axis on? (Ctrl+9)"), Qt::Key_9);
-    setTabVisible(indexOf(m_turn), false);
-    tabBar()->setTabTextColor(indexOf(m_turn), currentTheme().warning);
+    addPanel(*this, *m_north, tr("North"), tr("Finding north: sensor, swing, Sun and Moon (Ctrl+9)"), Qt::Key_9);
+    addTurnPage();
     addGuideButton();
+}
+
+void PanelTabs::addTurnPage()
+{
+    const int tab = addTab(m_turn, tr("▲ Turn?"));
+    setTabToolTip(tab, tr("Which turn is the axis on? (Ctrl+9)"));
+    setTabVisible(tab, false);
+    tabBar()->setTabTextColor(tab, currentTheme().warning);
 }
 
 void PanelTabs::addGuideButton()
@@ -85,7 +94,13 @@ void PanelTabs::addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, 
     auto* const shortcut = new QShortcut(Qt::CTRL | key, window());  // also while the guide stands in our place
     shortcut->setContext(Qt::WindowShortcut);
     shortcut->setAutoRepeat(false);
-    connect(shortcut, &QShortcut::activated, this, [this, &panel] { bringUp(panel); });
+    connect(shortcut, &QShortcut::activated, this, [this, &panel] { bringUpByKey(panel); });
+}
+
+void PanelTabs::bringUpByKey(QWidget& panel)
+{
+    const bool isAsked = &panel == m_north && m_asking;
+    bringUp(isAsked ? static_cast<QWidget&>(*m_turn) : panel);
 }
 
 void PanelTabs::bringUp(QWidget& panel)
@@ -150,6 +165,7 @@ void PanelTabs::showStatus(const StationStatus& status)
     m_drives->showStatus(status);
     m_protection->showStatus(status);
     m_profile->showStatus(status);
+    m_north->showStatus(status);
     m_turn->showStatus(status);
     showQuestion(status);
 }
@@ -163,6 +179,7 @@ void PanelTabs::showQuestion(const StationStatus& status)
     m_asking = asking;
     cornerWidget()->setVisible(!asking);  // the tabs need its room; F3 remains
     if (asking) {
+        setTabVisible(indexOf(m_north), false);
         setTabVisible(indexOf(m_turn), true);
         setCurrentWidget(m_turn);
     } else {
@@ -170,6 +187,7 @@ void PanelTabs::showQuestion(const StationStatus& status)
             setCurrentWidget(m_jog);
         }
         setTabVisible(indexOf(m_turn), false);
+        setTabVisible(indexOf(m_north), true);
     }
 }
 

@@ -11,10 +11,12 @@
 #include <optional>
 
 // The panels, one at a time: those for the night's work side by side, those about the mount itself behind one tab of
-// their own; each has its key. The question about a turn is one of them, there only while it is open: it comes to the
-// front by itself once, covers nothing but the other panels, and waits behind its tab when the operator leaves it.
+// their own; each has its key. The question about a turn is one of them, there only while it is open, in the place and
+// with the key of the North panel, which needs the answer: it comes to the front by itself once, covers nothing but the
+// other panels, and waits behind its tab when the operator leaves it.
 namespace boresight::ui {
 
+class CalibrationPanel;
 class ChartsPanel;
 class ClientsPanel;
 class DrivesPanel;
@@ -41,6 +43,7 @@ public:
     void bringUp(QWidget& panel);  // to the front, also from behind "Mount"
 
     [[nodiscard]] JogPanel& jog() { return *m_jog; }
+    [[nodiscard]] CalibrationPanel& north() { return *m_north; }
     [[nodiscard]] ChartsPanel& charts() { return *m_charts; }
     [[nodiscard]] LimitsPanel& limits() { return *m_limits; }
     [[nodiscard]] LogPanel& log() { return *m_log; }
@@ -54,8 +57,10 @@ protected:
 
 private:
     void addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, const QString& help, Qt::Key key);
+    void bringUpByKey(QWidget& panel);
     [[nodiscard]] QTabWidget* makeMountTabs();
     void addGuideButton();
+    void addTurnPage();
     void showQuestion(const StationStatus& status);
     [[nodiscard]] int keyOf(const QWidget* panel) const;  // its digit; 0: none
     void bringUp(int key);
@@ -69,6 +74,7 @@ private:
     DrivesPanel* m_drives;
     ProtectionPanel* m_protection;
     ProfilePage* m_profile;
+    CalibrationPanel* m_north;
     TurnPage* m_turn;
     QTabWidget* m_mountTabs = nullptr;
     std::optional<Axis> m_asking;  // the question that was brought to the front

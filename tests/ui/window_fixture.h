@@ -41,7 +41,7 @@ protected:
     // By its key, Ctrl+digit.
     void openPanel(char digit) { QTest::keyClick(&window, digit, Qt::ControlModifier); }
     // The keys of all panels that are always there.
-    static constexpr std::string_view kPanels = "12345678";
+    static constexpr std::string_view kPanels = "123456789";
 
     void give(const StationUpdate& update) { window.showUpdate(update); }
 

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/body_box.h"
+
+#include "ui/calibration_permission.h"
+#include "ui/calibration_words.h"
+#include "ui/command_button.h"
+#include "ui/format.h"
+#include "ui/value_label.h"
+
+#include <QGridLayout>
+
+namespace boresight::ui {
+
+BodyBox::BodyBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
+    : QWidget(parent),
+      m_where(new ValueLabel(tr("Where the body is"), fonts::label(), {}, this)),
+      m_follow(new CommandButton(tr("Follow Sun"), {}, desk, notice, this)),
+      m_take(new CommandButton(tr("Take point"), tr("It is centred now: keep where the axes stand"), desk, notice, this))
+{
+    build();
+    connect(m_follow, &QPushButton::clicked, this, &BodyBox::followOrHold);
+    connect(m_take, &QPushButton::clicked, this, [this] { m_take->ask(request::TakePoint{}); });
+}
+
+void BodyBox::build()
+{
+    m_where->setStretching(true);
+    m_where->setLines(3);
+    auto* const grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(4);
+    grid->addWidget(m_where, 0, 0, 1, 2);
+    grid->addWidget(m_follow, 1, 0);
+    grid->addWidget(m_take, 1, 1);
+    for (CommandButton* const button : {m_follow, m_take}) {
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    }
+}
+
+void BodyBox::setBody(ephemeris::Body body)
+{
+    m_body = body;
+    describe();
+}
+
+void BodyBox::showStatus(const StationStatus& status)
+{
+    m_status = status;
+    describe();
+}
+
+bool BodyBox::isFollowed() const
+{
+    const CalibrationStatus& calibration = calibrationOf(m_status);
+    return calibration.following && calibration.body == m_body;
+}
+
+void BodyBox::describe()
+{
+    const QString body = bodyName(m_body);
+    const bool followed = isFollowed();
+    const QString reason = followed ? QString() : whyNoBody(m_status, m_body);
+    m_follow->setCommand(followed ? tr("Hold") : tr("Follow %1").arg(body),
+                         followed ? tr("Ends it; the mount holds")
+                                  : tr("The mount moves to the %1 and stays on it; the pad trims").arg(body));
+    m_follow->setAccessibleName(followed ? tr("Hold, follow the %1 no more").arg(body) : tr("Follow %1").arg(body));
+    m_follow->setBlocked(reason);
+    m_take->setBlocked(whyNoBodyPoint(m_status, m_body));
+    m_where->setValue(whereText(), reason.isEmpty() ? Tone::Normal : Tone::Secondary);
+}
+
+QString BodyBox::whereText() const
+{
+    const CalibrationStatus& calibration = calibrationOf(m_status);
+    const BodyNow* const now = bodyNow(m_status, m_body);
+    QString text = now != nullptr ? placeText(*now) : QString();
+    const auto add = [&text](const QString& line) { text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + line; };
+    if (!isFollowed()) {
+        const QString reason = whyNoBody(m_status, m_body);
+        add(reason.isEmpty() ? tr("not followed") : tr("Not now: %1").arg(reason));
+    } else {
+        const SkyPointing trim = m_status.trim.value_or(SkyPointing{});
+        add(calibration.pointObstacle.isEmpty()
+                ? tr("followed, trim az %1 el %2").arg(signedAngleText(trim.azimuth), signedAngleText(trim.elevation))
+                : calibration.pointObstacle);
+    }
+    if (!calibration.points.empty()) {
+        add(tr("points taken: %1").arg(calibration.points.size()));
+    }
+    return text;
+}
+
+void BodyBox::followOrHold()
+{
+    if (isFollowed()) {
+        m_follow->ask(request::Hold{});
+        return;
+    }
+    m_follow->ask(request::FollowBody{.body = m_body, .refraction = m_refraction});
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+#include <QWidget>
+
+// The Sun or the Moon as a known direction: where it appears now, follow it, and take the point once it is centred.
+namespace boresight::ui {
+
+class CommandButton;
+class RequestDesk;
+class ValueLabel;
+
+class BodyBox : public QWidget
+{
+    Q_OBJECT
+
+public:
+    BodyBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent = nullptr);
+
+    void setBody(ephemeris::Body body);
+    void setRefraction(ephemeris::Refraction refraction) { m_refraction = refraction; }  // of what is followed next
+    void showStatus(const StationStatus& status);
+
+    [[nodiscard]] bool isFollowed() const;
+
+private:
+    void build();
+    void describe();
+    void followOrHold();
+    [[nodiscard]] QString whereText() const;
+
+    StationStatus m_status;
+    ephemeris::Body m_body = ephemeris::Body::Sun;
+    ephemeris::Refraction m_refraction = ephemeris::Refraction::Light;
+    ValueLabel* m_where;
+    CommandButton* m_follow;
+    CommandButton* m_take;
+};
+
+}  // namespace boresight::ui

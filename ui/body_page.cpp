@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/body_page.h"
+
+#include "ui/body_box.h"
+#include "ui/calibration_words.h"
+#include "ui/choice_button.h"
+#include "ui/format.h"
+#include "ui/guide_fields.h"
+#include "ui/jog_button.h"
+#include "ui/jog_pad.h"
+#include "ui/landmark_box.h"
+#include "ui/scan_box.h"
+#include "ui/touch_combo.h"
+#include "ui/value_label.h"
+
+#include <QButtonGroup>
+#include <QGridLayout>
+#include <QLabel>
+
+namespace boresight::ui {
+
+namespace {
+constexpr Angle kSteps[] = {0.01_deg, 0.05_deg, 0.1_deg, 0.5_deg, 1_deg};
+constexpr int kFirstStep = 2;
+constexpr ephemeris::Refraction kRefractions[] = {ephemeris::Refraction::Light, ephemeris::Refraction::Radio,
+                                                  ephemeris::Refraction::None};
+}  // namespace
+
+BodyPage::BodyPage(const Clock& clock, RequestDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_warning(new ValueLabel(tr("Eyes and feed"), fonts::label(), {}, this)),
+      m_pad(new JogPad(clock, desk, *m_notice, this)),
+      m_body(new BodyBox(desk, *m_notice, this)),
+      m_landmark(new LandmarkBox(desk, *m_notice, this)),
+      m_scan(new ScanBox(desk, *m_notice, this)),
+      m_stepRow(new QWidget(this)),
+      m_step(new TouchCombo(tr("Step of the pad"), tr("How far one press of the pad or of an arrow key moves"), this)),
+      m_refraction(new TouchCombo(tr("Refraction"), tr("How the air bends what is centred: the shadow, or the power"),
+                                  this))
+{
+    m_pad->setAccessibleName(tr("Nudge pad"));
+    m_pad->setStepMode(true);
+    for (const JogDirection direction :
+         {JogDirection::Up, JogDirection::Down, JogDirection::Left, JogDirection::Right}) {
+        m_pad->button(direction).setMinimumWidth(kTouchSize);  // narrower than a button that says "requested"
+    }
+    build();
+    choose(Aim::Sun);
+}
+
+void BodyPage::build()
+{
+    m_notice->setStretching(true);
+    m_notice->setCollapsing(true);
+    m_warning->setStretching(true);
+    m_warning->setLines(3);
+    auto* const boxes = new QVBoxLayout;
+    boxes->setSpacing(4);
+    for (QWidget* const box : {static_cast<QWidget*>(m_body), static_cast<QWidget*>(m_landmark),
+                               static_cast<QWidget*>(m_scan)}) {
+        boxes->addWidget(box);
+    }
+    boxes->addWidget(makeStep());
+    boxes->addStretch(1);
+    boxes->addWidget(m_notice);
+    auto* const grid = new QGridLayout(this);
+    grid->setContentsMargins(6, 4, 6, 0);
+    grid->setHorizontalSpacing(6);
+    grid->setVerticalSpacing(4);
+    grid->addLayout(makeChoices(), 0, 0);
+    grid->addWidget(m_warning, 0, 1);
+    grid->addWidget(m_pad, 1, 0);
+    grid->addLayout(boxes, 1, 1);
+    grid->setRowStretch(1, 1);
+    grid->setColumnStretch(1, 1);
+}
+
+QLayout* BodyPage::makeChoices()
+{
+    auto* const row = new QHBoxLayout;
+    row->setSpacing(2);
+    auto* const group = new QButtonGroup(this);
+    const std::pair<QString, QString> words[] = {
+        {bodyName(ephemeris::Body::Sun), tr("Points by the Sun")},
+        {bodyName(ephemeris::Body::Moon), tr("Points by the Moon")},
+        {tr("Mark"), tr("A landmark whose direction is known")},
+        {tr("Peak"), tr("The peak of the received power, by a cross scan")}};
+    for (std::size_t place = 0; place < m_choices.size(); ++place) {
+        auto* const button = new ChoiceButton(words[place].first, words[place].second, this);
+        m_choices[place] = button;
+        group->addButton(button);
+        row->addWidget(button);
+        connect(button, &QToolButton::clicked, this, [this, place] { choose(static_cast<Aim>(place)); });
+    }
+    return row;
+}
+
+QWidget* BodyPage::makeStep()
+{
+    auto* const row = new QHBoxLayout(m_stepRow);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    QStringList sizes;
+    for (const Angle step : kSteps) {
+        sizes << angleText(step);
+    }
+    m_step->setLines(sizes);
+    m_step->setCurrentIndex(kFirstStep);
+    m_pad->setStep(kSteps[kFirstStep]);
+    m_refraction->setLines({tr("as light"), tr("as radio"), tr("no air")});
+    m_refraction->setCurrentIndex(0);
+    connect(m_step, &QComboBox::activated, this, [this](int index) { m_pad->setStep(kSteps[index]); });
+    connect(m_refraction, &QComboBox::activated, this, [this](int index) { m_body->setRefraction(kRefractions[index]); });
+    QLabel* const caption = makeCaption(tr("Step"), m_stepRow);
+    caption->setBuddy(m_step);
+    row->addWidget(caption);
+    row->addWidget(m_step, 1);
+    row->addWidget(m_refraction, 1);
+    return m_stepRow;
+}
+
+void BodyPage::choose(Aim aim)
+{
+    m_aim = aim;
+    for (QWidget* const box : {static_cast<QWidget*>(m_body), static_cast<QWidget*>(m_landmark),
+                               static_cast<QWidget*>(m_scan), m_stepRow}) {
+        box->hide();  // before another is shown: together they would not fit
+    }
+    m_notice->setValue({});
+    m_choices[static_cast<std::size_t>(aim)]->setChecked(true);
+    switch (aim) {
+        case Aim::Sun:
+        case Aim::Moon:
+            m_body->setBody(aim == Aim::Sun ? ephemeris::Body::Sun : ephemeris::Body::Moon);
+            m_body->show();
+            break;
+        case Aim::Landmark:
+            m_landmark->show();
+            break;
+        case Aim::Scan:
+            m_scan->show();
+            break;
+    }
+    m_refraction->setVisible(aim == Aim::Sun || aim == Aim::Moon);
+    m_stepRow->setVisible(aim != Aim::Scan);  // the scan moves by itself
+    showWarning();
+}
+
+void BodyPage::showWarning()
+{
+    const CalibrationStatus& calibration = calibrationOf(m_status);
+    const bool scansSun = m_aim == Aim::Scan && m_scan->body() == ephemeris::Body::Sun;
+    const QString text = !calibration.warning.isEmpty()       ? calibration.warning
+                         : m_aim == Aim::Sun || scansSun      ? sunWarning()
+                                                              : QString();
+    m_warning->setValue(text, Tone::Warning, text.isEmpty() ? Symbol::None : Symbol::Warning);
+}
+
+void BodyPage::showStatus(const StationStatus& status)
+{
+    m_status = status;
+    m_pad->showStatus(status);
+    m_body->showStatus(status);
+    m_landmark->showStatus(status);
+    m_scan->showStatus(status);
+    m_refraction->setEnabled(!m_body->isFollowed());
+    showWarning();
+}
+
+void BodyPage::beat()
+{
+    m_pad->disarmWhenUnused();
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/station/station_status.h"
+
+#include <QWidget>
+
+#include <array>
+
+// Step 3 of finding north: points of known direction, by Sun, Moon, a landmark or the peak of the received power. The
+// pad is that of the Jog panel, in steps only: while a body is followed they trim. As long as the Sun is meant the
+// warning of eyes and feed stands there.
+namespace boresight::ui {
+
+class BodyBox;
+class ChoiceButton;
+class JogPad;
+class LandmarkBox;
+class RequestDesk;
+class ScanBox;
+class TouchCombo;
+class ValueLabel;
+
+class BodyPage : public QWidget
+{
+    Q_OBJECT
+
+public:
+    BodyPage(const Clock& clock, RequestDesk& desk, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+    void beat();  // a few times a second
+
+private:
+    enum class Aim
+    {
+        Sun,
+        Moon,
+        Landmark,
+        Scan
+    };
+
+    void build();
+    [[nodiscard]] QLayout* makeChoices();
+    [[nodiscard]] QWidget* makeStep();
+    void choose(Aim aim);
+    void showWarning();
+
+    StationStatus m_status;
+    Aim m_aim = Aim::Sun;
+    ValueLabel* m_notice;
+    ValueLabel* m_warning;
+    JogPad* m_pad;
+    BodyBox* m_body;
+    LandmarkBox* m_landmark;
+    ScanBox* m_scan;
+    QWidget* m_stepRow;
+    TouchCombo* m_step;
+    TouchCombo* m_refraction;
+    std::array<ChoiceButton*, 4> m_choices{};  // by Aim
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration_bar.h"
+
+#include "ui/calibration_permission.h"
+#include "ui/calibration_words.h"
+#include "ui/command_button.h"
+#include "ui/value_label.h"
+
+#include <QHBoxLayout>
+
+namespace boresight::ui {
+
+CalibrationBar::CalibrationBar(RequestDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      m_title(new ValueLabel(tr("Proposed calibration"), fonts::label(), {}, this)),
+      m_change(new ValueLabel(tr("What Apply changes"), fonts::label(), {}, this)),
+      m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_apply(new CommandButton(tr("Apply north"), {}, desk, *m_notice, this)),
+      m_undo(new CommandButton(tr("Undo"), tr("Back to the calibration before; nothing moves"), desk, *m_notice, this)),
+      m_redo(new CommandButton(tr("Redo"), tr("The calibration that was taken back; nothing moves"), desk, *m_notice,
+                               this))
+{
+    m_undo->setAccessibleName(tr("Undo the calibration"));
+    m_redo->setAccessibleName(tr("Redo the calibration"));
+    build();
+    connect(m_apply, &QPushButton::pressed, this, [this] { m_pressed = m_shown; });
+    connect(m_apply, &QPushButton::clicked, this, [this] { m_apply->ask(request::ApplyCalibration{m_pressed}); });
+    connect(m_undo, &QPushButton::clicked, this, [this] { m_undo->ask(request::UndoCalibration{}); });
+    connect(m_redo, &QPushButton::clicked, this, [this] { m_redo->ask(request::RedoCalibration{}); });
+}
+
+void CalibrationBar::build()
+{
+    auto* const row = new QHBoxLayout(this);
+    row->setContentsMargins(6, 0, 6, 2);
+    row->setSpacing(4);
+    auto* const lines = new QVBoxLayout;
+    lines->setSpacing(0);
+    for (ValueLabel* const line : {m_title, m_change, m_notice}) {
+        line->setStretching(true);
+        lines->addWidget(line);
+    }
+    m_change->setLines(2);
+    m_notice->setCollapsing(true);
+    row->addLayout(lines, 1);
+    row->addWidget(m_apply);
+    row->addWidget(m_undo);
+    row->addWidget(m_redo);
+}
+
+void CalibrationBar::showStatus(const StationStatus& status)
+{
+    const CalibrationStatus& calibration = calibrationOf(status);
+    const Sentence title = proposalSentence(calibration);
+    m_title->setValue(title.text, title.tone, title.symbol);
+    m_change->setValue(calibration.proposal ? changeText(*calibration.proposal) : QString(), Tone::Secondary);
+    m_shown = calibration.proposal ? calibration.proposal->number : 0;
+    m_apply->setCommand(tr("Apply north"),
+                        calibration.proposal
+                            ? tr("Into force at once, nothing moves: %1").arg(changeText(*calibration.proposal))
+                            : QString());
+    m_apply->setBlocked(whyNoApply(status));
+    m_undo->setBlocked(whyNoUndo(status));
+    m_redo->setBlocked(whyNoRedo(status));
+}
+
+}  // namespace boresight::ui

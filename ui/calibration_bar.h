@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+#include <QWidget>
+
+#include <cstdint>
+
+// Below every step of the North panel: what is proposed, every figure before and after, and Apply, Undo, Redo. What is
+// applied is the proposal that stood there when the button was pressed; were it another one by then, the station
+// refuses.
+namespace boresight::ui {
+
+class CommandButton;
+class RequestDesk;
+class ValueLabel;
+
+class CalibrationBar : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit CalibrationBar(RequestDesk& desk, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+private:
+    void build();
+
+    ValueLabel* m_title;
+    ValueLabel* m_change;
+    ValueLabel* m_notice;
+    CommandButton* m_apply;
+    CommandButton* m_undo;
+    CommandButton* m_redo;
+    std::uint64_t m_shown = 0;    // number of the proposal
+    std::uint64_t m_pressed = 0;  // that was shown when Apply was pressed
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration_panel.h"
+
+#include "ui/body_page.h"
+#include "ui/calibration_bar.h"
+#include "ui/history_page.h"
+#include "ui/model_page.h"
+#include "ui/sensor_page.h"
+#include "ui/swing_page.h"
+#include "ui/theme.h"
+
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+namespace boresight::ui {
+
+CalibrationPanel::CalibrationPanel(const Clock& clock, RequestDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      m_steps(new QTabWidget(this)),
+      m_sensor(new SensorPage(desk, this)),
+      m_swing(new SwingPage(desk, this)),
+      m_body(new BodyPage(clock, desk, this)),
+      m_model(new ModelPage(desk, this)),
+      m_history(new HistoryPage(this)),
+      m_bar(new CalibrationBar(desk, this))
+{
+    m_steps->setFont(fonts::label());
+    m_steps->setDocumentMode(true);
+    m_steps->setAccessibleName(tr("Steps of finding north"));
+    addStep(*m_sensor, tr("1 Sensor"), tr("North from the sensor while the mount stands still: to some degrees"));
+    addStep(*m_swing, tr("2 Swing"), tr("The compass swing: north, the sensor's deviation, and the tilt of the axis"));
+    addStep(*m_body, tr("3 Sun/Moon"), tr("Points of known direction: Sun, Moon, a landmark, the peak of the power"));
+    addStep(*m_model, tr("4 Model"), tr("The pointing model of these points, with their residuals"));
+    addStep(*m_history, tr("5 History"), tr("What was applied before"));
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 2);
+    column->setSpacing(4);
+    column->addWidget(m_steps, 1);
+    column->addWidget(m_bar);
+}
+
+void CalibrationPanel::addStep(QWidget& page, const QString& name, const QString& help)
+{
+    m_steps->setTabToolTip(m_steps->addTab(&page, name), help);
+}
+
+void CalibrationPanel::showStatus(const StationStatus& status)
+{
+    m_sensor->showStatus(status);
+    m_swing->showStatus(status);
+    m_body->showStatus(status);
+    m_model->showStatus(status);
+    m_history->showStatus(status);
+    m_bar->showStatus(status);
+}
+
+void CalibrationPanel::go(CalibrationStep step)
+{
+    m_steps->setCurrentIndex(static_cast<int>(step));
+}
+
+void CalibrationPanel::beat()
+{
+    m_body->beat();
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+#include <QString>
+
+// Why a control of the North panel cannot act now, in words for its tooltip; empty when it can. The station decides
+// again: this only keeps the screen from offering what would be refused.
+namespace boresight::ui {
+
+[[nodiscard]] const BodyNow* bodyNow(const StationStatus& status, ephemeris::Body body);  // null: not known
+
+[[nodiscard]] QString whyNoSensorAverage(const StationStatus& status);
+[[nodiscard]] QString whyNoSwing(const StationStatus& status);
+[[nodiscard]] QString whyNoBody(const StationStatus& status, ephemeris::Body body);  // to follow it
+[[nodiscard]] QString whyNoScan(const StationStatus& status, ephemeris::Body body);
+[[nodiscard]] QString whyNoPower(const StationStatus& status);
+[[nodiscard]] QString whyNoBodyPoint(const StationStatus& status, ephemeris::Body body);
+[[nodiscard]] QString whyNoLandmark(const StationStatus& status);
+[[nodiscard]] QString whyNoPointChange(const StationStatus& status);
+[[nodiscard]] QString whyNoApply(const StationStatus& status);
+[[nodiscard]] QString whyNoUndo(const StationStatus& status);
+[[nodiscard]] QString whyNoRedo(const StationStatus& status);
+
+}  // namespace boresight::ui

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/calibration_words.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "ui/format.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight::ui {
+
+namespace {
+
+class CalibrationWords
+{
+    Q_DECLARE_TR_FUNCTIONS(CalibrationWords)
+};
+
+QString hourText(UtcTime utc)
+{
+    return clockText(utc).left(5) + QLatin1Char('Z');
+}
+
+QString northLine(const SwingOutcome& swing)
+{
+    const calibration::CompassSwing& fit = swing.fit;
+    QString text = CalibrationWords::tr("North %1: %2 of it from the readings, %3 that no swing can see.")
+                       .arg(estimateText(fit.north), angleText(fit.statistical), angleText(fit.systematic));
+    if (fit.harmonics != calibration::Harmonics::None) {
+        text += QLatin1Char(' ') + CalibrationWords::tr("Hard iron %1, soft iron %2, readings scatter by %3.")
+                                       .arg(angleText(fit.curve.firstAmplitude(), 1),
+                                            angleText(fit.curve.secondAmplitude(), 1),
+                                            angleText(fit.curve.scatter, 1));
+    }
+    return text;
+}
+
+QString tiltLine(const SwingOutcome& swing)
+{
+    if (!swing.tilt) {
+        return swing.noTilt.isEmpty() ? QString() : CalibrationWords::tr("No tilt: %1").arg(swing.noTilt);
+    }
+    const calibration::AxisTilt& tilt = *swing.tilt;
+    return CalibrationWords::tr("The azimuth axis leans by %1 ± %2 towards %3. Elevation offset %4.")
+        .arg(angleText(tilt.size), angleText(tilt.sizeSigma), angleText(tilt.direction, 0),
+             estimateText(tilt.elevationOffset));
+}
+
+}  // namespace
+
+const CalibrationStatus& calibrationOf(const StationStatus& status)
+{
+    static const CalibrationStatus nothing;
+    return status.calibration ? *status.calibration : nothing;
+}
+
+QString estimateText(const calibration::Estimate& estimate)
+{
+    return QStringLiteral("%1 ± %2").arg(angleText(estimate.value), angleText(estimate.sigma));
+}
+
+QString termName(const std::string& key)
+{
+    static const std::pair<const char*, const char*> names[] = {
+        {"pointing.azimuth_offset_deg", QT_TRANSLATE_NOOP("CalibrationWords", "azimuth offset")},
+        {"pointing.elevation_offset_deg", QT_TRANSLATE_NOOP("CalibrationWords", "elevation offset")},
+        {"pointing.tilt_north_deg", QT_TRANSLATE_NOOP("CalibrationWords", "tilt to the north")},
+        {"pointing.tilt_east_deg", QT_TRANSLATE_NOOP("CalibrationWords", "tilt to the east")},
+        {"pointing.collimation_deg", QT_TRANSLATE_NOOP("CalibrationWords", "collimation")},
+        {"pointing.non_perpendicularity_deg", QT_TRANSLATE_NOOP("CalibrationWords", "axes not square")},
+        {"pointing.elevation_sag_deg", QT_TRANSLATE_NOOP("CalibrationWords", "gravity sag")}};
+    for (const auto& [known, text] : names) {
+        if (key == known) {
+            return CalibrationWords::tr(text);
+        }
+    }
+    return QString::fromStdString(key);
+}
+
+QString bodyName(ephemeris::Body body)
+{
+    return body == ephemeris::Body::Sun ? CalibrationWords::tr("Sun") : CalibrationWords::tr("Moon");
+}
+
+QString placeText(const BodyNow& body)
+{
+    QString next;
+    if (body.isUp && body.nextSet) {
+        next = CalibrationWords::tr("sets %1").arg(hourText(*body.nextSet));
+    } else if (!body.isUp) {
+        next = body.nextRise ? CalibrationWords::tr("below the horizon, rises %1").arg(hourText(*body.nextRise))
+                             : CalibrationWords::tr("below the horizon");
+    }
+    const QString where = directionText(body.direction);
+    return next.isEmpty() ? where : where + QStringLiteral(", ") + next;
+}
+
+QString changeText(const CalibrationProposal& proposal)
+{
+    QStringList changes;
+    for (const TermStatus& term : proposal.terms) {
+        const QString before = angleText(term.present);
+        const QString after = angleText(term.proposed);
+        if (before != after) {
+            changes << QStringLiteral("%1 %2 → %3").arg(termName(term.key), before, after);
+        }
+    }
+    if (proposal.changesSensor) {
+        changes << CalibrationWords::tr("curve of the sensor");
+    }
+    return changes.isEmpty() ? CalibrationWords::tr("no term changes by 0.01°")
+                             : changes.join(QStringLiteral(", "));
+}
+
+Sentence proposalSentence(const CalibrationStatus& calibration)
+{
+    if (!calibration.proposal) {
+        return {CalibrationWords::tr("Nothing is proposed yet: steps 1 to 3 find north")};
+    }
+    const CalibrationProposal& proposal = *calibration.proposal;
+    return proposal.warnings.empty() ? Sentence{proposal.title, Tone::Normal}
+                                     : Sentence{proposal.title + QStringLiteral(": ") + proposal.warnings.front(),
+                                                Tone::Warning, Symbol::Warning};
+}
+
+QString swingText(const SwingOutcome& swing)
+{
+    QStringList lines;
+    for (const std::string& reason : swing.fit.hopeless) {
+        lines << QStringLiteral("▲ ") + toQString(reason);
+    }
+    lines << northLine(swing);
+    if (const QString tilt = tiltLine(swing); !tilt.isEmpty()) {
+        lines << tilt;
+    }
+    if (swing.fit.hysteresis) {
+        lines << CalibrationWords::tr("Turning clockwise the sensor says %1 more than turning back.")
+                     .arg(estimateText(*swing.fit.hysteresis));
+    }
+    for (const std::string& hint : swing.fit.hints) {
+        lines << toQString(hint);
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString fitText(const CalibrationStatus& calibration)
+{
+    if (!calibration.fit) {
+        return calibration.points.empty() ? CalibrationWords::tr("No points yet: step 3 takes them")
+                                          : CalibrationWords::tr("No fit of these points");
+    }
+    const PointFitStatus& fit = *calibration.fit;
+    const auto on = std::count_if(fit.terms.begin(), fit.terms.end(), [](const TermStatus& one) { return one.isOn; });
+    QString text = CalibrationWords::tr("%1 points, %2 terms: rms %3 → %4")
+                       .arg(calibration.points.size())
+                       .arg(on)
+                       .arg(angleText(fit.before, 3), angleText(fit.after, 3));
+    double leftOut = 0.0;
+    int count = 0;
+    for (const PointStatus& point : calibration.points) {
+        if (point.leftOut) {
+            leftOut += point.leftOut->degrees() * point.leftOut->degrees();
+            ++count;
+        }
+    }
+    if (count > 0) {
+        text += CalibrationWords::tr(", each by the others %1")
+                    .arg(angleText(Angle::fromDegrees(std::sqrt(leftOut / count)), 3));
+    }
+    if (fit.reducedChiSquare) {
+        text += CalibrationWords::tr(", χ² %1").arg(*fit.reducedChiSquare, 0, 'f', 1);
+    }
+    return text;
+}
+
+double onSky(const PointResidual& residual)
+{
+    return std::hypot(residual.across.degrees(), residual.elevation.degrees());
+}
+
+QString sunWarning()
+{
+    return CalibrationWords::tr(
+        "Never look into the Sun, nor along a sight tube. A dish burns its feed: watch the shadow, be quick.");
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/calibration_status.h"
+#include "core/station/station_status.h"
+#include "ui/survey_words.h"
+
+#include <QString>
+
+#include <string>
+#include <vector>
+
+// What the calibration desk tells, in words. Whatever is said of the core's own sentences stays as it is.
+namespace boresight::ui {
+
+// Never null, whatever the status holds: without a calibration desk there is nothing to tell.
+[[nodiscard]] const CalibrationStatus& calibrationOf(const StationStatus& status);
+
+[[nodiscard]] QString estimateText(const calibration::Estimate& estimate);  // "37.41° ± 1.80°"
+[[nodiscard]] QString termName(const std::string& key);                     // "azimuth offset"
+[[nodiscard]] QString bodyName(ephemeris::Body body);                       // "Sun"
+[[nodiscard]] QString placeText(const BodyNow& body);                       // "az 143.2°  el 32.1°, sets 17:05Z"
+// Every term that changes, before and after: "azimuth offset 0.00° → 37.41°, …".
+[[nodiscard]] QString changeText(const CalibrationProposal& proposal);
+[[nodiscard]] Sentence proposalSentence(const CalibrationStatus& calibration);
+[[nodiscard]] QString swingText(const SwingOutcome& swing);  // several lines: north, curve, tilt, verdict
+[[nodiscard]] QString fitText(const CalibrationStatus& calibration);
+[[nodiscard]] double onSky(const PointResidual& residual);  // degrees
+
+// Of the eyes and the feed; stands there as long as the Sun is meant, whether the beam is there or not.
+[[nodiscard]] QString sunWarning();
+
+}  // namespace boresight::ui

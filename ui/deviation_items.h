@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/calibration_status.h"
+
+#include <QPointF>
+#include <qwt_plot_item.h>
+
+#include <memory>
+
+class QPainter;
+
+// What lies in the deviation plot, as a Qwt item; x is the true heading, y the error, both in degrees. Included by
+// deviation_plot.cpp only.
+namespace boresight::ui {
+
+class SwingItem final : public QwtPlotItem
+{
+public:
+    void setSwing(std::shared_ptr<const SwingOutcome> swing) { m_swing = std::move(swing); }
+
+    void draw(QPainter* painter, const QwtScaleMap& headingMap, const QwtScaleMap& errorMap,
+              const QRectF& canvas) const override;
+
+private:
+    void drawUnreliable(QPainter& painter, const QwtScaleMap& headingMap, const QRectF& canvas) const;
+    void drawCurve(QPainter& painter, const QwtScaleMap& headingMap, const QwtScaleMap& errorMap) const;
+    void drawSamples(QPainter& painter, const QwtScaleMap& headingMap, const QwtScaleMap& errorMap,
+                     const QRectF& canvas) const;
+
+    std::shared_ptr<const SwingOutcome> m_swing;
+};
+
+// A used sample points the way the mount turned; one that is left out is a cross. Also for the legend.
+enum class SampleShape
+{
+    Clockwise,
+    Back,
+    LeftOut
+};
+
+void drawSample(QPainter& painter, SampleShape shape, QPointF at);
+
+}  // namespace boresight::ui

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/calibration_status.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QwtPlot;
+class QwtPlotGrid;
+
+// The curve that a compass swing has found: what the sensor says too much over the true heading, the samples of both
+// ways, and how far each is off the curve. Beside the polar plot and the strip charts the only place that touches Qwt.
+namespace boresight::ui {
+
+class SwingItem;
+
+class DeviationPlot : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit DeviationPlot(QWidget* parent = nullptr);
+    ~DeviationPlot() override;
+
+    void show(std::shared_ptr<const SwingOutcome> swing);  // null: none
+
+    [[nodiscard]] QPointF pixel(Angle heading, Angle error) const;  // for the test of what is painted
+    [[nodiscard]] double limit() const { return m_limit; }          // degrees, up and down
+
+    [[nodiscard]] QSize minimumSizeHint() const override { return {200, 76}; }
+    [[nodiscard]] QSize sizeHint() const override { return {300, 140}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void setUpPlot();
+    void setColours();
+    void fitScale();
+
+    std::shared_ptr<const SwingOutcome> m_swing;
+    double m_limit = 10.0;
+    std::unique_ptr<QwtPlotGrid> m_grid;
+    std::unique_ptr<SwingItem> m_item;
+    QwtPlot* m_plot;
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+#include <QWidget>
+
+class QPlainTextEdit;
+class QTableView;
+
+// Step 5 of finding north: what was applied, when, where and with which drives. Undo and Redo of the bar below walk
+// through it.
+namespace boresight::ui {
+
+class HistoryModel;
+class ValueLabel;
+
+class HistoryPage : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit HistoryPage(QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+private:
+    void showEntry();
+
+    std::shared_ptr<const CalibrationStatus> m_shown;
+    HistoryModel* m_entries;
+    QTableView* m_table;
+    QPlainTextEdit* m_whole;
+    ValueLabel* m_state;
+};
+
+}  // namespace boresight::ui

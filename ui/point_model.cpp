@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/point_model.h"
+
+#include "ui/calibration_words.h"
+#include "ui/format.h"
+#include "ui/theme.h"
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr int kDecimals = 2;
+
+QString size(const PointResidual& residual)
+{
+    return angleText(Angle::fromDegrees(onSky(residual)), kDecimals);
+}
+
+QString cell(const PointStatus& point, int column)
+{
+    switch (column) {
+        case PointModel::Label:
+            return point.isUsed ? point.label : PointModel::tr("○ %1, not used").arg(point.label);
+        case PointModel::Time:
+            return clockText(point.when).left(5);
+        case PointModel::Before:
+            return size(point.before);
+        case PointModel::After:
+            return point.after ? size(*point.after) : QString();
+        default:
+            return point.leftOut ? angleText(*point.leftOut, kDecimals) : QString();
+    }
+}
+
+QString help(const PointStatus& point)
+{
+    QString text = PointModel::tr("%1, %2: true %3, axes %4, centred to %5")
+                       .arg(point.label, minuteText(point.when), directionText(point.truth), axisText(point.axes),
+                            angleText(point.sigma));
+    const auto add = [&text](const QString& when, const PointResidual& residual) {
+        text += QLatin1Char('\n') + PointModel::tr("%1: across %2, elevation %3")
+                                        .arg(when, signedAngleText(residual.across, 3),
+                                             signedAngleText(residual.elevation, 3));
+    };
+    add(PointModel::tr("Now"), point.before);
+    if (point.after) {
+        add(PointModel::tr("With the fit"), *point.after);
+    }
+    return text;
+}
+
+}  // namespace
+
+void PointModel::show(const std::vector<PointStatus>& points)
+{
+    const bool sameRows = points.size() == m_points.size();
+    if (!sameRows) {
+        beginResetModel();
+    }
+    m_points = points;
+    if (!sameRows) {
+        endResetModel();
+    } else if (!m_points.empty()) {
+        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    }
+}
+
+int PointModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_points.size());
+}
+
+int PointModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant PointModel::data(const QModelIndex& index, int role) const
+{
+    const PointStatus& one = point(index.row());
+    switch (role) {
+        case Qt::DisplayRole:
+            return cell(one, index.column());
+        case Qt::ToolTipRole:
+            return help(one);
+        case Qt::TextAlignmentRole:
+            return index.column() == Label ? QVariant() : QVariant(Qt::AlignRight | Qt::AlignVCenter);
+        case Qt::ForegroundRole:
+            return one.isUsed ? QVariant() : QVariant(currentTheme().secondary);
+        default:
+            return {};
+    }
+}
+
+QVariant PointModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
+        return {};
+    }
+    switch (section) {
+        case Label:
+            return tr("Point");
+        case Time:
+            return tr("UTC");
+        case Before:
+            return tr("Before");
+        case After:
+            return tr("After");
+        default:
+            return tr("Left out");
+    }
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+class QAbstractItemModel;
+class QTableView;
+class QWidget;
+
+// A small table that is only read: whole rows are selected, and the Tab key leads out of it.
+namespace boresight::ui {
+
+[[nodiscard]] QTableView* makeReadTable(const QString& name, QAbstractItemModel& model, QWidget* parent);
+
+}  // namespace boresight::ui

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/orientation/orientation.h"
+
+#include <QWidget>
+
+#include <array>
+#include <optional>
+
+// How sure the sensor is of each of its parts, 0 to 3, as four bars, and beside each what raises it.
+namespace boresight::ui {
+
+class LevelBar;
+class ValueLabel;
+
+class SensorLevels : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit SensorLevels(QWidget* parent = nullptr);
+
+    void show(const std::optional<orientation::Calibration>& calibration);
+
+private:
+    struct Row
+    {
+        LevelBar* bar = nullptr;
+        ValueLabel* how = nullptr;
+    };
+
+    std::array<Row, 4> m_rows;
+};
+
+// Three boxes, filled from the left; empty and dotted while nothing is known.
+class LevelBar : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit LevelBar(const QString& name, QWidget* parent = nullptr);
+
+    void setLevel(std::optional<int> level);
+    [[nodiscard]] std::optional<int> level() const { return m_level; }
+
+    [[nodiscard]] QSize sizeHint() const override { return {48, 14}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    std::optional<int> m_level;
+};
+
+}  // namespace boresight::ui

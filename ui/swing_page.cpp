@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/swing_page.h"
+
+#include "ui/calibration_permission.h"
+#include "ui/calibration_words.h"
+#include "ui/command_button.h"
+#include "ui/deviation_plot.h"
+#include "ui/guide_fields.h"
+#include "ui/run_line.h"
+#include "ui/value_label.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QSpinBox>
+
+namespace boresight::ui {
+
+namespace {
+
+// The firmware averages for a second: faster, a reading would be of six degrees at once (calibration::SwingLimits).
+constexpr double kSlowest = 0.5;
+constexpr double kFastest = 6.0;
+constexpr int kMostHeadings = 72;
+constexpr int kFoundLines = 3;
+
+QSpinBox* makeHeadings(QWidget* parent)
+{
+    auto* const box = new QSpinBox(parent);
+    box->setFont(fonts::label());
+    box->setRange(0, kMostHeadings);
+    box->setSpecialValueText(SwingPage::tr("sweep"));
+    box->setMinimumHeight(kTouchSize);
+    box->setAccessibleName(SwingPage::tr("Headings to stop at"));
+    box->setToolTip(SwingPage::tr("Stops on each way; sweep: no stop, one slow turn there and one back"));
+    return box;
+}
+
+}  // namespace
+
+SwingPage::SwingPage(RequestDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      m_desk(desk),
+      m_rate(makeField({.name = tr("Rate of the swing"),
+                        .help = tr("The sensor averages for a second: slow is exact"),
+                        .min = kSlowest,
+                        .max = kFastest,
+                        .decimals = 1,
+                        .unit = QStringLiteral(" °/s")},
+                       this)),
+      m_headings(makeHeadings(this)),
+      m_run(new RunLine(CalibrationRun::Swing, tr("Compass swing"), this)),
+      m_plot(new DeviationPlot(this)),
+      m_found(new QPlainTextEdit(this)),
+      m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_start(new CommandButton(tr("Start swing"), {}, desk, *m_notice, this))
+{
+    m_rate->setValue(request::StartSwing{}.rate.degrees());
+    m_rate->setSingleStep(0.5);
+    build();
+    connect(m_rate, &QDoubleSpinBox::valueChanged, this, &SwingPage::plan);
+    connect(m_headings, &QSpinBox::valueChanged, this, &SwingPage::plan);
+    connect(m_start, &QPushButton::clicked, this, &SwingPage::startOrEnd);
+}
+
+void SwingPage::build()
+{
+    auto* const row = new QHBoxLayout;
+    row->setSpacing(4);
+    for (const auto& [text, field] : {std::pair(tr("Rate"), static_cast<QWidget*>(m_rate)),
+                                      std::pair(tr("Stops"), static_cast<QWidget*>(m_headings))}) {
+        QLabel* const caption = makeCaption(text, this);
+        caption->setBuddy(field);
+        row->addWidget(caption);
+        row->addWidget(field);
+        field->setMinimumHeight(kTouchSize);
+    }
+    row->addStretch(1);
+    row->addWidget(m_start);
+    m_found->setFont(fonts::label());
+    m_found->setReadOnly(true);
+    m_found->setTabChangesFocus(true);
+    m_found->setAccessibleName(tr("What the swing has found"));
+    m_found->setPlaceholderText(tr("No swing yet"));
+    m_found->setFixedHeight(kFoundLines * m_found->fontMetrics().lineSpacing() + 12);
+    m_notice->setStretching(true);
+    m_notice->setCollapsing(true);
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(6, 4, 6, 0);
+    column->setSpacing(4);
+    column->addLayout(row);
+    column->addWidget(m_run);
+    column->addWidget(m_notice);
+    column->addWidget(m_plot, 1);
+    column->addWidget(m_found);
+}
+
+void SwingPage::showStatus(const StationStatus& status)
+{
+    const CalibrationStatus& calibration = calibrationOf(status);
+    m_running = calibration.progress.run == CalibrationRun::Swing;
+    const QString reason = m_running ? QString() : whyNoSwing(status);
+    m_run->show(calibration.progress, reason.isEmpty() ? calibration.swingPlan.text : tr("Not now: %1").arg(reason));
+    m_rate->setEnabled(!m_running);
+    m_headings->setEnabled(!m_running);
+    m_start->setCommand(m_running ? tr("End swing") : tr("Start swing"),
+                        m_running ? tr("The mount holds, there is no result (STOP does it too)")
+                                  : tr("The mount moves: %1").arg(calibration.swingPlan.text));
+    m_start->setBlocked(reason);
+    if (calibration.swing != m_swing) {
+        m_swing = calibration.swing;
+        m_plot->show(m_swing);
+        m_found->setPlainText(m_swing ? swingText(*m_swing) : QString());
+    }
+}
+
+void SwingPage::plan()
+{
+    m_desk.send(request::PlanSwing{.rate = AngularRate::fromDegrees(m_rate->value()), .headings = m_headings->value()},
+                this, [this](const std::optional<Error>& error) {
+                    m_notice->setValue(error ? tr("Plan: %1").arg(QString::fromStdString(error->text)) : QString(),
+                                       Tone::Warning, error ? Symbol::Warning : Symbol::None);
+                });
+}
+
+void SwingPage::startOrEnd()
+{
+    if (m_running) {
+        m_start->ask(request::EndCalibration{});
+    } else {
+        m_start->ask(request::StartSwing{.rate = AngularRate::fromDegrees(m_rate->value()),
+                                         .headings = m_headings->value()});
+    }
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+
+#include <QWidget>
+
+class QDoubleSpinBox;
+class QPlainTextEdit;
+class QSpinBox;
+
+// Step 2 of finding north: the compass swing. Where it will turn is told before it starts; the curve that came out,
+// with every sample, and what is to be believed of it.
+namespace boresight::ui {
+
+class CommandButton;
+class DeviationPlot;
+class RequestDesk;
+class RunLine;
+class ValueLabel;
+
+class SwingPage : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit SwingPage(RequestDesk& desk, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+private:
+    void build();
+    void startOrEnd();
+    void plan();
+
+    RequestDesk& m_desk;
+    bool m_running = false;
+    std::shared_ptr<const SwingOutcome> m_swing;  // that is shown
+    QDoubleSpinBox* m_rate;
+    QSpinBox* m_headings;
+    RunLine* m_run;
+    DeviationPlot* m_plot;
+    QPlainTextEdit* m_found;
+    ValueLabel* m_notice;
+    CommandButton* m_start;
+};
+
+}  // namespace boresight::ui
