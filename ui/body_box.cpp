@@ -15,7 +15,8 @@ BodyBox::BodyBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
     : QWidget(parent),
       m_where(new ValueLabel(tr("Where the body is"), fonts::label(), {}, this)),
       m_follow(new CommandButton(tr("Follow Sun"), {}, desk, notice, this)),
-      m_take(new CommandButton(tr("Take point"), tr("It is centred now: keep where the axes stand"), desk, notice, this))
+      m_take(
+          new CommandButton(tr("Take point"), tr("It is centred now: keep where the axes stand"), desk, notice, this))
 {
     build();
     connect(m_follow, &QPushButton::clicked, this, &BodyBox::followOrHold);
@@ -74,7 +75,9 @@ QString BodyBox::whereText() const
     const CalibrationStatus& calibration = calibrationOf(m_status);
     const BodyNow* const now = bodyNow(m_status, m_body);
     QString text = now != nullptr ? placeText(*now) : QString();
-    const auto add = [&text](const QString& line) { text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + line; };
+    const auto add = [&text](const QString& line) {
+        text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + line;
+    };
     if (!isFollowed()) {
         const QString reason = whyNoBody(m_status, m_body);
         add(reason.isEmpty() ? tr("not followed") : tr("Not now: %1").arg(reason));

@@ -36,8 +36,8 @@ BodyPage::BodyPage(const Clock& clock, RequestDesk& desk, QWidget* parent)
       m_scan(new ScanBox(desk, *m_notice, this)),
       m_stepRow(new QWidget(this)),
       m_step(new TouchCombo(tr("Step of the pad"), tr("How far one press of the pad or of an arrow key moves"), this)),
-      m_refraction(new TouchCombo(tr("Refraction"), tr("How the air bends what is centred: the shadow, or the power"),
-                                  this))
+      m_refraction(
+          new TouchCombo(tr("Refraction"), tr("How the air bends what is centred: the shadow, or the power"), this))
 {
     m_pad->setAccessibleName(tr("Nudge pad"));
     m_pad->setStepMode(true);
@@ -57,8 +57,8 @@ void BodyPage::build()
     m_warning->setLines(3);
     auto* const boxes = new QVBoxLayout;
     boxes->setSpacing(4);
-    for (QWidget* const box : {static_cast<QWidget*>(m_body), static_cast<QWidget*>(m_landmark),
-                               static_cast<QWidget*>(m_scan)}) {
+    for (QWidget* const box :
+         {static_cast<QWidget*>(m_body), static_cast<QWidget*>(m_landmark), static_cast<QWidget*>(m_scan)}) {
         boxes->addWidget(box);
     }
     boxes->addWidget(makeStep());
@@ -81,11 +81,10 @@ QLayout* BodyPage::makeChoices()
     auto* const row = new QHBoxLayout;
     row->setSpacing(2);
     auto* const group = new QButtonGroup(this);
-    const std::pair<QString, QString> words[] = {
-        {bodyName(ephemeris::Body::Sun), tr("Points by the Sun")},
-        {bodyName(ephemeris::Body::Moon), tr("Points by the Moon")},
-        {tr("Mark"), tr("A landmark whose direction is known")},
-        {tr("Peak"), tr("The peak of the received power, by a cross scan")}};
+    const std::pair<QString, QString> words[] = {{bodyName(ephemeris::Body::Sun), tr("Points by the Sun")},
+                                                 {bodyName(ephemeris::Body::Moon), tr("Points by the Moon")},
+                                                 {tr("Mark"), tr("A landmark whose direction is known")},
+                                                 {tr("Peak"), tr("The peak of the received power, by a cross scan")}};
     for (std::size_t place = 0; place < m_choices.size(); ++place) {
         auto* const button = new ChoiceButton(words[place].first, words[place].second, this);
         m_choices[place] = button;
@@ -111,7 +110,8 @@ QWidget* BodyPage::makeStep()
     m_refraction->setLines({tr("as light"), tr("as radio"), tr("no air")});
     m_refraction->setCurrentIndex(0);
     connect(m_step, &QComboBox::activated, this, [this](int index) { m_pad->setStep(kSteps[index]); });
-    connect(m_refraction, &QComboBox::activated, this, [this](int index) { m_body->setRefraction(kRefractions[index]); });
+    connect(m_refraction, &QComboBox::activated, this,
+            [this](int index) { m_body->setRefraction(kRefractions[index]); });
     QLabel* const caption = makeCaption(tr("Step"), m_stepRow);
     caption->setBuddy(m_step);
     row->addWidget(caption);
@@ -123,8 +123,8 @@ QWidget* BodyPage::makeStep()
 void BodyPage::choose(Aim aim)
 {
     m_aim = aim;
-    for (QWidget* const box : {static_cast<QWidget*>(m_body), static_cast<QWidget*>(m_landmark),
-                               static_cast<QWidget*>(m_scan), m_stepRow}) {
+    for (QWidget* const box :
+         {static_cast<QWidget*>(m_body), static_cast<QWidget*>(m_landmark), static_cast<QWidget*>(m_scan), m_stepRow}) {
         box->hide();  // before another is shown: together they would not fit
     }
     m_notice->setValue({});
@@ -151,9 +151,9 @@ void BodyPage::showWarning()
 {
     const CalibrationStatus& calibration = calibrationOf(m_status);
     const bool scansSun = m_aim == Aim::Scan && m_scan->body() == ephemeris::Body::Sun;
-    const QString text = !calibration.warning.isEmpty()       ? calibration.warning
-                         : m_aim == Aim::Sun || scansSun      ? sunWarning()
-                                                              : QString();
+    const QString text = !calibration.warning.isEmpty()  ? calibration.warning
+                         : m_aim == Aim::Sun || scansSun ? sunWarning()
+                                                         : QString();
     m_warning->setValue(text, Tone::Warning, text.isEmpty() ? Symbol::None : Symbol::Warning);
 }
 

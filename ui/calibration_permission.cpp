@@ -72,8 +72,7 @@ QString whyNoScan(const StationStatus& status, ephemeris::Body body)
 
 QString whyNoPower(const StationStatus& status)
 {
-    return calibrationOf(status).wantsPower ? QString()
-                                            : CalibrationPermission::tr("no scan waits for a power now");
+    return calibrationOf(status).wantsPower ? QString() : CalibrationPermission::tr("no scan waits for a power now");
 }
 
 QString whyNoBodyPoint(const StationStatus& status, ephemeris::Body body)

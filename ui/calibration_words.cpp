@@ -33,8 +33,7 @@ QString northLine(const SwingOutcome& swing)
     if (fit.harmonics != calibration::Harmonics::None) {
         text += QLatin1Char(' ') + CalibrationWords::tr("Hard iron %1, soft iron %2, readings scatter by %3.")
                                        .arg(angleText(fit.curve.firstAmplitude(), 1),
-                                            angleText(fit.curve.secondAmplitude(), 1),
-                                            angleText(fit.curve.scatter, 1));
+                                            angleText(fit.curve.secondAmplitude(), 1), angleText(fit.curve.scatter, 1));
     }
     return text;
 }
@@ -112,8 +111,7 @@ QString changeText(const CalibrationProposal& proposal)
     if (proposal.changesSensor) {
         changes << CalibrationWords::tr("curve of the sensor");
     }
-    return changes.isEmpty() ? CalibrationWords::tr("no term changes by 0.01°")
-                             : changes.join(QStringLiteral(", "));
+    return changes.isEmpty() ? CalibrationWords::tr("no term changes by 0.01°") : changes.join(QStringLiteral(", "));
 }
 
 Sentence proposalSentence(const CalibrationStatus& calibration)

@@ -56,9 +56,9 @@ void CompassDial::paintEvent(QPaintEvent*)
     painter.setFont(fonts::label());
     const QFontMetricsF metrics(painter.font());
     const QPointF middle = QRectF(rect()).center();
-    const double radius = std::min(width() - 2.0 * metrics.horizontalAdvance(QStringLiteral("270")),
-                                   height() - 2.0 * metrics.height()) /
-                          2.0;
+    const double radius =
+        std::min(width() - 2.0 * metrics.horizontalAdvance(QStringLiteral("270")), height() - 2.0 * metrics.height()) /
+        2.0;
     painter.setPen(colours.grid);
     painter.setBrush(colours.plotGround);
     painter.drawEllipse(middle, radius, radius);

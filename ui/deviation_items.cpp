@@ -25,8 +25,8 @@ void drawSample(QPainter& painter, SampleShape shape, QPointF at)
         case SampleShape::Back:
             painter.setPen(QPen(shape == SampleShape::Back ? colours.secondary : colours.text, 1.0));
             painter.setBrush(shape == SampleShape::Back ? QBrush(Qt::NoBrush) : QBrush(colours.text));
-            painter.drawPolygon(QPolygonF{at + QPointF(side, 0.0), at + QPointF(-side, kSize),
-                                          at + QPointF(-side, -kSize)});
+            painter.drawPolygon(
+                QPolygonF{at + QPointF(side, 0.0), at + QPointF(-side, kSize), at + QPointF(-side, -kSize)});
             break;
         case SampleShape::LeftOut:
             painter.setPen(QPen(colours.warning, 1.2));

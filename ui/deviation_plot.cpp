@@ -145,9 +145,9 @@ void DeviationPlot::paintEvent(QPaintEvent*)
         x += metrics.horizontalAdvance(text) + 2 * kGap;
     };
     write(tr("Error ° over heading"), currentTheme().text);
-    for (const auto& [shape, word] : {std::pair(SampleShape::Clockwise, tr("clockwise")),
-                                      std::pair(SampleShape::Back, tr("back")),
-                                      std::pair(SampleShape::LeftOut, tr("left out"))}) {
+    for (const auto& [shape, word] :
+         {std::pair(SampleShape::Clockwise, tr("clockwise")), std::pair(SampleShape::Back, tr("back")),
+          std::pair(SampleShape::LeftOut, tr("left out"))}) {
         drawSample(painter, shape, {x + kGap, middle});
         x += 3 * kGap;
         write(word, currentTheme().secondary);

@@ -23,7 +23,8 @@ constexpr int kWholeLines = 4;
 QString wholeText(const CalibrationHistoryEntry& entry)
 {
     QStringList lines{HistoryPage::tr("%1: %2").arg(minuteText(entry.when), entry.title), entry.change};
-    lines << (entry.otherMount ? HistoryPage::tr("▲ %1: what it says may not hold here").arg(entry.place) : entry.place);
+    lines << (entry.otherMount ? HistoryPage::tr("▲ %1: what it says may not hold here").arg(entry.place)
+                               : entry.place);
     return lines.join(QLatin1Char('\n'));
 }
 

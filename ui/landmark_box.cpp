@@ -30,7 +30,8 @@ LandmarkBox::LandmarkBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
                             this)),
       m_label(new QLineEdit(this)),
       m_state(new ValueLabel(tr("Landmark"), fonts::label(), {}, this)),
-      m_take(new CommandButton(tr("Take point"), tr("It is centred now: keep where the axes stand"), desk, notice, this))
+      m_take(
+          new CommandButton(tr("Take point"), tr("It is centred now: keep where the axes stand"), desk, notice, this))
 {
     m_take->setAccessibleName(tr("Take the landmark as a point"));
     m_label->setFont(fonts::label());

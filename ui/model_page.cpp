@@ -98,8 +98,9 @@ QWidget* ModelPage::makeTerms()
     m_remarks->setReadOnly(true);
     m_remarks->setTabChangesFocus(true);
     m_remarks->setAccessibleName(tr("Remarks on the fit"));
-    m_remarks->setPlaceholderText(tr("1 point finds the azimuth offset, 2 the elevation offset too, from 3 on the other "
-                                     "terms as far as the points ask for them"));
+    m_remarks->setPlaceholderText(
+        tr("1 point finds the azimuth offset, 2 the elevation offset too, from 3 on the other "
+           "terms as far as the points ask for them"));
     m_remarks->setMinimumHeight(2 * m_remarks->fontMetrics().lineSpacing() + 10);
     m_remarks->setMaximumHeight(5 * m_remarks->fontMetrics().lineSpacing() + 10);
     m_remarks->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
@@ -157,9 +158,9 @@ void ModelPage::showSelected()
     const int row = selected();
     m_sky->setSelected(row);
     const bool isUsed = row < 0 || m_points->point(row).isUsed;
-    m_use->setCommand(isUsed ? tr("Leave out") : tr("Use again"),
-                      isUsed ? tr("The selected point stays in the list and does not count")
-                             : tr("The selected point counts again"));
+    m_use->setCommand(
+        isUsed ? tr("Leave out") : tr("Use again"),
+        isUsed ? tr("The selected point stays in the list and does not count") : tr("The selected point counts again"));
     QString reason = whyNoPointChange(m_status);
     if (reason.isEmpty() && row < 0) {
         reason = tr("select a point first");

@@ -38,9 +38,9 @@ QString help(const PointStatus& point)
                        .arg(point.label, minuteText(point.when), directionText(point.truth), axisText(point.axes),
                             angleText(point.sigma));
     const auto add = [&text](const QString& when, const PointResidual& residual) {
-        text += QLatin1Char('\n') + PointModel::tr("%1: across %2, elevation %3")
-                                        .arg(when, signedAngleText(residual.across, 3),
-                                             signedAngleText(residual.elevation, 3));
+        text += QLatin1Char('\n') +
+                PointModel::tr("%1: across %2, elevation %3")
+                    .arg(when, signedAngleText(residual.across, 3), signedAngleText(residual.elevation, 3));
     };
     add(PointModel::tr("Now"), point.before);
     if (point.after) {

@@ -30,10 +30,10 @@ ResidualSky::ResidualSky(QWidget* parent) : QWidget(parent)
 void ResidualSky::show(const std::vector<PointStatus>& points)
 {
     m_points = points;
-    setAccessibleDescription(tr("%1 points; the largest residual is %2 now and %3 with the fit")
-                                 .arg(points.size())
-                                 .arg(angleText(Angle::fromDegrees(largest(false))),
-                                      angleText(Angle::fromDegrees(largest(true)))));
+    setAccessibleDescription(
+        tr("%1 points; the largest residual is %2 now and %3 with the fit")
+            .arg(points.size())
+            .arg(angleText(Angle::fromDegrees(largest(false))), angleText(Angle::fromDegrees(largest(true)))));
     update();
 }
 
@@ -137,10 +137,10 @@ void ResidualSky::paintEvent(QPaintEvent*)
     painter.setPen(colours.secondary);
     const double line = QFontMetricsF(painter.font()).height();
     const QRectF below(0.0, height() - line - 2.0, width(), line + 2.0);
-    painter.drawText(below, Qt::AlignCenter,
-                     tr("longest: ┄ %1  — %2")
-                         .arg(angleText(Angle::fromDegrees(largest(false))),
-                              angleText(Angle::fromDegrees(largest(true)), 3)));
+    painter.drawText(
+        below, Qt::AlignCenter,
+        tr("longest: ┄ %1  — %2")
+            .arg(angleText(Angle::fromDegrees(largest(false))), angleText(Angle::fromDegrees(largest(true)), 3)));
 }
 
 }  // namespace boresight::ui

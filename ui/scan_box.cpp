@@ -26,9 +26,9 @@ QString idleText(const CalibrationStatus& calibration, const QString& reason)
     if (!reason.isEmpty()) {
         return ScanBox::tr("Not now: %1").arg(reason);
     }
-    return calibration.scan
-               ? ScanBox::tr("Peak at %1, ± %2").arg(axisText(calibration.scan->peak), angleText(calibration.scan->sigma))
-               : ScanBox::tr("Scans across, then in elevation; type the power at each place");
+    return calibration.scan ? ScanBox::tr("Peak at %1, ± %2")
+                                  .arg(axisText(calibration.scan->peak), angleText(calibration.scan->sigma))
+                            : ScanBox::tr("Scans across, then in elevation; type the power at each place");
 }
 
 }  // namespace
@@ -46,8 +46,8 @@ ScanBox::ScanBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
       m_power(new QLineEdit(this)),
       m_run(new RunLine(CalibrationRun::CrossScan, tr("Cross scan"), this)),
       m_start(new CommandButton(tr("Scan"), {}, desk, notice, this)),
-      m_give(new CommandButton(tr("Give dB"), tr("The power at this place; the mount goes on to the next (Enter)"), desk,
-                               notice, this))
+      m_give(new CommandButton(tr("Give dB"), tr("The power at this place; the mount goes on to the next (Enter)"),
+                               desk, notice, this))
 {
     m_width->setValue(kUsualWidth);
     m_power->setFont(fonts::label());
@@ -101,9 +101,9 @@ void ScanBox::showStatus(const StationStatus& status)
 
 void ScanBox::startOrEnd()
 {
-    m_start->ask(m_running ? Request(request::EndCalibration{})
-                           : Request(request::StartCrossScan{.width = Angle::fromDegrees(m_width->value()),
-                                                             .body = m_body}));
+    m_start->ask(m_running
+                     ? Request(request::EndCalibration{})
+                     : Request(request::StartCrossScan{.width = Angle::fromDegrees(m_width->value()), .body = m_body}));
 }
 
 void ScanBox::give()

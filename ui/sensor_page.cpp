@@ -22,8 +22,7 @@ SensorPage::SensorPage(RequestDesk& desk, QWidget* parent)
       m_levels(new SensorLevels(this)),
       m_sensor(new ValueLabel(tr("Heading of the sensor, as sent"), fonts::small(), QStringLiteral("-000.00°"), this)),
       m_axis(new ValueLabel(tr("Azimuth of the axis"), fonts::small(), QStringLiteral("-000.00°"), this)),
-      m_difference(
-          new ValueLabel(tr("Sensor less axis"), fonts::small(), QStringLiteral("-000.00°"), this)),
+      m_difference(new ValueLabel(tr("Sensor less axis"), fonts::small(), QStringLiteral("-000.00°"), this)),
       m_offset(new ValueLabel(tr("North from the sensor"), fonts::text(), {}, this)),
       m_obstacle(new ValueLabel(tr("Why the sensor is no evidence"), fonts::label(), {}, this)),
       m_run(new RunLine(CalibrationRun::SensorOffset, tr("Average of the sensor"), this)),

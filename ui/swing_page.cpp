@@ -129,8 +129,8 @@ void SwingPage::startOrEnd()
     if (m_running) {
         m_start->ask(request::EndCalibration{});
     } else {
-        m_start->ask(request::StartSwing{.rate = AngularRate::fromDegrees(m_rate->value()),
-                                         .headings = m_headings->value()});
+        m_start->ask(
+            request::StartSwing{.rate = AngularRate::fromDegrees(m_rate->value()), .headings = m_headings->value()});
     }
 }
 

@@ -97,7 +97,7 @@ QVariant TermModel::data(const QModelIndex& index, int role) const
             return cell(row, index.column());
         case Qt::TextAlignmentRole:
             return index.column() == Name || index.column() == On ? QVariant()
-                                                                   : QVariant(Qt::AlignRight | Qt::AlignVCenter);
+                                                                  : QVariant(Qt::AlignRight | Qt::AlignVCenter);
         case Qt::ForegroundRole:
             return row.proposed && !row.isOn ? QVariant(currentTheme().secondary) : QVariant();
         default:

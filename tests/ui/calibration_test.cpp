@@ -21,8 +21,8 @@
 #include <QPlainTextEdit>
 #include <QSpinBox>
 #include <QTabBar>
-#include <QTableView>
 #include <QTabWidget>
+#include <QTableView>
 
 namespace boresight::ui {
 namespace {
@@ -130,7 +130,8 @@ TEST_F(NorthTest, TheAverageOfTheSensorIsAskedAndEnded)
     click("Average");
     EXPECT_EQ(wanted<request::MeasureSensorOffset>().size(), 1u);
     CalibrationStatus running = *status.calibration;
-    running.progress = {.run = CalibrationRun::SensorOffset, .done = 0.5, .left = Seconds(10), .text = {}, .outcome = {}};
+    running.progress = {
+        .run = CalibrationRun::SensorOffset, .done = 0.5, .left = Seconds(10), .text = {}, .outcome = {}};
     status.calibration = std::make_shared<const CalibrationStatus>(running);
     give(samples::update(status));
     click("End average");
@@ -175,8 +176,9 @@ TEST_F(NorthTest, ARefusedSwingSaysWhyBesideItsButtonAndKeepsWhatWasTyped)
     const auto* const panel = named<QTabWidget>("Steps of finding north")->currentWidget();
     bool told = false;
     for (const ValueLabel* const label : panel->findChildren<ValueLabel*>()) {
-        told = told || (label->isVisible() && label->text() == QLatin1String("Start swing: the range is too small for a "
-                                                                             "swing"));
+        told =
+            told || (label->isVisible() && label->text() == QLatin1String("Start swing: the range is too small for a "
+                                                                          "swing"));
     }
     EXPECT_TRUE(told);
     EXPECT_EQ(named<QDoubleSpinBox>("Rate of the swing")->value(), 2.0);

@@ -62,14 +62,15 @@ std::shared_ptr<const SwingOutcome> swingOutcome(UtcTime when)
 
 SwingPlan swingPlan()
 {
-    return {.azimuth = {-80_deg, 280_deg},
-            .elevation = 30_deg,
-            .rate = 3_deg_s,
-            .headings = 0,
-            .duration = Seconds(250.0),
-            .text = QStringLiteral("turns from 0.0° to -80.0°, to 280.0° and back to -80.0° at elevation 30.0°, 3.0°/s; "
-                                   "takes 4 min"),
-            .obstacle = {}};
+    return {
+        .azimuth = {-80_deg, 280_deg},
+        .elevation = 30_deg,
+        .rate = 3_deg_s,
+        .headings = 0,
+        .duration = Seconds(250.0),
+        .text = QStringLiteral("turns from 0.0° to -80.0°, to 280.0° and back to -80.0° at elevation 30.0°, 3.0°/s; "
+                               "takes 4 min"),
+        .obstacle = {}};
 }
 
 // Where the Sun is in a day of June, with what a model without the offset misses of it.
@@ -198,8 +199,9 @@ StationStatus swungInVain()
     StationStatus status = swung();
     CalibrationStatus calibration = *status.calibration;
     SwingOutcome outcome = *calibration.swing;
-    outcome.fit.hopeless = {"the needle is off by more than 35° somewhere: this place is magnetically hopeless, take "
-                            "the Sun or the Moon"};
+    outcome.fit.hopeless = {
+        "the needle is off by more than 35° somewhere: this place is magnetically hopeless, take "
+        "the Sun or the Moon"};
     outcome.tilt.reset();
     outcome.noTilt = QStringLiteral("the boom was below 10° and the sensor cannot tell up from down there");
     calibration.swing = std::make_shared<const SwingOutcome>(outcome);
@@ -265,19 +267,18 @@ StationStatus sixPoints()
                                                .changesSensor = true,
                                                .warnings = {},
                                                .obstacle = {}};
-    calibration.history = {
-        {.when = status.utc - std::chrono::hours(26),
-         .title = QStringLiteral("North from the compass swing"),
-         .change = QStringLiteral("azimuth offset 0.00° → 36.10°, curve of the sensor"),
-         .place = QStringLiteral("Porto 41.15° -8.61°"),
-         .inForce = true,
-         .otherMount = false},
-        {.when = status.utc - std::chrono::hours(2400),
-         .title = QStringLiteral("Pointing model from 6 points"),
-         .change = QStringLiteral("azimuth offset 0.00° → 112.40°, collimation 0.00° → 0.31°"),
-         .place = QStringLiteral("Braga 41.55° -8.42°, other drives"),
-         .inForce = false,
-         .otherMount = true}};
+    calibration.history = {{.when = status.utc - std::chrono::hours(26),
+                            .title = QStringLiteral("North from the compass swing"),
+                            .change = QStringLiteral("azimuth offset 0.00° → 36.10°, curve of the sensor"),
+                            .place = QStringLiteral("Porto 41.15° -8.61°"),
+                            .inForce = true,
+                            .otherMount = false},
+                           {.when = status.utc - std::chrono::hours(2400),
+                            .title = QStringLiteral("Pointing model from 6 points"),
+                            .change = QStringLiteral("azimuth offset 0.00° → 112.40°, collimation 0.00° → 0.31°"),
+                            .place = QStringLiteral("Braga 41.55° -8.42°, other drives"),
+                            .inForce = false,
+                            .otherMount = true}};
     calibration.canUndo = true;
     return with(status, calibration);
 }
