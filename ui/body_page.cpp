@@ -4,6 +4,7 @@
 #include "ui/body_box.h"
 #include "ui/calibration_words.h"
 #include "ui/choice_button.h"
+#include "ui/command_button.h"
 #include "ui/format.h"
 #include "ui/guide_fields.h"
 #include "ui/jog_button.h"

@@ -148,7 +148,7 @@ void DeviationPlot::paintEvent(QPaintEvent*)
     for (const auto& [shape, word] :
          {std::pair(SampleShape::Clockwise, tr("clockwise")), std::pair(SampleShape::Back, tr("back")),
           std::pair(SampleShape::LeftOut, tr("left out"))}) {
-        drawSample(painter, shape, {x + kGap, middle});
+        drawSample(painter, shape, QPointF(x + kGap, middle));
         x += 3 * kGap;
         write(word, currentTheme().secondary);
     }

@@ -11,13 +11,13 @@ namespace {
 
 constexpr int kDecimals = 3;  // of a degree: six points of the Sun tell that much
 
-struct Present
+struct InForce
 {
     const char* key;
     Angle pointing::PointingTerms::*term;
 };
 
-constexpr Present kPresent[] = {{"pointing.azimuth_offset_deg", &pointing::PointingTerms::azimuthOffset},
+constexpr InForce kInForce[] = {{"pointing.azimuth_offset_deg", &pointing::PointingTerms::azimuthOffset},
                                 {"pointing.elevation_offset_deg", &pointing::PointingTerms::elevationOffset},
                                 {"pointing.tilt_north_deg", &pointing::PointingTerms::tiltNorth},
                                 {"pointing.tilt_east_deg", &pointing::PointingTerms::tiltEast},
@@ -32,7 +32,7 @@ std::vector<TermModel::Row> TermModel::rowsOf(const CalibrationStatus& calibrati
     std::vector<Row> rows;
     const bool fitted = calibration.fit && !calibration.fit->terms.empty();
     if (!calibration.proposal && !fitted) {
-        for (const Present& one : kPresent) {
+        for (const InForce& one : kInForce) {
             rows.push_back({.name = termName(one.key), .present = calibration.present.*one.term});
         }
         return rows;
