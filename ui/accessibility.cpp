@@ -32,6 +32,10 @@ const QHash<QString, QAccessible::Role>& roles()
         {QStringLiteral("boresight::ui::LimitBar"), QAccessible::Indicator},
         {QStringLiteral("boresight::ui::TurnBar"), QAccessible::Indicator},
         {QStringLiteral("boresight::ui::DirectionArrow"), QAccessible::Graphic},
+        {QStringLiteral("boresight::ui::CompassDial"), QAccessible::Dial},
+        {QStringLiteral("boresight::ui::LevelBar"), QAccessible::Indicator},
+        {QStringLiteral("boresight::ui::DeviationPlot"), QAccessible::Chart},
+        {QStringLiteral("boresight::ui::ResidualSky"), QAccessible::Chart},
         {QStringLiteral("boresight::ui::JogPad"), QAccessible::Grouping},
     };
     return all;

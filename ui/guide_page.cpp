@@ -6,6 +6,7 @@
 #include "ui/guide_client.h"
 #include "ui/guide_connect.h"
 #include "ui/guide_directions.h"
+#include "ui/guide_north.h"
 #include "ui/guide_site.h"
 #include "ui/guide_travel.h"
 #include "ui/guide_zero.h"
@@ -74,8 +75,8 @@ void GuidePage::makePages(RequestDesk& desk, HostDesk& host)
     auto* const protection = new ProtectionPanel(desk, m_pages);
     auto* const directions = new GuideDirections(m_change, desk, m_pages);
     auto* const travel = new GuideTravel(m_change, desk, m_pages);
-    auto* const level = new GuideZero(Axis::Elevation, m_change, desk, m_pages);
-    auto* const north = new GuideZero(Axis::Azimuth, m_change, desk, m_pages);
+    auto* const level = new GuideZero(m_change, desk, m_pages);
+    auto* const north = new GuideNorth(m_change, desk, m_pages);
     auto* const site = new GuideSite(m_change, desk, host, m_pages);
     auto* const client = new GuideClient(m_pages);
     const auto add = [this](GuideStep step, auto* page) {
@@ -92,7 +93,8 @@ void GuidePage::makePages(RequestDesk& desk, HostDesk& host)
     add(GuideStep::Client, client);
     connect(travel, &GuideTravel::done, this, [this] { pass(GuideStep::Travel); });
     connect(level, &GuideZero::done, this, [this] { pass(GuideStep::Level); });
-    connect(north, &GuideZero::done, this, [this] { pass(GuideStep::North); });
+    connect(north, &GuideNorth::panelWanted, this, &GuidePage::northWanted);
+    connect(north, &GuideNorth::done, this, [this] { pass(GuideStep::North); });
 }
 
 void GuidePage::makeSteps()

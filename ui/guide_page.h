@@ -38,6 +38,7 @@ public:
 
 Q_SIGNALS:
     void closeWanted();
+    void northWanted();  // the panel with the other ways to find north
     void progressChanged(const boresight::ui::GuideProgress& progress);
 
 private:

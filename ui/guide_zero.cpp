@@ -19,6 +19,8 @@ namespace boresight::ui {
 
 namespace {
 
+constexpr Axis kAxis = Axis::Elevation;
+
 QString rangeText(const TravelRange& range)
 {
     return angleText(range.min, 1) + QStringLiteral("…") + angleText(range.max, 1);
@@ -26,13 +28,12 @@ QString rangeText(const TravelRange& range)
 
 }  // namespace
 
-GuideZero::GuideZero(Axis axis, ProfileChange& change, RequestDesk& desk, QWidget* parent)
+GuideZero::GuideZero(ProfileChange& change, RequestDesk& desk, QWidget* parent)
     : QWidget(parent),
-      m_axis(axis),
       m_change(change),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_explanation(new ValueLabel(tr("What to do"), fonts::label(), {}, this)),
-      m_reading(new ValueLabel(tr("What the %1 reads now").arg(name(axis)), fonts::text(), {}, this)),
+      m_reading(new ValueLabel(tr("What the %1 reads now").arg(name(kAxis)), fonts::text(), {}, this)),
       m_effect(new ValueLabel(tr("What the change does"), fonts::label(), {}, this)),
       m_truth(nullptr),
       m_endsStay(new QCheckBox(tr("Cable and stops are where they were: their numbers change"), this)),
@@ -40,24 +41,19 @@ GuideZero::GuideZero(Axis axis, ProfileChange& change, RequestDesk& desk, QWidge
       m_set(new CommandButton(tr("Set it"), tr("Takes the new zero into the profile and connects anew; nothing moves"),
                               desk, *m_notice, this))
 {
-    const bool azimuth = m_axis == Axis::Azimuth;
-    m_truth = makeField({.name = azimuth ? tr("True azimuth of the antenna") : tr("True elevation of the antenna"),
-                         .help = azimuth ? tr("The direction the antenna points to, from true north")
-                                         : tr("By a spirit level on the antenna: 0° is level"),
-                         .min = azimuth ? -360.0 : -90.0,
-                         .max = azimuth ? 360.0 : 180.0,
+    m_truth = makeField({.name = tr("True elevation of the antenna"),
+                         .help = tr("By a spirit level on the antenna: 0° is level"),
+                         .min = -90.0,
+                         .max = 180.0,
                          .unit = QStringLiteral("°")},
                         this);
     m_explanation->setValue(
-        azimuth ? tr("Point the antenna at a landmark whose bearing is known, and type the bearing. Without one press "
-                     "Skip: north can wait, everything else works.")
-                : tr("Bring the antenna level, by a spirit level on it, and set 0° here. Or type what an inclinometer "
-                     "shows."));
+        tr("Bring the antenna level, by a spirit level on it, and set 0° here. Or type what an inclinometer shows."));
     const auto add = [this](JogDirection direction, const QString& text) {
-        m_hold->addButton(direction, text, tr("Moves the %1 slowly while held").arg(name(m_axis)));
+        m_hold->addButton(direction, text, tr("Moves the %1 slowly while held").arg(name(kAxis)));
     };
-    add(azimuth ? JogDirection::Left : JogDirection::Down, azimuth ? tr("AZ ↺ hold") : tr("EL ↓ hold"));
-    add(azimuth ? JogDirection::Right : JogDirection::Up, azimuth ? tr("AZ ↻ hold") : tr("EL ↑ hold"));
+    add(JogDirection::Down, tr("EL ↓ hold"));
+    add(JogDirection::Up, tr("EL ↑ hold"));
     m_hold->setKeyHeld(true);
     m_endsStay->setChecked(true);
     build();
@@ -81,7 +77,7 @@ void GuideZero::build()
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(6);
-    auto* const caption = makeCaption(m_axis == Axis::Azimuth ? tr("It really points to") : tr("It really is"), this);
+    auto* const caption = makeCaption(tr("It really is"), this);
     caption->setBuddy(m_truth);
     grid->addWidget(m_explanation, 0, 0, 1, 3);
     grid->addWidget(m_reading, 1, 0, 1, 2);
@@ -106,19 +102,17 @@ void GuideZero::showStatus(const StationStatus& status)
 
 Angle GuideZero::truth() const
 {
-    const Angle typed = Angle::fromDegrees(m_truth->value());
-    const auto& actual = axisOf(m_status, m_axis).actual;
-    return m_axis == Axis::Azimuth && actual ? typed.nearestTo(*actual) : typed;
+    return Angle::fromDegrees(m_truth->value());
 }
 
 QString GuideZero::whyNot() const
 {
-    const AxisStatus& now = axisOf(m_status, m_axis);
+    const AxisStatus& now = axisOf(m_status, kAxis);
     if (!now.actual || freshness(now.age) != Freshness::Live) {
-        return tr("the drive does not say where the %1 is").arg(name(m_axis));
+        return tr("the drive does not say where the %1 is").arg(name(kAxis));
     }
-    if (!isTurnKnown(m_status, m_axis)) {
-        return tr("which turn the %1 is on is not known yet").arg(name(m_axis));
+    if (!isTurnKnown(m_status, kAxis)) {
+        return tr("which turn the %1 is on is not known yet").arg(name(kAxis));
     }
     // The zero is read from a standing axis, also where its limits would allow the change in motion.
     return now.state == AxisState::Moving ? tr("the mount moves: stop it first") : m_change.whyNot(m_status, edit());
@@ -126,17 +120,17 @@ QString GuideZero::whyNot() const
 
 ProfileChange::Edit GuideZero::edit() const
 {
-    const Angle reading = axisOf(m_status, m_axis).actual.value_or(Angle{});
+    const Angle reading = axisOf(m_status, kAxis).actual.value_or(Angle{});
     const auto ends = m_endsStay->isChecked() ? profile::Ends::StayOnTheMount : profile::Ends::KeepTheirNumbers;
-    return [axis = m_axis, reading, truth = truth(), ends](profile::Profile& profile) {
-        profile::setReading(profile, axis, reading, truth, ends);
+    return [reading, truth = truth(), ends](profile::Profile& profile) {
+        profile::setReading(profile, kAxis, reading, truth, ends);
     };
 }
 
 void GuideZero::showEffect()
 {
-    const AxisStatus& now = axisOf(m_status, m_axis);
-    const bool known = now.actual && isTurnKnown(m_status, m_axis) && freshness(now.age) != Freshness::NoData;
+    const AxisStatus& now = axisOf(m_status, kAxis);
+    const bool known = now.actual && isTurnKnown(m_status, kAxis) && freshness(now.age) != Freshness::NoData;
     m_reading->setValue(tr("It reads %1").arg(known ? angleText(*now.actual) : noValue()));
     m_set->setBlocked(whyNot());
     if (!known) {
@@ -147,14 +141,12 @@ void GuideZero::showEffect()
     edit()(then);
     const QString by = signedAngleText(truth() - *now.actual);
     const QString ends = tr("travel %1, now %2")
-                             .arg(rangeText(then.axis(m_axis).geometry.travel),
-                                  rangeText(m_change.applied().axis(m_axis).geometry.travel));
-    const QString directions =
-        m_axis == Axis::Azimuth ? tr("Horizon and keep-outs are directions and stay.") : QString();
+                             .arg(rangeText(then.axis(kAxis).geometry.travel),
+                                  rangeText(m_change.applied().axis(kAxis).geometry.travel));
     const QString bounds = m_endsStay->isChecked()
                                ? tr("The drives' own bounds stay right.")
                                : tr("The drives' own bounds are to be fixed afterwards (step Protect).");
-    m_effect->setValue(tr("Every angle changes by %1: %2. %3 %4").arg(by, ends, bounds, directions), Tone::Secondary);
+    m_effect->setValue(tr("Every angle changes by %1: %2. %3").arg(by, ends, bounds), Tone::Secondary);
 }
 
 void GuideZero::set()

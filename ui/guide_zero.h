@@ -9,8 +9,8 @@
 class QCheckBox;
 class QDoubleSpinBox;
 
-// The guide's steps for elevation 0° and for north: what the axis reads now, what it really is, and what the change
-// does to the ends of its travel, told before it is made. The antenna does not move.
+// The guide's step for elevation 0°: what the axis reads now, what it really is, and what the change does to the ends of
+// its travel, told before it is made. The antenna does not move.
 namespace boresight::ui {
 
 class CommandButton;
@@ -22,7 +22,7 @@ class GuideZero : public QWidget
     Q_OBJECT
 
 public:
-    GuideZero(Axis axis, ProfileChange& change, RequestDesk& desk, QWidget* parent = nullptr);
+    GuideZero(ProfileChange& change, RequestDesk& desk, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
 
@@ -33,11 +33,10 @@ private:
     void build();
     void showEffect();
     void set();
-    [[nodiscard]] Angle truth() const;  // of the turns of a direction the one nearest to what is read
+    [[nodiscard]] Angle truth() const;
     [[nodiscard]] QString whyNot() const;
     [[nodiscard]] ProfileChange::Edit edit() const;
 
-    Axis m_axis;
     ProfileChange& m_change;
     StationStatus m_status;
     ValueLabel* m_notice;

@@ -442,6 +442,7 @@ void MainWindow::openGuide()
 {
     if (m_guide == nullptr) {
         m_guide = new GuidePage(m_draft, m_desk, m_host, m_guideProgress, m_side);
+        connect(m_guide, &GuidePage::northWanted, this, [this] { m_panels->bringUp(m_panels->north()); });
         m_side->addWidget(m_guide);
         connect(m_guide, &GuidePage::closeWanted, this, &MainWindow::closeGuide);
         connect(m_guide, &GuidePage::progressChanged, this, &MainWindow::guideProgressed);

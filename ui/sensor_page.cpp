@@ -90,7 +90,8 @@ void SensorPage::showNeedles(const StationStatus& status)
 {
     const bool known = freshness(status.azimuth.age) != Freshness::NoData;
     const std::optional<Angle> axis = known ? status.azimuth.actual : std::nullopt;
-    const std::optional<orientation::Orientation> last;
+    const bool lost = status.sensor.presence == orientation::Presence::Lost;
+    const std::optional<orientation::Orientation> last = lost ? std::nullopt : status.sensor.last;
     m_dial->show(axis, last ? std::optional(last->heading) : std::nullopt);
     m_levels->show(last ? last->calibration : std::nullopt);
     m_sensor->setValue(last ? angleText(last->heading.angle()) : noValue());

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/commissioning.h"
 
+#include "core/pointing/pointing_model.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace boresight::profile {
 
 namespace {
+
+constexpr int kNorthTimes = 4;  // each makes what is left at least ten times less, with tilts of a few degrees
 
 AxisSettings& settingsOf(Profile& profile, Axis axis)
 {
@@ -105,6 +109,20 @@ void setReading(Profile& profile, Axis axis, Angle reading, Angle truth, Ends en
     }
     parkOf(profile, axis) = rounded(parkOf(profile, axis) + by);
     bringInside(profile, axis);
+}
+
+void setNorth(Profile& profile, const AxisPosition& axes, Angle trueAzimuth)
+{
+    pointing::PointingTerms& terms = profile.pointing;
+    // Each time again, because a tilt is towards a true direction: turned, it moves the beam a little otherwise.
+    for (int time = 0; time < kNorthTimes; ++time) {
+        const Angle now = pointing::upright(pointing::PointingModel(terms).toSky(axes)).azimuth;
+        terms.azimuthOffset += (trueAzimuth - now).wrapped180();
+    }
+    if (abs(terms.azimuthOffset) > Angle::fromTurns(1.0)) {
+        terms.azimuthOffset = terms.azimuthOffset.wrapped180();
+    }
+    terms.azimuthOffset = rounded(terms.azimuthOffset);
 }
 
 }  // namespace boresight::profile

@@ -36,4 +36,7 @@ enum class Ends
 // What the axis reads now is really `truth`.
 void setReading(Profile& profile, Axis axis, Angle reading, Angle truth, Ends ends);
 
+// With its axes here the beam really points to this azimuth. Only where north is changes: no angle of an axis does.
+void setNorth(Profile& profile, const AxisPosition& axes, Angle trueAzimuth);
+
 }  // namespace boresight::profile

@@ -42,7 +42,7 @@ protected:
     void everywhere(Check check)
     {
         give(samples::update(samples::bounded()));
-        for (const char panel : std::string("12345678")) {
+        for (const char panel : std::string(kPanels)) {
             SCOPED_TRACE(std::string("panel ") + panel);
             openPanel(panel);
             QTest::qWait(1);

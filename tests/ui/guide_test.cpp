@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/commissioning.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/calibration_panel.h"
 #include "ui/command_button.h"
 #include "ui/direction_arrow.h"
 #include "ui/guide_client.h"
 #include "ui/guide_connect.h"
 #include "ui/guide_directions.h"
+#include "ui/guide_north.h"
 #include "ui/guide_page.h"
 #include "ui/guide_site.h"
 #include "ui/guide_travel.h"
@@ -186,7 +188,7 @@ TEST_F(GuideTest, TheLastStepEndsTheGuide)
 
 TEST_F(GuideTest, AnotherMountBeginsAnew)
 {
-    open<GuideZero>(GuideStep::North);
+    open<GuideNorth>(GuideStep::North);
     click("Next");
     profile::Profile other = *status.profile;
     other.mount.name = "Roof";
@@ -429,22 +431,37 @@ TEST_F(GuideTest, LevelIsSetHereAndItsEffectToldBefore)
     EXPECT_EQ(stepButton(GuideStep::Level).state(), StepState::Done);
 }
 
-TEST_F(GuideTest, NorthTakesTheNearestTurnAndTheCableStaysWhereItIs)
+TEST_F(GuideTest, NorthIsSetInThePointingModelAtOnceAndTheCableKeepsItsNumbers)
 {
-    open<GuideZero>(GuideStep::North);
+    open<GuideNorth>(GuideStep::North);
+    moveTo({.azimuth = 10_deg, .elevation = 20_deg}, AxisState::Moving);
+    EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled()) << "not in motion";
+    moveTo({.azimuth = 10_deg, .elevation = 20_deg}, AxisState::Holding);
+    EXPECT_TRUE(inGuide<ValueLabel>("Where the antenna points now").text().contains(QStringLiteral("10.00°")));
     inGuide<QDoubleSpinBox>("True azimuth of the antenna").setValue(350.0);
-    click("Set it");
-    EXPECT_NEAR(lastApplied().azimuth.geometry.offset.degrees(), 20.0, 1e-9);
-    EXPECT_NEAR(lastApplied().azimuth.geometry.travel.min.degrees(), -110.0, 1e-9);
-    EXPECT_NEAR(lastApplied().azimuth.geometry.travel.max.degrees(), 430.0, 1e-9);
+    EXPECT_TRUE(inGuide<ValueLabel>("What the change does").text().contains(QStringLiteral("0.00° → -20.00°")));
+    const auto connects = asked<request::Reconnect>().size();
+    click("Set north");
+    EXPECT_NEAR(lastApplied().pointing.azimuthOffset.degrees(), -20.0, 1e-9);
+    EXPECT_EQ(lastApplied().azimuth.geometry, status.profile->azimuth.geometry);
+    EXPECT_EQ(lastApplied().limits, status.profile->limits);
+    EXPECT_EQ(asked<request::Reconnect>().size(), connects) << "it applies now";
+}
+
+TEST_F(GuideTest, TheOtherWaysToNorthAreOnePressAway)
+{
+    open<GuideNorth>(GuideStep::North);
+    QTest::mouseClick(&inGuide<QPushButton>("Sensor, Sun, Moon (Ctrl+9)"), Qt::LeftButton);
+    EXPECT_FALSE(window.findChild<GuidePage*>()->isVisible());
+    EXPECT_TRUE(window.findChild<CalibrationPanel*>()->isVisible());
 }
 
 TEST_F(GuideTest, AZeroNeedsAKnownTurn)
 {
     give(samples::update(samples::asking(Axis::Azimuth, 3, 180_deg, true)));
-    open<GuideZero>(GuideStep::North);
-    EXPECT_FALSE(inGuide<QPushButton>("Set it").isEnabled());
-    EXPECT_TRUE(inGuide<QPushButton>("Set it").toolTip().contains(QStringLiteral("turn")));
+    open<GuideNorth>(GuideStep::North);
+    EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled());
+    EXPECT_TRUE(inGuide<QPushButton>("Set north").toolTip().contains(QStringLiteral("turn")));
 }
 
 TEST_F(GuideTest, SiteAndLocatorFollowEachOther)

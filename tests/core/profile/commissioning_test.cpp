@@ -128,5 +128,30 @@ TEST(Commissioning, ShiftedEndsAreNumbersThatCanBeRead)
     expectMakesSense(profile);
 }
 
+TEST(Commissioning, NorthIsSetInThePointingModelAndNoAngleOfAnAxisChanges)
+{
+    Profile profile;
+    const Profile before = profile;
+    const AxisPosition axes{.azimuth = 370_deg, .elevation = 20_deg};
+    setNorth(profile, axes, 47.4_deg);
+    EXPECT_NEAR(profile.pointing.azimuthOffset.degrees(), 37.4, 1e-9);
+    profile.pointing = before.pointing;
+    EXPECT_EQ(profile, before);
+}
+
+TEST(Commissioning, NorthIsTrueAlsoOnALeaningMastAndOverTheTop)
+{
+    for (const double elevation : {5.0, 60.0, 130.0}) {
+        Profile profile;
+        profile.pointing = {.azimuthOffset = 350_deg, .tiltNorth = 2_deg, .tiltEast = -3_deg, .collimation = 1_deg};
+        const AxisPosition axes{.azimuth = -25_deg, .elevation = Angle::fromDegrees(elevation)};
+        setNorth(profile, axes, 200_deg);
+        const SkyPointing now = pointing::upright(pointing::PointingModel(profile.pointing).toSky(axes));
+        EXPECT_NEAR(now.azimuth.degrees(), 200.0, 0.006) << elevation;  // two decimals in the file
+        EXPECT_LE(abs(profile.pointing.azimuthOffset), 360_deg);
+        expectMakesSense(profile);
+    }
+}
+
 }  // namespace
 }  // namespace boresight::profile

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+#include "ui/profile_change.h"
+
+#include <QWidget>
+
+class QDoubleSpinBox;
+class QPushButton;
+
+// The guide's step for north: where the antenna says it points, and where it really points. Only the azimuth offset of
+// the pointing model changes, at once; the antenna stays where it is, and so do the numbers of its cable. The North
+// panel, which asks the sensor, the Sun or the Moon instead, is one press away.
+namespace boresight::ui {
+
+class CommandButton;
+class HoldButtons;
+class ValueLabel;
+
+class GuideNorth : public QWidget
+{
+    Q_OBJECT
+
+public:
+    GuideNorth(ProfileChange& change, RequestDesk& desk, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+Q_SIGNALS:
+    void done();         // the station has taken the new north
+    void panelWanted();  // the North panel
+
+private:
+    void build();
+    void showEffect();
+    [[nodiscard]] AxisPosition axes() const;
+    [[nodiscard]] QString whyNot() const;
+    [[nodiscard]] ProfileChange::Edit edit() const;
+
+    ProfileChange& m_change;
+    StationStatus m_status;
+    ValueLabel* m_notice;
+    ValueLabel* m_explanation;
+    ValueLabel* m_pointing;
+    ValueLabel* m_effect;
+    QDoubleSpinBox* m_truth;
+    HoldButtons* m_hold;
+    CommandButton* m_set;
+    QPushButton* m_panel;
+};
+
+}  // namespace boresight::ui
