@@ -130,8 +130,8 @@ ProfileChange::Edit GuideNorth::edit() const
 void GuideNorth::showEffect()
 {
     const profile::Profile& now = m_change.applied();
-    const bool known = m_status.actual && areTurnsKnown(m_status) &&
-                       freshness(m_status.azimuth.age) != Freshness::NoData;
+    const bool known =
+        m_status.actual && areTurnsKnown(m_status) && freshness(m_status.azimuth.age) != Freshness::NoData;
     const SkyPointing beam = pointing::upright(pointing::PointingModel(now.pointing).toSky(axes()));
     m_pointing->setValue(tr("It says it points to %1").arg(known ? angleText(beam.azimuth) : noValue()));
     m_set->setBlocked(whyNot());
@@ -141,11 +141,11 @@ void GuideNorth::showEffect()
     }
     profile::Profile then = now;
     edit()(then);
-    m_effect->setValue(
-        tr("Azimuth offset %1 → %2, in force at once. Nothing moves; travel, cable and park keep their numbers, horizon "
-           "and keep-outs are true directions and stay.")
-            .arg(angleText(now.pointing.azimuthOffset), angleText(then.pointing.azimuthOffset)),
-        Tone::Secondary);
+    m_effect->setValue(tr("Azimuth offset %1 → %2, in force at once. Nothing moves; travel, cable and park keep their "
+                          "numbers, horizon "
+                          "and keep-outs are true directions and stay.")
+                           .arg(angleText(now.pointing.azimuthOffset), angleText(then.pointing.azimuthOffset)),
+                       Tone::Secondary);
 }
 
 }  // namespace boresight::ui

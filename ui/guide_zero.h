@@ -9,8 +9,8 @@
 class QCheckBox;
 class QDoubleSpinBox;
 
-// The guide's step for elevation 0°: what the axis reads now, what it really is, and what the change does to the ends of
-// its travel, told before it is made. The antenna does not move.
+// The guide's step for elevation 0°: what the axis reads now, what it really is, and what the change does to the ends
+// of its travel, told before it is made. The antenna does not move.
 namespace boresight::ui {
 
 class CommandButton;

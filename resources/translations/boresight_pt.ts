@@ -21,6 +21,160 @@
     </message>
 </context>
 <context>
+    <name>CalibrationPermission</name>
+    <message>
+        <source>a calibration is running: end it first</source>
+        <translation>há uma calibração em curso: termine-a primeiro</translation>
+    </message>
+    <message>
+        <source>it is not known where the %1 is</source>
+        <translation>não se sabe onde está: %1</translation>
+    </message>
+    <message>
+        <source>follow the %1 first</source>
+        <translation>primeiro é preciso seguir: %1</translation>
+    </message>
+    <message>
+        <source>no scan waits for a power now</source>
+        <translation>nenhuma varredura espera agora por uma potência</translation>
+    </message>
+    <message>
+        <source>the drive does not say where the %1 is</source>
+        <translation>o acionamento não diz onde está o eixo de %1</translation>
+    </message>
+    <message>
+        <source>which turn the %1 is on is not known yet</source>
+        <translation>ainda não se sabe em que volta está o eixo de %1</translation>
+    </message>
+    <message>
+        <source>the mount moves: stop it first</source>
+        <translation>a montagem move-se: pare-a primeiro</translation>
+    </message>
+    <message>
+        <source>there are no points</source>
+        <translation>não há pontos</translation>
+    </message>
+    <message>
+        <source>nothing is proposed yet</source>
+        <translation>ainda não há nada proposto</translation>
+    </message>
+    <message>
+        <source>nothing applied here can be taken back</source>
+        <translation>não há aqui nada aplicado que se possa desfazer</translation>
+    </message>
+    <message>
+        <source>nothing was taken back</source>
+        <translation>nada foi desfeito</translation>
+    </message>
+</context>
+<context>
+    <name>CalibrationWords</name>
+    <message>
+        <source>North %1: %2 of it from the readings, %3 that no swing can see.</source>
+        <translation>Norte %1: %2 vêm das leituras, %3 que nenhum giro vê.</translation>
+    </message>
+    <message>
+        <source>Hard iron %1, soft iron %2, readings scatter by %3.</source>
+        <translation>Ferro duro %1, ferro macio %2, dispersão das leituras %3.</translation>
+    </message>
+    <message>
+        <source>No tilt: %1</source>
+        <translation>Sem inclinação: %1</translation>
+    </message>
+    <message>
+        <source>The azimuth axis leans by %1 ± %2 towards %3. Elevation offset %4.</source>
+        <translation>O eixo de azimute inclina-se %1 ± %2 para %3. Desvio de elevação %4.</translation>
+    </message>
+    <message>
+        <source>azimuth offset</source>
+        <translation>desvio de azimute</translation>
+    </message>
+    <message>
+        <source>elevation offset</source>
+        <translation>desvio de elevação</translation>
+    </message>
+    <message>
+        <source>tilt to the north</source>
+        <translation>inclinação para norte</translation>
+    </message>
+    <message>
+        <source>tilt to the east</source>
+        <translation>inclinação para leste</translation>
+    </message>
+    <message>
+        <source>collimation</source>
+        <translation>colimação</translation>
+    </message>
+    <message>
+        <source>axes not square</source>
+        <translation>eixos sem esquadria</translation>
+    </message>
+    <message>
+        <source>gravity sag</source>
+        <translation>flexão pelo peso</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <source>Moon</source>
+        <translation>Lua</translation>
+    </message>
+    <message>
+        <source>sets %1</source>
+        <translation>põe-se %1</translation>
+    </message>
+    <message>
+        <source>below the horizon, rises %1</source>
+        <translation>abaixo do horizonte, nasce %1</translation>
+    </message>
+    <message>
+        <source>below the horizon</source>
+        <translation>abaixo do horizonte</translation>
+    </message>
+    <message>
+        <source>curve of the sensor</source>
+        <translation>curva do sensor</translation>
+    </message>
+    <message>
+        <source>no term changes by 0.01°</source>
+        <translation>nenhum termo muda 0.01°</translation>
+    </message>
+    <message>
+        <source>Nothing is proposed yet: steps 1 to 3 find north</source>
+        <translation>Ainda não há proposta: os passos 1 a 3 acham o norte</translation>
+    </message>
+    <message>
+        <source>Turning clockwise the sensor says %1 more than turning back.</source>
+        <translation>No sentido horário o sensor diz mais %1 do que na volta.</translation>
+    </message>
+    <message>
+        <source>No points yet: step 3 takes them</source>
+        <translation>Ainda não há pontos: o passo 3 toma-os</translation>
+    </message>
+    <message>
+        <source>No fit of these points</source>
+        <translation>Sem ajuste destes pontos</translation>
+    </message>
+    <message>
+        <source>%1 points, %2 terms: rms %3 → %4</source>
+        <translation>%1 pontos, %2 termos: rms %3 → %4</translation>
+    </message>
+    <message>
+        <source>, each by the others %1</source>
+        <translation>, cada um pelos outros %1</translation>
+    </message>
+    <message>
+        <source>, χ² %1</source>
+        <translation>, χ² %1</translation>
+    </message>
+    <message>
+        <source>Never look into the Sun, nor along a sight tube. A dish burns its feed: watch the shadow, be quick.</source>
+        <translation>Nunca olhe para o Sol, nem por um tubo de mira. Um prato queima o alimentador: siga a sombra, seja rápido.</translation>
+    </message>
+</context>
+<context>
     <name>ClientsPermission</name>
     <message>
         <source>select a client first</source>
@@ -5313,6 +5467,132 @@ modo moteus %1, falha %2</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::BodyBox</name>
+    <message>
+        <source>Where the body is</source>
+        <translation>Onde está o astro</translation>
+    </message>
+    <message>
+        <source>Follow Sun</source>
+        <translation>Seguir Sol</translation>
+    </message>
+    <message>
+        <source>Take point</source>
+        <translation>Tomar ponto</translation>
+    </message>
+    <message>
+        <source>It is centred now: keep where the axes stand</source>
+        <translation>Está centrado agora: guarda onde estão os eixos</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Manter</translation>
+    </message>
+    <message>
+        <source>Follow %1</source>
+        <translation>Seguir %1</translation>
+    </message>
+    <message>
+        <source>Ends it; the mount holds</source>
+        <translation>Termina; a montagem mantém a posição</translation>
+    </message>
+    <message>
+        <source>The mount moves to the %1 and stays on it; the pad trims</source>
+        <translation>A montagem move-se e fica a seguir (%1); o painel de passos compensa</translation>
+    </message>
+    <message>
+        <source>Hold, follow the %1 no more</source>
+        <translation>Manter, não seguir mais (%1)</translation>
+    </message>
+    <message>
+        <source>not followed</source>
+        <translation>não é seguido</translation>
+    </message>
+    <message>
+        <source>Not now: %1</source>
+        <translation>Agora não: %1</translation>
+    </message>
+    <message>
+        <source>followed, trim az %1 el %2</source>
+        <translation>seguido, comp. az %1 el %2</translation>
+    </message>
+    <message>
+        <source>points taken: %1</source>
+        <translation>pontos tomados: %1</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::BodyPage</name>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Eyes and feed</source>
+        <translation>Olhos e alimentador</translation>
+    </message>
+    <message>
+        <source>Step of the pad</source>
+        <translation>Passo dos botões</translation>
+    </message>
+    <message>
+        <source>How far one press of the pad or of an arrow key moves</source>
+        <translation>Quanto move um toque nos botões ou numa seta</translation>
+    </message>
+    <message>
+        <source>Refraction</source>
+        <translation>Refração</translation>
+    </message>
+    <message>
+        <source>How the air bends what is centred: the shadow, or the power</source>
+        <translation>Como o ar curva o que se centra: a sombra ou a potência</translation>
+    </message>
+    <message>
+        <source>Nudge pad</source>
+        <translation>Botões de passo</translation>
+    </message>
+    <message>
+        <source>Points by the Sun</source>
+        <translation>Pontos pelo Sol</translation>
+    </message>
+    <message>
+        <source>Points by the Moon</source>
+        <translation>Pontos pela Lua</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Marco</translation>
+    </message>
+    <message>
+        <source>A landmark whose direction is known</source>
+        <translation>Um marco de direção conhecida</translation>
+    </message>
+    <message>
+        <source>Peak</source>
+        <translation>Pico</translation>
+    </message>
+    <message>
+        <source>The peak of the received power, by a cross scan</source>
+        <translation>O pico da potência recebida, por uma varredura em cruz</translation>
+    </message>
+    <message>
+        <source>as light</source>
+        <translation>como luz</translation>
+    </message>
+    <message>
+        <source>as radio</source>
+        <translation>como rádio</translation>
+    </message>
+    <message>
+        <source>no air</source>
+        <translation>sem ar</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Passo</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::CableBar</name>
     <message>
         <source>%1 to %2</source>
@@ -5343,6 +5623,53 @@ modo moteus %1, falha %2</translation>
     <message>
         <source>▲ %1 ends in %2</source>
         <translation>▲ %1 termina em %2</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::CalibrationBar</name>
+    <message>
+        <source>Proposed calibration</source>
+        <translation>Calibração proposta</translation>
+    </message>
+    <message>
+        <source>What Apply changes</source>
+        <translation>O que Aplicar muda</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Apply north</source>
+        <translation>Aplicar norte</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Desfazer</translation>
+    </message>
+    <message>
+        <source>Back to the calibration before; nothing moves</source>
+        <translation>Volta à calibração anterior; nada se move</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Refazer</translation>
+    </message>
+    <message>
+        <source>The calibration that was taken back; nothing moves</source>
+        <translation>A calibração que foi desfeita; nada se move</translation>
+    </message>
+    <message>
+        <source>Undo the calibration</source>
+        <translation>Desfazer a calibração</translation>
+    </message>
+    <message>
+        <source>Redo the calibration</source>
+        <translation>Refazer a calibração</translation>
+    </message>
+    <message>
+        <source>Into force at once, nothing moves: %1</source>
+        <translation>Vale de imediato, nada se move: %1</translation>
     </message>
 </context>
 <context>
@@ -5386,6 +5713,53 @@ modo moteus %1, falha %2</translation>
     <message>
         <source>Calibration: not told</source>
         <translation>Calibração: não informada</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::CalibrationPanel</name>
+    <message>
+        <source>Steps of finding north</source>
+        <translation>Passos para achar o norte</translation>
+    </message>
+    <message>
+        <source>1 Sensor</source>
+        <translation>1 Sensor</translation>
+    </message>
+    <message>
+        <source>North from the sensor while the mount stands still: to some degrees</source>
+        <translation>Norte pelo sensor com a montagem parada: a alguns graus</translation>
+    </message>
+    <message>
+        <source>2 Swing</source>
+        <translation>2 Giro</translation>
+    </message>
+    <message>
+        <source>The compass swing: north, the sensor&apos;s deviation, and the tilt of the axis</source>
+        <translation>O giro da bússola: norte, desvio do sensor e inclinação do eixo</translation>
+    </message>
+    <message>
+        <source>3 Sun/Moon</source>
+        <translation>3 Sol/Lua</translation>
+    </message>
+    <message>
+        <source>Points of known direction: Sun, Moon, a landmark, the peak of the power</source>
+        <translation>Pontos de direção conhecida: Sol, Lua, um marco, o pico da potência</translation>
+    </message>
+    <message>
+        <source>4 Model</source>
+        <translation>4 Modelo</translation>
+    </message>
+    <message>
+        <source>The pointing model of these points, with their residuals</source>
+        <translation>O modelo de apontamento destes pontos, com os resíduos</translation>
+    </message>
+    <message>
+        <source>5 History</source>
+        <translation>5 Histórico</translation>
+    </message>
+    <message>
+        <source>What was applied before</source>
+        <translation>O que já foi aplicado</translation>
     </message>
 </context>
 <context>
@@ -5647,6 +6021,56 @@ modo moteus %1, falha %2</translation>
     <message>
         <source>requested</source>
         <translation>pedido</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::CompassDial</name>
+    <message>
+        <source>Azimuth of the axis and heading of the sensor</source>
+        <translation>Azimute do eixo e rumo do sensor</translation>
+    </message>
+    <message>
+        <source>● azimuth of the axis   △ heading of the sensor</source>
+        <translation>● azimute do eixo   △ rumo do sensor</translation>
+    </message>
+    <message>
+        <source>axis %1, sensor %2</source>
+        <translation>eixo %1, sensor %2</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::DeviationPlot</name>
+    <message>
+        <source>Deviation of the compass</source>
+        <translation>Desvio da bússola</translation>
+    </message>
+    <message>
+        <source>%1 samples, first harmonic %2, second %3, scatter %4</source>
+        <translation>%1 amostras, primeira harmónica %2, segunda %3, dispersão %4</translation>
+    </message>
+    <message>
+        <source>no swing yet</source>
+        <translation>ainda sem giro</translation>
+    </message>
+    <message>
+        <source>Error ° over heading</source>
+        <translation>Erro ° por rumo</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>horário</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>volta</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>excluída</translation>
+    </message>
+    <message>
+        <source>unreliable</source>
+        <translation>incerto</translation>
     </message>
 </context>
 <context>
@@ -6160,6 +6584,97 @@ trocar os motores</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::GuideNorth</name>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>O que fazer</translation>
+    </message>
+    <message>
+        <source>Where the antenna points now</source>
+        <translation>Para onde a antena aponta agora</translation>
+    </message>
+    <message>
+        <source>What the change does</source>
+        <translation>O que a mudança faz</translation>
+    </message>
+    <message>
+        <source>True azimuth of the antenna</source>
+        <translation>Azimute verdadeiro da antena</translation>
+    </message>
+    <message>
+        <source>The direction the antenna points to, from true north</source>
+        <translation>A direção para que a antena aponta, a partir do norte verdadeiro</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mover</translation>
+    </message>
+    <message>
+        <source>Set north</source>
+        <translation>Definir norte</translation>
+    </message>
+    <message>
+        <source>Sets the azimuth offset of the pointing model; nothing moves</source>
+        <translation>Define o desvio de azimute do modelo de apontamento; nada se move</translation>
+    </message>
+    <message>
+        <source>Sensor, Sun, Moon (Ctrl+9)</source>
+        <translation>Sensor, Sol, Lua (Ctrl+9)</translation>
+    </message>
+    <message>
+        <source>Point the antenna at a landmark whose bearing is known, and type the bearing. Or ask the sensor, the Sun or the Moon. Without any press Skip: north can wait, everything else works.</source>
+        <translation>Aponte a antena a um marco de azimute conhecido e escreva-o. Ou pergunte ao sensor, ao Sol ou à Lua. Sem nada disso, salte: o norte pode esperar, tudo o resto funciona.</translation>
+    </message>
+    <message>
+        <source>Moves the %1 slowly while held</source>
+        <translation>Move o eixo de %1 devagar enquanto premido</translation>
+    </message>
+    <message>
+        <source>AZ ↺ hold</source>
+        <translation>AZ ↺ premir</translation>
+    </message>
+    <message>
+        <source>AZ ↻ hold</source>
+        <translation>AZ ↻ premir</translation>
+    </message>
+    <message>
+        <source>To the panel North, which finds it by them; F3 comes back</source>
+        <translation>Para o painel Norte, que o acha por eles; F3 volta aqui</translation>
+    </message>
+    <message>
+        <source>It really points to</source>
+        <translation>Aponta mesmo para</translation>
+    </message>
+    <message>
+        <source>the drive does not say where the %1 is</source>
+        <translation>o acionamento não diz onde está o eixo de %1</translation>
+    </message>
+    <message>
+        <source>which turn the %1 is on is not known yet</source>
+        <translation>ainda não se sabe em que volta está o eixo de %1</translation>
+    </message>
+    <message>
+        <source>the mount moves: stop it first</source>
+        <translation>a montagem move-se: pare-a primeiro</translation>
+    </message>
+    <message>
+        <source>the antenna looks up: lower it first</source>
+        <translation>a antena olha para cima: baixe-a primeiro</translation>
+    </message>
+    <message>
+        <source>It says it points to %1</source>
+        <translation>Diz que aponta para %1</translation>
+    </message>
+    <message>
+        <source>Azimuth offset %1 → %2, in force at once. Nothing moves; travel, cable and park keep their numbers, horizon and keep-outs are true directions and stay.</source>
+        <translation>Desvio de azimute %1 → %2, em vigor de imediato. Nada se move; curso, cabo e estacionamento guardam os seus números; horizonte e zonas proibidas são direções verdadeiras e ficam.</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::GuidePage</name>
     <message>
         <source>Step of the guide</source>
@@ -6483,24 +6998,12 @@ trocar os motores</translation>
         <translation>Leva o novo zero para o perfil e conecta-se de novo; nada se move</translation>
     </message>
     <message>
-        <source>True azimuth of the antenna</source>
-        <translation>Azimute verdadeiro da antena</translation>
-    </message>
-    <message>
         <source>True elevation of the antenna</source>
         <translation>Elevação verdadeira da antena</translation>
     </message>
     <message>
-        <source>The direction the antenna points to, from true north</source>
-        <translation>A direção para onde a antena aponta, a partir do norte verdadeiro</translation>
-    </message>
-    <message>
         <source>By a spirit level on the antenna: 0° is level</source>
         <translation>Com um nível de bolha na antena: 0° é nivelado</translation>
-    </message>
-    <message>
-        <source>Point the antenna at a landmark whose bearing is known, and type the bearing. Without one press Skip: north can wait, everything else works.</source>
-        <translation>Aponte a antena a um ponto de azimute conhecido e escreva-o. Sem nenhum, clique em Saltar: o norte pode esperar, o resto funciona.</translation>
     </message>
     <message>
         <source>Bring the antenna level, by a spirit level on it, and set 0° here. Or type what an inclinometer shows.</source>
@@ -6511,16 +7014,8 @@ trocar os motores</translation>
         <translation>Move o eixo de %1 devagar enquanto premido</translation>
     </message>
     <message>
-        <source>AZ ↺ hold</source>
-        <translation>AZ ↺ segurar</translation>
-    </message>
-    <message>
         <source>EL ↓ hold</source>
         <translation>EL ↓ segurar</translation>
-    </message>
-    <message>
-        <source>AZ ↻ hold</source>
-        <translation>AZ ↻ segurar</translation>
     </message>
     <message>
         <source>EL ↑ hold</source>
@@ -6529,10 +7024,6 @@ trocar os motores</translation>
     <message>
         <source>Off: the ends keep their numbers, and lie elsewhere on the mount</source>
         <translation>Desativado: os fins mantêm os números e ficam noutro lugar da montagem</translation>
-    </message>
-    <message>
-        <source>It really points to</source>
-        <translation>Aponta de fato para</translation>
     </message>
     <message>
         <source>It really is</source>
@@ -6559,10 +7050,6 @@ trocar os motores</translation>
         <translation>curso %1, agora %2</translation>
     </message>
     <message>
-        <source>Horizon and keep-outs are directions and stay.</source>
-        <translation>Horizonte e zonas proibidas são direções e ficam.</translation>
-    </message>
-    <message>
         <source>The drives&apos; own bounds stay right.</source>
         <translation>Os limites dos próprios acionamentos continuam certos.</translation>
     </message>
@@ -6571,8 +7058,8 @@ trocar os motores</translation>
         <translation>Depois há que corrigir os limites dos acionamentos (passo Proteção).</translation>
     </message>
     <message>
-        <source>Every angle changes by %1: %2. %3 %4</source>
-        <translation>Todos os ângulos mudam %1: %2. %3 %4</translation>
+        <source>Every angle changes by %1: %2. %3</source>
+        <translation>Cada ângulo muda %1: %2. %3</translation>
     </message>
 </context>
 <context>
@@ -6827,10 +7314,6 @@ trocar os motores</translation>
         <translation>Ctrl+9</translation>
     </message>
     <message>
-        <source>which turn is the axis on? (while asked)</source>
-        <translation>em que volta está o eixo? (enquanto se pergunta)</translation>
-    </message>
-    <message>
         <source>Ctrl+L</source>
         <translation>Ctrl+L</translation>
     </message>
@@ -6979,6 +7462,68 @@ emergência por cabo junto ao mastro.</translation>
     <message>
         <source>commissioning guide and back; its steps; Space held moves</source>
         <translation>guia de instalação e voltar; os seus passos; Espaço seguro move</translation>
+    </message>
+    <message>
+        <source>panel North; while asked: which turn is the axis on?</source>
+        <translation>painel Norte; enquanto se pergunta: em que volta está o eixo?</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::HistoryModel</name>
+    <message>
+        <source>Applied</source>
+        <translation>Aplicada</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>O quê</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::HistoryPage</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>▲ %1: what it says may not hold here</source>
+        <translation>▲ %1: o que diz pode não valer aqui</translation>
+    </message>
+    <message>
+        <source>Nothing was applied to this mount yet</source>
+        <translation>Ainda nada foi aplicado a esta montagem</translation>
+    </message>
+    <message>
+        <source>None of these is in force</source>
+        <translation>Nenhuma destas está em vigor</translation>
+    </message>
+    <message>
+        <source>What is in force was found with other drives or elsewhere: check it</source>
+        <translation>O que está em vigor foi achado com outros acionamentos ou noutro lugar: verifique</translation>
+    </message>
+    <message>
+        <source>In force: %1</source>
+        <translation>Em vigor: %1</translation>
+    </message>
+    <message>
+        <source>Calibrations that were applied</source>
+        <translation>Calibrações aplicadas</translation>
+    </message>
+    <message>
+        <source>Calibration in force</source>
+        <translation>Calibração em vigor</translation>
+    </message>
+    <message>
+        <source>The selected calibration</source>
+        <translation>A calibração selecionada</translation>
+    </message>
+    <message>
+        <source>Select a line to read it whole</source>
+        <translation>Selecione uma linha para a ler inteira</translation>
     </message>
 </context>
 <context>
@@ -7204,6 +7749,65 @@ emergência por cabo junto ao mastro.</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::LandmarkBox</name>
+    <message>
+        <source>True azimuth of the landmark</source>
+        <translation>Azimute verdadeiro do marco</translation>
+    </message>
+    <message>
+        <source>From true north, as a map or a GPS receiver tells it</source>
+        <translation>A partir do norte verdadeiro, como o diz um mapa ou um recetor GPS</translation>
+    </message>
+    <message>
+        <source>True elevation of the landmark</source>
+        <translation>Elevação verdadeira do marco</translation>
+    </message>
+    <message>
+        <source>0° is level</source>
+        <translation>0° é o nível</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>Marco</translation>
+    </message>
+    <message>
+        <source>Take point</source>
+        <translation>Tomar ponto</translation>
+    </message>
+    <message>
+        <source>It is centred now: keep where the axes stand</source>
+        <translation>Está centrado agora: guarda onde estão os eixos</translation>
+    </message>
+    <message>
+        <source>Take the landmark as a point</source>
+        <translation>Tomar o marco como ponto</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>nome</translation>
+    </message>
+    <message>
+        <source>Name of the landmark</source>
+        <translation>Nome do marco</translation>
+    </message>
+    <message>
+        <source>Az</source>
+        <translation>Az</translation>
+    </message>
+    <message>
+        <source>El</source>
+        <translation>El</translation>
+    </message>
+    <message>
+        <source>points taken: %1</source>
+        <translation>pontos tomados: %1</translation>
+    </message>
+    <message>
+        <source>Not now: %1</source>
+        <translation>Agora não: %1</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::LeadPrompt</name>
     <message>
         <source>Port %1</source>
@@ -7232,6 +7836,17 @@ emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Not asked again while it stays connected</source>
         <translation>Não se pergunta de novo enquanto ele estiver conectado</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::LevelBar</name>
+    <message>
+        <source>%1 of 3</source>
+        <translation>%1 de 3</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>não o diz</translation>
     </message>
 </context>
 <context>
@@ -7560,6 +8175,81 @@ emergência por cabo junto ao mastro.</translation>
     </message>
 </context>
 <context>
+    <name>boresight::ui::ModelPage</name>
+    <message>
+        <source>How well the model fits</source>
+        <translation>Como o modelo se ajusta</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Terms of the pointing model</source>
+        <translation>Termos do modelo de apontamento</translation>
+    </message>
+    <message>
+        <source>Calibration points</source>
+        <translation>Pontos de calibração</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Excluir</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Apagar</translation>
+    </message>
+    <message>
+        <source>Forget the selected point for good</source>
+        <translation>Esquece de vez o ponto selecionado</translation>
+    </message>
+    <message>
+        <source>Drop the selected point</source>
+        <translation>Apagar o ponto selecionado</translation>
+    </message>
+    <message>
+        <source>Terms</source>
+        <translation>Termos</translation>
+    </message>
+    <message>
+        <source>The terms of the pointing model</source>
+        <translation>Os termos do modelo de apontamento</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Pontos</translation>
+    </message>
+    <message>
+        <source>The points, and how far each is off</source>
+        <translation>Os pontos, e quanto falha cada um</translation>
+    </message>
+    <message>
+        <source>Remarks on the fit</source>
+        <translation>Notas do ajuste</translation>
+    </message>
+    <message>
+        <source>1 point finds the azimuth offset, 2 the elevation offset too, from 3 on the other terms as far as the points ask for them</source>
+        <translation>1 ponto acha o desvio de azimute, 2 também o de elevação, a partir de 3 os outros termos, se os pontos os pedem</translation>
+    </message>
+    <message>
+        <source>Use again</source>
+        <translation>Usar</translation>
+    </message>
+    <message>
+        <source>The selected point stays in the list and does not count</source>
+        <translation>O ponto selecionado fica na lista e não conta</translation>
+    </message>
+    <message>
+        <source>The selected point counts again</source>
+        <translation>O ponto selecionado volta a contar</translation>
+    </message>
+    <message>
+        <source>select a point first</source>
+        <translation>selecione primeiro um ponto</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::PanelTabs</name>
     <message>
         <source>Panels</source>
@@ -7657,6 +8347,14 @@ emergência por cabo junto ao mastro.</translation>
         <source>Commissioning guide: from a new mount to the first pass, step by step (F3)</source>
         <translation>Guia de instalação: de uma montagem nova à primeira passagem, passo a passo (F3)</translation>
     </message>
+    <message>
+        <source>North</source>
+        <translation>Norte</translation>
+    </message>
+    <message>
+        <source>Finding north: sensor, swing, Sun and Moon (Ctrl+9)</source>
+        <translation>Achar o norte: sensor, giro, Sol e Lua (Ctrl+9)</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::PlotEditor</name>
@@ -7744,6 +8442,49 @@ el %2</translation>
     <message>
         <source>Not saved: %1</source>
         <translation>Não gravado: %1</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::PointModel</name>
+    <message>
+        <source>○ %1, not used</source>
+        <translation>○ %1, sem uso</translation>
+    </message>
+    <message>
+        <source>%1, %2: true %3, axes %4, centred to %5</source>
+        <translation>%1, %2: verdadeiro %3, eixos %4, centrado a %5</translation>
+    </message>
+    <message>
+        <source>%1: across %2, elevation %3</source>
+        <translation>%1: de lado %2, elevação %3</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Agora</translation>
+    </message>
+    <message>
+        <source>With the fit</source>
+        <translation>Com o ajuste</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Ponto</translation>
+    </message>
+    <message>
+        <source>UTC</source>
+        <translation>UTC</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Depois</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Sem ele</translation>
     </message>
 </context>
 <context>
@@ -8497,6 +9238,237 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     </message>
 </context>
 <context>
+    <name>boresight::ui::ResidualSky</name>
+    <message>
+        <source>Residuals on the sky</source>
+        <translation>Resíduos no céu</translation>
+    </message>
+    <message>
+        <source>%1 points; the largest residual is %2 now and %3 with the fit</source>
+        <translation>%1 pontos; o maior resíduo é %2 agora e %3 com o ajuste</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>longest: ┄ %1  — %2</source>
+        <translation>maior: ┄ %1  — %2</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::RunLine</name>
+    <message>
+        <source>%1: part that is done</source>
+        <translation>%1: parte feita</translation>
+    </message>
+    <message>
+        <source>%1, %2 left</source>
+        <translation>%1, faltam %2</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ScanBox</name>
+    <message>
+        <source>Not now: %1</source>
+        <translation>Agora não: %1</translation>
+    </message>
+    <message>
+        <source>Peak at %1, ± %2</source>
+        <translation>Pico em %1, ± %2</translation>
+    </message>
+    <message>
+        <source>Scans across, then in elevation; type the power at each place</source>
+        <translation>Varre de lado e depois em elevação; escreva a potência em cada lugar</translation>
+    </message>
+    <message>
+        <source>Width of the scan</source>
+        <translation>Largura da varredura</translation>
+    </message>
+    <message>
+        <source>On the sky, twice the width of the beam or so</source>
+        <translation>No céu, cerca do dobro da largura do feixe</translation>
+    </message>
+    <message>
+        <source>Cross scan</source>
+        <translation>Varredura em cruz</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Varrer</translation>
+    </message>
+    <message>
+        <source>Give dB</source>
+        <translation>Dar dB</translation>
+    </message>
+    <message>
+        <source>The power at this place; the mount goes on to the next (Enter)</source>
+        <translation>A potência neste lugar; a montagem segue para o próximo (Enter)</translation>
+    </message>
+    <message>
+        <source>Received power in dB</source>
+        <translation>Potência recebida em dB</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largura</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Potência</translation>
+    </message>
+    <message>
+        <source>End scan</source>
+        <translation>Terminar</translation>
+    </message>
+    <message>
+        <source>Scan %1</source>
+        <translation>Varrer %1</translation>
+    </message>
+    <message>
+        <source>No point is taken</source>
+        <translation>Nenhum ponto é tomado</translation>
+    </message>
+    <message>
+        <source>The mount moves across the %1 and takes the peak as a point</source>
+        <translation>A montagem varre (%1) e toma o pico como ponto</translation>
+    </message>
+    <message>
+        <source>Power: a number of dB is wanted, as -73.2</source>
+        <translation>Potência: falta um número de dB, como -73.2</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::SensorLevels</name>
+    <message>
+        <source>System</source>
+        <translation>Sistema</translation>
+    </message>
+    <message>
+        <source>follows the other three</source>
+        <translation>segue os outros três</translation>
+    </message>
+    <message>
+        <source>Gyro</source>
+        <translation>Giro</translation>
+    </message>
+    <message>
+        <source>hold it still, 5 s</source>
+        <translation>parado, 5 s</translation>
+    </message>
+    <message>
+        <source>Accel.</source>
+        <translation>Acel.</translation>
+    </message>
+    <message>
+        <source>lay it on its six sides, 3 s each</source>
+        <translation>pouse-o nas seis faces, 3 s cada</translation>
+    </message>
+    <message>
+        <source>Compass</source>
+        <translation>Bússola</translation>
+    </message>
+    <message>
+        <source>figure of eight, away from iron</source>
+        <translation>figura de oito, longe de ferro</translation>
+    </message>
+    <message>
+        <source>%1 calibration</source>
+        <translation>Calibração: %1</translation>
+    </message>
+    <message>
+        <source>%1: what raises it</source>
+        <translation>%1: o que a aumenta</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>não o diz</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>boa</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::SensorPage</name>
+    <message>
+        <source>Heading of the sensor, as sent</source>
+        <translation>Rumo do sensor, como enviado</translation>
+    </message>
+    <message>
+        <source>Azimuth of the axis</source>
+        <translation>Azimute do eixo</translation>
+    </message>
+    <message>
+        <source>Sensor less axis</source>
+        <translation>Sensor menos eixo</translation>
+    </message>
+    <message>
+        <source>North from the sensor</source>
+        <translation>Norte pelo sensor</translation>
+    </message>
+    <message>
+        <source>Why the sensor is no evidence</source>
+        <translation>Por que o sensor não serve de prova</translation>
+    </message>
+    <message>
+        <source>Average of the sensor</source>
+        <translation>Média do sensor</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Average</source>
+        <translation>Média</translation>
+    </message>
+    <message>
+        <source>△ Sensor</source>
+        <translation>△ Sensor</translation>
+    </message>
+    <message>
+        <source>● Axis</source>
+        <translation>● Eixo</translation>
+    </message>
+    <message>
+        <source>Between them</source>
+        <translation>Entre eles</translation>
+    </message>
+    <message>
+        <source>The mount stands still, motors at rest; the sensor is averaged for some 20 s</source>
+        <translation>A montagem fica parada, motores em repouso; média do sensor durante uns 20 s</translation>
+    </message>
+    <message>
+        <source>North: axis + %1</source>
+        <translation>Norte: eixo + %1</translation>
+    </message>
+    <message>
+        <source>End average</source>
+        <translation>Terminar média</translation>
+    </message>
+    <message>
+        <source>No result; nothing moves anyway</source>
+        <translation>Sem resultado; de todo modo nada se move</translation>
+    </message>
+    <message>
+        <source>Nothing moves</source>
+        <translation>Nada se move</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::SensorReadout</name>
     <message>
         <source>SNS %1 %2</source>
@@ -8810,6 +9782,108 @@ This is a function of the program. It does not replace the hard-wired emergency 
     <message>
         <source>%1, last %2.</source>
         <translation>%1, últimos %2.</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::SwingPage</name>
+    <message>
+        <source>sweep</source>
+        <translation>contínuo</translation>
+    </message>
+    <message>
+        <source>Headings to stop at</source>
+        <translation>Rumos onde parar</translation>
+    </message>
+    <message>
+        <source>Stops on each way; sweep: no stop, one slow turn there and one back</source>
+        <translation>Paradas em cada sentido; contínuo: sem parar, uma volta lenta de ida e outra de volta</translation>
+    </message>
+    <message>
+        <source>Rate of the swing</source>
+        <translation>Velocidade do giro</translation>
+    </message>
+    <message>
+        <source>The sensor averages for a second: slow is exact</source>
+        <translation>O sensor faz a média de um segundo: devagar é exato</translation>
+    </message>
+    <message>
+        <source>Compass swing</source>
+        <translation>Giro da bússola</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Start swing</source>
+        <translation>Iniciar giro</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Velocidade</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Paradas</translation>
+    </message>
+    <message>
+        <source>What the swing has found</source>
+        <translation>O que o giro achou</translation>
+    </message>
+    <message>
+        <source>No swing yet</source>
+        <translation>Ainda sem giro</translation>
+    </message>
+    <message>
+        <source>Not now: %1</source>
+        <translation>Agora não: %1</translation>
+    </message>
+    <message>
+        <source>End swing</source>
+        <translation>Terminar giro</translation>
+    </message>
+    <message>
+        <source>The mount holds, there is no result (STOP does it too)</source>
+        <translation>A montagem mantém a posição, sem resultado (STOP faz o mesmo)</translation>
+    </message>
+    <message>
+        <source>The mount moves: %1</source>
+        <translation>A montagem move-se: %1</translation>
+    </message>
+    <message>
+        <source>Plan: %1</source>
+        <translation>Plano: %1</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::TermModel</name>
+    <message>
+        <source>● on</source>
+        <translation>● ativo</translation>
+    </message>
+    <message>
+        <source>as it was</source>
+        <translation>como estava</translation>
+    </message>
+    <message>
+        <source>Term</source>
+        <translation>Termo</translation>
+    </message>
+    <message>
+        <source>In force</source>
+        <translation>Em vigor</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Proposto</translation>
+    </message>
+    <message>
+        <source>Sigma</source>
+        <translation>Sigma</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Pontos</translation>
     </message>
 </context>
 <context>
