@@ -29,7 +29,7 @@ public:
     [[nodiscard]] QPointF pixel(Angle heading, Angle error) const;  // for the test of what is painted
     [[nodiscard]] double limit() const { return m_limit; }          // degrees, up and down
 
-    [[nodiscard]] QSize minimumSizeHint() const override { return {200, 76}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {200, 66}; }
     [[nodiscard]] QSize sizeHint() const override { return {300, 140}; }
 
 protected:

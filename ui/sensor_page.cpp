@@ -14,6 +14,8 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include <tuple>
+
 namespace boresight::ui {
 
 SensorPage::SensorPage(RequestDesk& desk, QWidget* parent)
@@ -24,7 +26,6 @@ SensorPage::SensorPage(RequestDesk& desk, QWidget* parent)
       m_axis(new ValueLabel(tr("Azimuth of the axis"), fonts::small(), QStringLiteral("-000.00°"), this)),
       m_difference(new ValueLabel(tr("Sensor less axis"), fonts::small(), QStringLiteral("-000.00°"), this)),
       m_offset(new ValueLabel(tr("North from the sensor"), fonts::text(), {}, this)),
-      m_obstacle(new ValueLabel(tr("Why the sensor is no evidence"), fonts::label(), {}, this)),
       m_run(new RunLine(CalibrationRun::SensorOffset, tr("Average of the sensor"), this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_measure(new CommandButton(tr("Average"), {}, desk, *m_notice, this))
@@ -37,34 +38,31 @@ void SensorPage::build()
 {
     auto* const values = new QGridLayout;
     values->setVerticalSpacing(0);
-    int row = 0;
-    for (const auto& [text, value] : {std::pair(tr("△ Sensor"), m_sensor), std::pair(tr("● Axis"), m_axis),
-                                      std::pair(tr("Between them"), m_difference)}) {
-        values->addWidget(makeCaption(text, this), row, 0);
-        value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        values->addWidget(value, row++, 1);
+    const std::tuple<QString, ValueLabel*, int, int> places[] = {
+        {tr("△ Sensor"), m_sensor, 0, 0}, {tr("● Axis"), m_axis, 0, 2}, {tr("Between them"), m_difference, 1, 0}};
+    for (const auto& [text, value, row, column] : places) {
+        values->addWidget(makeCaption(text, this), row, column);
+        values->addWidget(value, row, column + 1);
     }
-    values->setColumnStretch(2, 1);
+    values->setColumnStretch(4, 1);
     auto* const right = new QVBoxLayout;
     right->setSpacing(6);
     right->addLayout(values);
     right->addWidget(m_levels);
     right->addStretch(1);
-    for (ValueLabel* const line : {m_offset, m_obstacle, m_notice}) {
+    for (ValueLabel* const line : {m_offset, m_notice}) {
         line->setStretching(true);
     }
-    m_obstacle->setLines(2);
     m_notice->setCollapsing(true);
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(6, 4, 6, 0);
     grid->setSpacing(4);
     grid->addWidget(m_dial, 0, 0);
     grid->addLayout(right, 0, 1);
-    grid->addWidget(m_obstacle, 1, 0, 1, 2);
-    grid->addWidget(m_measure, 2, 0);
-    grid->addWidget(m_run, 2, 1);
-    grid->addWidget(m_offset, 3, 0, 1, 2);
-    grid->addWidget(m_notice, 4, 0, 1, 2);
+    grid->addWidget(m_measure, 1, 0);
+    grid->addWidget(m_run, 1, 1);
+    grid->addWidget(m_offset, 2, 0, 1, 2);
+    grid->addWidget(m_notice, 3, 0, 1, 2);
     grid->setRowStretch(0, 1);
     grid->setColumnStretch(1, 1);
 }
@@ -74,16 +72,16 @@ void SensorPage::showStatus(const StationStatus& status)
     const CalibrationStatus& calibration = calibrationOf(status);
     m_running = calibration.progress.run == CalibrationRun::SensorOffset;
     showNeedles(status);
+    const QString reason = m_running ? QString() : whyNoSensorAverage(status);
     m_run->show(calibration.progress,
-                tr("The mount stands still, motors at rest; the sensor is averaged for some 20 s"));
-    m_obstacle->setValue(calibration.sensorObstacle, Tone::Warning,
-                         calibration.sensorObstacle.isEmpty() ? Symbol::None : Symbol::Warning);
+                reason.isEmpty() ? tr("The mount stands still, motors at rest; the sensor is averaged for some 20 s")
+                                 : tr("Not now: %1").arg(reason));
     m_offset->setValue(calibration.sensorOffset
                            ? tr("North: axis + %1").arg(estimateText(calibration.sensorOffset->offset))
                            : QString());
     m_measure->setCommand(m_running ? tr("End average") : tr("Average"),
                           m_running ? tr("No result; nothing moves anyway") : tr("Nothing moves"));
-    m_measure->setBlocked(m_running ? QString() : whyNoSensorAverage(status));
+    m_measure->setBlocked(reason);
 }
 
 void SensorPage::showNeedles(const StationStatus& status)

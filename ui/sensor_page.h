@@ -37,7 +37,6 @@ private:
     ValueLabel* m_axis;
     ValueLabel* m_difference;
     ValueLabel* m_offset;
-    ValueLabel* m_obstacle;
     RunLine* m_run;
     ValueLabel* m_notice;
     CommandButton* m_measure;

@@ -23,7 +23,7 @@ namespace {
 constexpr double kSlowest = 0.5;
 constexpr double kFastest = 6.0;
 constexpr int kMostHeadings = 72;
-constexpr int kFoundLines = 3;
+constexpr int kFoundLines = 5;  // where there is room
 
 QSpinBox* makeHeadings(QWidget* parent)
 {
@@ -83,7 +83,9 @@ void SwingPage::build()
     m_found->setTabChangesFocus(true);
     m_found->setAccessibleName(tr("What the swing has found"));
     m_found->setPlaceholderText(tr("No swing yet"));
-    m_found->setFixedHeight(kFoundLines * m_found->fontMetrics().lineSpacing() + 12);
+    m_found->setMinimumHeight(2 * m_found->fontMetrics().lineSpacing() + 12);
+    m_found->setMaximumHeight(kFoundLines * m_found->fontMetrics().lineSpacing() + 12);
+    m_found->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
     m_notice->setStretching(true);
     m_notice->setCollapsing(true);
     auto* const column = new QVBoxLayout(this);
@@ -92,8 +94,8 @@ void SwingPage::build()
     column->addLayout(row);
     column->addWidget(m_run);
     column->addWidget(m_notice);
-    column->addWidget(m_plot, 1);
-    column->addWidget(m_found);
+    column->addWidget(m_plot, 3);
+    column->addWidget(m_found, 2);
 }
 
 void SwingPage::showStatus(const StationStatus& status)

@@ -9420,10 +9420,6 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <translation>Norte pelo sensor</translation>
     </message>
     <message>
-        <source>Why the sensor is no evidence</source>
-        <translation>Por que o sensor não serve de prova</translation>
-    </message>
-    <message>
         <source>Average of the sensor</source>
         <translation>Média do sensor</translation>
     </message>
@@ -9466,6 +9462,10 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     <message>
         <source>Nothing moves</source>
         <translation>Nada se move</translation>
+    </message>
+    <message>
+        <source>Not now: %1</source>
+        <translation>Agora não: %1</translation>
     </message>
 </context>
 <context>

@@ -143,11 +143,38 @@ TEST_F(NorthTest, TheAverageOfTheSensorIsAskedAndEnded)
     EXPECT_EQ(named<ValueLabel>("Average of the sensor")->symbol(), Symbol::Warning);
 }
 
+TEST_F(NorthTest, TheNeedlesAreWhatIsReadAndTheBarsSayWhatRaisesThem)
+{
+    StationStatus status = samples::swung();
+    show(CalibrationStep::Sensor, status);
+    const auto& dial = *window.findChild<CompassDial*>();
+    EXPECT_FALSE(dial.sensor().has_value()) << "nothing was heard of a sensor";
+    EXPECT_EQ(text("Heading of the sensor, as sent"), QStringLiteral("---.--°"));
+    orientation::Orientation heard;
+    heard.heading = orientation::SensorHeading::folded(417.4_deg);
+    heard.calibration = orientation::Calibration{.system = 1, .gyro = 3, .accelerometer = 2, .magnetometer = 0};
+    status.sensor.source = QStringLiteral("simulated");
+    status.sensor.presence = orientation::Presence::Present;
+    status.sensor.last = heard;
+    give(samples::update(status));
+    EXPECT_NEAR(dial.sensor()->angle().degrees(), 57.4, 1e-9);
+    EXPECT_NEAR(dial.axis()->degrees(), 20.0, 1e-9);
+    EXPECT_EQ(text("Sensor less axis"), QStringLiteral("+37.40°"));
+    EXPECT_EQ(named<LevelBar>("Gyro calibration")->level(), 3);
+    EXPECT_EQ(named<LevelBar>("Compass calibration")->level(), 0);
+    EXPECT_EQ(text("Compass: what raises it"), QStringLiteral("figure of eight, away from iron"));
+    EXPECT_EQ(named<ValueLabel>("Compass: what raises it")->symbol(), Symbol::Warning);
+    EXPECT_EQ(text("Gyro: what raises it"), QStringLiteral("good"));
+    status.sensor.presence = orientation::Presence::Lost;
+    give(samples::update(status));
+    EXPECT_FALSE(dial.sensor().has_value()) << "an old heading is not shown as a live one";
+}
+
 TEST_F(NorthTest, ASensorThatIsNoEvidenceIsNotAveragedAndSaysWhy)
 {
     show(CalibrationStep::Sensor, samples::beforeCalibration());
     expectBlocked("Average", "calibrated to 1 of 3");
-    EXPECT_TRUE(text("Why the sensor is no evidence").contains(QLatin1String("calibrated to 1 of 3")));
+    EXPECT_TRUE(text("Average of the sensor").contains(QLatin1String("calibrated to 1 of 3")));
 }
 
 TEST_F(NorthTest, TheSwingIsPlannedInWordsBeforeItStarts)

@@ -25,7 +25,7 @@ struct NorthScene
 };
 
 constexpr NorthScene kScenes[] = {{"1-before", samples::beforeCalibration, CalibrationStep::Sensor},
-                                  {"1-sensor", samples::swung, CalibrationStep::Sensor},
+                                  {"1-sensor", samples::heard, CalibrationStep::Sensor},
                                   {"2-before", samples::beforeCalibration, CalibrationStep::Swing},
                                   {"2-running", samples::swinging, CalibrationStep::Swing},
                                   {"2-swung", samples::swung, CalibrationStep::Swing},

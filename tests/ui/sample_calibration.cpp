@@ -194,6 +194,27 @@ StationStatus swung()
     return with(status, calibration);
 }
 
+StationStatus heard()
+{
+    StationStatus status = swung();
+    orientation::Orientation last;
+    last.heading = orientation::SensorHeading::folded(63.1_deg);
+    last.elevation = 45.3_deg;
+    last.calibration = orientation::Calibration{.system = 2, .gyro = 3, .accelerometer = 1, .magnetometer = 3};
+    status.sensor.source = QStringLiteral("serial /dev/ttyUSB0");
+    status.sensor.open = true;
+    status.sensor.presence = orientation::Presence::Present;
+    status.sensor.last = last;
+    status.sensor.age = std::chrono::milliseconds(300);
+    status.sensor.direction = SkyPointing{.azimuth = 58.1_deg, .elevation = 45.2_deg};
+    status.sensor.azimuthDifference = 0.7_deg;
+    status.sensor.elevationDifference = 0.2_deg;
+    CalibrationStatus calibration = *status.calibration;
+    calibration.sensorOffset = calibration::SensorOffset{
+        .offset = {38.2_deg, 6.1_deg}, .statistical = 0.2_deg, .scatter = 0.6_deg, .used = 20, .rejected = 0};
+    return with(status, calibration);
+}
+
 StationStatus swungInVain()
 {
     StationStatus status = swung();

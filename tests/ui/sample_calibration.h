@@ -10,6 +10,7 @@ namespace boresight::samples {
 [[nodiscard]] StationStatus beforeCalibration();  // nothing found yet, the sensor's compass is not calibrated
 [[nodiscard]] StationStatus swinging();           // half way through a swing
 [[nodiscard]] StationStatus swung();              // the swing's north is proposed
+[[nodiscard]] StationStatus heard();              // the same, and the sensor is heard
 [[nodiscard]] StationStatus swungInVain();        // magnetically hopeless
 [[nodiscard]] StationStatus followingSun();       // three points taken, the Sun is followed and trimmed
 [[nodiscard]] StationStatus scanning();           // waits for a power
