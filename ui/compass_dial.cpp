@@ -35,7 +35,7 @@ CompassDial::CompassDial(QWidget* parent) : QWidget(parent)
     setToolTip(tr("● azimuth of the axis   △ heading of the sensor"));
 }
 
-void CompassDial::show(const std::optional<Angle>& axis, const std::optional<orientation::SensorHeading>& sensor)
+void CompassDial::showNeedles(const std::optional<Angle>& axis, const std::optional<orientation::SensorHeading>& sensor)
 {
     if (axis == m_axis && sensor == m_sensor) {
         return;

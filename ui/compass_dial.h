@@ -19,7 +19,7 @@ class CompassDial : public QWidget
 public:
     explicit CompassDial(QWidget* parent = nullptr);
 
-    void show(const std::optional<Angle>& axis, const std::optional<orientation::SensorHeading>& sensor);
+    void showNeedles(const std::optional<Angle>& axis, const std::optional<orientation::SensorHeading>& sensor);
 
     [[nodiscard]] const std::optional<Angle>& axis() const { return m_axis; }
     [[nodiscard]] const std::optional<orientation::SensorHeading>& sensor() const { return m_sensor; }

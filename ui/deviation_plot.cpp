@@ -90,7 +90,7 @@ void DeviationPlot::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
 }
 
-void DeviationPlot::show(std::shared_ptr<const SwingOutcome> swing)
+void DeviationPlot::showSwing(std::shared_ptr<const SwingOutcome> swing)
 {
     m_swing = std::move(swing);
     m_item->setSwing(m_swing);

@@ -24,7 +24,7 @@ public:
     explicit DeviationPlot(QWidget* parent = nullptr);
     ~DeviationPlot() override;
 
-    void show(std::shared_ptr<const SwingOutcome> swing);  // null: none
+    void showSwing(std::shared_ptr<const SwingOutcome> swing);  // null: none
 
     [[nodiscard]] QPointF pixel(Angle heading, Angle error) const;  // for the test of what is painted
     [[nodiscard]] double limit() const { return m_limit; }          // degrees, up and down

@@ -139,7 +139,7 @@ void ModelPage::showStatus(const StationStatus& status)
         const CalibrationStatus& calibration = calibrationOf(status);
         m_terms->show(calibration);
         m_points->show(calibration.points);
-        m_sky->show(calibration.points);
+        m_sky->showPoints(calibration.points);
         m_summary->setValue(fitText(calibration));
         if (const QString remarks = remarksOf(calibration); remarks != m_remarks->toPlainText()) {
             m_remarks->setPlainText(remarks);

@@ -27,7 +27,7 @@ ResidualSky::ResidualSky(QWidget* parent) : QWidget(parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
-void ResidualSky::show(const std::vector<PointStatus>& points)
+void ResidualSky::showPoints(const std::vector<PointStatus>& points)
 {
     m_points = points;
     setAccessibleDescription(

@@ -20,7 +20,7 @@ class ResidualSky : public QWidget
 public:
     explicit ResidualSky(QWidget* parent = nullptr);
 
-    void show(const std::vector<PointStatus>& points);
+    void showPoints(const std::vector<PointStatus>& points);
     void setSelected(int row);  // -1: none
 
     [[nodiscard]] SkyProjection sky() const;

@@ -34,7 +34,7 @@ RunLine::RunLine(CalibrationRun run, const QString& name, QWidget* parent)
     m_bar->hide();
 }
 
-void RunLine::show(const CalibrationProgress& progress, const QString& otherwise)
+void RunLine::showProgress(const CalibrationProgress& progress, const QString& otherwise)
 {
     const bool running = progress.run == m_run;
     if (progress.run != CalibrationRun::None) {

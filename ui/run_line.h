@@ -21,7 +21,7 @@ public:
     RunLine(CalibrationRun run, const QString& name, QWidget* parent = nullptr);
 
     // `otherwise` is said while it neither runs nor has ended yet.
-    void show(const CalibrationProgress& progress, const QString& otherwise);
+    void showProgress(const CalibrationProgress& progress, const QString& otherwise);
 
 private:
     CalibrationRun m_run;

@@ -90,7 +90,7 @@ void ScanBox::showStatus(const StationStatus& status)
     m_body = calibration.body.value_or(ephemeris::Body::Sun);
     const QString body = bodyName(m_body);
     const QString reason = m_running ? QString() : whyNoScan(status, m_body);
-    m_run->show(calibration.progress, idleText(calibration, reason));
+    m_run->showProgress(calibration.progress, idleText(calibration, reason));
     m_start->setCommand(m_running ? tr("End scan") : tr("Scan %1").arg(body),
                         m_running ? tr("No point is taken")
                                   : tr("The mount moves across the %1 and takes the peak as a point").arg(body));

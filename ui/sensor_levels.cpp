@@ -54,10 +54,10 @@ SensorLevels::SensorLevels(QWidget* parent) : QWidget(parent)
         grid->addWidget(m_rows[line].how, row, 2);
     }
     grid->setColumnStretch(2, 1);
-    show({});
+    showCalibration({});
 }
 
-void SensorLevels::show(const std::optional<orientation::Calibration>& calibration)
+void SensorLevels::showCalibration(const std::optional<orientation::Calibration>& calibration)
 {
     for (std::size_t line = 0; line < m_rows.size(); ++line) {
         const Part& part = kParts[line];

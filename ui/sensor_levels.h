@@ -21,7 +21,7 @@ class SensorLevels : public QWidget
 public:
     explicit SensorLevels(QWidget* parent = nullptr);
 
-    void show(const std::optional<orientation::Calibration>& calibration);
+    void showCalibration(const std::optional<orientation::Calibration>& calibration);
 
 private:
     struct Row

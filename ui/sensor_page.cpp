@@ -25,6 +25,7 @@ SensorPage::SensorPage(RequestDesk& desk, QWidget* parent)
       m_sensor(new ValueLabel(tr("Heading of the sensor, as sent"), fonts::small(), QStringLiteral("-000.00°"), this)),
       m_axis(new ValueLabel(tr("Azimuth of the axis"), fonts::small(), QStringLiteral("-000.00°"), this)),
       m_difference(new ValueLabel(tr("Sensor less axis"), fonts::small(), QStringLiteral("-000.00°"), this)),
+      m_declination(new ValueLabel(tr("Who adds the declination"), fonts::label(), {}, this)),
       m_offset(new ValueLabel(tr("North from the sensor"), fonts::text(), {}, this)),
       m_run(new RunLine(CalibrationRun::SensorOffset, tr("Average of the sensor"), this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
@@ -50,7 +51,7 @@ void SensorPage::build()
     right->addLayout(values);
     right->addWidget(m_levels);
     right->addStretch(1);
-    for (ValueLabel* const line : {m_offset, m_notice}) {
+    for (ValueLabel* const line : {m_declination, m_offset, m_notice}) {
         line->setStretching(true);
     }
     m_notice->setCollapsing(true);
@@ -59,10 +60,11 @@ void SensorPage::build()
     grid->setSpacing(4);
     grid->addWidget(m_dial, 0, 0);
     grid->addLayout(right, 0, 1);
-    grid->addWidget(m_measure, 1, 0);
-    grid->addWidget(m_run, 1, 1);
-    grid->addWidget(m_offset, 2, 0, 1, 2);
-    grid->addWidget(m_notice, 3, 0, 1, 2);
+    grid->addWidget(m_declination, 1, 0, 1, 2);
+    grid->addWidget(m_measure, 2, 0);
+    grid->addWidget(m_run, 2, 1);
+    grid->addWidget(m_offset, 3, 0, 1, 2);
+    grid->addWidget(m_notice, 4, 0, 1, 2);
     grid->setRowStretch(0, 1);
     grid->setColumnStretch(1, 1);
 }
@@ -72,10 +74,12 @@ void SensorPage::showStatus(const StationStatus& status)
     const CalibrationStatus& calibration = calibrationOf(status);
     m_running = calibration.progress.run == CalibrationRun::SensorOffset;
     showNeedles(status);
+    m_declination->setValue(status.sensor.declinationText, Tone::Secondary);
     const QString reason = m_running ? QString() : whyNoSensorAverage(status);
-    m_run->show(calibration.progress,
-                reason.isEmpty() ? tr("The mount stands still, motors at rest; the sensor is averaged for some 20 s")
-                                 : tr("Not now: %1").arg(reason));
+    m_run->showProgress(calibration.progress,
+                        reason.isEmpty()
+                            ? tr("The mount stands still, motors at rest; the sensor is averaged for some 20 s")
+                            : tr("Not now: %1").arg(reason));
     m_offset->setValue(calibration.sensorOffset
                            ? tr("North: axis + %1").arg(estimateText(calibration.sensorOffset->offset))
                            : QString());
@@ -90,8 +94,8 @@ void SensorPage::showNeedles(const StationStatus& status)
     const std::optional<Angle> axis = known ? status.azimuth.actual : std::nullopt;
     const bool lost = status.sensor.presence == orientation::Presence::Lost;
     const std::optional<orientation::Orientation> last = lost ? std::nullopt : status.sensor.last;
-    m_dial->show(axis, last ? std::optional(last->heading) : std::nullopt);
-    m_levels->show(last ? last->calibration : std::nullopt);
+    m_dial->showNeedles(axis, last ? std::optional(last->heading) : std::nullopt);
+    m_levels->showCalibration(last ? last->calibration : std::nullopt);
     m_sensor->setValue(last ? angleText(last->heading.angle()) : noValue());
     m_axis->setValue(axis ? angleText(*axis) : noValue());
     m_difference->setValue(last && axis ? signedAngleText((last->heading.angle() - *axis).wrapped180()) : noValue());

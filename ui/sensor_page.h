@@ -36,6 +36,7 @@ private:
     ValueLabel* m_sensor;
     ValueLabel* m_axis;
     ValueLabel* m_difference;
+    ValueLabel* m_declination;
     ValueLabel* m_offset;
     RunLine* m_run;
     ValueLabel* m_notice;

@@ -103,7 +103,8 @@ void SwingPage::showStatus(const StationStatus& status)
     const CalibrationStatus& calibration = calibrationOf(status);
     m_running = calibration.progress.run == CalibrationRun::Swing;
     const QString reason = m_running ? QString() : whyNoSwing(status);
-    m_run->show(calibration.progress, reason.isEmpty() ? calibration.swingPlan.text : tr("Not now: %1").arg(reason));
+    m_run->showProgress(calibration.progress,
+                        reason.isEmpty() ? calibration.swingPlan.text : tr("Not now: %1").arg(reason));
     m_rate->setEnabled(!m_running);
     m_headings->setEnabled(!m_running);
     m_start->setCommand(m_running ? tr("End swing") : tr("Start swing"),
@@ -112,7 +113,7 @@ void SwingPage::showStatus(const StationStatus& status)
     m_start->setBlocked(reason);
     if (calibration.swing != m_swing) {
         m_swing = calibration.swing;
-        m_plot->show(m_swing);
+        m_plot->showSwing(m_swing);
         m_found->setPlainText(m_swing ? swingText(*m_swing) : QString());
     }
 }

@@ -9467,6 +9467,10 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <source>Not now: %1</source>
         <translation>Agora não: %1</translation>
     </message>
+    <message>
+        <source>Who adds the declination</source>
+        <translation>Quem soma a declinação</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::SensorReadout</name>

@@ -207,6 +207,9 @@ StationStatus heard()
     status.sensor.last = last;
     status.sensor.age = std::chrono::milliseconds(300);
     status.sensor.direction = SkyPointing{.azimuth = 58.1_deg, .elevation = 45.2_deg};
+    status.sensor.declination = -1.9_deg;
+    status.sensor.declinationText =
+        QStringLiteral("Declination by Boresight: -1.9° by the magnetic model, the sensor's 5.1° are taken out");
     status.sensor.azimuthDifference = 0.7_deg;
     status.sensor.elevationDifference = 0.2_deg;
     CalibrationStatus calibration = *status.calibration;
