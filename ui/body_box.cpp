@@ -5,18 +5,27 @@
 #include "ui/calibration_words.h"
 #include "ui/command_button.h"
 #include "ui/format.h"
+#include "ui/touch_combo.h"
 #include "ui/value_label.h"
 
 #include <QGridLayout>
 
 namespace boresight::ui {
 
+namespace {
+constexpr ephemeris::Refraction kRefractions[] = {ephemeris::Refraction::Light, ephemeris::Refraction::Radio,
+                                                  ephemeris::Refraction::None};
+constexpr int kComboLetters = 7;  // of X: the widest is narrower
+}  // namespace
+
 BodyBox::BodyBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
     : QWidget(parent),
       m_where(new ValueLabel(tr("Where the body is"), fonts::label(), {}, this)),
       m_follow(new CommandButton(tr("Follow Sun"), {}, desk, notice, this)),
       m_take(
-          new CommandButton(tr("Take point"), tr("It is centred now: keep where the axes stand"), desk, notice, this))
+          new CommandButton(tr("Take point"), tr("It is centred now: keep where the axes stand"), desk, notice, this)),
+      m_refraction(
+          new TouchCombo(tr("Refraction"), tr("How the air bends what is centred: the shadow, or the power"), this))
 {
     build();
     connect(m_follow, &QPushButton::clicked, this, &BodyBox::followOrHold);
@@ -30,11 +39,16 @@ void BodyBox::build()
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(4);
-    grid->addWidget(m_where, 0, 0, 1, 2);
+    grid->addWidget(m_where, 0, 0, 1, 3);
     grid->addWidget(m_follow, 1, 0);
     grid->addWidget(m_take, 1, 1);
+    grid->addWidget(m_refraction, 1, 2);
+    m_refraction->setLines({tr("as light"), tr("as radio"), tr("no air")});
+    m_refraction->setMinimumContentsLength(kComboLetters);
+    m_refraction->setCurrentIndex(0);
     for (CommandButton* const button : {m_follow, m_take}) {
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        button->setMinimumWidth(2 * kTouchSize);  // narrower than one that says "requested" beside its letters
     }
 }
 
@@ -66,6 +80,7 @@ void BodyBox::describe()
                                   : tr("The mount moves to the %1 and stays on it; the pad trims").arg(body));
     m_follow->setAccessibleName(followed ? tr("Hold, follow the %1 no more").arg(body) : tr("Follow %1").arg(body));
     m_follow->setBlocked(reason);
+    m_refraction->setEnabled(!followed);
     m_take->setBlocked(whyNoBodyPoint(m_status, m_body));
     m_where->setValue(whereText(), reason.isEmpty() ? Tone::Normal : Tone::Secondary);
 }
@@ -99,7 +114,7 @@ void BodyBox::followOrHold()
         m_follow->ask(request::Hold{});
         return;
     }
-    m_follow->ask(request::FollowBody{.body = m_body, .refraction = m_refraction});
+    m_follow->ask(request::FollowBody{.body = m_body, .refraction = kRefractions[m_refraction->currentIndex()]});
 }
 
 }  // namespace boresight::ui

@@ -10,6 +10,7 @@ namespace boresight::ui {
 
 class CommandButton;
 class RequestDesk;
+class TouchCombo;
 class ValueLabel;
 
 class BodyBox : public QWidget
@@ -20,7 +21,6 @@ public:
     BodyBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent = nullptr);
 
     void setBody(ephemeris::Body body);
-    void setRefraction(ephemeris::Refraction refraction) { m_refraction = refraction; }  // of what is followed next
     void showStatus(const StationStatus& status);
 
     [[nodiscard]] bool isFollowed() const;
@@ -33,10 +33,10 @@ private:
 
     StationStatus m_status;
     ephemeris::Body m_body = ephemeris::Body::Sun;
-    ephemeris::Refraction m_refraction = ephemeris::Refraction::Light;
     ValueLabel* m_where;
     CommandButton* m_follow;
     CommandButton* m_take;
+    TouchCombo* m_refraction;  // of what is followed next
 };
 
 }  // namespace boresight::ui

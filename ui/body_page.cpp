@@ -6,8 +6,6 @@
 #include "ui/choice_button.h"
 #include "ui/command_button.h"
 #include "ui/format.h"
-#include "ui/guide_fields.h"
-#include "ui/jog_button.h"
 #include "ui/jog_pad.h"
 #include "ui/landmark_box.h"
 #include "ui/scan_box.h"
@@ -15,16 +13,14 @@
 #include "ui/value_label.h"
 
 #include <QButtonGroup>
-#include <QGridLayout>
-#include <QLabel>
+#include <QHBoxLayout>
 
 namespace boresight::ui {
 
 namespace {
 constexpr Angle kSteps[] = {0.01_deg, 0.05_deg, 0.1_deg, 0.5_deg, 1_deg};
 constexpr int kFirstStep = 2;
-constexpr ephemeris::Refraction kRefractions[] = {ephemeris::Refraction::Light, ephemeris::Refraction::Radio,
-                                                  ephemeris::Refraction::None};
+constexpr int kComboLetters = 7;  // of X: the widest is narrower
 }  // namespace
 
 BodyPage::BodyPage(const Clock& clock, RequestDesk& desk, QWidget* parent)
@@ -35,17 +31,11 @@ BodyPage::BodyPage(const Clock& clock, RequestDesk& desk, QWidget* parent)
       m_body(new BodyBox(desk, *m_notice, this)),
       m_landmark(new LandmarkBox(desk, *m_notice, this)),
       m_scan(new ScanBox(desk, *m_notice, this)),
-      m_stepRow(new QWidget(this)),
-      m_step(new TouchCombo(tr("Step of the pad"), tr("How far one press of the pad or of an arrow key moves"), this)),
-      m_refraction(
-          new TouchCombo(tr("Refraction"), tr("How the air bends what is centred: the shadow, or the power"), this))
+      m_step(new TouchCombo(tr("Step of the pad"), tr("How far one press of the pad or of an arrow key moves"), this))
 {
     m_pad->setAccessibleName(tr("Nudge pad"));
     m_pad->setStepMode(true);
-    for (const JogDirection direction :
-         {JogDirection::Up, JogDirection::Down, JogDirection::Left, JogDirection::Right}) {
-        m_pad->button(direction).setMinimumWidth(kTouchSize);  // narrower than a button that says "requested"
-    }
+    m_pad->setNarrow();
     build();
     choose(Aim::Sun);
 }
@@ -56,25 +46,22 @@ void BodyPage::build()
     m_notice->setCollapsing(true);
     m_warning->setStretching(true);
     m_warning->setLines(3);
+    fillSteps();
     auto* const boxes = new QVBoxLayout;
     boxes->setSpacing(4);
+    boxes->addLayout(makeChoices());
+    boxes->addWidget(m_warning);
     for (QWidget* const box :
          {static_cast<QWidget*>(m_body), static_cast<QWidget*>(m_landmark), static_cast<QWidget*>(m_scan)}) {
         boxes->addWidget(box);
     }
-    boxes->addWidget(makeStep());
     boxes->addStretch(1);
     boxes->addWidget(m_notice);
-    auto* const grid = new QGridLayout(this);
-    grid->setContentsMargins(6, 4, 6, 0);
-    grid->setHorizontalSpacing(6);
-    grid->setVerticalSpacing(4);
-    grid->addLayout(makeChoices(), 0, 0);
-    grid->addWidget(m_warning, 0, 1);
-    grid->addWidget(m_pad, 1, 0);
-    grid->addLayout(boxes, 1, 1);
-    grid->setRowStretch(1, 1);
-    grid->setColumnStretch(1, 1);
+    auto* const row = new QHBoxLayout(this);
+    row->setContentsMargins(6, 4, 6, 0);
+    row->setSpacing(6);
+    row->addWidget(m_pad, 2);
+    row->addLayout(boxes, 3);
 }
 
 QLayout* BodyPage::makeChoices()
@@ -93,39 +80,29 @@ QLayout* BodyPage::makeChoices()
         row->addWidget(button);
         connect(button, &QToolButton::clicked, this, [this, place] { choose(static_cast<Aim>(place)); });
     }
+    row->addSpacing(2);
+    row->addWidget(m_step);
     return row;
 }
 
-QWidget* BodyPage::makeStep()
+void BodyPage::fillSteps()
 {
-    auto* const row = new QHBoxLayout(m_stepRow);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(4);
     QStringList sizes;
     for (const Angle step : kSteps) {
-        sizes << angleText(step);
+        sizes << tr("step %1").arg(angleText(step));
     }
     m_step->setLines(sizes);
+    m_step->setMinimumContentsLength(kComboLetters);
     m_step->setCurrentIndex(kFirstStep);
     m_pad->setStep(kSteps[kFirstStep]);
-    m_refraction->setLines({tr("as light"), tr("as radio"), tr("no air")});
-    m_refraction->setCurrentIndex(0);
     connect(m_step, &QComboBox::activated, this, [this](int index) { m_pad->setStep(kSteps[index]); });
-    connect(m_refraction, &QComboBox::activated, this,
-            [this](int index) { m_body->setRefraction(kRefractions[index]); });
-    QLabel* const caption = makeCaption(tr("Step"), m_stepRow);
-    caption->setBuddy(m_step);
-    row->addWidget(caption);
-    row->addWidget(m_step, 1);
-    row->addWidget(m_refraction, 1);
-    return m_stepRow;
 }
 
 void BodyPage::choose(Aim aim)
 {
     m_aim = aim;
     for (QWidget* const box :
-         {static_cast<QWidget*>(m_body), static_cast<QWidget*>(m_landmark), static_cast<QWidget*>(m_scan), m_stepRow}) {
+         {static_cast<QWidget*>(m_body), static_cast<QWidget*>(m_landmark), static_cast<QWidget*>(m_scan)}) {
         box->hide();  // before another is shown: together they would not fit
     }
     m_notice->setValue({});
@@ -143,8 +120,9 @@ void BodyPage::choose(Aim aim)
             m_scan->show();
             break;
     }
-    m_refraction->setVisible(aim == Aim::Sun || aim == Aim::Moon);
-    m_stepRow->setVisible(aim != Aim::Scan);  // the scan moves by itself
+    for (QWidget* const byHand : {static_cast<QWidget*>(m_pad), static_cast<QWidget*>(m_step)}) {
+        byHand->setVisible(aim != Aim::Scan);  // which moves by itself
+    }
     showWarning();
 }
 
@@ -165,7 +143,6 @@ void BodyPage::showStatus(const StationStatus& status)
     m_body->showStatus(status);
     m_landmark->showStatus(status);
     m_scan->showStatus(status);
-    m_refraction->setEnabled(!m_body->isFollowed());
     showWarning();
 }
 

@@ -43,7 +43,7 @@ private:
 
     void build();
     [[nodiscard]] QLayout* makeChoices();
-    [[nodiscard]] QWidget* makeStep();
+    void fillSteps();
     void choose(Aim aim);
     void showWarning();
 
@@ -55,9 +55,7 @@ private:
     BodyBox* m_body;
     LandmarkBox* m_landmark;
     ScanBox* m_scan;
-    QWidget* m_stepRow;
     TouchCombo* m_step;
-    TouchCombo* m_refraction;
     std::array<ChoiceButton*, 4> m_choices{};  // by Aim
 };
 

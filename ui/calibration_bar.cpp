@@ -16,17 +16,13 @@ CalibrationBar::CalibrationBar(RequestDesk& desk, QWidget* parent)
       m_change(new ValueLabel(tr("What Apply changes"), fonts::label(), {}, this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_apply(new CommandButton(tr("Apply north"), {}, desk, *m_notice, this)),
-      m_undo(new CommandButton(tr("Undo"), tr("Back to the calibration before; nothing moves"), desk, *m_notice, this)),
-      m_redo(new CommandButton(tr("Redo"), tr("The calibration that was taken back; nothing moves"), desk, *m_notice,
-                               this))
+      m_undo(new CommandButton(tr("Undo"), tr("Back to the calibration before; nothing moves"), desk, *m_notice, this))
 {
     m_undo->setAccessibleName(tr("Undo the calibration"));
-    m_redo->setAccessibleName(tr("Redo the calibration"));
     build();
     connect(m_apply, &QPushButton::pressed, this, [this] { m_pressed = m_shown; });
     connect(m_apply, &QPushButton::clicked, this, [this] { m_apply->ask(request::ApplyCalibration{m_pressed}); });
     connect(m_undo, &QPushButton::clicked, this, [this] { m_undo->ask(request::UndoCalibration{}); });
-    connect(m_redo, &QPushButton::clicked, this, [this] { m_redo->ask(request::RedoCalibration{}); });
 }
 
 void CalibrationBar::build()
@@ -41,11 +37,11 @@ void CalibrationBar::build()
         lines->addWidget(line);
     }
     m_change->setLines(2);
+    m_notice->setLines(2);  // in the place of what would change, until the next press
     m_notice->setCollapsing(true);
     row->addLayout(lines, 1);
     row->addWidget(m_apply);
     row->addWidget(m_undo);
-    row->addWidget(m_redo);
 }
 
 void CalibrationBar::showStatus(const StationStatus& status)
@@ -54,6 +50,7 @@ void CalibrationBar::showStatus(const StationStatus& status)
     const Sentence title = proposalSentence(calibration);
     m_title->setValue(title.text, title.tone, title.symbol);
     m_change->setValue(calibration.proposal ? changeText(*calibration.proposal) : QString(), Tone::Secondary);
+    m_change->setVisible(m_notice->text().isEmpty());
     m_shown = calibration.proposal ? calibration.proposal->number : 0;
     m_apply->setCommand(tr("Apply north"),
                         calibration.proposal
@@ -61,7 +58,6 @@ void CalibrationBar::showStatus(const StationStatus& status)
                             : QString());
     m_apply->setBlocked(whyNoApply(status));
     m_undo->setBlocked(whyNoUndo(status));
-    m_redo->setBlocked(whyNoRedo(status));
 }
 
 }  // namespace boresight::ui

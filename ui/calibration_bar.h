@@ -7,9 +7,8 @@
 
 #include <cstdint>
 
-// Below every step of the North panel: what is proposed, every figure before and after, and Apply, Undo, Redo. What is
-// applied is the proposal that stood there when the button was pressed; were it another one by then, the station
-// refuses.
+// Below every step of the North panel: what is proposed, every figure before and after, Apply and Undo. What is applied
+// is the proposal that stood there when the button was pressed; were it another one by then, the station refuses.
 namespace boresight::ui {
 
 class CommandButton;
@@ -33,7 +32,6 @@ private:
     ValueLabel* m_notice;
     CommandButton* m_apply;
     CommandButton* m_undo;
-    CommandButton* m_redo;
     std::uint64_t m_shown = 0;    // number of the proposal
     std::uint64_t m_pressed = 0;  // that was shown when Apply was pressed
 };

@@ -21,7 +21,7 @@ CalibrationPanel::CalibrationPanel(const Clock& clock, RequestDesk& desk, QWidge
       m_swing(new SwingPage(desk, this)),
       m_body(new BodyPage(clock, desk, this)),
       m_model(new ModelPage(desk, this)),
-      m_history(new HistoryPage(this)),
+      m_history(new HistoryPage(desk, this)),
       m_bar(new CalibrationBar(desk, this))
 {
     m_steps->setFont(fonts::label());

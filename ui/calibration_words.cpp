@@ -49,6 +49,21 @@ QString tiltLine(const SwingOutcome& swing)
              estimateText(tilt.elevationOffset));
 }
 
+QString pointsText(const std::vector<PointStatus>& points)
+{
+    const auto used = static_cast<std::size_t>(std::ranges::count_if(points, &PointStatus::isUsed));
+    if (used < points.size()) {
+        return CalibrationWords::tr("%1 of %2 points").arg(used).arg(points.size());
+    }
+    return used == 1 ? CalibrationWords::tr("1 point") : CalibrationWords::tr("%1 points").arg(used);
+}
+
+QString termsText(const std::vector<TermStatus>& terms)
+{
+    const auto on = std::ranges::count_if(terms, &TermStatus::isOn);
+    return on == 1 ? CalibrationWords::tr("1 term") : CalibrationWords::tr("%1 terms").arg(on);
+}
+
 }  // namespace
 
 const CalibrationStatus& calibrationOf(const StationStatus& status)
@@ -117,7 +132,7 @@ QString changeText(const CalibrationProposal& proposal)
 Sentence proposalSentence(const CalibrationStatus& calibration)
 {
     if (!calibration.proposal) {
-        return {CalibrationWords::tr("Nothing is proposed yet: steps 1 to 3 find north")};
+        return {CalibrationWords::tr("Nothing proposed yet: steps 1-3 find north")};
     }
     const CalibrationProposal& proposal = *calibration.proposal;
     return proposal.warnings.empty() ? Sentence{proposal.title, Tone::Normal}
@@ -152,11 +167,8 @@ QString fitText(const CalibrationStatus& calibration)
                                           : CalibrationWords::tr("No fit of these points");
     }
     const PointFitStatus& fit = *calibration.fit;
-    const auto on = std::count_if(fit.terms.begin(), fit.terms.end(), [](const TermStatus& one) { return one.isOn; });
-    QString text = CalibrationWords::tr("%1 points, %2 terms: rms %3 → %4")
-                       .arg(calibration.points.size())
-                       .arg(on)
-                       .arg(angleText(fit.before, 3), angleText(fit.after, 3));
+    QString text = QStringLiteral("%1, %2: ").arg(pointsText(calibration.points), termsText(fit.terms)) +
+                   CalibrationWords::tr("rms %1 → %2").arg(angleText(fit.before, 3), angleText(fit.after, 3));
     double leftOut = 0.0;
     int count = 0;
     for (const PointStatus& point : calibration.points) {

@@ -75,10 +75,10 @@ void CompassDial::paintEvent(QPaintEvent*)
         }
     }
     if (m_sensor) {
-        painter.setPen(QPen(colours.accent, 1.5, Qt::DashLine));
+        painter.setPen(QPen(colours.sensor, 1.5, Qt::DashLine));
         painter.setBrush(colours.plotGround);
         painter.drawLine(middle, onDial(middle, radius - 12.0, m_sensor->angle()));
-        painter.setPen(QPen(colours.accent, 1.5));
+        painter.setPen(QPen(colours.sensor, 1.5));
         drawTriangle(painter, onDial(middle, radius - 12.0, m_sensor->angle()));
     }
     if (m_axis) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/history_page.h"
 
+#include "ui/calibration_permission.h"
 #include "ui/calibration_words.h"
+#include "ui/command_button.h"
 #include "ui/format.h"
 #include "ui/history_model.h"
 #include "ui/read_table.h"
@@ -46,13 +48,19 @@ Sentence stateOf(const CalibrationStatus& calibration)
 
 }  // namespace
 
-HistoryPage::HistoryPage(QWidget* parent)
+HistoryPage::HistoryPage(RequestDesk& desk, QWidget* parent)
     : QWidget(parent),
       m_entries(new HistoryModel(this)),
       m_table(makeReadTable(tr("Calibrations that were applied"), *m_entries, this)),
       m_whole(new QPlainTextEdit(this)),
-      m_state(new ValueLabel(tr("Calibration in force"), fonts::label(), {}, this))
+      m_state(new ValueLabel(tr("Calibration in force"), fonts::label(), {}, this)),
+      m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_redo(new CommandButton(tr("Redo"), tr("The calibration that was taken back; nothing moves"), desk, *m_notice,
+                               this))
 {
+    m_redo->setAccessibleName(tr("Redo the calibration"));
+    m_notice->setStretching(true);
+    m_notice->setCollapsing(true);
     m_state->setStretching(true);
     m_state->setLines(2);
     m_whole->setFont(fonts::label());
@@ -61,18 +69,26 @@ HistoryPage::HistoryPage(QWidget* parent)
     m_whole->setAccessibleName(tr("The selected calibration"));
     m_whole->setPlaceholderText(tr("Select a line to read it whole"));
     m_whole->setFixedHeight(kWholeLines * m_whole->fontMetrics().lineSpacing() + 12);
-    m_table->horizontalHeader()->setSectionResizeMode(HistoryModel::Title, QHeaderView::Stretch);
+    for (const int wide : {HistoryModel::Title, HistoryModel::Place}) {
+        m_table->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::Stretch);
+    }
+    auto* const row = new QHBoxLayout;
+    row->addWidget(m_state, 1);
+    row->addWidget(m_redo);
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(6, 4, 6, 0);
     column->setSpacing(4);
-    column->addWidget(m_state);
+    column->addLayout(row);
     column->addWidget(m_table, 1);
     column->addWidget(m_whole);
+    column->addWidget(m_notice);
+    connect(m_redo, &QPushButton::clicked, this, [this] { m_redo->ask(request::RedoCalibration{}); });
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &HistoryPage::showEntry);
 }
 
 void HistoryPage::showStatus(const StationStatus& status)
 {
+    m_redo->setBlocked(whyNoRedo(status));
     if (status.calibration == m_shown) {
         return;
     }

@@ -12,7 +12,9 @@ class QTableView;
 // through it.
 namespace boresight::ui {
 
+class CommandButton;
 class HistoryModel;
+class RequestDesk;
 class ValueLabel;
 
 class HistoryPage : public QWidget
@@ -20,7 +22,7 @@ class HistoryPage : public QWidget
     Q_OBJECT
 
 public:
-    explicit HistoryPage(QWidget* parent = nullptr);
+    explicit HistoryPage(RequestDesk& desk, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
 
@@ -32,6 +34,8 @@ private:
     QTableView* m_table;
     QPlainTextEdit* m_whole;
     ValueLabel* m_state;
+    ValueLabel* m_notice;
+    CommandButton* m_redo;
 };
 
 }  // namespace boresight::ui

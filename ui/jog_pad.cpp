@@ -224,6 +224,16 @@ void JogPad::setStepMode(bool on)
     showStatus(m_status);
 }
 
+void JogPad::setNarrow()
+{
+    for (const auto& [direction, button] : m_buttons) {
+        button->setMinimumWidth(kTouchSize);  // narrower than a button that says "requested"
+    }
+    m_hold->setMinimumWidth(3 * kTouchSize / 2);
+    m_caption->setLines(2);
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // takes what is left
+}
+
 void JogPad::applyRate()
 {
     const AngularRate wanted = m_shift ? m_status.profile->jog.fast : m_rate;

@@ -33,6 +33,7 @@ public:
     void setRate(AngularRate rate);  // while held, without Shift
     void setStep(Angle step);
     void setStepMode(bool on);
+    void setNarrow();  // beside other controls: buttons no wider than a finger, caption in two lines
     // A stick whose dead-man is held: how much of the rate each axis shall have, -1 … 1; both 0 let go.
     void steer(double azimuth, double elevation);
     void setGamepad(const QString& name);  // plugged in; empty: none

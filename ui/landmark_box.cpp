@@ -40,7 +40,6 @@ LandmarkBox::LandmarkBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
     m_label->setPlaceholderText(tr("name"));
     m_label->setAccessibleName(tr("Name of the landmark"));
     m_state->setStretching(true);
-    m_state->setLines(2);
     build();
     connect(m_take, &QPushButton::clicked, this, &LandmarkBox::take);
 }
@@ -57,9 +56,9 @@ void LandmarkBox::build()
         grid->addWidget(caption, 0, column++);
         grid->addWidget(field, 0, column++);
     }
-    grid->addWidget(m_label, 1, 0, 1, 4);
-    grid->addWidget(m_state, 2, 0, 1, 2);
-    grid->addWidget(m_take, 2, 2, 1, 2);
+    grid->addWidget(m_label, 1, 0, 1, 2);
+    grid->addWidget(m_take, 1, 2, 1, 2);
+    grid->addWidget(m_state, 2, 0, 1, 4);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(3, 1);
 }

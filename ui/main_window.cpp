@@ -144,11 +144,12 @@ void MainWindow::build()
     grid->setColumnStretch(1, 1);
 
     m_plotCell->addWidget(m_plot, 0, 0);
+    m_plotCell->addWidget(m_sensor, 1, 0);  // below the sky, which is round: there is room in every size
+    m_plotCell->setRowStretch(0, 1);
     addPrompts();
     side->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
     right->setContentsMargins(0, 0, 0, 0);
     right->addWidget(m_readout);
-    right->addWidget(m_sensor);
     m_side->addWidget(m_panels);
     right->addWidget(m_side, 1);
     m_lastCommand->setStretching(true);

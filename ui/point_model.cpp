@@ -107,7 +107,7 @@ QVariant PointModel::headerData(int section, Qt::Orientation orientation, int ro
         case After:
             return tr("After");
         default:
-            return tr("Left out");
+            return tr("By others");
     }
 }
 

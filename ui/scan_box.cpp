@@ -73,10 +73,10 @@ void ScanBox::build()
     width->setBuddy(m_width);
     QLabel* const power = makeCaption(tr("Power"), this);
     power->setBuddy(m_power);
-    grid->addWidget(m_run, 0, 0, 1, 3);
-    grid->addWidget(width, 1, 0);
-    grid->addWidget(m_width, 1, 1);
-    grid->addWidget(m_start, 1, 2);
+    grid->addWidget(width, 0, 0);
+    grid->addWidget(m_width, 0, 1);
+    grid->addWidget(m_start, 0, 2);
+    grid->addWidget(m_run, 1, 0, 1, 3);
     grid->addWidget(power, 2, 0);
     grid->addWidget(m_power, 2, 1);
     grid->addWidget(m_give, 2, 2);

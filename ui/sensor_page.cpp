@@ -54,7 +54,8 @@ void SensorPage::build()
     for (ValueLabel* const line : {m_declination, m_offset, m_notice}) {
         line->setStretching(true);
     }
-    m_notice->setCollapsing(true);
+    m_declination->setLines(2);
+    m_notice->setCollapsing(true);  // in the place of the offset, until the next press
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(6, 4, 6, 0);
     grid->setSpacing(4);
@@ -83,6 +84,7 @@ void SensorPage::showStatus(const StationStatus& status)
     m_offset->setValue(calibration.sensorOffset
                            ? tr("North: axis + %1").arg(estimateText(calibration.sensorOffset->offset))
                            : QString());
+    m_offset->setVisible(m_notice->text().isEmpty());
     m_measure->setCommand(m_running ? tr("End average") : tr("Average"),
                           m_running ? tr("No result; nothing moves anyway") : tr("Nothing moves"));
     m_measure->setBlocked(reason);

@@ -85,7 +85,7 @@ QString TermModel::cell(const Row& row, int column)
         case Sigma:
             return row.sigma ? QStringLiteral("± ") + angleText(*row.sigma, kDecimals) : QString();
         default:
-            return !row.proposed ? QString() : row.isOn ? tr("● on") : tr("as it was");
+            return !row.proposed ? QString() : row.isOn ? tr("● found") : tr("as it was");
     }
 }
 
@@ -120,7 +120,7 @@ QVariant TermModel::headerData(int section, Qt::Orientation orientation, int rol
         case Sigma:
             return tr("Sigma");
         default:
-            return tr("Points");
+            return tr("Fit");
     }
 }
 

@@ -142,7 +142,7 @@
         <translation>nenhum termo muda 0.01°</translation>
     </message>
     <message>
-        <source>Nothing is proposed yet: steps 1 to 3 find north</source>
+        <source>Nothing proposed yet: steps 1-3 find north</source>
         <translation>Ainda não há proposta: os passos 1 a 3 acham o norte</translation>
     </message>
     <message>
@@ -158,10 +158,6 @@
         <translation>Sem ajuste destes pontos</translation>
     </message>
     <message>
-        <source>%1 points, %2 terms: rms %3 → %4</source>
-        <translation>%1 pontos, %2 termos: rms %3 → %4</translation>
-    </message>
-    <message>
         <source>, each by the others %1</source>
         <translation>, cada um pelos outros %1</translation>
     </message>
@@ -172,6 +168,30 @@
     <message>
         <source>Never look into the Sun, nor along a sight tube. A dish burns its feed: watch the shadow, be quick.</source>
         <translation>Nunca olhe para o Sol, nem por um tubo de mira. Um prato queima o alimentador: siga a sombra, seja rápido.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 de %2 pontos</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 ponto</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 pontos</translation>
+    </message>
+    <message>
+        <source>1 term</source>
+        <translation>1 termo</translation>
+    </message>
+    <message>
+        <source>%1 terms</source>
+        <translation>%1 termos</translation>
+    </message>
+    <message>
+        <source>rms %1 → %2</source>
+        <translation>rms %1 → %2</translation>
     </message>
 </context>
 <context>
@@ -5059,7 +5079,7 @@ do eixo</translation>
     </message>
     <message>
         <source>%1 is a list of many authorities: name the one that signed the broker&apos;s certificate, or leave mqtt.ca_file empty to trust those this computer knows</source>
-        <translation>%1 é uma lista de muitas autoridades: indique a que assinou o certificado do broker, ou deixe mqtt.ca_file vazio para confiar nas que este computador conhece</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>How well the north that came with the deviation is known, 1 sigma; 0: it is not known.</source>
@@ -5520,6 +5540,26 @@ modo moteus %1, falha %2</translation>
         <source>points taken: %1</source>
         <translation>pontos tomados: %1</translation>
     </message>
+    <message>
+        <source>Refraction</source>
+        <translation>Refração</translation>
+    </message>
+    <message>
+        <source>How the air bends what is centred: the shadow, or the power</source>
+        <translation>Como o ar curva o que se centra: a sombra ou a potência</translation>
+    </message>
+    <message>
+        <source>as light</source>
+        <translation>como luz</translation>
+    </message>
+    <message>
+        <source>as radio</source>
+        <translation>como rádio</translation>
+    </message>
+    <message>
+        <source>no air</source>
+        <translation>sem ar</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::BodyPage</name>
@@ -5538,14 +5578,6 @@ modo moteus %1, falha %2</translation>
     <message>
         <source>How far one press of the pad or of an arrow key moves</source>
         <translation>Quanto move um toque nos botões ou numa seta</translation>
-    </message>
-    <message>
-        <source>Refraction</source>
-        <translation>Refração</translation>
-    </message>
-    <message>
-        <source>How the air bends what is centred: the shadow, or the power</source>
-        <translation>Como o ar curva o que se centra: a sombra ou a potência</translation>
     </message>
     <message>
         <source>Nudge pad</source>
@@ -5576,20 +5608,8 @@ modo moteus %1, falha %2</translation>
         <translation>O pico da potência recebida, por uma varredura em cruz</translation>
     </message>
     <message>
-        <source>as light</source>
-        <translation>como luz</translation>
-    </message>
-    <message>
-        <source>as radio</source>
-        <translation>como rádio</translation>
-    </message>
-    <message>
-        <source>no air</source>
-        <translation>sem ar</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Passo</translation>
+        <source>step %1</source>
+        <translation>passo %1</translation>
     </message>
 </context>
 <context>
@@ -5652,20 +5672,8 @@ modo moteus %1, falha %2</translation>
         <translation>Volta à calibração anterior; nada se move</translation>
     </message>
     <message>
-        <source>Redo</source>
-        <translation>Refazer</translation>
-    </message>
-    <message>
-        <source>The calibration that was taken back; nothing moves</source>
-        <translation>A calibração que foi desfeita; nada se move</translation>
-    </message>
-    <message>
         <source>Undo the calibration</source>
         <translation>Desfazer a calibração</translation>
-    </message>
-    <message>
-        <source>Redo the calibration</source>
-        <translation>Refazer a calibração</translation>
     </message>
     <message>
         <source>Into force at once, nothing moves: %1</source>
@@ -7525,6 +7533,22 @@ emergência por cabo junto ao mastro.</translation>
         <source>Select a line to read it whole</source>
         <translation>Selecione uma linha para a ler inteira</translation>
     </message>
+    <message>
+        <source>Refused</source>
+        <translation>Recusado</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Refazer</translation>
+    </message>
+    <message>
+        <source>The calibration that was taken back; nothing moves</source>
+        <translation>A calibração que foi desfeita; nada se move</translation>
+    </message>
+    <message>
+        <source>Redo the calibration</source>
+        <translation>Refazer a calibração</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::HoldButtons</name>
@@ -8483,8 +8507,8 @@ el %2</translation>
         <translation>Depois</translation>
     </message>
     <message>
-        <source>Left out</source>
-        <translation>Sem ele</translation>
+        <source>By others</source>
+        <translation>Por outros</translation>
     </message>
 </context>
 <context>
@@ -9862,10 +9886,6 @@ This is a function of the program. It does not replace the hard-wired emergency 
 <context>
     <name>boresight::ui::TermModel</name>
     <message>
-        <source>● on</source>
-        <translation>● ativo</translation>
-    </message>
-    <message>
         <source>as it was</source>
         <translation>como estava</translation>
     </message>
@@ -9886,8 +9906,12 @@ This is a function of the program. It does not replace the hard-wired emergency 
         <translation>Sigma</translation>
     </message>
     <message>
-        <source>Points</source>
-        <translation>Pontos</translation>
+        <source>● found</source>
+        <translation>● achado</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuste</translation>
     </message>
 </context>
 <context>

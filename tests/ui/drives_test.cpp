@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
+#include "ui/calibration_panel.h"
 #include "ui/command_button.h"
 #include "ui/drives_panel.h"
 #include "ui/jog_panel.h"
@@ -7,6 +8,7 @@
 #include "ui/panel_tabs.h"
 #include "ui/protection_model.h"
 #include "ui/protection_panel.h"
+#include "ui/turn_page.h"
 
 #include <QDoubleSpinBox>
 #include <QPlainTextEdit>
@@ -82,7 +84,8 @@ TEST_F(DrivesTest, KeysOpenThePanels)
         shown = panel;
     }
     openPanel('9');
-    EXPECT_TRUE(shown->isVisible()) << "no question is open";
+    EXPECT_TRUE(window.findChild<CalibrationPanel*>()->isVisible());
+    EXPECT_FALSE(window.findChild<TurnPage*>()->isVisible()) << "no question is open";
 }
 
 TEST_F(DrivesTest, ShowsWhoTheDrivesAre)

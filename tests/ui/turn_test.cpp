@@ -309,7 +309,7 @@ TEST_F(TurnTest, AStepIsAPointingAndNotOfferedOnAnUnknownTurn)
     openPanel('1');
     auto* const right = named<QPushButton>("Azimuth clockwise while held");
     EXPECT_TRUE(right->isEnabled()) << "jogging is how the cable is unwound";
-    auto* const pad = window.findChild<JogPad*>();
+    auto* const pad = named<JogPad>("Jog pad");
     ASSERT_NE(pad, nullptr);
     pad->setFocus();
     QTest::keyClick(pad, Qt::Key_Return);

@@ -45,17 +45,19 @@ protected:
 
     void give(const StationUpdate& update) { window.showUpdate(update); }
 
-    // The widget a screen reader would find by this name.
+    // The widget a screen reader would find by this name; a hidden one only where none is seen: panels may each have
+    // one.
     template <class T>
     T* named(const char* name)
     {
+        T* found = nullptr;
         for (T* const widget : window.findChildren<T*>()) {
-            if (widget->accessibleName() == QString::fromUtf8(name)) {
-                return widget;
+            if (widget->accessibleName() == QString::fromUtf8(name) && (found == nullptr || widget->isVisible())) {
+                found = widget;
             }
         }
-        ADD_FAILURE() << "no widget named " << name;
-        return nullptr;
+        EXPECT_NE(found, nullptr) << "no widget named " << name;
+        return found;
     }
 
     QString text(const char* name) { return named<ValueLabel>(name)->text(); }
