@@ -5079,7 +5079,7 @@ do eixo</translation>
     </message>
     <message>
         <source>%1 is a list of many authorities: name the one that signed the broker&apos;s certificate, or leave mqtt.ca_file empty to trust those this computer knows</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 é uma lista de muitas autoridades: indique a que assinou o certificado do broker, ou deixe mqtt.ca_file vazio para confiar nas que este computador conhece</translation>
     </message>
     <message>
         <source>How well the north that came with the deviation is known, 1 sigma; 0: it is not known.</source>
