@@ -47,6 +47,7 @@ public:
 
     // Both bring the pair up to the present first.
     [[nodiscard]] sim::AxisTruth truth(Axis axis);
+    [[nodiscard]] sim::SimulatedSensor& sensor() { return m_mount->sensor; }
     [[nodiscard]] sim::SimulatedPair& pair();
     // From now on, for `duration` (for ever without one); for planned ones see pair().faults().
     sim::FaultSchedule::Handle inject(sim::Injection injection);

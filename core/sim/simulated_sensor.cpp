@@ -19,6 +19,16 @@ SkyPointing beamAt(const SensorTruth& truth, const AxisPosition& axes)
 
 }  // namespace
 
+SensorTruth truthToBeFound()
+{
+    return {.mount = {.azimuthOffset = 37.4_deg, .tiltNorth = 0.4_deg, .tiltEast = -0.45_deg, .collimation = 0.3_deg},
+            .a1 = 6.4_deg,
+            .b1 = -4.8_deg,
+            .a2 = 1.8_deg,
+            .b2 = 2.4_deg,
+            .noise = 0.5_deg};
+}
+
 void SimulatedSensor::restart()
 {
     m_before = 0.0;

@@ -63,7 +63,9 @@ Result<std::unique_ptr<CanLink>> makeLink(const std::string& busName, const Cloc
 
 LinkMaker::LinkMaker(const profile::Profile& profile, const Clock& clock)
     : m_clock(clock), m_simulated(std::make_shared<SimulatedMount>(clock, protectedPair(profile)))
-{}
+{
+    m_simulated->sensor.truth() = sim::truthToBeFound();
+}
 
 std::unique_ptr<CanLink> LinkMaker::make(const std::string& busName) const
 {

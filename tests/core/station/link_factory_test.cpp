@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace boresight {
 namespace {
 
@@ -46,6 +49,29 @@ TEST(LinkMaker, TheSimulatedDrivesAreProtectedForTheProfile)
 }
 
 // Motors that the profile has the wrong way round stay so: the guide is there to find that.
+// Else there would be nothing to calibrate in --simulate.
+TEST(LinkMaker, TheSimulatedMountHidesAnotherNorthAndADeviation)
+{
+    fakes::ManualClock clock;
+    auto link = LinkMaker(profile::Profile{}, clock).make("simulated");
+    sim::SimulatedSensor& sensor = simulated(link).sensor();
+    std::vector<Angle> errors;
+    for (int heading = 0; heading < 360; heading += 30) {
+        const AxisPosition axes{.azimuth = Angle::fromDegrees(heading), .elevation = 30_deg};
+        std::optional<sim::SensorMessage> message;
+        while (!message) {
+            clock.advance(sim::SimulatedSensor::kReadingPeriod);
+            message = sensor.read(clock.now(), clock.utc(), axes);
+        }
+        errors.push_back((Angle::fromDegrees(message->azimuth) - axes.azimuth).wrapped180());
+    }
+    const auto [least, most] = std::ranges::minmax(errors);
+    EXPECT_LT(least, 32_deg);
+    EXPECT_GT(least, 24_deg);
+    EXPECT_GT(most, 42_deg);
+    EXPECT_LT(most, 51_deg);
+}
+
 TEST(LinkMaker, ASwappedProfileDoesNotSwapTheSimulatedMotors)
 {
     profile::Profile profile;
