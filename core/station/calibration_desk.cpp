@@ -31,19 +31,15 @@ void CalibrationChange::applyTo(profile::Profile& profile) const
     }
 }
 
-CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile& profile, const QString& stateDir,
+CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile& profile, CalibrationFile& file,
                                  const Clock& clock, EventLog& log)
     : m_control(control),
       m_profile(profile),
       m_clock(clock),
       m_log(log),
-      m_file(stateDir, toQString(profile.mount.name)),
+      m_file(file),
       m_follower(control, profile, clock, log)
-{
-    if (!m_file.problem().isEmpty()) {
-        m_log.add(Severity::Warning, kSource, m_file.problem());
-    }
-}
+{}
 
 Result<> CalibrationDesk::carryOut(const CalibrationRequest& request)
 {

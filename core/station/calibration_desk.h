@@ -36,9 +36,9 @@ struct CalibrationChange
 class CalibrationDesk
 {
 public:
-    // An empty folder: the history is kept in memory only. Control, clock and log outlive the desk.
-    CalibrationDesk(StationControl& control, const profile::Profile& profile, const QString& stateDir,
-                    const Clock& clock, EventLog& log);
+    // `file` keeps the history. Control, file, clock and log outlive the desk.
+    CalibrationDesk(StationControl& control, const profile::Profile& profile, CalibrationFile& file, const Clock& clock,
+                    EventLog& log);
 
     // What StationControl has admitted: done, or the reason why not.
     Result<> carryOut(const CalibrationRequest& request);
@@ -129,6 +129,7 @@ private:
     [[nodiscard]] const calibration::CalibrationRecord* recordInForce() const;
     [[nodiscard]] QString otherMount() const;
     void warnOfOtherMount();
+    void warnOfFile();
     Result<> proposeGiven(GivenTerms given);
     void bringIntoForce(const CalibrationChange& change, const QString& what);
 
@@ -142,7 +143,7 @@ private:
     profile::Profile m_profile;
     const Clock& m_clock;
     EventLog& m_log;
-    CalibrationFile m_file;
+    CalibrationFile& m_file;
     BodyFollower m_follower;
     AxisTrace m_trace;
     std::optional<orientation::Orientation> m_value;  // of the sensor, the last

@@ -8,19 +8,41 @@
 
 #include <QFile>
 
-namespace boresight {
+#include <utility>
 
-CalibrationFile::CalibrationFile(const QString& stateDir, const QString& mountName)
+namespace boresight {
+namespace {
+
+Result<> write(const QString& path, const calibration::CalibrationHistory& history)
 {
-    if (!stateDir.isEmpty()) {
-        m_path = stateDir + QLatin1Char('/') + memory::safeFileName(mountName) + QStringLiteral(".calibrations.toml");
-        load();
-    }
+    return calibration::toText(history).and_then(
+        [&](const std::string& text) { return profile::writeFile(path, QByteArray::fromStdString(text)); });
+}
+
+}  // namespace
+
+QString calibrationPath(const QString& stateDir, const QString& mountName, bool simulated)
+{
+    return QStringLiteral("%1/%2%3.calibrations.toml")
+        .arg(stateDir, memory::safeFileName(mountName), simulated ? QStringLiteral(".simulated") : QString());
+}
+
+CalibrationFile::CalibrationFile(const QString& path, QObject* parent) : QObject(parent), m_path(path)
+{
+    m_writer.setMaxThreadCount(1);
+    m_writer.setExpiryTimeout(-1);
+    connect(this, &CalibrationFile::written, this, &CalibrationFile::finishWriting, Qt::QueuedConnection);
+    load();
+}
+
+CalibrationFile::~CalibrationFile()
+{
+    flush();
 }
 
 void CalibrationFile::load()
 {
-    if (!QFile::exists(m_path)) {
+    if (m_path.isEmpty() || !QFile::exists(m_path)) {
         return;  // nothing was ever applied
     }
     const auto history = profile::readFile(m_path).and_then([&](const QByteArray& bytes) {
@@ -41,10 +63,39 @@ void CalibrationFile::save()
     if (m_path.isEmpty() || m_unreadable) {
         return;
     }
-    const Result<> written = calibration::toText(m_history).and_then(
-        [this](const std::string& text) { return profile::writeFile(m_path, QByteArray::fromStdString(text)); });
-    m_problem = written ? QString()
-                        : Text::tr("the calibrations could not be written: %1").arg(toQString(written.error().text));
+    if (m_writing) {
+        m_again = true;
+    } else {
+        startWriting();
+    }
+}
+
+void CalibrationFile::startWriting()
+{
+    m_writing = true;
+    m_writer.start([this, path = m_path, history = m_history, outcome = m_outcome] {
+        *outcome = write(path, history);
+        Q_EMIT written();
+    });
+}
+
+void CalibrationFile::finishWriting()
+{
+    const Result<> result = *m_outcome;
+    m_writing = false;
+    m_problem =
+        result ? QString() : Text::tr("the calibrations could not be written: %1").arg(toQString(result.error().text));
+    if (std::exchange(m_again, false)) {
+        startWriting();
+    }
+}
+
+void CalibrationFile::flush()
+{
+    m_writer.waitForDone();
+    if (std::exchange(m_again, false)) {
+        *m_outcome = write(m_path, m_history);
+    }
 }
 
 void CalibrationFile::add(calibration::CalibrationRecord record)

@@ -4,21 +4,31 @@
 #include "core/base/result.h"
 #include "core/calibration/calibration_record.h"
 
+#include <QObject>
 #include <QString>
+#include <QThreadPool>
 
-// The calibrations of a mount: STATE_DIR/NAME.calibrations.toml. Read once when the program starts, written when the
-// operator applies one, takes one back or brings it again: a few times a day at most, a few kilobytes, so at once.
-// What cannot be read is never written over. Station thread only.
+#include <memory>
+#include <optional>
+
+// A file of calibrations, STATE_DIR/NAME.calibrations.toml: read once when the program starts, written when the
+// operator applies one, takes one back or brings it again. Saving never blocks the station thread, on which this lives:
+// one worker writes, and of the values that come in meanwhile the newest wins. What cannot be read is never written
+// over.
 namespace boresight {
 
-class CalibrationFile
+class CalibrationFile final : public QObject
 {
-public:
-    // An empty folder: kept in memory only.
-    CalibrationFile(const QString& stateDir, const QString& mountName);
+    Q_OBJECT
 
+public:
+    // An empty path: kept in memory only. Blocks while it reads.
+    explicit CalibrationFile(const QString& path, QObject* parent = nullptr);
+    ~CalibrationFile() override;  // flushes
+
+    [[nodiscard]] const QString& path() const { return m_path; }
     [[nodiscard]] const calibration::CalibrationHistory& history() const { return m_history; }
-    // Why the file could not be read or written; empty while all is well.
+    // Why the file could not be read, or not be written the last time; empty while all is well.
     [[nodiscard]] const QString& problem() const { return m_problem; }
 
     void add(calibration::CalibrationRecord record);
@@ -26,14 +36,30 @@ public:
     const calibration::CalibrationRecord& undo();
     const calibration::CalibrationRecord& redo();
 
+    // Waits until the newest value is on the disk: at the end of the program, after the loop.
+    void flush();
+
+Q_SIGNALS:
+    void written();  // from the worker, to this object
+
 private:
     void load();
     void save();
+    void startWriting();
+    void finishWriting();
 
     QString m_path;
     calibration::CalibrationHistory m_history;
     QString m_problem;
     bool m_unreadable = false;
+    std::shared_ptr<Result<>> m_outcome =
+        std::make_shared<Result<>>();  // of the last writing; the worker's until it ends
+    bool m_writing = false;            // finishWriting() is still to come
+    bool m_again = false;              // the history has changed meanwhile
+    QThreadPool m_writer;              // one thread; last, so that it ends first
 };
+
+// Of a mount. A simulated one has its own: what was found there never comes into the history of the real one.
+[[nodiscard]] QString calibrationPath(const QString& stateDir, const QString& mountName, bool simulated);
 
 }  // namespace boresight

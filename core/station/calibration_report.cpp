@@ -6,6 +6,8 @@
 namespace boresight {
 namespace {
 
+const QString kFileCause = QStringLiteral("calibrations");
+
 QString reasonOf(const Result<>& result)
 {
     return result ? QString() : toQString(result.error().text);
@@ -31,6 +33,7 @@ void CalibrationDesk::publish()
     m_changed = false;
     m_published = m_clock.now();
     warnOfOtherMount();
+    warnOfFile();
     CalibrationStatus status{.progress = progress(),
                              .present = m_profile.pointing,
                              .sheet = sheet(),
@@ -56,6 +59,20 @@ void CalibrationDesk::publish()
     status.canUndo = m_file.history().canUndo();
     status.canRedo = m_file.history().canRedo();
     m_status = std::make_shared<const CalibrationStatus>(std::move(status));
+}
+
+void CalibrationDesk::warnOfFile()
+{
+    if (m_file.problem().isEmpty()) {
+        m_control.alarms().clear(kFileCause);
+        return;
+    }
+    m_control.alarms().raise(
+        kFileCause, Severity::Warning,
+        {.what = m_file.problem(),
+         .action = Text::tr("What is applied is in force; its history is kept in memory only"),
+         .remedy = Text::tr("Check the disk, or choose another folder with --state-dir; else it cannot be taken back "
+                            "after the program was ended")});
 }
 
 void CalibrationDesk::fill(StationStatus& status) const

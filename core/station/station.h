@@ -108,6 +108,7 @@ private:
     StationBroker m_broker;
     StationSensor m_sensor;
     StationPower m_power;
+    CalibrationFile m_calibrationFile;
     CalibrationDesk m_calibration;
     EventFile m_eventFile;
     QTimer m_tickTimer;

@@ -5153,6 +5153,14 @@ do eixo</translation>
         <source>the mount does not come to rest</source>
         <translation>a montagem não chega ao repouso</translation>
     </message>
+    <message>
+        <source>What is applied is in force; its history is kept in memory only</source>
+        <translation>O que foi aplicado está em vigor; o seu histórico fica só na memória</translation>
+    </message>
+    <message>
+        <source>Check the disk, or choose another folder with --state-dir; else it cannot be taken back after the program was ended</source>
+        <translation>Verifique o disco ou escolha outra pasta com --state-dir; senão não pode ser anulado depois de o programa terminar</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -233,6 +233,7 @@ TEST(CalibrationPoints, UndoAndRedoGiveExactlyWhatWas)
     EXPECT_FALSE(rig.ask(request::RedoCalibration{}));
 
     // And after a restart.
+    rig.file->flush();
     CalibrationRig again({}, rig.profile, folder.path());
     again.tick();
     ASSERT_EQ(2U, again.status().history.size());
@@ -263,6 +264,7 @@ TEST(CalibrationPoints, AHistoryThatCannotBeReadIsNotWrittenOver)
     first.goTo(200.0, 30.0);
     ASSERT_TRUE(first.ask(request::TakeKnownPoint{.truth = {.azimuth = 10_deg, .elevation = 30_deg}, .label = {}}));
     ASSERT_TRUE(first.apply());
+    first.file->flush();
     const QStringList files = QDir(folder.path()).entryList(QDir::Files);
     ASSERT_EQ(1, files.size());
     QFile file(folder.path() + QLatin1Char('/') + files.front());

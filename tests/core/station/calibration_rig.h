@@ -54,7 +54,12 @@ class CalibrationRig : public StationRig
 public:
     explicit CalibrationRig(const HiddenTruth& hidden = {}, const profile::Profile& settings = calibratedProfile(),
                             const QString& stateDir = {})
-        : StationRig(settings), truth(hidden), model(hidden.terms), desk(control, settings, stateDir, clock, log)
+        : StationRig(settings),
+          truth(hidden),
+          model(hidden.terms),
+          file(std::make_unique<CalibrationFile>(
+              stateDir.isEmpty() ? QString() : calibrationPath(stateDir, toQString(settings.mount.name), false))),
+          desk(control, settings, *file, clock, log)
     {
         run(Seconds(1.0));
         ask(request::TakeAuthority{});
@@ -121,6 +126,7 @@ public:
 
     HiddenTruth truth;
     pointing::PointingModel model;
+    std::unique_ptr<CalibrationFile> file;
     CalibrationDesk desk;
     std::mt19937_64 random{20261121};
     bool speaks = true;

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -74,6 +75,15 @@ public:
     }
 
     [[nodiscard]] std::shared_ptr<const CalibrationStatus> calibration() const { return station->status().calibration; }
+    [[nodiscard]] bool isWarned(const QString& what) const
+    {
+        return std::ranges::any_of(station->status().alarms,
+                                   [&](const Alarm& alarm) { return alarm.what.startsWith(what) && alarm.active; });
+    }
+    [[nodiscard]] QString file() const
+    {
+        return calibrationPath(folder.path(), toQString(station->status().profile->mount.name), true);
+    }
     [[nodiscard]] sim::SensorTruth& truth() { return m_mount->sensor.truth(); }
 
     QTemporaryDir folder;
@@ -127,6 +137,35 @@ TEST(StationCalibration, ASwingOfTheSimulatedMountFindsItsHiddenNorth)
 
     ASSERT_TRUE(rig.ask(request::UndoCalibration{}));
     EXPECT_EQ(withSensor(), *rig.saved);
+}
+
+const QString kNotWritten = QStringLiteral("The calibrations could not be written");
+
+Result<> applyNorth(CalibratedStation& rig, Angle north)
+{
+    const auto proposed = rig.ask(request::ProposeTerms{{.azimuthOffset = north}});
+    return proposed ? rig.ask(request::ApplyCalibration{rig.calibration()->proposal->number}) : proposed;
+}
+
+// Story: only the list of the history said so, and after a restart nothing could be taken back.
+TEST(StationCalibration, AHistoryThatIsNotWrittenIsAnAlarm)
+{
+    CalibratedStation rig;
+    rig.run(Seconds(0.5));
+    EXPECT_FALSE(rig.isWarned(kNotWritten));
+    ASSERT_TRUE(QDir().mkpath(rig.file()));  // nobody can write over it, not even root
+    ASSERT_TRUE(applyNorth(rig, 12_deg));
+    ASSERT_TRUE(fakes::waitUntil([&] {
+        rig.run(Seconds(0.3));
+        return rig.isWarned(kNotWritten);
+    }));
+    EXPECT_EQ(12_deg, rig.saved->pointing.azimuthOffset) << "in force all the same";
+    ASSERT_TRUE(QDir().rmdir(rig.file()));
+    ASSERT_TRUE(rig.ask(request::UndoCalibration{}));
+    EXPECT_TRUE(fakes::waitUntil([&] {
+        rig.run(Seconds(0.3));
+        return !rig.isWarned(kNotWritten);
+    }));
 }
 
 TEST(StationCalibration, NoSensorIsSaidAndRefused)
