@@ -186,7 +186,7 @@ void PolarPlot::paintGround(QPainter& painter) const
     painter.setPen(QPen(currentTheme().secondary, 1.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(shown.zenith, shown.radius, shown.radius);
-    drawLegend(painter, QPointF(2.0, 2.0));
+    drawLegend(painter, QPointF(2.0, 2.0), m_hasSensor);
     if (m_zoom.isOn()) {
         drawZoomMark(painter, rect(), m_tools->readoutHeight(), shown, m_zoom.magnification());
     }
@@ -304,6 +304,10 @@ void PolarPlot::showMarkers(const StationStatus& status)
     markers.commanded = age == Freshness::NoData || !known ? std::nullopt : status.commanded;
     markers.target = status.target;
     markers.sensor = status.sensor.direction;
+    if (m_hasSensor != markers.sensor.has_value()) {
+        m_hasSensor = !m_hasSensor;
+        drawGround();
+    }
     markers.pointing = m_travel.pointing;
     markers.way = markers.commanded ? wayAhead(status) : std::vector<AxisPosition>();
     markers.targetLabel = targetLabel(status);
@@ -324,7 +328,7 @@ void PolarPlot::describe(const StationStatus& status)
     const bool live = worseFreshness(status) == Freshness::Live;
     const QString actual = !live ? tr("Last seen at") : areTurnsKnown(status) ? tr("Actual") : tr("Perhaps at");
     setAccessibleDescription((placeText(actual, status.actual) + placeText(tr("Commanded"), status.commanded) +
-                              placeText(tr("Target"), status.target))
+                              placeText(tr("Target"), status.target) + placeText(tr("Sensor"), status.sensor.direction))
                                  .trimmed());
 }
 

@@ -82,6 +82,7 @@ private:
     SkyZoom m_zoom;
     std::optional<pointing::Region> m_region;  // what is drawn
     Travel m_travel;
+    bool m_hasSensor = false;  // the legend tells of it
     Angle m_beamWidth;
     SkyPointing m_focus{0_deg, 90_deg};  // what the magnified part shows: target, else actual
     QString m_caption;                   // of a picture

@@ -11,6 +11,7 @@
 #include <QPainterPath>
 
 #include <cmath>
+#include <vector>
 
 namespace boresight::ui {
 
@@ -178,23 +179,27 @@ void LabelsItem::drawInside(QPainter& painter, const SkyProjection& sky) const
     }
 }
 
-void drawLegend(QPainter& painter, QPointF corner)
+void drawLegend(QPainter& painter, QPointF corner, bool hasSensor)
 {
-    const struct
+    struct Line
     {
         Symbol symbol;
         QString text;
         Tone tone;
-    } lines[] = {{Symbol::Actual, SkyItems::tr("actual"), Tone::Normal},
-                 {Symbol::Commanded, SkyItems::tr("commanded"), Tone::Normal},
-                 {Symbol::Target, SkyItems::tr("target"), Tone::Accent}};
+    };
+    std::vector<Line> lines{{Symbol::Actual, SkyItems::tr("actual"), Tone::Normal},
+                            {Symbol::Commanded, SkyItems::tr("commanded"), Tone::Normal},
+                            {Symbol::Target, SkyItems::tr("target"), Tone::Accent}};
+    if (hasSensor) {
+        lines.push_back({Symbol::Sensor, SkyItems::tr("sensor"), Tone::Sensor});
+    }
     painter.setFont(fonts::label());
     const QFontMetricsF metrics(painter.font());
     const QRectF ground(corner, QSizeF(metrics.horizontalAdvance(lines[1].text) + 2.0 * metrics.ascent(),
-                                       std::size(lines) * metrics.lineSpacing()));
+                                       static_cast<double>(lines.size()) * metrics.lineSpacing()));
     painter.fillRect(ground, currentTheme().window);
     double y = corner.y();
-    for (const auto& line : lines) {
+    for (const Line& line : lines) {
         const double size = metrics.ascent();
         drawSymbol(painter, line.symbol, QRectF(corner.x(), y + 1.0, size, size), currentTheme().colour(line.tone));
         painter.setPen(currentTheme().secondary);

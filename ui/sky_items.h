@@ -51,7 +51,7 @@ private:
 };
 
 // What the markers mean, for a corner outside the circle (Qwt clips its items to the circle).
-void drawLegend(QPainter& painter, QPointF corner);
+void drawLegend(QPainter& painter, QPointF corner, bool hasSensor);
 
 // That this is a part of the sky only, and its scale: a frame, and a box so far above the lower left corner.
 void drawZoomMark(QPainter& painter, const QRectF& view, double above, const SkyProjection& sky, double magnification);

@@ -654,6 +654,10 @@ do eixo</translation>
         <source>MAGNIFIED ×%1</source>
         <translation>AMPLIADO ×%1</translation>
     </message>
+    <message>
+        <source>sensor</source>
+        <translation>sensor</translation>
+    </message>
 </context>
 <context>
     <name>SkyLimits</name>
@@ -8552,6 +8556,10 @@ el %2</translation>
     <message>
         <source>Target</source>
         <translation>Alvo</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
     </message>
 </context>
 <context>

@@ -182,6 +182,9 @@ TEST_F(PlotTest, IsDescribedInWords)
     plot.describe(status);
     EXPECT_EQ(plot.accessibleDescription(),
               QStringLiteral("Actual az 62.0°  el 24.0°. Commanded az 64.5°  el 23.0°. Target az 113.0°  el 10.0°."));
+    status.sensor.direction = SkyPointing{61_deg, 24_deg};
+    plot.describe(status);
+    EXPECT_TRUE(plot.accessibleDescription().endsWith(QStringLiteral("Sensor az 61.0°  el 24.0°.")));
     plot.describe(samples::withAge(status, std::chrono::milliseconds(900)));
     EXPECT_TRUE(plot.accessibleDescription().startsWith(QStringLiteral("Last seen at az 62.0°")));
 }
