@@ -41,7 +41,9 @@ Verdict Judge::take(const Orientation& value)
 
 void Judge::forget()
 {
+    const std::uint64_t breaks = m_breaks + 1;
     *this = Judge(m_settings);
+    m_breaks = breaks;
 }
 
 Presence Judge::presence(SteadyTime now) const
@@ -58,6 +60,11 @@ Presence Judge::presence(SteadyTime now) const
 std::optional<SteadyTime> Judge::frozenSince() const
 {
     return m_last && m_sameSince < m_last->arrival ? m_sameSince : std::nullopt;
+}
+
+Angle Judge::course() const
+{
+    return m_last ? m_last->heading.angle() + Angle::fromTurns(static_cast<double>(m_turns)) : Angle{};
 }
 
 bool Judge::follows(const Orientation& before, const Orientation& value) const
@@ -79,12 +86,15 @@ bool Judge::isBelieved(const Orientation& value)
     return m_agreeing >= kBelievedAgain;
 }
 
-// Its count then begins at 0, or at -1 if its first heading is beyond 180°; and its calibration begins anew.
+// Its count then begins at 0, or at -1 if its first heading is beyond 180°; and its calibration begins anew. A count
+// that only tells what the antenna may have turned meanwhile, unheard, is none that began anew.
 bool Judge::isRestart(const Orientation& value) const
 {
     const Angle turned = value.extendedAzimuth - m_last->extendedAzimuth;
     const Angle leap = abs(turned - turned.wrapped180());
-    const bool counted = leap > kRounding && (value.revolutions == 0 || value.revolutions == -1);
+    const Angle possible = m_settings.azimuthSpeed * Seconds(value.arrival - m_last->arrival) + kMargin;
+    const bool counted =
+        leap > kRounding && abs(turned) > possible && (value.revolutions == 0 || value.revolutions == -1);
     const bool uncalibrated = m_last->calibration && value.calibration && *value.calibration == kUncalibrated &&
                               m_last->calibration->gyro > 0 && m_last->calibration->magnetometer > 0;
     return counted || uncalibrated;
@@ -92,8 +102,11 @@ bool Judge::isRestart(const Orientation& value) const
 
 void Judge::use(const Orientation& value)
 {
+    const bool restarted = m_last && isRestart(value);
+    const bool followed = m_last && value.arrival - m_last->arrival < m_settings.lost && follows(*m_last, value);
+    m_restarts += restarted ? 1 : 0;
+    m_breaks += restarted || !followed ? 1 : 0;
     if (m_last) {
-        m_restarts += isRestart(value) ? 1 : 0;
         const Angle way = value.heading.since(m_last->heading);
         const Angle passed = m_last->heading.angle() + way - value.heading.angle();  // whole turns
         m_turns += std::llround(passed.turns());

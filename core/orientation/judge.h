@@ -55,8 +55,14 @@ public:
     // Since when the values are the same to the last digit; a living sensor in the wind is never so still.
     [[nodiscard]] std::optional<SteadyTime> frozenSince() const;
 
-    // Whole passages of the heading through north, clockwise positive, since the first value.
+    // Whole passages of the heading through its zero since the first value, positive where the heading grows: with a
+    // sensor that counts against the compass the mount then turns the other way.
     [[nodiscard]] std::int64_t turns() const { return m_turns; }
+    // The heading used last with those turns, as the sensor counts.
+    [[nodiscard]] Angle course() const;
+    // How often the heading could not be followed from one value to the next: a loss, a restart, a jump that was
+    // believed. Between two moments of one count `course` tells how far the antenna turned.
+    [[nodiscard]] std::uint64_t breaks() const { return m_breaks; }
     [[nodiscard]] std::uint64_t outliers() const { return m_outliers; }
     [[nodiscard]] std::uint64_t restarts() const { return m_restarts; }
 
@@ -73,6 +79,7 @@ private:
     std::optional<SteadyTime> m_sameSince;
     bool m_dead = false;
     std::int64_t m_turns = 0;
+    std::uint64_t m_breaks = 0;
     std::uint64_t m_outliers = 0;
     std::uint64_t m_restarts = 0;
 };

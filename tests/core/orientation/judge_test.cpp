@@ -149,6 +149,59 @@ TEST(Judge, NoticesARestart)
     EXPECT_EQ(judge.restarts(), 2U) << "told once";
 }
 
+// Story: the mount had turned by 250° while the sensor was not heard, and its own count, still at 0, looked restarted.
+TEST(Judge, ALongWayUnheardIsNoRestart)
+{
+    Judge judge;
+    judge.take(value(0.0, 350.0, 0));
+    judge.take(value(45.0, 100.0, 0));
+    EXPECT_EQ(judge.restarts(), 0U);
+    judge.take(value(46.0, 98.0, 0));
+    judge.take(value(90.0, -150.0, -1));
+    EXPECT_EQ(judge.restarts(), 0U);
+    judge.take(value(91.0, 210.0, 0));
+    EXPECT_EQ(judge.restarts(), 1U) << "360° in a second: that is its count alone";
+}
+
+// The course has whole turns, and tells how far it went between two moments of one count of breaks.
+TEST(Judge, ItsCourseIsGoodUntilItBreaks)
+{
+    Judge judge({.azimuthSpeed = 60_deg_s});
+    judge.take(value(0.0, 350.0));
+    const auto unbroken = judge.breaks();
+    for (int second = 1; second <= 20; ++second) {
+        judge.take(value(second, 350.0 + 30.0 * second));
+    }
+    EXPECT_NEAR(judge.course().degrees(), 950.0, 1e-9);
+    judge.take(deadValue(21.0));
+    judge.take(value(22.0, 950.0));
+    EXPECT_EQ(judge.breaks(), unbroken) << "a false reading alone is none";
+    judge.take(value(27.0, 950.0));
+    EXPECT_EQ(judge.breaks(), unbroken + 1) << "silent for five seconds";
+    judge.setSettings({});
+    for (const double second : {28.0, 29.0, 30.0}) {
+        judge.take(value(second, 1090.0));
+    }
+    EXPECT_EQ(judge.breaks(), unbroken + 2) << "a jump that was believed";
+    Orientation fresh = value(31.0, 1090.0);
+    fresh.calibration = Calibration{};
+    judge.take(fresh);
+    EXPECT_EQ(judge.breaks(), unbroken + 3) << "restarted";
+    judge.forget();
+    EXPECT_GT(judge.breaks(), unbroken + 3);
+    EXPECT_EQ(judge.course(), Angle());
+}
+
+// A sensor that lies face up counts against the compass.
+TEST(Judge, CountsAsTheSensorDoes)
+{
+    Judge judge;
+    judge.take(value(0.0, 2.0));
+    judge.take(value(1.0, -3.0, -1));
+    EXPECT_EQ(judge.turns(), -1);
+    EXPECT_NEAR(judge.course().degrees(), -3.0, 1e-9);
+}
+
 TEST(Judge, SaysSinceWhenNothingChanges)
 {
     Judge judge;
