@@ -68,6 +68,7 @@ void SerialSource::open()
     m_port.clear();                    // half a sentence from before
     m_stream.clear();
     m_heard = false;
+    m_seen.clear();
     m_silence.start(m_settings.silence);
     show(true, m_status.problem);  // what was wrong is over with the first sentence
 }
@@ -116,6 +117,7 @@ void SerialSource::read()
         }
         m_status.counts = m_stream.counts();
         m_heard = false;
+        m_seen.clear();
         m_delay = m_settings.firstRetry;
         m_silence.start(m_settings.silence);
         show(true, {});
@@ -134,13 +136,21 @@ void SerialSource::tellSilence()
         return;
     }
     const QString last = toQString(m_stream.lastChatter());
-    show(true, !m_heard ? Text::tr("%1: nothing comes: has the sensor power, and its WiFi (without it, it is silent)?")
-                              .arg(m_path.path())
-               : last.isEmpty()
-                   ? Text::tr("%1: what comes is damaged or no sentence of the sensor: is sensor.baud (%2) right?")
-                         .arg(m_path.path())
-                         .arg(m_settings.baud)
-                   : Text::tr("%1: what comes is no sentence of the sensor, but: \"%2\"").arg(m_path.path(), last));
+    const QString text =
+        !m_heard ? Text::tr("%1: nothing comes: has the sensor power, and its WiFi (without it, it is silent)?")
+                       .arg(m_path.path())
+        : last.isEmpty()
+            ? Text::tr("%1: what comes is damaged or no sentence of the sensor: is sensor.baud (%2) right?")
+                  .arg(m_path.path())
+                  .arg(m_settings.baud)
+            : Text::tr("%1: what comes is no sentence of the sensor, but: \"%2\"").arg(m_path.path(), last);
+    // The first at once. Another one when it lasts: chatter with a number in it is a new text each time.
+    if (m_seen.isEmpty() || m_seen == text) {
+        show(true, text);
+    }
+    m_seen = text;
+    m_heard = false;
+    m_silence.start(m_settings.silence);
 }
 
 // Called from inside the port's own functions, so the port is closed when they have returned.

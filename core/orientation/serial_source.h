@@ -20,7 +20,7 @@ struct SerialSettings
     qint32 baud = 115200;
     std::chrono::milliseconds firstRetry{1000};
     std::chrono::milliseconds longestRetry{10000};
-    // Open for so long without a sentence: then it is said what comes in its place.
+    // Open for so long without a sentence: then it is said what comes in its place, and looked at again as often.
     std::chrono::milliseconds silence{5000};
 };
 
@@ -55,7 +55,8 @@ private:
     QTimer m_silence{this};
     std::chrono::milliseconds m_delay;
     bool m_wanted = false;
-    bool m_heard = false;  // bytes, since the last sentence
+    bool m_heard = false;  // bytes, since the last sentence, or since what came in its place was looked at
+    QString m_seen;        // in its place, at the last look
     SourceStatus m_status;
 };
 

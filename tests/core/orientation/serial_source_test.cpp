@@ -8,6 +8,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -141,6 +142,32 @@ TEST_F(SerialSourceTest, SaysWhatComesInPlaceOfSentences)
     terminal.write("\r\n" + kSentence);
     ASSERT_TRUE(hears(1));
     EXPECT_EQ(source.status().problem, QString());
+}
+
+// Story: the box was switched on without its chip; the line still said that nothing comes.
+TEST_F(SerialSourceTest, WhatComesInPlaceOfSentencesIsLookedAtAgain)
+{
+    source.open();
+    EXPECT_TRUE(complains("nothing comes"));
+    QTimer firmware;
+    firmware.callOnTimeout([this] { terminal.write("Initial begin() failed!\r\n"); });
+    firmware.start(50ms);
+    EXPECT_TRUE(complains("Initial begin() failed!"));
+    firmware.stop();
+    EXPECT_TRUE(complains("nothing comes"));
+}
+
+TEST_F(SerialSourceTest, ChatterWithANumberInItIsNotToldEachTime)
+{
+    int number = 0;
+    QTimer clockText;
+    clockText.callOnTimeout([&] { terminal.write("round trip " + QByteArray::number(++number) + " ms\r\n"); });
+    clockText.start(50ms);
+    source.open();
+    EXPECT_TRUE(complains("round trip"));
+    changes.clear();
+    QTest::qWait(1500);
+    EXPECT_TRUE(changes.empty());
 }
 
 TEST_F(SerialSourceTest, ClosedItHearsNothing)
