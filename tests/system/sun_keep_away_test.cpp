@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/ephemeris/almanac.h"
+#include "core/ephemeris/refraction.h"
+#include "core/pointing/pointing_model.h"
+#include "core/units/angle_between.h"
+#include "tests/system/simulated_station.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+// The Sun is a place of the sky, the drives count from anywhere: on a mount whose azimuth begins 37.4° from north and
+// whose mast leans, a client leads the beam across the Sun, and where the antenna really is decides.
+namespace boresight::system_test {
+namespace {
+
+constexpr Site kLisbon{.latitude = 38.757_deg, .longitude = -9.117_deg, .heightMetres = 80.0};
+constexpr Angle kRadius = 10_deg;
+constexpr pointing::PointingTerms kTerms{
+    .azimuthOffset = 37.4_deg, .elevationOffset = -1.0_deg, .tiltNorth = 0.6_deg, .collimation = 0.3_deg};
+
+profile::Profile sunny()
+{
+    profile::Profile profile = anyPort();
+    profile.site = {.known = true,
+                    .latitude = kLisbon.latitude,
+                    .longitude = kLisbon.longitude,
+                    .heightMetres = kLisbon.heightMetres};
+    profile.sun = {.keepAway = profile::KeepAway::On, .radius = kRadius};
+    profile.pointing = kTerms;
+    return profile;
+}
+
+// At noon: the Sun stands in the south, 31° high.
+class SunKeepAway : public testing::Test
+{
+protected:
+    SunKeepAway()
+    {
+        rig.clock.stepUtc(std::chrono::hours(12));
+        rig.run(Seconds(0.1));
+        rig.onTick = [this] { nearest = std::min(nearest, angleBetween(sun, beam())); };
+    }
+
+    [[nodiscard]] SkyPointing sunNow() const
+    {
+        ephemeris::Almanac almanac(kLisbon);
+        return ephemeris::apparent(almanac.place(ephemeris::Body::Sun, rig.clock.utc()).direction,
+                                   ephemeris::Refraction::Light);
+    }
+    [[nodiscard]] SkyPointing beam() const { return model.toSky(rig.truth()); }
+    [[nodiscard]] static std::string pointAt(Angle azimuth, Angle elevation)
+    {
+        return "P " + std::to_string(azimuth.wrapped360().degrees()) + ' ' + std::to_string(elevation.degrees()) + '\n';
+    }
+
+    SimulatedStation rig{sunny()};
+    pointing::PointingModel model{kTerms};
+    SkyPointing sun = sunNow();
+    Angle nearest = 180_deg;
+};
+
+TEST_F(SunKeepAway, HoldsForTheTrueDirectionOfTheBeam)
+{
+    sun = sunNow();
+    const auto client = rig.connect();
+    client->ask(pointAt(sun.azimuth - 50_deg, sun.elevation));
+    rig.run(Seconds(60.0));
+    for (double across = -50.0; across <= 50.0; across += 1.0) {
+        client->ask(pointAt(sun.azimuth + Angle::fromDegrees(across), sun.elevation + 1_deg));
+        rig.run(Seconds(1.0));
+        sun = sunNow();
+    }
+    rig.run(Seconds(60.0));
+    EXPECT_GT(nearest, kRadius - 0.05_deg);
+    EXPECT_LT(nearest, kRadius + 1.0_deg) << "it is led along the edge";
+    EXPECT_LT(angleBetween(beam(), {.azimuth = sunNow().azimuth + 50_deg, .elevation = sun.elevation + 1_deg}), 1_deg);
+}
+
+// There the azimuth axis shows what the Sun's true azimuth is.
+TEST_F(SunKeepAway, LeavesFreeWhereOnlyTheAxisCountsLikeTheSun)
+{
+    sun = sunNow();
+    EXPECT_EQ(rig.ask(request::PointAxes{{.azimuth = sun.azimuth, .elevation = sun.elevation}}), "");
+    EXPECT_TRUE(rig.settle());
+    EXPECT_LT(rig.farthestFrom({.azimuth = sun.azimuth, .elevation = sun.elevation}), 0.1_deg);
+    const AxisPosition onTheSun = model.toAxes(sun).axes;
+    EXPECT_NE(rig.ask(request::PointAxes{onTheSun}).find("the keep-out \"Sun\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace boresight::system_test
