@@ -48,7 +48,8 @@ Angle SimulatedSensor::headingAt(const SkyPointing& beam) const
     return (m_truth.faceDown ? -magnetic : magnetic) + m_truth.inFirmware;
 }
 
-std::optional<SensorMessage> SimulatedSensor::read(SteadyTime now, UtcTime utc, const AxisPosition& axes)
+std::optional<SensorMessage> SimulatedSensor::read(SteadyTime now, UtcTime utc, const AxisPosition& axes,
+                                                   double amperes)
 {
     if (m_fault == SensorFault::Silent) {
         m_readings = 0;
@@ -56,7 +57,7 @@ std::optional<SensorMessage> SimulatedSensor::read(SteadyTime now, UtcTime utc, 
         return std::nullopt;
     }
     const SkyPointing beam = beamAt(m_truth, axes);
-    const Angle heading = headingAt(beam);
+    const Angle heading = headingAt(beam) + m_truth.perAmpere * amperes;
     if (m_readings == 0) {
         m_began = utc;
         m_first = heading;

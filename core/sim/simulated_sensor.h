@@ -31,6 +31,7 @@ struct SensorTruth
     Angle b1;
     Angle a2;
     Angle b2;
+    Angle perAmpere;                        // of both motors: their field turns the needle
     Angle noise = Angle::fromDegrees(0.1);  // 1 sigma of a message, both angles
     int readings = 5;                       // that are averaged
     Seconds delay{0.2};                     // of the message, after the last of them
@@ -77,8 +78,9 @@ public:
     // Its power went off and on: the count of turns begins anew, and so does its calibration, unless that is kept.
     void restart();
 
-    // One reading; a message when one is due.
-    [[nodiscard]] std::optional<SensorMessage> read(SteadyTime now, UtcTime utc, const AxisPosition& axes);
+    // One reading; a message when one is due. `amperes` of both motors together, without sign.
+    [[nodiscard]] std::optional<SensorMessage> read(SteadyTime now, UtcTime utc, const AxisPosition& axes,
+                                                    double amperes = 0.0);
 
 private:
     struct Due

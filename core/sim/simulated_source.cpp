@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sim/simulated_source.h"
 
+#include <cmath>
 #include <utility>
 
 namespace boresight {
@@ -29,9 +30,11 @@ void SimulatedSource::read()
     const SteadyTime now = m_clock.now();
     sim::SimulatedPair& pair = m_mount->pair;
     pair.advanceTo(now - m_mount->epoch);
-    const auto message = m_mount->sensor.read(
-        now, m_clock.utc(),
-        {.azimuth = pair.truth(Axis::Azimuth).angle, .elevation = pair.truth(Axis::Elevation).angle});
+    const sim::AxisTruth azimuth = pair.truth(Axis::Azimuth);
+    const sim::AxisTruth elevation = pair.truth(Axis::Elevation);
+    const auto message =
+        m_mount->sensor.read(now, m_clock.utc(), {.azimuth = azimuth.angle, .elevation = elevation.angle},
+                             std::abs(azimuth.current) + std::abs(elevation.current));
     if (!message) {
         return;
     }

@@ -104,6 +104,7 @@ void SensorWatch::correct()
         m_deviation = curveOf(m_settings, m_correction.declination());
     }
     m_check.forget();
+    m_currentLink.forget();
 }
 
 void SensorWatch::begin(const QString& source)
@@ -113,6 +114,7 @@ void SensorWatch::begin(const QString& source)
     m_begun = m_clock.now();
     m_judge.forget();
     m_check.forget();
+    m_currentLink.forget();
     m_heard = false;
     m_unknownTold = false;
     m_restartsTold = 0;
@@ -126,6 +128,14 @@ void SensorWatch::take(const orientation::Orientation& value)
     if (verdict == orientation::Verdict::Dead) {
         return;
     }
+    compare(value);
+    if (verdict == orientation::Verdict::Used) {
+        note(value);
+    }
+}
+
+void SensorWatch::compare(const orientation::Orientation& value)
+{
     // Outliers too: a sensor that was knocked over differs at once, and one outlier alone never counts.
     const bool level = !value.calibration || value.calibration->accelerometer >= kFewestAccelerometer;
     const SkyPointing direction = directionOf(value);
@@ -133,8 +143,9 @@ void SensorWatch::take(const orientation::Orientation& value)
                   .arrival = value.arrival,
                   .azimuthCounts = (!value.calibration || isTiedToNorth(*value.calibration)) && isReliable(direction),
                   .elevationCounts = level});
-    if (verdict == orientation::Verdict::Used) {
-        note(value);
+    if (const auto difference = m_check.difference(Axis::Azimuth).now) {
+        const auto latency = std::chrono::duration_cast<SteadyTime::duration>(m_settings.latency);
+        m_currentLink.take(value.arrival - latency, m_settings.averaging, *difference);
     }
 }
 
@@ -176,13 +187,14 @@ void SensorWatch::note(const orientation::Orientation& value)
     }
 }
 
-void SensorWatch::tick(const std::optional<SkyPointing>& axes)
+void SensorWatch::tick(const std::optional<SkyPointing>& axes, double amperes)
 {
     if (m_name.isEmpty()) {
         return;
     }
     const SteadyTime now = m_clock.now();
     m_check.note(now, axes);
+    m_currentLink.note(now, amperes);
     if (m_judge.dead() || m_judge.presence(now) == orientation::Presence::Lost) {
         m_check.forget();
     }
@@ -224,12 +236,15 @@ AlarmText SensorWatch::absence() const
 void SensorWatch::tellDisagreement()
 {
     const bool disagrees = m_check.disagrees();
-    if (disagrees && !m_disagreed) {
+    // That it goes with the current shows after some motions only: then it is told again, with its cause.
+    const bool byCurrent = disagrees && m_check.difference(Axis::Azimuth).lasts && m_currentLink.correlation();
+    if (disagrees && (!m_disagreed || (byCurrent && !m_currentTold))) {
         m_alarms.raise(kDisagreementCause, Severity::Warning, disagreement());
     } else if (!disagrees && m_disagreed) {
         m_alarms.clear(kDisagreementCause);
     }
     m_disagreed = disagrees;
+    m_currentTold = disagrees && (m_currentTold || byCurrent);
 }
 
 AlarmText SensorWatch::disagreement() const
@@ -254,6 +269,13 @@ QString SensorWatch::causes(Axis axis) const
         return Text::tr(
             "Likely: sensor.elevation_offset_deg is not set, the sensor has come loose, the zero of the "
             "elevation is not true, or a coupling slips: look at the antenna");
+    }
+    if (const auto link = m_currentLink.correlation()) {
+        return Text::tr(
+                   "It is correlated with the motors' current: %1 per ampere over the last minute (correlation %2). "
+                   "Put the sensor farther from motors and their cables, or twist these")
+            .arg(degreesText(link->perAmpere))
+            .arg(link->coefficient, 0, 'f', 2);
     }
     return m_check.difference(axis).beganMoving
                ? Text::tr(

@@ -7,6 +7,7 @@
 #include "core/orientation/source.h"
 #include "core/profile/profile.h"
 #include "core/station/alarm_board.h"
+#include "core/station/current_link.h"
 #include "core/station/event_log.h"
 #include "core/station/sensor_check.h"
 #include "core/station/sensor_status.h"
@@ -38,8 +39,8 @@ public:
     void begin(const QString& source);
     void show(const orientation::SourceStatus& status) { m_source = status; }
     void take(const orientation::Orientation& value);
-    // Once per tick; where the axes point, if that is known.
-    void tick(const std::optional<SkyPointing>& axes);
+    // Once per tick; where the axes point, if that is known, and the current of both motors, without sign.
+    void tick(const std::optional<SkyPointing>& axes, double amperes = 0.0);
 
     [[nodiscard]] SensorStatus status() const;
     [[nodiscard]] SensorEvidence evidence() const;
@@ -52,6 +53,7 @@ private:
     // Why its azimuth is no evidence; empty: it is.
     [[nodiscard]] QString doubtOf(const orientation::Orientation& value) const;
     [[nodiscard]] bool isYoung() const;
+    void compare(const orientation::Orientation& value);
     void correct();
     void note(const orientation::Orientation& value);
     void tellPresence();
@@ -73,7 +75,9 @@ private:
     orientation::SourceStatus m_source;
     SteadyTime m_begun{};
     bool m_heard = false;  // as the log was told
+    CurrentLink m_currentLink;
     bool m_disagreed = false;
+    bool m_currentTold = false;
     bool m_unknownTold = false;
     std::uint64_t m_restartsTold = 0;
 };

@@ -8,6 +8,7 @@
 #include <QLoggingCategory>
 
 #include <algorithm>
+#include <cmath>
 
 Q_LOGGING_CATEGORY(lcTick, "boresight.tick", QtInfoMsg)
 
@@ -249,7 +250,13 @@ void Station::tick()
 // What the sensor on the antenna says is compared, shown and told; nothing more comes of it.
 void Station::witness()
 {
-    m_sensor.tick(m_control.direction());
+    double amperes = 0.0;
+    if (const auto sample = m_control.sample()) {
+        for (const auto& axis : sample->axes) {
+            amperes += std::abs(axis.current.value_or(0.0));
+        }
+    }
+    m_sensor.tick(m_control.direction(), amperes);
     m_calibration.take(m_sensor.status());
     const SensorEvidence evidence = m_sensor.evidence();
     m_control.setSensor(evidence.azimuth, evidence.elevation);

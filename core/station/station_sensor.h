@@ -32,7 +32,7 @@ public:
     void close();
     // What is in force from here on; a source that did not change goes on.
     void apply(const profile::Profile& profile);
-    void tick(const std::optional<SkyPointing>& axes) { m_watch.tick(axes); }
+    void tick(const std::optional<SkyPointing>& axes, double amperes) { m_watch.tick(axes, amperes); }
 
     [[nodiscard]] SensorStatus status() const { return m_watch.status(); }
     [[nodiscard]] SensorEvidence evidence() const { return m_watch.evidence(); }

@@ -130,6 +130,35 @@ TEST(StationSensor, ADisturbedCompassIsToldWithinThreeSecondsAndMovesNothing)
     EXPECT_EQ(rig.alarms(), "");
 }
 
+// The field of the motors turns the needle while they work: slews to and fro show it.
+TEST(StationSensor, ADisturbanceThatGoesWithTheMotorsCurrentIsToldAsThat)
+{
+    SensedRig rig;
+    rig.run(kSurvey);
+    rig.mount->sensor.truth().perAmpere = 12_deg;
+    const auto remedies = [&rig] {
+        std::string text;
+        for (const Alarm& alarm : rig.station->status().alarms) {
+            text += alarm.remedy.toStdString() + "\n";
+        }
+        return text;
+    };
+    const profile::Profile before = *rig.station->status().profile;
+    double strongest = 0.0;
+    std::string told;
+    for (int leg = 0; leg < 6; ++leg) {
+        ASSERT_TRUE(rig.ask(request::PointAxes{{leg % 2 == 0 ? 40_deg : 0_deg, 10_deg}}));
+        for (int second = 0; second < 16; ++second) {
+            rig.run(1.0);
+            strongest = std::max(strongest, std::abs(rig.link->truth(Axis::Azimuth).current));
+            told += remedies();
+        }
+    }
+    EXPECT_THAT(told, HasSubstr("It is correlated with the motors' current: 1")) << strongest << " A";
+    EXPECT_EQ(*rig.station->status().profile, before);
+    EXPECT_NEAR(rig.station->status().actual->azimuth.degrees(), 0.0, 0.1);
+}
+
 TEST(StationSensor, ASensorThatFailsIsAWarningAndThePointingGoesOn)
 {
     SensedRig rig;
