@@ -18,6 +18,9 @@ constexpr int kFewestSystem = 1;
 constexpr int kFewestAccelerometer = 1;
 constexpr Seconds kFrozen{5.0};
 
+// Nearer to the zenith a heading jumps to the other side of the circle.
+constexpr Angle kHighestCourse = Angle::fromDegrees(75.0);
+
 QString degreesText(Angle angle)
 {
     return toQString(formatFixed(angle.degrees(), 1)) + QStringLiteral("°");
@@ -105,6 +108,7 @@ void SensorWatch::correct()
     }
     m_check.forget();
     m_currentLink.forget();
+    ++m_breaks;
 }
 
 void SensorWatch::begin(const QString& source)
@@ -130,6 +134,8 @@ void SensorWatch::take(const orientation::Orientation& value)
     }
     compare(value);
     if (verdict == orientation::Verdict::Used) {
+        const bool followed = doubtOfCalibration(value).isEmpty() && directionOf(value).elevation < kHighestCourse;
+        m_breaks += followed ? 0 : 1;
         note(value);
     }
 }
@@ -298,21 +304,22 @@ SensorStatus SensorWatch::status() const
         return {};
     }
     const SteadyTime now = m_clock.now();
-    SensorStatus status{.source = m_name,
-                        .open = m_source.open,
-                        .problem = m_source.problem,
-                        .presence = m_judge.presence(now),
-                        .dead = m_judge.dead(),
-                        .last = m_judge.last(),
-                        .declination = m_correction.declination(),
-                        .declinationText = toQString(geomagnetism::describe(declination())),
-                        .azimuthDifference = m_check.difference(Axis::Azimuth).now,
-                        .elevationDifference = m_check.difference(Axis::Elevation).now,
-                        .disagrees = m_check.disagrees(),
-                        .turns = m_judge.turns(),
-                        .outliers = m_judge.outliers(),
-                        .restarts = m_judge.restarts(),
-                        .counts = m_source.counts};
+    SensorStatus status{
+        .source = m_name,
+        .open = m_source.open,
+        .problem = m_source.problem,
+        .presence = m_judge.presence(now),
+        .dead = m_judge.dead(),
+        .last = m_judge.last(),
+        .declination = m_correction.declination(),
+        .declinationText = toQString(geomagnetism::describe(declination())),
+        .azimuthDifference = m_check.difference(Axis::Azimuth).now,
+        .elevationDifference = m_check.difference(Axis::Elevation).now,
+        .disagrees = m_check.disagrees(),
+        .turns = m_settings.mounting.sense == orientation::Sense::Clockwise ? m_judge.turns() : -m_judge.turns(),
+        .outliers = m_judge.outliers(),
+        .restarts = m_judge.restarts(),
+        .counts = m_source.counts};
     if (status.last) {
         status.age = std::chrono::duration_cast<std::chrono::milliseconds>(now - status.last->arrival);
         status.doubt = doubtOf(*status.last);
@@ -333,7 +340,22 @@ SensorEvidence SensorWatch::evidence() const
     const SkyPointing direction = directionOf(*last);
     const bool level = !last->calibration || last->calibration->accelerometer >= kFewestAccelerometer;
     return {.azimuth = doubtOf(*last).isEmpty() ? std::optional(direction.azimuth) : std::nullopt,
-            .elevation = level ? std::optional(direction.elevation) : std::nullopt};
+            .elevation = level ? std::optional(direction.elevation) : std::nullopt,
+            .course = course(*last)};
+}
+
+// The true azimuth, on the turn that the count of the headings says.
+std::optional<memory::SensorCourse> SensorWatch::course(const orientation::Orientation& last) const
+{
+    const SkyPointing direction = directionOf(last);
+    if (!doubtOfCalibration(last).isEmpty() || direction.elevation >= kHighestCourse) {
+        return std::nullopt;
+    }
+    orientation::Orientation zero = last;
+    zero.heading = {};
+    const bool clockwise = m_settings.mounting.sense == orientation::Sense::Clockwise;
+    const Angle about = directionOf(zero).azimuth + (clockwise ? m_judge.course() : -m_judge.course());
+    return memory::SensorCourse{.unbroken = m_judge.breaks() + m_breaks, .azimuth = direction.azimuth.nearestTo(about)};
 }
 
 }  // namespace boresight

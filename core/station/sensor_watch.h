@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/calibration/deviation_curve.h"
+#include "core/memory/sensor_course.h"
 #include "core/orientation/correction.h"
 #include "core/orientation/judge.h"
 #include "core/orientation/source.h"
@@ -22,6 +23,7 @@ struct SensorEvidence
 {
     std::optional<Angle> azimuth;
     std::optional<Angle> elevation;
+    std::optional<memory::SensorCourse> course;  // how the azimuth went, while it can be followed
 
     bool operator==(const SensorEvidence&) const = default;
 };
@@ -53,6 +55,7 @@ private:
     // Why its azimuth is no evidence; empty: it is.
     [[nodiscard]] QString doubtOf(const orientation::Orientation& value) const;
     [[nodiscard]] bool isYoung() const;
+    [[nodiscard]] std::optional<memory::SensorCourse> course(const orientation::Orientation& last) const;
     void compare(const orientation::Orientation& value);
     void correct();
     void note(const orientation::Orientation& value);
@@ -76,6 +79,7 @@ private:
     SteadyTime m_begun{};
     bool m_heard = false;  // as the log was told
     CurrentLink m_currentLink;
+    std::uint64_t m_breaks = 0;  // of the course, besides those that the judge sees
     bool m_disagreed = false;
     bool m_currentTold = false;
     bool m_unknownTold = false;

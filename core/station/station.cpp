@@ -259,7 +259,7 @@ void Station::witness()
     m_sensor.tick(m_control.direction(), amperes);
     m_calibration.take(m_sensor.status());
     const SensorEvidence evidence = m_sensor.evidence();
-    m_control.setSensor(evidence.azimuth, evidence.elevation);
+    m_control.setSensor(evidence.azimuth, evidence.elevation, evidence.course);
 }
 
 void Station::finish()

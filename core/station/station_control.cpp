@@ -436,8 +436,10 @@ std::optional<SkyPointing> StationControl::direction() const
     return place ? std::optional(m_model.toSky(*place)) : std::nullopt;
 }
 
-void StationControl::setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation)
+void StationControl::setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation,
+                               const std::optional<memory::SensorCourse>& course)
 {
+    m_turns.setCourse(course);
     const SkyPointing beam{.azimuth = azimuth.value_or(Angle{}), .elevation = elevation.value_or(Angle{})};
     const AxisPosition axes = m_model.pointing().toAxes(beam).axes;
     m_turns.setSensor(Axis::Azimuth, azimuth ? std::optional(axes.azimuth) : std::nullopt);

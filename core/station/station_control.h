@@ -90,7 +90,8 @@ public:
     // What the survey knows about a drive now; empty: nothing, its turn is then judged anew.
     void learn(Axis axis, const std::optional<survey::DriveFacts>& facts);
     // Where a sensor on the antenna says that the beam points: it speaks when a turn is asked for, and nowhere else.
-    void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation);
+    void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation,
+                   const std::optional<memory::SensorCourse>& course = std::nullopt);
     // What its position counts from is to be read anew.
     [[nodiscard]] bool needsOrigin(Axis axis) const { return facts(axis) && m_turns.needsOrigin(axis, *facts(axis)); }
     // The drive was power-cycled under our eyes.

@@ -71,6 +71,9 @@ void TurnKeeper::forget(Axis axis, const std::optional<QString>& doubt)
 {
     State& mine = state(axis);
     mine = {.doubt = doubt ? doubt : mine.doubt, .since = m_clock.now()};
+    if (doubt && axis == Axis::Azimuth) {
+        m_anchor.reset();  // it was perhaps not there any more
+    }
     if (auto& last = record(axis); doubt && last) {
         last->proveNothing();  // also after a restart of the program; it still tells where the axis may be
         m_changed = true;
@@ -221,7 +224,9 @@ void TurnKeeper::ask(Axis axis, const memory::TurnQuestion& question, const Driv
     state(axis).question = question;
     state(axis).reportedWhenAsked = *drive.report()->position;
     QString text = Text::tr("the turn of the axis is not known: no pointing until the operator has told it");
-    for (const QString& line : question.evidence) {
+    memory::TurnQuestion told = question;
+    addTurning(axis, told);
+    for (const QString& line : told.evidence) {
         text += QStringLiteral(". ") + line;
     }
     m_log.add(Severity::Warning, toQString(drive.name()), text);
@@ -265,6 +270,7 @@ std::optional<memory::TurnQuestion> TurnKeeper::question(Axis axis, const Drive&
     question.evidence.back() = memory::sensorSentence(m_sensor[index(axis)]);  // it may have come, or moved, since
     question.movedSince = drive.phase() == Drive::Phase::Referencing ? Angle{} : movedSince(axis, drive);
     if (question.candidates.empty()) {
+        addTurning(axis, question);
         return question;
     }
     // Those of now: one that lay beyond the stops may have come inside by jogging, and others gone out.
@@ -275,7 +281,16 @@ std::optional<memory::TurnQuestion> TurnKeeper::question(Axis axis, const Drive&
         const Angle wandered = *question.proposed + question.movedSince;
         question.proposed = sameAmong(question.candidates, wandered, question.period);
     }
+    addTurning(axis, question);
     return question;
+}
+
+void TurnKeeper::addTurning(Axis axis, memory::TurnQuestion& question) const
+{
+    const auto place = axis == Axis::Azimuth ? memory::placeBySensor(m_anchor, m_course) : std::nullopt;
+    if (place) {
+        memory::addSensorTurning(question, *place);
+    }
 }
 
 Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString& source)
@@ -333,6 +348,9 @@ void TurnKeeper::note(Axis axis, const survey::DriveFacts& facts, const Drive& d
         return;
     }
     const Angle angle = m_profile.axis(axis).geometry.toAxis(*drive.report()->position);
+    if (axis == Axis::Azimuth) {
+        m_anchor = m_course ? std::optional(memory::CourseAnchor{.axis = angle, .course = *m_course}) : m_anchor;
+    }
     const memory::DriveFrame here = frame(axis, facts, *drive.report(), now);
     auto& last = record(axis);
     const bool turned = !last || last->drive != facts.uuid || last->moving != moving || last->origin != here.origin;

@@ -3,6 +3,7 @@
 
 #include "core/memory/mount_memory.h"
 #include "core/memory/reconcile.h"
+#include "core/memory/sensor_course.h"
 #include "core/memory/turn_question.h"
 #include "core/profile/profile.h"
 #include "core/station/drive_pair.h"
@@ -45,6 +46,9 @@ public:
 
     // What a sensor on the antenna says of the axis now, as a mechanical direction; it speaks in the question.
     void setSensor(Axis axis, const std::optional<Angle>& heading) { m_sensor[index(axis)] = heading; }
+
+    // How it has seen the azimuth turn: compared with where the axis was while its turn was known.
+    void setCourse(const std::optional<memory::SensorCourse>& course) { m_course = course; }
 
     [[nodiscard]] bool known(Axis axis) const { return state(axis).phase == Phase::Known; }
     [[nodiscard]] bool asked(Axis axis) const { return state(axis).phase == Phase::Asked; }
@@ -100,6 +104,7 @@ private:
     void becomeKnown(Axis axis, const Drive& drive);
     void settle(Axis axis, Angle angle, Angle period, Drive& drive, const QString& source, const QString& why);
     [[nodiscard]] MotorTurns tolerance(Axis axis, Angle period) const;
+    void addTurning(Axis axis, memory::TurnQuestion& question) const;
     [[nodiscard]] Angle movedSince(Axis axis, const Drive& drive) const;
 
     profile::Profile m_profile;
@@ -108,6 +113,8 @@ private:
     Start m_start;
     std::array<State, 2> m_states;
     std::array<std::optional<Angle>, 2> m_sensor;
+    std::optional<memory::SensorCourse> m_course;
+    std::optional<memory::CourseAnchor> m_anchor;  // of the azimuth
     bool m_changed = false;
 };
 

@@ -5165,6 +5165,26 @@ do eixo</translation>
         <source>Check the disk, or choose another folder with --state-dir; else it cannot be taken back after the program was ended</source>
         <translation>Verifique o disco ou escolha outra pasta com --state-dir; senão não pode ser anulado depois de o programa terminar</translation>
     </message>
+    <message>
+        <source>The sensor was heard all the time since the turn was known, and has seen it turn to about %1 (± %2)</source>
+        <translation>O sensor foi ouvido o tempo todo desde que a volta era conhecida, e viu-o girar até cerca de %1 (± %2)</translation>
+    </message>
+    <message>
+        <source>: that speaks against %1, so nothing is proposed: look at the cable</source>
+        <translation>: isso contradiz %1, por isso nada se propõe: olhe para o cabo</translation>
+    </message>
+    <message>
+        <source>: that agrees with what is proposed</source>
+        <translation>: isso concorda com o que se propõe</translation>
+    </message>
+    <message>
+        <source>: none of the places is near that</source>
+        <translation>: nenhum dos lugares fica perto disso</translation>
+    </message>
+    <message>
+        <source>It is correlated with the motors&apos; current: %1 per ampere over the last minute (correlation %2). Put the sensor farther from motors and their cables, or twist these</source>
+        <translation>Está correlacionado com a corrente dos motores: %1 por ampere no último minuto (correlação %2). Ponha o sensor mais longe dos motores e dos cabos deles, ou torça estes</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

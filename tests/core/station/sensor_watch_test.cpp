@@ -6,6 +6,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <utility>
+
 namespace boresight {
 namespace {
 
@@ -186,6 +189,64 @@ TEST(SensorWatch, ANewSettingTakesADifferenceAway)
     EXPECT_NEAR(rig.watch.status().direction->azimuth.degrees(), 100.0, 1e-9);
 }
 
+// Whole turns, whichever way the sensor counts: the mount turns clockwise by 500°.
+TEST(SensorWatch, ItsCourseIsThatOfTheMount)
+{
+    for (const bool clockwise : {true, false}) {
+        profile::Profile profile;
+        profile.sensor.mounting.azimuthOffset = 37.4_deg;
+        profile.sensor.mounting.sense =
+            clockwise ? orientation::Sense::Clockwise : orientation::Sense::CounterClockwise;
+        WatchRig rig(profile);
+        rig.run(2.0);
+        const auto before = rig.watch.evidence().course;
+        ASSERT_TRUE(before);
+        for (int second = 0; second < 100; ++second) {
+            rig.heading += clockwise ? 5_deg : -5_deg;
+            rig.run(1.0);
+        }
+        const auto after = rig.watch.evidence().course;
+        ASSERT_TRUE(after);
+        EXPECT_EQ(after->unbroken, before->unbroken);
+        EXPECT_NEAR((after->azimuth - before->azimuth).degrees(), 500.0, 1e-6) << clockwise;
+        EXPECT_EQ(rig.watch.status().turns, clockwise ? 1 : 2) << "it began at 100° of its own circle";
+        EXPECT_NEAR((after->azimuth - rig.watch.status().direction->azimuth).turns(),
+                    std::round((after->azimuth - rig.watch.status().direction->azimuth).turns()), 1e-9);
+    }
+}
+
+TEST(SensorWatch, ItsCourseBreaksWhereItProvesNothing)
+{
+    WatchRig rig;
+    const auto unbroken = [&rig] {
+        rig.run(2.0);
+        const auto course = rig.watch.evidence().course;
+        return course ? course->unbroken : 0;
+    };
+    auto before = unbroken();
+    const auto isAnother = [&] { return std::exchange(before, unbroken()) != before; };
+    EXPECT_FALSE(isAnother());
+    rig.elevation = 80_deg;
+    rig.run(6.0);
+    EXPECT_FALSE(rig.watch.evidence().course) << "near the zenith";
+    rig.elevation = 20_deg;
+    rig.run(6.0);
+    EXPECT_TRUE(isAnother());
+    rig.calibration->magnetometer = 1;
+    rig.run(2.0);
+    EXPECT_FALSE(rig.watch.evidence().course) << "not tied to north";
+    rig.calibration->magnetometer = 3;
+    EXPECT_TRUE(isAnother());
+    rig.watch.setProfile(rig.profile);
+    EXPECT_TRUE(isAnother());
+    rig.speaking = false;
+    rig.run(6.0);
+    EXPECT_FALSE(rig.watch.evidence().course) << "not heard";
+    rig.speaking = true;
+    EXPECT_TRUE(isAnother());
+    EXPECT_FALSE(isAnother());
+}
+
 TEST(SensorWatch, AnUncalibratedCompassIsNoWitness)
 {
     WatchRig rig;
@@ -194,10 +255,12 @@ TEST(SensorWatch, AnUncalibratedCompassIsNoWitness)
     rig.run(10.0);
     EXPECT_EQ(rig.alarmText(), "");
     EXPECT_THAT(rig.watch.status().doubt.toStdString(), HasSubstr("magnetometer 1"));
-    EXPECT_EQ(rig.watch.evidence(), (SensorEvidence{.azimuth = std::nullopt, .elevation = 20_deg}));
+    EXPECT_EQ(rig.watch.evidence(),
+              (SensorEvidence{.azimuth = std::nullopt, .elevation = 20_deg, .course = std::nullopt}));
     rig.calibration->magnetometer = 2;
     rig.run(2.0);
-    EXPECT_EQ(rig.watch.evidence(), (SensorEvidence{.azimuth = 180_deg, .elevation = 20_deg}));
+    EXPECT_EQ(rig.watch.evidence().azimuth, 180_deg);
+    EXPECT_EQ(rig.watch.evidence().elevation, 20_deg);
 }
 
 // Practically no calibration comes by MQTT: that is no proof, but a difference is told all the same.

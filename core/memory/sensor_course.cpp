@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/memory/sensor_course.h"
+
+#include "core/base/text.h"
+#include "core/memory/words.h"
+
+#include <algorithm>
+
+namespace boresight::memory {
+namespace {
+
+// Deviation of the compass at both ends, twice ±11°, and what the axis ran while the last value was on its way.
+constexpr Angle kWorth = Angle::fromDegrees(30.0);
+
+bool isWithin(Angle place, Angle bySensor)
+{
+    return abs(place - bySensor) <= kWorth;
+}
+
+}  // namespace
+
+std::optional<Angle> placeBySensor(const std::optional<CourseAnchor>& anchor, const std::optional<SensorCourse>& now)
+{
+    if (!anchor || !now || anchor->course.unbroken != now->unbroken) {
+        return std::nullopt;
+    }
+    return anchor->axis + (now->azimuth - anchor->course.azimuth);
+}
+
+void addSensorTurning(TurnQuestion& question, Angle bySensor)
+{
+    QString sentence = Text::tr(
+                           "The sensor was heard all the time since the turn was known, and has seen it turn to "
+                           "about %1 (± %2)")
+                           .arg(inWords(bySensor), inWords(kWorth));
+    const bool possible = std::ranges::any_of(question.candidates, [&](Angle one) { return isWithin(one, bySensor); });
+    if (question.proposed && !isWithin(*question.proposed, bySensor)) {
+        sentence += Text::tr(": that speaks against %1, so nothing is proposed: look at the cable")
+                        .arg(inWords(*question.proposed));
+        question.proposed.reset();
+    } else if (question.proposed) {
+        sentence += Text::tr(": that agrees with what is proposed");
+    } else if (!question.candidates.empty() && !possible) {
+        sentence += Text::tr(": none of the places is near that");
+    }
+    question.evidence.insert(question.evidence.empty() ? question.evidence.end() : std::prev(question.evidence.end()),
+                             sentence);
+}
+
+}  // namespace boresight::memory

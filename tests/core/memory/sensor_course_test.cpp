@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/memory/sensor_course.h"
+
+#include <gmock/gmock.h>
+
+namespace boresight::memory {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr CourseAnchor kAnchor{.axis = Angle::fromDegrees(350.0),
+                               .course = {.unbroken = 7, .azimuth = Angle::fromDegrees(28.0)}};
+
+TurnQuestion question(std::optional<Angle> proposed)
+{
+    return {.candidates = {45_deg, 405_deg},
+            .proposed = proposed,
+            .evidence = {QStringLiteral("places"), QStringLiteral("journal"), QStringLiteral("The sensor says 82.0°")},
+            .period = 360_deg};
+}
+
+TEST(SensorCourse, CountsWholeTurns)
+{
+    EXPECT_EQ(placeBySensor(kAnchor, SensorCourse{.unbroken = 7, .azimuth = 83_deg}), 405_deg);
+    EXPECT_EQ(placeBySensor(kAnchor, SensorCourse{.unbroken = 7, .azimuth = -277_deg}), 45_deg);
+}
+
+TEST(SensorCourse, ABreakInBetweenSaysNothing)
+{
+    EXPECT_FALSE(placeBySensor(kAnchor, SensorCourse{.unbroken = 8, .azimuth = 83_deg}));
+    EXPECT_FALSE(placeBySensor(kAnchor, std::nullopt));
+    EXPECT_FALSE(placeBySensor(std::nullopt, kAnchor.course));
+}
+
+TEST(SensorCourse, AgreesWithAProposalInAnotherSentence)
+{
+    TurnQuestion asked = question(405_deg);
+    addSensorTurning(asked, 398_deg);
+    EXPECT_EQ(asked.proposed, 405_deg);
+    ASSERT_EQ(asked.evidence.size(), 4U);
+    EXPECT_THAT(asked.evidence[2].toStdString(), HasSubstr("about 398.0° (± 30.0°): that agrees"));
+    EXPECT_EQ(asked.evidence.back(), QStringLiteral("The sensor says 82.0°"));
+}
+
+TEST(SensorCourse, TakesBackAProposalThatItSpeaksAgainst)
+{
+    TurnQuestion asked = question(405_deg);
+    addSensorTurning(asked, 50_deg);
+    EXPECT_FALSE(asked.proposed) << "and none other in its place: it does not decide alone";
+    EXPECT_THAT(asked.evidence[2].toStdString(), HasSubstr("speaks against 405.0°"));
+}
+
+TEST(SensorCourse, ProposesNothingItself)
+{
+    TurnQuestion asked = question(std::nullopt);
+    addSensorTurning(asked, 50_deg);
+    EXPECT_FALSE(asked.proposed);
+    EXPECT_THAT(asked.evidence[2].toStdString(), Not(HasSubstr("none of the places")));
+    asked = question(std::nullopt);
+    addSensorTurning(asked, 200_deg);
+    EXPECT_THAT(asked.evidence[2].toStdString(), HasSubstr("none of the places is near that"));
+}
+
+}  // namespace
+}  // namespace boresight::memory
