@@ -6,6 +6,7 @@
 #include "core/can/socketcan_link.h"
 #include "core/sim/can_server.h"
 #include "core/sim/pty_server.h"
+#include "core/sim/sensor_port.h"
 
 #include <QCoreApplication>
 #include <QTimer>
@@ -52,6 +53,7 @@ public:
 private:
     Result<> startOnPty();
     Result<> startOnCan();
+    Result<> startSensor();
     [[nodiscard]] Seconds now() const { return m_clock.now() - m_epoch; }
 
     const SimulateOptions& m_options;
@@ -61,12 +63,26 @@ private:
     std::unique_ptr<sim::PtyServer> m_ptyServer;
     std::unique_ptr<SocketCanLink> m_canLink;
     std::unique_ptr<sim::CanServer> m_canServer;
+    std::unique_ptr<sim::SensorPort> m_sensorPort;
     QTimer m_truthTimer;
 };
 
 Result<> SimulatedDevice::start()
 {
-    return m_options.can.empty() ? startOnPty() : startOnCan();
+    return (m_options.can.empty() ? startOnPty() : startOnCan()).and_then([this] { return startSensor(); });
+}
+
+Result<> SimulatedDevice::startSensor()
+{
+    if (m_options.sensor.empty()) {
+        return {};
+    }
+    return sim::SensorPort::create(QString::fromStdString(m_options.sensor), m_pair, m_clock, m_epoch)
+        .map([this](std::unique_ptr<sim::SensorPort> port) {
+            m_sensorPort = std::move(port);
+            m_sensorPort->sensor().truth() = sim::truthToBeFound();
+            print("sensor " + m_sensorPort->device().toStdString() + '\n');
+        });
 }
 
 Result<> SimulatedDevice::startOnPty()
@@ -135,6 +151,8 @@ ExitStatus simulate(const SimulateOptions& options)
 const std::string kDetails =
     R"(  --pty PATH      be an fdcanusb adapter on a pseudo-terminal that PATH links to; clients may come and go
   --can IFACE     answer on a CAN interface that is up, for instance vcan0
+  --sensor PATH   be its orientation sensor, too, on a pseudo-terminal that PATH links to: sensor.source = "serial",
+                  sensor.port = "PATH". North is hidden, and iron leads its compass
   --az-id N       id of the azimuth drive, 1…126; 1 without it
   --el-id N       id of the elevation drive; 2 without it
   --factory       boards fresh from the box: both with id 1, not referenced, bounds of ±0.01 turns; else a commissioned
@@ -151,6 +169,7 @@ on standard error when it begins and ends.
 Examples:
   boresightctl simulate --pty /tmp/mount --wind az:30Nm@5+3 --silence el@12s+500ms --fault az:38@20
   boresightd --bus fdcanusb:/tmp/mount
+  boresightctl simulate --pty /tmp/mount --sensor /tmp/sensor
 )";
 
 ExitStatus run(Arguments arguments)

@@ -88,6 +88,9 @@ Result<> takeOption(const std::string& name, Reader& reader, SimulateOptions& op
     if (name == "can") {
         return takeText(name, reader, options.can);
     }
+    if (name == "sensor") {
+        return takeText(name, reader, options.sensor);
+    }
     if (name == "az-id") {
         return takeId(name, reader, options.azimuthId);
     }
@@ -108,6 +111,9 @@ Result<> check(const SimulateOptions& options)
 {
     if (options.pty.empty() == options.can.empty()) {
         return refuse("give either --pty PATH or --can IFACE");
+    }
+    if (!options.sensor.empty() && options.sensor == options.pty) {
+        return refuse("--sensor and --pty name the same file");
     }
     const sim::PairSettings pair = options.pairSettings();
     if (!options.factory && pair.azimuth.config.id == pair.elevation.config.id) {

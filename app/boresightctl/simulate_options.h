@@ -16,6 +16,7 @@ struct SimulateOptions
 {
     std::string pty;  // exactly one of these two is given
     std::string can;
+    std::string sensor;  // link to the orientation sensor's pseudo-terminal; empty: none
     std::optional<int> azimuthId{};
     std::optional<int> elevationId{};
     bool factory = false;

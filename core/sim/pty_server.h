@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/base/file_descriptor.h"
 #include "core/base/result.h"
 #include "core/sim/fdcanusb_server.h"
+#include "core/sim/pseudo_terminal.h"
 #include "core/sim/simulated_pair.h"
 
 #include <QObject>
@@ -27,15 +27,14 @@ public:
     // Clock and pair outlive the server. Refused if `link` exists and is not a symbolic link.
     [[nodiscard]] static Result<std::unique_ptr<PtyServer>> create(const QString& link, SimulatedPair& pair,
                                                                    const Clock& clock);
-    ~PtyServer() override;
 
-    [[nodiscard]] QString link() const { return m_link; }
-    [[nodiscard]] QString terminal() const { return m_terminal; }
+    [[nodiscard]] QString link() const { return m_terminal.link(); }
+    [[nodiscard]] QString terminal() const { return m_terminal.device(); }
     // False from the moment a client was seen to close until the next one is seen.
     [[nodiscard]] bool hasClient() const { return !m_absent.isActive(); }
 
 private:
-    PtyServer(FileDescriptor master, QString terminal, QString link, SimulatedPair& pair, const Clock& clock);
+    PtyServer(PseudoTerminal terminal, SimulatedPair& pair, const Clock& clock);
 
     void read();
     void write(const std::string& bytes);
@@ -44,9 +43,7 @@ private:
     void watchForClient();
     [[nodiscard]] Seconds now() const { return m_begin + (m_clock.now() - m_epoch); }
 
-    FileDescriptor m_master;
-    QString m_terminal;
-    QString m_link;
+    PseudoTerminal m_terminal;
     SimulatedPair& m_pair;
     const Clock& m_clock;
     SteadyTime m_epoch;

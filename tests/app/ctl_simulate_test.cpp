@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The simulated pair as a device of its own, found by `scan` and driven by boresightd. What the axes really do is
 // judged by the device's own --print-truth, not by what the drives report.
+#include "core/orientation/serial_source.h"
 #include "tests/fakes/program.h"
 #include "tests/fakes/wait_until.h"
 
@@ -101,6 +102,27 @@ TEST_F(SimulateTest, EndsCleanlyAndTakesItsLinkAway)
     m_device->terminate();
     EXPECT_EQ(m_device->waitForEnd(), 0);
     EXPECT_FALSE(QFileInfo(device).isSymLink());
+}
+
+// What the station reads of a sensor on a real port.
+TEST_F(SimulateTest, IsItsOrientationSensorToo)
+{
+    const QString port = folder.filePath(QStringLiteral("sensor"));
+    start({QStringLiteral("--sensor"), port});
+    EXPECT_TRUE(m_device->lines().front().startsWith(QStringLiteral("sensor /dev/pts/")));
+    const SystemClock clock;
+    orientation::SerialSource source({.port = port}, clock);
+    std::optional<orientation::Orientation> heard;
+    QObject::connect(&source, &orientation::Source::received, &source,
+                     [&](const orientation::Orientation& value) { heard = value; });
+    source.open();
+    ASSERT_TRUE(fakes::waitUntil([&] { return heard.has_value(); })) << source.status().problem.toStdString();
+    EXPECT_NEAR(heard->elevation.degrees(), 10.0, 2.0);
+    EXPECT_EQ(heard->calibration->magnetometer, 3);
+    source.close();
+    m_device->terminate();
+    EXPECT_EQ(m_device->waitForEnd(), 0);
+    EXPECT_FALSE(QFileInfo(port).isSymLink());
 }
 
 TEST_F(SimulateTest, FailsWhereNoLinkCanBeMade)

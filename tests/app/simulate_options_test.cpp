@@ -32,6 +32,13 @@ TEST(SimulateOptions, AreReadInAnyOrderWithBlankOrEquals)
     EXPECT_EQ(options->injections[1].kind, sim::FaultKind::DuplicateId);
 }
 
+TEST(SimulateOptions, ASensorHasAFileOfItsOwn)
+{
+    EXPECT_EQ(parse({"--pty", "/tmp/m", "--sensor", "/tmp/s"})->sensor, "/tmp/s");
+    EXPECT_FALSE(parse({"--pty", "/tmp/m", "--sensor", "/tmp/m"}));
+    EXPECT_FALSE(parse({"--pty", "/tmp/m", "--sensor"}));
+}
+
 TEST(SimulateOptions, ChooseThePair)
 {
     const sim::PairSettings ready = parse({"--pty", "p"})->pairSettings();
