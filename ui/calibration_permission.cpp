@@ -106,6 +106,11 @@ QString whyNoPointChange(const StationStatus& status)
     return calibrationOf(status).points.empty() ? CalibrationPermission::tr("there are no points") : whyNoOther(status);
 }
 
+QString whyNoGivenTerms(const StationStatus& status)
+{
+    return status.calibration ? whyNoOther(status) : CalibrationPermission::tr("the station does not calibrate");
+}
+
 QString whyNoApply(const StationStatus& status)
 {
     const auto& proposal = calibrationOf(status).proposal;

@@ -19,6 +19,7 @@ namespace boresight::ui {
 [[nodiscard]] QString whyNoBodyPoint(const StationStatus& status, ephemeris::Body body);
 [[nodiscard]] QString whyNoLandmark(const StationStatus& status);
 [[nodiscard]] QString whyNoPointChange(const StationStatus& status);
+[[nodiscard]] QString whyNoGivenTerms(const StationStatus& status);  // typed, or from a file
 [[nodiscard]] QString whyNoApply(const StationStatus& status);
 [[nodiscard]] QString whyNoUndo(const StationStatus& status);
 [[nodiscard]] QString whyNoRedo(const StationStatus& status);

@@ -134,7 +134,11 @@ Sentence proposalSentence(const CalibrationStatus& calibration)
     if (!calibration.proposal) {
         return {CalibrationWords::tr("Nothing proposed yet: steps 1-3 find north")};
     }
-    const CalibrationProposal& proposal = *calibration.proposal;
+    CalibrationProposal proposal = *calibration.proposal;
+    if (proposal.residuals) {
+        proposal.title += CalibrationWords::tr(", points: rms %1 → %2")
+                              .arg(angleText(proposal.residuals->before, 3), angleText(proposal.residuals->after, 3));
+    }
     return proposal.warnings.empty() ? Sentence{proposal.title, Tone::Normal}
                                      : Sentence{proposal.title + QStringLiteral(": ") + proposal.warnings.front(),
                                                 Tone::Warning, Symbol::Warning};

@@ -9,6 +9,7 @@
 #include "ui/read_table.h"
 #include "ui/residual_sky.h"
 #include "ui/term_model.h"
+#include "ui/terms_box.h"
 #include "ui/value_label.h"
 
 #include <QButtonGroup>
@@ -25,9 +26,16 @@ namespace {
 QString remarksOf(const CalibrationStatus& calibration)
 {
     QStringList lines;
+    if (calibration.proposal) {
+        for (const QString& warning : calibration.proposal->warnings) {
+            lines << warning;
+        }
+    }
     if (calibration.fit) {
         for (const QString& remark : calibration.fit->remarks) {
-            lines << remark;
+            if (!lines.contains(remark)) {
+                lines << remark;
+            }
         }
     }
     return lines.join(QLatin1Char('\n'));
@@ -47,6 +55,7 @@ ModelPage::ModelPage(RequestDesk& desk, QWidget* parent)
       m_sky(new ResidualSky(this)),
       m_use(new CommandButton(tr("Leave out"), {}, desk, *m_notice, this)),
       m_drop(new CommandButton(tr("Drop"), tr("Forget the selected point for good"), desk, *m_notice, this)),
+      m_given(new TermsBox(desk, *m_notice, this)),
       m_views(new QStackedWidget(this))
 {
     m_drop->setAccessibleName(tr("Drop the selected point"));
@@ -62,14 +71,15 @@ void ModelPage::build()
     row->setSpacing(2);
     auto* const group = new QButtonGroup(this);
     const std::pair<QString, QString> views[] = {{tr("Terms"), tr("The terms of the pointing model")},
-                                                 {tr("Points"), tr("The points, and how far each is off")}};
-    for (int view = 0; view < 2; ++view) {
+                                                 {tr("Points"), tr("The points, and how far each is off")},
+                                                 {tr("Type"), tr("Type the terms, or exchange them with a file")}};
+    for (std::size_t view = 0; view < m_choices.size(); ++view) {
         auto* const button = new ChoiceButton(views[view].first, views[view].second, this);
         button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-        button->setChecked(view == 0);
+        m_choices[view] = button;
         group->addButton(button);
         row->addWidget(button);
-        connect(button, &QToolButton::clicked, m_views, [this, view] { m_views->setCurrentIndex(view); });
+        connect(button, &QToolButton::clicked, this, [this, view] { showView(static_cast<View>(view)); });
     }
     m_summary->setStretching(true);
     m_summary->setLines(3);
@@ -79,12 +89,21 @@ void ModelPage::build()
     row->addWidget(m_summary, 1);
     m_views->addWidget(makeTerms());
     m_views->addWidget(makePoints());
+    m_views->addWidget(m_given);
+    showView(View::Terms);
+    connect(m_given, &TermsBox::proposed, this, [this] { showView(View::Terms); });  // beside those in force
     auto* const column = new QVBoxLayout(this);
     column->setContentsMargins(6, 4, 6, 0);
     column->setSpacing(4);
     column->addLayout(row);
     column->addWidget(m_views, 1);
     column->addWidget(m_notice);
+}
+
+void ModelPage::showView(View view)
+{
+    m_choices[static_cast<std::size_t>(view)]->setChecked(true);
+    m_views->setCurrentIndex(static_cast<int>(view));
 }
 
 QWidget* ModelPage::makeTerms()
@@ -141,6 +160,7 @@ void ModelPage::showStatus(const StationStatus& status)
         m_points->show(calibration.points);
         m_sky->showPoints(calibration.points);
         m_summary->setValue(fitText(calibration));
+        m_given->showStatus(status);
         if (const QString remarks = remarksOf(calibration); remarks != m_remarks->toPlainText()) {
             m_remarks->setPlainText(remarks);
         }

@@ -5,19 +5,24 @@
 
 #include <QWidget>
 
+#include <array>
+
 class QPlainTextEdit;
 class QStackedWidget;
 class QTableView;
 
-// Step 4 of finding north: the pointing model that the points speak for. Two views: its terms, in force and proposed,
-// with what the fit remarks; and the points with their residuals, in a table and on the sky.
+// Step 4 of finding north: the pointing model that the points speak for. Three views: its terms, in force and proposed,
+// with what the fit remarks; the points with their residuals, in a table and on the sky; and terms to be typed, or
+// exchanged with a file.
 namespace boresight::ui {
 
+class ChoiceButton;
 class CommandButton;
 class PointModel;
 class RequestDesk;
 class ResidualSky;
 class TermModel;
+class TermsBox;
 class ValueLabel;
 
 class ModelPage : public QWidget
@@ -30,10 +35,18 @@ public:
     void showStatus(const StationStatus& status);
 
 private:
+    enum class View
+    {
+        Terms,
+        Points,
+        Given
+    };
+
     void build();
     [[nodiscard]] QWidget* makeTerms();
     [[nodiscard]] QWidget* makePoints();
     [[nodiscard]] int selected() const;  // row of the points; -1: none
+    void showView(View view);
     void showSelected();
     void useOrNot();
     void drop();
@@ -49,7 +62,9 @@ private:
     ResidualSky* m_sky;
     CommandButton* m_use;
     CommandButton* m_drop;
+    TermsBox* m_given;
     QStackedWidget* m_views;
+    std::array<ChoiceButton*, 3> m_choices{};  // by View
 };
 
 }  // namespace boresight::ui

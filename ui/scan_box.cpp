@@ -31,6 +31,23 @@ QString idleText(const CalibrationStatus& calibration, const QString& reason)
                             : ScanBox::tr("Scans across, then in elevation; type the power at each place");
 }
 
+// What the receiver said last, how long ago, or what is wrong with its line.
+Sentence lineSentence(const power::LineStatus& line)
+{
+    if (!line.problem.isEmpty()) {
+        return {line.problem, Tone::Warning, Symbol::Warning};
+    }
+    if (line.name.isEmpty()) {
+        return {};
+    }
+    return {line.decibels ? ScanBox::tr("%1: %2 dB, %3 s old")
+                                .arg(line.name)
+                                .arg(*line.decibels, 0, 'f', 1)
+                                .arg(line.age.count(), 0, 'f', 0)
+                          : ScanBox::tr("%1: nothing has come yet").arg(line.name),
+            Tone::Secondary};
+}
+
 }  // namespace
 
 ScanBox::ScanBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
@@ -45,6 +62,7 @@ ScanBox::ScanBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
                         this)),
       m_power(new QLineEdit(this)),
       m_run(new RunLine(CalibrationRun::CrossScan, tr("Cross scan"), this)),
+      m_line(new ValueLabel(tr("Power of the receiver"), fonts::label(), {}, this)),
       m_start(new CommandButton(tr("Scan"), {}, desk, notice, this)),
       m_give(new CommandButton(tr("Give dB"), tr("The power at this place; the mount goes on to the next (Enter)"),
                                desk, notice, this))
@@ -68,7 +86,8 @@ void ScanBox::build()
     m_width->setMinimumHeight(kTouchSize);
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(4);
+    grid->setHorizontalSpacing(4);
+    grid->setVerticalSpacing(2);  // with the receiver's line, too, it fits into 700 px
     QLabel* const width = makeCaption(tr("Width"), this);
     width->setBuddy(m_width);
     QLabel* const power = makeCaption(tr("Power"), this);
@@ -80,6 +99,9 @@ void ScanBox::build()
     grid->addWidget(power, 2, 0);
     grid->addWidget(m_power, 2, 1);
     grid->addWidget(m_give, 2, 2);
+    m_line->setStretching(true);
+    m_line->setCollapsing(true);
+    grid->addWidget(m_line, 3, 0, 1, 3);
     grid->setColumnStretch(1, 1);
 }
 
@@ -96,6 +118,8 @@ void ScanBox::showStatus(const StationStatus& status)
                                   : tr("The mount moves across the %1 and takes the peak as a point").arg(body));
     m_start->setBlocked(reason);
     m_width->setEnabled(!m_running);
+    const Sentence line = lineSentence(calibration.powerLine);
+    m_line->setValue(line.text, line.tone, line.symbol);
     m_give->setBlocked(whyNoPower(status));
 }
 

@@ -9,7 +9,7 @@ class QDoubleSpinBox;
 class QLineEdit;
 
 // The peak of the received power as a known direction: the mount scans across the body that is followed, along both
-// axes, and waits at each place for the power that is typed here.
+// axes, and waits at each place for the power that is typed here, or that comes from a receiver.
 namespace boresight::ui {
 
 class CommandButton;
@@ -39,6 +39,7 @@ private:
     QDoubleSpinBox* m_width;
     QLineEdit* m_power;
     RunLine* m_run;
+    ValueLabel* m_line;
     CommandButton* m_start;
     CommandButton* m_give;
 };

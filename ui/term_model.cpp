@@ -85,7 +85,10 @@ QString TermModel::cell(const Row& row, int column)
         case Sigma:
             return row.sigma ? QStringLiteral("± ") + angleText(*row.sigma, kDecimals) : QString();
         default:
-            return !row.proposed ? QString() : row.isOn ? tr("● found") : tr("as it was");
+            return !row.proposed ? QString()
+                   : !row.isOn   ? tr("as it was")
+                   : row.sigma   ? tr("● found")
+                                 : tr("● given");  // what is found has a sigma
     }
 }
 

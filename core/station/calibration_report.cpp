@@ -141,8 +141,9 @@ std::optional<CalibrationProposal> CalibrationDesk::proposalStatus() const
                              .obstacle = reasonOf(mayChange())};
     for (const calibration::Term term : calibration::kAllTerms) {
         const auto& sigma = m_proposal->sigmas[calibration::indexOf(term)];
-        told.terms[calibration::indexOf(term)].sigma = sigma;
-        told.terms[calibration::indexOf(term)].isOn = sigma.has_value() || m_by == ProposedBy::Given;
+        TermStatus& one = told.terms[calibration::indexOf(term)];
+        one.sigma = sigma;
+        one.isOn = sigma.has_value() || (m_by == ProposedBy::Given && one.proposed != one.present);
     }
     return told;
 }

@@ -66,6 +66,10 @@
         <source>nothing was taken back</source>
         <translation>nada foi desfeito</translation>
     </message>
+    <message>
+        <source>the station does not calibrate</source>
+        <translation>a estação não calibra</translation>
+    </message>
 </context>
 <context>
     <name>CalibrationWords</name>
@@ -192,6 +196,10 @@
     <message>
         <source>rms %1 → %2</source>
         <translation>rms %1 → %2</translation>
+    </message>
+    <message>
+        <source>, points: rms %1 → %2</source>
+        <translation>, pontos: rms %1 → %2</translation>
     </message>
 </context>
 <context>
@@ -8304,6 +8312,14 @@ emergência por cabo junto ao mastro.</translation>
         <source>select a point first</source>
         <translation>selecione primeiro um ponto</translation>
     </message>
+    <message>
+        <source>Type</source>
+        <translation>Digitar</translation>
+    </message>
+    <message>
+        <source>Type the terms, or exchange them with a file</source>
+        <translation>Digitar os termos, ou trocá-los com um arquivo</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::PanelTabs</name>
@@ -9409,6 +9425,18 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <source>Power: a number of dB is wanted, as -73.2</source>
         <translation>Potência: falta um número de dB, como -73.2</translation>
     </message>
+    <message>
+        <source>%1: %2 dB, %3 s old</source>
+        <translation>%1: %2 dB, há %3 s</translation>
+    </message>
+    <message>
+        <source>%1: nothing has come yet</source>
+        <translation>%1: ainda nada chegou</translation>
+    </message>
+    <message>
+        <source>Power of the receiver</source>
+        <translation>Potência do receptor</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::SensorLevels</name>
@@ -9948,6 +9976,85 @@ This is a function of the program. It does not replace the hard-wired emergency 
     <message>
         <source>Fit</source>
         <translation>Ajuste</translation>
+    </message>
+    <message>
+        <source>● given</source>
+        <translation>● dado</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::TermsBox</name>
+    <message>
+        <source>Propose</source>
+        <translation>Propor</translation>
+    </message>
+    <message>
+        <source>These terms become what Apply would put into force</source>
+        <translation>Estes termos passam a ser o que Aplicar põe em vigor</translation>
+    </message>
+    <message>
+        <source>In force</source>
+        <translation>Em vigor</translation>
+    </message>
+    <message>
+        <source>Show the terms in force again</source>
+        <translation>Mostrar de novo os termos em vigor</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importar…</translation>
+    </message>
+    <message>
+        <source>Terms from a text file become what Apply would put into force</source>
+        <translation>Os termos de um arquivo de texto passam a ser o que Aplicar põe em vigor</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>Write the terms in force to a text file</source>
+        <translation>Escrever os termos em vigor em um arquivo de texto</translation>
+    </message>
+    <message>
+        <source>Propose the typed terms</source>
+        <translation>Propor os termos digitados</translation>
+    </message>
+    <message>
+        <source>Terms in force again</source>
+        <translation>De novo os termos em vigor</translation>
+    </message>
+    <message>
+        <source>Import terms</source>
+        <translation>Importar termos</translation>
+    </message>
+    <message>
+        <source>Export terms</source>
+        <translation>Exportar termos</translation>
+    </message>
+    <message>
+        <source>the station has told no terms yet</source>
+        <translation>a estação ainda não disse os termos</translation>
+    </message>
+    <message>
+        <source>Import the terms of a pointing model</source>
+        <translation>Importar os termos de um modelo de apontamento</translation>
+    </message>
+    <message>
+        <source>Terms (*.txt)</source>
+        <translation>Termos (*.txt)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos os arquivos (*)</translation>
+    </message>
+    <message>
+        <source>Export the terms in force</source>
+        <translation>Exportar os termos em vigor</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Escrito: %1</translation>
     </message>
 </context>
 <context>

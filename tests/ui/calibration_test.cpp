@@ -17,12 +17,15 @@
 #include "ui/touch_combo.h"
 
 #include <QDoubleSpinBox>
+#include <QFile>
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QSpinBox>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
+#include <QTemporaryDir>
 
 namespace boresight::ui {
 namespace {
@@ -46,6 +49,14 @@ protected:
     }
     void click(const char* name) { QTest::mouseClick(named<CommandButton>(name), Qt::LeftButton); }
     void choose(const char* name) { QTest::mouseClick(named<ChoiceButton>(name), Qt::LeftButton); }
+    void chooseFile(const QString& path)
+    {
+        auto* const dialog = window.findChild<QFileDialog*>();
+        ASSERT_NE(dialog, nullptr);
+        auto* const name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+        name->setText(path);
+        QTest::keyClick(name, Qt::Key_Return);
+    }
     JogPad& nudgePad() { return *named<JogPad>("Nudge pad"); }
 
     template <class R>
@@ -368,6 +379,111 @@ TEST_F(NorthTest, TheScanWaitsForTypedPowersAndTakesNumbersOnly)
     EXPECT_TRUE(power->text().isEmpty());
     click("End scan");
     EXPECT_EQ(wanted<request::EndCalibration>().size(), 1u);
+}
+
+TEST_F(NorthTest, TheScanTellsWhatTheReceiverSays)
+{
+    StationStatus status = samples::followingSun();
+    show(CalibrationStep::Body, status);
+    choose("The peak of the received power, by a cross scan");
+    EXPECT_TRUE(text("Power of the receiver").isEmpty()) << "the profile names none";
+    const auto tell = [&](const power::LineStatus& line) {
+        CalibrationStatus calibration = *status.calibration;
+        calibration.powerLine = line;
+        status.calibration = std::make_shared<const CalibrationStatus>(calibration);
+        give(samples::update(status));
+    };
+    tell({.name = QStringLiteral("UDP 127.0.0.1:4540")});
+    EXPECT_EQ(text("Power of the receiver"), QStringLiteral("UDP 127.0.0.1:4540: nothing has come yet"));
+    tell({.name = QStringLiteral("UDP 127.0.0.1:4540"), .decibels = -73.25, .age = Seconds(2.2)});
+    EXPECT_EQ(text("Power of the receiver"), QStringLiteral("UDP 127.0.0.1:4540: -73.3 dB, 2 s old"));
+    tell({.name = QStringLiteral("UDP 127.0.0.1:4540"),
+          .problem = QStringLiteral("nothing comes"),
+          .decibels = -73.25,
+          .age = Seconds(9.0)});
+    EXPECT_EQ(text("Power of the receiver"), QStringLiteral("nothing comes"));
+    EXPECT_EQ(named<ValueLabel>("Power of the receiver")->symbol(), Symbol::Warning);
+}
+
+TEST_F(NorthTest, TermsAreTypedAndProposed)
+{
+    const StationStatus status = samples::sixPoints();
+    show(CalibrationStep::Model, status);
+    choose("Type the terms, or exchange them with a file");
+    auto* const north = named<QDoubleSpinBox>("azimuth offset");
+    EXPECT_NEAR(north->value(), status.calibration->present.azimuthOffset.degrees(), 1e-4);
+    EXPECT_EQ(north->maximum(), 360.0) << "as the profile's own";
+    north->setFocus();
+    north->selectAll();
+    QTest::keyClicks(north, QStringLiteral("-12.5"));
+    EXPECT_TRUE(requests.empty()) << "typing sends nothing";
+    give(samples::update(status));
+    EXPECT_NEAR(north->value(), -12.5, 1e-9) << "a new status does not type over it";
+    click("Propose the typed terms");
+    ASSERT_EQ(wanted<request::ProposeTerms>().size(), 1u);
+    pointing::PointingTerms expected = status.calibration->present;
+    expected.azimuthOffset = Angle::fromDegrees(-12.5);
+    EXPECT_EQ(wanted<request::ProposeTerms>().front().terms, expected) << "what was not typed keeps all its decimals";
+    EXPECT_FALSE(named<QTableView>("Terms of the pointing model")->isVisible());
+    give(samples::acceptance(status, requests.back().id));
+    EXPECT_TRUE(named<QTableView>("Terms of the pointing model")->isVisible()) << "beside those in force";
+    choose("Type the terms, or exchange them with a file");
+    click("Terms in force again");
+    EXPECT_NEAR(north->value(), status.calibration->present.azimuthOffset.degrees(), 1e-4);
+}
+
+TEST_F(NorthTest, WhatIsTypedIsShownWithWhatThePointsSayOfIt)
+{
+    StationStatus status = samples::sixPoints();
+    CalibrationStatus calibration = *status.calibration;
+    calibration.proposal->title = QStringLiteral("Typed terms");
+    calibration.proposal->reason = QStringLiteral("typed");
+    calibration.proposal->residuals = ProposalResiduals{.before = 0.912_deg, .after = 0.5_deg, .points = 5};
+    calibration.proposal->terms.at(0).sigma.reset();
+    status.calibration = std::make_shared<const CalibrationStatus>(calibration);
+    show(CalibrationStep::Model, status);
+    EXPECT_EQ(text("Proposed calibration"), QStringLiteral("Typed terms, points: rms 0.912° → 0.500°"));
+    const QAbstractItemModel& terms = *named<QTableView>("Terms of the pointing model")->model();
+    EXPECT_EQ(terms.data(terms.index(0, 4)).toString(), QStringLiteral("● given"));
+    calibration.proposal->warnings = {QStringLiteral("the text is of another mount"), QStringLiteral("and site")};
+    status.calibration = std::make_shared<const CalibrationStatus>(calibration);
+    give(samples::update(status));
+    EXPECT_TRUE(named<QPlainTextEdit>("Remarks on the fit")
+                    ->toPlainText()
+                    .startsWith(QStringLiteral("the text is of another mount\nand site\n")));
+}
+
+TEST_F(NorthTest, TermsAreExchangedWithAFile)
+{
+    const QTemporaryDir folder;
+    StationStatus status = samples::sixPoints();
+    CalibrationStatus calibration = *status.calibration;
+    calibration.sheet = {.mountName = "Roof", .terms = calibration.present};
+    status.calibration = std::make_shared<const CalibrationStatus>(calibration);
+    show(CalibrationStep::Model, status);
+    choose("Type the terms, or exchange them with a file");
+    click("Export terms");
+    chooseFile(folder.filePath(QStringLiteral("roof")));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window.findChild<QFileDialog*>() == nullptr; }));
+    QFile file(folder.filePath(QStringLiteral("roof.txt")));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly)) << "the suffix is that of the filter";
+    const std::string written = file.readAll().toStdString();
+    EXPECT_EQ(written, calibration::toText(calibration.sheet));
+    EXPECT_TRUE(requests.empty()) << "an export changes nothing";
+    click("Import terms");
+    chooseFile(file.fileName());
+    ASSERT_EQ(wanted<request::ImportTerms>().size(), 1u);
+    EXPECT_EQ(wanted<request::ImportTerms>().front().name, QStringLiteral("roof.txt"));
+    EXPECT_EQ(wanted<request::ImportTerms>().front().text, written);
+}
+
+TEST_F(NorthTest, TermsAreNotTakenWhileACalibrationRuns)
+{
+    show(CalibrationStep::Model, samples::scanning());
+    choose("Type the terms, or exchange them with a file");
+    expectBlocked("Propose the typed terms", "a calibration is running");
+    expectBlocked("Import terms", "a calibration is running");
+    EXPECT_TRUE(named<CommandButton>("Export terms")->isEnabled());
 }
 
 TEST_F(NorthTest, TheModelShowsEachTermInForceAndProposed)

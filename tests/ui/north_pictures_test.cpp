@@ -20,7 +20,7 @@ struct NorthScene
     const char* name;
     StationStatus (*status)();
     CalibrationStep step;
-    int choice = -1;  // of the page's own: Sun, Moon, Mark, Peak; Terms, Points
+    int choice = -1;  // of the page's own: Sun, Moon, Mark, Peak; Terms, Points, Type
 };
 
 constexpr NorthScene kScenes[] = {{"1-before", samples::beforeCalibration, CalibrationStep::Sensor},
@@ -36,6 +36,7 @@ constexpr NorthScene kScenes[] = {{"1-before", samples::beforeCalibration, Calib
                                   {"3-peak", samples::scanning, CalibrationStep::Body, 3},
                                   {"4-terms", samples::sixPoints, CalibrationStep::Model, 0},
                                   {"4-points", samples::sixPoints, CalibrationStep::Model, 1},
+                                  {"4-type", samples::sixPoints, CalibrationStep::Model, 2},
                                   {"5-history", samples::sixPoints, CalibrationStep::History}};
 
 class NorthPicturesTest : public WindowFixture

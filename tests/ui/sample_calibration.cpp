@@ -265,6 +265,7 @@ StationStatus scanning()
                             .outcome = {},
                             .failed = false};
     calibration.wantsPower = true;
+    calibration.powerLine = {.name = QStringLiteral("UDP 127.0.0.1:4540"), .decibels = -73.25, .age = Seconds(2.0)};
     return with(status, calibration);
 }
 
