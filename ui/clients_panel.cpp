@@ -19,6 +19,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace boresight::ui {
 
@@ -32,6 +33,7 @@ ClientsPanel::ClientsPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* pare
       m_model(new ClientModel(this)),
       m_table(makeTable()),
       m_access(new ValueLabel(tr("Who may connect"), fonts::label(), {}, this)),
+      m_broker(new ValueLabel(tr("MQTT broker"), fonts::label(), {}, this)),
       m_detail(new ValueLabel(tr("About the selected client"), fonts::label(), {}, this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_gpredict(new ValueLabel(tr("Settings for Gpredict"), fonts::label(), {}, this)),
@@ -62,14 +64,16 @@ void ClientsPanel::build()
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         buttons->addWidget(button);
     }
-    for (ValueLabel* const line : {m_access, m_detail, m_notice, m_gpredict}) {
+    for (ValueLabel* const line : {m_access, m_broker, m_detail, m_notice, m_gpredict}) {
         line->setStretching(true);
     }
     m_detail->setLines(2);
     m_gpredict->setLines(2);
     m_notice->setCollapsing(true);
+    m_broker->setCollapsing(true);
     column->addWidget(makeRules());
     column->addWidget(m_access);
+    column->addWidget(m_broker);
     column->addWidget(m_table, 1);
     column->addWidget(m_detail);
     column->addLayout(buttons);
@@ -195,6 +199,7 @@ void ClientsPanel::showStatus(const StationStatus& status)
     m_gpredict->setValue(gpredictInBrief(status), Tone::Secondary);
     showRules();
     showAccess();
+    showBroker();
     showSelected();
 }
 
@@ -230,6 +235,24 @@ void ClientsPanel::showAccess()
                          : here ? tr("Any program on this computer may connect (%1)").arg(m_status.listening)
                                 : tr("Whoever can reach %1 may connect").arg(m_status.listening);
     m_access->setValue(text, Tone::Secondary);
+}
+
+// Nothing of it while nobody needs one.
+void ClientsPanel::showBroker()
+{
+    const BrokerStatus& broker = m_status.broker;
+    if (!broker.wanted) {
+        m_broker->setValue({});
+    } else if (broker.connected) {
+        m_broker->setValue(tr("Connected to the MQTT broker %1").arg(broker.name), Tone::Secondary);
+    } else if (broker.problem.isEmpty()) {
+        m_broker->setValue(tr("Connecting to the MQTT broker %1").arg(broker.name), Tone::Secondary);
+    } else {
+        const QString again = broker.retryIn
+                                  ? tr(" (tried again in %1 s)").arg(std::ceil(broker.retryIn->count()), 0, 'f', 0)
+                                  : QString();
+        m_broker->setValue(broker.problem + again, Tone::Warning, Symbol::Warning);
+    }
 }
 
 // The advice of a client that needs one stands there also while nothing is selected.

@@ -11,7 +11,7 @@
 class QTableView;
 
 // The rotctld clients: who is connected, who of them moves the mount and by which rule, and what the operator can do
-// about each. The rule is a setting of the profile and applied at once.
+// about each; below, the MQTT broker, if there is to be one. The rule is a setting of the profile and applied at once.
 namespace boresight::ui {
 
 class ChoiceButton;
@@ -37,6 +37,7 @@ private:
     QWidget* makeGpredict();
     void showRules();
     void showAccess();
+    void showBroker();
     void showSelected();
     void choose(profile::Lead lead, const std::string& lockedTo);
     void lock();
@@ -49,6 +50,7 @@ private:
     ClientModel* m_model;
     QTableView* m_table;
     ValueLabel* m_access;
+    ValueLabel* m_broker;
     ValueLabel* m_detail;
     ValueLabel* m_notice;
     ValueLabel* m_gpredict;

@@ -6036,6 +6036,22 @@ modo moteus %1, falha %2</translation>
         <source>Who moves: %1</source>
         <translation>Quem move: %1</translation>
     </message>
+    <message>
+        <source>MQTT broker</source>
+        <translation>Broker MQTT</translation>
+    </message>
+    <message>
+        <source>Connected to the MQTT broker %1</source>
+        <translation>Ligado ao broker MQTT %1</translation>
+    </message>
+    <message>
+        <source>Connecting to the MQTT broker %1</source>
+        <translation>A ligar ao broker MQTT %1</translation>
+    </message>
+    <message>
+        <source> (tried again in %1 s)</source>
+        <translation> (nova tentativa em %1 s)</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::ClosePrompt</name>

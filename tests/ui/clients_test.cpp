@@ -66,6 +66,22 @@ TEST_F(ClientsPanelTest, ShowsWhoIsThereAndWhatEachMayDo)
     EXPECT_FALSE(named<ValueLabel>("About the selected client")->isElided());
 }
 
+TEST_F(ClientsPanelTest, TellsOfTheBrokerIfThereIsToBeOne)
+{
+    EXPECT_EQ(text("MQTT broker"), QString());
+    StationStatus status = samples::fighting();
+    status.broker = {.wanted = true, .connected = true, .name = QStringLiteral("broker.example:1883")};
+    give(samples::update(status));
+    EXPECT_EQ(text("MQTT broker").toStdString(), "Connected to the MQTT broker broker.example:1883");
+    status.broker.connected = false;
+    give(samples::update(status));
+    EXPECT_EQ(text("MQTT broker").toStdString(), "Connecting to the MQTT broker broker.example:1883");
+    status.broker.problem = QStringLiteral("MQTT broker broker.example:1883: no connection");
+    status.broker.retryIn = Seconds(3.2);
+    give(samples::update(status));
+    EXPECT_EQ(text("MQTT broker").toStdString(), "MQTT broker broker.example:1883: no connection (tried again in 4 s)");
+}
+
 TEST_F(ClientsPanelTest, NothingCanBeDoneAboutNobody)
 {
     for (const char* const name : {"Give control", "Read-only", "Disconnect", "Lock"}) {
