@@ -45,7 +45,7 @@ void BodyPage::build()
     m_notice->setStretching(true);
     m_notice->setCollapsing(true);
     m_warning->setStretching(true);
-    m_warning->setLines(3);
+    m_warning->setLines(4);
     fillSteps();
     auto* const boxes = new QVBoxLayout;
     boxes->setSpacing(4);

@@ -29,7 +29,7 @@ QString northLine(const SwingOutcome& swing)
 {
     const calibration::CompassSwing& fit = swing.fit;
     QString text = CalibrationWords::tr("North %1: %2 of it from the readings, %3 that no swing can see.")
-                       .arg(estimateText(fit.north), angleText(fit.statistical), angleText(fit.systematic));
+                       .arg(offsetText(fit.north), angleText(fit.statistical), angleText(fit.systematic));
     if (fit.harmonics != calibration::Harmonics::None) {
         text += QLatin1Char(' ') + CalibrationWords::tr("Hard iron %1, soft iron %2, readings scatter by %3.")
                                        .arg(angleText(fit.curve.firstAmplitude(), 1),
@@ -75,6 +75,11 @@ const CalibrationStatus& calibrationOf(const StationStatus& status)
 QString estimateText(const calibration::Estimate& estimate)
 {
     return QStringLiteral("%1 ± %2").arg(angleText(estimate.value), angleText(estimate.sigma));
+}
+
+QString offsetText(const calibration::Estimate& estimate)
+{
+    return QStringLiteral("%1 ± %2").arg(signedAngleText(estimate.value.wrapped180()), angleText(estimate.sigma));
 }
 
 QString termName(const std::string& key)

@@ -81,9 +81,8 @@ void SensorPage::showStatus(const StationStatus& status)
                         reason.isEmpty()
                             ? tr("The mount stands still, motors at rest; the sensor is averaged for some 20 s")
                             : tr("Not now: %1").arg(reason));
-    m_offset->setValue(calibration.sensorOffset
-                           ? tr("North: axis + %1").arg(estimateText(calibration.sensorOffset->offset))
-                           : QString());
+    m_offset->setValue(calibration.sensorOffset ? tr("North: axis %1").arg(offsetText(calibration.sensorOffset->offset))
+                                                : QString());
     m_offset->setVisible(m_notice->text().isEmpty());
     m_measure->setCommand(m_running ? tr("End average") : tr("Average"),
                           m_running ? tr("No result; nothing moves anyway") : tr("Nothing moves"));

@@ -237,6 +237,11 @@ Result<> CalibrationDesk::makesSense(const CalibrationChange& change) const
     profile::Profile wanted = m_profile;
     change.applyTo(wanted);
     const auto problems = profile::problemsOf(wanted);
+    if (!problems.empty() && problems.front().key.starts_with("park.")) {
+        return failure(ErrorCode::Refused, Text::tr("the place to park would then be forbidden, %1: set another one "
+                                                    "first (tab Mount, Profile, \"park\"), then apply")
+                                               .arg(toQString(problems.front().text)));
+    }
     if (!problems.empty()) {
         return failure(ErrorCode::Refused, Text::tr("with this the profile would not make sense, %1: change that first")
                                                .arg(toQString(problems.front().key + ": " + problems.front().text)));

@@ -100,7 +100,7 @@ CalibrationProgress CalibrationDesk::progress() const
         const Seconds passed(now - m_offsetRun->started);
         progress.done = std::min(passed / kOffsetTime, 1.0);
         progress.left = std::max(kOffsetTime - passed, Seconds(0.0));
-        progress.text = Text::tr("%1 readings").arg(m_offsetRun->readings.size());
+        progress.text = Text::tr("readings: %1").arg(m_offsetRun->readings.size());
     }
     return progress;
 }

@@ -17,6 +17,19 @@ constexpr Angle kSharpestPeak = Angle::fromDegrees(0.01);
 // Of a scan: faster than Sun and Moon, slower than the way between two places.
 constexpr AngularRate kResting = AngularRate::fromDegrees(0.1);
 constexpr std::chrono::milliseconds kPublishPeriod{250};
+// The mount does not do any more what the run asked of it.
+QString whoEnded(StationState state)
+{
+    switch (state) {
+        case StationState::Stopped:
+            return Text::tr("STOP ended it: there is no result");
+        case StationState::Fault:
+            return Text::tr("a fault ended it: there is no result");
+        default:
+            return Text::tr("another command to the mount ended it: there is no result");
+    }
+}
+
 // The heading's mean ends when the elevation is read, just before the sensor sends both.
 Seconds levelAge(const profile::SensorSettings& sensor)
 {
@@ -226,9 +239,7 @@ QString CalibrationDesk::endOfSwing(const std::optional<AxesThen>& axes) const
     if (m_swing->late(now)) {
         return Text::tr("the mount does not get on: something holds it");
     }
-    return m_swing->begun() && !m_control.obeys(calibrationSource())
-               ? Text::tr("the mount was stopped, or told otherwise")
-               : QString();
+    return m_swing->begun() && !m_control.obeys(calibrationSource()) ? whoEnded(m_control.state()) : QString();
 }
 
 void CalibrationDesk::leadSwing(const AxesThen& axes)
@@ -286,7 +297,7 @@ void CalibrationDesk::stepScan()
     const SteadyTime now = m_clock.now();
     const auto axes = m_trace.now();
     if (!m_follower.following() || !axes) {
-        endRun(Text::tr("the mount was stopped, or told otherwise"), true);
+        endRun(whoEnded(m_control.state()), true);
         return;
     }
     if (onSky(*axes) > kResting) {

@@ -195,7 +195,7 @@ QString SwingRun::text(SteadyTime now) const
     }
     const QString way = m_legs[m_leg].turning == Turning::Clockwise ? Text::tr("turning clockwise")
                                                                     : Text::tr("turning counter-clockwise");
-    return Text::tr("%1, %2 readings").arg(way).arg(m_samples.size());
+    return Text::tr("%1, readings: %2").arg(way).arg(m_samples.size());
 }
 
 // What was measured from magnetic north is told from true north: the circle is turned by the declination, for the curve

@@ -4806,10 +4806,6 @@ do eixo</translation>
         <translation>com outro acionamento</translation>
     </message>
     <message>
-        <source>%1 readings</source>
-        <translation>%1 leituras</translation>
-    </message>
-    <message>
         <source>The beam looks into the Sun: nobody looks along it, nor through a sight tube without a solar filter; mind the heat in the feed</source>
         <translation>O feixe aponta ao Sol: ninguém olhe ao longo dele, nem por um tubo de visada sem filtro solar; cuidado com o calor no alimentador</translation>
     </message>
@@ -4848,10 +4844,6 @@ do eixo</translation>
     <message>
         <source>the mount does not get on: something holds it</source>
         <translation>a montagem não avança: algo a retém</translation>
-    </message>
-    <message>
-        <source>the mount was stopped, or told otherwise</source>
-        <translation>a montagem foi parada, ou recebeu outra ordem</translation>
     </message>
     <message>
         <source>a compass is of no use here: %1</source>
@@ -4948,10 +4940,6 @@ do eixo</translation>
     <message>
         <source>turning counter-clockwise</source>
         <translation>girando no sentido anti-horário</translation>
-    </message>
-    <message>
-        <source>%1, %2 readings</source>
-        <translation>%1, %2 leituras</translation>
     </message>
     <message>
         <source>%1 is missing: every term is expected, also those of 0</source>
@@ -5192,6 +5180,30 @@ do eixo</translation>
     <message>
         <source>It is correlated with the motors&apos; current: %1 per ampere over the last minute (correlation %2). Put the sensor farther from motors and their cables, or twist these</source>
         <translation>Está correlacionado com a corrente dos motores: %1 por ampere no último minuto (correlação %2). Ponha o sensor mais longe dos motores e dos cabos deles, ou torça estes</translation>
+    </message>
+    <message>
+        <source>readings: %1</source>
+        <translation>leituras: %1</translation>
+    </message>
+    <message>
+        <source>STOP ended it: there is no result</source>
+        <translation>STOP terminou-o: não há resultado</translation>
+    </message>
+    <message>
+        <source>a fault ended it: there is no result</source>
+        <translation>uma falha terminou-o: não há resultado</translation>
+    </message>
+    <message>
+        <source>another command to the mount ended it: there is no result</source>
+        <translation>outro comando à montagem terminou-o: não há resultado</translation>
+    </message>
+    <message>
+        <source>%1, readings: %2</source>
+        <translation>%1, leituras: %2</translation>
+    </message>
+    <message>
+        <source>the place to park would then be forbidden, %1: set another one first (tab Mount, Profile, &quot;park&quot;), then apply</source>
+        <translation>o lugar de estacionar ficaria então proibido, %1: defina outro primeiro (separador Montagem, Perfil, &quot;park&quot;), depois aplique</translation>
     </message>
 </context>
 <context>
@@ -9552,8 +9564,8 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <translation>A montagem fica parada, motores em repouso; média do sensor durante uns 20 s</translation>
     </message>
     <message>
-        <source>North: axis + %1</source>
-        <translation>Norte: eixo + %1</translation>
+        <source>North: axis %1</source>
+        <translation>Norte: eixo %1</translation>
     </message>
     <message>
         <source>End average</source>

@@ -280,7 +280,7 @@ TEST_F(NorthTest, AsLongAsTheSunIsMeantTheWarningStandsThere)
     choose("Points by the Moon");
     EXPECT_TRUE(text("Eyes and feed").isEmpty());
     give(samples::update(samples::followingSun()));
-    EXPECT_TRUE(text("Eyes and feed").startsWith(QLatin1String("The beam is on the Sun")))
+    EXPECT_TRUE(text("Eyes and feed").startsWith(QLatin1String("The beam looks into the Sun")))
         << "while the beam is there, whatever is looked at";
     choose("Points by the Sun");
     EXPECT_FALSE(text("Eyes and feed").isEmpty());

@@ -246,7 +246,8 @@ StationStatus followingSun()
     calibration.body = ephemeris::Body::Sun;
     calibration.following = true;
     calibration.warning = QStringLiteral(
-        "The beam is on the Sun: do not look along it, and do not leave the feed of a dish in its focus.");
+        "The beam looks into the Sun: nobody looks along it, nor through a sight tube without a solar filter; mind the "
+        "heat in the feed");  // as the station says it: it has to fit
     for (int index = 0; index < 3; ++index) {
         calibration.points.push_back(pointAt(index, true, status.utc));
     }

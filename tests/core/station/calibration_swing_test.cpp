@@ -160,6 +160,8 @@ TEST(CalibrationSwing, StopEndsItAtOnceAndLatches)
     EXPECT_TRUE(rig.status().progress.failed);
     EXPECT_FALSE(rig.status().proposal);
     EXPECT_EQ(StationState::Stopped, rig.state());
+    EXPECT_TRUE(rig.status().progress.outcome.startsWith(QStringLiteral("STOP ended it")))
+        << rig.status().progress.outcome.toStdString();
     EXPECT_LT(abs(rig.axes().azimuth - at.azimuth), 3_deg);
     ASSERT_TRUE(rig.ask(request::ResetStop{}));
     const AxisPosition rest = rig.axes();

@@ -120,7 +120,8 @@ TEST(CalibrationTerms, AProfileThatCouldNotBeLoadedIsRefused)
     rig.tick();
     const auto refused = rig.apply();
     ASSERT_FALSE(refused);
-    EXPECT_THAT(refused.error().text, HasSubstr("park"));
+    EXPECT_THAT(refused.error().text, HasSubstr("park would then be forbidden"));
+    EXPECT_THAT(refused.error().text, HasSubstr("set another one first"));
 }
 
 TEST(CalibrationTerms, TheSensorKeepsItsNorthAndThatIsSaid)
