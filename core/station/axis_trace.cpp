@@ -39,10 +39,11 @@ std::optional<AxesThen> AxisTrace::about(SteadyTime middle, Seconds width) const
     for (auto note = first; note <= last; ++note) {
         then.place.azimuth += note->place.azimuth;
         then.place.elevation += note->place.elevation;
-        then.current = std::max(then.current, note->current);
+        then.current += note->current;
         count += 1.0;
     }
     then.place = {then.place.azimuth / count, then.place.elevation / count};
+    then.current /= count;
     if (last->time > first->time) {
         const Seconds passed(last->time - first->time);
         then.rates = {(last->place.azimuth - first->place.azimuth) / passed,

@@ -15,7 +15,7 @@ struct AxesThen
 {
     AxisPosition place;  // the mean over the time asked for
     AxisRates rates;
-    double current = 0.0;  // A, the largest of either motor
+    double current = 0.0;  // A, of the motor that draws more: the mean, as a compass that averages feels it
 };
 
 class AxisTrace

@@ -33,7 +33,9 @@ TEST(AxisTrace, TellsWhereTheAxesWereInTheMiddleOfAnAverage)
     EXPECT_NEAR(5.0, then->rates.azimuth.degrees(), 1e-6);
     EXPECT_NEAR(30.0, then->place.elevation.degrees(), 1e-9);
     EXPECT_DOUBLE_EQ(0.5, then->current);
-    EXPECT_DOUBLE_EQ(2.0, turning().about(at(1.0), Seconds(1.0))->current);  // the largest counts
+    // Story: the ripple of a motor that turns slowly was taken for its current, and a whole swing of the simulated
+    // mount was refused: 9 Nm for 20 ms at 4 Nm on average.
+    EXPECT_NEAR(1.25, turning().about(at(1.0), Seconds(1.0))->current, 0.05);
 }
 
 TEST(AxisTrace, TellsNothingAboutWhatWasNotSeen)
