@@ -2,6 +2,7 @@
 #include "core/station/body_follower.h"
 
 #include "core/base/text.h"
+#include "core/units/angle_between.h"
 
 #include <cmath>
 
@@ -10,19 +11,22 @@ namespace {
 
 using ephemeris::Body;
 
-const QString kCause = QStringLiteral("calibration");
+const QString kSource = QStringLiteral("calibration");
+const QString kCause = QStringLiteral("calibration.sun");  // of the alarm
 constexpr std::chrono::seconds kPointPeriod{1};
 // Nearer to the zenith an offset across is more azimuth than anybody means.
 constexpr Angle kHighest = Angle::fromDegrees(89.0);
+// From one point to the next: Sun and Moon go 0.004° in a second.
+constexpr Angle kLeap = Angle::fromDegrees(0.2);
+
+SkyPointing beside(SkyPointing place, const calibration::SkyOffset& offset)
+{
+    place.azimuth += offset.across / std::cos(std::min(place.elevation, kHighest).radians());
+    place.elevation += offset.elevation;
+    return place;
+}
 
 }  // namespace
-
-const Source& calibrationSource()
-{
-    // Nothing else of the operator's has a number.
-    static const Source kSource{.kind = SourceKind::Operator, .clientId = 1, .name = QStringLiteral("operator")};
-    return kSource;
-}
 
 BodyFollower::BodyFollower(StationControl& control, const profile::Profile& profile, const Clock& clock, EventLog& log)
     : m_control(control), m_clock(clock), m_log(log), m_bodies(profile.site)
@@ -60,6 +64,20 @@ Result<> BodyFollower::permits(Body body)
     });
 }
 
+Result<> BodyFollower::permitsAround(Body body, const std::vector<calibration::SkyOffset>& places)
+{
+    return permits(body).and_then([&] { return direction(body); }).and_then([&](const SkyPointing& here) -> Result<> {
+        for (const calibration::SkyOffset& place : places) {
+            if (const auto may = m_control.reaches(beside(here, place)); !may) {
+                return failure(may.error().code, Text::tr("around the %1 not all is permitted, %2: scan less wide, or "
+                                                          "when the %1 stands elsewhere")
+                                                     .arg(bodyName(body), toQString(may.error().text)));
+            }
+        }
+        return {};
+    });
+}
+
 BodyNow BodyFollower::now(Body body)
 {
     BodyNow now{.body = body};
@@ -77,10 +95,10 @@ BodyNow BodyFollower::now(Body body)
 
 Result<> BodyFollower::follow(Body body, ephemeris::Refraction refraction)
 {
-    m_refraction = refraction;
     return permits(body)
         .and_then([&] { return m_control.request(request::ClearTrim{}, calibrationSource()); })
         .and_then([&] {
+            m_refraction = refraction;
             m_body = body;
             m_offset = {};
             return sendPoint(true);
@@ -94,11 +112,11 @@ Result<> BodyFollower::follow(Body body, ephemeris::Refraction refraction)
 Result<> BodyFollower::sendPoint(bool anew)
 {
     m_next = m_clock.now() + kPointPeriod;
-    return direction(*m_body).and_then([&](SkyPointing place) {
-        place.azimuth += m_offset.across / std::cos(std::min(place.elevation, kHighest).radians());
-        place.elevation += m_offset.elevation;
-        return m_control.request(request::Follow{.direction = place, .what = bodyName(*m_body), .anew = anew},
-                                 calibrationSource());
+    return direction(*m_body).and_then([&](const SkyPointing& place) {
+        m_place = place;
+        return m_control.request(
+            request::Follow{.direction = beside(place, m_offset), .what = bodyName(*m_body), .anew = anew},
+            calibrationSource());
     });
 }
 
@@ -114,36 +132,58 @@ void BodyFollower::tick()
         return;
     }
     if (!m_control.obeys(calibrationSource())) {
-        ended(Text::tr("the %1 is not followed any more: the mount was told otherwise").arg(bodyName(*m_body)));
+        ended(Severity::Advisory,
+              Text::tr("the %1 is not followed any more: the mount was told otherwise").arg(bodyName(*m_body)));
     } else if (m_clock.now() >= m_next) {
-        if (const auto may = permits(*m_body).and_then([&] { return sendPoint(false); }); !may) {
-            const QString why = toQString(may.error().text);
-            end();
-            m_log.add(Severity::Warning, kCause, why);
+        const auto may =
+            permits(*m_body).and_then([&] { return staysOnItsWay(); }).and_then([&] { return sendPoint(false); });
+        if (!may) {
+            end(toQString(may.error().text));
         }
     }
 }
 
-void BodyFollower::end()
+// By another clock or from another site it is elsewhere all at once: the mount would set off for there by itself.
+Result<> BodyFollower::staysOnItsWay()
+{
+    return direction(*m_body).and_then([&](const SkyPointing& place) -> Result<> {
+        if (m_place && angleBetween(place, *m_place) > kLeap) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("the %1 is elsewhere all at once: the clock of this computer or the site was "
+                                    "changed; the mount holds, follow it again if that is right")
+                               .arg(bodyName(*m_body)));
+        }
+        return {};
+    });
+}
+
+void BodyFollower::end(const QString& why)
 {
     if (m_following) {
         [[maybe_unused]] const Result<> held = m_control.request(request::Hold{}, calibrationSource());
-        ended(Text::tr("the %1 is not followed any more").arg(bodyName(*m_body)));
+        ended(why.isEmpty() ? Severity::Advisory : Severity::Warning,
+              why.isEmpty() ? Text::tr("the %1 is not followed any more").arg(bodyName(*m_body)) : why);
     }
 }
 
-void BodyFollower::ended(const QString& how)
+void BodyFollower::ended(Severity severity, const QString& how)
 {
+    if (looksBeside()) {
+        m_body.reset();  // nobody has centred it there
+    }
     m_following = false;
     m_offset = {};
+    m_ending = how;
     m_control.alarms().clear(kCause);
-    m_log.add(Severity::Advisory, kCause, how);
+    m_log.add(severity, kSource, how);
     [[maybe_unused]] const Result<> cleared = m_control.request(request::ClearTrim{}, calibrationSource());
 }
 
 void BodyFollower::warn()
 {
-    if (m_body == Body::Sun) {
+    if (m_body != Body::Sun) {
+        m_control.alarms().clear(kCause);
+    } else {
         m_control.alarms().raise(
             kCause, Severity::Warning,
             {.what = Text::tr("the beam is led to the Sun"),

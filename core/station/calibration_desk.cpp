@@ -49,7 +49,12 @@ Result<> CalibrationDesk::carryOut(const CalibrationRequest& request)
 
 void CalibrationDesk::setProfile(const profile::Profile& profile)
 {
-    const bool other = profile.pointing != m_profile.pointing || profile.sensor != m_profile.sensor;
+    const bool otherTerms = profile.pointing != m_profile.pointing;
+    const bool other = otherTerms || profile.sensor != m_profile.sensor;
+    if ((otherTerms || (other && !m_scan)) && run() != CalibrationRun::None) {
+        holdMount();
+        endRun(Text::tr("the terms or the sensor in the profile were changed"), true);
+    }
     m_profile = profile;
     m_follower.setProfile(profile);
     m_changed = true;
@@ -226,7 +231,7 @@ Result<> CalibrationDesk::mayChange() const
             return failure(ErrorCode::Refused, Text::tr("the mount follows a client, which the change would move: hold "
                                                         "the mount first"));
         }
-        return {};
+        return m_follower.following() ? Result<>{} : m_control.mayChangePointing();  // the body is let go
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of StationControl about its clients: who of them and of the operator moves the mount.
 #include "core/base/text.h"
+#include "core/station/calibration_source.h"
 #include "core/station/station_control.h"
 
 namespace boresight {
@@ -32,6 +33,7 @@ Result<> StationControl::handle(const request::TakeAuthority&, const Source& sou
 Result<> StationControl::handle(const request::GiveAuthority&, const Source& source)
 {
     return mayGiveControl().map([&] {
+        endCalibrationMotion();
         m_arming.setAuthority(Authority::Clients);
         m_lead.resume(m_now);
         m_log.add(Severity::Advisory, source.name, Text::tr("gives control back to the clients"));
@@ -47,6 +49,7 @@ Result<> StationControl::handle(const request::GiveLead& wanted, const Source& s
             if (m_commander.clientId != wanted.clientId) {
                 endClientMotion();
             }
+            endCalibrationMotion();
             m_arming.setAuthority(Authority::Clients);
             m_log.add(Severity::Advisory, source.name,
                       Text::tr("gives control to %1").arg(m_lead.name(wanted.clientId)));
@@ -75,6 +78,15 @@ void StationControl::endClientMotion()
 {
     if (followsClient()) {
         m_log.add(Severity::Advisory, m_commander.name, Text::tr("may not move the mount any more: hold"));
+        holdHere(Activity::Holding);
+    }
+}
+
+// Who follows a body or swings the compass asks for the next motion soon, and would take the control back with it.
+void StationControl::endCalibrationMotion()
+{
+    if (obeys(calibrationSource())) {
+        m_log.add(Severity::Advisory, m_commander.name, Text::tr("ends the motion: hold"));
         holdHere(Activity::Holding);
     }
 }

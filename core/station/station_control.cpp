@@ -410,7 +410,7 @@ void StationControl::sourceGone(const Source& source)
 
 void StationControl::positionRead(std::uint64_t clientId)
 {
-    if (m_activity == Activity::Streaming && m_commander.clientId == clientId) {
+    if (m_activity == Activity::Streaming && followsClient() && m_commander.clientId == clientId) {
         m_motion.confirmStream(m_now);
     }
 }
@@ -448,7 +448,7 @@ void StationControl::setSensor(const std::optional<Angle>& azimuth, const std::o
 
 std::optional<AxisPosition> StationControl::trimInUse() const
 {
-    return m_activity == Activity::Streaming ? std::optional(m_trim) : std::nullopt;
+    return m_activity == Activity::Streaming && followsClient() ? std::optional(m_trim) : std::nullopt;
 }
 
 void StationControl::learn(Axis axis, const std::optional<survey::DriveFacts>& facts)

@@ -71,6 +71,8 @@ public:
     // Whether the beam can be pointed there from where it is, by all that is permitted.
     [[nodiscard]] Result<> reaches(const SkyPointing& direction) const;
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_motion.region(); }
+    // Whether other terms of the pointing model would leave the motion what it is.
+    [[nodiscard]] Result<> mayChangePointing() const;
     // What a client may do now, into its part of the status; `lastMotion` is when it last asked for a motion.
     void describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const;
     // The axes as measured; an error when unknown or older than 1 s.
@@ -79,6 +81,12 @@ public:
     [[nodiscard]] std::optional<SkyPointing> direction() const;
     // What is added to the targets of the client that is followed now: it is told positions without it.
     [[nodiscard]] std::optional<AxisPosition> trimInUse() const;
+    // What the operator adds to whatever is followed.
+    [[nodiscard]] const AxisPosition& trim() const { return m_trim; }
+    // Both axes are this near to where they are sent.
+    [[nodiscard]] bool onTarget(Angle within) const;
+    // Why not the target is driven but the nearest permitted place; empty: it is driven.
+    [[nodiscard]] QString limitedReason() const;
     [[nodiscard]] AlarmBoard& alarms() { return m_alarms; }
     // A drive was lost and nobody has re-armed yet; also while DISCONNECTED hides the word FAULT.
     [[nodiscard]] bool faultLatched() const { return m_arming.fault().has_value(); }
@@ -165,6 +173,7 @@ private:
     [[nodiscard]] Result<> mayJog(const AxisRates& rates, const Source& source) const;  // or are jogged slowly
     [[nodiscard]] Result<> drivesRest() const;  // for what is done to the drives themselves
     [[nodiscard]] bool moves() const { return m_activity != Activity::None && m_activity != Activity::Holding; }
+    [[nodiscard]] bool arrived() const;  // at the place or direction that was asked for, and at rest there
     [[nodiscard]] bool turnsKnown() const;
     Result<> goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& text);
     [[nodiscard]] Result<> mayGoTo(const AxisPosition& place) const;  // it is permitted, and there is a way
@@ -180,6 +189,7 @@ private:
     void takeOver(const Source& source);
     [[nodiscard]] Result<> mayGiveControl() const;
     void endClientMotion();
+    void endCalibrationMotion();
     // Into the log; what clients can cause at will is throttled.
     void tell(Severity severity, const Source& source, const QString& what, LogKind kind = LogKind::Event);
     void begin(Activity activity, const Source& source, const QString& text);
@@ -202,7 +212,6 @@ private:
     void tellSun();
     void watchCable();
     void watchLimited();
-    [[nodiscard]] QString limitedReason() const;
     [[nodiscard]] std::optional<AxisPosition> leastWound(const AxisPosition& place) const;
     void tellCable(const CableEnd& end);
     void finishRearm();

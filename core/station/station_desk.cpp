@@ -29,7 +29,7 @@ Result<> StationControl::handle(const request::Nudge& wanted, const Source& sour
     }
     const AxisPosition trim{.azimuth = m_trim.azimuth + wanted.azimuth,
                             .elevation = m_trim.elevation + wanted.elevation};
-    if (std::max(abs(trim.azimuth), abs(trim.elevation)) > kLargestTrim) {
+    if (!(abs(trim.azimuth) <= kLargestTrim && abs(trim.elevation) <= kLargestTrim)) {
         return failure(ErrorCode::OutOfRange, Text::tr("a trim beyond %1° is not a correction any more")
                                                   .arg(toQString(formatFixed(kLargestTrim.degrees(), 0))));
     }
@@ -85,7 +85,24 @@ Result<> StationControl::handle(const request::AcknowledgeAlarm& wanted, const S
 // The station puts it into force; see setProfile().
 Result<> StationControl::handle(const request::ApplyProfile& wanted, const Source& source)
 {
-    return operatorOnly(source).and_then([&] { return makesSense(wanted.profile); });
+    return operatorOnly(source).and_then([&] { return makesSense(wanted.profile); }).and_then([&] {
+        return wanted.profile.pointing == m_profile.pointing ? Result<>{} : mayChangePointing();
+    });
+}
+
+// The axes that belong to a direction are others then: what follows directions would set off for them, and what is on
+// its way to one would arrive beside it.
+Result<> StationControl::mayChangePointing() const
+{
+    if (m_activity == Activity::Streaming) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("the mount follows directions, which the change would move: hold the mount first"));
+    }
+    if (m_activity == Activity::Pointing && !arrived()) {
+        return failure(ErrorCode::Refused, Text::tr("the mount is on its way to a direction, which the change would "
+                                                    "move: wait until it is there, or hold it first"));
+    }
+    return {};
 }
 
 Result<> StationControl::handle(const request::Reconnect& wanted, const Source& source)

@@ -37,6 +37,18 @@ void fillTelemetry(auto& values, const DriveReport& report)
 
 }  // namespace
 
+bool StationControl::onTarget(Angle within) const
+{
+    const auto target = m_motion.target(m_now);
+    const auto measured = m_drives.measured();
+    return target && measured && near(*target, *measured, within);
+}
+
+bool StationControl::arrived() const
+{
+    return m_motion.atRest() && onTarget(kArrived);
+}
+
 StationState StationControl::state() const
 {
     if (!m_arming.connected()) {
@@ -48,24 +60,20 @@ StationState StationControl::state() const
     if (m_arming.stopLatched()) {
         return StationState::Stopped;
     }
-    const auto target = m_motion.target(m_now);
-    const auto measured = m_drives.measured();
-    const bool onTarget = target && measured && near(*target, *measured, kOnTarget);
-    const bool arrived = m_motion.atRest() && target && measured && near(*target, *measured, kArrived);
     switch (m_activity) {
         case Activity::None:
             return StationState::Standby;
         case Activity::Holding:
             return StationState::Hold;
         case Activity::Pointing:
-            return arrived ? StationState::Hold : StationState::Slew;
+            return arrived() ? StationState::Hold : StationState::Slew;
         case Activity::Parking:
-            return arrived ? StationState::Parked : StationState::Slew;
+            return arrived() ? StationState::Parked : StationState::Slew;
         case Activity::Streaming:
             if (m_motion.streaming(m_now)) {
-                return onTarget ? StationState::Track : StationState::Slew;
+                return onTarget(kOnTarget) ? StationState::Track : StationState::Slew;
             }
-            return arrived ? StationState::Hold : StationState::Slew;
+            return arrived() ? StationState::Hold : StationState::Slew;
         case Activity::Jogging:
         case Activity::Running:
             return StationState::Jog;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sun and Moon, points, the pointing model from them; Apply, Undo and Redo.
-#include "tests/core/station/calibration_rig.h"
+#include "tests/core/station/calibration_sun.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -10,64 +10,6 @@ namespace {
 
 using namespace boresight::literals;
 using ephemeris::Body;
-
-// A summer's day, at this hour of UTC.
-void setHour(CalibrationRig& rig, double hour)
-{
-    const UtcTime midnight = std::chrono::sys_days{std::chrono::year{2026} / 6 / 21};
-    rig.clock.stepUtc(Seconds(midnight - rig.clock.utc()) + Seconds(hour * 3600.0));
-}
-
-// After a swing that has found north to a degree or two.
-CalibrationRig swungRig()
-{
-    CalibrationRig rig;
-    profile::Profile profile = rig.profile;
-    profile.pointing.azimuthOffset = 36_deg;
-    rig.setProfile(profile);
-    return rig;
-}
-
-void follow(CalibrationRig& rig, Body body = Body::Sun)
-{
-    const auto followed = rig.ask(request::FollowBody{.body = body});
-    ASSERT_TRUE(followed) << followed.error().text;
-    rig.run(Seconds(70.0));
-    ASSERT_EQ(StationState::Track, rig.state());
-}
-
-double apart(const SkyPointing& a, const SkyPointing& b)
-{
-    const double across = (a.azimuth - b.azimuth).wrapped180().degrees() * std::cos(a.elevation.radians());
-    return std::hypot(across, (a.elevation - b.elevation).degrees());
-}
-
-// By the arrow keys, as well as an eye does it.
-void centre(CalibrationRig& rig, double noise = 0.01)
-{
-    std::normal_distribution<double> eye(0.0, noise);
-    const SkyPointing sun = rig.status().bodies.at(0).direction;
-    for (int i = 0; i < 3; ++i) {
-        const AxisPosition wanted = rig.model.toAxes(sun).axes;
-        const AxisPosition here = rig.axes();
-        ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = (wanted.azimuth - here.azimuth).wrapped180(),
-                                           .elevation = wanted.elevation - here.elevation}));
-        rig.run(Seconds(3.0));
-    }
-    ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = Angle::fromDegrees(eye(rig.random)),
-                                       .elevation = Angle::fromDegrees(eye(rig.random))}));
-    rig.run(Seconds(3.0));
-    EXPECT_LT(apart(rig.beam(), rig.status().bodies.at(0).direction), 0.1);
-}
-
-void takeSun(CalibrationRig& rig, double hour)
-{
-    setHour(rig, hour);
-    follow(rig);
-    centre(rig);
-    const auto taken = rig.ask(request::TakePoint{});
-    ASSERT_TRUE(taken) << taken.error().text;
-}
 
 TEST(CalibrationPoints, FollowsTheSunAndSaysSo)
 {
@@ -278,27 +220,6 @@ TEST(CalibrationPoints, AHistoryThatCannotBeReadIsNotWrittenOver)
     ASSERT_TRUE(second.apply());
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_EQ(QByteArray("rubbish"), file.readAll());
-}
-
-// The beam of a small dish, and a receiver that is asked at each place.
-TEST(CalibrationPoints, ACrossScanFindsTheSun)
-{
-    CalibrationRig rig = swungRig();
-    setHour(rig, 8.0);
-    follow(rig);
-    ASSERT_TRUE(rig.ask(request::StartCrossScan{.width = 8_deg, .body = Body::Sun}));
-    for (int i = 0; i < 200000 && rig.status().progress.run == CalibrationRun::CrossScan; ++i) {
-        rig.tick();
-        if (rig.status().wantsPower) {
-            const double off = apart(rig.beam(), rig.status().bodies.at(0).direction);
-            ASSERT_TRUE(rig.ask(request::GivePower{-60.0 - 12.0 * off * off / (6.0 * 6.0)}));
-        }
-    }
-    ASSERT_TRUE(rig.status().scan) << rig.status().progress.outcome.toStdString();
-    rig.tick();
-    ASSERT_EQ(1U, rig.status().points.size());
-    const PointStatus point = rig.status().points.front();
-    EXPECT_LT(apart(rig.model.toSky(point.axes), point.truth), 0.1);
 }
 
 }  // namespace

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sun and Moon are followed for as long as that is what the operator asked for, and the change of a model moves
+// nothing.
+#include "core/station/station_rotator.h"
+#include "tests/core/station/calibration_sun.h"
+
+#include <limits>
+
+namespace boresight {
+namespace {
+
+using namespace boresight::literals;
+using ephemeris::Body;
+
+// The first time from the network makes the Sun leap over the sky; the mount does not leap after it.
+TEST(CalibrationFollow, AClockThatIsSetMovesNothing)
+{
+    CalibrationRig rig = swungRig();
+    setHour(rig, 8.0);
+    follow(rig);
+    const AxisPosition before = rig.axes();
+    rig.clock.stepUtc(std::chrono::hours(4));
+    rig.run(Seconds(10.0));
+    EXPECT_FALSE(rig.status().following);
+    EXPECT_EQ(StationState::Hold, rig.state());
+    EXPECT_LT(abs(rig.axes().azimuth - before.azimuth), 0.1_deg);
+    EXPECT_LT(abs(rig.axes().elevation - before.elevation), 0.1_deg);
+    EXPECT_NE(std::string::npos, rig.lastLog().find("clock"));
+    const auto again = rig.ask(request::FollowBody{.body = Body::Sun});
+    EXPECT_TRUE(again) << again.error().text;
+}
+
+TEST(CalibrationFollow, ASecondOfTheClockIsFollowed)
+{
+    CalibrationRig rig = swungRig();
+    setHour(rig, 8.0);
+    follow(rig);
+    rig.clock.stepUtc(Seconds(5.0));
+    rig.run(Seconds(10.0));
+    EXPECT_TRUE(rig.status().following);
+}
+
+// What follows would lead the mount to the new north.
+TEST(CalibrationFollow, TermsTypedMeanwhileAreRefused)
+{
+    CalibrationRig rig = swungRig();
+    setHour(rig, 8.0);
+    follow(rig);
+    profile::Profile typed = rig.profile;
+    typed.pointing.azimuthOffset = 50_deg;
+    const auto refused = rig.ask(request::ApplyProfile{typed});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(std::string::npos, refused.error().text.find("hold"));
+    profile::Profile other = rig.profile;
+    other.park.elevation = 45_deg;
+    EXPECT_TRUE(rig.ask(request::ApplyProfile{other}));  // has nothing to do with north
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    EXPECT_TRUE(rig.ask(request::ApplyProfile{typed}));
+}
+
+TEST(CalibrationFollow, TermsTypedWhileAClientIsFollowedAreRefused)
+{
+    CalibrationRig rig = swungRig();
+    ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+    ASSERT_TRUE(rig.point(120.0, 30.0, kClient));
+    rig.run(Seconds(2.0));
+    profile::Profile typed = rig.profile;
+    typed.pointing.azimuthOffset = 50_deg;
+    EXPECT_FALSE(rig.ask(request::ApplyProfile{typed}));
+}
+
+// The readings before are of another sensor, or of another mount.
+TEST(CalibrationFollow, TermsTypedInMidSwingEndIt)
+{
+    CalibrationRig rig;
+    rig.goTo(200.0, 30.0);
+    ASSERT_TRUE(rig.ask(request::StartSwing{.rate = 3_deg_s, .headings = 0}));
+    rig.run(Seconds(80.0));
+    ASSERT_EQ(CalibrationRun::Swing, rig.status().progress.run);
+    profile::Profile typed = rig.profile;
+    typed.pointing.azimuthOffset = 50_deg;
+    rig.setProfile(typed);
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(CalibrationRun::None, rig.status().progress.run);
+    EXPECT_TRUE(rig.status().progress.failed);
+    EXPECT_EQ(StationState::Hold, rig.state());
+}
+
+// The control was given away: nothing of the operator's takes it back a second later.
+TEST(CalibrationFollow, EndsWhenTheClientsAreGivenControl)
+{
+    CalibrationRig rig = swungRig();
+    setHour(rig, 8.0);
+    follow(rig);
+    ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+    rig.run(Seconds(5.0));
+    EXPECT_FALSE(rig.status().following);
+    EXPECT_EQ(Authority::Clients, rig.control.authority());
+    EXPECT_EQ(StationState::Hold, rig.state());
+    EXPECT_TRUE(rig.point(120.0, 30.0, kClient));
+}
+
+TEST(CalibrationFollow, ASwingEndsWhenAClientIsGivenTheLead)
+{
+    for (const int headings : {0, 16}) {
+        CalibrationRig rig;
+        rig.control.clientCame(kClient, "127.0.0.1");
+        rig.goTo(200.0, 30.0);
+        ASSERT_TRUE(rig.ask(request::StartSwing{.rate = 3_deg_s, .headings = headings}));
+        rig.run(Seconds(40.0));
+        ASSERT_EQ(CalibrationRun::Swing, rig.status().progress.run);
+        ASSERT_TRUE(rig.ask(request::GiveLead{kClient.clientId}));
+        rig.run(Seconds(20.0));
+        EXPECT_EQ(CalibrationRun::None, rig.status().progress.run);
+        EXPECT_EQ(Authority::Clients, rig.control.authority());
+        EXPECT_EQ(StationState::Hold, rig.state());
+    }
+}
+
+// A motion of the operator's own is not one that asks on: it may end, and the clients take over when they ask.
+TEST(CalibrationFollow, ASlewMayEndAfterTheClientsWereGivenControl)
+{
+    CalibrationRig rig;
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 100_deg, .elevation = 30_deg}}));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+    rig.run(Seconds(40.0));
+    EXPECT_NEAR(100.0, rig.axes().azimuth.degrees(), 0.01);
+    EXPECT_EQ(Authority::Clients, rig.control.authority());
+}
+
+// It would arrive at a direction that nobody asked for.
+TEST(CalibrationFollow, ApplyWaitsUntilASlewHasArrived)
+{
+    CalibrationRig rig;
+    ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = {.azimuth = 10_deg, .elevation = 30_deg}, .label = {}}));
+    ASSERT_TRUE(rig.ask(request::PointSky{{.azimuth = 200_deg, .elevation = 30_deg}}));
+    const auto atOnce = rig.apply();
+    ASSERT_FALSE(atOnce);
+    rig.run(Seconds(2.0));
+    EXPECT_FALSE(rig.apply());
+    EXPECT_FALSE(rig.status().proposal->obstacle.isEmpty());
+    rig.run(Seconds(60.0));
+    const AxisPosition arrived = rig.axes();
+    EXPECT_TRUE(rig.apply());
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(arrived, rig.axes());
+}
+
+// How far the path of a stream goes on when its points cease is nothing that the first client decides by reading.
+TEST(CalibrationFollow, AClientThatReadsSaysNothingAboutIt)
+{
+    const auto restsAt = [](bool reads) {
+        CalibrationRig rig;
+        rig.goTo(100.0, 30.0);
+        for (int second = 0; second < 20; ++second) {
+            const SkyPointing direction{.azimuth = 100_deg + 0.5_deg * second, .elevation = 30_deg};
+            EXPECT_TRUE(rig.control.request(request::Follow{.direction = direction, .what = QStringLiteral("Moon")},
+                                            calibrationSource()));
+            rig.run(Seconds(1.0));
+        }
+        for (int i = 0; i < 500; ++i) {
+            if (reads) {
+                rig.control.positionRead(kClient.clientId);
+            }
+            rig.tick();
+        }
+        return rig.axes().azimuth;
+    };
+    EXPECT_EQ(restsAt(false), restsAt(true));
+}
+
+TEST(CalibrationFollow, WhatIsRefusedChangesNothing)
+{
+    CalibrationRig rig = swungRig();
+    setHour(rig, 8.0);
+    follow(rig);
+    rig.tick();
+    ASSERT_FALSE(rig.status().bodies.at(1).isUp);
+    ASSERT_FALSE(rig.ask(request::FollowBody{.body = Body::Moon, .refraction = ephemeris::Refraction::Radio}));
+    EXPECT_EQ(ephemeris::Refraction::Light, rig.status().refraction);
+    EXPECT_EQ(Body::Sun, rig.status().body);
+    EXPECT_TRUE(rig.status().following);
+}
+
+bool warnsOfTheSun(CalibrationRig& rig)
+{
+    for (const Alarm& alarm : rig.control.status().alarms) {
+        if (alarm.active && alarm.what.contains(QStringLiteral("led to the Sun"))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+TEST(CalibrationFollow, TheMoonBearsNoAlarmOfTheSun)
+{
+    CalibrationRig rig = swungRig();
+    setHour(rig, 15.0);
+    follow(rig);
+    EXPECT_TRUE(warnsOfTheSun(rig));
+    ASSERT_TRUE(rig.status().bodies.at(1).isUp);
+    follow(rig, Body::Moon);
+    EXPECT_FALSE(warnsOfTheSun(rig));
+    follow(rig);
+    EXPECT_TRUE(warnsOfTheSun(rig));
+}
+
+// A client that only reads is told where the beam points, like the screen and MQTT.
+TEST(CalibrationFollow, TheTrimIsPartOfWhatClientsAreTold)
+{
+    CalibrationRig rig = swungRig();
+    setHour(rig, 8.0);
+    follow(rig);
+    ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = 5_deg, .elevation = {}}));
+    rig.run(Seconds(5.0));
+    StationRotator rotator(rig.control, rig.profile, rig.log, rig.clock);
+    const auto told = rotator.position({.id = 1, .address = "127.0.0.1:50000"});
+    ASSERT_TRUE(told);
+    EXPECT_LT(apart({told->azimuth, told->elevation}, *rig.control.status().actual), 0.01);
+}
+
+TEST(CalibrationFollow, ATrimThatIsNoNumberIsRefused)
+{
+    CalibrationRig rig = swungRig();
+    setHour(rig, 8.0);
+    follow(rig);
+    const Angle none = Angle::fromDegrees(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_FALSE(rig.ask(request::Nudge{.azimuth = none, .elevation = {}}));
+    EXPECT_FALSE(rig.ask(request::Nudge{.azimuth = {}, .elevation = none}));
+    EXPECT_FALSE(rig.control.status().trim);
+}
+
+}  // namespace
+}  // namespace boresight
