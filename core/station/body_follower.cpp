@@ -132,8 +132,8 @@ void BodyFollower::tick()
         return;
     }
     if (!m_control.obeys(calibrationSource())) {
-        ended(Severity::Advisory,
-              Text::tr("the %1 is not followed any more: the mount was told otherwise").arg(bodyName(*m_body)));
+        m_ending.clear();
+        ended(Text::tr("the %1 is not followed any more: the mount was told otherwise").arg(bodyName(*m_body)));
     } else if (m_clock.now() >= m_next) {
         const auto may =
             permits(*m_body).and_then([&] { return staysOnItsWay(); }).and_then([&] { return sendPoint(false); });
@@ -161,21 +161,20 @@ void BodyFollower::end(const QString& why)
 {
     if (m_following) {
         [[maybe_unused]] const Result<> held = m_control.request(request::Hold{}, calibrationSource());
-        ended(why.isEmpty() ? Severity::Advisory : Severity::Warning,
-              why.isEmpty() ? Text::tr("the %1 is not followed any more").arg(bodyName(*m_body)) : why);
+        m_ending = why;
+        ended(why.isEmpty() ? Text::tr("the %1 is not followed any more").arg(bodyName(*m_body)) : why);
     }
 }
 
-void BodyFollower::ended(Severity severity, const QString& how)
+void BodyFollower::ended(const QString& how)
 {
     if (looksBeside()) {
         m_body.reset();  // nobody has centred it there
     }
     m_following = false;
     m_offset = {};
-    m_ending = how;
     m_control.alarms().clear(kCause);
-    m_log.add(severity, kSource, how);
+    m_log.add(m_ending.isEmpty() ? Severity::Advisory : Severity::Warning, kSource, how);
     [[maybe_unused]] const Result<> cleared = m_control.request(request::ClearTrim{}, calibrationSource());
 }
 

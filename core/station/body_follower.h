@@ -31,7 +31,7 @@ public:
 
     [[nodiscard]] bool following() const { return m_following; }
     [[nodiscard]] bool looksBeside() const { return m_offset != calibration::SkyOffset{}; }
-    // How it ended last.
+    // Why it ended last by itself; empty: it was told to, or the mount was.
     [[nodiscard]] const QString& ending() const { return m_ending; }
     // Chosen last, followed or not; none after a beam that was left beside it.
     [[nodiscard]] const std::optional<ephemeris::Body>& body() const { return m_body; }
@@ -51,7 +51,7 @@ public:
 private:
     Result<> sendPoint(bool anew);
     [[nodiscard]] Result<> staysOnItsWay();
-    void ended(Severity severity, const QString& how);
+    void ended(const QString& how);
     void warn();
 
     StationControl& m_control;

@@ -2,11 +2,8 @@
 #include "core/station/calibration_desk.h"
 
 #include "core/base/text.h"
-#include "core/power/power_text.h"
 #include "core/profile/setting.h"
 #include "core/station/sensor_curve.h"
-
-#include <cmath>
 
 namespace boresight {
 namespace {
@@ -18,8 +15,6 @@ constexpr Angle kCentred = Angle::fromDegrees(0.03);
 constexpr Angle kKnownPoint = Angle::fromDegrees(0.1);
 constexpr AngularRate kStanding = AngularRate::fromDegrees(0.1);  // faster than the Sun but near the zenith
 constexpr std::size_t kMostPoints = 200;
-constexpr Angle kNarrowestScan = Angle::fromDegrees(0.2);
-constexpr Angle kWidestScan = Angle::fromDegrees(40.0);
 
 }  // namespace
 
@@ -69,18 +64,28 @@ Result<> CalibrationDesk::handle(const request::FollowBody& wanted)
     return nothingRuns().and_then([&] { return m_follower.follow(wanted.body, wanted.refraction); });
 }
 
-Result<> CalibrationDesk::mayTakePoint() const
+Result<> CalibrationDesk::stands() const
 {
-    return nothingRuns().and_then([&] { return m_control.measured(); }).and_then([&](const AxisPosition&) -> Result<> {
+    return m_control.measured().and_then([&](const AxisPosition&) -> Result<> {
         const auto axes = m_trace.now();
         if (!axes || std::max(abs(axes->rates.azimuth), abs(axes->rates.elevation)) > kStanding) {
             return failure(ErrorCode::Refused, Text::tr("the mount still moves"));
         }
-        if (m_book.points().size() >= kMostPoints) {
-            return failure(ErrorCode::Refused, Text::tr("there are %1 points already: drop some").arg(kMostPoints));
-        }
         return {};
     });
+}
+
+Result<> CalibrationDesk::roomForPoint() const
+{
+    if (m_book.points().size() >= kMostPoints) {
+        return failure(ErrorCode::Refused, Text::tr("there are %1 points already: drop some").arg(kMostPoints));
+    }
+    return {};
+}
+
+Result<> CalibrationDesk::mayTakePoint() const
+{
+    return nothingRuns().and_then([this] { return stands(); }).and_then([this] { return roomForPoint(); });
 }
 
 Result<> CalibrationDesk::mayTakeBody()
@@ -187,30 +192,6 @@ Result<> CalibrationDesk::handle(const request::StartSwing& wanted)
         stepSwing();
         return {};
     });
-}
-
-Result<> CalibrationDesk::handle(const request::StartCrossScan& wanted)
-{
-    if (!(wanted.width >= kNarrowestScan && wanted.width <= kWidestScan)) {
-        return failure(ErrorCode::OutOfRange, Text::tr("a scan is %1° to %2° wide")
-                                                  .arg(kNarrowestScan.degrees(), 0, 'f', 1)
-                                                  .arg(kWidestScan.degrees(), 0, 'f', 0));
-    }
-    return nothingRuns()
-        .and_then([&] { return m_follower.follow(wanted.body, ephemeris::Refraction::Radio); })
-        .and_then([&] {
-            m_scan.emplace(wanted.width, m_clock.now());
-            return m_follower.lookBeside(m_scan->offset());
-        });
-}
-
-Result<> CalibrationDesk::handle(const request::GivePower& wanted)
-{
-    if (!(std::abs(wanted.decibels) <= power::kLargestPower)) {
-        return failure(ErrorCode::OutOfRange, Text::tr("this is no power in dB"));
-    }
-    m_power = wanted.decibels;
-    return m_scan && m_scan->wantsPower(m_clock.now()) ? giveScan(wanted.decibels) : Result<>{};
 }
 
 Result<> CalibrationDesk::handle(const request::EndCalibration&)

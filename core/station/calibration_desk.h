@@ -100,6 +100,8 @@ private:
     [[nodiscard]] Result<> sensorTells() const;
     [[nodiscard]] Result<> sensorSpeaks() const;
     [[nodiscard]] Result<> maySwing() const;
+    [[nodiscard]] Result<> stands() const;
+    [[nodiscard]] Result<> roomForPoint() const;
     [[nodiscard]] Result<> mayTakePoint() const;
     [[nodiscard]] Result<> mayTakeBody();
     [[nodiscard]] Result<> mayChange() const;
@@ -112,11 +114,14 @@ private:
     [[nodiscard]] QString endOfSwing(const std::optional<AxesThen>& axes) const;
     void leadSwing(const AxesThen& axes);
     void stepScan();
+    [[nodiscard]] QString endOfScan() const;
     Result<> giveScan(double decibels);
+    Result<> lookOn();
     void finishSwing();
     void finishScan(const AxisPosition& middle);
     void endRun(const QString& outcome, bool failed);
     void holdMount();
+    [[nodiscard]] QString whoEnded() const;
     void takeForOffset(const orientation::Orientation& value, const AxesThen& about);
     Result<> addPoint(const AxisPosition& axes, const SkyPointing& truth, Angle sigma, const QString& label);
     void pointsChanged();
@@ -153,6 +158,7 @@ private:
     std::optional<OffsetRun> m_offsetRun;
     std::optional<SwingRun> m_swing;
     std::optional<ScanRun> m_scan;
+    ephemeris::Refraction m_beforeScan = ephemeris::Refraction::Light;
     SwingWish m_swingWish;
     QString m_outcome;
     bool m_failed = false;

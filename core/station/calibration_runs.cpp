@@ -12,35 +12,11 @@ namespace {
 
 const QString kSource = QStringLiteral("calibration");
 constexpr int kCalibratedMagnetometer = 2;
-// A peak is not believed to be sharper than the encoder and the gear.
-constexpr Angle kSharpestPeak = Angle::fromDegrees(0.01);
-// Of a scan: faster than Sun and Moon, slower than the way between two places.
-constexpr AngularRate kResting = AngularRate::fromDegrees(0.1);
 constexpr std::chrono::milliseconds kPublishPeriod{250};
-// The mount does not do any more what the run asked of it.
-QString whoEnded(StationState state)
-{
-    switch (state) {
-        case StationState::Stopped:
-            return Text::tr("STOP ended it: there is no result");
-        case StationState::Fault:
-            return Text::tr("a fault ended it: there is no result");
-        default:
-            return Text::tr("another command to the mount ended it: there is no result");
-    }
-}
-
 // The heading's mean ends when the elevation is read, just before the sensor sends both.
 Seconds levelAge(const profile::SensorSettings& sensor)
 {
     return std::max(sensor.latency - sensor.averaging / 2.0, Seconds(0.0));
-}
-
-// Near the zenith an axis runs although the beam hardly moves.
-AngularRate onSky(const AxesThen& axes)
-{
-    return AngularRate::fromRadians(std::hypot(axes.rates.azimuth.radians() * std::cos(axes.place.elevation.radians()),
-                                               axes.rates.elevation.radians()));
 }
 
 SteadyTime before(SteadyTime time, Seconds age)
@@ -239,7 +215,7 @@ QString CalibrationDesk::endOfSwing(const std::optional<AxesThen>& axes) const
     if (m_swing->late(now)) {
         return Text::tr("the mount does not get on: something holds it");
     }
-    return m_swing->begun() && !m_control.obeys(calibrationSource()) ? whoEnded(m_control.state()) : QString();
+    return m_swing->begun() && !m_control.obeys(calibrationSource()) ? whoEnded() : QString();
 }
 
 void CalibrationDesk::leadSwing(const AxesThen& axes)
@@ -279,62 +255,17 @@ void CalibrationDesk::finishSwing()
     }
 }
 
-void CalibrationDesk::take(const power::Value& value)
+// The mount does not do any more what the run asked of it.
+QString CalibrationDesk::whoEnded() const
 {
-    if (m_scan) {
-        m_scan->hear(value.decibels, value.arrival);
+    switch (m_control.state()) {
+        case StationState::Stopped:
+            return Text::tr("STOP ended it: there is no result");
+        case StationState::Fault:
+            return Text::tr("a fault ended it: there is no result");
+        default:
+            return Text::tr("another command to the mount ended it: there is no result");
     }
-}
-
-Result<> CalibrationDesk::giveScan(double decibels)
-{
-    m_scan->give(decibels, m_clock.now());
-    return m_follower.lookBeside(m_scan->offset());
-}
-
-void CalibrationDesk::stepScan()
-{
-    const SteadyTime now = m_clock.now();
-    const auto axes = m_trace.now();
-    if (!m_follower.following() || !axes) {
-        endRun(whoEnded(m_control.state()), true);
-        return;
-    }
-    if (onSky(*axes) > kResting) {
-        m_scan->moves(now);
-    }
-    if (const QString obstacle = m_scan->obstacle(now); !obstacle.isEmpty()) {
-        m_follower.end();
-        endRun(obstacle, true);
-        return;
-    }
-    if (const auto power = m_scan->heard(now)) {
-        m_power = *power;
-        m_changed = true;
-        if (const auto looks = giveScan(*power); !looks) {
-            m_follower.end();
-            endRun(toQString(looks.error().text), true);
-        }
-        return;
-    }
-    if (m_scan->done(now)) {
-        finishScan(axes->place);
-    }
-}
-
-void CalibrationDesk::finishScan(const AxisPosition& middle)
-{
-    const auto scanned = m_scan->outcome(middle);
-    if (!scanned) {
-        endRun(toQString(scanned.error().text), true);
-        return;
-    }
-    m_scanned = *scanned;
-    const ephemeris::Body body = *m_follower.body();
-    endRun(Text::tr("done: the peak is a point now"), false);
-    [[maybe_unused]] const Result<> added =
-        addPoint(scanned->peak, *m_follower.direction(body), std::max(scanned->sigma, kSharpestPeak),
-                 Text::tr("%1, peak").arg(bodyName(body)));
 }
 
 void CalibrationDesk::holdMount()
@@ -346,6 +277,12 @@ void CalibrationDesk::holdMount()
 
 void CalibrationDesk::endRun(const QString& outcome, bool failed)
 {
+    if (m_follower.looksBeside()) {
+        m_follower.end();
+    }
+    if (m_scan) {
+        m_follower.setRefraction(m_beforeScan);
+    }
     m_swing.reset();
     m_scan.reset();
     m_offsetRun.reset();

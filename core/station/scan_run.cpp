@@ -14,20 +14,27 @@ constexpr SteadyTime::duration kRest = std::chrono::seconds(4);
 constexpr SteadyTime::duration kSettling = std::chrono::milliseconds(1500);
 constexpr Seconds kListening{1.0};
 constexpr Seconds kPatience{120.0};
+// The first is from wherever the mount stood, once round on a slow one.
+constexpr Seconds kLongestWay{600.0};
 
 }  // namespace
 
-ScanRun::ScanRun(Angle width, SteadyTime now) : m_width(width), m_came(now), m_moved(now) {}
+ScanRun::ScanRun(Angle width, SteadyTime now) : m_places(placesOf(width)), m_came(now), m_moved(now) {}
+
+std::vector<calibration::SkyOffset> ScanRun::placesOf(Angle width)
+{
+    std::vector<calibration::SkyOffset> places;
+    for (int place = 0; place < 2 * kPlaces; ++place) {
+        const Angle offset = width * (static_cast<double>(place % kPlaces) / (kPlaces - 1) - 0.5);
+        places.push_back(place < kPlaces ? calibration::SkyOffset{.across = offset, .elevation = {}}
+                                         : calibration::SkyOffset{.across = {}, .elevation = offset});
+    }
+    return places;
+}
 
 calibration::SkyOffset ScanRun::offset() const
 {
-    if (comesBack()) {
-        return {};
-    }
-    const int inLine = m_place % kPlaces;
-    const Angle offset = m_width * (static_cast<double>(inLine) / (kPlaces - 1) - 0.5);
-    return m_place < kPlaces ? calibration::SkyOffset{.across = offset, .elevation = {}}
-                             : calibration::SkyOffset{.across = {}, .elevation = offset};
+    return comesBack() ? calibration::SkyOffset{} : m_places[static_cast<std::size_t>(m_place)];
 }
 
 SteadyTime ScanRun::settled() const
@@ -65,10 +72,10 @@ std::optional<double> ScanRun::heard(SteadyTime now) const
 
 QString ScanRun::obstacle(SteadyTime now) const
 {
-    if (Seconds(now - m_came) <= kPatience) {
-        return {};
+    if (rests(now)) {
+        return Seconds(now - settled()) > kPatience ? Text::tr("nobody told the power") : QString();
     }
-    return rests(now) ? Text::tr("nobody told the power") : Text::tr("the mount does not come to rest");
+    return Seconds(now - m_came) > kLongestWay ? Text::tr("the mount does not come to rest") : QString();
 }
 
 void ScanRun::give(double decibels, SteadyTime now)

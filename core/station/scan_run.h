@@ -25,9 +25,11 @@ public:
     // `width`: from one end of a line to the other, on the sky.
     ScanRun(Angle width, SteadyTime now);
 
+    // All that it would look at, beside the body.
+    [[nodiscard]] static std::vector<calibration::SkyOffset> placesOf(Angle width);
     // Where beside the body the beam shall look now.
     [[nodiscard]] calibration::SkyOffset offset() const;
-    // The mount has not come to rest yet.
+    // The beam has not come to rest there yet.
     void moves(SteadyTime now);
     // The beam has come to rest there.
     [[nodiscard]] bool wantsPower(SteadyTime now) const { return !comesBack() && rests(now); }
@@ -53,7 +55,7 @@ private:
     [[nodiscard]] SteadyTime settled() const;
     [[nodiscard]] bool rests(SteadyTime now) const { return now >= settled(); }
 
-    Angle m_width;
+    std::vector<calibration::SkyOffset> m_places;
     int m_place = 0;  // of both lines
     SteadyTime m_came;
     SteadyTime m_moved;  // the last time that it did

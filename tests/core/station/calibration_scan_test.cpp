@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scan across the Sun by the power of a small dish: what ends it, and what its readings are of.
+#include "tests/core/station/calibration_sun.h"
+
+namespace boresight {
+namespace {
+
+using namespace boresight::literals;
+using ephemeris::Body;
+
+// Of a beam 6° wide.
+double receivedPower(CalibrationRig& rig)
+{
+    const double off = apart(rig.beam(), rig.status().bodies.at(0).direction);
+    return -60.0 - 12.0 * off * off / (6.0 * 6.0);
+}
+
+bool scans(CalibrationRig& rig)
+{
+    return rig.status().progress.run == CalibrationRun::CrossScan;
+}
+
+// Gives so many powers, each as soon as it is asked for.
+void givePowers(CalibrationRig& rig, int places)
+{
+    for (int i = 0; i < 200000 && places > 0 && scans(rig); ++i) {
+        rig.tick();
+        if (rig.status().wantsPower) {
+            ASSERT_TRUE(rig.ask(request::GivePower{receivedPower(rig)}));
+            --places;
+        }
+    }
+}
+
+void scanToTheEnd(CalibrationRig& rig)
+{
+    givePowers(rig, 18);
+    rig.runOut();
+    rig.tick();
+}
+
+void startScan(CalibrationRig& rig, Angle width = 8_deg)
+{
+    setHour(rig, 8.0);
+    follow(rig);
+    const auto started = rig.ask(request::StartCrossScan{.width = width, .body = Body::Sun});
+    ASSERT_TRUE(started) << started.error().text;
+}
+
+TEST(CalibrationScan, FindsTheSun)
+{
+    CalibrationRig rig = swungRig();
+    startScan(rig);
+    scanToTheEnd(rig);
+    ASSERT_TRUE(rig.status().scan) << rig.status().progress.outcome.toStdString();
+    ASSERT_EQ(1U, rig.status().points.size());
+    const PointStatus point = rig.status().points.front();
+    EXPECT_LT(apart(rig.model.toSky(point.axes), point.truth), 0.1);
+}
+
+// A few replies are lost: neither a fault nor the end of the stream, but of the scan. What it leaves is not a beam that
+// follows four degrees beside the Sun and may be taken for a point of it.
+TEST(CalibrationScan, OneThatIsCutShortLeavesNoBeamBesideTheSun)
+{
+    CalibrationRig rig = swungRig();
+    startScan(rig);
+    givePowers(rig, 2);
+    rig.azimuth.mute = rig.elevation.mute = true;
+    rig.run(Seconds(0.16));
+    rig.azimuth.mute = rig.elevation.mute = false;
+    rig.run(Seconds(3.0));
+    if (scans(rig)) {
+        scanToTheEnd(rig);
+        ASSERT_TRUE(rig.status().scan);
+        return;
+    }
+    EXPECT_FALSE(rig.status().following);
+    EXPECT_EQ(StationState::Hold, rig.state());
+    EXPECT_FALSE(rig.ask(request::TakePoint{}));
+}
+
+// Nobody has centred the Sun where a scan was held.
+TEST(CalibrationScan, WhereItWasHeldIsNoPoint)
+{
+    CalibrationRig rig = swungRig();
+    startScan(rig);
+    givePowers(rig, 2);
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    rig.run(Seconds(5.0));
+    EXPECT_TRUE(rig.status().progress.failed);
+    const auto refused = rig.ask(request::TakePoint{});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(std::string::npos, refused.error().text.find("follow the Sun"));
+    follow(rig);
+    EXPECT_TRUE(rig.ask(request::TakePoint{}));
+}
+
+// How far the peak that was found is from the Sun, on the sky.
+double peakError(CalibrationRig& rig)
+{
+    if (rig.status().points.empty()) {
+        ADD_FAILURE() << rig.status().progress.outcome.toStdString();
+        return 360.0;
+    }
+    const PointStatus point = rig.status().points.front();
+    return apart(rig.model.toSky(point.axes), point.truth);
+}
+
+CalibrationRig slowRig(AngularRate speed)
+{
+    profile::Profile slow = calibratedProfile();
+    slow.azimuth.limits.speed = slow.elevation.limits.speed = speed;
+    slow.pointing.azimuthOffset = 36_deg;
+    return CalibrationRig({}, slow);
+}
+
+// Its power is given the moment it is asked for: by then the beam has to be there.
+TEST(CalibrationScan, ASlowMountIsWaitedForAtEachPlace)
+{
+    for (const AngularRate speed : {2_deg_s, 0.5_deg_s}) {
+        CalibrationRig rig = slowRig(speed);
+        setHour(rig, 8.0);
+        rig.goTo(60.0, 40.0);
+        rig.run(Seconds(300.0));
+        follow(rig);
+        ASSERT_TRUE(rig.ask(request::StartCrossScan{.width = 8_deg, .body = Body::Sun}));
+        while (scans(rig)) {
+            rig.tick();
+            if (rig.status().wantsPower) {
+                EXPECT_TRUE(rig.control.onTarget(0.05_deg));
+                ASSERT_TRUE(rig.ask(request::GivePower{receivedPower(rig)}));
+            }
+        }
+        rig.tick();
+        EXPECT_LT(peakError(rig), 0.03);
+    }
+}
+
+// What is not permitted is not driven to, so its power would be of another place.
+TEST(CalibrationScan, IsRefusedWhereItsPlacesAreForbidden)
+{
+    CalibrationRig rig = swungRig();
+    setHour(rig, 3.2);
+    follow(rig);
+    ASSERT_LT(rig.status().bodies.at(0).direction.elevation, 3_deg);
+    const auto refused = rig.ask(request::StartCrossScan{.width = 20_deg, .body = Body::Sun});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(std::string::npos, refused.error().text.find("less wide"));
+    EXPECT_TRUE(rig.ask(request::StartCrossScan{.width = 1_deg, .body = Body::Sun}));
+}
+
+TEST(CalibrationScan, EndsWhereTheBeamDoesNotGetToItsPlace)
+{
+    CalibrationRig rig = swungRig();
+    startScan(rig);
+    givePowers(rig, 2);
+    profile::Profile drawn = rig.profile;
+    const AxisPosition here = rig.axes();
+    // Across all that is still to be looked at.
+    drawn.limits.keepOuts.push_back({.name = "crane",
+                                     .azimuthFrom = rig.beam().azimuth + 0.7_deg,
+                                     .azimuthTo = rig.beam().azimuth + 5.0_deg,
+                                     .elevationMin = here.elevation - 10_deg,
+                                     .elevationMax = here.elevation + 10_deg});
+    rig.setProfile(drawn);
+    scanToTheEnd(rig);
+    EXPECT_TRUE(rig.status().progress.failed);
+    EXPECT_FALSE(rig.status().scan);
+    EXPECT_FALSE(rig.status().following);
+}
+
+TEST(CalibrationScan, EndsWhenItIsNudged)
+{
+    CalibrationRig rig = swungRig();
+    startScan(rig);
+    givePowers(rig, 4);
+    ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = 1.5_deg, .elevation = {}}));
+    rig.run(Seconds(1.0));
+    EXPECT_FALSE(scans(rig));
+    EXPECT_TRUE(rig.status().progress.outcome.contains(QStringLiteral("by hand")));
+    EXPECT_TRUE(rig.status().points.empty());
+}
+
+// The refraction of radio is for the scan alone.
+TEST(CalibrationScan, LeavesTheRefractionAsItWas)
+{
+    CalibrationRig rig = swungRig();
+    startScan(rig);
+    EXPECT_EQ(ephemeris::Refraction::Radio, rig.status().refraction);
+    scanToTheEnd(rig);
+    ASSERT_TRUE(rig.status().scan);
+    EXPECT_EQ(ephemeris::Refraction::Light, rig.status().refraction);
+    ASSERT_TRUE(rig.ask(request::StartCrossScan{.width = 8_deg, .body = Body::Sun}));
+    ASSERT_TRUE(rig.ask(request::EndCalibration{}));
+    EXPECT_EQ(ephemeris::Refraction::Light, rig.status().refraction);
+}
+
+}  // namespace
+}  // namespace boresight
