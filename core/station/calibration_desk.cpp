@@ -167,9 +167,17 @@ Result<> CalibrationDesk::handle(const request::DropAllPoints&)
 
 Result<> CalibrationDesk::handle(const request::MeasureSensorOffset&)
 {
-    return nothingRuns().and_then([this] { return sensorTells(); }).map([this] {
-        m_offsetRun = OffsetRun{.started = m_clock.now(), .readings = {}};
-    });
+    return nothingRuns()
+        .and_then([this] { return sensorTells(); })
+        .and_then([this] { return stands(); })
+        .and_then([this]() -> Result<> {
+            const QString obstacle = compassObstacle(m_control.measured()->elevation);
+            if (!obstacle.isEmpty()) {
+                return failure(ErrorCode::Refused, obstacle);
+            }
+            m_offsetRun = OffsetRun{.started = m_clock.now(), .readings = {}};
+            return {};
+        });
 }
 
 Result<> CalibrationDesk::handle(const request::PlanSwing& wanted)
@@ -187,6 +195,7 @@ Result<> CalibrationDesk::handle(const request::StartSwing& wanted)
             return failure(ErrorCode::Refused, plan.obstacle);
         }
         m_follower.end();
+        m_swingRestarts = m_restarts;
         m_swing.emplace(plan, *m_control.measured(), m_profile.azimuth.limits, m_profile.sensor, m_clock.now());
         m_log.add(Severity::Advisory, kSource, Text::tr("swings the compass: %1").arg(plan.text));
         stepSwing();
@@ -310,13 +319,22 @@ void CalibrationDesk::propose(ProposedBy by)
     m_changed = true;
 }
 
+Proposal CalibrationDesk::swungProposal() const
+{
+    Proposal proposal = proposalOf(*m_swung, m_profile);
+    if (!m_swingDoubt.isEmpty()) {
+        proposal.warnings.push_back(m_swingDoubt);
+    }
+    return proposal;
+}
+
 std::optional<Proposal> CalibrationDesk::proposed() const
 {
     switch (m_by) {
         case ProposedBy::SensorOffset:
             return proposalOf(*m_sensorOffset, m_profile);
         case ProposedBy::Swing:
-            return proposalOf(*m_swung, m_profile);
+            return swungProposal();
         case ProposedBy::Points:
             return m_book.fitted() ? std::optional(proposalOf(*m_book.fitted(), m_book.points(), m_profile))
                                    : std::nullopt;

@@ -111,8 +111,9 @@ private:
     void noteAxes();
     void stepOffset();
     void stepSwing();
-    [[nodiscard]] QString endOfSwing(const std::optional<AxesThen>& axes) const;
+    [[nodiscard]] QString endOfSwing() const;
     void leadSwing(const AxesThen& axes);
+    void tellOfWait(const QString& why);
     void stepScan();
     [[nodiscard]] QString endOfScan() const;
     Result<> giveScan(double decibels);
@@ -128,6 +129,7 @@ private:
 
     void propose(ProposedBy by);
     [[nodiscard]] std::optional<Proposal> proposed() const;
+    [[nodiscard]] Proposal swungProposal() const;
     [[nodiscard]] calibration::TermKnowledge known() const;
     [[nodiscard]] calibration::RecordMount mountToday() const;
     [[nodiscard]] calibration::TermSheet sheet() const;
@@ -151,12 +153,15 @@ private:
     CalibrationFile& m_file;
     BodyFollower m_follower;
     AxisTrace m_trace;
+    std::optional<SteadyTime> m_unseenSince;          // the axes are not
     std::optional<orientation::Orientation> m_value;  // of the sensor, the last
     QString m_sensorProblem;                          // of its port or broker
     Angle m_declination;
 
     std::optional<OffsetRun> m_offsetRun;
     std::optional<SwingRun> m_swing;
+    std::uint64_t m_restarts = 0;       // of the sensor
+    std::uint64_t m_swingRestarts = 0;  // when the swing began
     std::optional<ScanRun> m_scan;
     ephemeris::Refraction m_beforeScan = ephemeris::Refraction::Light;
     SwingWish m_swingWish;
@@ -165,6 +170,7 @@ private:
 
     std::optional<calibration::SensorOffset> m_sensorOffset;
     std::shared_ptr<const SwingOutcome> m_swung;
+    QString m_swingDoubt;  // of what it found
     std::optional<calibration::CrossScan> m_scanned;
     std::optional<double> m_power;
     power::LineStatus m_powerLine;

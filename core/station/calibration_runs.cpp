@@ -11,8 +11,11 @@ namespace boresight {
 namespace {
 
 const QString kSource = QStringLiteral("calibration");
+const QString kWait = QStringLiteral("swing");  // cause of the alarm
 constexpr int kCalibratedMagnetometer = 2;
 constexpr std::chrono::milliseconds kPublishPeriod{250};
+// For how long a swing goes on unseen: a stall of this computer is over by then, and the drives have their own watch.
+constexpr Seconds kUnseen{1.0};
 // The heading's mean ends when the elevation is read, just before the sensor sends both.
 Seconds levelAge(const profile::SensorSettings& sensor)
 {
@@ -101,6 +104,7 @@ SwingPlan CalibrationDesk::planned(const SwingWish& wish) const
 void CalibrationDesk::take(const SensorStatus& sensor)
 {
     m_declination = sensor.declination;
+    m_restarts = sensor.restarts;
     m_sensorProblem = sensor.problem;
     if (!sensor.last || (m_value && sensor.last->arrival == m_value->arrival)) {
         return;
@@ -153,6 +157,7 @@ void CalibrationDesk::noteAxes()
 void CalibrationDesk::tick()
 {
     noteAxes();
+    m_unseenSince = m_trace.now() ? std::nullopt : std::optional(m_unseenSince.value_or(m_clock.now()));
     m_follower.tick();
     if (m_swing) {
         stepSwing();
@@ -189,28 +194,32 @@ void CalibrationDesk::stepOffset()
 
 void CalibrationDesk::stepSwing()
 {
-    const auto axes = m_trace.now();
-    if (const QString reason = endOfSwing(axes); !reason.isEmpty()) {
+    if (const QString reason = endOfSwing(); !reason.isEmpty()) {
         holdMount();
         endRun(reason, true);
         return;
     }
-    leadSwing(*axes);
+    if (const auto axes = m_trace.now()) {
+        leadSwing(*axes);
+    }
     if (m_swing && m_swing->done()) {
         finishSwing();
     }
 }
 
 // A sensor that is silent may come back: that is waited for, standing still.
-QString CalibrationDesk::endOfSwing(const std::optional<AxesThen>& axes) const
+QString CalibrationDesk::endOfSwing() const
 {
     const SteadyTime now = m_clock.now();
     const auto tells = sensorTells();
     if (!tells && (sensorSpeaks() || !m_swing->begun() || m_swing->waitedInVain(now))) {
         return toQString(tells.error().text);
     }
-    if (!axes) {
+    if (m_unseenSince && Seconds(now - *m_unseenSince) > kUnseen) {
         return Text::tr("where the mount stands is not known any more");
+    }
+    if (m_restarts != m_swingRestarts) {
+        return Text::tr("the sensor was started anew meanwhile: its compass may count otherwise now");
     }
     if (m_swing->late(now)) {
         return Text::tr("the mount does not get on: something holds it");
@@ -223,12 +232,11 @@ void CalibrationDesk::leadSwing(const AxesThen& axes)
     const auto speaks = sensorSpeaks();
     const bool waited = m_swing->waits();
     const auto wanted = m_swing->step(m_clock.now(), axes, speaks.has_value());
-    if (m_swing->waits() != waited) {
-        m_log.add(waited ? Severity::Advisory : Severity::Warning, kSource,
-                  waited ? Text::tr("the sensor is heard again: the swing goes on")
-                         : Text::tr("the swing stands still for %1 s at most: %2")
-                               .arg(SwingRun::kLongestWait.count(), 0, 'f', 0)
-                               .arg(toQString(speaks.error().text)));
+    if (m_swing->waits() && !waited) {
+        tellOfWait(toQString(speaks.error().text));
+    } else if (waited && !m_swing->waits()) {
+        m_control.alarms().clear(kWait);
+        m_log.add(Severity::Advisory, kSource, Text::tr("the sensor is heard again: the swing goes on"));
     }
     if (!wanted) {
         return;
@@ -239,8 +247,25 @@ void CalibrationDesk::leadSwing(const AxesThen& axes)
     }
 }
 
+// Who stands at the mast sees it stand: it shall not set off again without a word.
+void CalibrationDesk::tellOfWait(const QString& why)
+{
+    const QString left = QString::number(m_swing->waitLeft(m_clock.now()).count(), 'f', 0);
+    m_log.add(Severity::Warning, kSource, Text::tr("the swing stands still for %1 s at most: %2").arg(left, why));
+    m_control.alarms().raise(
+        kWait, Severity::Warning,
+        {.what = Text::tr("the swing of the compass waits for its sensor"),
+         .action =
+             Text::tr("The mount stands still and goes on BY ITSELF when the sensor is heard within %1 s").arg(left),
+         .remedy = Text::tr("Keep clear of the mount; STOP or Hold ends the swing")});
+}
+
 void CalibrationDesk::finishSwing()
 {
+    m_swingDoubt = m_swing->heardAllAlong() ? QString()
+                                            : Text::tr(
+                                                  "the sensor was silent meanwhile and does not tell how it is "
+                                                  "calibrated: if it was started anew, repeat the swing");
     auto outcome = m_swing->outcome(m_clock.utc(), m_declination);
     if (!outcome) {
         endRun(toQString(outcome.error().text), true);
@@ -283,6 +308,7 @@ void CalibrationDesk::endRun(const QString& outcome, bool failed)
     if (m_scan) {
         m_follower.setRefraction(m_beforeScan);
     }
+    m_control.alarms().clear(kWait);
     m_swing.reset();
     m_scan.reset();
     m_offsetRun.reset();

@@ -10,8 +10,6 @@ namespace {
 constexpr Seconds kKept{25.0};  // the longest latency and average of the profile, and their jitter
 // How far a sentence may be early or late within the sensor's loop.
 constexpr Seconds kJitter{0.3};
-// Near the zenith a compass on the boom says nothing.
-constexpr Angle kHighest = Angle::fromDegrees(75.0);
 constexpr int kFewest = 2;  // values that differ, or agree again
 // Agrees again: clearly below the threshold, so that the alarm does not flicker.
 constexpr double kAgreesBelow = 0.7;
@@ -43,7 +41,7 @@ void SensorCheck::take(const SensorReading& reading)
     const auto elevations = passed(&Place::elevation, reading.arrival, Seconds(0.0));
     Case& azimuth = m_cases[index(Axis::Azimuth)];
     Case& elevation = m_cases[index(Axis::Elevation)];
-    const bool low = elevations && abs(elevations->mean) < kHighest;
+    const bool low = elevations && abs(elevations->mean) < kHighestForCompass;
     if (azimuths && low && reading.azimuthCounts) {
         const Angle difference = (reading.direction.azimuth - azimuths->mean).wrapped180();
         // Across the sky: near the zenith an angle of azimuth is a small one.

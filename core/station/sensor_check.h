@@ -13,6 +13,9 @@
 // difference counts when it lasts and at least two values have it; a single outlier never does. Pure; station thread.
 namespace boresight {
 
+// Near the zenith a compass on the boom says nothing, and beyond it the box lies on its back and says the opposite.
+inline constexpr Angle kHighestForCompass = Angle::fromDegrees(75.0);
+
 struct SensorCheckSettings
 {
     Angle threshold;

@@ -2,6 +2,7 @@
 #include "core/station/swing_plan.h"
 
 #include "core/base/text.h"
+#include "core/station/sensor_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ constexpr Angle kCircle = Angle::fromDegrees(360.0);
 // From the edge of what is free: the swing turns back before it leans on a limit.
 constexpr Angle kMargin = Angle::fromDegrees(1.0);
 constexpr Angle kLowestForTilt = Angle::fromDegrees(10.0);
-constexpr Angle kHighestForTilt = Angle::fromDegrees(80.0);
+constexpr Angle kHighestForTilt = kHighestForCompass;
 
 QString degreesText(Angle angle)
 {
@@ -40,13 +41,16 @@ TravelRange arcAround(Angle here, const TravelRange& free)
 
 QString obstacleOf(const SwingWish& wish, const SwingPlan& plan)
 {
-    if (wish.rate < kSlowest || wish.rate > kFastest) {
+    if (!(wish.rate >= kSlowest && wish.rate <= kFastest)) {
         return Text::tr("a swing turns at %1 to %2°/s")
             .arg(kSlowest.degrees(), 0, 'f', 1)
             .arg(kFastest.degrees(), 0, 'f', 1);
     }
     if (wish.headings != 0 && (wish.headings < kFewestHeadings || wish.headings > kMostHeadings)) {
         return Text::tr("a swing stops at %1 to %2 headings, or at none").arg(kFewestHeadings).arg(kMostHeadings);
+    }
+    if (const QString obstacle = compassObstacle(plan.elevation); !obstacle.isEmpty()) {
+        return obstacle;
     }
     if (plan.azimuth.max - plan.azimuth.min < kLeastArc) {
         return Text::tr("only %1 of azimuth are free at this elevation, a swing needs %2: raise the boom")
@@ -95,6 +99,15 @@ Seconds durationOf(const SwingPlan& plan, const AxisPosition& here, const tracki
 }
 
 }  // namespace
+
+QString compassObstacle(Angle elevation)
+{
+    if (abs(elevation) <= kHighestForCompass) {
+        return {};
+    }
+    return Text::tr("with the boom at %1 the compass says nothing: lower it to %2 or less, best to 30°")
+        .arg(degreesText(elevation), degreesText(kHighestForCompass));
+}
 
 Angle stoppingWay(AngularRate rate, const tracking::MotionLimits& limits)
 {

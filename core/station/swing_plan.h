@@ -25,6 +25,9 @@ inline constexpr Seconds kSwingDwell{5.0};
 [[nodiscard]] SwingPlan planSwing(const SwingWish& wish, const AxisPosition& here,
                                   const pointing::PermittedRegion& region, const tracking::MotionLimits& limits);
 
+// Why a compass on the boom is of no use with the boom at this elevation; empty: it is.
+[[nodiscard]] QString compassObstacle(Angle elevation);
+
 // The azimuths to stop at: there, then back.
 [[nodiscard]] std::vector<Angle> stopsOf(const SwingPlan& plan);
 

@@ -116,13 +116,14 @@ void SwingRun::goOn(SteadyTime now)
     const SteadyTime::duration waited = now - *m_waitsSince;
     m_started += waited;
     m_deadline += waited;
+    m_waited += waited;
     m_waitsSince.reset();
     m_begun = false;
 }
 
-bool SwingRun::waitedInVain(SteadyTime now) const
+Seconds SwingRun::waitLeft(SteadyTime now) const
 {
-    return waits() && now - *m_waitsSince >= kLongestWait;
+    return kLongestWait - m_waited - Seconds(now - m_waitsSince.value_or(now));
 }
 
 std::optional<Request> SwingRun::step(SteadyTime now, const AxesThen& axes, bool heard)
@@ -183,10 +184,17 @@ Seconds SwingRun::left(SteadyTime now) const
     return std::max(m_plan.duration - Seconds(m_waitsSince.value_or(now) - m_started), Seconds(0.0));
 }
 
+bool SwingRun::heardAllAlong() const
+{
+    return m_waited == Seconds(0.0) || std::ranges::all_of(m_samples, [](const calibration::SwingSample& sample) {
+               return sample.magnetometerCalibration.has_value();
+           });
+}
+
 QString SwingRun::text(SteadyTime now) const
 {
     if (waits()) {
-        const Seconds left = std::max(kLongestWait - Seconds(now - *m_waitsSince), Seconds(0.0));
+        const Seconds left = std::max(waitLeft(now), Seconds(0.0));
         return Text::tr("standing still until the sensor is heard again, %1 s more at most")
             .arg(left.count(), 0, 'f', 0);
     }

@@ -30,7 +30,7 @@ public:
     SwingRun(const SwingPlan& plan, const AxisPosition& here, const tracking::MotionLimits& limits,
              const profile::SensorSettings& sensor, SteadyTime now);
 
-    // A sensor that falls silent is waited for so long, at rest: as a broker or a WiFi needs to come back.
+    // A sensor that falls silent is waited for so long in all, at rest: as a broker or a WiFi needs to come back.
     static constexpr Seconds kLongestWait{30.0};
 
     // What is to be asked of the mount now; mostly nothing. `heard`: the sensor is.
@@ -41,13 +41,16 @@ public:
     [[nodiscard]] bool begun() const { return m_begun || m_leg > 0; }
     [[nodiscard]] bool done() const { return m_leg == m_legs.size(); }
     [[nodiscard]] bool waits() const { return m_waitsSince.has_value(); }
-    [[nodiscard]] bool waitedInVain(SteadyTime now) const;
+    [[nodiscard]] Seconds waitLeft(SteadyTime now) const;
+    [[nodiscard]] bool waitedInVain(SteadyTime now) const { return waits() && waitLeft(now) <= Seconds(0.0); }
     // Longer than planned by far: something holds the mount.
     [[nodiscard]] bool late(SteadyTime now) const { return !waits() && now > m_deadline; }
     [[nodiscard]] double part(SteadyTime now) const;
     [[nodiscard]] Seconds left(SteadyTime now) const;
     [[nodiscard]] QString text(SteadyTime now) const;
 
+    // It was never silent, or tells of its calibration: a restart would be seen there.
+    [[nodiscard]] bool heardAllAlong() const;
     // What was found: refused with the reason where it says nothing. `declination`: from magnetic to true north.
     [[nodiscard]] Result<SwingOutcome> outcome(UtcTime utc, Angle declination) const;
 
@@ -77,6 +80,7 @@ private:
     std::optional<SteadyTime> m_standsFor;  // since when, at a stop
     bool m_reads = false;
     std::optional<SteadyTime> m_waitsSince;  // for the sensor
+    Seconds m_waited{0.0};                   // for it, before that
     SteadyTime m_started;                    // later by what was waited
     SteadyTime m_deadline;
     std::vector<calibration::SwingSample> m_samples;

@@ -5205,6 +5205,58 @@ do eixo</translation>
         <source>the place to park would then be forbidden, %1: set another one first (tab Mount, Profile, &quot;park&quot;), then apply</source>
         <translation>o lugar de estacionar ficaria então proibido, %1: defina outro primeiro (separador Montagem, Perfil, &quot;park&quot;), depois aplique</translation>
     </message>
+    <message>
+        <source>around the %1 not all is permitted, %2: scan less wide, or when the %1 stands elsewhere</source>
+        <translation>à volta de %1 nem tudo é permitido, %2: faça uma varredura menos larga, ou quando %1 estiver noutro lugar</translation>
+    </message>
+    <message>
+        <source>the %1 is elsewhere all at once: the clock of this computer or the site was changed; the mount holds, follow it again if that is right</source>
+        <translation>%1 está de repente noutro lugar: o relógio deste computador ou o local foi mudado; a montagem mantém-se parada, siga de novo se isso estiver certo</translation>
+    </message>
+    <message>
+        <source>the terms or the sensor in the profile were changed</source>
+        <translation>os termos ou o sensor no perfil foram mudados</translation>
+    </message>
+    <message>
+        <source>the sensor was started anew meanwhile: its compass may count otherwise now</source>
+        <translation>o sensor foi reiniciado entretanto: a sua bússola pode agora contar de outro modo</translation>
+    </message>
+    <message>
+        <source>the swing of the compass waits for its sensor</source>
+        <translation>o giro da bússola espera pelo seu sensor</translation>
+    </message>
+    <message>
+        <source>The mount stands still and goes on BY ITSELF when the sensor is heard within %1 s</source>
+        <translation>A montagem está parada e continua POR SI MESMA se o sensor for ouvido dentro de %1 s</translation>
+    </message>
+    <message>
+        <source>Keep clear of the mount; STOP or Hold ends the swing</source>
+        <translation>Mantenha-se longe da montagem; STOP ou Manter termina o giro</translation>
+    </message>
+    <message>
+        <source>the sensor was silent meanwhile and does not tell how it is calibrated: if it was started anew, repeat the swing</source>
+        <translation>o sensor esteve em silêncio entretanto e não diz como está calibrado: se foi reiniciado, repita o giro</translation>
+    </message>
+    <message>
+        <source>the beam was shifted by hand in the middle of the scan</source>
+        <translation>o feixe foi deslocado à mão no meio da varredura</translation>
+    </message>
+    <message>
+        <source>the beam does not get to a place of the scan: %1</source>
+        <translation>o feixe não chega a um lugar da varredura: %1</translation>
+    </message>
+    <message>
+        <source>the mount follows directions, which the change would move: hold the mount first</source>
+        <translation>a montagem segue direções, que a mudança deslocaria: mantenha primeiro a montagem</translation>
+    </message>
+    <message>
+        <source>the mount is on its way to a direction, which the change would move: wait until it is there, or hold it first</source>
+        <translation>a montagem está a caminho de uma direção, que a mudança deslocaria: espere até que chegue, ou mantenha-a primeiro</translation>
+    </message>
+    <message>
+        <source>with the boom at %1 the compass says nothing: lower it to %2 or less, best to 30°</source>
+        <translation>com a lança a %1 a bússola nada diz: baixe-a a %2 ou menos, o melhor é 30°</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -130,7 +130,9 @@ public:
     CalibrationDesk desk;
     std::mt19937_64 random{20261121};
     bool speaks = true;
-    orientation::Calibration calibration{.system = 3, .gyro = 3, .accelerometer = 3, .magnetometer = 3};
+    std::uint64_t restarts = 0;  // of the sensor
+    std::optional<orientation::Calibration> calibration =
+        orientation::Calibration{.system = 3, .gyro = 3, .accelerometer = 3, .magnetometer = 3};
 
 private:
     void putIntoForce()
@@ -173,6 +175,7 @@ private:
         value.arrival = clock.now();
         SensorStatus sensor;
         sensor.last = value;
+        sensor.restarts = restarts;
         sensor.declination = Angle::fromDegrees(truth.declination);
         desk.take(sensor);
     }

@@ -3,6 +3,8 @@
 #include "core/station/sensor_curve.h"
 #include "tests/core/station/calibration_rig.h"
 
+#include <algorithm>
+
 namespace boresight {
 namespace {
 
@@ -81,7 +83,7 @@ TEST(CalibrationSwing, KeepsHowFarItIsToBeBelieved)
     const Angle there = offsetSigma();
     EXPECT_GT(there, found.constantSigma);
     EXPECT_LT(there, *found.constantSigma + 1_deg);
-    rig.goTo(200.0, 80.0);
+    rig.goTo(200.0, 70.0);
     EXPECT_GT(offsetSigma(), there + 1_deg) << "another elevation";
     ASSERT_TRUE(rig.ask(request::UndoCalibration{}));
     EXPECT_EQ(rig.profile.sensor.deviation, profile::CompassDeviation());
@@ -272,12 +274,12 @@ TEST(CalibrationSwing, IsRefusedWithTheReason)
         EXPECT_EQ(ErrorCode::NotAvailable, refused.error().code);
     }
     CalibrationRig rig;
-    rig.calibration.magnetometer = 1;
+    rig.calibration->magnetometer = 1;
     rig.run(Seconds(3.0));
     const auto refused = rig.ask(kSweep);
     ASSERT_FALSE(refused);
     EXPECT_NE(std::string::npos, refused.error().text.find("magnetometer"));
-    rig.calibration.magnetometer = 3;
+    rig.calibration->magnetometer = 3;
     rig.run(Seconds(3.0));
     ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
     EXPECT_FALSE(rig.ask(kSweep));  // the clients have the control
@@ -317,6 +319,124 @@ TEST(CalibrationSensor, AMountThatMovesTellsNothing)
     rig.runOut(Seconds(60.0));
     EXPECT_TRUE(rig.status().progress.failed);
     EXPECT_FALSE(rig.status().proposal);
+}
+
+// The broker's WiFi comes and goes: so much patience nobody at the mast has.
+TEST(CalibrationSwing, WaitsNoLongerInAllThanOnce)
+{
+    CalibrationRig rig;
+    swingHalfWay(rig);
+    int waits = 0;
+    for (; waits < 10 && rig.status().progress.run == CalibrationRun::Swing; ++waits) {
+        rig.speaks = false;
+        rig.run(Seconds(17.0));
+        rig.speaks = true;
+        rig.run(Seconds(3.0));
+    }
+    EXPECT_TRUE(rig.status().progress.failed);
+    EXPECT_GT(waits, 1);
+    EXPECT_LT(waits, 5);
+}
+
+bool warnsOfTheWait(const CalibrationRig& rig)
+{
+    const auto alarms = rig.control.status().alarms;
+    return std::ranges::any_of(
+        alarms, [](const Alarm& alarm) { return alarm.active && alarm.action.contains(QStringLiteral("BY ITSELF")); });
+}
+
+TEST(CalibrationSwing, WhoStandsAtTheMastIsToldThatItWillGoOn)
+{
+    CalibrationRig rig;
+    swingHalfWay(rig);
+    EXPECT_FALSE(warnsOfTheWait(rig));
+    rig.speaks = false;
+    rig.run(Seconds(12.0));
+    EXPECT_TRUE(warnsOfTheWait(rig));
+    rig.speaks = true;
+    rig.run(Seconds(3.0));
+    EXPECT_FALSE(warnsOfTheWait(rig));
+    rig.speaks = false;
+    rig.run(Seconds(12.0));
+    EXPECT_TRUE(warnsOfTheWait(rig));
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    rig.run(Seconds(0.1));
+    EXPECT_FALSE(warnsOfTheWait(rig));
+}
+
+// Its compass may have another calibration now: readings from before and after are of two sensors.
+TEST(CalibrationSwing, ASensorThatWasRestartedEndsIt)
+{
+    CalibrationRig rig;
+    swingHalfWay(rig);
+    rig.restarts = 1;
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(CalibrationRun::None, rig.status().progress.run);
+    EXPECT_TRUE(rig.status().progress.outcome.contains(QStringLiteral("started anew")));
+    EXPECT_EQ(StationState::Hold, rig.state());
+    EXPECT_TRUE(rig.ask(kSweep));
+}
+
+// Without word of its calibration nobody sees a restart: what came before and after a silence may be of two compasses.
+TEST(CalibrationSwing, ASilenceOfASensorThatTellsNoCalibrationIsADoubt)
+{
+    for (const bool tells : {true, false}) {
+        CalibrationRig rig;
+        if (!tells) {
+            rig.calibration.reset();
+        }
+        swingHalfWay(rig);
+        rig.speaks = false;
+        rig.run(Seconds(15.0));
+        rig.speaks = true;
+        rig.runOut();
+        ASSERT_TRUE(rig.status().proposal) << rig.status().progress.outcome.toStdString();
+        const auto warnings = rig.status().proposal->warnings;
+        EXPECT_EQ(!tells, std::ranges::any_of(warnings, [](const QString& warning) {
+            return warning.contains(QStringLiteral("silent"));
+        }));
+    }
+}
+
+// Minutes of turning are not lost for a few replies.
+TEST(CalibrationSwing, OutlastsAStallOfThisComputer)
+{
+    CalibrationRig rig;
+    swingHalfWay(rig);
+    rig.azimuth.mute = rig.elevation.mute = true;
+    rig.run(Seconds(0.16));
+    rig.azimuth.mute = rig.elevation.mute = false;
+    rig.runOut();
+    EXPECT_FALSE(rig.status().progress.failed) << rig.status().progress.outcome.toStdString();
+    ASSERT_TRUE(rig.apply());
+    EXPECT_LT(std::abs(northError(rig)), 2.0);
+}
+
+// Near the zenith the compass says nothing, over the top it says the opposite.
+TEST(CalibrationSwing, IsRefusedWithTheBoomTooHigh)
+{
+    profile::Profile over = calibratedProfile();
+    over.elevation.geometry.travel.max = 180_deg;
+    over.limits.elevation.max = 180_deg;
+    for (const double elevation : {80.0, 120.0}) {
+        CalibrationRig rig({}, over);
+        rig.goTo(200.0, elevation);
+        ASSERT_NEAR(elevation, rig.axes().elevation.degrees(), 0.1);
+        const auto swing = rig.ask(kSweep);
+        ASSERT_FALSE(swing);
+        EXPECT_NE(std::string::npos, swing.error().text.find("lower it"));
+        EXPECT_FALSE(rig.ask(request::MeasureSensorOffset{}));
+    }
+}
+
+TEST(CalibrationSensor, IsNotAveragedWhileTheMountMoves)
+{
+    CalibrationRig rig;
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 180_deg, .elevation = 30_deg}}));
+    rig.run(Seconds(2.0));
+    const auto refused = rig.ask(request::MeasureSensorOffset{});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(std::string::npos, refused.error().text.find("still moves"));
 }
 
 }  // namespace

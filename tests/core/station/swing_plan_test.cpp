@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace boresight {
 namespace {
 
@@ -56,6 +58,11 @@ TEST(SwingPlan, RefusesWhatWouldTellNothing)
     EXPECT_FALSE(
         planSwing({.rate = 0.1_deg_s}, {.azimuth = 100_deg, .elevation = 30_deg}, regionOf(0_deg, 400_deg), kLimits)
             .obstacle.isEmpty());
+    const AngularRate none = AngularRate::fromDegrees(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_FALSE(planSwing({.rate = none}, {.azimuth = 100_deg, .elevation = 30_deg}, regionOf(0_deg, 400_deg), kLimits)
+                     .obstacle.isEmpty());
+    EXPECT_TRUE(planAt(regionOf(0_deg, 400_deg), 100_deg, 75_deg).obstacle.isEmpty());
+    EXPECT_FALSE(planAt(regionOf(0_deg, 400_deg), 100_deg, 76_deg).obstacle.isEmpty());
 }
 
 TEST(SwingPlan, StopsOnceAtEachHeadingEachWay)
