@@ -10,7 +10,8 @@
 #include <memory>
 
 // Keeps what the operator has applied: in the file that the program was started with, else as a new mount of the store.
-// Only the keys that the operator has changed are taken over, so that what the command line overrides is not written.
+// Only the keys that the operator has changed are taken over, so that what the command line overrides is not written;
+// and what was found of the simulated mount in place of a real one is not the real one's.
 // Lives on the main thread; one worker writes, in the order of the changes.
 namespace boresight::app {
 
@@ -30,12 +31,14 @@ public Q_SLOTS:
     void follow(const boresight::profile::Profile& connected);
 
 Q_SIGNALS:
+    // Not saved, or not all of it, and why.
     void failed(const QString& reason);
 
 private:
     QString m_configDir;
     std::shared_ptr<QString> m_path;  // the worker's, once it works
     profile::Profile m_last;
+    std::string m_bus;  // in force, whatever the file says
     QThreadPool m_writer;
 };
 

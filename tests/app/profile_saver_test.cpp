@@ -43,6 +43,37 @@ TEST(ProfileSaver, WritesWhatTheOperatorChangedAndNotWhatTheCommandLineOverrode)
     EXPECT_EQ(now->bus, "fdcanusb:/dev/mount");
 }
 
+// Story: after an Apply on the simulated mount the real one pointed by the simulated north.
+TEST(ProfileSaver, WhatWasFoundOfTheSimulatedMountIsNotTheRealOnes)
+{
+    Rig rig;
+    profile::Profile kept;
+    kept.bus = "fdcanusb:/dev/mount";
+    kept.pointing.azimuthOffset = 12_deg;
+    ASSERT_TRUE(profile::saveProfile(kept, rig.file()));
+    rig.inForce = kept;
+    rig.inForce.bus = "simulated";
+    profile::Profile wanted = rig.inForce;
+    wanted.jog.slow = 0.7_deg_s;
+    wanted.pointing.azimuthOffset = 37_deg;
+    wanted.sensor.deviation.a1 = 3_deg;
+    wanted.sensor.mounting.azimuthOffset = 5_deg;
+    QString reason;
+    {
+        ProfileSaver saver(rig.folder.path(), rig.file(), rig.inForce);
+        QObject::connect(
+            &saver, &ProfileSaver::failed, &saver, [&](const QString& text) { reason = text; }, Qt::DirectConnection);
+        saver.save(wanted);
+    }
+    kept.jog.slow = 0.7_deg_s;
+    EXPECT_EQ(kept, *profile::loadProfile(rig.file()));
+    EXPECT_TRUE(reason.contains(QStringLiteral("keeps its own north"))) << reason.toStdString();
+    // A mount that is simulated by its own profile keeps what is found of it.
+    ASSERT_TRUE(profile::saveProfile(rig.inForce, rig.file()));
+    rig.save(rig.file(), wanted);
+    EXPECT_EQ(wanted, *profile::loadProfile(rig.file()));
+}
+
 TEST(ProfileSaver, TheFirstChangeWithoutAFileMakesTheFirstMount)
 {
     Rig rig;
