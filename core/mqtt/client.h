@@ -62,7 +62,8 @@ public:
 
 Q_SIGNALS:
     void connected();
-    void messageReceived(const QString& topic, const QByteArray& payload);
+    // Retain::Yes: kept by the broker, said by somebody some time before we came.
+    void messageReceived(const QString& topic, const QByteArray& payload, boresight::mqtt::Retain retain);
     // Once for each new trouble, however often it is tried again; empty when it is over.
     void problemChanged(const QString& text);
 

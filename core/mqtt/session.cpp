@@ -83,7 +83,8 @@ struct Session::Callbacks
         if (message->payloadlen <= kLargestPayload) {
             static_cast<Session*>(session)->m_inbox.push_back(
                 {.topic = QString::fromUtf8(message->topic),
-                 .payload = QByteArray(static_cast<const char*>(message->payload), message->payloadlen)});
+                 .payload = QByteArray(static_cast<const char*>(message->payload), message->payloadlen),
+                 .retain = message->retain ? Retain::Yes : Retain::No});
         }
     }
 
@@ -275,7 +276,7 @@ void Session::deliver()
 {
     for (const Message& message : std::exchange(m_inbox, {})) {
         if (m_phase == Phase::Accepted) {
-            Q_EMIT received(message.topic, message.payload);
+            Q_EMIT received(message.topic, message.payload, message.retain);
         }
     }
 }

@@ -57,7 +57,7 @@ public:
 
 Q_SIGNALS:
     void accepted();
-    void received(const QString& topic, const QByteArray& payload);
+    void received(const QString& topic, const QByteArray& payload, boresight::mqtt::Retain retain);
     void ended(const boresight::mqtt::Ending& ending);
 
 private:

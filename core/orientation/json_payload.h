@@ -44,6 +44,9 @@ public:
     // A value if the message was an orientation; the other topics are kept for the next one. Counts.
     [[nodiscard]] Parsed<std::optional<Orientation>> take(Topic topic, const QByteArray& payload, SteadyTime arrival);
 
+    // For a reason that is not in its text.
+    void refuse(Refusal reason) { m_counts.count(reason); }
+
     [[nodiscard]] const Counts& counts() const { return m_counts; }
     [[nodiscard]] const std::string& firmware() const { return m_firmware; }  // as its status said; may be empty
 

@@ -87,10 +87,16 @@ std::optional<Topic> MqttSource::topicOf(const QString& name) const
                                           : std::nullopt;
 }
 
-void MqttSource::take(const QString& name, const QByteArray& payload)
+void MqttSource::take(const QString& name, const QByteArray& payload, mqtt::Retain retain)
 {
     const auto topic = topicOf(name);
     if (!topic) {
+        return;
+    }
+    if (retain == mqtt::Retain::Yes) {
+        m_reader.refuse(Refusal::Retained);
+        m_status.counts = m_reader.counts();
+        m_refused = Refused{.reason = Refusal::Retained};
         return;
     }
     const auto parsed = m_reader.take(*topic, payload, m_clock.now());
@@ -108,6 +114,12 @@ void MqttSource::take(const QString& name, const QByteArray& payload)
 
 void MqttSource::tellSilence()
 {
+    if (m_refused && m_refused->reason == Refusal::Retained) {
+        show(true, Text::tr("%1: on %2 there is only what the broker has kept from before, nothing live: has the "
+                            "sensor power and WiFi?")
+                       .arg(name(), m_topics.orientation));
+        return;
+    }
     show(true, m_refused ? Text::tr("%1: what comes on %2 is no message of the sensor (%3)")
                                .arg(name(), m_topics.orientation, toQString(toText(*m_refused)))
                          : Text::tr("%1: nothing comes on %2: has the sensor power and WiFi, and is this its topic?")

@@ -39,7 +39,7 @@ public:
 private:
     void stopListening();
     void showConnection();
-    void take(const QString& topic, const QByteArray& payload);
+    void take(const QString& topic, const QByteArray& payload, mqtt::Retain retain);
     [[nodiscard]] std::optional<Topic> topicOf(const QString& name) const;
     void tellSilence();
     void show(bool open, const QString& problem);

@@ -27,6 +27,8 @@ std::string toText(const Refused& refused)
             return field + " is not finite";
         case Refusal::OutOfRange:
             return field + " out of range";
+        case Refusal::Retained:
+            return "kept by the broker, not live";
         case Refusal::NotJson:
             break;
     }

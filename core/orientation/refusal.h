@@ -23,6 +23,7 @@ enum class Refusal
     NotANumber,
     NotFinite,
     OutOfRange,
+    Retained,  // kept by the broker, from nobody knows when
     NotJson
 };
 

@@ -106,6 +106,28 @@ TEST_F(MqttSourceTest, WhatMakesNoSenseIsCountedAndNotUsed)
     EXPECT_EQ(source->status().counts.allRefused(), 2U);
 }
 
+// Story: what `mosquitto_pub -r` left an hour ago was the sensor's direction of now, at every connect.
+TEST_F(MqttSourceTest, WhatTheBrokerHasKeptIsNotLive)
+{
+    sensor.client.publish(
+        {.topic = QStringLiteral("roof/orientation"), .payload = kOrientation, .retain = mqtt::Retain::Yes});
+    sensor.client.publish(
+        {.topic = QStringLiteral("roof/calibration"), .payload = kCalibration, .retain = mqtt::Retain::Yes});
+    listen(std::chrono::milliseconds(50));
+    ASSERT_TRUE(fakes::waitUntil([this] { return states.size() == 2; }));
+    EXPECT_THAT(states.back(), HasSubstr("only what the broker has kept"));
+    EXPECT_TRUE(values.empty());
+    EXPECT_EQ(source->status().counts.of(Refusal::Retained), 2U);
+    QByteArray now = kOrientation;
+    now.replace("372.67", "12.00");
+    // Who publishes so still speaks: who listens meanwhile hears it live.
+    sensor.client.publish({.topic = QStringLiteral("roof/orientation"), .payload = now, .retain = mqtt::Retain::Yes});
+    ASSERT_TRUE(received(1));
+    EXPECT_NEAR(values[0].heading.angle().degrees(), 12.0, 1e-9);
+    EXPECT_FALSE(values[0].calibration);
+    EXPECT_EQ(states.back(), "open ");
+}
+
 TEST_F(MqttSourceTest, SaysWhenNothingComesAndWhenItIsNothingOfTheSensor)
 {
     listen(std::chrono::milliseconds(20));
