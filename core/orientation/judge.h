@@ -43,6 +43,7 @@ class Judge
 public:
     explicit Judge(const JudgeSettings& settings = {}) : m_settings(settings) {}
     void setSettings(const JudgeSettings& settings) { m_settings = settings; }
+    [[nodiscard]] const JudgeSettings& settings() const { return m_settings; }
 
     Verdict take(const Orientation& value);
     // Another source, or the same one opened anew: what was known is of another time.

@@ -63,6 +63,7 @@ QString doubtOfCalibration(const orientation::Orientation& value)
 
 SensorWatch::SensorWatch(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms)
     : m_settings(profile.sensor),
+      m_terms(profile.pointing),
       m_clock(clock),
       m_log(log),
       m_alarms(alarms),
@@ -74,13 +75,18 @@ SensorWatch::SensorWatch(const profile::Profile& profile, const Clock& clock, Ev
 
 void SensorWatch::setProfile(const profile::Profile& profile)
 {
+    // A disagreement that lasts outlives settings that have nothing to do with it.
+    if (profile.sensor == m_settings && profile.pointing == m_terms && judgeSettings(profile) == m_judge.settings()) {
+        return;
+    }
     m_settings = profile.sensor;
+    m_terms = profile.pointing;
     m_judge.setSettings(judgeSettings(profile));
     m_check.setSettings(checkSettings(profile.sensor));
     correct();
 }
 
-void SensorWatch::setSiteDeclination(const Result<Angle>& declination)
+void SensorWatch::setSiteDeclination(const std::optional<Result<Angle>>& declination)
 {
     m_siteDeclination = declination;
     correct();

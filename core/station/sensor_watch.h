@@ -34,8 +34,9 @@ public:
     SensorWatch(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms);
 
     void setProfile(const profile::Profile& profile);
-    // Of the site by the magnetic model, or why it is not known. Counts while the profile names a file of one.
-    void setSiteDeclination(const Result<Angle>& declination);
+    // Of the site by the magnetic model, or why it is not known; empty: the model is still read, or there is no site.
+    // Counts while the profile names a file of one.
+    void setSiteDeclination(const std::optional<Result<Angle>>& declination);
 
     // Another source from now on, by its name; empty: none.
     void begin(const QString& source);
@@ -66,6 +67,7 @@ private:
     [[nodiscard]] QString causes(Axis axis) const;
 
     profile::SensorSettings m_settings;
+    pointing::PointingTerms m_terms;  // what the axes tell goes by them
     const Clock& m_clock;
     EventLog& m_log;
     AlarmBoard& m_alarms;

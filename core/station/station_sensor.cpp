@@ -78,6 +78,9 @@ void StationSensor::apply(const profile::Profile& profile)
         m_profile.site != profile.site || m_profile.sensor.declinationFile != profile.sensor.declinationFile;
     m_profile = profile;
     m_watch.setProfile(profile);
+    if (elsewhere) {
+        m_watch.setSiteDeclination(std::nullopt);  // what was read was of the site or the file of before
+    }
     if (m_open && another) {
         open();
     } else if (m_open && elsewhere) {
@@ -85,9 +88,14 @@ void StationSensor::apply(const profile::Profile& profile)
     }
 }
 
+bool StationSensor::hasModel() const
+{
+    return !m_profile.sensor.declinationFile.empty() && m_profile.site.known;
+}
+
 void StationSensor::readModel()
 {
-    if (m_profile.sensor.declinationFile.empty() || !m_profile.site.known) {
+    if (!hasModel()) {
         return;
     }
     if (std::exchange(m_isReading, true)) {
@@ -119,7 +127,7 @@ void StationSensor::takeModel()
 {
     const ModelAnswer answer = std::move(m_model);
     m_isReading = false;
-    if (std::exchange(m_readAgain, false)) {
+    if (std::exchange(m_readAgain, false) || !hasModel()) {
         readModel();
         return;
     }

@@ -48,6 +48,7 @@ private:
         std::string expiry;
     };
     static ModelAnswer askModel(const QString& path, const Site& site, double year);
+    [[nodiscard]] bool hasModel() const;
     void readModel();
     void takeModel();
 

@@ -176,6 +176,37 @@ TEST(SensorWatch, APersistentDifferenceIsAmberWithItsLikelyCauses)
     EXPECT_THAT(rig.alarmText(), HasSubstr("differ by 25.0° in elevation"));
 }
 
+// Story: any setting at all took the alarm away, and 1.5 s later it came anew, unacknowledged.
+TEST(SensorWatch, ASettingOfSomethingElseLeavesTheAlarm)
+{
+    WatchRig rig;
+    rig.run(5.0);
+    rig.heading = 130_deg;
+    rig.run(3.0);
+    ASSERT_TRUE(rig.watch.status().disagrees);
+    profile::Profile other = rig.profile;
+    other.rotctld.maxClients = 3;
+    rig.watch.setProfile(other);
+    rig.run(0.1);
+    EXPECT_TRUE(rig.watch.status().disagrees);
+    other.pointing.azimuthOffset = 30_deg;  // the axes tell another direction from now on
+    rig.watch.setProfile(other);
+    rig.run(0.1);
+    EXPECT_FALSE(rig.watch.status().disagrees);
+}
+
+TEST(SensorWatch, TheDeclinationOfAnotherSiteIsForgotten)
+{
+    profile::Profile profile;
+    profile.sensor.declinationBy = geomagnetism::DeclinationBy::Boresight;
+    profile.sensor.declinationFile = "WMM.COF";
+    WatchRig rig(profile);
+    rig.watch.setSiteDeclination(Result<Angle>(12_deg));
+    EXPECT_NEAR(12.0, rig.watch.status().declination.degrees(), 1e-9);
+    rig.watch.setSiteDeclination(std::nullopt);
+    EXPECT_THAT(rig.watch.status().declinationText.toStdString(), HasSubstr("not known"));
+}
+
 TEST(SensorWatch, ANewSettingTakesADifferenceAway)
 {
     WatchRig rig;
@@ -237,6 +268,7 @@ TEST(SensorWatch, ItsCourseBreaksWhereItProvesNothing)
     EXPECT_FALSE(rig.watch.evidence().course) << "not tied to north";
     rig.calibration->magnetometer = 3;
     EXPECT_TRUE(isAnother());
+    rig.profile.sensor.mounting.azimuthOffset = 1_deg;
     rig.watch.setProfile(rig.profile);
     EXPECT_TRUE(isAnother());
     rig.speaking = false;

@@ -2,6 +2,7 @@
 // The whole way: simulated mount, its sensor, the station that watches both.
 #include "core/sim/simulated_source.h"
 #include "core/station/station.h"
+#include "tests/core/geomagnetism/synthetic_model.h"
 #include "tests/fakes/manual_clock.h"
 
 #include <QFile>
@@ -207,6 +208,31 @@ TEST(StationSensor, AnotherOffsetIsTakenWithoutLosingTheSource)
     EXPECT_EQ(rig.sensor().counts.accepted, heard);
     rig.run(5.0);
     EXPECT_THAT(rig.alarms(), HasSubstr("in azimuth"));
+}
+
+// Story: the declination of the site before counted until the model was read again.
+TEST(StationSensor, TheDeclinationOfASiteThatIsLeftIsForgotten)
+{
+    profile::Profile profile = withSimulatedSensor();
+    profile.site = {.known = true, .latitude = 10_deg, .longitude = 0_deg, .heightMetres = 100.0};
+    profile.sensor.declinationBy = geomagnetism::DeclinationBy::Boresight;
+    QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("WMM.COF")));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray::fromStdString(
+        geomagnetism::coefficientText({{{1, 0}, {.main = {.g = -30000.0}}}, {{1, 1}, {.main = {.h = 5000.0}}}},
+                                      "    2025.0            WMM-2025        11/13/2024")));
+    file.close();
+    profile.sensor.declinationFile = file.fileName().toStdString();
+    SensedRig rig(profile);
+    rig.run(kSurvey);
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return !rig.sensor().declinationText.contains(QStringLiteral("not known")); }, 5000))
+        << rig.sensor().declinationText.toStdString();
+    profile.site.latitude = 40_deg;
+    ASSERT_TRUE(rig.ask(request::ApplyProfile{profile}));
+    rig.run(0.1);
+    EXPECT_THAT(rig.sensor().declinationText.toStdString(), HasSubstr("not known"));
 }
 
 TEST(StationSensor, AMagneticModelThatCannotBeReadIsTold)
