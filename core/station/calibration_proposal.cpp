@@ -73,6 +73,15 @@ void setTilt(Proposal& proposal, const calibration::AxisTilt& tilt)
                          .arg(degreesText(tilt.size), degreesText(tilt.sizeSigma), degreesText(tilt.direction, 0));
 }
 
+// Told, not proposed: a box that lies askew on the boom says the same as an axis whose zero is wrong.
+QString zeroText(const calibration::Estimate& zero)
+{
+    return Text::tr(
+               "; where the elevation axis shows 0° the sensor says %1 ± %2 (not proposed: the box may lie askew on "
+               "the boom; Sun or Moon tell the zero)")
+        .arg(degreesText(zero.value), degreesText(zero.sigma, 1));
+}
+
 }  // namespace
 
 Proposal proposalOf(const calibration::SensorOffset& offset, const profile::Profile& profile)
@@ -92,6 +101,7 @@ Proposal proposalOf(const SwingOutcome& swing, const profile::Profile& profile)
     setNorth(proposal, swing.fit.north, profile);
     if (swing.tilt) {
         setTilt(proposal, *swing.tilt);
+        proposal.text += zeroText(swing.tilt->elevationOffset);
     }
     calibration::SensorMounting mounting = mountingOf(profile.sensor);
     mounting.sense = swing.fit.curve.sense;
