@@ -50,6 +50,8 @@ public:
     // Once per tick, before StationControl's.
     void tick();
     void setProfile(const profile::Profile& profile);
+    // What is saved: with all that is in force only after Reconnect.
+    void setWanted(const profile::Profile& wanted) { m_wanted = wanted; }
     // To be put into force at once, as a profile that the operator applies is.
     [[nodiscard]] std::optional<CalibrationChange> takeChange() { return std::exchange(m_change, std::nullopt); }
 
@@ -106,6 +108,10 @@ private:
     [[nodiscard]] Result<> mayTakeBody();
     [[nodiscard]] Result<> mayChange() const;
     [[nodiscard]] Result<> makesSense(const CalibrationChange& change) const;
+    [[nodiscard]] Result<> stillInForce(const pointing::PointingTerms& terms,
+                                        const std::optional<calibration::SensorMounting>& sensor) const;
+    void warnOfOtherMount(const calibration::CalibrationRecord& record);
+    void dropStale();
     [[nodiscard]] SwingPlan planned(const SwingWish& wish) const;
 
     void noteAxes();
@@ -148,6 +154,7 @@ private:
 
     StationControl& m_control;
     profile::Profile m_profile;
+    profile::Profile m_wanted;
     const Clock& m_clock;
     EventLog& m_log;
     CalibrationFile& m_file;
@@ -177,6 +184,7 @@ private:
     GivenTerms m_given;
     PointBook m_book;
     ProposedBy m_by = ProposedBy::Nothing;
+    Angle m_proposedAt;  // the declination that was in force when it was found
     std::optional<Proposal> m_proposal;
     std::uint64_t m_proposals = 0;
     std::optional<CalibrationChange> m_change;

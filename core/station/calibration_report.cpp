@@ -30,10 +30,11 @@ QString placeText(calibration::MountDifference difference)
 
 void CalibrationDesk::publish()
 {
-    m_changed = false;
     m_published = m_clock.now();
     warnOfOtherMount();
     warnOfFile();
+    dropStale();
+    m_changed = false;
     CalibrationStatus status{.progress = progress(),
                              .present = m_profile.pointing,
                              .sheet = sheet(),

@@ -3,6 +3,7 @@
 // exact they are, and for which mount.
 #include "core/base/text.h"
 #include "core/station/calibration_desk.h"
+#include "core/station/sensor_curve.h"
 
 #include <QDateTime>
 
@@ -20,6 +21,30 @@ bool isSame(const pointing::PointingTerms& a, const pointing::PointingTerms& b)
     return std::ranges::all_of(calibration::kAllTerms, [&](calibration::Term term) {
         return abs(calibration::valueOf(a, term) - calibration::valueOf(b, term)) <= kSameTerm;
     });
+}
+
+// As a profile keeps the arcs.
+constexpr Angle kSameArc = Angle::fromDegrees(0.051);
+// A declination that moved by more has moved north.
+constexpr Angle kSameDeclination = Angle::fromDegrees(0.05);
+
+bool isSame(const calibration::UnreliableSector& a, const calibration::UnreliableSector& b)
+{
+    return abs(a.from - b.from) <= kSameArc && abs(a.to - b.to) <= kSameArc;
+}
+
+bool isSame(const calibration::DeviationCurve& a, const calibration::DeviationCurve& b)
+{
+    const auto same = [](Angle x, Angle y) { return abs(x - y) <= kSameTerm; };
+    return same(a.a1, b.a1) && same(a.b1, b.b1) && same(a.a2, b.a2) && same(a.b2, b.b2) &&
+           std::ranges::equal(a.unreliable, b.unreliable, [](const auto& x, const auto& y) { return isSame(x, y); });
+}
+
+bool isSame(const calibration::SensorMounting& a, const calibration::SensorMounting& b)
+{
+    return a.sense == b.sense && abs((a.azimuthOffset - b.azimuthOffset).wrapped180()) <= kSameTerm &&
+           abs(a.elevationOffset - b.elevationOffset) <= kSameTerm &&
+           isSame(a.curve.value_or(calibration::DeviationCurve{}), b.curve.value_or(calibration::DeviationCurve{}));
 }
 
 QString dayOf(UtcTime when)
@@ -58,6 +83,48 @@ Result<> CalibrationDesk::proposeGiven(GivenTerms given)
         propose(ProposedBy::Given);
         return {};
     });
+}
+
+// What was typed since would be lost without a word.
+Result<> CalibrationDesk::stillInForce(const pointing::PointingTerms& terms,
+                                       const std::optional<calibration::SensorMounting>& sensor) const
+{
+    if (!isSame(terms, m_profile.pointing)) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("the pointing model was changed since, %1, and that would be lost: take it back on the "
+                                "page Profile first, or type the terms that you want")
+                           .arg(changeText(terms, m_profile.pointing)));
+    }
+    if (sensor && !isSame(*sensor, mountingOf(m_profile.sensor))) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("the sensor's mounting or deviation was changed since, and that would be lost: take it "
+                                "back on the page Profile first"));
+    }
+    return {};
+}
+
+// A sensor's north holds with the mounting, the sense and the declination that it was found with.
+void CalibrationDesk::dropStale()
+{
+    const bool bySensor = m_by == ProposedBy::SensorOffset || m_by == ProposedBy::Swing;
+    if (bySensor && abs(m_declination - m_proposedAt) > kSameDeclination) {
+        m_sensorOffset.reset();
+        propose(ProposedBy::Nothing);
+        m_log.add(Severity::Warning, kCause,
+                  Text::tr("the settings of the sensor or the declination have changed: what was found with the former "
+                           "is not proposed any more; measure again"));
+    }
+}
+
+void CalibrationDesk::warnOfOtherMount(const calibration::CalibrationRecord& record)
+{
+    if (calibration::difference(record.mount, mountToday()) != calibration::MountDifference::None) {
+        m_log.add(
+            Severity::Warning, kCause,
+            Text::tr("\"%1\" was applied with another drive or at another site: see where north is before you rely "
+                     "on what comes into force")
+                .arg(toQString(record.title)));
+    }
 }
 
 // The entry that has brought the terms in force, if they were not changed since by other ways.

@@ -353,6 +353,7 @@ void Station::apply(const profile::Profile& wanted)
     m_sensor.apply(*m_profile.inForce());
     m_power.apply(m_profile.inForce()->power);
     m_calibration.setProfile(*m_profile.inForce());
+    m_calibration.setWanted(wanted);
     Q_EMIT profileApplied(wanted);
 }
 

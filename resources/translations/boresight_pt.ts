@@ -5257,6 +5257,34 @@ do eixo</translation>
         <source>with the boom at %1 the compass says nothing: lower it to %2 or less, best to 30°</source>
         <translation>com a lança a %1 a bússola nada diz: baixe-a a %2 ou menos, o melhor é 30°</translation>
     </message>
+    <message>
+        <source>this holds for the simulated mount until the program ends; the profile of &quot;%1&quot; keeps its own north, pointing model and sensor mounting: start without --simulate to calibrate it</source>
+        <translation>isto vale para a montagem simulada até o programa terminar; o perfil de &quot;%1&quot; mantém o seu próprio norte, modelo de apontamento e montagem do sensor: inicie sem --simulate para a calibrar</translation>
+    </message>
+    <message>
+        <source>%1: on %2 there is only what the broker has kept from before, nothing live: has the sensor power and WiFi?</source>
+        <translation>%1: em %2 só há o que o broker guardou de antes, nada ao vivo: o sensor tem energia e WiFi?</translation>
+    </message>
+    <message>
+        <source>; where the elevation axis shows 0° the sensor says %1 ± %2 (not proposed: the box may lie askew on the boom; Sun or Moon tell the zero)</source>
+        <translation>; onde o eixo de elevação mostra 0° o sensor diz %1 ± %2 (não proposto: a caixa pode estar torta na lança; o Sol ou a Lua dizem o zero)</translation>
+    </message>
+    <message>
+        <source>the pointing model was changed since, %1, and that would be lost: take it back on the page Profile first, or type the terms that you want</source>
+        <translation>o modelo de apontamento foi alterado desde então, %1, e isso perder-se-ia: anule-o primeiro na página Perfil, ou escreva os termos que quer</translation>
+    </message>
+    <message>
+        <source>the sensor&apos;s mounting or deviation was changed since, and that would be lost: take it back on the page Profile first</source>
+        <translation>a montagem do sensor ou o desvio foi alterado desde então, e isso perder-se-ia: anule-o primeiro na página Perfil</translation>
+    </message>
+    <message>
+        <source>the settings of the sensor or the declination have changed: what was found with the former is not proposed any more; measure again</source>
+        <translation>as definições do sensor ou a declinação mudaram: o que se encontrou com as anteriores já não é proposto; meça de novo</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was applied with another drive or at another site: see where north is before you rely on what comes into force</source>
+        <translation>&quot;%1&quot; foi aplicado com outro acionamento ou noutro local: veja onde fica o norte antes de confiar no que entra em vigor</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -185,6 +185,41 @@ TEST(CalibrationPoints, UndoAndRedoGiveExactlyWhatWas)
     EXPECT_NEAR(second.pointing.azimuthOffset.degrees(), again.terms().azimuthOffset.degrees(), 2e-9);
 }
 
+// Story: 37.4° applied, 50° and a collimation typed; Undo and Redo lost both without a word.
+TEST(CalibrationPoints, UndoAndRedoLoseNothingThatWasTypedSince)
+{
+    CalibrationRig rig = swungRig();
+    takeSun(rig, 8.0);
+    ASSERT_TRUE(rig.apply());
+    const profile::Profile applied = rig.profile;
+    profile::Profile typed = applied;
+    typed.pointing.azimuthOffset = 50_deg;
+    typed.pointing.collimation = 0.7_deg;
+    rig.setProfile(typed);
+    const auto undone = rig.ask(request::UndoCalibration{});
+    ASSERT_FALSE(undone);
+    EXPECT_NE(std::string::npos, undone.error().text.find("50.00°")) << undone.error().text;
+    EXPECT_EQ(typed, rig.profile);
+    rig.setProfile(applied);
+    ASSERT_TRUE(rig.ask(request::UndoCalibration{}));
+    rig.setProfile(typed);
+    EXPECT_FALSE(rig.ask(request::RedoCalibration{}));
+    EXPECT_EQ(typed, rig.profile);
+}
+
+// What only comes into force with Reconnect is saved, too: Apply must not make a profile that is not loaded again.
+TEST(CalibrationPoints, WhatMakesNoSenseWithWhatWaitsIsRefused)
+{
+    CalibrationRig rig = swungRig();
+    takeSun(rig, 8.0);
+    profile::Profile waiting = rig.profile;
+    waiting.park.azimuth = 3000_deg;  // beyond any travel
+    rig.desk.setWanted(waiting);
+    EXPECT_FALSE(rig.apply());
+    rig.desk.setWanted(rig.profile);
+    EXPECT_TRUE(rig.apply());
+}
+
 TEST(CalibrationPoints, WhatWasNotSeenIsNotApplied)
 {
     CalibrationRig rig = swungRig();
@@ -201,15 +236,12 @@ TEST(CalibrationPoints, WhatWasNotSeenIsNotApplied)
 TEST(CalibrationPoints, AHistoryThatCannotBeReadIsNotWrittenOver)
 {
     QTemporaryDir folder;
-    const QString path = folder.path() + QStringLiteral("/rubbish");
     CalibrationRig first({}, calibratedProfile(), folder.path());
     first.goTo(200.0, 30.0);
     ASSERT_TRUE(first.ask(request::TakeKnownPoint{.truth = {.azimuth = 10_deg, .elevation = 30_deg}, .label = {}}));
     ASSERT_TRUE(first.apply());
     first.file->flush();
-    const QStringList files = QDir(folder.path()).entryList(QDir::Files);
-    ASSERT_EQ(1, files.size());
-    QFile file(folder.path() + QLatin1Char('/') + files.front());
+    QFile file(first.file->path());
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     file.write("rubbish");
     file.close();

@@ -70,6 +70,7 @@ TEST(CalibrationSwing, KeepsHowFarItIsToBeBelieved)
     ASSERT_TRUE(rig.ask(kSweep));
     rig.runOut();
     const calibration::DeviationCurve found = rig.status().swing->fit.curve;
+    EXPECT_TRUE(rig.status().proposal->text.contains(QStringLiteral("where the elevation axis shows 0°")));
     ASSERT_TRUE(rig.apply());
     EXPECT_EQ(rig.profile.sensor.deviation.sigma, found.constantSigma);
     EXPECT_NEAR(rig.profile.sensor.deviation.elevation.degrees(), 30.0, 0.1);
@@ -309,6 +310,33 @@ TEST(CalibrationSensor, TheStillMountTellsNorthAsWellAsOneHeadingCan)
     ASSERT_TRUE(rig.apply());
     EXPECT_LT(std::abs(northError(rig)), 12.0);
     EXPECT_GT(rig.status().sensorOffset->offset.sigma.degrees(), 3.0);
+}
+
+// Story: measured with a mounting of 0°, 90° typed, and the north of before was still proposed, under a new number.
+TEST(CalibrationSensor, WhatWasFoundWithOtherSettingsIsNotProposedAnyMore)
+{
+    CalibrationRig rig;
+    const auto measured = [&rig] {
+        EXPECT_TRUE(rig.ask(request::MeasureSensorOffset{}));
+        rig.runOut(Seconds(60.0));
+        rig.run(Seconds(0.5));
+        return rig.status().proposal.has_value();
+    };
+    ASSERT_TRUE(measured());
+    profile::Profile other = rig.profile;
+    other.jog.slow = 0.3_deg_s;
+    rig.setProfile(other);
+    rig.run(Seconds(0.5));
+    EXPECT_TRUE(rig.status().proposal);
+    other.sensor.mounting.azimuthOffset = 90_deg;
+    rig.setProfile(other);
+    rig.run(Seconds(0.5));
+    EXPECT_FALSE(rig.status().proposal);
+    EXPECT_FALSE(rig.status().sensorOffset);
+    ASSERT_TRUE(measured());
+    rig.truth.declination += 1.0;  // another model was read
+    rig.run(Seconds(3.0));
+    EXPECT_FALSE(rig.status().proposal);
 }
 
 TEST(CalibrationSensor, AMountThatMovesTellsNothing)
