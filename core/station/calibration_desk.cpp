@@ -5,6 +5,8 @@
 #include "core/profile/setting.h"
 #include "core/station/sensor_curve.h"
 
+#include <algorithm>
+
 namespace boresight {
 namespace {
 
@@ -36,7 +38,9 @@ CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile
       m_log(log),
       m_file(file),
       m_follower(control, profile, clock, log)
-{}
+{
+    restorePoints();
+}
 
 Result<> CalibrationDesk::carryOut(const CalibrationRequest& request)
 {
@@ -151,6 +155,11 @@ Result<> CalibrationDesk::addPoint(const AxisPosition& axes, const SkyPointing& 
 
 void CalibrationDesk::pointsChanged()
 {
+    m_file.keepPoints({.when = std::chrono::floor<std::chrono::milliseconds>(m_clock.utc()),
+                       .title = "Points",
+                       .mount = mountToday(),
+                       .terms = {.before = m_profile.pointing, .after = m_profile.pointing},
+                       .points = m_book.points()});
     m_book.fit(m_profile.pointing, known());
     const ProposedBy other = m_by == ProposedBy::Points ? ProposedBy::Nothing : m_by;
     propose(m_book.fitted() ? ProposedBy::Points : other);
@@ -334,6 +343,13 @@ void CalibrationDesk::propose(ProposedBy by)
     m_by = by;
     m_proposedAt = m_declination;
     m_proposal = proposed();
+    if (m_proposal && m_axesTold && std::ranges::any_of(m_proposal->points, [this](const auto& point) {
+            return point.isUsed && point.when < *m_axesTold;
+        })) {
+        m_proposal->warnings.push_back(Text::tr(
+            "the turn of an axis had to be told anew since the first of these points: if it was told otherwise than it "
+            "stood before, the points do not fit together; drop those from before"));
+    }
     if (m_proposal) {
         m_proposal->number = ++m_proposals;
     }

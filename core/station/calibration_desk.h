@@ -112,6 +112,8 @@ private:
                                         const std::optional<calibration::SensorMounting>& sensor) const;
     void warnOfOtherMount(const calibration::CalibrationRecord& record);
     void dropStale();
+    void noteTurns();
+    void restorePoints();
     [[nodiscard]] SwingPlan planned(const SwingWish& wish) const;
 
     void noteAxes();
@@ -183,6 +185,7 @@ private:
     power::LineStatus m_powerLine;
     GivenTerms m_given;
     PointBook m_book;
+    std::optional<UtcTime> m_axesTold;  // the operator was last asked where an axis stands
     ProposedBy m_by = ProposedBy::Nothing;
     Angle m_proposedAt;  // the declination that was in force when it was found
     std::optional<Proposal> m_proposal;

@@ -12,7 +12,8 @@
 #include <optional>
 
 // A file of calibrations, STATE_DIR/NAME.calibrations.toml: read once when the program starts, written when the
-// operator applies one, takes one back or brings it again. Saving never blocks the station thread, on which this lives:
+// operator applies one, takes one back or brings it again; and beside it, NAME.points.toml, the points that were taken
+// and not dropped yet. Saving never blocks the station thread, on which this lives:
 // one worker writes, and of the values that come in meanwhile the newest wins. What cannot be read is never written
 // over.
 namespace boresight {
@@ -30,6 +31,10 @@ public:
     [[nodiscard]] const calibration::CalibrationHistory& history() const { return m_history; }
     // Why the file could not be read, or not be written the last time; empty while all is well.
     [[nodiscard]] const QString& problem() const { return m_problem; }
+
+    // As they were when the file was read, and what is kept of them from now on.
+    [[nodiscard]] const std::vector<calibration::CalibrationPoint>& points() const { return m_points.points; }
+    void keepPoints(calibration::CalibrationRecord points);
 
     void add(calibration::CalibrationRecord record);
     // Only where the history can.
@@ -50,6 +55,7 @@ private:
 
     QString m_path;
     calibration::CalibrationHistory m_history;
+    calibration::CalibrationRecord m_points;  // of no calibration yet
     QString m_problem;
     bool m_unreadable = false;
     std::shared_ptr<Result<>> m_outcome =
@@ -58,6 +64,9 @@ private:
     bool m_again = false;              // the history has changed meanwhile
     QThreadPool m_writer;              // one thread; last, so that it ends first
 };
+
+// Where the points lie of whose calibrations lie there.
+[[nodiscard]] QString pointsPath(const QString& calibrations);
 
 // Of a mount. A simulated one has its own: what was found there never comes into the history of the real one.
 [[nodiscard]] QString calibrationPath(const QString& stateDir, const QString& mountName, bool simulated);

@@ -34,6 +34,7 @@ void CalibrationDesk::publish()
     warnOfOtherMount();
     warnOfFile();
     dropStale();
+    noteTurns();
     m_changed = false;
     CalibrationStatus status{.progress = progress(),
                              .present = m_profile.pointing,

@@ -127,6 +127,35 @@ void CalibrationDesk::warnOfOtherMount(const calibration::CalibrationRecord& rec
     }
 }
 
+// The axes may count from another place when the operator has answered.
+void CalibrationDesk::noteTurns()
+{
+    const bool asked = std::ranges::any_of(kAxes, [this](Axis axis) { return m_control.isTurnAsked(axis); });
+    if (asked && !m_book.points().empty()) {
+        const bool first = !std::exchange(m_axesTold, m_clock.utc());
+        if (first && m_by == ProposedBy::Points) {
+            propose(m_by);
+        }
+    }
+}
+
+// Taken before the program, or the connection to the mount, was ended.
+void CalibrationDesk::restorePoints()
+{
+    for (const calibration::CalibrationPoint& point : m_file.points()) {
+        m_book.add(point);
+    }
+    if (m_book.points().empty()) {
+        return;
+    }
+    m_log.add(Severity::Advisory, kCause,
+              Text::tr("%1 points that were taken before are here again").arg(m_book.points().size()));
+    m_book.fit(m_profile.pointing, known());
+    if (m_book.fitted() && !isSame(m_book.fitted()->terms, m_profile.pointing)) {
+        propose(ProposedBy::Points);
+    }
+}
+
 // The entry that has brought the terms in force, if they were not changed since by other ways.
 const calibration::CalibrationRecord* CalibrationDesk::recordInForce() const
 {

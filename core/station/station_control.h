@@ -65,6 +65,8 @@ public:
     // The mount still does what this source asked for last: nobody has ended it, nor asked for anything else.
     [[nodiscard]] bool obeys(const Source& source) const { return m_commander == source && moves(); }
     [[nodiscard]] bool followsClient() const { return m_commander.kind == SourceKind::Client && moves(); }
+    // Which turn the axis is on is told by the operator, or was: it may be another than before.
+    [[nodiscard]] bool isTurnAsked(Axis axis) const { return m_turns.asked(axis); }
     [[nodiscard]] Authority authority() const { return m_arming.authority(); }
     // Whether this source may send the mount anywhere now; the error says what stands in the way.
     [[nodiscard]] Result<> mayPoint(const Source& source) const;

@@ -5285,6 +5285,14 @@ do eixo</translation>
         <source>&quot;%1&quot; was applied with another drive or at another site: see where north is before you rely on what comes into force</source>
         <translation>&quot;%1&quot; foi aplicado com outro acionamento ou noutro local: veja onde fica o norte antes de confiar no que entra em vigor</translation>
     </message>
+    <message>
+        <source>the turn of an axis had to be told anew since the first of these points: if it was told otherwise than it stood before, the points do not fit together; drop those from before</source>
+        <translation>a volta de um eixo teve de ser indicada de novo desde o primeiro destes pontos: se foi indicada de outro modo do que estava, os pontos não combinam; retire os de antes</translation>
+    </message>
+    <message>
+        <source>%1 points that were taken before are here again</source>
+        <translation>%1 pontos tomados antes estão aqui de novo</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -4,6 +4,7 @@
 #include "tests/fakes/wait_until.h"
 
 #include <QDir>
+#include <QFile>
 #include <QTemporaryDir>
 
 #include <gtest/gtest.h>
@@ -63,6 +64,26 @@ TEST_F(CalibrationFileTest, WhatCannotBeWrittenIsToldUntilItCan)
     file.add(north(2));
     ASSERT_TRUE(fakes::waitUntil([&] { return file.problem().isEmpty(); }));
     EXPECT_EQ(2U, entries());
+}
+
+TEST_F(CalibrationFileTest, ThePointsLieBesideTheHistory)
+{
+    {
+        CalibrationFile file(path());
+        file.keepPoints({.title = "Points",
+                         .points = {{.axes = {.azimuth = 12_deg, .elevation = 30_deg},
+                                     .truth = {.azimuth = 50_deg, .elevation = 30_deg},
+                                     .sigma = 0.1_deg,
+                                     .label = "Sun"}}});
+    }
+    EXPECT_FALSE(QFile::exists(path())) << "nothing was applied";
+    CalibrationFile file(path());
+    EXPECT_TRUE(file.problem().isEmpty()) << file.problem().toStdString();
+    ASSERT_EQ(1U, file.points().size());
+    EXPECT_EQ("Sun", file.points().front().label);
+    file.keepPoints({.title = "Points"});
+    file.flush();
+    EXPECT_TRUE(CalibrationFile(path()).points().empty());
 }
 
 TEST_F(CalibrationFileTest, ASimulatedMountHasItsOwn)

@@ -220,6 +220,60 @@ TEST(CalibrationPoints, WhatMakesNoSenseWithWhatWaitsIsRefused)
     EXPECT_TRUE(rig.apply());
 }
 
+// Story: the drive lost its turn between two points; nobody said that the operator's answer may have mixed two frames.
+TEST(CalibrationPoints, PointsFromBeforeTheTurnWasToldWarn)
+{
+    CalibrationRig rig;
+    rig.goTo(100.0, 45.0);
+    ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = {.azimuth = 10_deg, .elevation = 45_deg}, .label = {}}));
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.status().proposal);
+    EXPECT_TRUE(rig.status().proposal->warnings.empty());
+    rig.azimuth.silent = rig.elevation.silent = true;
+    rig.run(Seconds(0.5));
+    rig.azimuth.home = moteus::HomeState::Rotor;
+    rig.azimuth.position = std::remainder(rig.azimuth.position, 0.01);
+    rig.azimuth.mode = rig.elevation.mode = moteus::Mode::Stopped;
+    rig.azimuth.silent = rig.elevation.silent = false;
+    survey::DriveFacts restarted = rig.factsOf(Axis::Azimuth);
+    restarted.bootedAt = rig.clock.now();
+    rig.learn(Axis::Azimuth, restarted);
+    rig.run(Seconds(2.0));
+    ASSERT_TRUE(rig.control.isTurnAsked(Axis::Azimuth));
+    ASSERT_TRUE(rig.status().proposal);
+    ASSERT_EQ(1U, rig.status().proposal->warnings.size());
+    EXPECT_TRUE(rig.status().proposal->warnings.front().contains(QStringLiteral("told anew")));
+}
+
+TEST(CalibrationPoints, ThePointsOutliveTheConnection)
+{
+    QTemporaryDir folder;
+    std::vector<PointStatus> taken;
+    {
+        CalibrationRig rig({}, calibratedProfile(), folder.path());
+        rig.goTo(200.0, 30.0);
+        ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = {.azimuth = 10_deg, .elevation = 30_deg}, .label = {}}));
+        rig.goTo(250.0, 30.0);
+        ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = {.azimuth = 60_deg, .elevation = 30_deg}, .label = {}}));
+        rig.run(Seconds(0.5));
+        taken = rig.status().points;
+    }
+    {
+        CalibrationRig again({}, calibratedProfile(), folder.path());
+        ASSERT_EQ(2U, again.status().points.size());
+        EXPECT_EQ(taken[1].when, again.status().points[1].when);
+        EXPECT_NEAR(taken[1].axes.azimuth.degrees(), again.status().points[1].axes.azimuth.degrees(), 1e-8);
+        ASSERT_TRUE(again.status().proposal);
+        const std::vector<QString> warnings = again.status().proposal->warnings;
+        for (const QString& warning : warnings) {
+            EXPECT_FALSE(warning.contains(QStringLiteral("told anew"))) << "the turns were known all the time";
+        }
+        ASSERT_TRUE(again.ask(request::DropAllPoints{}));
+    }
+    CalibrationRig dropped({}, calibratedProfile(), folder.path());
+    EXPECT_TRUE(dropped.status().points.empty());
+}
+
 TEST(CalibrationPoints, WhatWasNotSeenIsNotApplied)
 {
     CalibrationRig rig = swungRig();
@@ -248,6 +302,7 @@ TEST(CalibrationPoints, AHistoryThatCannotBeReadIsNotWrittenOver)
     CalibrationRig second({}, calibratedProfile(), folder.path());
     second.run(Seconds(1.0));
     EXPECT_FALSE(second.status().historyProblem.isEmpty());
+    ASSERT_TRUE(second.ask(request::DropAllPoints{}));
     ASSERT_TRUE(second.ask(request::TakeKnownPoint{.truth = {.azimuth = 10_deg, .elevation = 30_deg}, .label = {}}));
     ASSERT_TRUE(second.apply());
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
