@@ -45,7 +45,6 @@ void BodyPage::build()
     m_notice->setStretching(true);
     m_notice->setCollapsing(true);
     m_warning->setStretching(true);
-    m_warning->setLines(4);
     fillSteps();
     auto* const boxes = new QVBoxLayout;
     boxes->setSpacing(4);
@@ -123,6 +122,8 @@ void BodyPage::choose(Aim aim)
     for (QWidget* const byHand : {static_cast<QWidget*>(m_pad), static_cast<QWidget*>(m_step)}) {
         byHand->setVisible(aim != Aim::Scan);  // which moves by itself
     }
+    m_warning->setLines(aim == Aim::Scan ? 2 : 4);  // beside the pad it is narrow
+    m_warning->updateGeometry();
     showWarning();
 }
 

@@ -36,7 +36,6 @@ void CalibrationBar::build()
         line->setStretching(true);
         lines->addWidget(line);
     }
-    m_title->setLines(2);  // with the worst warning
     m_change->setLines(2);
     m_notice->setLines(2);  // in the place of what would change, until the next press
     m_notice->setCollapsing(true);
