@@ -103,7 +103,8 @@ void Client::lookUp()
         m_addresses = {address};
         tryNextAddress();
     } else {
-        m_lookup = QHostInfo::lookupHost(m_broker.host, this, &Client::takeLookup);
+        // By name: Qt loses the object that stands for a slot given by address when a lookup is aborted.
+        m_lookup = QHostInfo::lookupHost(m_broker.host, this, SLOT(takeLookup(QHostInfo)));
     }
 }
 

@@ -67,11 +67,13 @@ Q_SIGNALS:
     // Once for each new trouble, however often it is tried again; empty when it is over.
     void problemChanged(const QString& text);
 
+private Q_SLOTS:
+    void takeLookup(const QHostInfo& found);
+
 private:
     void attempt();
     [[nodiscard]] Result<> prepareTls();
     void lookUp();
-    void takeLookup(const QHostInfo& found);
     void tryNextAddress();
     void accepted();
     void ended(const Ending& ending);

@@ -55,20 +55,21 @@ std::string with(const std::string& what, const std::string& instead)
 
 TEST(TermsText, EverythingSurvives)
 {
-    const std::string text = toText(full());
+    const TermSheet sheet = full();
+    const std::string text = toText(sheet);
     const auto read = parseTerms(text, "roof.terms");
     ASSERT_TRUE(read) << read.error().text;
-    EXPECT_EQ(full().mountName, read->mountName);
-    EXPECT_EQ(full().when, read->when);
-    EXPECT_EQ(full().mount.azimuthDrive, read->mount.azimuthDrive);
-    EXPECT_EQ(full().mount.elevationDrive, read->mount.elevationDrive);
+    EXPECT_EQ(sheet.mountName, read->mountName);
+    EXPECT_EQ(sheet.when, read->when);
+    EXPECT_EQ(sheet.mount.azimuthDrive, read->mount.azimuthDrive);
+    EXPECT_EQ(sheet.mount.elevationDrive, read->mount.elevationDrive);
     ASSERT_TRUE(read->mount.site);
     EXPECT_NEAR(-9.139312345, read->mount.site->longitude.degrees(), 1e-9);
     EXPECT_NEAR(120.5, read->mount.site->heightMetres, 1e-3);
     for (const Term term : kAllTerms) {
-        EXPECT_NEAR(valueOf(full().terms, term).degrees(), valueOf(read->terms, term).degrees(), 1e-9);
-        ASSERT_EQ(full().sigmas[indexOf(term)].has_value(), read->sigmas[indexOf(term)].has_value());
-        if (const auto& sigma = full().sigmas[indexOf(term)]) {
+        EXPECT_NEAR(valueOf(sheet.terms, term).degrees(), valueOf(read->terms, term).degrees(), 1e-9);
+        ASSERT_EQ(sheet.sigmas[indexOf(term)].has_value(), read->sigmas[indexOf(term)].has_value());
+        if (const auto& sigma = sheet.sigmas[indexOf(term)]) {
             EXPECT_NEAR(sigma->degrees(), read->sigmas[indexOf(term)]->degrees(), 1e-9);
         }
     }

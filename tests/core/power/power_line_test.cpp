@@ -220,7 +220,9 @@ TEST(PowerLine, TcpMayBeSplitAnywhere)
     Ear ear(tcpSettings(receiver.server.serverPort()));
     QTcpSocket* const socket = receiver.client();
     ASSERT_NE(nullptr, socket);
-    for (const QByteArray part : {"-7", "3.2\r", "\n-7", "0\n", QByteArray(400, 'x').constData(), "y\nlevel=-69\n"}) {
+    const QByteArray noise(400, 'x');
+    for (const QByteArray& part : {QByteArray("-7"), QByteArray("3.2\r"), QByteArray("\n-7"), QByteArray("0\n"), noise,
+                                   QByteArray("y\nlevel=-69\n")}) {
         socket->write(part);
         ASSERT_TRUE(socket->flush());
         ASSERT_TRUE(waitUntil([socket] { return socket->bytesToWrite() == 0; }));
