@@ -109,11 +109,13 @@ TEST_F(MqttSourceTest, WhatMakesNoSenseIsCountedAndNotUsed)
 // Story: what `mosquitto_pub -r` left an hour ago was the sensor's direction of now, at every connect.
 TEST_F(MqttSourceTest, WhatTheBrokerHasKeptIsNotLive)
 {
+    sensor.client.subscribe(QStringLiteral("roof/#"));
     sensor.client.publish(
         {.topic = QStringLiteral("roof/orientation"), .payload = kOrientation, .retain = mqtt::Retain::Yes});
     sensor.client.publish(
         {.topic = QStringLiteral("roof/calibration"), .payload = kCalibration, .retain = mqtt::Retain::Yes});
-    listen(std::chrono::milliseconds(50));
+    ASSERT_TRUE(sensor.received(2));  // so the broker has them
+    listen(std::chrono::milliseconds(400));
     ASSERT_TRUE(fakes::waitUntil([this] { return states.size() == 2; }));
     EXPECT_THAT(states.back(), HasSubstr("only what the broker has kept"));
     EXPECT_TRUE(values.empty());
