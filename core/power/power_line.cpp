@@ -6,6 +6,7 @@
 #include "core/power/power_text.h"
 
 #include <QNetworkDatagram>
+#include <QNetworkProxy>
 
 #include <algorithm>
 
@@ -31,6 +32,9 @@ QString nameOf(const LineSettings& settings)
 PowerLine::PowerLine(const LineSettings& settings, const Clock& clock, QObject* parent)
     : QObject(parent), m_settings(settings), m_clock(clock), m_name(nameOf(settings)), m_delay(settings.firstRetry)
 {
+    // Never by a proxy: to ask the desktop for one blocks.
+    m_udp.setProxy(QNetworkProxy::NoProxy);
+    m_tcp.setProxy(QNetworkProxy::NoProxy);
     m_retry.setSingleShot(true);
     connect(&m_retry, &QTimer::timeout, this, &PowerLine::open);
     connect(&m_udp, &QUdpSocket::readyRead, this, &PowerLine::readDatagrams);

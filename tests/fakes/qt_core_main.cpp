@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // main() for tests that need an event loop but no screen.
 #include <QCoreApplication>
+#include <QNetworkProxyFactory>
 
 #include <gmock/gmock.h>
 
@@ -8,5 +9,6 @@ int main(int argc, char** argv)
 {
     testing::InitGoogleMock(&argc, argv);
     const QCoreApplication application(argc, argv);
+    QNetworkProxyFactory::setUseSystemConfiguration(false);  // for the tests' own sockets
     return RUN_ALL_TESTS();
 }
