@@ -3,17 +3,21 @@
 
 #include "core/base/bus_name.h"
 #include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/profile/commissioning.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_store.h"
 #include "core/profile/setting.h"
 
 #include <QCommandLineParser>
+#include <QDebug>
 #include <QDir>
 #include <QStandardPaths>
 
 namespace boresight::app {
 namespace {
 
+const std::string kSimulated = toString(BusName{});
 const QString kProfile = QStringLiteral("profile");
 const QString kBus = QStringLiteral("bus");
 const QString kSimulate = QStringLiteral("simulate");
@@ -59,17 +63,33 @@ Result<profile::Profile> readProfile(Options& options, const QCommandLineParser&
         });
 }
 
-Result<> applyBus(profile::Profile& profile, const QCommandLineParser& parser)
+void useBus(Options& options, const std::string& bus)
+{
+    const profile::Profile before = options.profile;
+    options.profile.bus = bus;
+    if (options.isFirstStart()) {
+        return;
+    }
+    profile::leaveSimulatedMount(options.profile, before);
+    if (profile::isSimulated(before) && !profile::isSimulated(options.profile)) {
+        qWarning().noquote() << QStringLiteral(
+                                    "%1 is the profile of the simulated mount: its zeros, north, pointing model and "
+                                    "sensor are left out for %2, and directions are to be confirmed")
+                                    .arg(options.profilePath, toQString(bus));
+    }
+}
+
+Result<> applyBus(Options& options, const QCommandLineParser& parser)
 {
     if (!parser.isSet(kBus) && !parser.isSet(kSimulate)) {
         return {};
     }
-    const std::string bus = parser.isSet(kBus) ? parser.value(kBus).toStdString() : "simulated";
-    if (parser.isSet(kSimulate) && bus != "simulated") {
+    const std::string bus = parser.isSet(kBus) ? parser.value(kBus).toStdString() : kSimulated;
+    if (parser.isSet(kSimulate) && bus != kSimulated) {
         return failure(ErrorCode::InvalidInput,
                        "--simulate and --bus " + bus + " exclude each other: give one of them");
     }
-    return parseBusName(bus).map([&](const BusName&) { profile.bus = bus; });
+    return parseBusName(bus).map([&](const BusName&) { useBus(options, bus); });
 }
 
 Result<> applyListen(profile::Profile& profile, const QCommandLineParser& parser)
@@ -120,10 +140,21 @@ Result<QString> makeStateDir(const QCommandLineParser& parser)
 
 }  // namespace
 
+profile::Profile Options::startingProfile() const
+{
+    profile::Profile starting = profile;
+    if (isFirstStart() && onlySimulated) {
+        starting.sensor.source = profile::SensorSource::Simulated;
+    } else if (isFirstStart()) {
+        starting.mount.directions = profile::Directions::Unconfirmed;
+    }
+    return starting;
+}
+
 profile::Profile Options::overridden(profile::Profile wanted) const
 {
     if (onlySimulated) {
-        wanted.bus = toString(BusName{});
+        wanted.bus = kSimulated;
     }
     return wanted;
 }
@@ -142,14 +173,14 @@ Result<Options> readOptions(const QStringList& arguments, const QString& descrip
     return readProfile(options, parser)
         .and_then([&](const profile::Profile& profile) -> Result<> {
             options.profile = profile;
-            return applyBus(options.profile, parser);
+            return applyBus(options, parser);
         })
         .and_then([&] { return applyListen(options.profile, parser); })
         .and_then([&] { return applyStandingAt(options, parser); })
         .and_then([&] { return makeStateDir(parser); })
         .map([&](const QString& stateDir) {
             const bool namesBus = parser.isSet(kBus) || parser.isSet(kSimulate);
-            options.onlySimulated = namesBus && options.profile.bus == toString(BusName{});
+            options.onlySimulated = namesBus && options.profile.bus == kSimulated;
             options.stateDir = stateDir;
             return options;
         });

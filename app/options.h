@@ -22,6 +22,9 @@ struct Options
     std::optional<AxisPosition> standingAt;  // where the operator says that the mount stands
 
     [[nodiscard]] bool isFirstStart() const { return profilePath.isEmpty(); }
+    // What the window begins with. Without any profile nobody has looked yet which way the axes turn; unless it is the
+    // simulated mount that was asked for, which has its sensor on it, so that finding north can be tried at once.
+    [[nodiscard]] profile::Profile startingProfile() const;
     // Another mount's profile with what holds for every mount: who asked for the simulated one must never find that a
     // real antenna moves.
     [[nodiscard]] profile::Profile overridden(profile::Profile wanted) const;

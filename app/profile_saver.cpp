@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/profile_saver.h"
 
-#include "core/base/bus_name.h"
 #include "core/base/text.h"
+#include "core/profile/commissioning.h"
 #include "core/profile/profile_diff.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_history.h"
 #include "core/profile/profile_store.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace boresight::app {
 namespace {
-
-const std::string kSimulated = toString(BusName{});
 
 Result<> saveNew(const QString& configDir, const profile::Profile& profile, QString& path)
 {
@@ -24,34 +23,71 @@ Result<> saveNew(const QString& configDir, const profile::Profile& profile, QStr
     });
 }
 
-// Where north is, how the axes lean, what iron does to the compass: found by calibrating, and true of one mount alone.
-bool isFound(const std::string& key)
+// Which keys say of an axis where its zero is: the angles that are counted from it were changed with it.
+std::vector<std::string> countedFrom(const std::string& axis)
 {
-    return key.starts_with("pointing.") || key.starts_with("sensor.deviation_") || key == "sensor.azimuth_sense" ||
-           key == "sensor.azimuth_offset_deg" || key == "sensor.elevation_offset_deg";
+    const std::string limits = "limits." + axis;
+    return {axis + ".travel_min_deg", axis + ".travel_max_deg", limits + "_min_deg", limits + "_max_deg",
+            "park." + axis + "_deg"};
 }
 
-// Of a mount that was simulated with the profile of a real one: what is left for that one.
-Result<> leaveOutFound(std::vector<std::string>& keys, const std::string& mountName)
+bool contains(const std::vector<std::string>& keys, const std::string& key)
 {
-    if (std::erase_if(keys, isFound) == 0) {
+    return std::ranges::find(keys, key) != keys.end();
+}
+
+// Of a mount that was simulated with the profile of a real one: what is left for that one. Not what can only be seen
+// on the mount itself, either: which motor is which and how it turns, nor that somebody has looked at it.
+Result<> leaveOutFound(std::vector<std::string>& keys, const profile::Profile& wanted, const std::string& mountName)
+{
+    std::vector<std::string> simulatedOnes = {"mount.directions", "azimuth.id", "elevation.id", "azimuth.sign",
+                                              "elevation.sign"};
+    for (const std::string axis : {"azimuth", "elevation"}) {
+        if (contains(keys, axis + ".offset_deg")) {
+            std::ranges::copy(countedFrom(axis), std::back_inserter(simulatedOnes));
+        }
+    }
+    if (wanted.sensor.source == profile::SensorSource::Simulated) {
+        simulatedOnes.push_back("sensor.source");
+    }
+    const auto isOfTheSimulated = [&simulatedOnes](const std::string& key) {
+        return profile::isFoundOfOneMount(key) || contains(simulatedOnes, key);
+    };
+    if (std::erase_if(keys, isOfTheSimulated) == 0) {
         return {};
     }
     return failure(
         ErrorCode::Refused,
-        Text::tr("this holds for the simulated mount until the program ends; the profile of \"%1\" keeps its "
-                 "own north, pointing model and sensor mounting: start without --simulate to calibrate it")
+        Text::tr("this holds for the simulated mount until the program ends; the profile of \"%1\" keeps its own "
+                 "motors, zeros, north, pointing model and sensor mounting: start without --simulate to set them")
             .arg(toQString(mountName)));
 }
 
+// A real mount, with the profile of the simulated one: what is found of it, and another bus, makes the file its own,
+// with all that is known of that mount. Kept beside the simulated bus it would be left again at the next start; beside
+// another bus the simulated mount's would be the real one's.
+void becomeReal(profile::Profile& kept, const profile::Profile& wanted, const std::vector<std::string>& keys)
+{
+    const auto isOfOneMount = [](const std::string& key) {
+        return profile::isFoundOfOneMount(key) || key == "mount.directions" || key == "bus.name";
+    };
+    if (std::ranges::any_of(keys, isOfOneMount)) {
+        std::vector<std::string> ofTheMount = profile::changedKeys(kept, wanted);
+        std::erase_if(ofTheMount, [&](const std::string& key) { return !isOfOneMount(key) && key != "sensor.source"; });
+        profile::takeOver(kept, wanted, ofTheMount);
+    }
+}
+
 Result<> saveChanges(const QString& configDir, const QString& path, const profile::Profile& wanted,
-                     std::vector<std::string> keys, const std::string& busInForce)
+                     std::vector<std::string> keys, bool onlySimulated)
 {
     return profile::loadProfile(path).and_then([&](profile::Profile kept) -> Result<> {
         const std::string name = kept.mount.name;
         Result<> all;
-        if (busInForce == kSimulated && kept.bus != kSimulated) {
-            all = leaveOutFound(keys, name);
+        if (onlySimulated && !profile::isSimulated(kept)) {
+            all = leaveOutFound(keys, wanted, name);
+        } else if (!profile::isSimulated(wanted) && profile::isSimulated(kept)) {
+            becomeReal(kept, wanted, keys);
         }
         profile::takeOver(kept, wanted, keys);
         // A new name must not be another mount's.
@@ -72,11 +108,7 @@ QString fileOf(const profile::ProfileStore& store, const QString& mountName)
 
 ProfileSaver::ProfileSaver(const QString& configDir, const QString& path, const profile::Profile& inForce,
                            QObject* parent)
-    : QObject(parent),
-      m_configDir(configDir),
-      m_path(std::make_shared<QString>(path)),
-      m_last(inForce),
-      m_bus(inForce.bus)
+    : QObject(parent), m_configDir(configDir), m_path(std::make_shared<QString>(path)), m_last(inForce)
 {
     m_writer.setMaxThreadCount(1);
     m_writer.setExpiryTimeout(-1);
@@ -90,9 +122,9 @@ ProfileSaver::~ProfileSaver()
 void ProfileSaver::save(const profile::Profile& wanted)
 {
     const auto keys = profile::changedKeys(std::exchange(m_last, wanted), wanted);
-    m_writer.start([this, wanted, keys, bus = m_bus, configDir = m_configDir, path = m_path] {
-        const Result<> saved =
-            path->isEmpty() ? saveNew(configDir, wanted, *path) : saveChanges(configDir, *path, wanted, keys, bus);
+    m_writer.start([this, wanted, keys, onlySimulated = m_keepsSimulated, configDir = m_configDir, path = m_path] {
+        const Result<> saved = path->isEmpty() ? saveNew(configDir, wanted, *path)
+                                               : saveChanges(configDir, *path, wanted, keys, onlySimulated);
         if (!saved) {
             Q_EMIT failed(QString::fromStdString(saved.error().text));
         }
@@ -102,7 +134,6 @@ void ProfileSaver::save(const profile::Profile& wanted)
 void ProfileSaver::follow(const profile::Profile& connected)
 {
     m_last = connected;
-    m_bus = connected.bus;
     m_writer.start([this, name = QString::fromStdString(connected.mount.name), configDir = m_configDir, path = m_path] {
         const auto kept = profile::loadProfile(*path);
         if (kept && QString::fromStdString(kept->mount.name) == name) {

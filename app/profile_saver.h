@@ -11,7 +11,8 @@
 
 // Keeps what the operator has applied: in the file that the program was started with, else as a new mount of the store.
 // Only the keys that the operator has changed are taken over, so that what the command line overrides is not written;
-// and what was found of the simulated mount in place of a real one is not the real one's.
+// and what was found of the simulated mount in place of a real one is not the real one's. What is found of a real mount
+// in place of the simulated one, and another bus, makes the file the real one's.
 // Lives on the main thread; one worker writes, in the order of the changes.
 namespace boresight::app {
 
@@ -24,6 +25,9 @@ public:
     ProfileSaver(const QString& configDir, const QString& path, const profile::Profile& inForce,
                  QObject* parent = nullptr);
     ~ProfileSaver() override;  // after the last change is on the disk
+
+    // The program was started for the simulated mount: no bus that a profile names is used until it ends.
+    void keepSimulated() { m_keepsSimulated = true; }
 
 public Q_SLOTS:
     void save(const boresight::profile::Profile& wanted);
@@ -38,7 +42,7 @@ private:
     QString m_configDir;
     std::shared_ptr<QString> m_path;  // the worker's, once it works
     profile::Profile m_last;
-    std::string m_bus;  // in force, whatever the file says
+    bool m_keepsSimulated = false;
     QThreadPool m_writer;
 };
 

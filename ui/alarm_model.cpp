@@ -82,6 +82,8 @@ QString advice(const Alarm& alarm, QLatin1Char between)
 
 }  // namespace
 
+AlarmModel::AlarmModel(QObject* parent) : TableModel({tr("UTC"), tr("State"), tr("Ackn."), tr("What")}, parent) {}
+
 bool AlarmModel::take(const StationStatus& status)
 {
     const bool newStation = status.tick < m_tick;
@@ -112,7 +114,7 @@ void AlarmModel::change(std::size_t row, const SeenAlarm& now)
     if (content(m_seen[row]) != content(now)) {
         m_seen[row] = now;
         const int place = static_cast<int>(row);
-        Q_EMIT dataChanged(index(place, 0), index(place, ColumnCount - 1));
+        Q_EMIT dataChanged(index(place, 0), index(place, columnCount() - 1));
     }
 }
 
@@ -141,16 +143,6 @@ void AlarmModel::dropEldest()
         m_seen.erase(m_seen.begin(), m_seen.begin() + surplus);
         endRemoveRows();
     }
-}
-
-int AlarmModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_seen.size());
-}
-
-int AlarmModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
 }
 
 QVariant AlarmModel::data(const QModelIndex& index, int role) const
@@ -183,23 +175,6 @@ QString AlarmModel::cell(const SeenAlarm& seen, int column) const
             return seen.alarm.acknowledged ? tr("yes") : tr("no");
         default:
             return characterOf(seen.alarm.severity) + seen.alarm.what;
-    }
-}
-
-QVariant AlarmModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
-        return {};
-    }
-    switch (section) {
-        case Time:
-            return tr("UTC");
-        case State:
-            return tr("State");
-        case Acknowledged:
-            return tr("Ackn.");
-        default:
-            return tr("What");
     }
 }
 

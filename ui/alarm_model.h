@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/station/station_status.h"
+#include "ui/table_model.h"
 
-#include <QAbstractTableModel>
 #include <QSortFilterProxyModel>
 
 #include <optional>
@@ -21,7 +21,7 @@ struct SeenAlarm
     std::optional<std::size_t> place;  // in the station's list, while it is active or waits to be acknowledged
 };
 
-class AlarmModel : public QAbstractTableModel
+class AlarmModel : public TableModel
 {
     Q_OBJECT
 
@@ -31,21 +31,20 @@ public:
         Time,
         State,
         Acknowledged,
-        What,
-        ColumnCount
+        What
     };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit AlarmModel(QObject* parent = nullptr);
 
     // True if an active one has come that is worse than an advisory.
     bool take(const StationStatus& status);
 
     [[nodiscard]] const SeenAlarm& seen(int row) const { return m_seen[static_cast<std::size_t>(row)]; }
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+protected:
+    [[nodiscard]] std::size_t rows() const override { return m_seen.size(); }
 
 private:
     [[nodiscard]] QString cell(const SeenAlarm& seen, int column) const;

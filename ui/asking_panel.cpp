@@ -2,6 +2,7 @@
 #include "ui/asking_panel.h"
 
 #include "ui/command_button.h"
+#include "ui/push_button.h"
 #include "ui/value_label.h"
 
 #include <QGridLayout>
@@ -20,7 +21,7 @@ AskingPanel::AskingPanel(RequestDesk& desk, QWidget* parent)
       m_typed(new QLineEdit(this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_act(new CommandButton({}, {}, desk, *m_notice, this)),
-      m_cancel(new QPushButton(tr("Cancel"), this))
+      m_cancel(makePushButton({.text = tr("Cancel"), .help = tr("Back, nothing is done")}, this))
 {
     addWidget(m_controls);
     addWidget(makeQuestionPage());
@@ -47,10 +48,6 @@ QWidget* AskingPanel::makeQuestionPage()
     m_typedName->setBuddy(m_typed);
     m_notice->setStretching(true);
     m_notice->setLines(2);
-    m_cancel->setFont(fonts::label());
-    m_cancel->setAutoDefault(false);
-    m_cancel->setAccessibleName(tr("Cancel"));
-    m_cancel->setToolTip(tr("Back, nothing is done"));
     m_cancel->setMinimumSize(m_act->minimumSizeHint());
     m_act->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     m_cancel->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

@@ -2,13 +2,13 @@
 #include "ui/axis_readout.h"
 
 #include "ui/axes.h"
+#include "ui/caption.h"
 #include "ui/format.h"
 #include "ui/value_label.h"
 #include "ui/widest.h"
 
 #include <QGridLayout>
 #include <QHelpEvent>
-#include <QLabel>
 #include <QStringList>
 #include <QToolTip>
 
@@ -84,13 +84,6 @@ Angle trimOf(const std::optional<SkyPointing>& trim, Axis which)
     return !trim ? 0_deg : which == Axis::Azimuth ? trim->azimuth : trim->elevation;
 }
 
-QLabel* heading(const QString& text, QWidget* parent)
-{
-    auto* const label = new QLabel(text, parent);
-    label->setFont(fonts::label());
-    return label;
-}
-
 QString widestState()
 {
     return widest(fonts::text(), {widestAxisState(fonts::text()), AxisReadout::tr("TURN?")});
@@ -106,9 +99,9 @@ AxisReadout::AxisReadout(QWidget* parent) : QWidget(parent)
     grid->setVerticalSpacing(0);
     int column = 1;
     for (const QString& text : {tr("ACTUAL"), tr("TARGET"), tr("ERROR")}) {
-        grid->addWidget(heading(text, this), 0, column++, Qt::AlignRight);
+        grid->addWidget(makeCaption(text, this), 0, column++, Qt::AlignRight);
     }
-    grid->addWidget(heading(tr("STATE"), this), 0, 4);
+    grid->addWidget(makeCaption(tr("STATE"), this), 0, 4);
     for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
         const int top = axis == Axis::Azimuth ? 1 : 3;  // numbers, below them a line for the detail
         auto* const name = new QLabel(axis == Axis::Azimuth ? tr("AZ") : tr("EL"), this);

@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+class QCheckBox;
+
 // The Sun or the Moon as a known direction: where it appears now, follow it, and take the point once it is centred.
 namespace boresight::ui {
 
@@ -29,7 +31,9 @@ private:
     void build();
     void describe();
     void followOrHold();
+    [[nodiscard]] QString whyNotFollowed() const;
     [[nodiscard]] QString whereText() const;
+    [[nodiscard]] QString besideText() const;
 
     StationStatus m_status;
     ephemeris::Body m_body = ephemeris::Body::Sun;
@@ -37,6 +41,7 @@ private:
     CommandButton* m_follow;
     CommandButton* m_take;
     TouchCombo* m_refraction;  // of what is followed next
+    QCheckBox* m_overTheTop;   // the same; only where the elevation's travel goes past the zenith
 };
 
 }  // namespace boresight::ui

@@ -13,7 +13,7 @@
 #include "ui/value_label.h"
 
 #include <QButtonGroup>
-#include <QHBoxLayout>
+#include <QGridLayout>
 
 namespace boresight::ui {
 
@@ -31,6 +31,8 @@ BodyPage::BodyPage(const Clock& clock, RequestDesk& desk, QWidget* parent)
       m_body(new BodyBox(desk, *m_notice, this)),
       m_landmark(new LandmarkBox(desk, *m_notice, this)),
       m_scan(new ScanBox(desk, *m_notice, this)),
+      m_boxes(makeBoxes()),
+      m_grid(new QGridLayout(this)),
       m_step(new TouchCombo(tr("Step of the pad"), tr("How far one press of the pad or of an arrow key moves"), this))
 {
     m_pad->setAccessibleName(tr("Nudge pad"));
@@ -42,13 +44,31 @@ BodyPage::BodyPage(const Clock& clock, RequestDesk& desk, QWidget* parent)
 
 void BodyPage::build()
 {
+    fillSteps();
+    for (QWidget* const byHand : {static_cast<QWidget*>(m_pad), static_cast<QWidget*>(m_step)}) {
+        QSizePolicy policy = byHand->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);  // the choices stay where they are
+        byHand->setSizePolicy(policy);
+    }
+    m_grid->setContentsMargins(6, 4, 6, 0);
+    m_grid->setHorizontalSpacing(6);
+    m_grid->setVerticalSpacing(4);
+    m_grid->setColumnStretch(0, 2);
+    m_grid->setColumnStretch(1, 3);
+    m_grid->setRowStretch(1, 1);
+    m_grid->addWidget(m_pad, 0, 0, 2, 1);
+    m_grid->addLayout(makeChoices(), 0, 1);
+}
+
+QWidget* BodyPage::makeBoxes()
+{
     m_notice->setStretching(true);
     m_notice->setCollapsing(true);
     m_warning->setStretching(true);
-    fillSteps();
-    auto* const boxes = new QVBoxLayout;
+    auto* const holder = new QWidget(this);
+    auto* const boxes = new QVBoxLayout(holder);
+    boxes->setContentsMargins(0, 0, 0, 0);
     boxes->setSpacing(4);
-    boxes->addLayout(makeChoices());
     boxes->addWidget(m_warning);
     for (QWidget* const box :
          {static_cast<QWidget*>(m_body), static_cast<QWidget*>(m_landmark), static_cast<QWidget*>(m_scan)}) {
@@ -56,11 +76,7 @@ void BodyPage::build()
     }
     boxes->addStretch(1);
     boxes->addWidget(m_notice);
-    auto* const row = new QHBoxLayout(this);
-    row->setContentsMargins(6, 4, 6, 0);
-    row->setSpacing(6);
-    row->addWidget(m_pad, 2);
-    row->addLayout(boxes, 3);
+    return holder;
 }
 
 QLayout* BodyPage::makeChoices()
@@ -102,14 +118,23 @@ void BodyPage::choose(Aim aim)
     m_aim = aim;
     for (QWidget* const box :
          {static_cast<QWidget*>(m_body), static_cast<QWidget*>(m_landmark), static_cast<QWidget*>(m_scan)}) {
-        box->hide();  // before another is shown: together they would not fit
+        box->hide();  // before anything is shown: together they would not fit
     }
     m_notice->setValue({});
     m_choices[static_cast<std::size_t>(aim)]->setChecked(true);
+    for (QWidget* const byHand : {static_cast<QWidget*>(m_pad), static_cast<QWidget*>(m_step)}) {
+        byHand->setVisible(aim != Aim::Scan);  // which moves by itself
+    }
+    const int column = aim == Aim::Scan ? 0 : 1;  // else the pad is there
+    m_grid->removeWidget(m_boxes);
+    m_grid->addWidget(m_boxes, 1, column, 1, 2 - column);
+    m_warning->setLines(aim == Aim::Scan ? 2 : 4);  // beside the pad it is narrow
+    m_warning->updateGeometry();
+    showWarning();
     switch (aim) {
         case Aim::Sun:
         case Aim::Moon:
-            m_body->setBody(aim == Aim::Sun ? ephemeris::Body::Sun : ephemeris::Body::Moon);
+            chooseBody(aim == Aim::Sun ? ephemeris::Body::Sun : ephemeris::Body::Moon);
             m_body->show();
             break;
         case Aim::Landmark:
@@ -119,12 +144,13 @@ void BodyPage::choose(Aim aim)
             m_scan->show();
             break;
     }
-    for (QWidget* const byHand : {static_cast<QWidget*>(m_pad), static_cast<QWidget*>(m_step)}) {
-        byHand->setVisible(aim != Aim::Scan);  // which moves by itself
-    }
-    m_warning->setLines(aim == Aim::Scan ? 2 : 4);  // beside the pad it is narrow
-    m_warning->updateGeometry();
-    showWarning();
+}
+
+void BodyPage::chooseBody(ephemeris::Body body)
+{
+    m_body->setBody(body);
+    m_scan->setBody(body);
+    m_scan->showStatus(m_status);
 }
 
 void BodyPage::showWarning()

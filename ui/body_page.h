@@ -8,6 +8,8 @@
 
 #include <array>
 
+class QGridLayout;
+
 // Step 3 of finding north: points of known direction, by Sun, Moon, a landmark or the peak of the received power. The
 // pad is that of the Jog panel, in steps only: while a body is followed they trim. As long as the Sun is meant the
 // warning of eyes and feed stands there.
@@ -43,8 +45,10 @@ private:
 
     void build();
     [[nodiscard]] QLayout* makeChoices();
+    [[nodiscard]] QWidget* makeBoxes();
     void fillSteps();
     void choose(Aim aim);
+    void chooseBody(ephemeris::Body body);
     void showWarning();
 
     StationStatus m_status;
@@ -55,6 +59,8 @@ private:
     BodyBox* m_body;
     LandmarkBox* m_landmark;
     ScanBox* m_scan;
+    QWidget* m_boxes;
+    QGridLayout* m_grid;
     TouchCombo* m_step;
     std::array<ChoiceButton*, 4> m_choices{};  // by Aim
 };

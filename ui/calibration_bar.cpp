@@ -52,10 +52,10 @@ void CalibrationBar::showStatus(const StationStatus& status)
     m_change->setValue(calibration.proposal ? changeText(*calibration.proposal) : QString(), Tone::Secondary);
     m_change->setVisible(m_notice->text().isEmpty());
     m_shown = calibration.proposal ? calibration.proposal->number : 0;
-    m_apply->setCommand(tr("Apply north"),
-                        calibration.proposal
-                            ? tr("Into force at once, nothing moves: %1").arg(changeText(*calibration.proposal))
-                            : QString());
+    m_apply->setCommand(
+        calibration.proposal && keepsNorth(*calibration.proposal) ? tr("Apply to sensor") : tr("Apply north"),
+        calibration.proposal ? tr("Into force at once, nothing moves: %1").arg(changeText(*calibration.proposal))
+                             : QString());
     m_apply->setBlocked(whyNoApply(status));
     m_undo->setBlocked(whyNoUndo(status));
 }

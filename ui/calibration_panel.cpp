@@ -14,10 +14,10 @@
 
 namespace boresight::ui {
 
-CalibrationPanel::CalibrationPanel(const Clock& clock, RequestDesk& desk, QWidget* parent)
+CalibrationPanel::CalibrationPanel(const Clock& clock, RequestDesk& desk, ProfileDraft& draft, QWidget* parent)
     : QWidget(parent),
       m_steps(new QTabWidget(this)),
-      m_sensor(new SensorPage(desk, this)),
+      m_sensor(new SensorPage(desk, draft, this)),
       m_swing(new SwingPage(desk, this)),
       m_body(new BodyPage(clock, desk, this)),
       m_model(new ModelPage(desk, this)),
@@ -27,6 +27,7 @@ CalibrationPanel::CalibrationPanel(const Clock& clock, RequestDesk& desk, QWidge
     m_steps->setFont(fonts::label());
     m_steps->setDocumentMode(true);
     m_steps->setAccessibleName(tr("Steps of finding north"));
+    connect(m_sensor, &SensorPage::settingsWanted, this, &CalibrationPanel::settingsWanted);
     addStep(*m_sensor, tr("1 Sensor"), tr("North from the sensor while the mount stands still: to some degrees"));
     addStep(*m_swing, tr("2 Swing"), tr("The compass swing: north, the sensor's deviation, and the tilt of the axis"));
     addStep(*m_body, tr("3 Sun/Moon"), tr("Points of known direction: Sun, Moon, a landmark, the peak of the power"));

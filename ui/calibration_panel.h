@@ -17,6 +17,7 @@ class BodyPage;
 class CalibrationBar;
 class HistoryPage;
 class ModelPage;
+class ProfileDraft;
 class RequestDesk;
 class SensorPage;
 class SwingPage;
@@ -35,11 +36,14 @@ class CalibrationPanel : public QWidget
     Q_OBJECT
 
 public:
-    CalibrationPanel(const Clock& clock, RequestDesk& desk, QWidget* parent = nullptr);
+    CalibrationPanel(const Clock& clock, RequestDesk& desk, ProfileDraft& draft, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
     void go(CalibrationStep step);
     void beat();  // a few times a second
+
+Q_SIGNALS:
+    void settingsWanted(const QString& words);  // of the profile, that have these in their name or meaning
 
 private:
     void addStep(QWidget& page, const QString& name, const QString& help);

@@ -50,21 +50,23 @@ QString whyNoSwing(const StationStatus& status)
     return firstOf(firstOf(whyNoOther(status), whyNoPointing(status)), calibrationOf(status).swingPlan.obstacle);
 }
 
-QString whyNoBody(const StationStatus& status, ephemeris::Body body)
+QString whyNoBody(const StationStatus& status, ephemeris::Body body, bool overTheTop)
 {
     const QString reason = firstOf(firstOf(whyNoOther(status), whyNoPointing(status)), calibrationOf(status).noSite);
     const BodyNow* const now = bodyNow(status, body);
     if (!reason.isEmpty()) {
         return reason;
     }
-    return now == nullptr ? CalibrationPermission::tr("it is not known where the %1 is").arg(bodyName(body))
-                          : now->obstacle;
+    if (now == nullptr) {
+        return CalibrationPermission::tr("it is not known where the %1 is").arg(bodyName(body));
+    }
+    return overTheTop ? now->obstacleOverTheTop : now->obstacle;
 }
 
 QString whyNoScan(const StationStatus& status, ephemeris::Body body)
 {
     const CalibrationStatus& calibration = calibrationOf(status);
-    const QString reason = whyNoBody(status, body);
+    const QString reason = whyNoBody(status, body, calibration.overTheTop);
     return !reason.isEmpty() || (calibration.following && calibration.body == body)
                ? reason
                : CalibrationPermission::tr("follow the %1 first").arg(bodyName(body));
@@ -88,14 +90,8 @@ QString whyNoLandmark(const StationStatus& status)
         return reason;
     }
     for (const Axis axis : kAxes) {
-        if (!axisOf(status, axis).actual || freshness(axisOf(status, axis).age) != Freshness::Live) {
-            return CalibrationPermission::tr("the drive does not say where the %1 is").arg(name(axis));
-        }
-        if (!isTurnKnown(status, axis)) {
-            return CalibrationPermission::tr("which turn the %1 is on is not known yet").arg(name(axis));
-        }
-        if (axisOf(status, axis).state == AxisState::Moving) {
-            return CalibrationPermission::tr("the mount moves: stop it first");
+        if (const QString reason = whyNoPlace(status, axis); !reason.isEmpty()) {
+            return reason;
         }
     }
     return {};

@@ -13,7 +13,8 @@ namespace boresight::ui {
 
 [[nodiscard]] QString whyNoSensorAverage(const StationStatus& status);
 [[nodiscard]] QString whyNoSwing(const StationStatus& status);
-[[nodiscard]] QString whyNoBody(const StationStatus& status, ephemeris::Body body);  // to follow it
+// To follow it; over the top, with the boom past the zenith.
+[[nodiscard]] QString whyNoBody(const StationStatus& status, ephemeris::Body body, bool overTheTop);
 [[nodiscard]] QString whyNoScan(const StationStatus& status, ephemeris::Body body);
 [[nodiscard]] QString whyNoPower(const StationStatus& status);
 [[nodiscard]] QString whyNoBodyPoint(const StationStatus& status, ephemeris::Body body);

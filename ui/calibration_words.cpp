@@ -44,9 +44,33 @@ QString tiltLine(const SwingOutcome& swing)
         return swing.noTilt.isEmpty() ? QString() : CalibrationWords::tr("No tilt: %1").arg(swing.noTilt);
     }
     const calibration::AxisTilt& tilt = *swing.tilt;
-    return CalibrationWords::tr("The azimuth axis leans by %1 ± %2 towards %3. Elevation offset %4.")
+    return CalibrationWords::tr(
+               "The azimuth axis leans by %1 ± %2 towards %3. Where the elevation axis shows 0° the sensor says %4.")
         .arg(angleText(tilt.size), angleText(tilt.sizeSigma), angleText(tilt.direction, 0),
              estimateText(tilt.elevationOffset));
+}
+
+// A proposal that was made of the fit has its very terms; nobody types one so exactly.
+constexpr Angle kSame = Angle::fromDegrees(1e-6);
+
+std::optional<Angle> leftOutRms(const std::vector<PointStatus>& points)
+{
+    double sum = 0.0;
+    int count = 0;
+    for (const PointStatus& point : points) {
+        if (point.leftOut) {
+            sum += point.leftOut->degrees() * point.leftOut->degrees();
+            ++count;
+        }
+    }
+    return count > 0 ? std::optional(Angle::fromDegrees(std::sqrt(sum / count))) : std::nullopt;
+}
+
+// A fit that is far better than its sigmas say is worth as much attention as one that is worse: never "0.0".
+QString twoDigits(double value)
+{
+    const double magnitude = value > 0.0 ? std::floor(std::log10(value)) : 0.0;
+    return QString::number(value, 'f', std::clamp(1 - static_cast<int>(magnitude), 0, 6));
 }
 
 QString pointsText(const std::vector<PointStatus>& points)
@@ -118,6 +142,12 @@ QString placeText(const BodyNow& body)
     return next.isEmpty() ? where : where + QStringLiteral(", ") + next;
 }
 
+bool keepsNorth(const CalibrationProposal& proposal)
+{
+    return proposal.changesSensor && !proposal.terms.empty() &&
+           proposal.terms.front().proposed == proposal.terms.front().present;
+}
+
 QString changeText(const CalibrationProposal& proposal)
 {
     QStringList changes;
@@ -127,6 +157,9 @@ QString changeText(const CalibrationProposal& proposal)
         if (before != after) {
             changes << QStringLiteral("%1 %2 → %3").arg(termName(term.key), before, after);
         }
+    }
+    if (keepsNorth(proposal)) {
+        changes << CalibrationWords::tr("north stays");
     }
     if (proposal.changesSensor) {
         changes << CalibrationWords::tr("curve of the sensor");
@@ -169,6 +202,27 @@ QString swingText(const SwingOutcome& swing)
     return lines.join(QLatin1Char('\n'));
 }
 
+QString trueAzimuthText(const SensorStatus& sensor)
+{
+    if (!sensor.direction) {
+        return noValue();
+    }
+    const QString azimuth = angleText(sensor.direction->azimuth, 1);
+    return sensor.azimuthSigma ? QStringLiteral("%1 ± %2").arg(azimuth, angleText(*sensor.azimuthSigma, 1)) : azimuth;
+}
+
+bool proposesFit(const CalibrationStatus& calibration)
+{
+    if (!calibration.proposal || !calibration.fit) {
+        return false;
+    }
+    return std::ranges::equal(calibration.proposal->terms, calibration.fit->terms,
+                              [](const auto& one, const auto& fit) {
+                                  return one.key == fit.key && abs((one.proposed - fit.proposed).wrapped180()) <= kSame;
+                              });
+}
+
+// The rms before and after is that of what is proposed; where that is not the points' own fit, the fit is named.
 QString fitText(const CalibrationStatus& calibration)
 {
     if (!calibration.fit) {
@@ -176,22 +230,24 @@ QString fitText(const CalibrationStatus& calibration)
                                           : CalibrationWords::tr("No fit of these points");
     }
     const PointFitStatus& fit = *calibration.fit;
-    QString text = QStringLiteral("%1, %2: ").arg(pointsText(calibration.points), termsText(fit.terms)) +
-                   CalibrationWords::tr("rms %1 → %2").arg(angleText(fit.before, 3), angleText(fit.after, 3));
-    double leftOut = 0.0;
-    int count = 0;
-    for (const PointStatus& point : calibration.points) {
-        if (point.leftOut) {
-            leftOut += point.leftOut->degrees() * point.leftOut->degrees();
-            ++count;
-        }
+    const QString points = pointsText(calibration.points);
+    const QString terms = termsText(fit.terms);
+    const QString before = angleText(fit.before, 3);
+    const QString after = angleText(fit.after, 3);
+    QString text;
+    if (proposesFit(calibration)) {
+        text = QStringLiteral("%1, %2: ").arg(points, terms) + CalibrationWords::tr("rms %1 → %2").arg(before, after);
+    } else if (calibration.proposal && calibration.proposal->residuals) {
+        text = CalibrationWords::tr("%1: rms %2, as proposed %3; their own fit, %4: %5")
+                   .arg(points, before, angleText(calibration.proposal->residuals->after, 3), terms, after);
+    } else {
+        text = CalibrationWords::tr("%1: rms %2; their own fit, %3: %4").arg(points, before, terms, after);
     }
-    if (count > 0) {
-        text += CalibrationWords::tr(", each by the others %1")
-                    .arg(angleText(Angle::fromDegrees(std::sqrt(leftOut / count)), 3));
+    if (const auto leftOut = leftOutRms(calibration.points)) {
+        text += CalibrationWords::tr(", each by the others %1").arg(angleText(*leftOut, 3));
     }
     if (fit.reducedChiSquare) {
-        text += CalibrationWords::tr(", χ² %1").arg(*fit.reducedChiSquare, 0, 'f', 1);
+        text += CalibrationWords::tr(", χ² %1").arg(twoDigits(*fit.reducedChiSquare));
     }
     return text;
 }

@@ -21,10 +21,16 @@ namespace boresight::ui {
 [[nodiscard]] QString termName(const std::string& key);                     // "azimuth offset"
 [[nodiscard]] QString bodyName(ephemeris::Body body);                       // "Sun"
 [[nodiscard]] QString placeText(const BodyNow& body);                       // "az 143.2°  el 32.1°, sets 17:05Z"
+// Points know north better: Apply turns the sensor to it.
+[[nodiscard]] bool keepsNorth(const CalibrationProposal& proposal);
 // Every term that changes, before and after: "azimuth offset 0.00° → 37.41°, …".
 [[nodiscard]] QString changeText(const CalibrationProposal& proposal);
 [[nodiscard]] Sentence proposalSentence(const CalibrationStatus& calibration);
 [[nodiscard]] QString swingText(const SwingOutcome& swing);  // several lines: north, curve, tilt, verdict
+// "143.2° ± 1.6°"; without the sigma before a swing, no value while it is not known.
+[[nodiscard]] QString trueAzimuthText(const SensorStatus& sensor);
+// What is proposed is what the points were fitted to, not typed, read or found otherwise.
+[[nodiscard]] bool proposesFit(const CalibrationStatus& calibration);
 [[nodiscard]] QString fitText(const CalibrationStatus& calibration);
 [[nodiscard]] double onSky(const PointResidual& residual);  // degrees
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts_panel.h"
 
-#include "ui/command_button.h"
+#include "ui/push_button.h"
 #include "ui/strip_charts.h"
 #include "ui/theme.h"
 
 #include <QLabel>
-#include <QPushButton>
 #include <QStackedLayout>
 #include <QVBoxLayout>
 
@@ -26,11 +25,10 @@ QWidget* ChartsPanel::makePlaceholder()
     auto* const text = new QLabel(tr("The charts stand in the place of the sky."), page);
     text->setFont(fonts::label());
     text->setAlignment(Qt::AlignCenter);
-    auto* const back = new QPushButton(tr("Back to this panel"), page);
-    back->setFont(fonts::label());
-    back->setAccessibleName(tr("Charts back to this panel"));
-    back->setToolTip(tr("Show the sky again (Ctrl+L)"));
-    back->setMinimumHeight(kTouchSize);
+    QPushButton* const back = makePushButton({.text = tr("Back to this panel"),
+                                              .name = tr("Charts back to this panel"),
+                                              .help = tr("Show the sky again (Ctrl+L)")},
+                                             page);
     connect(back, &QPushButton::clicked, this, [this] { Q_EMIT m_charts->largeWanted(false); });
     column->addStretch(1);
     column->addWidget(text);

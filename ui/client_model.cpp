@@ -63,13 +63,15 @@ QString roleWord(const ClientStatus& client)
     return word;
 }
 
+ClientModel::ClientModel(QObject* parent)
+    : TableModel({tr("Address"), tr("Program"), tr("1/s"), tr("Last"), tr("Control")}, parent)
+{}
+
 void ClientModel::show(const std::vector<ClientStatus>& clients)
 {
     if (std::ranges::equal(clients, m_clients, {}, &ClientStatus::id, &ClientStatus::id)) {
         m_clients = clients;
-        if (!m_clients.empty()) {
-            Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
-        }
+        changeCells();
         return;
     }
     beginResetModel();
@@ -81,16 +83,6 @@ std::optional<int> ClientModel::rowOf(std::uint64_t id) const
 {
     const auto found = std::ranges::find(m_clients, id, &ClientStatus::id);
     return found == m_clients.end() ? std::nullopt : std::optional(static_cast<int>(found - m_clients.begin()));
-}
-
-int ClientModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_clients.size());
-}
-
-int ClientModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
 }
 
 QVariant ClientModel::data(const QModelIndex& index, int role) const
@@ -107,25 +99,6 @@ QVariant ClientModel::data(const QModelIndex& index, int role) const
             return one.wanting && index.column() == Role ? QVariant(currentTheme().warning) : QVariant();
         default:
             return {};
-    }
-}
-
-QVariant ClientModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
-        return {};
-    }
-    switch (section) {
-        case Address:
-            return tr("Address");
-        case Program:
-            return tr("Program");
-        case Rate:
-            return tr("1/s");
-        case LastCommand:
-            return tr("Last");
-        default:
-            return tr("Control");
     }
 }
 

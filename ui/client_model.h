@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/station/station_status.h"
-
-#include <QAbstractTableModel>
+#include "ui/table_model.h"
 
 #include <optional>
 #include <vector>
@@ -12,7 +11,7 @@
 // and what wants to be looked at has a shape.
 namespace boresight::ui {
 
-class ClientModel : public QAbstractTableModel
+class ClientModel : public TableModel
 {
     Q_OBJECT
 
@@ -23,21 +22,20 @@ public:
         Program,
         Rate,
         LastCommand,
-        Role,
-        ColumnCount
+        Role
     };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit ClientModel(QObject* parent = nullptr);
 
     void show(const std::vector<ClientStatus>& clients);
 
     [[nodiscard]] const ClientStatus& client(int row) const { return m_clients.at(static_cast<std::size_t>(row)); }
     [[nodiscard]] std::optional<int> rowOf(std::uint64_t id) const;
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+protected:
+    [[nodiscard]] std::size_t rows() const override { return m_clients.size(); }
 
 private:
     std::vector<ClientStatus> m_clients;

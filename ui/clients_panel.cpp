@@ -2,11 +2,14 @@
 #include "ui/clients_panel.h"
 
 #include "core/rotctld/peer_address.h"
+#include "ui/caption.h"
 #include "ui/choice_button.h"
 #include "ui/client_model.h"
 #include "ui/clients_permission.h"
 #include "ui/command_button.h"
 #include "ui/gpredict_settings.h"
+#include "ui/push_button.h"
+#include "ui/read_table.h"
 #include "ui/value_label.h"
 #include "ui/widest.h"
 
@@ -14,7 +17,6 @@
 #include <QButtonGroup>
 #include <QClipboard>
 #include <QHeaderView>
-#include <QLabel>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -89,9 +91,7 @@ QWidget* ClientsPanel::makeRules()
     auto* const row = new QHBoxLayout(box);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
-    auto* const title = new QLabel(tr("Who moves:"), box);
-    title->setFont(fonts::label());
-    row->addWidget(title);
+    row->addWidget(makeCaption(tr("Who moves:"), box));
     auto* const group = new QButtonGroup(box);
     for (ChoiceButton* const button : {m_first, m_last, m_locked}) {
         group->addButton(button);
@@ -102,27 +102,11 @@ QWidget* ClientsPanel::makeRules()
 
 QTableView* ClientsPanel::makeTable()
 {
-    auto* const table = new QTableView(this);
-    table->setModel(m_model);
-    table->setFont(fonts::label());
+    QTableView* const table = makeReadTable(tr("Clients"), *m_model, this);
     table->setObjectName(QStringLiteral("clients"));
-    table->setAccessibleName(tr("Clients"));
-    table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->setSelectionMode(QAbstractItemView::SingleSelection);
-    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setTabKeyNavigation(false);  // no focus trap
-    table->setShowGrid(false);
-    table->setWordWrap(false);
-    table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    table->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);  // the plot gets what is left
     const QFontMetrics metrics = table->fontMetrics();
-    table->setMinimumHeight(4 * metrics.lineSpacing());
-    table->verticalHeader()->hide();
     table->verticalHeader()->setDefaultSectionSize(metrics.lineSpacing() + 8);
     QHeaderView* const header = table->horizontalHeader();
-    header->setFont(fonts::label());
-    header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    header->setHighlightSections(false);
     header->setSectionResizeMode(QHeaderView::Stretch);
     header->setSectionResizeMode(ClientModel::Address, QHeaderView::ResizeToContents);
     // A header measures its contents when rows come and go, not when their words change: these have room for any.
@@ -141,12 +125,11 @@ QWidget* ClientsPanel::makeGpredict()
     auto* const box = new QWidget(this);
     auto* const row = new QHBoxLayout(box);
     row->setContentsMargins(0, 0, 0, 0);
-    auto* const copy = new QPushButton(tr("Copy"), box);
-    copy->setFont(fonts::label());
-    copy->setAccessibleName(tr("Copy the settings for Gpredict"));
-    copy->setToolTip(tr("All that Gpredict must be told, for its dialogs"));
-    copy->setMinimumSize(kTouchSize, kTouchSize);
-    copy->setAutoDefault(false);
+    QPushButton* const copy = makePushButton({.text = tr("Copy"),
+                                              .name = tr("Copy the settings for Gpredict"),
+                                              .help = tr("All that Gpredict must be told, for its dialogs")},
+                                             box);
+    copy->setMinimumWidth(kTouchSize);
     connect(copy, &QPushButton::clicked, this, &ClientsPanel::copySettings);
     row->addWidget(m_gpredict, 1);
     row->addWidget(copy);

@@ -55,10 +55,10 @@ void CompassDial::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(fonts::label());
     const QFontMetricsF metrics(painter.font());
-    const QPointF middle = QRectF(rect()).center();
     const double radius =
         std::min(width() - 2.0 * metrics.horizontalAdvance(QStringLiteral("270")), height() - 2.0 * metrics.height()) /
         2.0;
+    const QPointF middle(QRectF(rect()).center().x(), radius + metrics.height());  // beside its words, at the top
     painter.setPen(colours.grid);
     painter.setBrush(colours.plotGround);
     painter.drawEllipse(middle, radius, radius);

@@ -8,12 +8,36 @@
 #include <qwt_scale_map.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace boresight::ui {
 
 namespace {
-constexpr double kSize = 3.5;  // px, half a sample
-constexpr int kStep = 3;       // degrees between points of the curve
+
+constexpr double kSize = 2.5;  // px, half a sample
+// Samples lie upon each other and beside the curve, which is to be seen through them.
+constexpr int kSampleAlpha = 130;
+constexpr double kCurveWidth = 2.0;  // px
+constexpr double kHalo = 5.0;        // px, of the ground around it
+constexpr int kStep = 3;             // degrees between points of the curve
+
+SampleShape shapeOf(bool isUsed, bool clockwise)
+{
+    return !isUsed ? SampleShape::LeftOut : clockwise ? SampleShape::Clockwise : SampleShape::Back;
+}
+
+QColor translucent(QColor colour)
+{
+    colour.setAlpha(kSampleAlpha);
+    return colour;
+}
+
+// What lies beyond the scale stands at its edge.
+double heightOf(Angle error, const QwtScaleMap& errorMap, const QRectF& canvas)
+{
+    return std::clamp(errorMap.transform(error.degrees()), canvas.top() + kSize, canvas.bottom() - kSize);
+}
+
 }  // namespace
 
 void drawSample(QPainter& painter, SampleShape shape, QPointF at)
@@ -23,8 +47,8 @@ void drawSample(QPainter& painter, SampleShape shape, QPointF at)
     switch (shape) {
         case SampleShape::Clockwise:
         case SampleShape::Back:
-            painter.setPen(QPen(shape == SampleShape::Back ? colours.secondary : colours.text, 1.0));
-            painter.setBrush(shape == SampleShape::Back ? QBrush(Qt::NoBrush) : QBrush(colours.text));
+            painter.setPen(QPen(translucent(shape == SampleShape::Back ? colours.secondary : colours.text), 1.0));
+            painter.setBrush(shape == SampleShape::Back ? QBrush(Qt::NoBrush) : QBrush(translucent(colours.text)));
             painter.drawPolygon(
                 QPolygonF{at + QPointF(side, 0.0), at + QPointF(-side, kSize), at + QPointF(-side, -kSize)});
             break;
@@ -39,14 +63,14 @@ void drawSample(QPainter& painter, SampleShape shape, QPointF at)
 void SwingItem::draw(QPainter* painter, const QwtScaleMap& headingMap, const QwtScaleMap& errorMap,
                      const QRectF& canvas) const
 {
-    if (!m_swing) {
-        return;
-    }
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
-    drawUnreliable(*painter, headingMap, canvas);
-    drawSamples(*painter, headingMap, errorMap, canvas);
-    drawCurve(*painter, headingMap, errorMap);
+    if (m_swing) {
+        drawUnreliable(*painter, headingMap, canvas);
+        drawSamples(*painter, headingMap, errorMap, canvas);
+        drawCurve(*painter, headingMap, errorMap);
+    }
+    drawDots(*painter, headingMap, errorMap, canvas);
     painter->restore();
 }
 
@@ -76,29 +100,34 @@ void SwingItem::drawCurve(QPainter& painter, const QwtScaleMap& headingMap, cons
         const Angle error = m_swing->fit.curve.deviation(Angle::fromDegrees(heading));
         curve << QPointF(headingMap.transform(heading), errorMap.transform(error.degrees()));
     }
-    painter.setPen(QPen(currentTheme().accent, 2.0));
-    painter.drawPolyline(curve);
+    for (const auto& [colour, width] :
+         {std::pair(currentTheme().plotGround, kHalo), std::pair(currentTheme().accent, kCurveWidth)}) {
+        painter.setPen(QPen(colour, width));
+        painter.drawPolyline(curve);
+    }
 }
 
-// The residual of each as a line to the curve; what lies beyond the scale stands at its edge.
+void SwingItem::drawDots(QPainter& painter, const QwtScaleMap& headingMap, const QwtScaleMap& errorMap,
+                         const QRectF& canvas) const
+{
+    for (const calibration::SwingDot& dot : m_dots) {
+        drawSample(painter, shapeOf(dot.isUsed, dot.turning == calibration::Turning::Clockwise),
+                   {headingMap.transform(dot.heading.degrees()), heightOf(dot.error, errorMap, canvas)});
+    }
+}
+
+// The residual of each as a line to the curve.
 void SwingItem::drawSamples(QPainter& painter, const QwtScaleMap& headingMap, const QwtScaleMap& errorMap,
                             const QRectF& canvas) const
 {
     for (const calibration::SwingResidual& one : m_swing->fit.samples) {
-        const bool isUsed = one.fate == calibration::SampleFate::Used;
         const bool clockwise = one.sample >= m_swing->samples.size() ||
                                m_swing->samples[one.sample].turning == calibration::Turning::Clockwise;
         const double x = headingMap.transform(one.heading.wrapped360().degrees());
-        const auto y = [&](Angle error) {
-            return std::clamp(errorMap.transform(error.degrees()), canvas.top() + kSize, canvas.bottom() - kSize);
-        };
+        const double y = heightOf(one.error, errorMap, canvas);
         painter.setPen(QPen(currentTheme().secondary, 0.7));
-        painter.drawLine(QPointF(x, y(one.error)), QPointF(x, y(one.error - one.residual)));
-        drawSample(painter,
-                   !isUsed     ? SampleShape::LeftOut
-                   : clockwise ? SampleShape::Clockwise
-                               : SampleShape::Back,
-                   {x, y(one.error)});
+        painter.drawLine(QPointF(x, y), QPointF(x, heightOf(one.error - one.residual, errorMap, canvas)));
+        drawSample(painter, shapeOf(one.fate == calibration::SampleFate::Used, clockwise), {x, y});
     }
 }
 

@@ -7,6 +7,7 @@
 #include <qwt_plot_item.h>
 
 #include <memory>
+#include <vector>
 
 class QPainter;
 
@@ -17,7 +18,9 @@ namespace boresight::ui {
 class SwingItem final : public QwtPlotItem
 {
 public:
+    // One or the other: what a swing has found, or its readings as they come.
     void setSwing(std::shared_ptr<const SwingOutcome> swing) { m_swing = std::move(swing); }
+    void setDots(std::vector<calibration::SwingDot> dots) { m_dots = std::move(dots); }
 
     void draw(QPainter* painter, const QwtScaleMap& headingMap, const QwtScaleMap& errorMap,
               const QRectF& canvas) const override;
@@ -25,10 +28,13 @@ public:
 private:
     void drawUnreliable(QPainter& painter, const QwtScaleMap& headingMap, const QRectF& canvas) const;
     void drawCurve(QPainter& painter, const QwtScaleMap& headingMap, const QwtScaleMap& errorMap) const;
+    void drawDots(QPainter& painter, const QwtScaleMap& headingMap, const QwtScaleMap& errorMap,
+                  const QRectF& canvas) const;
     void drawSamples(QPainter& painter, const QwtScaleMap& headingMap, const QwtScaleMap& errorMap,
                      const QRectF& canvas) const;
 
     std::shared_ptr<const SwingOutcome> m_swing;
+    std::vector<calibration::SwingDot> m_dots;
 };
 
 // A used sample points the way the mount turned; one that is left out is a cross. Also for the legend.

@@ -12,6 +12,7 @@
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_grid.h>
 #include <qwt_plot_layout.h>
+#include <qwt_scale_div.h>
 #include <qwt_scale_draw.h>
 #include <qwt_scale_map.h>
 #include <qwt_scale_widget.h>
@@ -22,8 +23,16 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr double kLimits[] = {2.0, 5.0, 10.0, 20.0, 30.0, 45.0, 60.0, 90.0};  // degrees
-constexpr int kGap = 5;                                                       // px, between the parts of the legend
+constexpr double kLimits[] = {2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0};  // degrees
+constexpr double kNoSwing = 10.0;                                                   // degrees, up and down
+constexpr double kOtherSide = 0.25;  // of the higher side: else the figures of 0 and of the lower one overlap
+constexpr int kGap = 5;              // px, between the parts of the legend
+
+double limitFor(double largest)
+{
+    const auto fitting = std::ranges::find_if(kLimits, [&](double limit) { return limit >= largest; });
+    return fitting == std::end(kLimits) ? 180.0 : *fitting;
+}
 
 int captionHeight()
 {
@@ -93,7 +102,10 @@ void DeviationPlot::changeEvent(QEvent* event)
 void DeviationPlot::showSwing(std::shared_ptr<const SwingOutcome> swing)
 {
     m_swing = std::move(swing);
+    m_turns = false;
+    m_dots.clear();
     m_item->setSwing(m_swing);
+    m_item->setDots({});
     fitScale();
     setAccessibleDescription(m_swing ? tr("%1 samples, first harmonic %2, second %3, scatter %4")
                                            .arg(m_swing->fit.samples.size())
@@ -105,20 +117,47 @@ void DeviationPlot::showSwing(std::shared_ptr<const SwingOutcome> swing)
     update();
 }
 
-// What the fit has not used may lie far out and does not count.
+void DeviationPlot::showDots(const std::vector<calibration::SwingDot>& dots, const QString& said)
+{
+    if (accessibleDescription() != said) {
+        setAccessibleDescription(said);
+    }
+    if (m_turns && dots == m_dots) {
+        return;
+    }
+    m_swing.reset();
+    m_turns = true;
+    m_dots = dots;
+    m_item->setSwing(nullptr);
+    m_item->setDots(dots);
+    fitScale();
+    m_plot->replot();
+    update();
+}
+
+// What the fit has not used may lie far out and does not count. As long as it turns, the scale does not begin small.
+// Each side has its own end: the curve fills the plot, so that one sees how the readings scatter about it.
 void DeviationPlot::fitScale()
 {
-    double largest = 0.0;
+    const double atFirst = m_swing ? 0.0 : kNoSwing;
+    double least = -atFirst;
+    double most = atFirst;
+    const auto take = [&](Angle error, bool isUsed) {
+        least = isUsed ? std::min(least, error.degrees()) : least;
+        most = isUsed ? std::max(most, error.degrees()) : most;
+    };
+    for (const calibration::SwingDot& dot : m_dots) {
+        take(dot.error, dot.isUsed);
+    }
     if (m_swing) {
         for (const calibration::SwingResidual& one : m_swing->fit.samples) {
-            if (one.fate == calibration::SampleFate::Used) {
-                largest = std::max(largest, abs(one.error).degrees());
-            }
+            take(one.error, one.fate == calibration::SampleFate::Used);
         }
     }
-    const auto fitting = std::ranges::find_if(kLimits, [&](double limit) { return limit >= largest; });
-    m_limit = m_swing == nullptr ? 10.0 : fitting == std::end(kLimits) ? 180.0 : *fitting;
-    m_plot->setAxisScale(QwtAxis::YLeft, -m_limit, m_limit, m_limit);
+    m_lowest = -limitFor(std::max(-least, most * kOtherSide));
+    m_highest = limitFor(std::max(most, -least * kOtherSide));
+    const QList<double> ticks{m_lowest, 0.0, m_highest};
+    m_plot->setAxisScaleDiv(QwtAxis::YLeft, QwtScaleDiv(m_lowest, m_highest, {}, {}, ticks));
     m_plot->updateAxes();
 }
 

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <vector>
 
 class QwtPlot;
 class QwtPlotGrid;
@@ -25,9 +26,13 @@ public:
     ~DeviationPlot() override;
 
     void showSwing(std::shared_ptr<const SwingOutcome> swing);  // null: none
+    // In its place, while a swing turns: its readings so far, perhaps thinned, and what the run says of all of them.
+    void showDots(const std::vector<calibration::SwingDot>& dots, const QString& said);
 
     [[nodiscard]] QPointF pixel(Angle heading, Angle error) const;  // for the test of what is painted
-    [[nodiscard]] double limit() const { return m_limit; }          // degrees, up and down
+    // The ends of the scale, in degrees.
+    [[nodiscard]] double lowest() const { return m_lowest; }
+    [[nodiscard]] double highest() const { return m_highest; }
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {200, 66}; }
     [[nodiscard]] QSize sizeHint() const override { return {300, 140}; }
@@ -42,7 +47,10 @@ private:
     void fitScale();
 
     std::shared_ptr<const SwingOutcome> m_swing;
-    double m_limit = 10.0;
+    std::vector<calibration::SwingDot> m_dots;
+    bool m_turns = false;  // dots are shown
+    double m_lowest = -10.0;
+    double m_highest = 10.0;
     std::unique_ptr<QwtPlotGrid> m_grid;
     std::unique_ptr<SwingItem> m_item;
     QwtPlot* m_plot;

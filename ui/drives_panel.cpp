@@ -2,6 +2,7 @@
 #include "ui/drives_panel.h"
 
 #include "ui/axes.h"
+#include "ui/caption.h"
 #include "ui/command_button.h"
 #include "ui/drives_permission.h"
 #include "ui/format.h"
@@ -10,7 +11,6 @@
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QLabel>
 
 namespace boresight::ui {
 
@@ -20,13 +20,6 @@ namespace {
 constexpr AngularRate kSlowestProof = 0.5_deg_s;
 constexpr AngularRate kFastestProof = 5_deg_s;
 constexpr AngularRate kUsualProof = 2_deg_s;
-
-QLabel* caption(const QString& text, QWidget* parent)
-{
-    auto* const label = new QLabel(text, parent);
-    label->setFont(fonts::label());
-    return label;
-}
 
 QFrame* rule(QWidget* parent)
 {
@@ -145,7 +138,7 @@ QWidget* DrivesPanel::makeIdentities()
     grid->setHorizontalSpacing(12);
     int column = 1;
     for (const QString& heading : {tr("ID"), tr("UUID"), tr("FIRMWARE"), tr("REGISTER MAP"), tr("TURN")}) {
-        grid->addWidget(caption(heading, box), 0, column++);
+        grid->addWidget(makeCaption(heading, box), 0, column++);
     }
     for (const Axis axis : kAxes) {
         const auto value = [&](const QString& what, const QString& widest) {
@@ -160,7 +153,7 @@ QWidget* DrivesPanel::makeIdentities()
         row.turn->setFont(fonts::label());
         row.turn->setSymbolRoom(true);
         const int line = static_cast<int>(axisIndex(axis)) + 1;
-        grid->addWidget(caption(shortName(axis), box), line, 0);
+        grid->addWidget(makeCaption(shortName(axis), box), line, 0);
         column = 1;
         for (ValueLabel* const label : {row.id, row.uuid, row.firmware, row.registerMap, row.turn}) {
             grid->addWidget(label, line, column++, Qt::AlignVCenter);
@@ -178,11 +171,9 @@ QWidget* DrivesPanel::makeProof()
     auto* const grid = new QGridLayout(box);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(4);
-    QLabel* const heading = caption(tr("Crash-stop proof: how each axis stops when its drive is really not fed"), box);
-    QLabel* const rate = caption(tr("Rate"), box);
-    rate->setBuddy(m_rate);
-    grid->addWidget(heading, 0, 0, 1, 4);
-    grid->addWidget(rate, 1, 0);
+    const QString what = tr("Crash-stop proof: how each axis stops when its drive is really not fed");
+    grid->addWidget(makeCaption(what, box), 0, 0, 1, 4);
+    grid->addWidget(makeCaption(tr("Rate"), *m_rate), 1, 0);
     grid->addWidget(m_rate, 1, 1);
     grid->addWidget(m_run, 1, 2);
     grid->addWidget(m_proof, 1, 3, Qt::AlignVCenter);
@@ -192,7 +183,7 @@ QWidget* DrivesPanel::makeProof()
         result->setStretching(true);
         m_crashStops[axisIndex(axis)] = result;
         const int line = static_cast<int>(axisIndex(axis)) + 2;
-        grid->addWidget(caption(shortName(axis), box), line, 0);
+        grid->addWidget(makeCaption(shortName(axis), box), line, 0);
         grid->addWidget(result, line, 1, 1, 3, Qt::AlignVCenter);
     }
     return box;

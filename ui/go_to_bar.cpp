@@ -2,12 +2,12 @@
 #include "ui/go_to_bar.h"
 
 #include "core/base/numbers.h"
+#include "ui/caption.h"
 #include "ui/command_button.h"
 #include "ui/touch_combo.h"
 #include "ui/value_label.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
 
 #include <algorithm>
@@ -17,13 +17,6 @@ namespace boresight::ui {
 namespace {
 
 constexpr qsizetype kRecent = 10;
-
-QLabel* caption(const QString& text, QWidget* parent)
-{
-    auto* const label = new QLabel(text, parent);
-    label->setFont(fonts::label());
-    return label;
-}
 
 QLineEdit* angleField(const QString& name, QWidget* parent)
 {
@@ -83,11 +76,9 @@ void GoToBar::build()
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
     for (const auto& [text, field] : {std::pair(tr("Az"), m_azimuth), std::pair(tr("El"), m_elevation)}) {
-        QLabel* const label = caption(text, this);
-        label->setBuddy(field);
-        row->addWidget(label);
+        row->addWidget(makeCaption(text, *field));
         row->addWidget(field);
-        row->addWidget(caption(QStringLiteral("°"), this));
+        row->addWidget(makeCaption(QStringLiteral("°"), this));
     }
     row->addWidget(m_go);
     row->addWidget(m_recentBox, 1);

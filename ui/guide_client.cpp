@@ -3,12 +3,12 @@
 
 #include "ui/command_button.h"
 #include "ui/gpredict_settings.h"
+#include "ui/push_button.h"
 #include "ui/value_label.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QPlainTextEdit>
-#include <QPushButton>
 #include <QVBoxLayout>
 
 namespace boresight::ui {
@@ -30,7 +30,10 @@ QString clientsText(const StationStatus& status)
 GuideClient::GuideClient(QWidget* parent)
     : QWidget(parent),
       m_settings(new QPlainTextEdit(this)),
-      m_copy(new QPushButton(tr("Copy"), this)),
+      m_copy(makePushButton({.text = tr("Copy"),
+                             .name = tr("Copy the settings for Gpredict"),
+                             .help = tr("Put the settings for Gpredict into the clipboard")},
+                            this)),
       m_there(new ValueLabel(tr("Programs that are connected"), fonts::label(), {}, this))
 {
     auto* const column = new QVBoxLayout(this);
@@ -40,11 +43,7 @@ GuideClient::GuideClient(QWidget* parent)
     m_settings->setReadOnly(true);
     m_settings->setTabChangesFocus(true);
     m_settings->setAccessibleName(tr("Settings for Gpredict"));
-    m_copy->setFont(fonts::label());
-    m_copy->setAutoDefault(false);
-    m_copy->setAccessibleName(tr("Copy the settings for Gpredict"));
-    m_copy->setToolTip(tr("Put the settings for Gpredict into the clipboard"));
-    m_copy->setMinimumSize(2 * kTouchSize, kTouchSize);
+    m_copy->setMinimumWidth(2 * kTouchSize);
     m_there->setStretching(true);
     m_there->setLines(2);
     auto* const row = new QHBoxLayout;

@@ -7,6 +7,7 @@
 #include "ui/drives_permission.h"
 #include "ui/format.h"
 #include "ui/host_desk.h"
+#include "ui/push_button.h"
 #include "ui/survey_words.h"
 #include "ui/value_label.h"
 
@@ -55,7 +56,8 @@ GuideConnect::GuideConnect(ProfileChange& change, RequestDesk& desk, HostDesk& h
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_list(new QListWidget(this)),
       m_found(new QPlainTextEdit(this)),
-      m_refresh(new QPushButton(tr("Look again"), this)),
+      m_refresh(makePushButton(
+          {.text = tr("Look again"), .help = tr("List the adapters anew, after one was plugged in")}, this)),
       m_scan(new CommandButton(tr("Scan"), tr("Ask who is on the selected bus; nothing moves"), desk, *m_notice, this)),
       m_use(
           new CommandButton(tr("Use this"), tr("Connect to the mount by the selected adapter"), desk, *m_notice, this))
@@ -82,10 +84,6 @@ void GuideConnect::build()
     m_found->setTabChangesFocus(true);
     m_found->setAccessibleName(tr("Who answers"));
     m_found->setMinimumHeight(3 * m_found->fontMetrics().lineSpacing() + 8);
-    m_refresh->setFont(fonts::label());
-    m_refresh->setAutoDefault(false);
-    m_refresh->setAccessibleName(tr("Look again"));
-    m_refresh->setToolTip(tr("List the adapters anew, after one was plugged in"));
     m_refresh->setMinimumSize(m_scan->minimumSizeHint());
     m_notice->setStretching(true);
     m_notice->setCollapsing(true);

@@ -4,7 +4,6 @@
 #include "ui/theme.h"
 
 #include <QDoubleSpinBox>
-#include <QLabel>
 
 namespace boresight::ui {
 
@@ -24,13 +23,6 @@ QDoubleSpinBox* makeField(const NumberField& field, QWidget* parent)
     box->setAccessibleName(field.name);
     box->setToolTip(field.help);
     return box;
-}
-
-QLabel* makeCaption(const QString& text, QWidget* parent)
-{
-    auto* const label = new QLabel(text, parent);
-    label->setFont(fonts::label());
-    return label;
 }
 
 }  // namespace boresight::ui

@@ -4,7 +4,6 @@
 #include <QString>
 
 class QDoubleSpinBox;
-class QLabel;
 class QWidget;
 
 // The fields of the guide's pages, all alike: numbers with a point, a unit, and a size that a gloved finger hits.
@@ -21,6 +20,5 @@ struct NumberField
 };
 
 [[nodiscard]] QDoubleSpinBox* makeField(const NumberField& field, QWidget* parent);
-[[nodiscard]] QLabel* makeCaption(const QString& text, QWidget* parent);
 
 }  // namespace boresight::ui

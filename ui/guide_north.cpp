@@ -4,21 +4,61 @@
 #include "core/pointing/pointing_model.h"
 #include "core/profile/commissioning.h"
 #include "ui/axes.h"
+#include "ui/calibration_words.h"
+#include "ui/caption.h"
 #include "ui/command_button.h"
 #include "ui/format.h"
 #include "ui/guide_fields.h"
 #include "ui/hold_buttons.h"
-#include "ui/jog_button.h"
+#include "ui/motion_permission.h"
+#include "ui/push_button.h"
 #include "ui/value_label.h"
 
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+
+#include <algorithm>
 
 namespace boresight::ui {
 
 namespace {
+
 constexpr Angle kNearZenith = 5_deg;  // so near to it an azimuth says little
+
+// What the history of the North panel says that is in force; null: nothing.
+const CalibrationHistoryEntry* inForce(const StationStatus& status)
+{
+    const auto& history = calibrationOf(status).history;
+    const auto found = std::ranges::find_if(history, &CalibrationHistoryEntry::inForce);
+    return found == history.end() ? nullptr : &*found;
+}
+
+// Empty: nobody has told this mount where north is, or it was told of other drives or another place.
+QString knownText(const StationStatus& status, Angle offset)
+{
+    if (offset == Angle{} || !calibrationOf(status).otherMount.isEmpty()) {
+        return {};
+    }
+    const CalibrationHistoryEntry* const entry = inForce(status);
+    return entry == nullptr ? GuideNorth::tr("North is known: azimuth offset %1, set by hand.").arg(angleText(offset))
+                            : GuideNorth::tr("North is known: azimuth offset %1, from \"%2\" of %3.")
+                                  .arg(angleText(offset), entry->title, minuteText(entry->when));
+}
+
+QString explanation(const QString& known)
+{
+    return known.isEmpty()
+               ? GuideNorth::tr(
+                     "Point the antenna at a landmark whose bearing is known, and type the bearing. Or ask "
+                     "the sensor, the Sun or the Moon. Without any press Skip: north can wait, everything "
+                     "else works.")
+               : known + QLatin1Char(' ') +
+                     GuideNorth::tr("Press Next to keep it. To replace it, type where the antenna really points.");
+}
+
 }  // namespace
 
 GuideNorth::GuideNorth(ProfileChange& change, RequestDesk& desk, QWidget* parent)
@@ -34,24 +74,22 @@ GuideNorth::GuideNorth(ProfileChange& change, RequestDesk& desk, QWidget* parent
                          .max = 360.0,
                          .unit = QStringLiteral("°")},
                         this)),
+      m_replace(new QCheckBox(tr("Replace the known north"), this)),
       m_hold(new HoldButtons(desk, *m_notice, tr("Move"), {}, this)),
       m_set(new CommandButton(tr("Set north"), tr("Sets the azimuth offset of the pointing model; nothing moves"), desk,
                               *m_notice, this)),
-      m_panel(new QPushButton(tr("Sensor, Sun, Moon (Ctrl+9)"), this))
+      m_panel(makePushButton({.text = tr("Sensor, Sun, Moon (Ctrl+9)"),
+                              .help = tr("To the panel North, which finds it by them; F3 comes back")},
+                             this))
 {
-    m_explanation->setValue(
-        tr("Point the antenna at a landmark whose bearing is known, and type the bearing. Or ask the sensor, the Sun "
-           "or the Moon. Without any press Skip: north can wait, everything else works."));
-    const auto add = [this](JogDirection direction, const QString& text) {
-        m_hold->addButton(direction, text, tr("Moves the %1 slowly while held").arg(name(Axis::Azimuth)));
-    };
-    add(JogDirection::Left, tr("AZ ↺ hold"));
-    add(JogDirection::Right, tr("AZ ↻ hold"));
-    m_hold->setKeyHeld(true);
+    const QString help = tr("Moves the %1 slowly while held").arg(name(Axis::Azimuth));
+    m_hold->addAxis(Axis::Azimuth, help, help);
     build();
-    connect(m_truth, &QDoubleSpinBox::valueChanged, this, &GuideNorth::showEffect);
+    connect(m_truth, &QDoubleSpinBox::valueChanged, this, &GuideNorth::type);
+    connect(m_truth->findChild<QLineEdit*>(), &QLineEdit::textEdited, this, &GuideNorth::type);  // emptied, too
+    connect(m_replace, &QCheckBox::toggled, this, &GuideNorth::showEffect);
     connect(m_set, &QPushButton::clicked, this, [this] { m_change.ask(*m_set, edit()); });
-    connect(m_set, &CommandButton::accepted, this, &GuideNorth::done);
+    connect(m_set, &CommandButton::accepted, this, &GuideNorth::taken);
     connect(m_panel, &QPushButton::clicked, this, &GuideNorth::panelWanted);
 }
 
@@ -63,24 +101,21 @@ void GuideNorth::build()
     m_explanation->setLines(3);
     m_effect->setLines(3);
     m_notice->setCollapsing(true);
-    m_panel->setFont(fonts::label());
-    m_panel->setAutoDefault(false);
-    m_panel->setMinimumHeight(kTouchSize);
-    m_panel->setAccessibleName(m_panel->text());
-    m_panel->setToolTip(tr("To the panel North, which finds it by them; F3 comes back"));
+    m_replace->setFont(fonts::label());
+    m_replace->setAccessibleName(m_replace->text());
+    m_replace->setVisible(false);
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(6);
-    auto* const caption = makeCaption(tr("It really points to"), this);
-    caption->setBuddy(m_truth);
     grid->addWidget(m_explanation, 0, 0, 1, 3);
     grid->addWidget(m_pointing, 1, 0, 1, 2);
     grid->addWidget(m_hold, 1, 2);
-    grid->addWidget(caption, 2, 0);
+    grid->addWidget(makeCaption(tr("It really points to"), *m_truth), 2, 0);
     grid->addWidget(m_truth, 2, 1);
     grid->addWidget(m_set, 2, 2);
     grid->addWidget(m_effect, 3, 0, 1, 3);
-    grid->addWidget(m_panel, 4, 0, 1, 3, Qt::AlignLeft);
+    grid->addWidget(m_panel, 4, 0, 1, 2, Qt::AlignLeft);
+    grid->addWidget(m_replace, 4, 2, Qt::AlignLeft);  // in a row that is there: 700 px hold no more
     grid->addWidget(m_notice, 6, 0, 1, 3);
     grid->setColumnStretch(1, 1);
     grid->setRowStretch(5, 1);
@@ -91,7 +126,35 @@ void GuideNorth::showStatus(const StationStatus& status)
     m_status = status;
     m_hold->setRate(status.profile->jog.slow);
     m_hold->showStatus(status);
+    showKnown();
     showEffect();
+}
+
+void GuideNorth::type()
+{
+    m_typed = true;
+    showEffect();
+}
+
+// Once is not for ever: the next one is typed, and meant, anew.
+void GuideNorth::taken()
+{
+    m_typed = false;
+    m_replace->setChecked(false);
+    Q_EMIT done();
+}
+
+void GuideNorth::showKnown()
+{
+    const QString known = knownText(m_status, m_change.applied().pointing.azimuthOffset);
+    m_known = !known.isEmpty();
+    m_explanation->setValue(explanation(known));
+    m_replace->setVisible(m_known);
+}
+
+bool GuideNorth::isBeamKnown() const
+{
+    return m_status.actual && areTurnsKnown(m_status) && freshness(m_status.azimuth.age) != Freshness::NoData;
 }
 
 AxisPosition GuideNorth::axes() const
@@ -103,19 +166,18 @@ AxisPosition GuideNorth::axes() const
 QString GuideNorth::whyNot() const
 {
     for (const Axis axis : kAxes) {
-        const AxisStatus& now = axisOf(m_status, axis);
-        if (!now.actual || freshness(now.age) != Freshness::Live) {
-            return tr("the drive does not say where the %1 is").arg(name(axis));
-        }
-        if (!isTurnKnown(m_status, axis)) {
-            return tr("which turn the %1 is on is not known yet").arg(name(axis));
-        }
-        if (now.state == AxisState::Moving) {
-            return tr("the mount moves: stop it first");
+        if (const QString reason = whyNoPlace(m_status, axis); !reason.isEmpty()) {
+            return reason;
         }
     }
     if (abs(axes().elevation - 90_deg) < kNearZenith) {
         return tr("the antenna looks up: lower it first");
+    }
+    if (!m_typed) {
+        return tr("type where it really points first");
+    }
+    if (m_known && !m_replace->isChecked()) {
+        return tr("north is known: tick that it shall be replaced first");
     }
     return m_change.whyNot(m_status, edit());
 }
@@ -130,20 +192,22 @@ ProfileChange::Edit GuideNorth::edit() const
 void GuideNorth::showEffect()
 {
     const profile::Profile& now = m_change.applied();
-    const bool known =
-        m_status.actual && areTurnsKnown(m_status) && freshness(m_status.azimuth.age) != Freshness::NoData;
+    const bool known = isBeamKnown();
     const SkyPointing beam = pointing::upright(pointing::PointingModel(now.pointing).toSky(axes()));
+    if (known && !m_typed) {
+        const QSignalBlocker silent(m_truth);
+        m_truth->setValue(beam.azimuth.degrees());
+    }
     m_pointing->setValue(tr("It says it points to %1").arg(known ? angleText(beam.azimuth) : noValue()));
     m_set->setBlocked(whyNot());
-    if (!known) {
+    if (!known || !m_typed) {
         m_effect->setValue({});
         return;
     }
     profile::Profile then = now;
     edit()(then);
-    m_effect->setValue(tr("Azimuth offset %1 → %2, in force at once. Nothing moves; travel, cable and park keep their "
-                          "numbers, horizon "
-                          "and keep-outs are true directions and stay.")
+    m_effect->setValue(tr("Azimuth offset %1 → %2, at once; the way back: tab Mount, Profile, Undo. Nothing moves; "
+                          "travel, cable and park keep their numbers, horizon and keep-outs their true directions.")
                            .arg(angleText(now.pointing.azimuthOffset), angleText(then.pointing.azimuthOffset)),
                        Tone::Secondary);
 }

@@ -6,12 +6,14 @@
 
 #include <QWidget>
 
+class QCheckBox;
 class QDoubleSpinBox;
 class QPushButton;
 
 // The guide's step for north: where the antenna says it points, and where it really points. Only the azimuth offset of
-// the pointing model changes, at once; the antenna stays where it is, and so do the numbers of its cable. The North
-// panel, which asks the sensor, the Sun or the Moon instead, is one press away.
+// the pointing model changes, at once; the antenna stays where it is, and so do the numbers of its cable. The field
+// shows what the beam reads until somebody types, and a north that is known is replaced only when that is ticked too.
+// The North panel, which asks the sensor, the Sun or the Moon instead, is one press away.
 namespace boresight::ui {
 
 class CommandButton;
@@ -33,7 +35,11 @@ Q_SIGNALS:
 
 private:
     void build();
+    void type();
+    void taken();
+    void showKnown();
     void showEffect();
+    [[nodiscard]] bool isBeamKnown() const;
     [[nodiscard]] AxisPosition axes() const;
     [[nodiscard]] QString whyNot() const;
     [[nodiscard]] ProfileChange::Edit edit() const;
@@ -45,6 +51,9 @@ private:
     ValueLabel* m_pointing;
     ValueLabel* m_effect;
     QDoubleSpinBox* m_truth;
+    bool m_typed = false;  // into m_truth
+    bool m_known = false;  // where north is, before anything is typed
+    QCheckBox* m_replace;
     HoldButtons* m_hold;
     CommandButton* m_set;
     QPushButton* m_panel;

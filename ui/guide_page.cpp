@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/guide_page.h"
 
+#include "core/profile/commissioning.h"
 #include "ui/axes.h"
 #include "ui/command_button.h"
 #include "ui/guide_client.h"
@@ -12,6 +13,7 @@
 #include "ui/guide_zero.h"
 #include "ui/motion_permission.h"
 #include "ui/protection_panel.h"
+#include "ui/push_button.h"
 #include "ui/step_button.h"
 #include "ui/value_label.h"
 
@@ -29,6 +31,14 @@ namespace {
 auto placeOf(GuideStep step)
 {
     return std::ranges::find(kGuideSteps, step);
+}
+
+// Whose progress it is. The simulated mount and a real one share the profile, and what was seen of the one says nothing
+// of the other.
+QString mountOf(const StationStatus& status)
+{
+    const QString name = QString::fromStdString(status.profile->mount.name);
+    return profile::isSimulated(*status.profile) ? name + QStringLiteral(" (simulated)") : name;
 }
 
 // Steps whose page moves the mount by hand.
@@ -136,12 +146,7 @@ void GuidePage::build()
 
 QPushButton* GuidePage::makeButton(const QString& text, const QString& help, void (GuidePage::*act)())
 {
-    auto* const button = new QPushButton(text, this);
-    button->setFont(fonts::label());
-    button->setAutoDefault(false);
-    button->setAccessibleName(text);
-    button->setToolTip(help);
-    button->setMinimumHeight(kTouchSize);
+    QPushButton* const button = makePushButton({.text = text, .help = help}, this);
     connect(button, &QPushButton::clicked, this, act);
     return button;
 }
@@ -149,7 +154,7 @@ QPushButton* GuidePage::makeButton(const QString& text, const QString& help, voi
 void GuidePage::showStatus(const StationStatus& status)
 {
     m_status = status;
-    const QString mount = QString::fromStdString(status.profile->mount.name);
+    const QString mount = mountOf(status);
     if (mount != m_progress.mount) {  // another mount: what was said of the one says nothing of the other
         const bool first = m_progress.mount.isEmpty();
         m_progress.mount = mount;

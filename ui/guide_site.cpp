@@ -2,6 +2,7 @@
 #include "ui/guide_site.h"
 
 #include "core/profile/locator.h"
+#include "ui/caption.h"
 #include "ui/command_button.h"
 #include "ui/file_dialog.h"
 #include "ui/guide_fields.h"
@@ -11,7 +12,6 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
 
@@ -110,9 +110,7 @@ void GuideSite::build()
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(6);
     const auto add = [&](int row, int column, const QString& text, QWidget* field) {
-        QLabel* const caption = makeCaption(text, this);
-        caption->setBuddy(field);
-        grid->addWidget(caption, row, column);
+        grid->addWidget(makeCaption(text, *field), row, column);
         grid->addWidget(field, row, column + 1);
     };
     add(0, 0, tr("Latitude (north +)"), m_latitude);

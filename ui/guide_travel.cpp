@@ -3,18 +3,17 @@
 
 #include "core/profile/commissioning.h"
 #include "ui/axes.h"
+#include "ui/caption.h"
 #include "ui/command_button.h"
 #include "ui/format.h"
 #include "ui/guide_fields.h"
 #include "ui/hold_buttons.h"
-#include "ui/jog_button.h"
 #include "ui/limit_bar.h"
+#include "ui/push_button.h"
 #include "ui/value_label.h"
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QLabel>
-#include <QPushButton>
 
 namespace boresight::ui {
 
@@ -76,12 +75,8 @@ QWidget* GuideTravel::makeAxis(Axis axis, RequestDesk& desk)
     row.bar = new LimitBar(box);
     row.bar->setToolTip(tr("Travel of the %1 in force; the pointer is where it is now").arg(name(axis)));
     row.hold = new HoldButtons(desk, *m_notice, tr("Move"), {}, box);
-    const bool azimuth = axis == Axis::Azimuth;
-    row.hold->addButton(azimuth ? JogDirection::Left : JogDirection::Down, azimuth ? tr("AZ ↺ hold") : tr("EL ↓ hold"),
-                        tr("Towards the lower end of %1 while held").arg(name(axis)));
-    row.hold->addButton(azimuth ? JogDirection::Right : JogDirection::Up, azimuth ? tr("AZ ↻ hold") : tr("EL ↑ hold"),
-                        tr("Towards the upper end of %1 while held").arg(name(axis)));
-    row.hold->setKeyHeld(true);
+    row.hold->addAxis(axis, tr("Towards the lower end of %1 while held").arg(name(axis)),
+                      tr("Towards the upper end of %1 while held").arg(name(axis)));
     grid->addWidget(makeCaption(shortName(axis), box), 0, 0);
     grid->addWidget(row.min, 0, 1);
     grid->addWidget(row.minHere, 0, 2);
@@ -96,12 +91,12 @@ QWidget* GuideTravel::makeAxis(Axis axis, RequestDesk& desk)
 
 QPushButton* GuideTravel::makeHere(Axis axis, QDoubleSpinBox& field, const QString& end, QWidget* parent)
 {
-    auto* const button = new QPushButton(tr("Set here"), parent);
-    button->setFont(fonts::label());
-    button->setAutoDefault(false);
+    QPushButton* const button =
+        makePushButton({.text = tr("Set here"),
+                        .name = tr("Set the %1 end of %2 here").arg(end, name(axis)),
+                        .help = tr("The %1 end of %2 is where the axis stands now").arg(end, name(axis))},
+                       parent);
     button->setMinimumHeight(field.minimumHeight());
-    button->setAccessibleName(tr("Set the %1 end of %2 here").arg(end, name(axis)));
-    button->setToolTip(tr("The %1 end of %2 is where the axis stands now").arg(end, name(axis)));
     connect(button, &QPushButton::clicked, this, [this, axis, &field] {
         if (const auto& actual = axisOf(m_status, axis).actual) {
             field.setValue(actual->degrees());

@@ -3,17 +3,17 @@
 
 #include "core/profile/commissioning.h"
 #include "ui/axes.h"
+#include "ui/caption.h"
 #include "ui/command_button.h"
 #include "ui/format.h"
 #include "ui/guide_fields.h"
 #include "ui/hold_buttons.h"
-#include "ui/jog_button.h"
+#include "ui/motion_permission.h"
 #include "ui/value_label.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QLabel>
 
 namespace boresight::ui {
 
@@ -49,12 +49,8 @@ GuideZero::GuideZero(ProfileChange& change, RequestDesk& desk, QWidget* parent)
                         this);
     m_explanation->setValue(
         tr("Bring the antenna level, by a spirit level on it, and set 0° here. Or type what an inclinometer shows."));
-    const auto add = [this](JogDirection direction, const QString& text) {
-        m_hold->addButton(direction, text, tr("Moves the %1 slowly while held").arg(name(kAxis)));
-    };
-    add(JogDirection::Down, tr("EL ↓ hold"));
-    add(JogDirection::Up, tr("EL ↑ hold"));
-    m_hold->setKeyHeld(true);
+    const QString help = tr("Moves the %1 slowly while held").arg(name(kAxis));
+    m_hold->addAxis(kAxis, help, help);
     m_endsStay->setChecked(true);
     build();
     connect(m_truth, &QDoubleSpinBox::valueChanged, this, &GuideZero::showEffect);
@@ -77,12 +73,10 @@ void GuideZero::build()
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(6);
-    auto* const caption = makeCaption(tr("It really is"), this);
-    caption->setBuddy(m_truth);
     grid->addWidget(m_explanation, 0, 0, 1, 3);
     grid->addWidget(m_reading, 1, 0, 1, 2);
     grid->addWidget(m_hold, 1, 2);
-    grid->addWidget(caption, 2, 0);
+    grid->addWidget(makeCaption(tr("It really is"), *m_truth), 2, 0);
     grid->addWidget(m_truth, 2, 1);
     grid->addWidget(m_set, 2, 2);
     grid->addWidget(m_endsStay, 3, 0, 1, 3);
@@ -107,15 +101,9 @@ Angle GuideZero::truth() const
 
 QString GuideZero::whyNot() const
 {
-    const AxisStatus& now = axisOf(m_status, kAxis);
-    if (!now.actual || freshness(now.age) != Freshness::Live) {
-        return tr("the drive does not say where the %1 is").arg(name(kAxis));
-    }
-    if (!isTurnKnown(m_status, kAxis)) {
-        return tr("which turn the %1 is on is not known yet").arg(name(kAxis));
-    }
     // The zero is read from a standing axis, also where its limits would allow the change in motion.
-    return now.state == AxisState::Moving ? tr("the mount moves: stop it first") : m_change.whyNot(m_status, edit());
+    const QString reason = whyNoPlace(m_status, kAxis);
+    return reason.isEmpty() ? m_change.whyNot(m_status, edit()) : reason;
 }
 
 ProfileChange::Edit GuideZero::edit() const

@@ -193,10 +193,11 @@ void HeaderBar::build()
     targetRow->setSpacing(4);
     targetRow->addWidget(m_limited);
     targetRow->addWidget(m_target, 1);
+    targetRow->addWidget(m_sensor);  // in the row below there is no room for it at 1024 px
     auto* const linkRow = new QHBoxLayout;
     grid->addLayout(linkRow, 1, 1);
     linkRow->setSpacing(1);
-    for (ValueLabel* const link : {m_bus, m_azimuth, m_elevation, m_sensor, m_clients}) {
+    for (ValueLabel* const link : {m_bus, m_azimuth, m_elevation, m_clients}) {
         linkRow->addWidget(link);
     }
     linkRow->addWidget(m_control, 1);

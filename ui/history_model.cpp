@@ -14,7 +14,7 @@ QString cell(const CalibrationHistoryEntry& entry, int column)
         case HistoryModel::When:
             return (entry.inForce ? QStringLiteral("● ") : QStringLiteral("○ ")) + minuteText(entry.when);
         case HistoryModel::Title:
-            return entry.title;
+            return entry.superseded ? HistoryModel::tr("%1 (taken back)").arg(entry.title) : entry.title;
         default:
             return (entry.otherMount ? QStringLiteral("▲ ") : QString()) + entry.place;
     }
@@ -22,21 +22,13 @@ QString cell(const CalibrationHistoryEntry& entry, int column)
 
 }  // namespace
 
+HistoryModel::HistoryModel(QObject* parent) : TableModel({tr("Applied"), tr("What"), tr("Place")}, parent) {}
+
 void HistoryModel::show(const std::vector<CalibrationHistoryEntry>& entries)
 {
     beginResetModel();
     m_entries = entries;
     endResetModel();
-}
-
-int HistoryModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_entries.size());
-}
-
-int HistoryModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
 }
 
 QVariant HistoryModel::data(const QModelIndex& index, int role) const
@@ -53,21 +45,6 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
                                                              : QVariant(currentTheme().secondary);
         default:
             return {};
-    }
-}
-
-QVariant HistoryModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
-        return {};
-    }
-    switch (section) {
-        case When:
-            return tr("Applied");
-        case Title:
-            return tr("What");
-        default:
-            return tr("Place");
     }
 }
 

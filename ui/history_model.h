@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/station/calibration_status.h"
-
-#include <QAbstractTableModel>
+#include "ui/table_model.h"
 
 #include <vector>
 
@@ -11,7 +10,7 @@
 // another drive or elsewhere.
 namespace boresight::ui {
 
-class HistoryModel : public QAbstractTableModel
+class HistoryModel : public TableModel
 {
     Q_OBJECT
 
@@ -20,11 +19,10 @@ public:
     {
         When,
         Title,
-        Place,
-        ColumnCount
+        Place
     };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit HistoryModel(QObject* parent = nullptr);
 
     void show(const std::vector<CalibrationHistoryEntry>& entries);
 
@@ -33,10 +31,10 @@ public:
         return m_entries.at(static_cast<std::size_t>(row));
     }
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+protected:
+    [[nodiscard]] std::size_t rows() const override { return m_entries.size(); }
 
 private:
     std::vector<CalibrationHistoryEntry> m_entries;

@@ -25,6 +25,9 @@ constexpr int kWholeLines = 4;
 QString wholeText(const CalibrationHistoryEntry& entry)
 {
     QStringList lines{HistoryPage::tr("%1: %2").arg(minuteText(entry.when), entry.title), entry.change};
+    if (entry.superseded) {
+        lines << HistoryPage::tr("Taken back, and another was applied since: kept to be read");
+    }
     lines << (entry.otherMount ? HistoryPage::tr("▲ %1: what it says may not hold here").arg(entry.place)
                                : entry.place);
     return lines.join(QLatin1Char('\n'));
@@ -69,9 +72,8 @@ HistoryPage::HistoryPage(RequestDesk& desk, QWidget* parent)
     m_whole->setAccessibleName(tr("The selected calibration"));
     m_whole->setPlaceholderText(tr("Select a line to read it whole"));
     m_whole->setFixedHeight(kWholeLines * m_whole->fontMetrics().lineSpacing() + 12);
-    for (const int wide : {HistoryModel::Title, HistoryModel::Place}) {
-        m_table->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::Stretch);
-    }
+    m_table->horizontalHeader()->setSectionResizeMode(HistoryModel::Title,
+                                                      QHeaderView::Stretch);  // Place: mostly empty
     auto* const row = new QHBoxLayout;
     row->addWidget(m_state, 1);
     row->addWidget(m_redo);

@@ -19,6 +19,18 @@ HoldButtons::HoldButtons(RequestDesk& desk, ValueLabel& notice, const QString& w
     connect(&m_deadMan, &DeadMan::jog, this, &HoldButtons::send);
 }
 
+void HoldButtons::addAxis(Axis axis, const QString& lowerHelp, const QString& upperHelp)
+{
+    if (axis == Axis::Azimuth) {
+        addButton(JogDirection::Left, tr("AZ ↺ hold"), lowerHelp);
+        addButton(JogDirection::Right, tr("AZ ↻ hold"), upperHelp);
+    } else {
+        addButton(JogDirection::Down, tr("EL ↓ hold"), lowerHelp);
+        addButton(JogDirection::Up, tr("EL ↑ hold"), upperHelp);
+    }
+    setKeyHeld(true);
+}
+
 JogButton& HoldButtons::addButton(JogDirection direction, const QString& text, const QString& help)
 {
     auto* const button = new JogButton(text, help, this);

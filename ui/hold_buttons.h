@@ -25,6 +25,8 @@ public:
     HoldButtons(RequestDesk& desk, ValueLabel& notice, const QString& what, AngularRate rate,
                 QWidget* parent = nullptr);
 
+    // Both ways of an axis, by key as well.
+    void addAxis(Axis axis, const QString& lowerHelp, const QString& upperHelp);
     JogButton& addButton(JogDirection direction, const QString& text, const QString& help);
     void setKeyHeld(bool on);  // of all buttons
     void setRate(AngularRate rate) { m_deadMan.setRate(rate); }

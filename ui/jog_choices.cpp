@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/jog_choices.h"
 
+#include "ui/caption.h"
 #include "ui/choice_button.h"
 #include "ui/format.h"
 #include "ui/jog_pad.h"
@@ -9,7 +10,6 @@
 #include "ui/value_label.h"
 
 #include <QButtonGroup>
-#include <QLabel>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -58,9 +58,7 @@ QWidget* JogChoices::makeSteps()
     auto* const grid = new QGridLayout(box);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(4);
-    auto* const title = new QLabel(tr("Step"), box);
-    title->setFont(fonts::label());
-    grid->addWidget(title, 0, 0, 1, 4);
+    grid->addWidget(makeCaption(tr("Step"), box), 0, 0, 1, 4);
     auto* const sizes = new QButtonGroup(box);
     int column = 0;
     for (const StepSize& step : kSteps) {

@@ -3,13 +3,13 @@
 
 #include "ui/calibration_permission.h"
 #include "ui/calibration_words.h"
+#include "ui/caption.h"
 #include "ui/command_button.h"
 #include "ui/guide_fields.h"
 #include "ui/value_label.h"
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QLabel>
 #include <QLineEdit>
 
 namespace boresight::ui {
@@ -40,8 +40,13 @@ LandmarkBox::LandmarkBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
     m_label->setPlaceholderText(tr("name"));
     m_label->setAccessibleName(tr("Name of the landmark"));
     m_state->setStretching(true);
+    m_state->setLines(2);
     build();
     connect(m_take, &QPushButton::clicked, this, &LandmarkBox::take);
+    for (QDoubleSpinBox* const field : {m_azimuth, m_elevation}) {
+        connect(field, &QDoubleSpinBox::valueChanged, this, &LandmarkBox::describe);
+    }
+    connect(m_label, &QLineEdit::textChanged, this, &LandmarkBox::describe);
 }
 
 void LandmarkBox::build()
@@ -51,9 +56,7 @@ void LandmarkBox::build()
     grid->setSpacing(4);
     int column = 0;
     for (const auto& [text, field] : {std::pair(tr("Az"), m_azimuth), std::pair(tr("El"), m_elevation)}) {
-        QLabel* const caption = makeCaption(text, this);
-        caption->setBuddy(field);
-        grid->addWidget(caption, 0, column++);
+        grid->addWidget(makeCaption(text, *field), 0, column++);
         grid->addWidget(field, 0, column++);
     }
     grid->addWidget(m_label, 1, 0, 1, 2);
@@ -65,11 +68,24 @@ void LandmarkBox::build()
 
 void LandmarkBox::showStatus(const StationStatus& status)
 {
-    const QString reason = whyNoLandmark(status);
+    m_status = status;
+    describe();
+}
+
+void LandmarkBox::describe()
+{
+    const QString reason =
+        isTold() ? whyNoLandmark(m_status) : tr("type the direction of the landmark first, 0 and 0 with its name");
     m_take->setBlocked(reason);
-    m_state->setValue(reason.isEmpty() ? tr("points taken: %1").arg(calibrationOf(status).points.size())
+    m_state->setValue(reason.isEmpty() ? tr("points taken: %1").arg(calibrationOf(m_status).points.size())
                                        : tr("Not now: %1").arg(reason),
                       Tone::Secondary);
+}
+
+// The fields begin with 0° and 0°, which nobody has told yet.
+bool LandmarkBox::isTold() const
+{
+    return m_azimuth->value() != 0.0 || m_elevation->value() != 0.0 || !m_label->text().trimmed().isEmpty();
 }
 
 void LandmarkBox::take()

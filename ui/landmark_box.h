@@ -26,7 +26,11 @@ public:
 
 private:
     void build();
+    void describe();
+    [[nodiscard]] bool isTold() const;
     void take();
+
+    StationStatus m_status;
 
     QDoubleSpinBox* m_azimuth;
     QDoubleSpinBox* m_elevation;

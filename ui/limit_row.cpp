@@ -2,6 +2,7 @@
 #include "ui/limit_row.h"
 
 #include "ui/axes.h"
+#include "ui/caption.h"
 #include "ui/command_button.h"
 #include "ui/limit_bar.h"
 #include "ui/sky_limits.h"
@@ -9,7 +10,6 @@
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QLabel>
 #include <QSignalBlocker>
 
 namespace boresight::ui {
@@ -60,10 +60,7 @@ QDoubleSpinBox* LimitRow::makeField(const QString& name, Angle TravelRange::*end
 
 void LimitRow::addTo(QGridLayout& grid, int row)
 {
-    auto* const label = new QLabel(shortName(m_axis), m_bar->parentWidget());
-    label->setFont(fonts::label());
-    label->setBuddy(m_min);
-    grid.addWidget(label, row, 0);
+    grid.addWidget(makeCaption(shortName(m_axis), *m_min), row, 0);
     grid.addWidget(m_min, row, 1);
     grid.addWidget(m_bar, row, 2);
     grid.addWidget(m_max, row, 3);

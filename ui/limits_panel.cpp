@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/limits_panel.h"
 
+#include "ui/caption.h"
 #include "ui/command_button.h"
 #include "ui/file_dialog.h"
 #include "ui/horizon_files.h"
 #include "ui/limit_row.h"
 #include "ui/profile_draft_bar.h"
+#include "ui/push_button.h"
 #include "ui/region_models.h"
 #include "ui/value_label.h"
 
 #include <QGridLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QMenu>
-#include <QPushButton>
 #include <QShortcut>
 #include <QTableView>
 
@@ -22,14 +22,6 @@ namespace boresight::ui {
 namespace {
 
 constexpr int kRowRoom = 6;  // px above and below the text of a row together
-
-QLabel* caption(const QString& text, QWidget& table, QWidget* parent)
-{
-    auto* const label = new QLabel(text, parent);
-    label->setFont(fonts::label());
-    label->setBuddy(&table);
-    return label;
-}
 
 }  // namespace
 
@@ -94,12 +86,8 @@ QTableView* LimitsPanel::makeTable(RegionTableModel& model, const QString& name)
 
 QPushButton* LimitsPanel::makeButton(const QString& text, const QString& name)
 {
-    auto* const button = new QPushButton(text, this);
-    button->setFont(fonts::label());
-    button->setAccessibleName(name);
-    button->setToolTip(name);
-    button->setAutoDefault(false);
-    button->setMinimumSize(kTouchSize, kTouchSize);
+    QPushButton* const button = makePushButton({.text = text, .name = name, .help = name}, this);
+    button->setMinimumWidth(kTouchSize);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     return button;
 }
@@ -117,7 +105,7 @@ QWidget* LimitsPanel::makeHorizonBox()
     menu->addAction(tr("Import …"), this, &LimitsPanel::askForHorizon);
     menu->addAction(tr("Export …"), this, &LimitsPanel::askWhereToExport);
     files->setMenu(menu);
-    grid->addWidget(caption(tr("Horizon"), *m_horizon, box), 0, 0, 1, 3);
+    grid->addWidget(makeCaption(tr("Horizon"), *m_horizon), 0, 0, 1, 3);
     grid->addWidget(m_horizon, 1, 0, 1, 3);
     grid->addWidget(files, 2, 2);
     grid->addWidget(add, 2, 0);
@@ -138,7 +126,7 @@ QWidget* LimitsPanel::makeKeepOutBox()
     grid->setSpacing(4);
     QPushButton* const add = makeButton(tr("Add keep-out"), tr("Add a keep-out around where the mount points"));
     QPushButton* const take = makeButton(tr("Remove"), tr("Remove the current keep-out (Del)"));
-    grid->addWidget(caption(tr("Keep-outs, clockwise from … to"), *m_keepOuts, box), 0, 0, 1, 2);
+    grid->addWidget(makeCaption(tr("Keep-outs, clockwise from … to"), *m_keepOuts), 0, 0, 1, 2);
     grid->addWidget(m_keepOuts, 1, 0, 1, 2);
     grid->addWidget(add, 2, 0);
     grid->addWidget(take, 2, 1);

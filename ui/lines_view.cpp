@@ -3,6 +3,7 @@
 
 #include "ui/command_button.h"
 #include "ui/file_dialog.h"
+#include "ui/push_button.h"
 #include "ui/text_file.h"
 #include "ui/theme.h"
 #include "ui/value_label.h"
@@ -12,7 +13,6 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QPlainTextEdit>
-#include <QPushButton>
 #include <QScrollBar>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -94,11 +94,7 @@ void LinesView::buildReading()
 void LinesView::addButtons(const QString& fileName)
 {
     const auto add = [this](const QString& text, const QString& help) {
-        auto* const button = new QPushButton(text, this);
-        button->setAccessibleName(text);
-        button->setToolTip(help);
-        button->setFont(fonts::label());
-        button->setMinimumHeight(kTouchSize);
+        QPushButton* const button = makePushButton({.text = text, .help = help}, this);
         const int room = button->fontMetrics().horizontalAdvance(text) + 2 * button->fontMetrics().averageCharWidth();
         button->setFixedWidth(std::max(kTouchSize, room));
         m_controls->addWidget(button);

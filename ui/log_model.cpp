@@ -12,6 +12,8 @@ namespace {
 constexpr std::size_t kMaxEntries = 5000;  // a night of commands at one a few seconds; the file keeps the rest
 }  // namespace
 
+LogModel::LogModel(QObject* parent) : TableModel({tr("UTC"), tr("Source"), tr("What")}, parent) {}
+
 void LogModel::append(const std::vector<LogEntry>& entries)
 {
     if (entries.empty()) {
@@ -32,16 +34,6 @@ void LogModel::dropEldest()
     beginRemoveRows({}, 0, static_cast<int>(surplus) - 1);
     m_entries.erase(m_entries.begin(), m_entries.begin() + surplus);
     endRemoveRows();
-}
-
-int LogModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_entries.size());
-}
-
-int LogModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
 }
 
 QVariant LogModel::data(const QModelIndex& index, int role) const
@@ -68,21 +60,6 @@ QVariant LogModel::data(const QModelIndex& index, int role) const
         default:
             // Colour never stands alone: the same shapes as everywhere, as characters.
             return characterOf(line.severity) + line.text;
-    }
-}
-
-QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
-        return {};
-    }
-    switch (section) {
-        case Time:
-            return tr("UTC");
-        case From:
-            return tr("Source");
-        default:
-            return tr("What");
     }
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/station/station_status.h"
+#include "ui/table_model.h"
 
-#include <QAbstractTableModel>
 #include <QSortFilterProxyModel>
 
 #include <deque>
@@ -13,7 +13,7 @@
 // it. The lines' own numbers are not looked at: they begin anew with every station. Gui thread.
 namespace boresight::ui {
 
-class LogModel : public QAbstractTableModel
+class LogModel : public TableModel
 {
     Q_OBJECT
 
@@ -22,19 +22,18 @@ public:
     {
         Time,
         From,
-        Text,
-        ColumnCount
+        Text
     };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit LogModel(QObject* parent = nullptr);
 
     void append(const std::vector<LogEntry>& entries);
     [[nodiscard]] const LogEntry& entry(int row) const { return m_entries[static_cast<std::size_t>(row)]; }
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+protected:
+    [[nodiscard]] std::size_t rows() const override { return m_entries.size(); }
 
 private:
     void dropEldest();

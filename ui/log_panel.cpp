@@ -3,13 +3,12 @@
 
 #include "ui/alarms_page.h"
 #include "ui/choice_button.h"
-#include "ui/command_button.h"
 #include "ui/log_model.h"
 #include "ui/log_page.h"
+#include "ui/push_button.h"
 #include "ui/symbol.h"
 
 #include <QHBoxLayout>
-#include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -40,12 +39,11 @@ LogPanel::LogPanel(RequestDesk& desk, bool sound, QWidget* parent)
 
 void LogPanel::addDiagnosticsButton()
 {
-    auto* const button = new QPushButton(tr("Bundle …"), this);
-    button->setFont(fonts::label());
-    button->setAccessibleName(tr("Save diagnostics …"));
-    button->setToolTip(tr("Save diagnostics for a bug report: profile, logs, drives, the last minutes (Ctrl+B)"));
-    button->setAutoDefault(false);
-    button->setMinimumHeight(kTouchSize);
+    QPushButton* const button = makePushButton(
+        {.text = tr("Bundle …"),
+         .name = tr("Save diagnostics …"),
+         .help = tr("Save diagnostics for a bug report: profile, logs, drives, the last minutes (Ctrl+B)")},
+        this);
     button->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Expanding);
     connect(button, &QPushButton::clicked, this, &LogPanel::diagnosticsWanted);
     m_choice->addWidget(button);

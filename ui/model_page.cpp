@@ -5,6 +5,7 @@
 #include "ui/calibration_words.h"
 #include "ui/choice_button.h"
 #include "ui/command_button.h"
+#include "ui/format.h"
 #include "ui/point_model.h"
 #include "ui/read_table.h"
 #include "ui/residual_sky.h"
@@ -23,9 +24,16 @@ namespace boresight::ui {
 
 namespace {
 
-QString remarksOf(const CalibrationStatus& calibration)
+QString remarksOf(const StationStatus& status)
 {
+    const CalibrationStatus& calibration = calibrationOf(status);
     QStringList lines;
+    if (status.sensor.azimuthSigma) {
+        lines << ModelPage::tr(
+                     "The sensor knows the azimuth to %1 here (1 sigma): it cannot check a model that is more "
+                     "exact than that")
+                     .arg(angleText(*status.sensor.azimuthSigma, 1));
+    }
     if (calibration.proposal) {
         for (const QString& warning : calibration.proposal->warnings) {
             lines << warning;
@@ -161,7 +169,7 @@ void ModelPage::showStatus(const StationStatus& status)
         m_sky->showPoints(calibration.points);
         m_summary->setValue(fitText(calibration));
         m_given->showStatus(status);
-        if (const QString remarks = remarksOf(calibration); remarks != m_remarks->toPlainText()) {
+        if (const QString remarks = remarksOf(status); remarks != m_remarks->toPlainText()) {
             m_remarks->setPlainText(remarks);
         }
     }

@@ -39,6 +39,18 @@ QString whyNotOn(const StationStatus& status, Axis which, bool upwards)
 
 }  // namespace
 
+QString whyNoPlace(const StationStatus& status, Axis axis)
+{
+    const AxisStatus& now = axisOf(status, axis);
+    if (!now.actual || freshness(now.age) != Freshness::Live) {
+        return MotionPermission::tr("the drive does not say where the %1 is").arg(name(axis));
+    }
+    if (!isTurnKnown(status, axis)) {
+        return MotionPermission::tr("which turn the %1 is on is not known yet").arg(name(axis));
+    }
+    return now.state == AxisState::Moving ? MotionPermission::tr("the mount moves: stop it first") : QString();
+}
+
 QString whyNoMotion(const StationStatus& status)
 {
     switch (status.state) {

@@ -17,6 +17,7 @@ enum class JogDirection
     Right
 };
 
+[[nodiscard]] QString whyNoPlace(const StationStatus& status, Axis axis);  // known, where the axis stands
 [[nodiscard]] QString whyNoMotion(const StationStatus& status);
 [[nodiscard]] QString whyNoPointing(const StationStatus& status);  // to an angle: needs the turn of both axes
 [[nodiscard]] QString whyNoJog(const StationStatus& status, JogDirection direction);  // at a limit: the way on

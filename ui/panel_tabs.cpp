@@ -34,7 +34,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
       m_drives(new DrivesPanel(desk, this)),
       m_protection(new ProtectionPanel(desk, this)),
       m_profile(new ProfilePage(draft, desk, settings.configDir, this)),
-      m_north(new CalibrationPanel(clock, desk, this)),
+      m_north(new CalibrationPanel(clock, desk, draft, this)),
       m_turn(new TurnPage(desk, settings.unwind, this))
 {
     setFont(fonts::label());
@@ -51,6 +51,10 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
     addPanel(*this, *m_north, tr("North"), tr("Finding north: sensor, swing, Sun and Moon (Ctrl+9)"), Qt::Key_9);
     addTurnPage();
     addGuideButton();
+    connect(m_north, &CalibrationPanel::settingsWanted, this, [this](const QString& words) {
+        bringUp(*m_profile);
+        m_profile->seek(words);
+    });
 }
 
 void PanelTabs::addTurnPage()

@@ -20,9 +20,11 @@ QString cell(const PointStatus& point, int column)
 {
     switch (column) {
         case PointModel::Label:
-            return point.isUsed ? point.label : PointModel::tr("○ %1, not used").arg(point.label);
+            return point.isUsed ? point.label : QStringLiteral("○ ") + point.label;
         case PointModel::Time:
             return clockText(point.when).left(5);
+        case PointModel::Sigma:
+            return angleText(point.sigma, kDecimals);
         case PointModel::Before:
             return size(point.before);
         case PointModel::After:
@@ -34,8 +36,9 @@ QString cell(const PointStatus& point, int column)
 
 QString help(const PointStatus& point)
 {
-    QString text = PointModel::tr("%1, %2: true %3, axes %4, centred to %5")
-                       .arg(point.label, minuteText(point.when), directionText(point.truth), axisText(point.axes),
+    const QString label = point.isUsed ? point.label : PointModel::tr("%1, not used").arg(point.label);
+    QString text = PointModel::tr("%1, %2: true %3, axes %4, centred to ± %5")
+                       .arg(label, minuteText(point.when), directionText(point.truth), axisText(point.axes),
                             angleText(point.sigma));
     const auto add = [&text](const QString& when, const PointResidual& residual) {
         text += QLatin1Char('\n') +
@@ -51,6 +54,10 @@ QString help(const PointStatus& point)
 
 }  // namespace
 
+PointModel::PointModel(QObject* parent)
+    : TableModel({tr("Point"), tr("UTC"), tr("Sigma"), tr("Now"), tr("Fit"), tr("Others")}, parent)
+{}
+
 void PointModel::show(const std::vector<PointStatus>& points)
 {
     const bool sameRows = points.size() == m_points.size();
@@ -60,19 +67,9 @@ void PointModel::show(const std::vector<PointStatus>& points)
     m_points = points;
     if (!sameRows) {
         endResetModel();
-    } else if (!m_points.empty()) {
-        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    } else {
+        changeCells();
     }
-}
-
-int PointModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_points.size());
-}
-
-int PointModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
 }
 
 QVariant PointModel::data(const QModelIndex& index, int role) const
@@ -83,31 +80,14 @@ QVariant PointModel::data(const QModelIndex& index, int role) const
             return cell(one, index.column());
         case Qt::ToolTipRole:
             return help(one);
+        case Qt::AccessibleTextRole:
+            return index.column() == Label && !one.isUsed ? tr("%1, not used").arg(one.label) : QVariant();
         case Qt::TextAlignmentRole:
             return index.column() == Label ? QVariant() : QVariant(Qt::AlignRight | Qt::AlignVCenter);
         case Qt::ForegroundRole:
             return one.isUsed ? QVariant() : QVariant(currentTheme().secondary);
         default:
             return {};
-    }
-}
-
-QVariant PointModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
-        return {};
-    }
-    switch (section) {
-        case Label:
-            return tr("Point");
-        case Time:
-            return tr("UTC");
-        case Before:
-            return tr("Before");
-        case After:
-            return tr("After");
-        default:
-            return tr("By others");
     }
 }
 

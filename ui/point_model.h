@@ -2,15 +2,14 @@
 #pragma once
 
 #include "core/station/calibration_status.h"
-
-#include <QAbstractTableModel>
+#include "ui/table_model.h"
 
 #include <vector>
 
 // The calibration points as a table, with what the model in force and the fit leave of each. On the sky, in degrees.
 namespace boresight::ui {
 
-class PointModel : public QAbstractTableModel
+class PointModel : public TableModel
 {
     Q_OBJECT
 
@@ -19,22 +18,22 @@ public:
     {
         Label,
         Time,
-        Before,
-        After,
-        LeftOut,
-        ColumnCount
+        Sigma,   // of how well it was centred
+        Before,  // with the model in force
+        After,   // with the fit
+        LeftOut
     };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit PointModel(QObject* parent = nullptr);
 
     void show(const std::vector<PointStatus>& points);
 
     [[nodiscard]] const PointStatus& point(int row) const { return m_points.at(static_cast<std::size_t>(row)); }
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+protected:
+    [[nodiscard]] std::size_t rows() const override { return m_points.size(); }
 
 private:
     std::vector<PointStatus> m_points;

@@ -43,6 +43,10 @@ QString ProfileChange::whyNot(const StationStatus& status, const Edit& edit) con
         return tr("Boresight was started with --simulate and stays so: start it with --bus %1 for this one")
             .arg(QString::fromStdString(wanted.bus));
     }
+    if (wanted.bus == m_draft.applied().bus && wanted.bus != m_draft.inForce().bus) {
+        return tr("the mount at %1 waits for Reconnect: press that first (tab Mount, Profile)")
+            .arg(QString::fromStdString(wanted.bus));
+    }
     if (const auto problems = profile::problemsOf(wanted); !problems.empty()) {
         return QString::fromStdString(problems.front().key + ": " + problems.front().text);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/profile_draft.h"
 
+#include "core/profile/commissioning.h"
 #include "core/profile/profile_diff.h"
 
 #include <QPointer>
@@ -73,6 +74,7 @@ void ProfileDraft::mergeEdits()
 {
     profile::Profile merged = m_applied;
     profile::takeOver(merged, m_edited, editedKeys());
+    leaveSimulatedMount(merged, m_applied);
     m_base = m_applied;
     setEdited(merged);
 }
@@ -87,10 +89,33 @@ void ProfileDraft::edit(const std::function<void(profile::Profile&)>& change)
 {
     profile::Profile profile = m_edited;
     change(profile);
-    if (profile == m_edited) {
+    if (profile::isSimulated(m_edited)) {
+        leaveSimulatedMount(profile, m_base);  // what was typed since stays
+    }
+    put(profile);
+}
+
+void ProfileDraft::takeOver(const profile::Profile& from, const std::vector<std::string>& keys)
+{
+    profile::Profile profile = m_edited;
+    profile::takeOverMount(profile, from, keys);
+    put(profile);
+}
+
+// With --simulate another bus is one for later: the mount stays the simulated one.
+void ProfileDraft::leaveSimulatedMount(profile::Profile& changed, const profile::Profile& from) const
+{
+    if (!m_keepsSimulated) {
+        profile::leaveSimulatedMount(changed, from);
+    }
+}
+
+void ProfileDraft::put(const profile::Profile& edited)
+{
+    if (edited == m_edited) {
         return;
     }
-    setEdited(profile);
+    setEdited(edited);
     if (!hasEdits()) {
         m_base = m_applied;  // all edits taken back by hand: nothing is left to be overtaken
         setEdited(m_applied);
@@ -101,6 +126,11 @@ void ProfileDraft::edit(const std::function<void(profile::Profile&)>& change)
 std::vector<std::string> ProfileDraft::editedKeys() const
 {
     return profile::changedKeys(m_base, m_edited);
+}
+
+std::vector<std::string> ProfileDraft::leftKeys() const
+{
+    return m_keepsSimulated ? std::vector<std::string>() : profile::leftWithSimulatedMount(m_base, m_edited);
 }
 
 QString ProfileDraft::problem(const std::string& key) const
@@ -195,6 +225,7 @@ void ProfileDraft::applyAlone(const std::function<void(profile::Profile&)>& chan
 {
     profile::Profile changed = m_applied;
     change(changed);
+    leaveSimulatedMount(changed, m_applied);
     const auto problems = profile::problemsOf(changed);
     if (m_asked) {
         reply(refused(tr("the station has not answered yet")));

@@ -39,9 +39,14 @@ public:
     [[nodiscard]] const profile::Profile& edited() const { return m_edited; }
     [[nodiscard]] const std::vector<std::string>& waitingKeys() const { return m_waitingKeys; }
 
+    // Where the bus leaves the simulated mount, what was found of that one is left too.
     void edit(const std::function<void(profile::Profile&)>& change);
+    // From a whole profile, with what was found of its mount.
+    void takeOver(const profile::Profile& from, const std::vector<std::string>& keys);
     [[nodiscard]] bool hasEdits() const { return m_edited != m_base; }
     [[nodiscard]] std::vector<std::string> editedKeys() const;
+    // Of those, what is set back because it was the simulated mount's.
+    [[nodiscard]] std::vector<std::string> leftKeys() const;
 
     // The live check of the edited profile.
     [[nodiscard]] const std::vector<profile::Problem>& problems() const { return m_problems; }
@@ -74,6 +79,8 @@ Q_SIGNALS:
 private:
     using Profiles = std::vector<profile::Profile>;
 
+    void leaveSimulatedMount(profile::Profile& changed, const profile::Profile& from) const;
+    void put(const profile::Profile& edited);
     void setEdited(const profile::Profile& profile);
     void takeApplied(const profile::Profile& applied);
     void mergeEdits();

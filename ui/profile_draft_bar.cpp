@@ -2,6 +2,7 @@
 #include "ui/profile_draft_bar.h"
 
 #include "ui/command_button.h"
+#include "ui/setting_words.h"
 #include "ui/value_label.h"
 
 #include <QVBoxLayout>
@@ -14,7 +15,7 @@ QString listed(const std::vector<std::string>& keys)
 {
     QStringList names;
     for (const std::string& key : keys) {
-        names << QString::fromStdString(key);
+        names << settingName(key);
     }
     return names.join(QStringLiteral(", "));
 }
@@ -99,6 +100,10 @@ void ProfileDraftBar::showLine()
     } else if (!m_draft.problems().empty()) {
         const profile::Problem& first = m_draft.problems().front();
         m_line->setValue(QString::fromStdString(first.key + ": " + first.text), Tone::Warning, Symbol::Warning);
+    } else if (const auto left = m_draft.leftKeys(); !left.empty()) {
+        m_line->setValue(tr("Set back, because it was the simulated mount's: %1. Not applied: %2")
+                             .arg(listed(left), listed(m_draft.editedKeys())),
+                         Tone::Advisory, Symbol::Advisory);
     } else if (m_draft.hasEdits()) {
         m_line->setValue(tr("Not applied: %1").arg(listed(m_draft.editedKeys())), Tone::Accent);
     } else if (!m_draft.waitingKeys().empty()) {

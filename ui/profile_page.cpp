@@ -4,6 +4,7 @@
 #include "ui/command_button.h"
 #include "ui/motion_permission.h"
 #include "ui/profile_draft_bar.h"
+#include "ui/push_button.h"
 #include "ui/settings_view.h"
 #include "ui/value_label.h"
 
@@ -21,7 +22,10 @@ ProfilePage::ProfilePage(ProfileDraft& draft, RequestDesk& desk, const QString& 
       m_hasStore(!configDir.isEmpty()),
       m_store(configDir),
       m_choice(new QComboBox(this)),
-      m_menuButton(new QPushButton(tr("Mounts"), this)),
+      m_menuButton(makePushButton({.text = tr("Mounts"),
+                                   .name = tr("Duplicate, rename, import, export the chosen mount"),
+                                   .help = tr("Duplicate, rename, remove, import, export; take back the last change")},
+                                  this)),
       m_menu(new QMenu(m_menuButton)),
       m_settings(new SettingsView(draft, this)),
       m_notice(new ValueLabel(tr("Outcome"), fonts::label(), {}, this)),
@@ -61,10 +65,7 @@ QWidget* ProfilePage::makeMountRow()
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_choice->setAccessibleName(tr("Mounts that are kept"));
     m_choice->setToolTip(tr("The mounts of this computer; choosing one does nothing yet"));
-    m_menuButton->setFont(fonts::label());
     m_menuButton->setMinimumSize(m_switch->minimumSizeHint());
-    m_menuButton->setAccessibleName(tr("Duplicate, rename, import, export the chosen mount"));
-    m_menuButton->setToolTip(tr("Duplicate, rename, remove, import, export; take back the last change"));
     m_menuButton->setMenu(m_menu);
     addAction(tr("Duplicate …"), &ProfilePage::duplicate);
     addAction(tr("Rename …"), &ProfilePage::rename);
@@ -86,6 +87,11 @@ void ProfilePage::addAction(const QString& text, void (ProfilePage::*act)())
         tell({});
         (this->*act)();
     });
+}
+
+void ProfilePage::seek(const QString& words)
+{
+    m_settings->seek(words);
 }
 
 void ProfilePage::showStatus(const StationStatus& status)

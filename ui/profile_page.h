@@ -32,6 +32,7 @@ public:
     ProfilePage(ProfileDraft& draft, RequestDesk& desk, const QString& configDir, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
+    void seek(const QString& words);  // the settings that have them in their name or meaning
 
 protected:
     void showEvent(QShowEvent* event) override;

@@ -230,7 +230,7 @@ void ProfilePage::askImport(const profile::Profile& read)
 
 void ProfilePage::takeOver(const profile::Profile& from, const std::vector<std::string>& keys)
 {
-    m_draft.edit([&](profile::Profile& profile) { profile::takeOver(profile, from, keys); });
+    m_draft.takeOver(from, keys);
     tell(tr("In the page, not applied: %1").arg(m_draft.editedKeys().size()));
 }
 

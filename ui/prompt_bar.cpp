@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/prompt_bar.h"
 
-#include "ui/command_button.h"
+#include "ui/push_button.h"
 #include "ui/value_label.h"
 #include "ui/widest.h"
 
 #include <QGridLayout>
-#include <QPushButton>
 
 namespace boresight::ui {
 
@@ -39,10 +38,7 @@ void PromptBar::addButton(QWidget& button)
 
 QPushButton* PromptBar::addButton(const QString& text)
 {
-    auto* const button = new QPushButton(text, this);
-    button->setFont(fonts::label());
-    button->setAccessibleName(text);
-    button->setMinimumHeight(kTouchSize);
+    QPushButton* const button = makePushButton({.text = text}, this);
     addButton(*button);
     return button;
 }

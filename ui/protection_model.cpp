@@ -127,6 +127,10 @@ QVariant decoration(const Shown& shown)
 
 }  // namespace
 
+ProtectionModel::ProtectionModel(QObject* parent)
+    : TableModel({tr("Setting"), tr("Wanted"), tr("Found AZ"), tr("Found EL"), tr("Verdict")}, parent)
+{}
+
 void ProtectionModel::show(const DrivesStatus& drives)
 {
     if (m_lines[0] == drives.azimuth.protections && m_lines[1] == drives.elevation.protections) {
@@ -250,16 +254,6 @@ QStringList ProtectionModel::leftAlone() const
     return lines;
 }
 
-int ProtectionModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int ProtectionModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
-}
-
 QString ProtectionModel::text(const Row& row, int column) const
 {
     switch (column) {
@@ -318,25 +312,6 @@ QVariant ProtectionModel::data(const QModelIndex& index, int role) const
             return index.column() == Setting ? row.key : text(row, index.column());
         default:
             return {};
-    }
-}
-
-QVariant ProtectionModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
-        return {};
-    }
-    switch (section) {
-        case Setting:
-            return tr("Setting");
-        case Wanted:
-            return tr("Wanted");
-        case FoundAzimuth:
-            return tr("Found AZ");
-        case FoundElevation:
-            return tr("Found EL");
-        default:
-            return tr("Verdict");
     }
 }
 

@@ -3,8 +3,8 @@
 
 #include "core/station/drives_status.h"
 #include "core/units/sky.h"
+#include "ui/table_model.h"
 
-#include <QAbstractTableModel>
 #include <QStringList>
 
 #include <array>
@@ -16,7 +16,7 @@
 // speaks of.
 namespace boresight::ui {
 
-class ProtectionModel : public QAbstractTableModel
+class ProtectionModel : public TableModel
 {
     Q_OBJECT
 
@@ -27,11 +27,10 @@ public:
         Wanted,
         FoundAzimuth,
         FoundElevation,
-        Verdict,
-        ColumnCount
+        Verdict
     };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit ProtectionModel(QObject* parent = nullptr);
 
     void show(const DrivesStatus& drives);
 
@@ -40,10 +39,10 @@ public:
     [[nodiscard]] QStringList changes() const;    // what Fix would write, one line each
     [[nodiscard]] QStringList leftAlone() const;  // what differs and only a person may change
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+protected:
+    [[nodiscard]] std::size_t rows() const override { return m_rows.size(); }
 
 private:
     using Lines = std::array<std::vector<survey::ProtectionLine>, 2>;

@@ -4,6 +4,7 @@
 #include "ui/command_button.h"
 #include "ui/drives_permission.h"
 #include "ui/protection_model.h"
+#include "ui/read_table.h"
 #include "ui/survey_words.h"
 #include "ui/value_label.h"
 
@@ -62,27 +63,10 @@ void ProtectionPanel::build()
 
 QTableView* ProtectionPanel::makeTable()
 {
-    auto* const table = new QTableView(this);
-    table->setModel(m_model);
-    table->setFont(fonts::label());
-    table->setAccessibleName(tr("Protection"));
-    table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->setSelectionMode(QAbstractItemView::SingleSelection);
-    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setTabKeyNavigation(false);  // no focus trap
-    table->setShowGrid(false);
+    QTableView* const table = makeReadTable(tr("Protection"), *m_model, this);
     table->setIconSize({12, 12});
-    table->setWordWrap(false);
-    table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    table->setMinimumHeight(4 * table->fontMetrics().lineSpacing());
-    table->verticalHeader()->hide();
-    table->verticalHeader()->setMinimumSectionSize(1);
     table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().lineSpacing() + 4);
     QHeaderView* const header = table->horizontalHeader();
-    header->setFont(fonts::label());
-    header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    header->setHighlightSections(false);
-    header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(ProtectionModel::Wanted, QHeaderView::Stretch);
     const int found = table->fontMetrics().horizontalAdvance(QStringLiteral("00000°/s²")) + 28;  // shape, gaps
     for (const int column : {ProtectionModel::FoundAzimuth, ProtectionModel::FoundElevation}) {

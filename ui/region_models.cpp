@@ -67,9 +67,9 @@ std::string rowKey(std::string_view list, int row)
 
 HorizonModel::HorizonModel(ProfileDraft& draft, QObject* parent) : RegionTableModel(draft, horizonHeaders(), parent) {}
 
-int HorizonModel::rows() const
+std::size_t HorizonModel::rowsOfDraft() const
 {
-    return static_cast<int>(region().horizon.size());
+    return region().horizon.size();
 }
 
 QString HorizonModel::text(int row, int column) const
@@ -99,9 +99,9 @@ std::string HorizonModel::key(int row) const
 
 KeepOutModel::KeepOutModel(ProfileDraft& draft, QObject* parent) : RegionTableModel(draft, keepOutHeaders(), parent) {}
 
-int KeepOutModel::rows() const
+std::size_t KeepOutModel::rowsOfDraft() const
 {
-    return static_cast<int>(region().keepOuts.size());
+    return region().keepOuts.size();
 }
 
 QString KeepOutModel::text(int row, int column) const

@@ -14,7 +14,7 @@ public:
     HorizonModel(ProfileDraft& draft, QObject* parent);
 
 protected:
-    [[nodiscard]] int rows() const override;
+    [[nodiscard]] std::size_t rowsOfDraft() const override;
     [[nodiscard]] QString text(int row, int column) const override;
     [[nodiscard]] Result<> put(pointing::Region& region, int row, int column, const QString& text) const override;
     [[nodiscard]] std::string key(int row) const override;
@@ -28,7 +28,7 @@ public:
     KeepOutModel(ProfileDraft& draft, QObject* parent);
 
 protected:
-    [[nodiscard]] int rows() const override;
+    [[nodiscard]] std::size_t rowsOfDraft() const override;
     [[nodiscard]] QString text(int row, int column) const override;
     [[nodiscard]] Result<> put(pointing::Region& region, int row, int column, const QString& text) const override;
     [[nodiscard]] std::string key(int row) const override;

@@ -5,52 +5,35 @@
 
 namespace boresight::ui {
 
-RegionTableModel::RegionTableModel(ProfileDraft& draft, const QStringList& headers, QObject* parent)
-    : QAbstractTableModel(parent), m_draft(draft), m_headers(headers)
+RegionTableModel::RegionTableModel(ProfileDraft& draft, const QStringList& headings, QObject* parent)
+    : TableModel(headings, parent), m_draft(draft)
 {
     connect(&m_draft, &ProfileDraft::changed, this, &RegionTableModel::followDraft);
 }
 
 void RegionTableModel::followDraft()
 {
-    const int now = rows();
+    const std::size_t now = rowsOfDraft();
     if (now > m_rows) {
-        beginInsertRows({}, m_rows, now - 1);
+        beginInsertRows({}, rowCount(), static_cast<int>(now) - 1);
         m_rows = now;
         endInsertRows();
     } else if (now < m_rows) {
-        beginRemoveRows({}, now, m_rows - 1);
+        beginRemoveRows({}, static_cast<int>(now), rowCount() - 1);
         m_rows = now;
         endRemoveRows();
     }
-    if (m_rows > 0) {
-        Q_EMIT dataChanged(index(0, 0), index(m_rows - 1, columnCount() - 1));
-    }
-}
-
-int RegionTableModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : m_rows;
-}
-
-int RegionTableModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_headers.size());
-}
-
-QVariant RegionTableModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    return orientation == Qt::Horizontal && role == Qt::DisplayRole ? QVariant(m_headers.value(section)) : QVariant();
+    changeCells();
 }
 
 Qt::ItemFlags RegionTableModel::flags(const QModelIndex& index) const
 {
-    return QAbstractTableModel::flags(index) | Qt::ItemIsEditable;
+    return TableModel::flags(index) | Qt::ItemIsEditable;
 }
 
 QVariant RegionTableModel::data(const QModelIndex& index, int role) const
 {
-    if (!index.isValid() || index.row() >= m_rows) {
+    if (!index.isValid() || index.row() >= rowCount()) {
         return {};
     }
     switch (role) {
@@ -70,7 +53,7 @@ QVariant RegionTableModel::data(const QModelIndex& index, int role) const
 
 bool RegionTableModel::setData(const QModelIndex& index, const QVariant& value, int role)
 {
-    if (role != Qt::EditRole || !index.isValid() || index.row() >= m_rows) {
+    if (role != Qt::EditRole || !index.isValid() || index.row() >= rowCount()) {
         return false;
     }
     pointing::Region edited = region();

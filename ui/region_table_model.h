@@ -3,25 +3,21 @@
 
 #include "core/base/result.h"
 #include "ui/profile_draft.h"
-
-#include <QAbstractTableModel>
+#include "ui/table_model.h"
 
 // A list of the region in the draft as a table that is edited cell by cell. A text that is no value is refused with the
 // reason and changes nothing; what the live check finds stands in the tooltip of its row. The rows are those of the
 // draft, whoever changes it.
 namespace boresight::ui {
 
-class RegionTableModel : public QAbstractTableModel
+class RegionTableModel : public TableModel
 {
     Q_OBJECT
 
 public:
-    RegionTableModel(ProfileDraft& draft, const QStringList& headers, QObject* parent);
+    RegionTableModel(ProfileDraft& draft, const QStringList& headings, QObject* parent);
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
@@ -30,7 +26,8 @@ Q_SIGNALS:
 
 protected:
     [[nodiscard]] const pointing::Region& region() const { return m_draft.edited().limits; }
-    [[nodiscard]] virtual int rows() const = 0;
+    [[nodiscard]] std::size_t rows() const override { return m_rows; }
+    [[nodiscard]] virtual std::size_t rowsOfDraft() const = 0;
     [[nodiscard]] virtual QString text(int row, int column) const = 0;
     [[nodiscard]] virtual Result<> put(pointing::Region& region, int row, int column, const QString& text) const = 0;
     [[nodiscard]] virtual std::string key(int row) const = 0;  // as the live check names it
@@ -39,8 +36,7 @@ private:
     void followDraft();
 
     ProfileDraft& m_draft;
-    QStringList m_headers;
-    int m_rows = 0;
+    std::size_t m_rows = 0;
 };
 
 }  // namespace boresight::ui

@@ -43,8 +43,9 @@ void RunLine::showProgress(const CalibrationProgress& progress, const QString& o
     m_bar->setVisible(running);
     m_bar->setValue(static_cast<int>(progress.done * kParts));
     if (running) {
-        m_text->setValue(tr("%1, %2 left").arg(progress.text, waitText(progress.left)), Tone::Advisory,
-                         Symbol::Advisory);
+        const bool isForeseen = progress.left > Seconds(0.0);  // a scan waits for people and receivers
+        m_text->setValue(isForeseen ? tr("%1, %2 left").arg(progress.text, waitText(progress.left)) : progress.text,
+                         Tone::Advisory, Symbol::Advisory);
     } else if (m_isOurs && !progress.outcome.isEmpty()) {
         m_text->setValue(progress.outcome, progress.failed ? Tone::Warning : Tone::Normal,
                          progress.failed ? Symbol::Warning : Symbol::None);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sensor_levels.h"
 
-#include "ui/guide_fields.h"
+#include "ui/caption.h"
 #include "ui/value_label.h"
 
 #include <QGridLayout>
-#include <QLabel>
 #include <QPainter>
 
 namespace boresight::ui {

@@ -3,44 +3,75 @@
 
 #include "ui/calibration_permission.h"
 #include "ui/calibration_words.h"
+#include "ui/caption.h"
 #include "ui/command_button.h"
 #include "ui/compass_dial.h"
 #include "ui/format.h"
-#include "ui/guide_fields.h"
+#include "ui/push_button.h"
 #include "ui/run_line.h"
 #include "ui/sensor_levels.h"
 #include "ui/value_label.h"
 
 #include <QGridLayout>
-#include <QLabel>
 
 #include <tuple>
 
 namespace boresight::ui {
 
-SensorPage::SensorPage(RequestDesk& desk, QWidget* parent)
+namespace {
+
+void nameSimulatedSensor(profile::Profile& profile)
+{
+    profile.sensor.source = profile::SensorSource::Simulated;
+}
+
+// What it said then stays to be read beside what has come into force since.
+QString averageText(const CalibrationStatus& calibration)
+{
+    if (!calibration.sensorOffset) {
+        return {};
+    }
+    const Angle inForce = calibration.present.azimuthOffset;
+    const auto& sigma = calibration.sheet.sigmas[calibration::indexOf(calibration::Term::AzimuthOffset)];
+    const QString now = sigma ? offsetText({inForce, *sigma}) : signedAngleText(inForce.wrapped180());
+    return SensorPage::tr("Last average: axis %1; in force: %2").arg(offsetText(calibration.sensorOffset->offset), now);
+}
+
+}  // namespace
+
+SensorPage::SensorPage(RequestDesk& desk, ProfileDraft& draft, QWidget* parent)
     : QWidget(parent),
+      m_profileChange(draft, desk),
       m_dial(new CompassDial(this)),
       m_levels(new SensorLevels(this)),
       m_sensor(new ValueLabel(tr("Heading of the sensor, as sent"), fonts::small(), QStringLiteral("-000.00°"), this)),
       m_axis(new ValueLabel(tr("Azimuth of the axis"), fonts::small(), QStringLiteral("-000.00°"), this)),
       m_difference(new ValueLabel(tr("Sensor less axis"), fonts::small(), QStringLiteral("-000.00°"), this)),
+      m_truth(new ValueLabel(tr("True azimuth by the sensor, and how well it is known"), fonts::small(),
+                             QStringLiteral("000.0° ± 00.0°"), this)),
       m_declination(new ValueLabel(tr("Who adds the declination"), fonts::label(), {}, this)),
+      m_change(makePushButton(
+          {.text = tr("Change…"),
+           .name = tr("Change the declination"),
+           .help = tr("Who adds the declination, its value or its model: opens these settings on the page Profile")},
+          this)),
       m_offset(new ValueLabel(tr("North from the sensor"), fonts::text(), {}, this)),
       m_run(new RunLine(CalibrationRun::SensorOffset, tr("Average of the sensor"), this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_measure(new CommandButton(tr("Average"), {}, desk, *m_notice, this))
 {
     build();
-    connect(m_measure, &QPushButton::clicked, this, &SensorPage::measureOrEnd);
+    connect(m_measure, &QPushButton::clicked, this, &SensorPage::press);
 }
 
 void SensorPage::build()
 {
     auto* const values = new QGridLayout;
     values->setVerticalSpacing(0);
-    const std::tuple<QString, ValueLabel*, int, int> places[] = {
-        {tr("△ Sensor"), m_sensor, 0, 0}, {tr("● Axis"), m_axis, 0, 2}, {tr("Between them"), m_difference, 1, 0}};
+    const std::tuple<QString, ValueLabel*, int, int> places[] = {{tr("△ Sensor"), m_sensor, 0, 0},
+                                                                 {tr("● Axis"), m_axis, 0, 2},
+                                                                 {tr("Between them"), m_difference, 1, 0},
+                                                                 {tr("True"), m_truth, 1, 2}};
     for (const auto& [text, value, row, column] : places) {
         values->addWidget(makeCaption(text, this), row, column);
         values->addWidget(value, row, column + 1);
@@ -54,14 +85,14 @@ void SensorPage::build()
     for (ValueLabel* const line : {m_declination, m_offset, m_notice}) {
         line->setStretching(true);
     }
-    m_declination->setLines(2);
+    m_declination->setLines(3);
     m_notice->setCollapsing(true);  // in the place of the offset, until the next press
     auto* const grid = new QGridLayout(this);
     grid->setContentsMargins(6, 4, 6, 0);
     grid->setSpacing(4);
     grid->addWidget(m_dial, 0, 0);
     grid->addLayout(right, 0, 1);
-    grid->addWidget(m_declination, 1, 0, 1, 2);
+    grid->addWidget(makeDeclinationRow(), 1, 0, 1, 2);
     grid->addWidget(m_measure, 2, 0);
     grid->addWidget(m_run, 2, 1);
     grid->addWidget(m_offset, 3, 0, 1, 2);
@@ -70,20 +101,65 @@ void SensorPage::build()
     grid->setColumnStretch(1, 1);
 }
 
+QWidget* SensorPage::makeDeclinationRow()
+{
+    auto* const box = new QWidget(this);
+    auto* const row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    row->addWidget(m_declination, 1);
+    row->addWidget(m_change);
+    connect(m_change, &QPushButton::clicked, this, [this] { Q_EMIT settingsWanted(QStringLiteral("declination")); });
+    return box;
+}
+
+// Whose it is with its value, the model that reckons it, and what is wrong with that.
+void SensorPage::showDeclination(const SensorStatus& sensor)
+{
+    QString text = sensor.declinationText;
+    if (!sensor.declinationModel.isEmpty()) {
+        text += QStringLiteral(" (%1)").arg(sensor.declinationModel);
+    }
+    if (sensor.declinationDoubt.isEmpty()) {
+        m_declination->setValue(text, Tone::Secondary);
+    } else {
+        m_declination->setValue(QStringLiteral("%1; %2").arg(text, sensor.declinationDoubt), Tone::Warning,
+                                Symbol::Warning);
+    }
+}
+
 void SensorPage::showStatus(const StationStatus& status)
 {
     const CalibrationStatus& calibration = calibrationOf(status);
     m_running = calibration.progress.run == CalibrationRun::SensorOffset;
     showNeedles(status);
-    m_declination->setValue(status.sensor.declinationText, Tone::Secondary);
+    showDeclination(status.sensor);
+    m_offset->setValue(averageText(calibration));
+    m_offset->setVisible(m_notice->text().isEmpty());
+    m_offers = status.simulated && !status.sensor.configured() && !calibration.sensorObstacle.isEmpty();
+    if (m_offers) {
+        showOffer(status);
+    } else {
+        showAverage(status);
+    }
+}
+
+void SensorPage::showOffer(const StationStatus& status)
+{
+    m_run->showProgress(calibrationOf(status).progress,
+                        tr("No sensor is set: the simulated mount has one on its boom"));
+    m_measure->setCommand(tr("Use the sensor"), tr("Sets sensor.source in the profile; nothing moves"));
+    m_measure->setBlocked(m_profileChange.whyNot(status, nameSimulatedSensor));
+}
+
+void SensorPage::showAverage(const StationStatus& status)
+{
+    const CalibrationStatus& calibration = calibrationOf(status);
     const QString reason = m_running ? QString() : whyNoSensorAverage(status);
     m_run->showProgress(calibration.progress,
                         reason.isEmpty()
                             ? tr("The mount stands still, motors at rest; the sensor is averaged for some 20 s")
                             : tr("Not now: %1").arg(reason));
-    m_offset->setValue(calibration.sensorOffset ? tr("North: axis %1").arg(offsetText(calibration.sensorOffset->offset))
-                                                : QString());
-    m_offset->setVisible(m_notice->text().isEmpty());
     m_measure->setCommand(m_running ? tr("End average") : tr("Average"),
                           m_running ? tr("No result; nothing moves anyway") : tr("Nothing moves"));
     m_measure->setBlocked(reason);
@@ -99,11 +175,16 @@ void SensorPage::showNeedles(const StationStatus& status)
     m_levels->showCalibration(last ? last->calibration : std::nullopt);
     m_sensor->setValue(last ? angleText(last->heading.angle()) : noValue());
     m_axis->setValue(axis ? angleText(*axis) : noValue());
+    m_truth->setValue(trueAzimuthText(status.sensor));
     m_difference->setValue(last && axis ? signedAngleText((last->heading.angle() - *axis).wrapped180()) : noValue());
 }
 
-void SensorPage::measureOrEnd()
+void SensorPage::press()
 {
+    if (m_offers) {
+        m_profileChange.ask(*m_measure, nameSimulatedSensor);
+        return;
+    }
     m_measure->ask(m_running ? Request(request::EndCalibration{}) : Request(request::MeasureSensorOffset{}));
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace boresight::ui {
 
@@ -43,6 +44,22 @@ constexpr Title kTitles[] = {{"mount", QT_TRANSLATE_NOOP("SettingWords", "Mount"
                              {"sensor", QT_TRANSLATE_NOOP("SettingWords", "Orientation sensor")},
                              {"mqtt", QT_TRANSLATE_NOOP("SettingWords", "MQTT broker")},
                              {"power", QT_TRANSLATE_NOOP("SettingWords", "Received power")}};
+
+// Where the operator sets it by another name than the file's.
+struct Name
+{
+    std::string_view key;
+    const char* name;
+};
+
+constexpr Name kNames[] = {{"limits.azimuth_min_deg", QT_TRANSLATE_NOOP("SettingWords", "lowest azimuth")},
+                           {"limits.azimuth_max_deg", QT_TRANSLATE_NOOP("SettingWords", "highest azimuth")},
+                           {"limits.elevation_min_deg", QT_TRANSLATE_NOOP("SettingWords", "lowest elevation")},
+                           {"limits.elevation_max_deg", QT_TRANSLATE_NOOP("SettingWords", "highest elevation")},
+                           {profile::kHorizonKey, QT_TRANSLATE_NOOP("SettingWords", "horizon")},
+                           {profile::kKeepOutKey, QT_TRANSLATE_NOOP("SettingWords", "keep-outs")},
+                           {profile::kPresetKey, QT_TRANSLATE_NOOP("SettingWords", "presets")},
+                           {"site", QT_TRANSLATE_NOOP("SettingWords", "site")}};
 
 class SettingWords
 {
@@ -119,6 +136,16 @@ QString groupTitle(const QString& table)
     const auto* const found =
         std::ranges::find_if(kTitles, [&table](const Title& one) { return table == QLatin1String(one.table); });
     return found == std::end(kTitles) ? table : SettingWords::tr(found->title);
+}
+
+QString settingName(const std::string& key)
+{
+    const auto* const found = std::ranges::find(kNames, key, &Name::key);
+    if (found != std::end(kNames)) {
+        return SettingWords::tr(found->name);
+    }
+    const QStringList parts = QString::fromStdString(key).split(QLatin1Char('.'));
+    return parts.size() == 2 ? QStringLiteral("%1 (%2)").arg(parts[1], groupTitle(parts[0])) : parts[0];
 }
 
 QString typedText(const Setting& setting, const profile::Profile& profile)

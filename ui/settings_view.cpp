@@ -126,6 +126,13 @@ void SettingsView::openEditor(const QModelIndex& index)
     }
 }
 
+void SettingsView::seek(const QString& words)
+{
+    m_shown->setCurrentIndex(0);
+    m_search->setText(words);
+    m_tree->setFocus();
+}
+
 void SettingsView::search(const QString& text)
 {
     m_filter->setText(text);

@@ -25,6 +25,8 @@ class SettingsView : public QWidget
 public:
     explicit SettingsView(ProfileDraft& draft, QWidget* parent = nullptr);
 
+    void seek(const QString& words);  // as if typed into the search
+
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 

@@ -3,6 +3,7 @@
 
 #include "ui/calibration_permission.h"
 #include "ui/calibration_words.h"
+#include "ui/caption.h"
 #include "ui/command_button.h"
 #include "ui/deviation_plot.h"
 #include "ui/guide_fields.h"
@@ -11,17 +12,17 @@
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QLabel>
 #include <QPlainTextEdit>
 #include <QSpinBox>
+
+#include <utility>
 
 namespace boresight::ui {
 
 namespace {
 
-// The firmware averages for a second: faster, a reading would be of six degrees at once (calibration::SwingLimits).
 constexpr double kSlowest = 0.5;
-constexpr double kFastest = 6.0;
+constexpr double kFastest = calibration::kFastestSwing.degrees();
 constexpr int kMostHeadings = 72;
 constexpr int kFoundLines = 5;  // where there is room
 
@@ -70,9 +71,7 @@ void SwingPage::build()
     row->setSpacing(4);
     for (const auto& [text, field] : {std::pair(tr("Rate"), static_cast<QWidget*>(m_rate)),
                                       std::pair(tr("Stops"), static_cast<QWidget*>(m_headings))}) {
-        QLabel* const caption = makeCaption(text, this);
-        caption->setBuddy(field);
-        row->addWidget(caption);
+        row->addWidget(makeCaption(text, *field));
         row->addWidget(field);
         field->setMinimumHeight(kTouchSize);
     }
@@ -84,7 +83,6 @@ void SwingPage::build()
     m_found->setAccessibleName(tr("What the swing has found"));
     m_found->setPlaceholderText(tr("No swing yet"));
     m_found->setMinimumHeight(2 * m_found->fontMetrics().lineSpacing() + 12);
-    m_found->setMaximumHeight(kFoundLines * m_found->fontMetrics().lineSpacing() + 12);
     m_found->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
     m_notice->setStretching(true);
     m_notice->setCollapsing(true);
@@ -101,7 +99,7 @@ void SwingPage::build()
 void SwingPage::showStatus(const StationStatus& status)
 {
     const CalibrationStatus& calibration = calibrationOf(status);
-    m_running = calibration.progress.run == CalibrationRun::Swing;
+    const bool wasRunning = std::exchange(m_running, calibration.progress.run == CalibrationRun::Swing);
     const QString reason = m_running ? QString() : whyNoSwing(status);
     m_run->showProgress(calibration.progress,
                         reason.isEmpty() ? calibration.swingPlan.text : tr("Not now: %1").arg(reason));
@@ -111,7 +109,16 @@ void SwingPage::showStatus(const StationStatus& status)
                         m_running ? tr("The mount holds, there is no result (STOP does it too)")
                                   : tr("The mount moves: %1").arg(calibration.swingPlan.text));
     m_start->setBlocked(reason);
-    if (calibration.swing != m_swing) {
+    const int lines = m_running ? 2 : kFoundLines;  // the more room for the plot
+    m_found->setMaximumHeight(lines * m_found->fontMetrics().lineSpacing() + 18);
+    if (m_running) {
+        m_plot->showDots(calibration.swingSoFar, calibration.progress.text);
+        if (!wasRunning) {
+            m_found->setPlainText(
+                tr("The readings as they come, about their mean so far; the curve, and what is far off it, "
+                   "are found in the end."));
+        }
+    } else if (wasRunning || calibration.swing != m_swing) {
         m_swing = calibration.swing;
         m_plot->showSwing(m_swing);
         m_found->setPlainText(m_swing ? swingText(*m_swing) : QString());

@@ -27,24 +27,41 @@ constexpr InForce kInForce[] = {{"pointing.azimuth_offset_deg", &pointing::Point
 
 }  // namespace
 
+TermModel::TermModel(QObject* parent)
+    : TableModel({tr("Term"), tr("In force"), tr("Proposed"), tr("Sigma"), tr("Fit")}, parent)
+{}
+
 std::vector<TermModel::Row> TermModel::rowsOf(const CalibrationStatus& calibration)
 {
     std::vector<Row> rows;
-    const bool fitted = calibration.fit && !calibration.fit->terms.empty();
-    if (!calibration.proposal && !fitted) {
+    if (!calibration.proposal) {
         for (const InForce& one : kInForce) {
             rows.push_back({.name = termName(one.key), .present = calibration.present.*one.term});
         }
         return rows;
     }
-    for (const TermStatus& term : calibration.proposal ? calibration.proposal->terms : calibration.fit->terms) {
+    for (const TermStatus& term : calibration.proposal->terms) {
         rows.push_back({.name = termName(term.key),
                         .present = term.present,
                         .proposed = term.proposed,
                         .sigma = term.sigma,
-                        .isOn = term.isOn});
+                        .fit = fitWord(term, calibration),
+                        .stays = !term.isOn && term.proposed == term.present});
     }
     return rows;
+}
+
+// What the points have not found has moved within what was known of it before, or to what a swing has measured. Of
+// anything else the proposal says itself where it comes from: "typed", "compass swing".
+QString TermModel::fitWord(const TermStatus& term, const CalibrationStatus& calibration)
+{
+    if (term.isOn) {
+        return proposesFit(calibration) ? tr("● found") : QStringLiteral("● ") + calibration.proposal->reason;
+    }
+    if (term.proposed == term.present) {
+        return tr("as it was");
+    }
+    return term.sigma ? tr("◐ held") : tr("◐ as measured");
 }
 
 void TermModel::show(const CalibrationStatus& calibration)
@@ -55,22 +72,12 @@ void TermModel::show(const CalibrationStatus& calibration)
     }
     if (rows.size() == m_rows.size()) {
         m_rows = std::move(rows);
-        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+        changeCells();
         return;
     }
     beginResetModel();
     m_rows = std::move(rows);
     endResetModel();
-}
-
-int TermModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int TermModel::columnCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : ColumnCount;
 }
 
 QString TermModel::cell(const Row& row, int column)
@@ -85,10 +92,7 @@ QString TermModel::cell(const Row& row, int column)
         case Sigma:
             return row.sigma ? QStringLiteral("± ") + angleText(*row.sigma, kDecimals) : QString();
         default:
-            return !row.proposed ? QString()
-                   : !row.isOn   ? tr("as it was")
-                   : row.sigma   ? tr("● found")
-                                 : tr("● given");  // what is found has a sigma
+            return row.fit;
     }
 }
 
@@ -99,31 +103,12 @@ QVariant TermModel::data(const QModelIndex& index, int role) const
         case Qt::DisplayRole:
             return cell(row, index.column());
         case Qt::TextAlignmentRole:
-            return index.column() == Name || index.column() == On ? QVariant()
-                                                                  : QVariant(Qt::AlignRight | Qt::AlignVCenter);
+            return index.column() == Name || index.column() == Fit ? QVariant()
+                                                                   : QVariant(Qt::AlignRight | Qt::AlignVCenter);
         case Qt::ForegroundRole:
-            return row.proposed && !row.isOn ? QVariant(currentTheme().secondary) : QVariant();
+            return row.stays ? QVariant(currentTheme().secondary) : QVariant();
         default:
             return {};
-    }
-}
-
-QVariant TermModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
-        return {};
-    }
-    switch (section) {
-        case Name:
-            return tr("Term");
-        case Present:
-            return tr("In force");
-        case Proposed:
-            return tr("Proposed");
-        case Sigma:
-            return tr("Sigma");
-        default:
-            return tr("Fit");
     }
 }
 

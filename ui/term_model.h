@@ -2,16 +2,15 @@
 #pragma once
 
 #include "core/station/calibration_status.h"
-
-#include <QAbstractTableModel>
+#include "ui/table_model.h"
 
 #include <vector>
 
 // The terms of the pointing model as a table: what is in force, what is proposed and how well it is known, and whether
-// the points support it.
+// the points have found it, only hold it within what was known before, or somebody has given it.
 namespace boresight::ui {
 
-class TermModel : public QAbstractTableModel
+class TermModel : public TableModel
 {
     Q_OBJECT
 
@@ -22,19 +21,18 @@ public:
         Present,
         Proposed,
         Sigma,
-        On,
-        ColumnCount
+        Fit
     };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit TermModel(QObject* parent = nullptr);
 
-    // Of the proposal if there is one, else of the fit, else only what is in force.
+    // Of the proposal if there is one, else only what is in force.
     void show(const CalibrationStatus& calibration);
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+protected:
+    [[nodiscard]] std::size_t rows() const override { return m_rows.size(); }
 
 private:
     struct Row
@@ -43,12 +41,14 @@ private:
         Angle present;
         std::optional<Angle> proposed;
         std::optional<Angle> sigma;
-        bool isOn = false;
+        QString fit;
+        bool stays = false;
 
         bool operator==(const Row&) const = default;
     };
 
     [[nodiscard]] static std::vector<Row> rowsOf(const CalibrationStatus& calibration);
+    [[nodiscard]] static QString fitWord(const TermStatus& term, const CalibrationStatus& calibration);
     [[nodiscard]] static QString cell(const Row& row, int column);
 
     std::vector<Row> m_rows;

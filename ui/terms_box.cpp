@@ -5,6 +5,7 @@
 #include "core/profile/setting.h"
 #include "ui/calibration_permission.h"
 #include "ui/calibration_words.h"
+#include "ui/caption.h"
 #include "ui/command_button.h"
 #include "ui/file_dialog.h"
 #include "ui/guide_fields.h"
@@ -15,14 +16,16 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QGridLayout>
-#include <QLabel>
 #include <QSignalBlocker>
+
+#include <cmath>
 
 namespace boresight::ui {
 
 namespace {
 
-constexpr int kDecimals = 4;         // of a degree; what nobody typed into keeps all it has
+constexpr int kDecimals = 4;  // of a degree; what nobody typed into keeps all it has
+constexpr double kHalfPlace = 0.5001e-4;
 constexpr int kRows = 4;             // in each of two columns
 constexpr qint64 kLargest = 100000;  // bytes: far beyond seven lines and their comments
 
@@ -65,9 +68,7 @@ void TermsBox::build()
     for (const calibration::Term term : calibration::kAllTerms) {
         addField(term);
         const int place = static_cast<int>(calibration::indexOf(term));
-        QLabel* const caption = makeCaption(termName(keyOf(term)), this);
-        caption->setBuddy(field(term).box);
-        grid->addWidget(caption, place % kRows, 2 * (place / kRows));
+        grid->addWidget(makeCaption(termName(keyOf(term)), *field(term).box), place % kRows, 2 * (place / kRows));
         grid->addWidget(field(term).box, place % kRows, 2 * (place / kRows) + 1);
     }
     grid->addLayout(makeButtons(), kRows, 0, 1, 4);
@@ -108,6 +109,9 @@ void TermsBox::showStatus(const StationStatus& status)
     for (const calibration::Term term : calibration::kAllTerms) {
         Field& one = field(term);
         one.inForce = calibration::valueOf(calibration.present, term);
+        if (one.typed && !one.box->hasFocus() && isAsInForce(one)) {
+            one.typed = false;  // it was applied: from now on it follows
+        }
         if (!one.typed) {
             const QSignalBlocker silent(one.box);
             one.box->setValue(one.inForce.degrees());
@@ -117,6 +121,12 @@ void TermsBox::showStatus(const StationStatus& status)
     m_propose->setBlocked(reason);
     m_import->setBlocked(reason);
     m_export->setBlocked(status.calibration ? QString() : tr("the station has told no terms yet"));
+}
+
+// As far as the field shows: what reads the same was not changed, and keeps all the decimals that it has.
+bool TermsBox::isAsInForce(const Field& one)
+{
+    return std::abs(one.box->value() - one.inForce.degrees()) <= kHalfPlace;
 }
 
 void TermsBox::showInForce()
@@ -132,7 +142,7 @@ void TermsBox::propose()
     pointing::PointingTerms terms;
     for (const calibration::Term term : calibration::kAllTerms) {
         const Field& one = field(term);
-        calibration::valueOf(terms, term) = one.typed ? Angle::fromDegrees(one.box->value()) : one.inForce;
+        calibration::valueOf(terms, term) = isAsInForce(one) ? one.inForce : Angle::fromDegrees(one.box->value());
     }
     m_propose->ask(request::ProposeTerms{terms});
 }

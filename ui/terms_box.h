@@ -40,6 +40,7 @@ private:
 
     void build();
     [[nodiscard]] QLayout* makeButtons();
+    [[nodiscard]] static bool isAsInForce(const Field& one);
     void addField(calibration::Term term);
     void showInForce();
     void propose();

@@ -19,7 +19,7 @@ constexpr int kTick = 4;  // px
 std::chrono::seconds timeStep(std::chrono::seconds window)
 {
     using namespace std::chrono_literals;
-    return window <= 10s ? 2s : window <= 60s ? 15s : window <= 5min ? 1min : 5min;
+    return window <= 10s ? 2s : window <= 60s ? 15s : window <= 5min ? 1min : 10min;
 }
 
 QString timeText(std::chrono::seconds time)

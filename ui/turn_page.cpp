@@ -3,6 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "ui/axes.h"
+#include "ui/caption.h"
 #include "ui/command_button.h"
 #include "ui/format.h"
 #include "ui/place_button.h"
@@ -12,7 +13,6 @@
 
 #include <QButtonGroup>
 #include <QGridLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 
@@ -23,13 +23,6 @@ namespace {
 // The second press of a double click must not answer the question of the other axis that follows at once.
 constexpr std::chrono::milliseconds kFresh{800};
 constexpr int kPlacesInRow = 4;
-
-QLabel* caption(const QString& text, QWidget* parent)
-{
-    auto* const label = new QLabel(text, parent);
-    label->setFont(fonts::label());
-    return label;
-}
 
 }  // namespace
 
@@ -119,11 +112,9 @@ void TurnPage::makeMany()
     m_field->setAccessibleName(tr("Angle read off the mount"));
     m_field->setToolTip(tr("Where the axis stands, in degrees of its own travel, e.g. 45.5 or -120"));
     m_selected->setStretching(true);
-    QLabel* const label = caption(tr("The axis stands at about"), m_many);
-    label->setBuddy(m_field);
-    row->addWidget(label);
+    row->addWidget(makeCaption(tr("The axis stands at about"), *m_field));
     row->addWidget(m_field);
-    row->addWidget(caption(QStringLiteral("°"), m_many));
+    row->addWidget(makeCaption(QStringLiteral("°"), m_many));
     row->addWidget(m_selected, 1);
 }
 

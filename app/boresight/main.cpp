@@ -11,6 +11,7 @@
 #include "ui/gamepad.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
+#include "ui/start_problem.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -59,17 +60,6 @@ void keepLayout(const ui::WindowLayout& layout, QSettings& kept)
     kept.setValue(kChartWindowKey, int(layout.charts.window.count()));
     kept.setValue(kChartAxisKey, static_cast<int>(layout.charts.axis));
     kept.setValue(kChartQuantityKey, static_cast<int>(layout.charts.quantity));
-}
-
-// Without any profile nobody has looked yet which way the axes turn, unless it is the simulated mount that was asked
-// for.
-profile::Profile startingProfile(const app::Options& options)
-{
-    profile::Profile profile = options.profile;
-    if (options.isFirstStart() && !options.onlySimulated) {
-        profile.mount.directions = profile::Directions::Unconfirmed;
-    }
-    return profile;
 }
 
 // Opens by itself at the first start, and wherever it was open when the program ended.
@@ -172,6 +162,9 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     first->setSensorMaker(links.sensors());
     app::StationThread station(std::move(first), build);
     app::ProfileSaver saver(options.configDir, options.profilePath, options.profile);
+    if (options.onlySimulated) {
+        saver.keepSimulated();
+    }
     ui::MainWindow window(clock, windowSettings(options, layout));
     app::HostSearch search(makeLink);
     const bool known = window.restoreGeometry(layout.value(kGeometryKey).toByteArray());
@@ -210,6 +203,20 @@ Result<app::Options> readOptionsAlone(int argc, char** argv)
     return app::readOptions(QCoreApplication::arguments(), QStringLiteral("Controls a ground-station antenna mount."));
 }
 
+// Whoever starts it from a menu sees no terminal. The end of the session closes the window as its button does.
+int complainInWindow(int argc, char** argv, const std::string& text)
+{
+    const QApplication application(argc, argv);
+    const ui::Translation translation({});
+    ui::StartProblem problem(QString::fromStdString(text));
+    const app::UnixSignals signals;
+    QObject::connect(&signals, &app::UnixSignals::endRequested, &problem, &QWidget::close);
+    problem.show();
+    const int status = complain("the window says: " + text);
+    QApplication::exec();
+    return status;
+}
+
 bool hasDisplay()
 {
     return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
@@ -225,9 +232,10 @@ int main(int argc, char** argv)
     app::logToStandardError();
     auto options = readOptionsAlone(argc, argv);
     if (!options) {
-        return complain(options.error().text);
+        const bool fromMenu = argc == 1 && hasDisplay();
+        return fromMenu ? complainInWindow(argc, argv, options.error().text) : complain(options.error().text);
     }
-    options->profile = startingProfile(*options);
+    options->profile = options->startingProfile();
     if (!hasDisplay()) {
         return complain(
             "there is no display (DISPLAY and WAYLAND_DISPLAY are empty); boresightd is the same without one");

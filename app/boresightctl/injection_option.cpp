@@ -17,7 +17,7 @@ using sim::Injection;
 constexpr auto kNeeded = NeedOfValue::Needed;
 constexpr auto kOptional = NeedOfValue::Optional;
 
-constexpr std::array<InjectionOption, 17> kOptions{{
+constexpr std::array<InjectionOption, 20> kOptions{{
     {.name = "silence", .kind = FaultKind::Silence, .text = "receives and acts, but answers nothing"},
     {.name = "late",
      .kind = FaultKind::LateReply,
@@ -110,6 +110,15 @@ constexpr std::array<InjectionOption, 17> kOptions{{
      .takesAxis = false,
      .ofAdapter = true,
      .text = "the adapter is off the bus"},
+    {.name = "sensor-silence", .kind = FaultKind::SensorSilence, .takesAxis = false, .text = "the sensor has no power"},
+    {.name = "sensor-dead",
+     .kind = FaultKind::SensorDead,
+     .takesAxis = false,
+     .text = "the sensor's chip does not answer: it says zeros"},
+    {.name = "sensor-frozen",
+     .kind = FaultKind::SensorFrozen,
+     .takesAxis = false,
+     .text = "the sensor says one value again and again"},
 }};
 
 std::string arguments(const InjectionOption& option)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/injection_option.h"
+#include "app/boresightctl/sensor_option.h"
 #include "app/boresightctl/simulate_options.h"
 #include "app/unix_signals.h"
 #include "core/base/numbers.h"
@@ -7,6 +8,7 @@
 #include "core/sim/can_server.h"
 #include "core/sim/pty_server.h"
 #include "core/sim/sensor_port.h"
+#include "core/sim/sensor_publisher.h"
 
 #include <QCoreApplication>
 #include <QTimer>
@@ -54,6 +56,8 @@ private:
     Result<> startOnPty();
     Result<> startOnCan();
     Result<> startSensor();
+    Result<> startSensorPort();
+    void startSensorPublisher();
     [[nodiscard]] Seconds now() const { return m_clock.now() - m_epoch; }
 
     const SimulateOptions& m_options;
@@ -63,7 +67,9 @@ private:
     std::unique_ptr<sim::PtyServer> m_ptyServer;
     std::unique_ptr<SocketCanLink> m_canLink;
     std::unique_ptr<sim::CanServer> m_canServer;
+    std::unique_ptr<sim::SensorBox> m_sensor;
     std::unique_ptr<sim::SensorPort> m_sensorPort;
+    std::unique_ptr<sim::SensorPublisher> m_sensorPublisher;
     QTimer m_truthTimer;
 };
 
@@ -72,17 +78,42 @@ Result<> SimulatedDevice::start()
     return (m_options.can.empty() ? startOnPty() : startOnCan()).and_then([this] { return startSensor(); });
 }
 
+// One box, whichever way it is heard.
 Result<> SimulatedDevice::startSensor()
 {
-    if (m_options.sensor.empty()) {
+    if (!m_options.hasSensor()) {
         return {};
     }
-    return sim::SensorPort::create(QString::fromStdString(m_options.sensor), m_pair, m_clock, m_epoch)
+    m_sensor = std::make_unique<sim::SensorBox>(m_pair, m_clock, m_epoch, m_options.sensorTruth);
+    if (m_options.sensorBroker) {
+        startSensorPublisher();
+    }
+    return m_options.sensor.empty() ? Result<>() : startSensorPort();
+}
+
+Result<> SimulatedDevice::startSensorPort()
+{
+    return sim::SensorPort::create(QString::fromStdString(m_options.sensor), *m_sensor)
         .map([this](std::unique_ptr<sim::SensorPort> port) {
             m_sensorPort = std::move(port);
-            m_sensorPort->sensor().truth() = sim::truthToBeFound();
             print("sensor " + m_sensorPort->device().toStdString() + '\n');
         });
+}
+
+void SimulatedDevice::startSensorPublisher()
+{
+    const auto topics = m_options.orientationOnly ? sim::PublishedTopics::OrientationOnly : sim::PublishedTopics::All;
+    m_sensorPublisher = std::make_unique<sim::SensorPublisher>(*m_sensor, m_clock,
+                                                               QString::fromStdString(m_options.sensorTopics), topics);
+    mqtt::Client& client = m_sensorPublisher->client();
+    QObject::connect(&client, &mqtt::Client::connected, &client,
+                     [this] { remark(now(), "the sensor publishes on " + m_options.sensorTopics); });
+    QObject::connect(&client, &mqtt::Client::problemChanged, &client, [this](const QString& problem) {
+        if (!problem.isEmpty()) {
+            remark(now(), problem.toStdString());
+        }
+    });
+    client.open(*m_options.sensorBroker);
 }
 
 Result<> SimulatedDevice::startOnPty()
@@ -152,7 +183,13 @@ const std::string kDetails =
     R"(  --pty PATH      be an fdcanusb adapter on a pseudo-terminal that PATH links to; clients may come and go
   --can IFACE     answer on a CAN interface that is up, for instance vcan0
   --sensor PATH   be its orientation sensor, too, on a pseudo-terminal that PATH links to: sensor.source = "serial",
-                  sensor.port = "PATH". North is hidden, and iron leads its compass
+                  sensor.port = "PATH"
+  --sensor-mqtt HOST[:PORT]
+                  and publish what it says at an MQTT broker, as its firmware does: without a user, nothing retained.
+                  sensor.source = "mqtt", mqtt.host = "HOST"; port 1883 without PORT. Its topics are those of the real
+                  sensor: whoever reads them at this broker, Boresight or a logger, takes it for the real sensor;
+                  --sensor-topics simulated/ keeps them apart (in the profile sensor.orientation_topic =
+                  "simulated/orientation", the other two alike)
   --az-id N       id of the azimuth drive, 1…126; 1 without it
   --el-id N       id of the elevation drive; 2 without it
   --factory       boards fresh from the box: both with id 1, not referenced, bounds of ±0.01 turns; else a commissioned
@@ -160,6 +197,13 @@ const std::string kDetails =
   --print-truth   ten times a second how the axes really stand: seconds, degrees, °/s, mode and fault code of the drive
 
 Prints "ready" when it answers and ends at SIGTERM or Ctrl-C. The mount starts at azimuth 0°, elevation 10°.
+
+What the sensor and the mount below it hide, for the program to find:
+)" + sensorHelp() +
+    R"(  --sensor-topics PREFIX
+        its topics are PREFIXorientation, PREFIXcalibration and PREFIXstatus; antenna/ without it
+  --sensor-orientation-only
+        publish only the first, as firmware since March 2026 does
 
 Faults to inject, each as often as you like. AXIS is az or el, both without it. START and DURATION are times like 5, 5s
 or 500ms on the mount's own clock; without them the fault is there from the beginning and for ever. Each is announced
@@ -169,7 +213,8 @@ on standard error when it begins and ends.
 Examples:
   boresightctl simulate --pty /tmp/mount --wind az:30Nm@5+3 --silence el@12s+500ms --fault az:38@20
   boresightd --bus fdcanusb:/tmp/mount
-  boresightctl simulate --pty /tmp/mount --sensor /tmp/sensor
+  boresightctl simulate --pty /tmp/mount --sensor /tmp/sensor --sensor-north -12 --sensor-silence @60+20
+  boresightctl simulate --pty /tmp/mount --sensor-mqtt 127.0.0.1 --sensor-deviation 0,0,0,0
 )";
 
 ExitStatus run(Arguments arguments)

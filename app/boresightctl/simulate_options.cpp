@@ -2,7 +2,9 @@
 #include "app/boresightctl/simulate_options.h"
 
 #include "app/boresightctl/injection_option.h"
+#include "app/boresightctl/sensor_option.h"
 #include "core/base/numbers.h"
+#include "core/profile/setting.h"
 
 namespace boresight::ctl {
 namespace {
@@ -80,6 +82,59 @@ Result<> takeInjection(const InjectionOption& option, Reader& reader, SimulateOp
     return parseInjection(option, text).map([&](const sim::Injection& one) { options.injections.push_back(one); });
 }
 
+Result<> takeBroker(Reader& reader, SimulateOptions& options)
+{
+    const std::string text = reader.takeValue().value_or("");
+    const bool namesPort = text.rfind(':') != std::string::npos && !text.ends_with(']');
+    const auto address = profile::parseListenAddress(namesPort ? text : text + ":1883");
+    if (!address || address->port == 0) {
+        return refuse("--sensor-mqtt \"" + text + "\": expected HOST[:PORT]");
+    }
+    // Its own name, not the firmware's: a real sensor at the same broker must not be thrown out.
+    options.sensorBroker = mqtt::Broker{.host = QString::fromStdString(address->host), .port = address->port};
+    return {};
+}
+
+// A topic begins with it; "+" and "#" stand for several.
+Result<> takeTopics(Reader& reader, SimulateOptions& options)
+{
+    return takeText("sensor-topics", reader, options.sensorTopics).and_then([&]() -> Result<> {
+        return options.sensorTopics.find_first_of("+#") == std::string::npos
+                   ? Result<>()
+                   : refuse("--sensor-topics \"" + options.sensorTopics + "\": + and # cannot be written to");
+    });
+}
+
+Result<> takeSwitch(const std::string& name, Reader& reader, bool& state)
+{
+    state = true;
+    return reader.hasUnusedValue() ? refuse("--" + name + " takes no value") : Result<>();
+}
+
+// Nothing if no option of the sensor has that name.
+std::optional<Result<>> takeOptionOfSensor(const std::string& name, Reader& reader, SimulateOptions& options)
+{
+    if (name == "sensor") {
+        return takeText(name, reader, options.sensor);
+    }
+    if (name == "sensor-mqtt") {
+        return takeBroker(reader, options);
+    }
+    if (name.starts_with("sensor-")) {
+        options.ofSensor = name;
+    }
+    if (name == "sensor-topics") {
+        return takeTopics(reader, options);
+    }
+    if (name == "sensor-orientation-only") {
+        return takeSwitch(name, reader, options.orientationOnly);
+    }
+    if (const SensorOption* const option = findSensorOption(name)) {
+        return takeSensorOption(*option, reader.takeValue().value_or(""), options.sensorTruth);
+    }
+    return std::nullopt;
+}
+
 Result<> takeOption(const std::string& name, Reader& reader, SimulateOptions& options)
 {
     if (name == "pty") {
@@ -88,9 +143,6 @@ Result<> takeOption(const std::string& name, Reader& reader, SimulateOptions& op
     if (name == "can") {
         return takeText(name, reader, options.can);
     }
-    if (name == "sensor") {
-        return takeText(name, reader, options.sensor);
-    }
     if (name == "az-id") {
         return takeId(name, reader, options.azimuthId);
     }
@@ -98,8 +150,10 @@ Result<> takeOption(const std::string& name, Reader& reader, SimulateOptions& op
         return takeId(name, reader, options.elevationId);
     }
     if (name == "factory" || name == "print-truth") {
-        (name == "factory" ? options.factory : options.printTruth) = true;
-        return reader.hasUnusedValue() ? refuse("--" + name + " takes no value") : Result<>();
+        return takeSwitch(name, reader, name == "factory" ? options.factory : options.printTruth);
+    }
+    if (const auto taken = takeOptionOfSensor(name, reader, options)) {
+        return *taken;
     }
     if (const InjectionOption* const option = findInjectionOption(name)) {
         return takeInjection(*option, reader, options);
@@ -114,6 +168,9 @@ Result<> check(const SimulateOptions& options)
     }
     if (!options.sensor.empty() && options.sensor == options.pty) {
         return refuse("--sensor and --pty name the same file");
+    }
+    if (!options.ofSensor.empty() && !options.hasSensor()) {
+        return refuse("--" + options.ofSensor + " needs --sensor or --sensor-mqtt");
     }
     const sim::PairSettings pair = options.pairSettings();
     if (!options.factory && pair.azimuth.config.id == pair.elevation.config.id) {

@@ -3,7 +3,9 @@
 
 #include "app/boresightctl/subcommand.h"
 #include "core/base/result.h"
+#include "core/mqtt/broker.h"
 #include "core/sim/simulated_pair.h"
+#include "core/sim/simulated_sensor.h"
 
 #include <optional>
 #include <string>
@@ -17,6 +19,11 @@ struct SimulateOptions
     std::string pty;  // exactly one of these two is given
     std::string can;
     std::string sensor;  // link to the orientation sensor's pseudo-terminal; empty: none
+    std::optional<mqtt::Broker> sensorBroker{};
+    std::string sensorTopics = "antenna/";
+    bool orientationOnly = false;  // of these
+    std::string ofSensor;          // an option that was given and needs a sensor
+    sim::SensorTruth sensorTruth = sim::truthToBeFound();
     std::optional<int> azimuthId{};
     std::optional<int> elevationId{};
     bool factory = false;
@@ -24,6 +31,7 @@ struct SimulateOptions
     std::vector<sim::Injection> injections{};
 
     [[nodiscard]] sim::PairSettings pairSettings() const;
+    [[nodiscard]] bool hasSensor() const { return !sensor.empty() || sensorBroker; }
 };
 
 [[nodiscard]] Result<SimulateOptions> parseSimulateOptions(Arguments arguments);

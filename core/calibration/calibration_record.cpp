@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 
 namespace boresight::calibration {
 namespace {
@@ -34,13 +35,16 @@ MountDifference difference(const RecordMount& then, const RecordMount& today)
     return moved ? MountDifference::OtherSite : MountDifference::None;
 }
 
-CalibrationHistory::CalibrationHistory(std::vector<CalibrationRecord> entries, std::size_t inForce)
-    : m_entries(std::move(entries)), m_inForce(std::min(inForce, m_entries.size()))
+CalibrationHistory::CalibrationHistory(std::vector<CalibrationRecord> entries, std::size_t inForce,
+                                       std::vector<CalibrationRecord> superseded)
+    : m_entries(std::move(entries)), m_inForce(std::min(inForce, m_entries.size())), m_superseded(std::move(superseded))
 {}
 
 void CalibrationHistory::add(CalibrationRecord record)
 {
-    m_entries.resize(m_inForce);
+    const auto undone = m_entries.begin() + static_cast<std::ptrdiff_t>(m_inForce);
+    m_superseded.insert(m_superseded.end(), std::make_move_iterator(undone), std::make_move_iterator(m_entries.end()));
+    m_entries.erase(undone, m_entries.end());
     m_entries.push_back(std::move(record));
     m_inForce = m_entries.size();
 }

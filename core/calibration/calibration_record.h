@@ -72,15 +72,18 @@ enum class MountDifference
 // What of the mount of today speaks against a calibration of then; what is not known on either side does not.
 [[nodiscard]] MountDifference difference(const RecordMount& then, const RecordMount& today);
 
-// The first `inForce` entries are in force, the others were undone. A new one takes the place of those.
+// The first `inForce` entries are in force, the others were undone. A new one takes the place of those; they, and the
+// points in them, are kept apart to be read: nothing leads back to them.
 class CalibrationHistory
 {
 public:
     CalibrationHistory() = default;
     // inForce is at most the number of entries.
-    CalibrationHistory(std::vector<CalibrationRecord> entries, std::size_t inForce);
+    CalibrationHistory(std::vector<CalibrationRecord> entries, std::size_t inForce,
+                       std::vector<CalibrationRecord> superseded = {});
 
     [[nodiscard]] const std::vector<CalibrationRecord>& entries() const { return m_entries; }
+    [[nodiscard]] const std::vector<CalibrationRecord>& superseded() const { return m_superseded; }
     [[nodiscard]] std::size_t inForce() const { return m_inForce; }
     [[nodiscard]] bool canUndo() const { return m_inForce > 0; }
     [[nodiscard]] bool canRedo() const { return m_inForce < m_entries.size(); }
@@ -96,6 +99,7 @@ public:
 private:
     std::vector<CalibrationRecord> m_entries;  // oldest first
     std::size_t m_inForce = 0;
+    std::vector<CalibrationRecord> m_superseded;  // in the order in which they were
 };
 
 }  // namespace boresight::calibration

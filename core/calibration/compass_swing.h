@@ -34,11 +34,16 @@ struct SwingSample
     std::optional<Angle> axisElevation;  // for the curve, which holds there
 };
 
+// The sensor's firmware averages for a second: faster, a reading is smeared over more of the curve than it is good for.
+inline constexpr AngularRate kFastestSwing = AngularRate::fromDegrees(6.0);
+
 struct SwingLimits
 {
-    int calibration = 2;                                 // a sample below is not used; below 3 it counts a quarter
-    double motorCurrent = 3.0;                           // A; a sample above is not used
-    AngularRate rate = AngularRate::fromDegrees(6.0);    // a sample above is not used: it is a mean over a second
+    int calibration = 2;        // a sample below is not used; below 3 it counts a quarter
+    double motorCurrent = 5.0;  // A; a sample above is not used; as sensor.swing_current_a says
+    // A sample above is not used. Above the fastest that is asked for, by what a rate scatters that is measured within
+    // a part of a second: a limit at that very rate threw away every other reading.
+    AngularRate rate = kFastestSwing * 1.25;
     Seconds latencySigma{0.1};                           // of what axisAzimuth was reckoned with
     Angle alignment = Angle::fromDegrees(0.5);           // sigma: of the box on the boom, and of the declination
     Angle leastConstant = Angle::fromDegrees(1.0);       // sigma of the constant where no soft iron is seen
@@ -57,6 +62,7 @@ enum class SampleFate
     MotorCurrent,
     TooFast
 };
+inline constexpr std::size_t kSampleFates = 5;
 
 struct SwingResidual
 {

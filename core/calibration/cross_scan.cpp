@@ -9,40 +9,35 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace boresight::calibration {
 namespace {
 
-constexpr std::size_t kFewest = 6;
-constexpr double kNoiseFloor = 0.02;       // dB: finer than receivers tell
-constexpr double kHalfPower = 3.0103;      // dB
-constexpr double kLeastAbove = 1e-3;       // of the background's power, that a reading must be above it to count
-constexpr double kNearZenith = 0.02;       // cosine of elevation: azimuth says nothing there
-constexpr double kWorstSigma = 0.25;       // of the width: a peak less certain is none
-constexpr double kLeastSlopeSigmas = 3.0;  // of the curvature, above its sigma
+constexpr std::size_t kFewest = 7;
+constexpr double kHalfPower = 4.0 * std::numbers::ln2;  // exp(-this × (offset / width)²): one half at half a width
+constexpr double kNoiseFloor = 0.02;                    // of the power: 0.04 dB, finer than receivers tell
+constexpr double kBeamError = 0.2;      // of the peak: further down a beam is no Gaussian, in proportion
+constexpr double kNearZenith = 0.02;    // cosine of elevation: azimuth says nothing there
+constexpr double kWorstSigma = 0.25;    // of the width: a peak less certain is none
+constexpr double kLeastRise = 0.2;      // dB, that the power has to change along the line
+constexpr double kLeastEvidence = 5.0;  // noise alone comes to that on a few lines of a hundred
+constexpr double kNarrowest = 1.4;      // steps: a peak of one reading is none
+constexpr double kWidest = 3.0;         // of the line
+constexpr int kRounds = 30;
+constexpr double kStill = 1e-7;  // of the width
 
 double linear(double decibels)
 {
     return std::pow(10.0, decibels / 10.0);
 }
 
-// Without the receiver's own noise, if that was measured; what does not rise above it is left out.
-std::vector<ScanReading> ofSource(std::span<const ScanReading> readings, const ScanLimits& limits)
+double inDecibels(double power)
 {
-    std::vector<ScanReading> result;
-    for (const ScanReading& reading : readings) {
-        if (!limits.background) {
-            result.push_back(reading);
-            continue;
-        }
-        const double noise = linear(*limits.background);
-        const double source = linear(reading.decibels) - noise;
-        if (source > kLeastAbove * noise) {
-            result.push_back({reading.offset, 10.0 * std::log10(source)});
-        }
-    }
-    return result;
+    return 10.0 * std::log10(power);
 }
 
 bool byOffset(const ScanReading& a, const ScanReading& b)
@@ -65,17 +60,6 @@ std::vector<double> smoothed(const std::vector<ScanReading>& ordered)
     return result;
 }
 
-// The readings about the best one, down to the given depth: side lobes are not part of the peak.
-std::vector<ScanReading> aboutPeak(const std::vector<ScanReading>& ordered, const std::vector<double>& power,
-                                   double depth)
-{
-    const auto best = std::max_element(power.begin(), power.end());
-    const auto isBelow = [floor = *best - depth](double decibels) { return decibels < floor; };
-    const auto last = std::find_if(best, power.end(), isBelow) - power.begin();
-    const auto first = std::find_if(std::reverse_iterator(best), power.rend(), isBelow).base() - power.begin();
-    return {ordered.begin() + first, ordered.begin() + last};
-}
-
 Result<> check(std::span<const ScanReading> readings)
 {
     const bool finite = std::all_of(readings.begin(), readings.end(), [](const ScanReading& one) {
@@ -86,70 +70,155 @@ Result<> check(std::span<const ScanReading> readings)
     }
     if (readings.size() < kFewest) {
         return failure(ErrorCode::Refused,
-                       Text::tr("%1 readings show the source, and a peak needs %2").arg(readings.size()).arg(kFewest));
+                       Text::tr("%1 readings are too few: a peak needs %2").arg(readings.size()).arg(kFewest));
     }
     return {};
 }
 
-struct Parabola
+// The readings of a line in the order of their offsets, which are in units of half the line here, from its middle; the
+// powers in units of the best one.
+struct Line
 {
-    Angle middle;  // of the offsets, and half their range: the fit is in units of it
+    std::vector<ScanReading> readings;
+    Angle middle;
     Angle half;
-    RobustFit fit;
+    double unit = 0.0;             // dB
+    std::vector<double> places;    // -1…1
+    std::vector<double> powers;    // as read
+    std::vector<double> smoothed;  // without spikes
 
-    [[nodiscard]] double peak() const { return -fit.solution[1] / (2.0 * fit.solution[2]); }
-    [[nodiscard]] bool bends() const { return fit.solution[2] < -kLeastSlopeSigmas * std::sqrt(fit.variance(2)); }
-    // Of the peak: from the covariance of slope and curvature.
-    [[nodiscard]] double sigma() const
-    {
-        const double bySlope = -1.0 / (2.0 * fit.solution[2]);
-        const double byCurve = -peak() / fit.solution[2];
-        const double both = fit.covariance[1 * 3 + 2];
-        return std::sqrt(bySlope * bySlope * fit.variance(1) + byCurve * byCurve * fit.variance(2) +
-                         2.0 * bySlope * byCurve * both);
-    }
+    [[nodiscard]] double step() const { return 2.0 / static_cast<double>(places.size() - 1); }
+    // The noise of a reading is in proportion to its power.
+    [[nodiscard]] double weight(std::size_t i) const { return std::pow(smoothed[i] + kBeamError, -2.0); }
 };
 
-std::optional<Parabola> fitParabola(const std::vector<ScanReading>& readings)
+Line lineOf(std::span<const ScanReading> readings)
 {
-    const Angle low = readings.front().offset;
-    const Angle high = readings.back().offset;
-    Parabola parabola{.middle = (low + high) / 2.0, .half = (high - low) / 2.0, .fit = {}};
-    if (!(parabola.half > Angle{})) {
-        return std::nullopt;
+    Line line;
+    line.readings.assign(readings.begin(), readings.end());
+    std::sort(line.readings.begin(), line.readings.end(), byOffset);
+    line.middle = (line.readings.front().offset + line.readings.back().offset) / 2.0;
+    line.half = (line.readings.back().offset - line.readings.front().offset) / 2.0;
+    line.smoothed = smoothed(line.readings);
+    line.unit = *std::max_element(line.smoothed.begin(), line.smoothed.end());
+    for (double& power : line.smoothed) {
+        power = linear(power - line.unit);
     }
-    RobustProblem problem(3);
-    for (const ScanReading& reading : readings) {
-        const double x = (reading.offset - parabola.middle) / parabola.half;
-        problem.add(std::array{1.0, x, x * x}, reading.decibels);
+    for (const ScanReading& reading : line.readings) {
+        line.places.push_back((reading.offset - line.middle) / line.half);
+        line.powers.push_back(linear(reading.decibels - line.unit));
     }
-    auto fit = fitRobustly(problem, kNoiseFloor);
-    if (!fit) {
-        return std::nullopt;
-    }
-    parabola.fit = std::move(*fit);
-    return parabola;
+    return line;
 }
 
-Result<ScanPeak> peakOf(const Parabola& parabola)
+// In the units of its line.
+struct Beam
 {
-    const double x = parabola.peak();
-    if (!parabola.bends()) {
-        return failure(ErrorCode::Refused, Text::tr("the power has no peak along this line"));
+    double background = 0.0;
+    double rise = 0.0;
+    double place = 0.0;
+    double width = 1.0;
+
+    [[nodiscard]] double shape(double at) const
+    {
+        const double away = (at - place) / width;
+        return std::exp(-kHalfPower * away * away);
     }
-    if (std::abs(x) >= 1.0) {
-        // How far beyond its end is a guess of a line that has no peak: so scan again from there.
-        const Angle end = parabola.middle + parabola.half * (x > 0.0 ? 1.0 : -1.0);
-        return failure(ErrorCode::Refused,
-                       Text::tr("the peak is not inside this line: move its middle by %1 or more and scan again")
-                           .arg((end > Angle{} ? QStringLiteral("+") : QString()) + inWords(end)));
+    [[nodiscard]] double power(double at) const { return background + rise * shape(at); }
+};
+
+// Background and rise that fit best for this place and width; the sum of the squares that are left.
+double fitPowers(Beam& beam, const Line& line)
+{
+    double g = 0.0;
+    double gg = 0.0;
+    double y = 0.0;
+    double gy = 0.0;
+    const auto n = static_cast<double>(line.places.size());
+    for (std::size_t i = 0; i < line.places.size(); ++i) {
+        const double shape = beam.shape(line.places[i]);
+        g += shape;
+        gg += shape * shape;
+        y += line.smoothed[i];
+        gy += shape * line.smoothed[i];
     }
-    const double curve = parabola.fit.solution[2];
-    return ScanPeak{.offset = {parabola.middle + parabola.half * x, parabola.half * parabola.sigma()},
-                    .decibels = parabola.fit.solution[0] - curve * x * x,
-                    .halfPowerWidth = parabola.half * (2.0 * std::sqrt(kHalfPower / -curve)),
-                    .scatter = parabola.fit.rms,
-                    .used = parabola.fit.usedRows()};
+    beam.rise = std::max(0.0, (n * gy - g * y) / (n * gg - g * g));
+    beam.background = (y - beam.rise * g) / n;
+    if (beam.background < 0.0) {
+        beam.background = 0.0;
+        beam.rise = gy / gg;
+    }
+    double square = 0.0;
+    for (std::size_t i = 0; i < line.places.size(); ++i) {
+        const double off = line.smoothed[i] - beam.power(line.places[i]);
+        square += off * off;
+    }
+    return square;
+}
+
+// Every place and width is tried, so that no reading has to be believed to be next to the peak.
+Beam startingBeam(const Line& line)
+{
+    Beam best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const double width : {0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8}) {
+        for (int step = -40; step <= 40; ++step) {
+            Beam beam{.place = 0.05 * step, .width = width};
+            if (width < kNarrowest * line.step()) {
+                continue;
+            }
+            if (const double square = fitPowers(beam, line); square < least) {
+                least = square;
+                best = beam;
+            }
+        }
+    }
+    return best;
+}
+
+struct BeamFit
+{
+    Beam beam;
+    RobustFit fit;  // of rise, place (in widths), logarithm of the width, and background unless none is seen
+};
+
+// What is left of the readings, as far as rise, place, width and background could explain it.
+RobustProblem linearised(const Beam& beam, const Line& line)
+{
+    const bool hasBackground = beam.background > 0.0;
+    RobustProblem problem(hasBackground ? 4 : 3);
+    for (std::size_t i = 0; i < line.places.size(); ++i) {
+        const double away = (line.places[i] - beam.place) / beam.width;
+        const double shape = beam.shape(line.places[i]);
+        const double slope = 2.0 * kHalfPower * beam.rise * shape * away;
+        const std::array row{shape, slope, slope * away, 1.0};
+        problem.add(std::span(row).first(problem.unknowns()), line.powers[i] - beam.power(line.places[i]),
+                    line.weight(i));
+    }
+    return problem;
+}
+
+// Gauss and Newton, in steps that a start nearby needs.
+std::optional<BeamFit> refined(Beam beam, const Line& line)
+{
+    for (int round = 0; round < kRounds; ++round) {
+        auto fit = fitRobustly(linearised(beam, line), kNoiseFloor);
+        if (!fit) {
+            return std::nullopt;
+        }
+        const double along = std::clamp(fit->solution[1], -0.3, 0.3);
+        beam.rise += fit->solution[0];
+        beam.place = std::clamp(beam.place + beam.width * along, -2.5, 2.5);
+        beam.width = std::clamp(beam.width * std::exp(std::clamp(fit->solution[2], -0.3, 0.3)),
+                                kNarrowest * line.step(), 2.0 * kWidest);
+        if (fit->solution.size() > 3) {
+            beam.background = std::max(0.0, beam.background + fit->solution[3]);
+        }
+        if (std::abs(along) < kStill || round == kRounds - 1) {
+            return BeamFit{beam, std::move(*fit)};
+        }
+    }
+    return std::nullopt;
 }
 
 // The line in elevation runs at the azimuth of the middle. Where it comes nearest to a source that is so far beside it,
@@ -160,50 +229,108 @@ Angle seenFromBeside(Angle nearest, Angle beside)
         std::atan2(std::sin(nearest.radians()) * std::cos(beside.radians()), std::cos(nearest.radians())));
 }
 
+// Of the readings that are used, about the curve, in dB of their power.
+double scatterOf(const RobustFit& fit)
+{
+    const auto used = static_cast<double>(fit.usedRows());
+    return inDecibels(1.0 + fit.rms * std::sqrt(used / (used - static_cast<double>(fit.solution.size()))));
+}
+
+// What the beam explains of the readings for each of its unknowns, over what each of them scatters about it: the F test
+// of a peak against an even power. Of the readings that are used.
+double evidence(const RobustFit& fit, const Line& line)
+{
+    double weights = 0.0;
+    double sum = 0.0;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < line.powers.size(); ++i) {
+        if (fit.used[i]) {
+            weights += line.weight(i);
+            sum += line.weight(i) * line.powers[i];
+            squares += line.weight(i) * line.powers[i] * line.powers[i];
+        }
+    }
+    const auto used = static_cast<double>(fit.usedRows());
+    const auto unknowns = static_cast<double>(fit.solution.size());
+    const double left = std::max(fit.rms * fit.rms, kNoiseFloor * kNoiseFloor / 12.0) * used;
+    return (squares - sum * sum / weights - left) / (unknowns - 1.0) / (left / (used - unknowns));
+}
+
+Result<> checkPeak(const BeamFit& fitted, const Line& line)
+{
+    const Beam& beam = fitted.beam;
+    if (!(beam.rise > 0.0) || !(evidence(fitted.fit, line) > kLeastEvidence)) {
+        return failure(ErrorCode::Refused, Text::tr("the power has no peak along this line"));
+    }
+    if (std::abs(beam.place) >= 1.0) {
+        // How far beyond its end is a guess of a line that has no peak: so scan again from there.
+        const Angle end = line.middle + line.half * (beam.place > 0.0 ? 1.0 : -1.0);
+        return failure(ErrorCode::Refused,
+                       Text::tr("the peak is not inside this line: move its middle by %1 or more and scan again")
+                           .arg((end > Angle{} ? QStringLiteral("+") : QString()) + inWords(end)));
+    }
+    if (beam.width <= kNarrowest * line.step()) {
+        return failure(ErrorCode::Refused, Text::tr("the peak is narrower than the steps: scan less wide"));
+    }
+    if (const double sigma = std::sqrt(fitted.fit.variance(1)); sigma > kWorstSigma) {
+        return failure(ErrorCode::Refused, Text::tr("the peak is uncertain by %1: the readings scatter too much")
+                                               .arg(inWords(line.half * beam.width * sigma, 2)));
+    }
+    return {};
+}
+
+ScanPeak peakOf(const BeamFit& fitted, Line line)
+{
+    const Beam& beam = fitted.beam;
+    const Angle width = line.half * beam.width;
+    return {.offset = {line.middle + line.half * beam.place, width * std::sqrt(fitted.fit.variance(1))},
+            .decibels = line.unit + inDecibels(beam.background + beam.rise),
+            .background = beam.background > 0.0 ? std::optional(line.unit + inDecibels(beam.background)) : std::nullopt,
+            .halfPowerWidth = width,
+            .scatter = scatterOf(fitted.fit),
+            .used = fitted.fit.usedRows(),
+            .readings = std::move(line.readings)};
+}
+
 }  // namespace
 
-Result<ScanPeak> fitScan(std::span<const ScanReading> readings, const ScanLimits& limits)
+Result<ScanPeak> fitScan(std::span<const ScanReading> readings)
 {
-    std::vector<ScanReading> source = ofSource(readings, limits);
-    if (const Result<> good = check(source); !good) {
+    if (const Result<> good = check(readings); !good) {
         return tl::unexpected(good.error());
     }
-    std::sort(source.begin(), source.end(), byOffset);
-    const std::vector<double> power = smoothed(source);
-    const auto [low, high] = std::minmax_element(power.begin(), power.end());
-    if (*high - *low < limits.least) {
+    Line line = lineOf(readings);
+    const double change = -inDecibels(*std::min_element(line.smoothed.begin(), line.smoothed.end()));
+    if (!(line.half > Angle{}) || change < kLeastRise) {
         return failure(ErrorCode::Refused,
-                       Text::tr("the power changes by %1 dB only along this line").arg(*high - *low, 0, 'f', 2));
+                       Text::tr("the power changes by %1 dB only along this line").arg(change, 0, 'f', 2));
     }
-    const std::vector<ScanReading> top = aboutPeak(source, power, limits.depth);
-    const auto parabola = top.size() < kFewest ? std::nullopt : fitParabola(top);
-    if (!parabola) {
-        return failure(ErrorCode::Refused, Text::tr("%1 readings within %2 dB of the best are too few: scan in smaller "
-                                                    "steps")
-                                               .arg(top.size())
-                                               .arg(limits.depth, 0, 'f', 0));
+    const auto fitted = refined(startingBeam(line), line);
+    if (!fitted) {
+        return failure(ErrorCode::Refused, Text::tr("the power has no peak along this line"));
     }
-    return peakOf(*parabola).and_then([](const ScanPeak& peak) -> Result<ScanPeak> {
-        if (peak.offset.sigma > peak.halfPowerWidth * kWorstSigma) {
-            return failure(ErrorCode::Refused, Text::tr("the peak is uncertain by %1: the readings scatter too much")
-                                                   .arg(inWords(peak.offset.sigma, 2)));
-        }
-        return peak;
-    });
+    return checkPeak(*fitted, line).transform([&] { return peakOf(*fitted, std::move(line)); });
+}
+
+double decibelsAt(const ScanPeak& peak, Angle offset)
+{
+    const double away = (offset - peak.offset.value) / peak.halfPowerWidth;
+    const double background = peak.background ? linear(*peak.background) : 0.0;
+    return inDecibels(background + (linear(peak.decibels) - background) * std::exp(-kHalfPower * away * away));
 }
 
 Result<CrossScan> fitCrossScan(const AxisPosition& middle, std::span<const ScanReading> across,
-                               std::span<const ScanReading> elevation, const ScanLimits& limits)
+                               std::span<const ScanReading> elevation, Angle elevationAt)
 {
     const double shrink = std::cos(middle.elevation.radians());
     if (std::abs(shrink) < kNearZenith) {
         return failure(ErrorCode::Refused, Text::tr("too near to the zenith: azimuth says nothing there"));
     }
-    const auto acrossPeak = fitScan(across, limits);
+    const auto acrossPeak = fitScan(across);
     if (!acrossPeak) {
         return failure(acrossPeak.error().code, Text::tr("across: %1").arg(toQString(acrossPeak.error().text)));
     }
-    const auto elevationPeak = fitScan(elevation, limits);
+    const auto elevationPeak = fitScan(elevation);
     if (!elevationPeak) {
         return failure(elevationPeak.error().code,
                        Text::tr("in elevation: %1").arg(toQString(elevationPeak.error().text)));
@@ -212,7 +339,8 @@ Result<CrossScan> fitCrossScan(const AxisPosition& middle, std::span<const ScanR
     return CrossScan{.across = *acrossPeak,
                      .elevation = *elevationPeak,
                      .peak = {.azimuth = middle.azimuth + beside,
-                              .elevation = seenFromBeside(middle.elevation + elevationPeak->offset.value, beside)},
+                              .elevation = seenFromBeside(middle.elevation + elevationPeak->offset.value,
+                                                          beside - elevationAt / shrink)},
                      .sigma = std::max(acrossPeak->offset.sigma, elevationPeak->offset.sigma)};
 }
 

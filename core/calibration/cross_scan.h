@@ -8,10 +8,11 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
-// The peak of a source from received power along two lines across it. Powers are in dB: a Gaussian beam is a parabola
-// in dB, about its peak. What a source adds to the receiver's own noise is not: readings of a weak source (the Sun in a
-// small dish) are turned into the source's part first, given the power beside it. Pure.
+// The peak of a source from received power along two lines across it. Powers are told in dB and fitted as powers: a
+// background, the receiver's own noise and the sky, and on top of it a Gaussian beam. The Sun in a small dish adds a
+// decibel or three to that background. Pure.
 namespace boresight::calibration {
 
 struct ScanReading
@@ -22,24 +23,22 @@ struct ScanReading
     double decibels = 0.0;
 };
 
-struct ScanLimits
-{
-    double depth = 6.0;  // dB below the best reading that still count: a real beam leaves the parabola further down
-    double least = 0.5;  // dB that the peak stands above the lower end
-    std::optional<double> background;  // dB, of the receiver beside the source
-};
-
 struct ScanPeak
 {
     Estimate offset;
-    double decibels = 0.0;  // at the peak
-    Angle halfPowerWidth;   // of beam and source together
-    double scatter = 0.0;   // dB rms about the parabola
+    double decibels = 0.0;             // at the peak
+    std::optional<double> background;  // dB, beside the source; empty: the line did not get down to it
+    Angle halfPowerWidth;              // of beam and source together
+    double scatter = 0.0;              // dB rms about the curve
     std::size_t used = 0;
+    std::vector<ScanReading> readings;  // all, in the order of their offsets
 };
 
 // One line. Refused with the reason where there is no peak, or none inside.
-[[nodiscard]] Result<ScanPeak> fitScan(std::span<const ScanReading> readings, const ScanLimits& limits = {});
+[[nodiscard]] Result<ScanPeak> fitScan(std::span<const ScanReading> readings);
+
+// Of the curve that was fitted.
+[[nodiscard]] double decibelsAt(const ScanPeak& peak, Angle offset);
 
 struct CrossScan
 {
@@ -50,8 +49,8 @@ struct CrossScan
 };
 
 // `middle`: where the axes stood at offset 0 of both lines; of a moving source, where they would for offset 0 at the
-// time that the peak is to be told for.
+// time that the peak is to be told for. `elevationAt`: where on the line across the one in elevation was run.
 [[nodiscard]] Result<CrossScan> fitCrossScan(const AxisPosition& middle, std::span<const ScanReading> across,
-                                             std::span<const ScanReading> elevation, const ScanLimits& limits = {});
+                                             std::span<const ScanReading> elevation, Angle elevationAt = {});
 
 }  // namespace boresight::calibration

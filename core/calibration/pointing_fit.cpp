@@ -159,7 +159,7 @@ private:
         if (m_used.size() > 1 && lever(*high) - lever(*low) < kLeastLever) {
             say(
                 Text::tr("all points are about as high: the azimuth's offset and the collimation cannot be told apart; "
-                         "take one much higher or lower"));
+                         "take one much higher or lower, or one over the top"));
         }
         if (m_used.size() >= fewestPoints(Term::TiltNorth) && arc() < Angle::fromDegrees(kLeastArc)) {
             say(Text::tr("all points lie within %1 of azimuth: the tilt is seen from one side only")
@@ -167,7 +167,8 @@ private:
         }
     }
 
-    static double lever(const CalibrationPoint& point) { return std::cos(point.truth.elevation.radians()); }
+    // How much azimuth is on the sky; over the top the collimation turns the other way.
+    static double lever(const CalibrationPoint& point) { return std::cos(point.axes.elevation.radians()); }
 
     // Between the ends of the shortest arc that holds all points.
     [[nodiscard]] Angle arc() const

@@ -221,12 +221,14 @@ struct WholeFile
     double version = 0.0;
     double inForce = 0.0;
     std::vector<CalibrationRecord> entries;
+    std::vector<CalibrationRecord> superseded;
 };
 
 void readVersionAndPlace(TableReader& reader, const toml::table& root, WholeFile& file)
 {
     reader.number("version", file.version, {kVersion, kVersion});
     reader.list("calibration", file.entries);
+    reader.list("superseded", file.superseded);
     reader.number("in_force", file.inForce, {0.0, static_cast<double>(file.entries.size())});
     if (file.inForce != std::floor(file.inForce)) {
         reader.complain("in_force", *root.get("in_force"), Text::tr("a whole number is expected"));
@@ -262,7 +264,8 @@ Result<CalibrationHistory> parseHistory(std::string_view text, const std::string
     if (!problems.empty()) {
         return failure(ErrorCode::InvalidInput, inOrder(std::move(problems), fileName));
     }
-    return CalibrationHistory(std::move(file.entries), static_cast<std::size_t>(file.inForce));
+    return CalibrationHistory(std::move(file.entries), static_cast<std::size_t>(file.inForce),
+                              std::move(file.superseded));
 }
 
 }  // namespace boresight::calibration

@@ -129,6 +129,8 @@ Result<std::string> toText(const CalibrationHistory& history)
     writer.line("in_force", std::to_string(history.inForce()));
     std::vector<CalibrationRecord> entries = history.entries();
     writer.list("calibration", entries);
+    std::vector<CalibrationRecord> superseded = history.superseded();
+    writer.list("superseded", superseded);
     const std::string text =
         "# Boresight: calibrations of one mount, the oldest first. Angles are in degrees.\n" + writer.written();
     return parseHistory(text, "history").map([&](const CalibrationHistory&) { return text; });

@@ -70,7 +70,8 @@ Result<> checkMount(std::span<const SensorReading> readings, const SensorOffsetL
     });
     if (pulls != readings.end()) {
         return failure(ErrorCode::Refused,
-                       Text::tr("a motor draws %1 A, and above %2 A it would turn the needle: let the mount rest")
+                       Text::tr("a motor draws %1 A, and above %2 A (sensor.still_current_a) it would turn the "
+                                "needle: let the mount rest")
                            .arg(pulls->motorCurrent, 0, 'f', 1)
                            .arg(limits.motorCurrent, 0, 'f', 1));
     }

@@ -31,7 +31,7 @@ struct SensorOffsetLimits
 {
     std::size_t fewest = 10;
     int calibration = 2;                                // of magnetometer and system, at least
-    double motorCurrent = 1.0;                          // A, at most
+    double motorCurrent = 1.0;                          // A, at most; as sensor.still_current_a says
     AngularRate rate = AngularRate::fromDegrees(0.05);  // of the azimuth, at most
     Angle scatter = Angle::fromDegrees(3.0);            // rms, at most
     double outliers = 0.2;                              // of the readings, at most

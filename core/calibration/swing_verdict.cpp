@@ -2,6 +2,7 @@
 #include "core/calibration/swing_verdict.h"
 
 #include "core/base/text.h"
+#include "core/calibration/swing_tally.h"
 #include "core/calibration/words.h"
 
 #include <algorithm>
@@ -14,11 +15,8 @@ constexpr double kFollowsCurrent = 0.6;                   // coefficient of corr
 constexpr Angle kWorthTelling = Angle::fromDegrees(2.0);  // of hysteresis, of what the current does
 constexpr Angle kFarAway = Angle::fromDegrees(45.0);      // of elevation
 
-std::ptrdiff_t count(const CompassSwing& swing, SampleFate fate)
-{
-    return std::count_if(swing.samples.begin(), swing.samples.end(),
-                         [&](const SwingResidual& sample) { return sample.fate == fate; });
-}
+// Of the readings: fewer may be left out without a word.
+constexpr double kFewLeftOut = 0.1;
 
 Angle unreliableArc(const CompassSwing& swing)
 {
@@ -65,7 +63,8 @@ CurrentEffect effectOfCurrent(const CompassSwing& swing, std::span<const SwingSa
 class Verdict
 {
 public:
-    Verdict(CompassSwing& swing, const SwingLimits& limits) : m_swing(swing), m_limits(limits) {}
+    Verdict(CompassSwing& swing, const SwingLimits& limits) : m_swing(swing), m_limits(limits), m_tally(swing.samples)
+    {}
 
     void hopeless()
     {
@@ -81,8 +80,8 @@ public:
         if (!curve.isInvertible()) {
             giveUp(Text::tr("the deviation is so steep that different directions give the same reading, or nearly so"));
         }
-        const auto outliers = static_cast<double>(count(m_swing, SampleFate::Outlier));
-        const auto tried = outliers + static_cast<double>(count(m_swing, SampleFate::Used));
+        const auto outliers = static_cast<double>(m_tally.of(SampleFate::Outlier));
+        const auto tried = outliers + static_cast<double>(m_tally.of(SampleFate::Used));
         if (outliers > m_limits.hopelessPart * tried) {
             giveUp(Text::tr("%1 of %2 readings are far off the curve").arg(outliers).arg(tried));
         }
@@ -94,6 +93,12 @@ public:
 
     void hints()
     {
+        if (static_cast<double>(m_tally.leftOut()) > kFewLeftOut * static_cast<double>(m_tally.all())) {
+            hint(Text::tr("%1 of %2 readings were left out: %3")
+                     .arg(m_tally.leftOut())
+                     .arg(m_tally.all())
+                     .arg(m_tally.whyLeftOut(m_limits)));
+        }
         const SwingCoverage& seen = m_swing.coverage;
         if (m_swing.harmonics == Harmonics::First) {
             hint(Text::tr("only %1 of 12 sectors were seen, with a gap of %2: soft iron (twice round the circle) could "
@@ -137,6 +142,7 @@ private:
 
     CompassSwing& m_swing;
     const SwingLimits& m_limits;
+    const SwingTally m_tally;
 };
 
 }  // namespace
@@ -151,20 +157,22 @@ void judge(CompassSwing& swing, std::span<const SwingSample> usable, const Swing
 
 QString whyTooLittle(const CompassSwing& swing, const SwingLimits& limits)
 {
-    const auto uncalibrated = count(swing, SampleFate::Uncalibrated);
-    if (uncalibrated * 2 > static_cast<std::ptrdiff_t>(swing.samples.size())) {
+    const SwingTally tally(swing.samples);
+    const auto most = [&](SampleFate fate) { return tally.of(fate) * 2 > tally.all(); };
+    if (most(SampleFate::Uncalibrated)) {
         return Text::tr(
                    "in %1 of %2 readings the magnetometer's calibration is below %3: move the sensor in figures of "
                    "eight, away from iron, then swing again")
-            .arg(uncalibrated)
-            .arg(swing.samples.size())
+            .arg(tally.of(SampleFate::Uncalibrated))
+            .arg(tally.all())
             .arg(limits.calibration);
     }
-    const auto current = count(swing, SampleFate::MotorCurrent);
-    if (current * 2 > static_cast<std::ptrdiff_t>(swing.samples.size())) {
-        return Text::tr("in %1 of %2 readings a motor draws more than %3 A: swing more slowly")
-            .arg(current)
-            .arg(swing.samples.size())
+    if (most(SampleFate::MotorCurrent)) {
+        return Text::tr(
+                   "in %1 of %2 readings a motor draws more than %3 A (sensor.swing_current_a): see what "
+                   "holds the mount, or raise that limit")
+            .arg(tally.of(SampleFate::MotorCurrent))
+            .arg(tally.all())
             .arg(limits.motorCurrent, 0, 'f', 1);
     }
     return Text::tr(

@@ -58,6 +58,7 @@ void Client::subscribe(const QString& filter)
 
 void Client::unsubscribe(const QString& filter)
 {
+    m_refused.removeOne(filter);
     if (m_filters.removeOne(filter) && m_connected) {
         m_session->unsubscribe(filter);
     }
@@ -74,6 +75,7 @@ void Client::service()
         attempt();
     } else if (m_session != nullptr) {
         m_session->service();
+        askAgain();
     }
 }
 
@@ -127,6 +129,7 @@ void Client::tryNextAddress()
     m_session = new Session(m_broker, m_tls, m_will, m_clock, this);
     connect(m_session, &Session::accepted, this, &Client::accepted);
     connect(m_session, &Session::received, this, &Client::messageReceived);
+    connect(m_session, &Session::subscriptionAnswered, this, &Client::takeAnswer);
     connect(m_session, &Session::ended, this, &Client::ended);
     m_session->open(m_addresses.takeFirst());
 }
@@ -140,6 +143,29 @@ void Client::accepted()
     }
     setProblem({});
     Q_EMIT connected();
+}
+
+void Client::takeAnswer(const QString& filter, bool granted)
+{
+    if (granted) {
+        if (m_refused.removeOne(filter)) {
+            Q_EMIT subscriptionGranted(filter);
+        }
+    } else if (m_filters.contains(filter) && !m_refused.contains(filter)) {
+        m_refused.append(filter);
+        m_askAgainAt = m_clock.now() + kAskAgain;
+        Q_EMIT subscriptionRefused(filter);
+    }
+}
+
+void Client::askAgain()
+{
+    if (m_connected && !m_refused.isEmpty() && m_clock.now() >= m_askAgainAt) {
+        m_askAgainAt = m_clock.now() + kAskAgain;
+        for (const QString& filter : std::as_const(m_refused)) {
+            m_session->subscribe(filter);
+        }
+    }
 }
 
 void Client::ended(const Ending& ending)
@@ -176,6 +202,7 @@ void Client::dropAttempt()
         QHostInfo::abortHostLookup(std::exchange(m_lookup, -1));
     }
     m_addresses.clear();
+    m_refused.clear();
     m_connected = false;
     if (Session* const session = std::exchange(m_session, nullptr)) {
         session->drop();

@@ -33,6 +33,8 @@ public:
     // A connection that lasted so long was a good one, and the delays begin anew after it.
     static constexpr std::chrono::seconds kStable{10};
     static constexpr std::chrono::milliseconds kServicePeriod{250};
+    // A subscription that is refused is asked for again: somebody may mend the broker's access list.
+    static constexpr std::chrono::seconds kAskAgain{30};
 
     // `clock` outlives the client.
     explicit Client(const Clock& clock, QObject* parent = nullptr);
@@ -64,6 +66,10 @@ Q_SIGNALS:
     void connected();
     // Retain::Yes: kept by the broker, said by somebody some time before we came.
     void messageReceived(const QString& topic, const QByteArray& payload, boresight::mqtt::Retain retain);
+    // Once in each connection, however often it is asked for. There are brokers that grant what they then never send.
+    void subscriptionRefused(const QString& filter);
+    // Only of one that was refused before.
+    void subscriptionGranted(const QString& filter);
     // Once for each new trouble, however often it is tried again; empty when it is over.
     void problemChanged(const QString& text);
 
@@ -76,6 +82,8 @@ private:
     void lookUp();
     void tryNextAddress();
     void accepted();
+    void takeAnswer(const QString& filter, bool granted);
+    void askAgain();
     void ended(const Ending& ending);
     void giveUp(const Ending& ending);
     void dropAttempt();
@@ -95,6 +103,8 @@ private:
     Session* m_session = nullptr;  // a child; replaced at each attempt
     bool m_connected = false;
     SteadyTime m_connectedAt{};
+    QStringList m_refused;  // of m_filters, by this connection
+    SteadyTime m_askAgainAt{};
     QString m_problem;
 };
 

@@ -19,6 +19,7 @@ namespace {
 constexpr int kOnePacket = 1;  // reserved by libmosquitto, "should be 1"
 // Nobody who writes to the topics we read has a reason for more; a stray video would only fill the memory.
 constexpr int kLargestPayload = 64 * 1024;
+constexpr int kRefused = 0x80;
 
 QString systemText(int error)
 {
@@ -88,6 +89,12 @@ struct Session::Callbacks
         }
     }
 
+    // MQTT 3.1.1, 3.9.3: below 0x80 it is the quality of service that is granted.
+    static void subscribed(mosquitto* /*handle*/, void* session, int number, int count, const int* granted)
+    {
+        static_cast<Session*>(session)->m_granted.emplace_back(number, count == 1 && granted[0] < kRefused);
+    }
+
     // "OpenSSL Error[0]: error:0A00010B:SSL routines::wrong version number"
     static void logged(mosquitto* /*handle*/, void* session, int level, const char* text)
     {
@@ -128,6 +135,7 @@ bool Session::prepare()
     }
     mosquitto_connect_callback_set(handle, &Callbacks::answered);
     mosquitto_message_callback_set(handle, &Callbacks::received);
+    mosquitto_subscribe_callback_set(handle, &Callbacks::subscribed);
     mosquitto_log_callback_set(handle, &Callbacks::logged);
     bool done = mosquitto_int_option(handle, MOSQ_OPT_TCP_NODELAY, 1) == MOSQ_ERR_SUCCESS;
     if (!m_broker.user.isEmpty()) {
@@ -201,7 +209,11 @@ bool Session::subscribe(const QString& filter)
     if (m_phase != Phase::Accepted) {
         return false;
     }
-    const int result = mosquitto_subscribe(m_handle.get(), nullptr, filter.toUtf8().constData(), 0);
+    int number = 0;
+    const int result = mosquitto_subscribe(m_handle.get(), &number, filter.toUtf8().constData(), 0);
+    if (result == MOSQ_ERR_SUCCESS) {
+        m_asked[number] = filter;
+    }
     watch();
     return result == MOSQ_ERR_SUCCESS;
 }
@@ -277,6 +289,12 @@ void Session::deliver()
     for (const Message& message : std::exchange(m_inbox, {})) {
         if (m_phase == Phase::Accepted) {
             Q_EMIT received(message.topic, message.payload, message.retain);
+        }
+    }
+    for (const auto& [number, granted] : std::exchange(m_granted, {})) {
+        const auto asked = m_asked.extract(number);
+        if (m_phase == Phase::Accepted && asked) {
+            Q_EMIT subscriptionAnswered(asked.mapped(), granted);
         }
     }
 }

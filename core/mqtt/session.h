@@ -10,8 +10,10 @@
 #include <QObject>
 #include <QSocketNotifier>
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 struct mosquitto;  // libmosquitto's client
@@ -58,6 +60,7 @@ public:
 Q_SIGNALS:
     void accepted();
     void received(const QString& topic, const QByteArray& payload, boresight::mqtt::Retain retain);
+    void subscriptionAnswered(const QString& filter, bool granted);
     void ended(const boresight::mqtt::Ending& ending);
 
 private:
@@ -97,6 +100,8 @@ private:
     // What libmosquitto told while it ran: acted upon when it has returned, for it must not be destroyed before.
     std::optional<int> m_answer;
     std::vector<Message> m_inbox;
+    std::map<int, QString> m_asked;  // filters that no answer has come to yet, by the number of their packet
+    std::vector<std::pair<int, bool>> m_granted;
     QString m_tlsError;
 };
 

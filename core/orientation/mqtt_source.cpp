@@ -42,6 +42,8 @@ void MqttSource::open()
     connect(&m_client, &mqtt::Client::connected, this, &MqttSource::showConnection);
     connect(&m_client, &mqtt::Client::problemChanged, this, &MqttSource::showConnection);
     connect(&m_client, &mqtt::Client::messageReceived, this, &MqttSource::take);
+    connect(&m_client, &mqtt::Client::subscriptionRefused, this, &MqttSource::takeDenial);
+    connect(&m_client, &mqtt::Client::subscriptionGranted, this, &MqttSource::takeGrant);
     for (const QString& topic : {m_topics.orientation, m_topics.status, m_topics.calibration}) {
         m_client.subscribe(topic);
     }
@@ -73,6 +75,7 @@ void MqttSource::showConnection()
         m_silence.stop();
     } else if (!m_status.open) {
         m_refused.reset();
+        m_denied.clear();
         m_silence.start(m_topics.silence);
     }
     // What was wrong with the messages is over with the first that is right.
@@ -106,24 +109,69 @@ void MqttSource::take(const QString& name, const QByteArray& payload, mqtt::Reta
         qCDebug(lcSensor) << "refused:" << toText(parsed.error()).c_str() << printable(payload.toStdString()).c_str();
     } else if (*parsed) {
         m_refused.reset();
+        m_denied.removeOne(m_topics.orientation);
         m_silence.start(m_topics.silence);
-        show(true, {});
+        show(true, denial());
         Q_EMIT received(**parsed);
     }
 }
 
+void MqttSource::takeDenial(const QString& topic)
+{
+    if (topicOf(topic) && !m_denied.contains(topic)) {
+        m_denied.append(topic);
+        show(true, denial());
+    }
+}
+
+// Whatever else is wrong stays on the screen.
+void MqttSource::takeGrant(const QString& topic)
+{
+    const bool isTold = m_status.problem == denial();
+    if (m_denied.removeOne(topic) && topic == m_topics.orientation) {
+        m_silence.start(m_topics.silence);
+    }
+    if (isTold) {
+        show(true, denial());
+    }
+}
+
+// Of the topics beside it nothing is said where the one that counts is refused, too.
+QString MqttSource::denial() const
+{
+    if (m_denied.isEmpty()) {
+        return {};
+    }
+    const QString& topic = isDenied() ? m_topics.orientation : m_denied.constFirst();
+    const QString& user = m_client.broker().user;
+    const QString text =
+        user.isEmpty()
+            ? Text::tr(
+                  "%1: the broker refuses to let us read %2: permit it in the broker's access list (ACL), or set "
+                  "mqtt.user and mqtt.password")
+            : Text::tr(
+                  "%1: the broker refuses to let us read %2: permit it in the broker's access list (ACL) to the "
+                  "user \"%3\"");
+    return user.isEmpty() ? text.arg(name(), topic) : text.arg(name(), topic, user);
+}
+
 void MqttSource::tellSilence()
 {
+    if (isDenied()) {
+        return;  // said already
+    }
     if (m_refused && m_refused->reason == Refusal::Retained) {
         show(true, Text::tr("%1: on %2 there is only what the broker has kept from before, nothing live: has the "
                             "sensor power and WiFi?")
                        .arg(name(), m_topics.orientation));
         return;
     }
-    show(true, m_refused ? Text::tr("%1: what comes on %2 is no message of the sensor (%3)")
-                               .arg(name(), m_topics.orientation, toQString(toText(*m_refused)))
-                         : Text::tr("%1: nothing comes on %2: has the sensor power and WiFi, and is this its topic?")
-                               .arg(name(), m_topics.orientation));
+    show(true, m_refused
+                   ? Text::tr("%1: what comes on %2 is no message of the sensor (%3)")
+                         .arg(name(), m_topics.orientation, toQString(toText(*m_refused)))
+                   : Text::tr("%1: nothing comes on %2: has the sensor power and WiFi, is this its topic, and does "
+                              "the broker's access list let us read it?")
+                         .arg(name(), m_topics.orientation));
 }
 
 void MqttSource::show(bool open, const QString& problem)

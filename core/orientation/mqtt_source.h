@@ -41,6 +41,10 @@ private:
     void showConnection();
     void take(const QString& topic, const QByteArray& payload, mqtt::Retain retain);
     [[nodiscard]] std::optional<Topic> topicOf(const QString& name) const;
+    void takeDenial(const QString& topic);
+    void takeGrant(const QString& topic);
+    [[nodiscard]] bool isDenied() const { return m_denied.contains(m_topics.orientation); }
+    [[nodiscard]] QString denial() const;  // empty: nothing is denied
     void tellSilence();
     void show(bool open, const QString& problem);
 
@@ -51,6 +55,7 @@ private:
     QTimer m_silence;
     std::optional<Refused> m_refused;  // the last message, if it was
     bool m_wanted = false;
+    QStringList m_denied;  // topics, by the broker, in this connection
     SourceStatus m_status;
 };
 

@@ -7,10 +7,13 @@
 #include "core/can/serial_port_check.h"
 
 #include <QLoggingCategory>
+#include <QPromise>
+#include <QThreadPool>
 
 #include <sys/ioctl.h>
 
 #include <algorithm>
+#include <memory>
 
 namespace boresight::orientation {
 namespace {
@@ -40,6 +43,7 @@ SerialSource::SerialSource(const SerialSettings& settings, const Clock& clock, Q
     connect(&m_silence, &QTimer::timeout, this, &SerialSource::tellSilence);
     connect(&m_port, &QSerialPort::readyRead, this, &SerialSource::read);
     connect(&m_port, &QSerialPort::errorOccurred, this, &SerialSource::lose);
+    connect(&m_lookUp, &QFutureWatcherBase::finished, this, &SerialSource::takeHolder);
 }
 
 SerialSource::~SerialSource()
@@ -56,13 +60,49 @@ void SerialSource::open()
 {
     m_wanted = true;
     m_retry.stop();
-    if (m_port.isOpen()) {
+    if (m_port.isOpen() || m_looking) {
         return;
     }
-    if (const Result<> opened = openPort(m_path.device()); !opened) {
+    const QString device = m_path.device();
+    if (const Result<> check = checkPort(device); !check) {
+        tryLater(QString::fromStdString(check.error().text));
+    } else {
+        lookForHolder(device);
+    }
+}
+
+// Two programs on one port take each other's bytes away, and not all of them lock it. The answer is the promise's and
+// the future's together: it comes, and finds nobody, where the source was deleted meanwhile.
+void SerialSource::lookForHolder(const QString& device)
+{
+    m_looking = true;
+    m_device = device;
+    const auto promise = std::make_shared<QPromise<std::optional<QString>>>();
+    m_lookUp.setFuture(promise->future());
+    QThreadPool::globalInstance()->start([promise, device] {
+        promise->start();
+        promise->addResult(portHolder(device));
+        promise->finish();
+    });
+}
+
+void SerialSource::takeHolder()
+{
+    m_looking = false;
+    if (!m_wanted) {
+        return;
+    }
+    if (const std::optional<QString> holder = m_lookUp.result()) {
+        tryLater(Text::tr("%1 is in use by %2: end it first").arg(m_device, *holder));
+    } else if (const Result<> opened = openPort(); !opened) {
         tryLater(QString::fromStdString(opened.error().text));
-        return;
+    } else {
+        begin();
     }
+}
+
+void SerialSource::begin()
+{
     m_path.remember();
     ioctl(m_port.handle(), TIOCNXCL);  // as for the bus: Qt's lock file keeps others out
     m_port.clear();                    // half a sentence from before
@@ -73,16 +113,9 @@ void SerialSource::open()
     show(true, m_status.problem);  // what was wrong is over with the first sentence
 }
 
-// Two programs on one port take each other's bytes away.
-Result<> SerialSource::openPort(const QString& device)
+Result<> SerialSource::openPort()
 {
-    if (const Result<> check = checkPort(device); !check) {
-        return check;
-    }
-    if (const std::optional<QString> holder = portHolder(device)) {
-        return failure(ErrorCode::Busy, Text::tr("%1 is in use by %2: end it first").arg(device, *holder));
-    }
-    m_port.setPortName(canonicalPort(device));
+    m_port.setPortName(canonicalPort(m_device));
     m_port.setBaudRate(m_settings.baud);
     if (m_port.open(QIODevice::ReadOnly)) {
         return {};
@@ -92,8 +125,8 @@ Result<> SerialSource::openPort(const QString& device)
     m_port.clearError();
     return failure(held ? ErrorCode::Busy : ErrorCode::Io,
                    held ? Text::tr("%1 is in use by another program (%2): `sudo fuser -v %1` shows which; end it first")
-                              .arg(device, reason)
-                        : Text::tr("%1 cannot be opened: %2").arg(device, reason));
+                              .arg(m_device, reason)
+                        : Text::tr("%1 cannot be opened: %2").arg(m_device, reason));
 }
 
 void SerialSource::close()

@@ -6,12 +6,16 @@
 #include "core/orientation/sentence_stream.h"
 #include "core/orientation/source.h"
 
+#include <QFutureWatcher>
 #include <QSerialPort>
 #include <QTimer>
 
+#include <optional>
+
 // The sensor's sentences from a serial port. Reads only: nothing is ever sent to the sensor. A port that is not there,
 // or goes, is tried again after 1, 2, 4, 8 s, then each 10 s; an adapter that comes back under another name is found by
-// its maker and number. Lives on the station thread.
+// its maker and number. Lives on the station thread; whether another program has the port is looked up beside it, for
+// that takes as long as the drives wait between two ticks.
 namespace boresight::orientation {
 
 struct SerialSettings
@@ -39,7 +43,10 @@ public:
     void close() override;
 
 private:
-    [[nodiscard]] Result<> openPort(const QString& device);
+    void lookForHolder(const QString& device);
+    void takeHolder();
+    void begin();
+    [[nodiscard]] Result<> openPort();
     void read();
     void tellSilence();
     void lose(QSerialPort::SerialPortError error);
@@ -55,9 +62,12 @@ private:
     QTimer m_silence{this};
     std::chrono::milliseconds m_delay;
     bool m_wanted = false;
-    bool m_heard = false;  // bytes, since the last sentence, or since what came in its place was looked at
-    QString m_seen;        // in its place, at the last look
+    QString m_device;        // that is being opened
+    bool m_looking = false;  // takeHolder() is still to come
+    bool m_heard = false;    // bytes, since the last sentence, or since what came in its place was looked at
+    QString m_seen;          // in its place, at the last look
     SourceStatus m_status;
+    QFutureWatcher<std::optional<QString>> m_lookUp;  // who has m_device; nobody waits for it
 };
 
 }  // namespace boresight::orientation

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/commissioning.h"
 
+#include "core/base/bus_name.h"
 #include "core/pointing/pointing_model.h"
+#include "core/profile/profile_diff.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 namespace boresight::profile {
 
 namespace {
 
+const std::string kSimulated = toString(BusName{});
 constexpr int kNorthTimes = 4;  // each makes what is left at least ten times less, with tilts of a few degrees
 
 AxisSettings& settingsOf(Profile& profile, Axis axis)
@@ -66,9 +71,73 @@ void useBus(Profile& profile, const std::string& bus, std::span<const int> ids)
         profile.mount.directions = Directions::Unconfirmed;
     }
     if (bus != profile.bus) {
+        const Profile before = profile;
         profile.bus = bus;
+        leaveSimulatedMount(profile, before);
         profile.mount.directions = Directions::Unconfirmed;
     }
+}
+
+bool isSimulated(const Profile& profile)
+{
+    return profile.bus == kSimulated;
+}
+
+bool isFoundByCalibrating(const std::string& key)
+{
+    return key.starts_with("pointing.") || key.starts_with("sensor.deviation_") || key == "sensor.azimuth_sense" ||
+           key == "sensor.azimuth_offset_deg" || key == "sensor.elevation_offset_deg";
+}
+
+bool isFoundOfOneMount(const std::string& key)
+{
+    return isFoundByCalibrating(key) || key == "azimuth.offset_deg" || key == "elevation.offset_deg";
+}
+
+std::vector<std::string> leaveSimulatedMount(Profile& changed, const Profile& before)
+{
+    if (!isSimulated(before) || isSimulated(changed)) {
+        return {};
+    }
+    const Profile asGiven = changed;
+    const std::vector<std::string> others = changedKeys(before, changed);
+    std::vector<std::string> found = changedKeys(changed, Profile{});
+    std::erase_if(found, [&others](const std::string& key) {
+        return !isFoundOfOneMount(key) || std::ranges::find(others, key) != others.end();
+    });
+    takeOver(changed, Profile{}, found);
+    if (changed.sensor.source == SensorSource::Simulated) {
+        changed.sensor.source = SensorSource::None;
+    }
+    changed.mount.directions = Directions::Unconfirmed;
+    return changedKeys(asGiven, changed);
+}
+
+std::vector<std::string> leftWithSimulatedMount(const Profile& before, const Profile& after)
+{
+    Profile left = before;
+    left.bus = after.bus;
+    std::vector<std::string> keys = leaveSimulatedMount(left, before);
+    const std::vector<std::string> others = changedKeys(left, after);
+    std::erase_if(keys, [&others](const std::string& key) { return std::ranges::find(others, key) != others.end(); });
+    return keys;
+}
+
+void takeOverMount(Profile& into, const Profile& from, std::vector<std::string> keys)
+{
+    const bool simulatedSensor =
+        into.sensor.source == SensorSource::Simulated || from.sensor.source == SensorSource::Simulated;
+    const auto isOfOneMount = [simulatedSensor](const std::string& key) {
+        return isFoundOfOneMount(key) || key == "mount.directions" || (simulatedSensor && key == "sensor.source");
+    };
+    Profile joined = into;
+    takeOver(joined, from, keys);
+    if (isSimulated(from) && !isSimulated(joined)) {
+        std::erase_if(keys, isOfOneMount);
+    } else if (isSimulated(into) != isSimulated(joined)) {
+        std::ranges::copy_if(changedKeys(into, from), std::back_inserter(keys), isOfOneMount);
+    }
+    takeOver(into, from, keys);
 }
 
 void swapMotors(Profile& profile)

@@ -2,6 +2,7 @@
 #include "core/profile/profile_history.h"
 
 #include "core/profile/profile_file.h"
+#include "core/profile/setting.h"
 #include "core/profile/text_file.h"
 
 #include <QFileInfo>
@@ -20,8 +21,8 @@ bool hasPrevious(const QString& path)
 
 Result<> saveKeepingPrevious(const Profile& profile, const QString& path)
 {
-    if (!QFileInfo::exists(path)) {
-        return saveProfile(profile, path);
+    if (!QFileInfo::exists(path) || !problemsOf(profile).empty()) {
+        return saveProfile(profile, path);  // which refuses what has problems: the version before stays
     }
     return readFile(path).and_then([&](const QByteArray& before) -> Result<> {
         if (before == QByteArray::fromStdString(toToml(profile))) {

@@ -171,6 +171,7 @@ void addDeclination(std::vector<Setting>& list)
 
 void addJudgement(std::vector<Setting>& list)
 {
+    constexpr Range kCurrent{0.1, 100.0};
     list.push_back(number(
         "sensor.lost_s", "s", {2.0, 60.0}, kNow,
         QT_TRANSLATE_NOOP("Text", "The sensor is lost, and nothing is made of its last values, after so long without."),
@@ -192,6 +193,18 @@ void addJudgement(std::vector<Setting>& list)
         "sensor.disagreement_s", "s", {0.5, 60.0}, kNow,
         QT_TRANSLATE_NOOP("Text", "How long sensor and axes may differ."),
         [](auto& p) -> auto& { return p.sensor.disagreementTime; }));
+    list.push_back(number(
+        "sensor.still_current_a", "A", kCurrent, kNow,
+        QT_TRANSLATE_NOOP("Text",
+                          "North is not averaged from the still sensor while a motor draws more: its field turns the "
+                          "needle."),
+        [](auto& p) -> auto& { return p.sensor.stillCurrent; }));
+    list.push_back(number(
+        "sensor.swing_current_a", "A", kCurrent, kNow,
+        QT_TRANSLATE_NOOP("Text",
+                          "A swing of the compass leaves out readings at which a motor draws more; turning needs some "
+                          "current."),
+        [](auto& p) -> auto& { return p.sensor.swingCurrent; }));
 }
 
 }  // namespace

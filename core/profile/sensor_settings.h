@@ -65,6 +65,10 @@ struct SensorSettings
     Seconds averaging{1.0};
     Angle disagreement = Angle::fromDegrees(10.0);  // from the axes, for disagreementTime
     Seconds disagreementTime{1.5};
+    // A, of the motor that draws more: above, its field is taken to turn the needle. A mount that turns needs some: the
+    // simulated one up to 3.5 A, at any rate.
+    double stillCurrent = 1.0;
+    double swingCurrent = 5.0;
 
     bool operator==(const SensorSettings&) const = default;
 };

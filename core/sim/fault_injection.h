@@ -33,6 +33,9 @@ enum class FaultKind
     Jam,             // value: mount angle in degrees where something is in the way
     Stall,           // the axis is blocked where it is
     RegisterMap,     // value: another register map version
+    SensorSilence,   // the orientation sensor has no power, or no WiFi
+    SensorDead,      // its chip does not answer it: zeros
+    SensorFrozen,    // it says one value again and again
 };
 
 struct Injection

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sim/simulated_source.h"
 
-#include <cmath>
+#include "core/sim/sensor_box.h"
+
 #include <utility>
 
 namespace boresight {
@@ -27,18 +28,11 @@ void SimulatedSource::close()
 
 void SimulatedSource::read()
 {
-    const SteadyTime now = m_clock.now();
-    sim::SimulatedPair& pair = m_mount->pair;
-    pair.advanceTo(now - m_mount->epoch);
-    const sim::AxisTruth azimuth = pair.truth(Axis::Azimuth);
-    const sim::AxisTruth elevation = pair.truth(Axis::Elevation);
-    const auto message =
-        m_mount->sensor.read(now, m_clock.utc(), {.azimuth = azimuth.angle, .elevation = elevation.angle},
-                             std::abs(azimuth.current) + std::abs(elevation.current));
+    const auto message = sim::readOn(m_mount->pair, m_mount->epoch, m_clock, m_mount->sensor);
     if (!message) {
         return;
     }
-    m_stream.add(sim::toSentence(*message), now, [this](orientation::Orientation value) {
+    m_stream.add(sim::toSentence(*message), m_clock.now(), [this](orientation::Orientation value) {
         value.transport = orientation::Transport::Simulated;
         m_status.counts = m_stream.counts();
         Q_EMIT received(value);

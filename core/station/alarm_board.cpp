@@ -6,11 +6,12 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <utility>
 
 namespace boresight {
 namespace {
 
-constexpr int kLinesPerSecond = 4;
+constexpr int kLinesPerSecond = 4;  // of one alarm
 
 bool endsSentence(const QString& text)
 {
@@ -37,7 +38,12 @@ QString asSentence(const QString& text)
 
 }  // namespace
 
-AlarmBoard::AlarmBoard(EventLog& log, const Clock& clock) : m_clock(clock), m_lines(log, clock, kLinesPerSecond) {}
+AlarmBoard::AlarmBoard(EventLog& log, const Clock& clock) : m_log(log), m_clock(clock) {}
+
+AlarmBoard::Lines& AlarmBoard::linesOf(const QString& cause)
+{
+    return m_lines.try_emplace(cause, Lines{.throttle = LogThrottle(m_log, m_clock, kLinesPerSecond)}).first->second;
+}
 
 void AlarmBoard::raise(const QString& cause, Severity severity, const AlarmText& text)
 {
@@ -51,14 +57,19 @@ void AlarmBoard::raise(const QString& cause, Severity severity, const AlarmText&
         QStringList line{text.what.startsWith(named) ? asSentence(text.what.sliced(named.size())) : whole.what,
                          whole.action, whole.remedy};
         line.removeAll(QString());
-        m_lines.add(severity, spoken(cause), line.join(QLatin1Char(' ')), LogKind::Alarm);
+        Lines& lines = linesOf(cause);
+        lines.told |= lines.throttle.add(severity, spoken(cause), line.join(QLatin1Char(' ')), LogKind::Alarm);
     }
 }
 
 void AlarmBoard::clear(const QString& cause)
 {
-    if (m_alarms.clear(cause)) {
-        m_lines.add(Severity::Advisory, spoken(cause), Text::tr("the alarm is over"), LogKind::Alarm);
+    if (!m_alarms.clear(cause)) {
+        return;
+    }
+    Lines& lines = linesOf(cause);
+    if (std::exchange(lines.told, false)) {
+        lines.throttle.insist(Severity::Advisory, spoken(cause), Text::tr("the alarm is over"), LogKind::Alarm);
     }
 }
 

@@ -7,10 +7,12 @@
 
 #include <QString>
 
+#include <map>
 #include <vector>
 
 // The alarms of the station and their lines in the log: each comes and goes with one line, however often its cause is
-// named. Station thread only.
+// named. One that flickers is throttled without a word of the others left out; what was told is also told to be over.
+// Station thread only.
 namespace boresight {
 
 class AlarmBoard
@@ -28,9 +30,18 @@ public:
     [[nodiscard]] std::vector<Alarm> list() const { return m_alarms.list(); }
 
 private:
+    struct Lines
+    {
+        LogThrottle throttle;
+        bool told = false;  // that it began
+    };
+
+    [[nodiscard]] Lines& linesOf(const QString& cause);
+
+    EventLog& m_log;
     const Clock& m_clock;
     AlarmList m_alarms;
-    LogThrottle m_lines;
+    std::map<QString, Lines> m_lines;  // by cause; the causes are the program's own, and few
 };
 
 }  // namespace boresight

@@ -9,19 +9,28 @@
 namespace boresight {
 namespace {
 
+using namespace boresight::literals;
 using ephemeris::Body;
 
 const QString kSource = QStringLiteral("calibration");
-const QString kCause = QStringLiteral("calibration.sun");  // of the alarm
 constexpr std::chrono::seconds kPointPeriod{1};
 // Nearer to the zenith an offset across is more azimuth than anybody means.
 constexpr Angle kHighest = Angle::fromDegrees(89.0);
 // From one point to the next: Sun and Moon go 0.004° in a second.
 constexpr Angle kLeap = Angle::fromDegrees(0.2);
 
+// The same place, for a boom that goes past the zenith.
+SkyPointing fromSide(const SkyPointing& place, bool overTheTop)
+{
+    return overTheTop ? SkyPointing{.azimuth = place.azimuth + 180_deg, .elevation = 180_deg - place.elevation} : place;
+}
+
+// As the axes see it: over the top both ways are turned round (fitCrossScan does the same).
 SkyPointing beside(SkyPointing place, const calibration::SkyOffset& offset)
 {
-    place.azimuth += offset.across / std::cos(std::min(place.elevation, kHighest).radians());
+    const double shrink = std::cos(place.elevation.radians());
+    const double least = std::cos(kHighest.radians());
+    place.azimuth += offset.across / std::copysign(std::max(std::abs(shrink), least), shrink);
     place.elevation += offset.elevation;
     return place;
 }
@@ -38,6 +47,12 @@ void BodyFollower::setProfile(const profile::Profile& profile)
 {
     m_bodies.setSite(profile.site);
     m_keepsFromSun = profile.sun.keepAway == profile::KeepAway::On;
+    if (!m_following) {
+        return;
+    }
+    if (const auto may = permits(*m_body, m_overTheTop); !may) {
+        end(toQString(may.error().text));  // at once: the next tick would lead the mount out of what is forbidden now
+    }
 }
 
 Result<SkyPointing> BodyFollower::direction(Body body)
@@ -50,7 +65,7 @@ Result<SkyPointing> BodyFollower::direction(Body body)
     return *direction;
 }
 
-Result<> BodyFollower::permits(Body body)
+Result<> BodyFollower::permits(Body body, bool overTheTop)
 {
     return direction(body).and_then([&](const SkyPointing& direction) -> Result<> {
         if (direction.elevation < Angle{}) {
@@ -60,15 +75,17 @@ Result<> BodyFollower::permits(Body body)
             return failure(ErrorCode::Refused, Text::tr("the profile keeps the beam away from the Sun: if feed and "
                                                         "receiver bear it, switch sun.keep_away off first"));
         }
-        return m_control.reaches(direction);
+        return m_control.reaches(fromSide(direction, overTheTop));
     });
 }
 
 Result<> BodyFollower::permitsAround(Body body, const std::vector<calibration::SkyOffset>& places)
 {
-    return permits(body).and_then([&] { return direction(body); }).and_then([&](const SkyPointing& here) -> Result<> {
+    const bool fromBehind = overTheTop();
+    const Result<> itself = permits(body, fromBehind);
+    return itself.and_then([&] { return direction(body); }).and_then([&](const SkyPointing& here) -> Result<> {
         for (const calibration::SkyOffset& place : places) {
-            if (const auto may = m_control.reaches(beside(here, place)); !may) {
+            if (const auto may = m_control.reaches(beside(fromSide(here, fromBehind), place)); !may) {
                 return failure(may.error().code, Text::tr("around the %1 not all is permitted, %2: scan less wide, or "
                                                           "when the %1 stands elsewhere")
                                                      .arg(bodyName(body), toQString(may.error().text)));
@@ -83,40 +100,46 @@ BodyNow BodyFollower::now(Body body)
     BodyNow now{.body = body};
     if (const auto place = direction(body)) {
         const auto may = permits(body);
+        const auto mayOverTheTop = permits(body, true);
         const SkyBodies::Times times = m_bodies.times(body);
         now.direction = *place;
         now.isUp = place->elevation >= Angle{};
         now.obstacle = may ? QString() : toQString(may.error().text);
+        now.obstacleOverTheTop = mayOverTheTop ? QString() : toQString(mayOverTheTop.error().text);
         now.nextRise = times.rise;
         now.nextSet = times.set;
     }
     return now;
 }
 
-Result<> BodyFollower::follow(Body body, ephemeris::Refraction refraction)
+Result<> BodyFollower::follow(Body body, ephemeris::Refraction refraction, bool overTheTop)
 {
-    return permits(body)
+    return permits(body, overTheTop)
         .and_then([&] { return m_control.request(request::ClearTrim{}, calibrationSource()); })
         .and_then([&] {
             m_refraction = refraction;
+            m_overTheTop = overTheTop;
             m_body = body;
             m_offset = {};
             return sendPoint(true);
         })
         .map([&] {
             m_following = true;
-            warn();
+            m_errand = m_control.errand();
         });
 }
 
+// Asked for again each time: what is out of reach over the top would be looked at from the front.
 Result<> BodyFollower::sendPoint(bool anew)
 {
     m_next = m_clock.now() + kPointPeriod;
     return direction(*m_body).and_then([&](const SkyPointing& place) {
         m_place = place;
-        return m_control.request(
-            request::Follow{.direction = beside(place, m_offset), .what = bodyName(*m_body), .anew = anew},
-            calibrationSource());
+        const SkyPointing aim = beside(fromSide(place, m_overTheTop), m_offset);
+        return m_control.reaches(aim).and_then([&] {
+            return m_control.request(request::Follow{.direction = aim, .what = bodyName(*m_body), .anew = anew},
+                                     calibrationSource());
+        });
     });
 }
 
@@ -135,8 +158,9 @@ void BodyFollower::tick()
         m_ending.clear();
         ended(Text::tr("the %1 is not followed any more: the mount was told otherwise").arg(bodyName(*m_body)));
     } else if (m_clock.now() >= m_next) {
-        const auto may =
-            permits(*m_body).and_then([&] { return staysOnItsWay(); }).and_then([&] { return sendPoint(false); });
+        const auto may = permits(*m_body, m_overTheTop).and_then([&] { return staysOnItsWay(); }).and_then([&] {
+            return sendPoint(false);
+        });
         if (!may) {
             end(toQString(may.error().text));
         }
@@ -173,23 +197,8 @@ void BodyFollower::ended(const QString& how)
     }
     m_following = false;
     m_offset = {};
-    m_control.alarms().clear(kCause);
     m_log.add(m_ending.isEmpty() ? Severity::Advisory : Severity::Warning, kSource, how);
     [[maybe_unused]] const Result<> cleared = m_control.request(request::ClearTrim{}, calibrationSource());
-}
-
-void BodyFollower::warn()
-{
-    if (m_body != Body::Sun) {
-        m_control.alarms().clear(kCause);
-    } else {
-        m_control.alarms().raise(
-            kCause, Severity::Warning,
-            {.what = Text::tr("the beam is led to the Sun"),
-             .action = Text::tr("The mount follows the Sun until something else is asked of it"),
-             .remedy = Text::tr("Never look along the beam, nor through a sight tube without a solar filter; a dish "
-                                "gathers the Sun's heat in the feed: cover it, or be quick")});
-    }
 }
 
 }  // namespace boresight

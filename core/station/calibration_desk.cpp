@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/profile/setting.h"
 #include "core/station/sensor_curve.h"
+#include "core/units/angle_between.h"
 
 #include <algorithm>
 
@@ -13,11 +14,22 @@ namespace {
 const QString kSource = QStringLiteral("calibration");
 // A body that is centred by hand, by shadow or sight tube.
 constexpr Angle kCentred = Angle::fromDegrees(0.03);
+// Where north was found, nothing that is centred is this far from where the model says; nor from three sigmas of it.
+constexpr Angle kFarPoint = Angle::fromDegrees(5.0);
 // A landmark from a map, and a hand that points the beam at it.
 constexpr Angle kKnownPoint = Angle::fromDegrees(0.1);
 constexpr AngularRate kStanding = AngularRate::fromDegrees(0.1);  // faster than the Sun but near the zenith
 // A fit of 60 takes 15 ms, in the control tick.
 constexpr std::size_t kMostPoints = 60;
+
+// What is not known today stays what it was: else points would be nobody's, and never left out.
+calibration::RecordMount updated(calibration::RecordMount mount, const calibration::RecordMount& today)
+{
+    mount.azimuthDrive = today.azimuthDrive.empty() ? mount.azimuthDrive : today.azimuthDrive;
+    mount.elevationDrive = today.elevationDrive.empty() ? mount.elevationDrive : today.elevationDrive;
+    mount.site = today.site ? today.site : mount.site;
+    return mount;
+}
 
 }  // namespace
 
@@ -45,13 +57,14 @@ CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile
 Result<> CalibrationDesk::carryOut(const CalibrationRequest& request)
 {
     m_changed = true;
+    noteDrives();
     return std::visit([this](const auto& wanted) { return handle(wanted); }, request);
 }
 
 void CalibrationDesk::setProfile(const profile::Profile& profile)
 {
     const bool otherTerms = profile.pointing != m_profile.pointing;
-    const bool otherSensor = profile.sensor != m_profile.sensor;
+    const bool otherSensor = !readAlike(profile.sensor, m_profile.sensor);
     const bool other = otherTerms || otherSensor;
     if ((otherTerms || (other && !m_scan)) && run() != CalibrationRun::None) {
         holdMount();
@@ -67,13 +80,14 @@ void CalibrationDesk::setProfile(const profile::Profile& profile)
             m_proposedAt = Angle::fromTurns(1.0);  // what was found with the settings of before holds no more
             dropStale();
         }
-        propose(m_by);  // what is proposed is told against what is in force
+        // What is proposed is told against what is in force; what the points say may be that now.
+        propose(m_by == ProposedBy::Points && !pointsSayOther() ? ProposedBy::Nothing : m_by);
     }
 }
 
 Result<> CalibrationDesk::handle(const request::FollowBody& wanted)
 {
-    return nothingRuns().and_then([&] { return m_follower.follow(wanted.body, wanted.refraction); });
+    return nothingRuns().and_then([&] { return m_follower.follow(wanted.body, wanted.refraction, wanted.overTheTop); });
 }
 
 Result<> CalibrationDesk::stands() const
@@ -85,6 +99,16 @@ Result<> CalibrationDesk::stands() const
         }
         return {};
     });
+}
+
+// What follows a body turns on, and its motors would turn the needle.
+Result<> CalibrationDesk::followsNothing() const
+{
+    if (m_follower.following()) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("the mount follows the %1: hold it first").arg(bodyName(*m_follower.body())));
+    }
+    return {};
 }
 
 Result<> CalibrationDesk::roomForPoint() const
@@ -119,8 +143,25 @@ Result<> CalibrationDesk::handle(const request::TakePoint&)
 {
     return mayTakeBody().and_then([&] {
         const ephemeris::Body body = *m_follower.body();
-        return addPoint(m_trace.now()->place, *m_follower.direction(body), kCentred, bodyName(body));
+        const SkyPointing truth = *m_follower.direction(body);
+        return addPoint(m_trace.now()->place, truth, kCentred, bodyName(body)).map([&] { warnOfFarPoint(truth); });
     });
+}
+
+// The operator sees the shadow, the model does not: it is taken all the same.
+void CalibrationDesk::warnOfFarPoint(const SkyPointing& truth)
+{
+    const std::optional<Angle> north = sheet().sigmas[calibration::indexOf(calibration::Term::AzimuthOffset)];
+    const auto beam = m_control.direction();
+    if (!north || !beam) {
+        return;
+    }
+    if (const Angle distance = angleBetween(*beam, truth); distance > std::max(kFarPoint, 3.0 * *north)) {
+        m_log.add(Severity::Warning, kSource,
+                  Text::tr("by the model in force the beam is %1° beside it: if it was not centred, drop point %2")
+                      .arg(distance.degrees(), 0, 'f', 1)
+                      .arg(m_book.points().size()));
+    }
 }
 
 Result<> CalibrationDesk::handle(const request::TakeKnownPoint& wanted)
@@ -155,9 +196,11 @@ Result<> CalibrationDesk::addPoint(const AxisPosition& axes, const SkyPointing& 
 
 void CalibrationDesk::pointsChanged()
 {
+    m_control.alarms().clear(kOtherPoints);
+    m_pointsMount = m_book.points().empty() ? calibration::RecordMount{} : updated(m_pointsMount, mountToday());
     m_file.keepPoints({.when = std::chrono::floor<std::chrono::milliseconds>(m_clock.utc()),
                        .title = "Points",
-                       .mount = mountToday(),
+                       .mount = m_pointsMount,
                        .terms = {.before = m_profile.pointing, .after = m_profile.pointing},
                        .points = m_book.points()});
     m_book.fit(m_profile.pointing, known());
@@ -187,6 +230,7 @@ Result<> CalibrationDesk::handle(const request::MeasureSensorOffset&)
     return nothingRuns()
         .and_then([this] { return sensorTells(); })
         .and_then([this] { return stands(); })
+        .and_then([this] { return followsNothing(); })
         .and_then([this]() -> Result<> {
             const QString obstacle = compassObstacle(m_control.measured()->elevation);
             if (!obstacle.isEmpty()) {
@@ -234,6 +278,12 @@ Result<> CalibrationDesk::handle(const request::EndCalibration&)
 Result<> CalibrationDesk::mayChange() const
 {
     return nothingRuns().and_then([&]() -> Result<> {
+        if (m_wanted.bus != m_profile.bus) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("the mount at %1 waits for Reconnect, and this was found of the one at %2: "
+                                    "reconnect first")
+                               .arg(toQString(m_wanted.bus), toQString(m_profile.bus)));
+        }
         if (m_control.followsClient()) {
             return failure(ErrorCode::Refused, Text::tr("the mount follows a client, which the change would move: hold "
                                                         "the mount first"));
@@ -285,7 +335,10 @@ Result<> CalibrationDesk::handle(const request::ApplyCalibration& wanted)
         }
         m_file.add(std::move(record));
         bringIntoForce(
-            change, Text::tr("applies \"%1\": %2").arg(proposal.title, changeText(m_profile.pointing, proposal.terms)));
+            change,
+            Text::tr("applies \"%1\": %2")
+                .arg(proposal.title, changeText(m_profile.pointing, proposal.terms, proposal.sensor.has_value())),
+            ProposedBy::Nothing);
     });
 }
 
@@ -305,7 +358,7 @@ Result<> CalibrationDesk::handle(const request::UndoCalibration&)
     const auto may = mayChange().and_then([&] { return stillInForce(record.terms.after, now); });
     return may.and_then([&] { return makesSense(change); }).map([&] {
         warnOfOtherMount(record);
-        bringIntoForce(change, Text::tr("takes back \"%1\"").arg(toQString(m_file.undo().title)));
+        bringIntoForce(change, Text::tr("takes back \"%1\"").arg(toQString(m_file.undo().title)), ProposedBy::Points);
     });
 }
 
@@ -325,14 +378,16 @@ Result<> CalibrationDesk::handle(const request::RedoCalibration&)
     const auto may = mayChange().and_then([&] { return stillInForce(record.terms.before, now); });
     return may.and_then([&] { return makesSense(change); }).map([&] {
         warnOfOtherMount(record);
-        bringIntoForce(change, Text::tr("applies \"%1\" again").arg(toQString(m_file.redo().title)));
+        bringIntoForce(change, Text::tr("applies \"%1\" again").arg(toQString(m_file.redo().title)),
+                       ProposedBy::Points);
     });
 }
 
-void CalibrationDesk::bringIntoForce(const CalibrationChange& change, const QString& what)
+// Where `next` are the points, they are proposed as soon as the change is in force.
+void CalibrationDesk::bringIntoForce(const CalibrationChange& change, const QString& what, ProposedBy next)
 {
     m_follower.end();  // the body would be followed elsewhere from now on
-    m_by = ProposedBy::Nothing;
+    m_by = next;
     m_proposal.reset();
     m_change = change;
     m_log.add(Severity::Advisory, QStringLiteral("operator"), what);
@@ -358,7 +413,7 @@ void CalibrationDesk::propose(ProposedBy by)
 
 Proposal CalibrationDesk::swungProposal() const
 {
-    Proposal proposal = proposalOf(*m_swung, m_profile);
+    Proposal proposal = proposalOf(*m_swung, m_profile, toldByPoints());
     if (!m_swingDoubt.isEmpty()) {
         proposal.warnings.push_back(m_swingDoubt);
     }
@@ -369,7 +424,7 @@ std::optional<Proposal> CalibrationDesk::proposed() const
 {
     switch (m_by) {
         case ProposedBy::SensorOffset:
-            return proposalOf(*m_sensorOffset, m_profile);
+            return proposalOf(*m_sensorOffset, m_profile, toldByPoints());
         case ProposedBy::Swing:
             return swungProposal();
         case ProposedBy::Points:
@@ -403,11 +458,13 @@ calibration::TermKnowledge CalibrationDesk::known() const
     return known;
 }
 
+// The memory has the drive whose turn was told last: a new one is in it only when the operator has answered.
 calibration::RecordMount CalibrationDesk::mountToday() const
 {
     const memory::MountMemory& memory = m_control.memory();
     const auto drive = [&](std::size_t axis) {
-        return memory.turns[axis] ? memory.turns[axis]->drive.toStdString() : std::string();
+        const QString remembered = memory.turns[axis] ? memory.turns[axis]->drive : QString();
+        return (m_drives[axis].isEmpty() ? remembered : m_drives[axis]).toStdString();
     };
     calibration::RecordMount mount{.azimuthDrive = drive(0), .elevationDrive = drive(1)};
     if (m_profile.site.known) {

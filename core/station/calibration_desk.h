@@ -12,6 +12,7 @@
 #include "core/station/scan_run.h"
 #include "core/station/swing_run.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -55,6 +56,9 @@ public:
     // To be put into force at once, as a profile that the operator applies is.
     [[nodiscard]] std::optional<CalibrationChange> takeChange() { return std::exchange(m_change, std::nullopt); }
 
+    // What the sensor has told and waits for Apply, with its mounting and curve as they are or would be.
+    [[nodiscard]] std::optional<CalibrationChange> proposedOfSensor() const;
+
     [[nodiscard]] const std::shared_ptr<const CalibrationStatus>& status() const { return m_status; }
     // A run moves the mount.
     [[nodiscard]] bool moves() const { return m_swing.has_value() || m_scan.has_value(); }
@@ -64,6 +68,10 @@ public:
 private:
     // Of a sensor that speaks once a second: twice as many readings as its average must have.
     static constexpr Seconds kOffsetTime{20.0};
+    // Of the alarm that points are left out.
+    inline static const QString kOtherPoints = QStringLiteral("calibration points");
+    // Of the alarm that the beam is at the Sun.
+    inline static const QString kAtSun = QStringLiteral("calibration.sun");
 
     struct OffsetRun
     {
@@ -103,6 +111,7 @@ private:
     [[nodiscard]] Result<> sensorSpeaks() const;
     [[nodiscard]] Result<> maySwing() const;
     [[nodiscard]] Result<> stands() const;
+    [[nodiscard]] Result<> followsNothing() const;
     [[nodiscard]] Result<> roomForPoint() const;
     [[nodiscard]] Result<> mayTakePoint() const;
     [[nodiscard]] Result<> mayTakeBody();
@@ -113,7 +122,10 @@ private:
     void warnOfOtherMount(const calibration::CalibrationRecord& record);
     void dropStale();
     void noteTurns();
+    void noteDrives();
     void restorePoints();
+    void countRestored();
+    void leaveOutOtherPoints();
     [[nodiscard]] SwingPlan planned(const SwingWish& wish) const;
 
     void noteAxes();
@@ -141,16 +153,23 @@ private:
     [[nodiscard]] calibration::TermKnowledge known() const;
     [[nodiscard]] calibration::RecordMount mountToday() const;
     [[nodiscard]] calibration::TermSheet sheet() const;
+    [[nodiscard]] TermSigmas toldByPoints() const;
     [[nodiscard]] const calibration::CalibrationRecord* recordInForce() const;
+    [[nodiscard]] QString changedSince() const;
+    [[nodiscard]] bool pointsSayOther() const;
     [[nodiscard]] QString otherMount() const;
     void warnOfOtherMount();
     void warnOfFile();
+    [[nodiscard]] bool beamAtSun();
+    void warnOfSun();
+    void warnOfFarPoint(const SkyPointing& truth);
     Result<> proposeGiven(GivenTerms given);
-    void bringIntoForce(const CalibrationChange& change, const QString& what);
+    void bringIntoForce(const CalibrationChange& change, const QString& what, ProposedBy next);
 
     void publish();
     [[nodiscard]] CalibrationProgress progress() const;
     [[nodiscard]] std::optional<CalibrationProposal> proposalStatus() const;
+    [[nodiscard]] bool isTold(calibration::Term term) const;
     [[nodiscard]] std::vector<CalibrationHistoryEntry> historyStatus() const;
     void fillBodies(CalibrationStatus& status);
 
@@ -185,7 +204,9 @@ private:
     power::LineStatus m_powerLine;
     GivenTerms m_given;
     PointBook m_book;
-    std::optional<UtcTime> m_axesTold;  // the operator was last asked where an axis stands
+    std::array<QString, 2> m_drives;         // their UUIDs, as last read; empty: not read yet
+    calibration::RecordMount m_pointsMount;  // of whom the points are
+    std::optional<UtcTime> m_axesTold;       // the operator was last asked where an axis stands
     ProposedBy m_by = ProposedBy::Nothing;
     Angle m_proposedAt;  // the declination that was in force when it was found
     std::optional<Proposal> m_proposal;

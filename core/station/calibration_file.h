@@ -34,6 +34,7 @@ public:
 
     // As they were when the file was read, and what is kept of them from now on.
     [[nodiscard]] const std::vector<calibration::CalibrationPoint>& points() const { return m_points.points; }
+    [[nodiscard]] const calibration::RecordMount& pointsMount() const { return m_points.mount; }
     void keepPoints(calibration::CalibrationRecord points);
 
     void add(calibration::CalibrationRecord record);

@@ -2,6 +2,7 @@
 #include "core/station/calibration_proposal.h"
 
 #include "core/base/text.h"
+#include "core/calibration/words.h"
 #include "core/profile/setting.h"
 #include "core/station/sensor_curve.h"
 
@@ -18,9 +19,13 @@ using calibration::valueOf;
 
 // A tilt within this many of its sigmas is as good as none.
 constexpr double kSignificant = 2.0;
+// As far as the profile lets the zero of an axis be corrected.
+constexpr Angle kMostZero = Angle::fromDegrees(10.0);
 // A north found less exactly than this is worth a warning: Gpredict's satellites need it to a few degrees.
 constexpr Angle kPoorNorth = Angle::fromDegrees(3.0);
 
+// Beyond as many of their joint sigmas two values are not of the same thing any more.
+constexpr double kContradicts = 3.0;
 // A north that moves by less leaves a compass where it is.
 constexpr Angle kSameNorth = Angle::fromDegrees(0.01);
 
@@ -49,9 +54,29 @@ Angle nearestOffset(Angle north, const profile::Profile& profile)
     return abs(near) < Angle::fromTurns(1.0) ? near : near.wrapped180();
 }
 
+// Of what is in force, beside what was found here.
+enum class Standing
+{
+    Replaced,
+    Stays,        // points have told it better
+    Contradicted  // they have, but it can not be true any more
+};
+
+Standing standingOf(const std::optional<Angle>& told, Angle sigma, Angle apart)
+{
+    if (!told || *told >= sigma) {
+        return Standing::Replaced;
+    }
+    return apart > calibration::hypot(*told, sigma) * kContradicts ? Standing::Contradicted : Standing::Stays;
+}
+
+void setStays(Proposal& proposal, const QString& what)
+{
+    proposal.stays += proposal.stays.isEmpty() ? what : QStringLiteral("; ") + what;
+}
+
 void setNorth(Proposal& proposal, const calibration::Estimate& north, const profile::Profile& profile)
 {
-    proposal.terms = profile.pointing;
     proposal.terms.azimuthOffset = nearestOffset(north.value, profile);
     proposal.sigmas[indexOf(Term::AzimuthOffset)] = north.sigma;
     if (north.sigma > kPoorNorth) {
@@ -60,10 +85,60 @@ void setNorth(Proposal& proposal, const calibration::Estimate& north, const prof
     }
 }
 
-void setTilt(Proposal& proposal, const calibration::AxisTilt& tilt)
+// Who moved the mount needs the north that was found, and gets it; who has put iron beside it sees why not.
+void warnOfNorth(Proposal& proposal, Angle apart)
+{
+    proposal.warnings.push_back(
+        Text::tr(
+            "the compass contradicts the north in force by %1, more than both may err: apply this if the mount was "
+            "moved or has slipped; if iron came near, take it away and measure again")
+            .arg(degreesText(apart, 1)));
+}
+
+// Whether north stays; else that of the compass is proposed.
+bool keepsNorth(Proposal& proposal, const calibration::Estimate& north, const profile::Profile& profile,
+                const std::optional<Angle>& told)
+{
+    proposal.terms = profile.pointing;
+    const Angle apart = abs((north.value - profile.pointing.azimuthOffset).wrapped180());
+    const Standing standing = standingOf(told, north.sigma, apart);
+    if (standing == Standing::Stays) {
+        setStays(proposal, Text::tr("north stays: it is known to %1, a compass to %2")
+                               .arg(degreesText(*told), degreesText(north.sigma, 1)));
+        return true;
+    }
+    setNorth(proposal, north, profile);
+    if (standing == Standing::Contradicted) {
+        warnOfNorth(proposal, apart);
+    }
+    return false;
+}
+
+// Of the tilt's two parts; empty unless both are known.
+std::optional<Angle> tiltTold(const TermSigmas& told)
+{
+    const auto& north = told[indexOf(Term::TiltNorth)];
+    const auto& east = told[indexOf(Term::TiltEast)];
+    return north && east ? std::optional(std::max(*north, *east)) : std::nullopt;
+}
+
+void setTilt(Proposal& proposal, const calibration::AxisTilt& tilt, const std::optional<Angle>& told)
 {
     if (tilt.size < tilt.sizeSigma * kSignificant) {
         return;
+    }
+    const Angle apart =
+        calibration::hypot(tilt.north.value - proposal.terms.tiltNorth, tilt.east.value - proposal.terms.tiltEast);
+    const Standing standing = standingOf(told, tilt.sizeSigma, apart);
+    if (standing == Standing::Stays) {
+        setStays(proposal, Text::tr("tilt stays: it is known to %1, a swing to %2")
+                               .arg(degreesText(*told), degreesText(tilt.sizeSigma)));
+        return;
+    }
+    if (standing == Standing::Contradicted) {
+        proposal.warnings.push_back(
+            Text::tr("the mast leans otherwise than the tilt in force says, by %1: see that it stands firm")
+                .arg(degreesText(apart)));
     }
     proposal.terms.tiltNorth = tilt.north.value;
     proposal.terms.tiltEast = tilt.east.value;
@@ -73,42 +148,78 @@ void setTilt(Proposal& proposal, const calibration::AxisTilt& tilt)
                          .arg(degreesText(tilt.size), degreesText(tilt.sizeSigma), degreesText(tilt.direction, 0));
 }
 
-// Told, not proposed: a box that lies askew on the boom says the same as an axis whose zero is wrong.
-QString zeroText(const calibration::Estimate& zero)
+// Of the sensor's elevation against that of the beam: what a box that lies askew explains is the sensor's, and so is
+// everything once Sun or Moon have told the zero; only more than that is the axis's (core/calibration/README.md, Tilt).
+void setZero(Proposal& proposal, calibration::SensorMounting& mounting, const calibration::Estimate& zero,
+             const pointing::PointingTerms& present, const std::optional<Angle>& presentSigma)
 {
-    return Text::tr(
-               "; where the elevation axis shows 0° the sensor says %1 ± %2 (not proposed: the box may lie askew on "
-               "the boom; Sun or Moon tell the zero)")
-        .arg(degreesText(zero.value), degreesText(zero.sigma, 1));
+    const Angle beam = zero.value + mounting.elevationOffset;  // where the axis shows 0°, as far as the sensor knows
+    const Angle off = abs(beam - present.elevationOffset);
+    const bool isKnown = presentSigma && *presentSigma < zero.sigma;
+    const bool isSensors = isKnown || off <= zero.sigma * kSignificant;
+    QString verdict;
+    if (off > kMostZero || (!isSensors && abs(beam) > kMostZero)) {
+        verdict =
+            Text::tr("too much to put right: see how the box sits on the boom, and what the elevation axis shows");
+        proposal.warnings.push_back(Text::tr("sensor and elevation axis differ by %1").arg(degreesText(off, 1)));
+    } else if (isSensors) {
+        mounting.elevationOffset = present.elevationOffset - zero.value;
+        verdict = Text::tr("taken as a box that lies askew on the boom, the elevation of the beam stays");
+    } else {
+        proposal.terms.elevationOffset = beam;
+        proposal.sigmas[indexOf(Term::ElevationOffset)] = zero.sigma;
+        verdict = Text::tr("more than a box lies askew: the zero of the elevation axis is off");
+        proposal.warnings.push_back(Text::tr("the zero of elevation moves by %1: see first that the box lies along the "
+                                             "boom")
+                                        .arg(degreesText(off, 1)));
+    }
+    proposal.text += Text::tr("; where the elevation axis shows 0° the sensor says %1 ± %2: %3")
+                         .arg(degreesText(zero.value), degreesText(zero.sigma, 1), verdict);
 }
 
 }  // namespace
 
-Proposal proposalOf(const calibration::SensorOffset& offset, const profile::Profile& profile)
+Proposal proposalOf(const calibration::SensorOffset& offset, const profile::Profile& profile, const TermSigmas& told)
 {
     Proposal proposal{.title = Text::tr("North from the sensor"),
                       .reason = Text::tr("still sensor"),
                       .text = northText(offset.offset)};
-    setNorth(proposal, offset.offset, profile);
+    if (keepsNorth(proposal, offset.offset, profile, told[indexOf(Term::AzimuthOffset)])) {
+        proposal.title = Text::tr("Offset of the sensor");
+        const Angle correction = (profile.pointing.azimuthOffset - offset.offset.value).wrapped180();
+        proposal.sensor = withNorthMoved(mountingOf(profile.sensor), correction, offset.offset.sigma);
+        if (proposal.sensor->curve) {
+            proposal.warnings.push_back(
+                Text::tr("the sensor is made to agree at this one heading: a new swing does it at all of them"));
+        }
+    }
     return proposal;
 }
 
-Proposal proposalOf(const SwingOutcome& swing, const profile::Profile& profile)
+Proposal proposalOf(const SwingOutcome& swing, const profile::Profile& profile, const TermSigmas& told)
 {
     Proposal proposal{.title = Text::tr("North from the compass swing"),
                       .reason = Text::tr("compass swing"),
                       .text = northText(swing.fit.north)};
-    setNorth(proposal, swing.fit.north, profile);
-    if (swing.tilt) {
-        setTilt(proposal, *swing.tilt);
-        proposal.text += zeroText(swing.tilt->elevationOffset);
-    }
+    const auto& northTold = told[indexOf(Term::AzimuthOffset)];
+    const bool northStays = keepsNorth(proposal, swing.fit.north, profile, northTold);
     calibration::SensorMounting mounting = mountingOf(profile.sensor);
+    if (swing.tilt) {
+        setTilt(proposal, *swing.tilt, tiltTold(told));
+        setZero(proposal, mounting, swing.tilt->elevationOffset, profile.pointing,
+                told[indexOf(Term::ElevationOffset)]);
+    }
     mounting.sense = swing.fit.curve.sense;
     mounting.azimuthOffset = {};  // the box is along the boom, as far as a swing can tell
     mounting.curve = swing.fit.curve;
     mounting.curve->constant = {};
     proposal.sensor = mounting;
+    if (northStays) {
+        proposal.title = Text::tr("Curve of the compass");
+        proposal.sensor =
+            withNorthMoved(mounting, (profile.pointing.azimuthOffset - swing.fit.north.value).wrapped180(),
+                           calibration::hypot(*northTold, swing.fit.statistical));
+    }
     for (const std::string& hint : swing.fit.hints) {
         proposal.warnings.push_back(toQString(hint));
     }
@@ -211,7 +322,7 @@ std::vector<TermStatus> termsBeside(const pointing::PointingTerms& present, cons
     return list;
 }
 
-QString changeText(const pointing::PointingTerms& before, const pointing::PointingTerms& after)
+QString changeText(const pointing::PointingTerms& before, const pointing::PointingTerms& after, bool changesSensor)
 {
     QStringList changes;
     for (const Term term : calibration::kAllTerms) {
@@ -221,6 +332,9 @@ QString changeText(const pointing::PointingTerms& before, const pointing::Pointi
             changes << QStringLiteral("%1 %2 → %3")
                            .arg(Text::of(kTermTexts[indexOf(term)]), degreesText(was), degreesText(is));
         }
+    }
+    if (changesSensor) {
+        changes << Text::tr("mounting or curve of the sensor");
     }
     return changes.isEmpty() ? Text::tr("nothing changes") : changes.join(QStringLiteral(", "));
 }

@@ -2,11 +2,19 @@
 // The part of CalibrationDesk that tells the screen what it does and knows.
 #include "core/base/text.h"
 #include "core/station/calibration_desk.h"
+#include "core/station/sensor_curve.h"
+#include "core/units/angle_between.h"
+
+#include <algorithm>
 
 namespace boresight {
 namespace {
 
 const QString kFileCause = QStringLiteral("calibrations");
+// A beam that is sharper than this gathers the Sun's light in the feed, or beside it.
+constexpr Angle kNearSun = Angle::fromDegrees(1.0);
+// The alarm must not come and go with the noise of an encoder.
+constexpr Angle kClearOfSun = Angle::fromDegrees(0.05);
 
 QString reasonOf(const Result<>& result)
 {
@@ -33,7 +41,9 @@ void CalibrationDesk::publish()
     m_published = m_clock.now();
     warnOfOtherMount();
     warnOfFile();
+    warnOfSun();
     dropStale();
+    leaveOutOtherPoints();
     noteTurns();
     m_changed = false;
     CalibrationStatus status{.progress = progress(),
@@ -44,6 +54,9 @@ void CalibrationDesk::publish()
                              .sensorObstacle = reasonOf(sensorTells()),
                              .swingPlan = planned(m_swingWish),
                              .swing = m_swung};
+    if (m_swing) {
+        status.swingSoFar = m_swing->dots(mountingOf(m_profile.sensor).sense);
+    }
     if (const auto may = maySwing(); !may) {
         status.swingPlan.obstacle = toQString(may.error().text);
     }
@@ -77,6 +90,42 @@ void CalibrationDesk::warnOfFile()
                             "after the program was ended")});
 }
 
+// Led there, or standing there whoever has led it; what only passes by is not told.
+bool CalibrationDesk::beamAtSun()
+{
+    if (m_follower.follows(ephemeris::Body::Sun)) {
+        return true;
+    }
+    const auto sun = m_follower.direction(ephemeris::Body::Sun);
+    if (!sun || sun->elevation < Angle{} || m_profile.sun.keepAway == profile::KeepAway::On) {
+        return false;  // its keep-out has an alarm of its own
+    }
+    const bool told = m_control.alarms().active(kAtSun);
+    const auto beam = m_control.direction();
+    if (!beam) {
+        return told;  // and nothing else is known
+    }
+    const Angle distance = angleBetween(*beam, *sun);
+    const Angle near = std::max(m_profile.mount.beamWidth / 2.0, kNearSun);
+    return told ? distance < near + kClearOfSun : distance < near && stands();
+}
+
+void CalibrationDesk::warnOfSun()
+{
+    if (!beamAtSun()) {
+        m_control.alarms().clear(kAtSun);
+        return;
+    }
+    m_control.alarms().raise(
+        kAtSun, Severity::Warning,
+        {.what = Text::tr("the beam is at the Sun, or led there"),
+         .action = m_follower.follows(ephemeris::Body::Sun)
+                       ? Text::tr("The mount follows the Sun until something else is asked of it")
+                       : Text::tr("That lasts until the mount is moved or the Sun has passed"),
+         .remedy = Text::tr("Never look along the beam, nor through a sight tube without a solar filter; a dish "
+                            "gathers the Sun's heat in the feed: cover it, or be quick")});
+}
+
 void CalibrationDesk::fill(StationStatus& status) const
 {
     status.calibration = m_status;
@@ -84,6 +133,9 @@ void CalibrationDesk::fill(StationStatus& status) const
                           status.state == StationState::Jog || status.state == StationState::Track;
     if (moves() && inMotion) {
         status.state = StationState::Calibrate;
+        if (m_swing) {
+            status.targetText = Text::tr("compass swing");
+        }
     }
 }
 
@@ -112,6 +164,7 @@ void CalibrationDesk::fillBodies(CalibrationStatus& status)
     status.refraction = m_follower.refraction();
     status.body = m_follower.body();
     status.following = m_follower.following();
+    status.overTheTop = m_follower.overTheTop();
     if (const auto known = m_follower.direction(ephemeris::Body::Sun); !known) {
         status.noSite = toQString(known.error().text);
         return;
@@ -120,10 +173,23 @@ void CalibrationDesk::fillBodies(CalibrationStatus& status)
     for (const ephemeris::Body body : kBodies) {
         status.bodies.push_back(m_follower.now(body));
     }
-    if (status.following && status.body == ephemeris::Body::Sun) {
+    if (m_control.alarms().active(kAtSun)) {
         status.warning = Text::tr(
             "The beam looks into the Sun: nobody looks along it, nor through a sight tube "
             "without a solar filter; mind the heat in the feed");
+    }
+}
+
+// A term that the points only move within what was known of it is held, not told.
+bool CalibrationDesk::isTold(calibration::Term term) const
+{
+    switch (m_by) {
+        case ProposedBy::Points:
+            return m_book.fitted() && m_book.fitted()->of(term).state == calibration::TermState::Fitted;
+        case ProposedBy::Given:
+            return calibration::valueOf(m_proposal->terms, term) != calibration::valueOf(m_profile.pointing, term);
+        default:
+            return m_proposal->sigmas[calibration::indexOf(term)].has_value();
     }
 }
 
@@ -141,30 +207,47 @@ std::optional<CalibrationProposal> CalibrationDesk::proposalStatus() const
                              .changesSensor = m_proposal->sensor.has_value(),
                              .warnings = m_proposal->warnings,
                              .obstacle = reasonOf(mayChange())};
+    const calibration::TermSheet present = sheet();
     for (const calibration::Term term : calibration::kAllTerms) {
-        const auto& sigma = m_proposal->sigmas[calibration::indexOf(term)];
         TermStatus& one = told.terms[calibration::indexOf(term)];
-        one.sigma = sigma;
-        one.isOn = sigma.has_value() || (m_by == ProposedBy::Given && one.proposed != one.present);
+        one.sigma = m_proposal->sigmas[calibration::indexOf(term)];
+        one.isOn = isTold(term);
+        if (!one.sigma && one.proposed == one.present) {
+            one.sigma = present.sigmas[calibration::indexOf(term)];  // what stays is known as well as before
+        }
     }
     return told;
 }
 
+// Newest first; what was superseded stands where it was applied, whatever the clock did to the others.
 std::vector<CalibrationHistoryEntry> CalibrationDesk::historyStatus() const
 {
     std::vector<CalibrationHistoryEntry> list;
-    const auto& entries = m_file.history().entries();
+    const calibration::CalibrationHistory& history = m_file.history();
     const calibration::RecordMount today = mountToday();
-    for (std::size_t i = entries.size(); i > 0; --i) {
-        const calibration::CalibrationRecord& record = entries[i - 1];
+    const auto told = [&](const calibration::CalibrationRecord& record) {
         const calibration::MountDifference difference = calibration::difference(record.mount, today);
-        list.push_back({.when = record.when,
-                        .title = toQString(record.title),
-                        .change = changeText(record.terms.before, record.terms.after),
-                        .place = placeText(difference),
-                        .inForce = i <= m_file.history().inForce(),
-                        .otherMount = difference != calibration::MountDifference::None});
+        return CalibrationHistoryEntry{
+            .when = record.when,
+            .title = toQString(record.title),
+            .change = changeText(record.terms.before, record.terms.after, record.sensor.has_value()),
+            .place = placeText(difference),
+            .otherMount = difference != calibration::MountDifference::None};
+    };
+    for (std::size_t i = 0; i < history.entries().size(); ++i) {
+        list.push_back(told(history.entries()[i]));
+        list.back().inForce = i < history.inForce();
     }
+    if (const QString since = changedSince(); !since.isEmpty()) {
+        CalibrationHistoryEntry& last = list[history.inForce() - 1];
+        last.title = Text::tr("%1, changed by hand since").arg(last.title);
+        last.change = Text::tr("%1; since then by hand: %2").arg(last.change, since);
+    }
+    for (const calibration::CalibrationRecord& record : history.superseded()) {
+        const auto later = std::ranges::find_if(list, [&](const auto& entry) { return entry.when > record.when; });
+        list.insert(later, told(record))->superseded = true;
+    }
+    std::ranges::reverse(list);
     return list;
 }
 

@@ -27,6 +27,23 @@ SteadyTime before(SteadyTime time, Seconds age)
     return time - std::chrono::duration_cast<SteadyTime::duration>(age);
 }
 
+// How it ended, with what Apply will leave.
+QString outcomeText(const QString& used, const std::optional<Proposal>& proposal)
+{
+    return proposal && !proposal->stays.isEmpty() ? QStringLiteral("%1; %2").arg(used, proposal->stays) : used;
+}
+
+QString usedText(const calibration::SwingTally& tally, const calibration::SwingLimits& limits)
+{
+    if (tally.leftOut() == 0) {
+        return Text::tr("done, from %1 readings").arg(tally.all());
+    }
+    return Text::tr("done, from %1 of %2 readings; left out: %3")
+        .arg(tally.of(calibration::SampleFate::Used))
+        .arg(tally.all())
+        .arg(tally.whyLeftOut(limits));
+}
+
 }  // namespace
 
 CalibrationRun CalibrationDesk::run() const
@@ -156,6 +173,7 @@ void CalibrationDesk::noteAxes()
 
 void CalibrationDesk::tick()
 {
+    noteDrives();
     noteAxes();
     m_unseenSince = m_trace.now() ? std::nullopt : std::optional(m_unseenSince.value_or(m_clock.now()));
     m_follower.tick();
@@ -182,14 +200,15 @@ void CalibrationDesk::stepOffset()
     }
     const auto curve = wasSwung(m_profile.sensor) ? std::optional(curveOf(m_profile.sensor, m_declination))
                                                   : std::optional<calibration::DeviationCurve>();
-    const auto offset = calibration::sensorOffset(m_offsetRun->readings, {}, curve);
+    const calibration::SensorOffsetLimits limits{.motorCurrent = m_profile.sensor.stillCurrent};
+    const auto offset = calibration::sensorOffset(m_offsetRun->readings, limits, curve);
     if (!offset) {
         endRun(toQString(offset.error().text), true);
         return;
     }
     m_sensorOffset = *offset;
-    endRun(Text::tr("done, from %1 readings").arg(offset->used), false);
     propose(ProposedBy::SensorOffset);
+    endRun(outcomeText(Text::tr("done, from %1 readings").arg(offset->used), m_proposal), false);
 }
 
 void CalibrationDesk::stepSwing()
@@ -266,6 +285,7 @@ void CalibrationDesk::finishSwing()
                                             : Text::tr(
                                                   "the sensor was silent meanwhile and does not tell how it is "
                                                   "calibrated: if it was started anew, repeat the swing");
+    const calibration::SwingLimits limits = m_swing->limits();
     auto outcome = m_swing->outcome(m_clock.utc(), m_declination);
     if (!outcome) {
         endRun(toQString(outcome.error().text), true);
@@ -273,11 +293,21 @@ void CalibrationDesk::finishSwing()
     }
     m_swung = std::make_shared<const SwingOutcome>(std::move(*outcome));
     if (m_swung->fit.isUsable()) {
-        endRun(Text::tr("done, from %1 readings").arg(m_swung->samples.size()), false);
         propose(ProposedBy::Swing);
+        endRun(outcomeText(usedText(calibration::SwingTally(m_swung->fit.samples), limits), m_proposal), false);
     } else {
         endRun(Text::tr("a compass is of no use here: %1").arg(toQString(m_swung->fit.hopeless.front())), true);
     }
+}
+
+std::optional<CalibrationChange> CalibrationDesk::proposedOfSensor() const
+{
+    const bool bySensor = m_by == ProposedBy::SensorOffset || m_by == ProposedBy::Swing;
+    if (!bySensor || !m_proposal) {
+        return std::nullopt;
+    }
+    return CalibrationChange{.terms = m_proposal->terms,
+                             .sensor = m_proposal->sensor.value_or(mountingOf(m_profile.sensor))};
 }
 
 // The mount does not do any more what the run asked of it.

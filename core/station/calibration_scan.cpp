@@ -39,9 +39,10 @@ Result<> CalibrationDesk::handle(const request::StartCrossScan& wanted)
     return nothingRuns()
         .and_then([&] { return roomForPoint(); })
         .and_then([&] { return m_follower.permitsAround(wanted.body, ScanRun::placesOf(wanted.width)); })
-        .and_then([&] { return m_follower.follow(wanted.body, ephemeris::Refraction::Radio); })
+        .and_then([&] { return m_follower.follow(wanted.body, ephemeris::Refraction::Radio, m_follower.overTheTop()); })
         .and_then([&] {
             m_beforeScan = before;
+            m_scanned.reset();
             m_scan.emplace(wanted.width, m_clock.now());
             return lookOn();
         });

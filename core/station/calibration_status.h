@@ -6,6 +6,7 @@
 #include "core/calibration/compass_swing.h"
 #include "core/calibration/cross_scan.h"
 #include "core/calibration/sensor_offset.h"
+#include "core/calibration/swing_tally.h"
 #include "core/calibration/terms_text.h"
 #include "core/ephemeris/almanac.h"
 #include "core/ephemeris/refraction.h"
@@ -73,7 +74,8 @@ struct BodyNow
     ephemeris::Body body = ephemeris::Body::Sun;
     SkyPointing direction;  // true azimuth; bent by the air as chosen
     bool isUp = false;
-    QString obstacle;  // why the beam can not be pointed there now; empty: it can
+    QString obstacle;            // why the beam can not be pointed there now; empty: it can
+    QString obstacleOverTheTop;  // the same with the boom past the zenith
     std::optional<UtcTime> nextRise;
     std::optional<UtcTime> nextSet;
 };
@@ -146,6 +148,7 @@ struct CalibrationHistoryEntry
     QString change;  // "azimuth offset 0.00° → 37.41°, …"
     QString place;   // the site, and "other drives" where a drive's uuid is not today's
     bool inForce = false;
+    bool superseded = false;  // undone, and another was applied since: kept to be read, Redo does not lead to it
     bool otherMount = false;  // another site, or another drive: what it says may not hold any more
 };
 
@@ -156,14 +159,16 @@ struct CalibrationStatus
     calibration::TermSheet sheet;  // the same with all that is known of it, to be exported
     QString otherMount;            // what was applied last was for another drive or site; empty: it was not
     std::optional<calibration::SensorOffset> sensorOffset;
-    QString sensorObstacle;                     // why the sensor is no evidence now; empty: it is
-    SwingPlan swingPlan;                        // for what was planned last, at first with the usual rate
-    std::shared_ptr<const SwingOutcome> swing;  // the last; null before the first
-    QString noSite;                             // why there is neither Sun nor Moon; empty: there are
-    std::vector<BodyNow> bodies;                // Sun, Moon
+    QString sensorObstacle;                         // why the sensor is no evidence now; empty: it is
+    SwingPlan swingPlan;                            // for what was planned last, at first with the usual rate
+    std::vector<calibration::SwingDot> swingSoFar;  // while it turns, thinned to some hundreds
+    std::shared_ptr<const SwingOutcome> swing;      // the last; null before the first
+    QString noSite;                                 // why there is neither Sun nor Moon; empty: there are
+    std::vector<BodyNow> bodies;                    // Sun, Moon
     ephemeris::Refraction refraction = ephemeris::Refraction::Light;
     std::optional<ephemeris::Body> body;  // chosen last: TakePoint means this one
     bool following = false;               // and the mount follows it now
+    bool overTheTop = false;              // with the boom past the zenith
     QString warning;                      // of eyes and feed, while the beam is led to the Sun
     QString pointObstacle;                // why TakePoint would be refused now; empty: it would not
     std::vector<PointStatus> points;

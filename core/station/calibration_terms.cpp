@@ -16,11 +16,27 @@ const QString kCause = QStringLiteral("calibration");
 // Half of the last place of what a profile and a history keep, and the rounding of both.
 constexpr Angle kSameTerm = Angle::fromDegrees(2e-9);
 
-bool isSame(const pointing::PointingTerms& a, const pointing::PointingTerms& b)
+// The fit of the same points against another model in force ends some ten millionths of a degree beside: less than half
+// of the last place that is shown says nothing else.
+constexpr Angle kSameFit = Angle::fromDegrees(0.0005);
+
+bool isSame(const pointing::PointingTerms& a, const pointing::PointingTerms& b, Angle tolerance = kSameTerm)
 {
     return std::ranges::all_of(calibration::kAllTerms, [&](calibration::Term term) {
-        return abs(calibration::valueOf(a, term) - calibration::valueOf(b, term)) <= kSameTerm;
+        return abs(calibration::valueOf(a, term) - calibration::valueOf(b, term)) <= tolerance;
     });
+}
+
+// Those that were given, but what differs by rounding only stays exactly what it is: whoever types one term gives one.
+pointing::PointingTerms changedOnly(pointing::PointingTerms given, const pointing::PointingTerms& present)
+{
+    for (const calibration::Term term : calibration::kAllTerms) {
+        const Angle now = calibration::valueOf(present, term);
+        if (abs(calibration::valueOf(given, term) - now) <= kSameTerm) {
+            calibration::valueOf(given, term) = now;
+        }
+    }
+    return given;
 }
 
 // As a profile keeps the arcs.
@@ -65,7 +81,7 @@ Result<> CalibrationDesk::handle(const request::ImportTerms& wanted)
     return calibration::parseTerms(wanted.text, wanted.name.toStdString())
         .and_then([&](const calibration::TermSheet& read) {
             return proposeGiven({.title = Text::tr("Terms from %1").arg(wanted.name),
-                                 .reason = Text::tr("read from %1").arg(wanted.name),
+                                 .reason = Text::tr("from a file"),
                                  .terms = read.terms,
                                  .sigmas = read.sigmas,
                                  .warnings = otherMountWarnings(read, sheet())});
@@ -78,7 +94,7 @@ Result<> CalibrationDesk::proposeGiven(GivenTerms given)
         if (isSame(terms, m_profile.pointing)) {
             return failure(ErrorCode::Refused, Text::tr("these are the terms that are in force already"));
         }
-        given.terms = terms;
+        given.terms = changedOnly(terms, m_profile.pointing);
         m_given = std::move(given);
         propose(ProposedBy::Given);
         return {};
@@ -149,11 +165,74 @@ void CalibrationDesk::restorePoints()
         return;
     }
     m_log.add(Severity::Advisory, kCause,
-              Text::tr("%1 points that were taken before are here again").arg(m_book.points().size()));
+              Text::tr("%1 points that were taken before are here again; they count when both drives have told who "
+                       "they are")
+                  .arg(m_book.points().size()));
+    m_pointsMount = m_file.pointsMount();
+    m_book.setWaiting(true);
+}
+
+// A drive tells who it is some seconds after the start, and after it was silent it may be another.
+void CalibrationDesk::noteDrives()
+{
+    bool isNew = false;
+    for (const Axis axis : kAxes) {
+        const QString uuid = m_control.uuid(axis);
+        if (!uuid.isEmpty() && uuid != m_drives[index(axis)]) {
+            m_drives[index(axis)] = uuid;
+            isNew = true;
+        }
+    }
+    if (isNew) {
+        m_changed = true;
+        leaveOutOtherPoints();
+        countRestored();
+    }
+}
+
+// Than what is in force; any turn of the azimuth offset is the same north.
+bool CalibrationDesk::pointsSayOther() const
+{
+    if (!m_book.fitted()) {
+        return false;
+    }
+    pointing::PointingTerms said = m_book.fitted()->terms;
+    said.azimuthOffset = said.azimuthOffset.nearestTo(m_profile.pointing.azimuthOffset);
+    return !isSame(said, m_profile.pointing, kSameFit);
+}
+
+void CalibrationDesk::countRestored()
+{
+    if (!m_book.isWaiting() || std::ranges::any_of(m_drives, &QString::isEmpty)) {
+        return;
+    }
+    m_book.setWaiting(false);
     m_book.fit(m_profile.pointing, known());
-    if (m_book.fitted() && !isSame(m_book.fitted()->terms, m_profile.pointing)) {
+    if (pointsSayOther() && m_by == ProposedBy::Nothing) {
         propose(ProposedBy::Points);
     }
+}
+
+// Where an axis shows 0° another drive does not know, nor another place where its north is. They stay in the list: the
+// operator may have their reasons to use them all the same.
+void CalibrationDesk::leaveOutOtherPoints()
+{
+    const calibration::MountDifference difference = calibration::difference(m_pointsMount, mountToday());
+    if (difference == calibration::MountDifference::None || m_book.points().empty()) {
+        return;
+    }
+    for (std::size_t i = 0; i < m_book.points().size(); ++i) {
+        [[maybe_unused]] const Result<> out = m_book.use(i, false);
+    }
+    pointsChanged();
+    const QString what = difference == calibration::MountDifference::OtherDrive
+                             ? Text::tr("the points on the page Sun/Moon were taken with another drive")
+                             : Text::tr("the points on the page Sun/Moon were taken at another site");
+    m_control.alarms().raise(kOtherPoints, Severity::Warning,
+                             {.what = what,
+                              .action = Text::tr("None of them is used any more: nothing is found from them"),
+                              .remedy = Text::tr("Drop them and take new ones; a point that still holds can be used "
+                                                 "again on the page Model")});
 }
 
 // The entry that has brought the terms in force, if they were not changed since by other ways.
@@ -165,6 +244,16 @@ const calibration::CalibrationRecord* CalibrationDesk::recordInForce() const
     }
     const calibration::CalibrationRecord& last = history.entries()[history.inForce() - 1];
     return isSame(last.terms.after, m_profile.pointing) ? &last : nullptr;
+}
+
+// What was changed by other ways since the entry that was applied last; empty: nothing.
+QString CalibrationDesk::changedSince() const
+{
+    const calibration::CalibrationHistory& history = m_file.history();
+    if (!history.canUndo() || recordInForce() != nullptr) {
+        return {};
+    }
+    return changeText(history.entries()[history.inForce() - 1].terms.after, m_profile.pointing);
 }
 
 // A term keeps its sigma as long as it keeps its value.
@@ -190,6 +279,32 @@ calibration::TermSheet CalibrationDesk::sheet() const
         }
     }
     return sheet;
+}
+
+// How well Sun, Moon or landmarks have told what is in force, of this mount: a compass knows north and the zero of
+// elevation only by its box, and what a text says of itself was not seen here. A term keeps its sigma as long as it
+// keeps its value.
+TermSigmas CalibrationDesk::toldByPoints() const
+{
+    TermSigmas told;
+    const calibration::CalibrationHistory& history = m_file.history();
+    for (const calibration::Term term : calibration::kAllTerms) {
+        for (std::size_t i = history.inForce(); i > 0; --i) {
+            const calibration::CalibrationRecord& record = history.entries()[i - 1];
+            const Angle after = calibration::valueOf(record.terms.after, term);
+            const bool otherMount =
+                calibration::difference(record.mount, mountToday()) != calibration::MountDifference::None;
+            if (otherMount || abs(after - calibration::valueOf(m_profile.pointing, term)) > kSameTerm) {
+                break;
+            }
+            const auto& sigma = record.sigmas[calibration::indexOf(term)];
+            if (sigma && !record.points.empty()) {
+                told[calibration::indexOf(term)] = sigma;
+                break;
+            }
+        }
+    }
+    return told;
 }
 
 QString CalibrationDesk::otherMount() const

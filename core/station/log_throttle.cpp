@@ -16,7 +16,7 @@ void LogThrottle::forgetOld(SteadyTime now)
     m_lastLines.removeIf([now](const auto& line) { return now - line->time >= kRepeat; });
 }
 
-void LogThrottle::add(Severity severity, const QString& source, const QString& text, LogKind kind)
+bool LogThrottle::add(Severity severity, const QString& source, const QString& text, LogKind kind)
 {
     const SteadyTime now = m_clock.now();
     if (now - m_second >= std::chrono::seconds(1)) {
@@ -26,13 +26,19 @@ void LogThrottle::add(Severity severity, const QString& source, const QString& t
     }
     if (m_inSecond >= m_burst || repeated(source, text, now)) {
         ++m_leftOut;
-        return;
+        return false;
     }
     if (m_leftOut > 0) {
         m_log.add(Severity::Advisory, QStringLiteral("log"), Text::tr("%1 similar lines left out").arg(m_leftOut));
         m_leftOut = 0;
     }
-    m_lastLines.insert(source, {.text = text, .time = now});
+    insist(severity, source, text, kind);
+    return true;
+}
+
+void LogThrottle::insist(Severity severity, const QString& source, const QString& text, LogKind kind)
+{
+    m_lastLines.insert(source, {.text = text, .time = m_clock.now()});
     ++m_inSecond;
     m_log.add(severity, source, text, kind);
 }

@@ -19,7 +19,10 @@ public:
 
     LogThrottle(EventLog& log, const Clock& clock, int burst) : m_log(log), m_clock(clock), m_burst(burst) {}
 
-    void add(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event);
+    // False if it was left out.
+    bool add(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event);
+    // Written in any case: the end of something whose beginning was.
+    void insist(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event);
 
 private:
     struct Line

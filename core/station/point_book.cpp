@@ -45,7 +45,7 @@ void PointBook::fit(const pointing::PointingTerms& inForce, const calibration::T
     m_before = inForce;
     m_fit.reset();
     m_problem.clear();
-    if (std::ranges::none_of(m_points, &calibration::CalibrationPoint::isUsed)) {
+    if (m_waiting || std::ranges::none_of(m_points, &calibration::CalibrationPoint::isUsed)) {
         return;
     }
     if (auto fit = calibration::fitPointing(m_points, inForce, known)) {
@@ -108,7 +108,7 @@ std::optional<PointFitStatus> PointBook::fitStatus(const pointing::PointingTerms
     for (const calibration::Term term : calibration::kAllTerms) {
         const calibration::FittedTerm& fitted = m_fit->of(term);
         status.terms[calibration::indexOf(term)].sigma = fitted.estimate.sigma;
-        status.terms[calibration::indexOf(term)].isOn = fitted.state != calibration::TermState::Off;
+        status.terms[calibration::indexOf(term)].isOn = fitted.state == calibration::TermState::Fitted;
     }
     if (m_fit->degreesOfFreedom > 0.0) {
         status.reducedChiSquare = m_fit->chiSquare / m_fit->degreesOfFreedom;

@@ -19,11 +19,15 @@ public:
     Result<> use(std::size_t index, bool used);
     void clear() { m_points.clear(); }
 
+    // It is not certain yet that they are of this mount: they are in the list, and say nothing.
+    void setWaiting(bool waiting) { m_waiting = waiting; }
+    [[nodiscard]] bool isWaiting() const { return m_waiting; }
+
     // Anew, against the model in force. What a swing has found out is known before the points.
     void fit(const pointing::PointingTerms& inForce, const calibration::TermKnowledge& known);
 
     [[nodiscard]] const std::vector<calibration::CalibrationPoint>& points() const { return m_points; }
-    // Empty while there is no point that is used.
+    // Empty while there is no point that is used, or they wait.
     [[nodiscard]] const std::optional<calibration::PointingFit>& fitted() const { return m_fit; }
     // Why there is no fit; empty if there is one.
     [[nodiscard]] const QString& problem() const { return m_problem; }
@@ -37,6 +41,7 @@ private:
     [[nodiscard]] Result<> has(std::size_t index) const;
 
     std::vector<calibration::CalibrationPoint> m_points;
+    bool m_waiting = false;
     pointing::PointingTerms m_before;
     std::optional<calibration::PointingFit> m_fit;
     QString m_problem;

@@ -127,6 +127,7 @@ struct FollowBody  // keep the beam on it; Nudge trims. Ends by Hold, or any oth
 {
     ephemeris::Body body = ephemeris::Body::Sun;
     ephemeris::Refraction refraction = ephemeris::Refraction::Light;
+    bool overTheTop = false;  // past the zenith, from the other side: tells the collimation from the azimuth's offset
 };
 struct TakePoint  // the body that was chosen last is centred now
 {};

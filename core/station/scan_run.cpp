@@ -34,7 +34,12 @@ std::vector<calibration::SkyOffset> ScanRun::placesOf(Angle width)
 
 calibration::SkyOffset ScanRun::offset() const
 {
-    return comesBack() ? calibration::SkyOffset{} : m_places[static_cast<std::size_t>(m_place)];
+    if (comesBack()) {
+        return {};
+    }
+    calibration::SkyOffset place = m_places[static_cast<std::size_t>(m_place)];
+    place.across += m_place < kPlaces ? Angle{} : m_turned;
+    return place;
 }
 
 SteadyTime ScanRun::settled() const
@@ -72,6 +77,9 @@ std::optional<double> ScanRun::heard(SteadyTime now) const
 
 QString ScanRun::obstacle(SteadyTime now) const
 {
+    if (!m_noPeak.isEmpty()) {
+        return m_noPeak;  // the other line would be for nothing
+    }
     if (rests(now)) {
         return Seconds(now - settled()) > kPatience ? Text::tr("nobody told the power") : QString();
     }
@@ -87,6 +95,18 @@ void ScanRun::give(double decibels, SteadyTime now)
     ++m_place;
     m_came = now;
     m_heard.clear();
+    if (m_place == kPlaces) {
+        turnAtPeak();
+    }
+}
+
+void ScanRun::turnAtPeak()
+{
+    if (const auto peak = calibration::fitScan(m_across)) {
+        m_turned = peak->offset.value;
+    } else {
+        m_noPeak = Text::tr("across: %1").arg(toQString(peak.error().text));
+    }
 }
 
 QString ScanRun::text(SteadyTime now) const
@@ -100,7 +120,7 @@ QString ScanRun::text(SteadyTime now) const
 
 Result<calibration::CrossScan> ScanRun::outcome(const AxisPosition& middle) const
 {
-    return calibration::fitCrossScan(middle, m_across, m_elevation);
+    return calibration::fitCrossScan(middle, m_across, m_elevation, m_turned);
 }
 
 }  // namespace boresight

@@ -11,9 +11,10 @@
 #include <optional>
 #include <vector>
 
-// A cross scan: a line of places across the body, then one in elevation, at each of which the received power is waited
-// for, typed once or heard for a while from a receiver; in the end the beam is on the body again, where the middle of
-// both lines is measured. Moves nothing itself. Pure; station thread.
+// A cross scan: a line of places across the body, then one in elevation through the peak of the first, where a weak
+// source is seen best. At each place the received power is waited for, typed once or heard for a while from a receiver;
+// in the end the beam is on the body again, where the middle of the scan is measured. Moves nothing itself. Pure;
+// station thread.
 namespace boresight {
 
 class ScanRun
@@ -25,7 +26,7 @@ public:
     // `width`: from one end of a line to the other, on the sky.
     ScanRun(Angle width, SteadyTime now);
 
-    // All that it would look at, beside the body.
+    // All that it would look at, beside the body, if the peak is there.
     [[nodiscard]] static std::vector<calibration::SkyOffset> placesOf(Angle width);
     // Where beside the body the beam shall look now.
     [[nodiscard]] calibration::SkyOffset offset() const;
@@ -51,12 +52,15 @@ public:
     [[nodiscard]] Result<calibration::CrossScan> outcome(const AxisPosition& middle) const;
 
 private:
+    void turnAtPeak();
     [[nodiscard]] bool comesBack() const { return m_place == 2 * kPlaces; }
     [[nodiscard]] SteadyTime settled() const;
     [[nodiscard]] bool rests(SteadyTime now) const { return now >= settled(); }
 
     std::vector<calibration::SkyOffset> m_places;
     int m_place = 0;  // of both lines
+    Angle m_turned;   // where on the line across the other one goes through
+    QString m_noPeak;
     SteadyTime m_came;
     SteadyTime m_moved;  // the last time that it did
     SteadyTime m_firstHeard{};

@@ -58,6 +58,16 @@ void setMounting(profile::SensorSettings& settings, const calibration::SensorMou
     }
 }
 
+bool readAlike(profile::SensorSettings one, const profile::SensorSettings& other)
+{
+    one.lost = other.lost;
+    one.disagreement = other.disagreement;
+    one.disagreementTime = other.disagreementTime;
+    one.stillCurrent = other.stillCurrent;
+    one.swingCurrent = other.swingCurrent;
+    return one == other;
+}
+
 bool wasSwung(const profile::SensorSettings& settings)
 {
     return settings.deviation != profile::CompassDeviation{};
@@ -69,6 +79,28 @@ DeviationCurve curveOf(const profile::SensorSettings& settings, Angle declinatio
     const Angle added = settings.declinationInSensor;  // by the sensor, whichever way it counts
     curve.constant += (curve.sense == AzimuthSense::Clockwise ? added : -added) - declination;
     return curve;
+}
+
+SensorTruth::SensorTruth(const profile::SensorSettings& settings, const geomagnetism::Declination& declination)
+    : correction(settings.mounting, declination)
+{
+    if (wasSwung(settings)) {
+        deviation = curveOf(settings, correction.declination());
+    }
+}
+
+SkyPointing SensorTruth::directionOf(const orientation::Orientation& value) const
+{
+    SkyPointing direction = correction.direction(value);
+    if (deviation) {
+        direction.azimuth = deviation->corrected(value.heading);
+    }
+    return direction;
+}
+
+bool SensorTruth::isReliable(const SkyPointing& direction) const
+{
+    return !deviation || deviation->isReliable(direction.azimuth);
 }
 
 std::optional<Angle> azimuthSigma(const DeviationCurve& curve, const SkyPointing& direction)

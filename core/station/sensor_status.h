@@ -29,8 +29,10 @@ struct SensorStatus
     std::optional<Angle> azimuthSigma;
     // Why its azimuth is no evidence: the compass is not calibrated, or steel steers it at this heading. Empty: it is.
     QString doubt;
-    Angle declination;        // that is in `direction`
-    QString declinationText;  // whose that is, or why there is none
+    Angle declination;         // that is in `direction`
+    QString declinationText;   // whose that is, or why there is none
+    QString declinationModel;  // that reckons it: "WMM-2025, of 2025.0 to 2030.0"; empty: none was read
+    QString declinationDoubt;  // what is wrong with it: "the model has expired: …"; mostly empty
     // Sensor minus axes, where these were when it measured, the shorter way; empty: there was nothing to compare.
     std::optional<Angle> azimuthDifference;
     std::optional<Angle> elevationDifference;

@@ -3,13 +3,13 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
-#include "core/station/sensor_curve.h"
 
 namespace boresight {
 namespace {
 
 const QString kCause = QStringLiteral("sensor");
 const QString kDisagreementCause = QStringLiteral("sensor disagreement");
+const QString kNorthCause = QStringLiteral("north");
 // The sensor waits for its WiFi and the time before it says anything.
 constexpr Seconds kFirstPatience{10.0};
 // A compass below this is not tied to magnetic north, or about to lose it.
@@ -42,6 +42,13 @@ SensorCheckSettings checkSettings(const profile::SensorSettings& sensor)
             .averaging = sensor.averaging};
 }
 
+// Whatever tells where north is. An axis whose own zero was set to north tells nothing in the profile.
+bool holdsNorth(const profile::Profile& profile)
+{
+    return profile.pointing.azimuthOffset != Angle{} || profile.sensor.mounting.azimuthOffset != Angle{} ||
+           wasSwung(profile.sensor);
+}
+
 bool isTiedToNorth(const orientation::Calibration& calibration)
 {
     return calibration.magnetometer >= kFewestMagnetometer && calibration.system >= kFewestSystem;
@@ -68,27 +75,34 @@ SensorWatch::SensorWatch(const profile::Profile& profile, const Clock& clock, Ev
       m_log(log),
       m_alarms(alarms),
       m_judge(judgeSettings(profile)),
-      m_check(checkSettings(profile.sensor))
+      m_check(checkSettings(profile.sensor)),
+      m_proposedCheck(checkSettings(profile.sensor)),
+      m_northFound(holdsNorth(profile))
 {
     correct();
 }
 
 void SensorWatch::setProfile(const profile::Profile& profile)
 {
-    // A disagreement that lasts outlives settings that have nothing to do with it.
-    if (profile.sensor == m_settings && profile.pointing == m_terms && judgeSettings(profile) == m_judge.settings()) {
-        return;
-    }
+    // A disagreement that lasts outlives settings that change no reading and no direction of the axes.
+    const bool alike = readAlike(profile.sensor, m_settings) && profile.pointing == m_terms;
     m_settings = profile.sensor;
     m_terms = profile.pointing;
     m_judge.setSettings(judgeSettings(profile));
     m_check.setSettings(checkSettings(profile.sensor));
-    correct();
+    m_proposedCheck.setSettings(checkSettings(profile.sensor));
+    m_northFound = holdsNorth(profile);
+    if (!alike) {
+        correct();
+    }
 }
 
-void SensorWatch::setSiteDeclination(const std::optional<Result<Angle>>& declination)
+void SensorWatch::setSiteDeclination(const std::optional<Result<Angle>>& declination, const QString& model,
+                                     const QString& expiry)
 {
     m_siteDeclination = declination;
+    m_model = model;
+    m_modelExpiry = expiry;
     correct();
 }
 
@@ -104,17 +118,45 @@ geomagnetism::Declination SensorWatch::declination() const
     return declination;
 }
 
+// A declination of exactly 0° was mostly not typed at all: it accuses nobody.
+QString SensorWatch::doubtOfDeclination() const
+{
+    const bool byModel = !m_settings.declinationFile.empty();
+    if (byModel && m_siteDeclination && !*m_siteDeclination) {
+        return toQString(m_siteDeclination->error().text);
+    }
+    if (byModel && !m_modelExpiry.isEmpty()) {
+        return m_modelExpiry;
+    }
+    return byModel || m_settings.declination != Angle{} ? toQString(geomagnetism::doubt(declination())) : QString();
+}
+
 // What was compared before is compared anew: the difference was perhaps that of a wrong setting.
 void SensorWatch::correct()
 {
-    m_correction = orientation::Correction(m_settings.mounting, declination());
-    m_deviation.reset();
-    if (wasSwung(m_settings)) {
-        m_deviation = curveOf(m_settings, m_correction.declination());
-    }
+    m_truth = SensorTruth(m_settings, declination());
+    correctProposed();
     m_check.forget();
     m_currentLink.forget();
     ++m_breaks;
+}
+
+void SensorWatch::setProposed(const std::optional<calibration::SensorMounting>& mounting)
+{
+    if (mounting != m_proposed) {
+        m_proposed = mounting;
+        correctProposed();
+    }
+}
+
+void SensorWatch::correctProposed()
+{
+    profile::SensorSettings proposed = m_settings;
+    if (m_proposed) {
+        setMounting(proposed, *m_proposed);
+    }
+    m_proposedTruth = SensorTruth(proposed, declination());
+    m_proposedCheck.forget();
 }
 
 void SensorWatch::begin(const QString& source)
@@ -126,6 +168,7 @@ void SensorWatch::begin(const QString& source)
     m_check.forget();
     m_currentLink.forget();
     m_heard = false;
+    m_agreed = false;
     m_unknownTold = false;
     m_restartsTold = 0;
     m_alarms.clear(kCause);
@@ -140,7 +183,8 @@ void SensorWatch::take(const orientation::Orientation& value)
     }
     compare(value);
     if (verdict == orientation::Verdict::Used) {
-        const bool followed = doubtOfCalibration(value).isEmpty() && directionOf(value).elevation < kHighestCourse;
+        const bool followed =
+            doubtOfCalibration(value).isEmpty() && m_truth.directionOf(value).elevation < kHighestCourse;
         m_breaks += followed ? 0 : 1;
         note(value);
     }
@@ -149,38 +193,34 @@ void SensorWatch::take(const orientation::Orientation& value)
 void SensorWatch::compare(const orientation::Orientation& value)
 {
     // Outliers too: a sensor that was knocked over differs at once, and one outlier alone never counts.
-    const bool level = !value.calibration || value.calibration->accelerometer >= kFewestAccelerometer;
-    const SkyPointing direction = directionOf(value);
-    m_check.take({.direction = direction,
-                  .arrival = value.arrival,
-                  .azimuthCounts = (!value.calibration || isTiedToNorth(*value.calibration)) && isReliable(direction),
-                  .elevationCounts = level});
+    m_check.take(readingOf(value, m_truth));
+    m_proposedCheck.take(readingOf(value, m_proposedTruth));
     if (const auto difference = m_check.difference(Axis::Azimuth).now) {
+        const bool agrees = abs(*difference) <= m_settings.disagreement && !m_check.difference(Axis::Azimuth).lasts;
+        m_agreed = m_agreed || agrees;
         const auto latency = std::chrono::duration_cast<SteadyTime::duration>(m_settings.latency);
         m_currentLink.take(value.arrival - latency, m_settings.averaging, *difference);
     }
 }
 
-SkyPointing SensorWatch::directionOf(const orientation::Orientation& value) const
+SensorReading SensorWatch::readingOf(const orientation::Orientation& value, const SensorTruth& truth)
 {
-    SkyPointing direction = m_correction.direction(value);
-    if (m_deviation) {
-        direction.azimuth = m_deviation->corrected(value.heading);
-    }
-    return direction;
-}
-
-bool SensorWatch::isReliable(const SkyPointing& direction) const
-{
-    return !m_deviation || m_deviation->isReliable(direction.azimuth);
+    const SkyPointing direction = truth.directionOf(value);
+    const bool tied = !value.calibration || isTiedToNorth(*value.calibration);
+    const bool level = !value.calibration || value.calibration->accelerometer >= kFewestAccelerometer;
+    return {.direction = direction,
+            .arrival = value.arrival,
+            .azimuthCounts = tied && truth.isReliable(direction),
+            .elevationCounts = level};
 }
 
 QString SensorWatch::doubtOf(const orientation::Orientation& value) const
 {
-    const SkyPointing direction = directionOf(value);
-    return isReliable(direction) ? doubtOfCalibration(value)
-                                 : Text::tr("steel steers its compass around %1: the swing found it unreliable there")
-                                       .arg(degreesText(direction.azimuth));
+    const SkyPointing direction = m_truth.directionOf(value);
+    return m_truth.isReliable(direction)
+               ? doubtOfCalibration(value)
+               : Text::tr("steel steers its compass around %1: the swing found it unreliable there")
+                     .arg(degreesText(direction.azimuth));
 }
 
 void SensorWatch::note(const orientation::Orientation& value)
@@ -199,18 +239,22 @@ void SensorWatch::note(const orientation::Orientation& value)
     }
 }
 
-void SensorWatch::tick(const std::optional<SkyPointing>& axes, double amperes)
+void SensorWatch::tick(const std::optional<SkyPointing>& axes, double amperes,
+                       const std::optional<SkyPointing>& proposed)
 {
     if (m_name.isEmpty()) {
         return;
     }
     const SteadyTime now = m_clock.now();
     m_check.note(now, axes);
+    m_proposedCheck.note(now, proposed);
     m_currentLink.note(now, amperes);
     if (m_judge.dead() || m_judge.presence(now) == orientation::Presence::Lost) {
         m_check.forget();
+        m_proposedCheck.forget();
     }
     m_check.tick(now);
+    m_proposedCheck.tick(now);
     tellPresence();
     tellDisagreement();
 }
@@ -245,11 +289,43 @@ AlarmText SensorWatch::absence() const
         .remedy = m_source.problem.isEmpty() ? Text::tr("Check its power, its WiFi and its cable") : m_source.problem};
 }
 
+bool SensorWatch::isNorthUnknown() const
+{
+    return !m_northFound && !m_agreed;
+}
+
+bool SensorWatch::disagrees(Axis axis) const
+{
+    const bool expected = axis == Axis::Azimuth && isNorthUnknown();
+    const bool explained = m_proposed && !m_proposedCheck.difference(axis).lasts;
+    return m_check.difference(axis).lasts && !expected && !explained;
+}
+
+// No beep, nothing amber: a newcomer is shown the way.
+void SensorWatch::tellNorth()
+{
+    const SensorCheck::Difference& azimuth = m_check.difference(Axis::Azimuth);
+    if (!azimuth.lasts || !isNorthUnknown()) {
+        m_alarms.clear(kNorthCause);
+    } else if (!m_alarms.active(kNorthCause)) {
+        m_alarms.raise(
+            kNorthCause, Severity::Advisory,
+            {.what =
+                 Text::tr(
+                     "No north is set in the profile, and the orientation sensor and the axes differ by %1 in azimuth")
+                     .arg(degreesText(abs(azimuth.now.value_or(Angle{})))),
+             .action = Text::tr("Nothing is moved because of it: azimuths are those of the axis"),
+             .remedy = Text::tr("Find north: panel North (Ctrl+9). If the zero of the axis was set to north already, "
+                                "likely: the sensor has an offset of its own or was shifted, or a coupling slips")});
+    }
+}
+
 void SensorWatch::tellDisagreement()
 {
-    const bool disagrees = m_check.disagrees();
+    tellNorth();
+    const bool disagrees = this->disagrees();
     // That it goes with the current shows after some motions only: then it is told again, with its cause.
-    const bool byCurrent = disagrees && m_check.difference(Axis::Azimuth).lasts && m_currentLink.correlation();
+    const bool byCurrent = this->disagrees(Axis::Azimuth) && m_currentLink.correlation();
     if (disagrees && (!m_disagreed || (byCurrent && !m_currentTold))) {
         m_alarms.raise(kDisagreementCause, Severity::Warning, disagreement());
     } else if (!disagrees && m_disagreed) {
@@ -261,7 +337,7 @@ void SensorWatch::tellDisagreement()
 
 AlarmText SensorWatch::disagreement() const
 {
-    const Axis axis = m_check.difference(Axis::Azimuth).lasts ? Axis::Azimuth : Axis::Elevation;
+    const Axis axis = disagrees(Axis::Azimuth) ? Axis::Azimuth : Axis::Elevation;
     const Angle apart = abs(m_check.difference(axis).now.value_or(Angle{}));
     const QString what = axis == Axis::Azimuth
                              ? Text::tr("The orientation sensor and the axes differ by %1 in azimuth")
@@ -317,11 +393,13 @@ SensorStatus SensorWatch::status() const
         .presence = m_judge.presence(now),
         .dead = m_judge.dead(),
         .last = m_judge.last(),
-        .declination = m_correction.declination(),
+        .declination = m_truth.correction.declination(),
         .declinationText = toQString(geomagnetism::describe(declination())),
+        .declinationModel = m_model,
+        .declinationDoubt = doubtOfDeclination(),
         .azimuthDifference = m_check.difference(Axis::Azimuth).now,
         .elevationDifference = m_check.difference(Axis::Elevation).now,
-        .disagrees = m_check.disagrees(),
+        .disagrees = disagrees(),
         .turns = m_settings.mounting.sense == orientation::Sense::Clockwise ? m_judge.turns() : -m_judge.turns(),
         .outliers = m_judge.outliers(),
         .restarts = m_judge.restarts(),
@@ -329,9 +407,9 @@ SensorStatus SensorWatch::status() const
     if (status.last) {
         status.age = std::chrono::duration_cast<std::chrono::milliseconds>(now - status.last->arrival);
         status.doubt = doubtOf(*status.last);
-        status.direction = isYoung() ? std::optional(directionOf(*status.last)) : std::nullopt;
-        if (status.direction && m_deviation && isReliable(*status.direction)) {
-            status.azimuthSigma = azimuthSigma(*m_deviation, *status.direction);
+        status.direction = isYoung() ? std::optional(m_truth.directionOf(*status.last)) : std::nullopt;
+        if (status.direction && m_truth.deviation && m_truth.isReliable(*status.direction)) {
+            status.azimuthSigma = azimuthSigma(*m_truth.deviation, *status.direction);
         }
     }
     return status;
@@ -343,7 +421,7 @@ SensorEvidence SensorWatch::evidence() const
     if (!last || !isYoung()) {
         return {};
     }
-    const SkyPointing direction = directionOf(*last);
+    const SkyPointing direction = m_truth.directionOf(*last);
     const bool level = !last->calibration || last->calibration->accelerometer >= kFewestAccelerometer;
     return {.azimuth = doubtOf(*last).isEmpty() ? std::optional(direction.azimuth) : std::nullopt,
             .elevation = level ? std::optional(direction.elevation) : std::nullopt,
@@ -353,14 +431,14 @@ SensorEvidence SensorWatch::evidence() const
 // The true azimuth, on the turn that the count of the headings says.
 std::optional<memory::SensorCourse> SensorWatch::course(const orientation::Orientation& last) const
 {
-    const SkyPointing direction = directionOf(last);
+    const SkyPointing direction = m_truth.directionOf(last);
     if (!doubtOfCalibration(last).isEmpty() || direction.elevation >= kHighestCourse) {
         return std::nullopt;
     }
     orientation::Orientation zero = last;
     zero.heading = {};
     const bool clockwise = m_settings.mounting.sense == orientation::Sense::Clockwise;
-    const Angle about = directionOf(zero).azimuth + (clockwise ? m_judge.course() : -m_judge.course());
+    const Angle about = m_truth.directionOf(zero).azimuth + (clockwise ? m_judge.course() : -m_judge.course());
     return memory::SensorCourse{.unbroken = m_judge.breaks() + m_breaks, .azimuth = direction.azimuth.nearestTo(about)};
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/bus_name.h"
 #include "core/base/text.h"
 #include "core/can/bus_advice.h"
+#include "core/profile/commissioning.h"
 
 #include <QLoggingCategory>
 
@@ -43,6 +44,12 @@ QString advice(const rotctld::ClientInfo& client)
     }
     return Text::tr("this Gpredict updates only every %1°: set Threshold to 0.1 in its Antenna Control")
         .arg(client.leap->degrees(), 0, 'f', 0);
+}
+
+// Where the beam points by these terms.
+SkyPointing beamBy(const pointing::PointingTerms& terms, const AxisPosition& place)
+{
+    return pointing::upright(pointing::PointingModel(terms).toSky(place));
 }
 
 }  // namespace
@@ -256,7 +263,11 @@ void Station::witness()
             amperes += std::abs(axis.current.value_or(0.0));
         }
     }
-    m_sensor.tick(m_control.direction(), amperes);
+    const auto proposed = m_calibration.proposedOfSensor();
+    m_sensor.watch().setProposed(proposed ? proposed->sensor : std::nullopt);
+    const auto place = m_control.measured();
+    m_sensor.watch().tick(m_control.direction(), amperes,
+                          proposed && place ? std::optional(beamBy(proposed->terms, *place)) : std::nullopt);
     m_calibration.take(m_sensor.status());
     const SensorEvidence evidence = m_sensor.evidence();
     m_control.setSensor(evidence.azimuth, evidence.elevation, evidence.course);
@@ -339,6 +350,11 @@ Result<> Station::carryOut(const Request& request)
 
 void Station::apply(const profile::Profile& wanted)
 {
+    if (!profile::leftWithSimulatedMount(m_profile.wanted(), wanted).empty()) {
+        m_log.add(Severity::Advisory, QStringLiteral("operator"),
+                  Text::tr("leaves the simulated mount: what was found of it is set back, and the directions, ends and "
+                           "zeros of the real one are to be looked at (guide, F3)"));
+    }
     for (const profile::Change& change : m_profile.apply(wanted)) {
         m_log.add(
             Severity::Advisory, QStringLiteral("operator"),

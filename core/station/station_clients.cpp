@@ -85,6 +85,7 @@ void StationControl::endClientMotion()
 // Who follows a body or swings the compass asks for the next motion soon, and would take the control back with it.
 void StationControl::endCalibrationMotion()
 {
+    ++m_errand;
     if (obeys(calibrationSource())) {
         m_log.add(Severity::Advisory, m_commander.name, Text::tr("ends the motion: hold"));
         holdHere(Activity::Holding);

@@ -168,6 +168,7 @@ void StationControl::begin(Activity activity, const Source& source, const QStrin
     if (!continues) {
         tell(Severity::Advisory, source, Text::tr("moves the mount from %1: %2").arg(directionText(heading()), what),
              LogKind::MotionStart);
+        m_errand += activity == Activity::Jogging ? 0 : 1;
     }
     if (source.kind == SourceKind::Client) {
         m_lead.moved(source, m_now);
@@ -293,7 +294,10 @@ Result<> StationControl::handle(const request::Step& wanted, const Source& sourc
 {
     const AxisPosition from = heading();
     const AxisPosition place{.azimuth = from.azimuth + wanted.azimuth, .elevation = from.elevation + wanted.elevation};
-    return goTo(place, Activity::Pointing, source, Text::tr("step to %1").arg(directionText(place)));
+    const std::uint64_t errand = m_errand;
+    return goTo(place, Activity::Pointing, source, Text::tr("step to %1").arg(directionText(place))).map([&] {
+        m_errand = errand;  // by hand, like a jog
+    });
 }
 
 Result<> StationControl::handle(const request::Park&, const Source& source)
@@ -385,12 +389,6 @@ Result<> StationControl::handle(const request::Rearm&, const Source& source)
         return failure(ErrorCode::Refused, Text::tr("the operator has made this client read-only"));
     }
     return m_arming.rearm(source);
-}
-
-Result<> StationControl::handle(const request::AcknowledgeAlarms&, const Source&)
-{
-    m_alarms.acknowledgeAll();
-    return {};
 }
 
 void StationControl::sourceGone(const Source& source)

@@ -65,6 +65,9 @@ public:
     // The mount still does what this source asked for last: nobody has ended it, nor asked for anything else.
     [[nodiscard]] bool obeys(const Source& source) const { return m_commander == source && moves(); }
     [[nodiscard]] bool followsClient() const { return m_commander.kind == SourceKind::Client && moves(); }
+    // Another one each time that the mount is sent somewhere or given away; the operator's jogs and steps, Hold and
+    // STOP leave it.
+    [[nodiscard]] std::uint64_t errand() const { return m_errand; }
     // Which turn the axis is on is told by the operator, or was: it may be another than before.
     [[nodiscard]] bool isTurnAsked(Axis axis) const { return m_turns.asked(axis); }
     [[nodiscard]] Authority authority() const { return m_arming.authority(); }
@@ -99,6 +102,8 @@ public:
     void setProfile(const profile::Profile& profile);
     // What the survey knows about a drive now; empty: nothing, its turn is then judged anew.
     void learn(Axis axis, const std::optional<survey::DriveFacts>& facts);
+    // Of the drive that was read there; empty: none was.
+    [[nodiscard]] QString uuid(Axis axis) const { return facts(axis) ? facts(axis)->uuid : QString(); }
     // Where a sensor on the antenna says that the beam points: it speaks when a turn is asked for, and nowhere else.
     void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation,
                    const std::optional<memory::SensorCourse>& course = std::nullopt);
@@ -256,6 +261,7 @@ private:
 
     Activity m_activity = Activity::None;
     Source m_commander;
+    std::uint64_t m_errand = 0;
     QString m_commandText;
     std::optional<SkyPointing> m_wantedDirection;  // as asked, before limits
     QString m_limitedReason;  // why not the target is driven but the nearest permitted point; empty: it is driven

@@ -63,6 +63,11 @@ Result<> StationControl::reaches(const SkyPointing& direction) const
     if (resolved.limited) {
         return failure(ErrorCode::OutOfRange, resolved.reason);
     }
+    constexpr Angle kZenith = Angle::fromDegrees(90.0);
+    if (direction.elevation > kZenith && resolved.position.elevation <= kZenith) {
+        return failure(ErrorCode::OutOfRange,
+                       Text::tr("the travel and the limits of the axes do not reach it over the top"));
+    }
     return mayGoTo(resolved.position);
 }
 
@@ -74,6 +79,12 @@ void StationControl::setTrim(const AxisPosition& trim, const Source& source)
               Text::tr("trims what is followed by %1° in azimuth, %2° in elevation")
                   .arg(trim.azimuth.degrees(), 0, 'f', 2)
                   .arg(trim.elevation.degrees(), 0, 'f', 2));
+}
+
+Result<> StationControl::handle(const request::AcknowledgeAlarms&, const Source&)
+{
+    m_alarms.acknowledgeAll();
+    return {};
 }
 
 Result<> StationControl::handle(const request::AcknowledgeAlarm& wanted, const Source&)

@@ -115,7 +115,11 @@ StationSensor::ModelAnswer StationSensor::askModel(const QString& path, const Si
     answer.declination = geomagnetism::readCoefficients(path).and_then(
         [&](const geomagnetism::Coefficients& coefficients) -> Result<Angle> {
             const geomagnetism::MagneticModel model(coefficients);
-            answer.expiry = model.expiry(year);
+            answer.model = Text::tr("%1, %2 to %3")
+                               .arg(toQString(model.name()))
+                               .arg(model.validFrom(), 0, 'f', 1)
+                               .arg(model.validTo(), 0, 'f', 1);
+            answer.expiry = toQString(model.expiry(year));
             return model.at(site, year).map([](const geomagnetism::MagneticField& field) {
                 return field.now.declination;
             });
@@ -131,11 +135,11 @@ void StationSensor::takeModel()
         readModel();
         return;
     }
-    m_watch.setSiteDeclination(answer.declination);
+    m_watch.setSiteDeclination(answer.declination, answer.model, answer.expiry);
     if (!answer.declination) {
         m_log.add(Severity::Warning, kSource, toQString(answer.declination.error().text));
-    } else if (!answer.expiry.empty()) {
-        m_log.add(Severity::Warning, kSource, toQString(answer.expiry));
+    } else if (!answer.expiry.isEmpty()) {
+        m_log.add(Severity::Warning, kSource, answer.expiry);
     }
 }
 

@@ -32,7 +32,6 @@ public:
     void close();
     // What is in force from here on; a source that did not change goes on.
     void apply(const profile::Profile& profile);
-    void tick(const std::optional<SkyPointing>& axes, double amperes) { m_watch.tick(axes, amperes); }
 
     [[nodiscard]] SensorStatus status() const { return m_watch.status(); }
     [[nodiscard]] SensorEvidence evidence() const { return m_watch.evidence(); }
@@ -45,7 +44,8 @@ private:
     struct ModelAnswer
     {
         Result<Angle> declination;
-        std::string expiry;
+        QString model;  // its name and its years
+        QString expiry;
     };
     static ModelAnswer askModel(const QString& path, const Site& site, double year);
     [[nodiscard]] bool hasModel() const;

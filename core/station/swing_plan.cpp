@@ -2,6 +2,7 @@
 #include "core/station/swing_plan.h"
 
 #include "core/base/text.h"
+#include "core/calibration/compass_swing.h"
 #include "core/station/sensor_check.h"
 
 #include <algorithm>
@@ -10,9 +11,8 @@
 namespace boresight {
 namespace {
 
-// The compass is a mean over a second: faster, it is smeared over more than it is good for.
 constexpr AngularRate kSlowest = AngularRate::fromDegrees(0.5);
-constexpr AngularRate kFastest = AngularRate::fromDegrees(6.0);
+constexpr AngularRate kFastest = calibration::kFastestSwing;
 constexpr int kFewestHeadings = 8;
 constexpr int kMostHeadings = 72;
 // Less does not show even the first harmonic for sure (core/calibration, fitCompassSwing).
@@ -20,8 +20,8 @@ constexpr Angle kLeastArc = Angle::fromDegrees(210.0);
 constexpr Angle kCircle = Angle::fromDegrees(360.0);
 // From the edge of what is free: the swing turns back before it leans on a limit.
 constexpr Angle kMargin = Angle::fromDegrees(1.0);
-constexpr Angle kLowestForTilt = Angle::fromDegrees(10.0);
-constexpr Angle kHighestForTilt = kHighestForCompass;
+// Lower the box tells the tilt badly, and the curve holds far from where satellites are followed.
+constexpr Angle kWellForTilt = Angle::fromDegrees(20.0);
 
 QString degreesText(Angle angle)
 {
@@ -59,6 +59,18 @@ QString obstacleOf(const SwingWish& wish, const SwingPlan& plan)
     return {};
 }
 
+// Of the elevation at which the boom stands.
+QString adviceFor(Angle elevation)
+{
+    const calibration::LevelLimits limits = levelLimits();
+    if (elevation < limits.lowest || elevation > limits.highest) {
+        return Text::tr("no tilt at this elevation: it is read between %1 and %2, best at 30°")
+            .arg(degreesText(limits.lowest), degreesText(limits.highest));
+    }
+    return elevation < kWellForTilt ? Text::tr("better raise the boom to 30° first: there it reads tilt and curve best")
+                                    : QString();
+}
+
 QString textOf(const SwingPlan& plan)
 {
     const QString where =
@@ -66,15 +78,11 @@ QString textOf(const SwingPlan& plan)
             .arg(degreesText(plan.azimuth.min), degreesText(plan.azimuth.max), degreesText(plan.elevation));
     const QString how = plan.headings == 0 ? Text::tr("at %1°/s").arg(plan.rate.degrees(), 0, 'f', 1)
                                            : Text::tr("with %1 stops each way").arg(plan.headings);
-    const bool tells = plan.elevation >= kLowestForTilt && plan.elevation <= kHighestForTilt;
-    const QString tilt =
-        tells ? QString()
-              : QStringLiteral("; ") + Text::tr("no tilt at this elevation: it is read between %1 and %2, best at 30°")
-                                           .arg(degreesText(kLowestForTilt), degreesText(kHighestForTilt));
     const int seconds = static_cast<int>(std::ceil(plan.duration.count()));
+    const QString advice = adviceFor(plan.elevation);
     return QStringLiteral("%1, %2, %3%4")
         .arg(where, how, Text::tr("about %1 min %2 s").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0')),
-             tilt);
+             advice.isEmpty() ? QString() : QStringLiteral("; ") + advice);
 }
 
 // At full speed; setting off and coming to rest count as a second.
@@ -99,6 +107,11 @@ Seconds durationOf(const SwingPlan& plan, const AxisPosition& here, const tracki
 }
 
 }  // namespace
+
+calibration::LevelLimits levelLimits()
+{
+    return {.highest = kHighestForCompass};
+}
 
 QString compassObstacle(Angle elevation)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/calibration/axis_tilt.h"
 #include "core/pointing/permitted_region.h"
 #include "core/station/calibration_status.h"
 #include "core/tracking/axis_profile.h"
@@ -24,6 +25,9 @@ inline constexpr Seconds kSwingDwell{5.0};
 
 [[nodiscard]] SwingPlan planSwing(const SwingWish& wish, const AxisPosition& here,
                                   const pointing::PermittedRegion& region, const tracking::MotionLimits& limits);
+
+// Where the tilt is read: no higher than a swing turns at all.
+[[nodiscard]] calibration::LevelLimits levelLimits();
 
 // Why a compass on the boom is of no use with the boom at this elevation; empty: it is.
 [[nodiscard]] QString compassObstacle(Angle elevation);

@@ -17,6 +17,8 @@ constexpr double kPatience = 1.5;
 constexpr Seconds kMorePatience{15.0};
 // Ends of sweeps are turned round at, not stopped at: the next tick is one more on the way.
 constexpr Seconds kReaction{0.1};
+// More would lie upon each other in the plot, and go through the window's queue four times a second.
+constexpr std::size_t kMostDots = 400;
 
 }  // namespace
 
@@ -25,6 +27,7 @@ SwingRun::SwingRun(const SwingPlan& plan, const AxisPosition& here, const tracki
     : m_plan(plan),
       m_limits(limits),
       m_inSensor(sensor.declinationInSensor),
+      m_fit({.motorCurrent = sensor.swingCurrent}),
       m_settling(sensor.latency + sensor.averaging / 2.0),
       m_started(now),
       m_deadline(now + std::chrono::duration_cast<SteadyTime::duration>(plan.duration * kPatience + kMorePatience))
@@ -203,14 +206,26 @@ QString SwingRun::text(SteadyTime now) const
     }
     const QString way = m_legs[m_leg].turning == Turning::Clockwise ? Text::tr("turning clockwise")
                                                                     : Text::tr("turning counter-clockwise");
-    return Text::tr("%1, readings: %2").arg(way).arg(m_samples.size());
+    return QStringLiteral("%1, %2").arg(way, countText());
+}
+
+QString SwingRun::countText() const
+{
+    const calibration::SwingTally tally(m_samples, m_fit);
+    const QString count = Text::tr("readings: %1").arg(tally.all());
+    return tally.leftOut() == 0 ? count : Text::tr("%1, left out: %2").arg(count, tally.whyLeftOut(m_fit));
+}
+
+std::vector<calibration::SwingDot> SwingRun::dots(calibration::AzimuthSense sense) const
+{
+    return calibration::dotsOf(m_samples, m_fit, sense, kMostDots);
 }
 
 // What was measured from magnetic north is told from true north: the circle is turned by the declination, for the curve
 // too, whose constant then stands for all that the sensor's own count adds.
 Result<SwingOutcome> SwingRun::outcome(UtcTime utc, Angle declination) const
 {
-    auto fit = calibration::fitCompassSwing(m_samples);
+    auto fit = calibration::fitCompassSwing(m_samples, m_fit);
     if (!fit) {
         return tl::unexpected(fit.error());
     }
@@ -221,7 +236,7 @@ Result<SwingOutcome> SwingRun::outcome(UtcTime utc, Angle declination) const
         residual.heading = (residual.heading + declination).wrapped360();
     }
     SwingOutcome outcome{.when = utc, .samples = m_samples, .fit = *fit};
-    if (auto tilt = calibration::fitAxisTilt(m_levels, fit->north)) {
+    if (auto tilt = calibration::fitAxisTilt(m_levels, fit->north, levelLimits())) {
         outcome.tilt = *tilt;
     } else {
         outcome.noTilt = toQString(tilt.error().text);

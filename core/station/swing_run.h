@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/calibration/swing_tally.h"
 #include "core/orientation/orientation.h"
 #include "core/profile/sensor_settings.h"
 #include "core/station/axis_trace.h"
@@ -48,6 +49,9 @@ public:
     [[nodiscard]] double part(SteadyTime now) const;
     [[nodiscard]] Seconds left(SteadyTime now) const;
     [[nodiscard]] QString text(SteadyTime now) const;
+    [[nodiscard]] const calibration::SwingLimits& limits() const { return m_fit; }
+    // The readings so far. `sense`: as long as they do not show which way the sensor counts.
+    [[nodiscard]] std::vector<calibration::SwingDot> dots(calibration::AzimuthSense sense) const;
 
     // It was never silent, or tells of its calibration: a restart would be seen there.
     [[nodiscard]] bool heardAllAlong() const;
@@ -66,6 +70,7 @@ private:
     void planStops(const AxisPosition& here);
     [[nodiscard]] bool reached(const Leg& leg, const AxesThen& axes) const;
     [[nodiscard]] std::optional<Request> begin(const Leg& leg);
+    [[nodiscard]] QString countText() const;
     [[nodiscard]] bool dwells(SteadyTime now, const AxesThen& axes);
     [[nodiscard]] std::optional<Request> wait(SteadyTime now, const AxesThen& axes);
     void goOn(SteadyTime now);
@@ -73,6 +78,7 @@ private:
     SwingPlan m_plan;
     tracking::MotionLimits m_limits;
     Angle m_inSensor;
+    calibration::SwingLimits m_fit;  // what readings have to be like
     Seconds m_settling;
     std::vector<Leg> m_legs;
     std::size_t m_leg = 0;

@@ -39,18 +39,6 @@
         <translation>nenhuma varredura espera agora por uma potência</translation>
     </message>
     <message>
-        <source>the drive does not say where the %1 is</source>
-        <translation>o acionamento não diz onde está o eixo de %1</translation>
-    </message>
-    <message>
-        <source>which turn the %1 is on is not known yet</source>
-        <translation>ainda não se sabe em que volta está o eixo de %1</translation>
-    </message>
-    <message>
-        <source>the mount moves: stop it first</source>
-        <translation>a montagem move-se: pare-a primeiro</translation>
-    </message>
-    <message>
         <source>there are no points</source>
         <translation>não há pontos</translation>
     </message>
@@ -84,10 +72,6 @@
     <message>
         <source>No tilt: %1</source>
         <translation>Sem inclinação: %1</translation>
-    </message>
-    <message>
-        <source>The azimuth axis leans by %1 ± %2 towards %3. Elevation offset %4.</source>
-        <translation>O eixo de azimute inclina-se %1 ± %2 para %3. Desvio de elevação %4.</translation>
     </message>
     <message>
         <source>azimuth offset</source>
@@ -200,6 +184,22 @@
     <message>
         <source>, points: rms %1 → %2</source>
         <translation>, pontos: rms %1 → %2</translation>
+    </message>
+    <message>
+        <source>The azimuth axis leans by %1 ± %2 towards %3. Where the elevation axis shows 0° the sensor says %4.</source>
+        <translation>O eixo de azimute inclina-se %1 ± %2 para %3. Onde o eixo de elevação mostra 0° o sensor diz %4.</translation>
+    </message>
+    <message>
+        <source>north stays</source>
+        <translation>o norte mantém-se</translation>
+    </message>
+    <message>
+        <source>%1: rms %2, as proposed %3; their own fit, %4: %5</source>
+        <translation>%1: rms %2, como proposto %3; o ajuste deles, %4: %5</translation>
+    </message>
+    <message>
+        <source>%1: rms %2; their own fit, %3: %4</source>
+        <translation>%1: rms %2; o ajuste deles, %3: %4</translation>
     </message>
 </context>
 <context>
@@ -457,6 +457,14 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <source>the azimuth cable is not wound by more than half a turn</source>
         <translation>o cabo de azimute não está enrolado mais de meia volta</translation>
     </message>
+    <message>
+        <source>the drive does not say where the %1 is</source>
+        <translation>o acionamento não diz onde está o eixo de %1</translation>
+    </message>
+    <message>
+        <source>the mount moves: stop it first</source>
+        <translation>a montagem move-se: pare-a primeiro</translation>
+    </message>
 </context>
 <context>
     <name>PlotPicture</name>
@@ -478,6 +486,10 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>Boresight was started with --simulate and stays so: start it with --bus %1 for this one</source>
         <translation>o Boresight foi iniciado com --simulate e assim fica: inicie-o com --bus %1 para este</translation>
+    </message>
+    <message>
+        <source>the mount at %1 waits for Reconnect: press that first (tab Mount, Profile)</source>
+        <translation>a montagem em %1 espera por Reconectar: prima-o primeiro (separador Montagem, Perfil)</translation>
     </message>
 </context>
 <context>
@@ -622,6 +634,38 @@ do eixo</translation>
     <message>
         <source>Received power</source>
         <translation>Potência recebida</translation>
+    </message>
+    <message>
+        <source>lowest azimuth</source>
+        <translation>azimute mínimo</translation>
+    </message>
+    <message>
+        <source>highest azimuth</source>
+        <translation>azimute máximo</translation>
+    </message>
+    <message>
+        <source>lowest elevation</source>
+        <translation>elevação mínima</translation>
+    </message>
+    <message>
+        <source>highest elevation</source>
+        <translation>elevação máxima</translation>
+    </message>
+    <message>
+        <source>horizon</source>
+        <translation>horizonte</translation>
+    </message>
+    <message>
+        <source>keep-outs</source>
+        <translation>setores proibidos</translation>
+    </message>
+    <message>
+        <source>presets</source>
+        <translation>predefinições</translation>
+    </message>
+    <message>
+        <source>site</source>
+        <translation>local</translation>
     </message>
 </context>
 <context>
@@ -4110,10 +4154,6 @@ do eixo</translation>
         <translation>%1: o que chega em %2 não é mensagem do sensor (%3)</translation>
     </message>
     <message>
-        <source>%1: nothing comes on %2: has the sensor power and WiFi, and is this its topic?</source>
-        <translation>%1: nada chega em %2: o sensor tem energia e WiFi, e este é o seu tópico?</translation>
-    </message>
-    <message>
         <source>one line of at most 200 bytes is expected</source>
         <translation>espera-se uma linha de no máximo 200 bytes</translation>
     </message>
@@ -4206,20 +4246,12 @@ do eixo</translation>
         <translation>o rumo do sensor não acompanha a montagem, nem no sentido horário nem no anti-horário</translation>
     </message>
     <message>
-        <source>%1 readings show the source, and a peak needs %2</source>
-        <translation>%1 leituras mostram a fonte, e um pico precisa de %2</translation>
-    </message>
-    <message>
         <source>the power has no peak along this line</source>
         <translation>a potência não tem pico ao longo desta linha</translation>
     </message>
     <message>
         <source>the power changes by %1 dB only along this line</source>
         <translation>a potência varia apenas %1 dB ao longo desta linha</translation>
-    </message>
-    <message>
-        <source>%1 readings within %2 dB of the best are too few: scan in smaller steps</source>
-        <translation>%1 leituras a menos de %2 dB da melhor são poucas: varra em passos menores</translation>
     </message>
     <message>
         <source>the peak is uncertain by %1: the readings scatter too much</source>
@@ -4274,10 +4306,6 @@ do eixo</translation>
         <translation>os pontos dispersam-se %1 vezes mais do que dizem os seus sigmas</translation>
     </message>
     <message>
-        <source>all points are about as high: the azimuth&apos;s offset and the collimation cannot be told apart; take one much higher or lower</source>
-        <translation>todos os pontos têm quase a mesma altura: não se distinguem o desvio do azimute e a colimação; tome um bem mais alto ou mais baixo</translation>
-    </message>
-    <message>
         <source>all points lie within %1 of azimuth: the tilt is seen from one side only</source>
         <translation>todos os pontos cabem em %1 de azimute: a inclinação só é vista de um lado</translation>
     </message>
@@ -4312,10 +4340,6 @@ do eixo</translation>
     <message>
         <source>the sensor&apos;s system calibration is %1 of 3, and %2 is needed: its heading is not yet tied to magnetic north</source>
         <translation>a calibração do sistema do sensor é %1 de 3, e é preciso %2: o rumo ainda não está ligado ao norte magnético</translation>
-    </message>
-    <message>
-        <source>a motor draws %1 A, and above %2 A it would turn the needle: let the mount rest</source>
-        <translation>um motor consome %1 A, e acima de %2 A desviaria a agulha: deixe a montagem em repouso</translation>
     </message>
     <message>
         <source>the mount is moving: it has to stand still</source>
@@ -4376,10 +4400,6 @@ do eixo</translation>
     <message>
         <source>in %1 of %2 readings the magnetometer&apos;s calibration is below %3: move the sensor in figures of eight, away from iron, then swing again</source>
         <translation>em %1 de %2 leituras a calibração do magnetômetro está abaixo de %3: mova o sensor em forma de oito, longe de ferro, e dê a volta outra vez</translation>
-    </message>
-    <message>
-        <source>in %1 of %2 readings a motor draws more than %3 A: swing more slowly</source>
-        <translation>em %1 de %2 leituras um motor consome mais de %3 A: gire mais devagar</translation>
     </message>
     <message>
         <source>%1 of 12 sectors were seen, with a gap of %2: a swing has to see more of the circle; take north from the still mount instead</source>
@@ -4648,10 +4668,6 @@ do eixo</translation>
     <message>
         <source>the %1 is not followed any more</source>
         <translation>%1 já não é seguido</translation>
-    </message>
-    <message>
-        <source>the beam is led to the Sun</source>
-        <translation>o feixe é levado ao Sol</translation>
     </message>
     <message>
         <source>The mount follows the Sun until something else is asked of it</source>
@@ -5054,10 +5070,6 @@ do eixo</translation>
         <translation>Termos de %1</translation>
     </message>
     <message>
-        <source>read from %1</source>
-        <translation>lido de %1</translation>
-    </message>
-    <message>
         <source>these are the terms that are in force already</source>
         <translation>estes são os termos que já estão em vigor</translation>
     </message>
@@ -5198,10 +5210,6 @@ do eixo</translation>
         <translation>outro comando à montagem terminou-o: não há resultado</translation>
     </message>
     <message>
-        <source>%1, readings: %2</source>
-        <translation>%1, leituras: %2</translation>
-    </message>
-    <message>
         <source>the place to park would then be forbidden, %1: set another one first (tab Mount, Profile, &quot;park&quot;), then apply</source>
         <translation>o lugar de estacionar ficaria então proibido, %1: defina outro primeiro (separador Montagem, Perfil, &quot;park&quot;), depois aplique</translation>
     </message>
@@ -5258,16 +5266,8 @@ do eixo</translation>
         <translation>com a lança a %1 a bússola nada diz: baixe-a a %2 ou menos, o melhor é 30°</translation>
     </message>
     <message>
-        <source>this holds for the simulated mount until the program ends; the profile of &quot;%1&quot; keeps its own north, pointing model and sensor mounting: start without --simulate to calibrate it</source>
-        <translation>isto vale para a montagem simulada até o programa terminar; o perfil de &quot;%1&quot; mantém o seu próprio norte, modelo de apontamento e montagem do sensor: inicie sem --simulate para a calibrar</translation>
-    </message>
-    <message>
         <source>%1: on %2 there is only what the broker has kept from before, nothing live: has the sensor power and WiFi?</source>
         <translation>%1: em %2 só há o que o broker guardou de antes, nada ao vivo: o sensor tem energia e WiFi?</translation>
-    </message>
-    <message>
-        <source>; where the elevation axis shows 0° the sensor says %1 ± %2 (not proposed: the box may lie askew on the boom; Sun or Moon tell the zero)</source>
-        <translation>; onde o eixo de elevação mostra 0° o sensor diz %1 ± %2 (não proposto: a caixa pode estar torta na lança; o Sol ou a Lua dizem o zero)</translation>
     </message>
     <message>
         <source>the pointing model was changed since, %1, and that would be lost: take it back on the page Profile first, or type the terms that you want</source>
@@ -5290,8 +5290,212 @@ do eixo</translation>
         <translation>a volta de um eixo teve de ser indicada de novo desde o primeiro destes pontos: se foi indicada de outro modo do que estava, os pontos não combinam; retire os de antes</translation>
     </message>
     <message>
-        <source>%1 points that were taken before are here again</source>
-        <translation>%1 pontos tomados antes estão aqui de novo</translation>
+        <source>%1: the broker refuses to let us read %2: permit it in the broker&apos;s access list (ACL), or set mqtt.user and mqtt.password</source>
+        <translation>%1: o broker não nos deixa ler %2: permita-o na lista de acesso (ACL) do broker ou defina mqtt.user e mqtt.password</translation>
+    </message>
+    <message>
+        <source>%1: the broker refuses to let us read %2: permit it in the broker&apos;s access list (ACL) to the user &quot;%3&quot;</source>
+        <translation>%1: o broker não nos deixa ler %2: permita-o na lista de acesso (ACL) do broker ao usuário &quot;%3&quot;</translation>
+    </message>
+    <message>
+        <source>%1: nothing comes on %2: has the sensor power and WiFi, is this its topic, and does the broker&apos;s access list let us read it?</source>
+        <translation>%1: não chega nada em %2: o sensor tem energia e WiFi, este é o tópico dele e a lista de acesso do broker nos deixa lê-lo?</translation>
+    </message>
+    <message>
+        <source>a motor draws %1 A, and above %2 A (sensor.still_current_a) it would turn the needle: let the mount rest</source>
+        <translation>um motor consome %1 A, e acima de %2 A (sensor.still_current_a) desviaria a agulha: deixe a montagem em repouso</translation>
+    </message>
+    <message>
+        <source>far off the curve</source>
+        <translation>muito longe da curva</translation>
+    </message>
+    <message>
+        <source>with the magnetometer&apos;s calibration below %1</source>
+        <translation>com a calibração do magnetômetro abaixo de %1</translation>
+    </message>
+    <message>
+        <source>with a motor above %1 A (sensor.swing_current_a)</source>
+        <translation>com um motor acima de %1 A (sensor.swing_current_a)</translation>
+    </message>
+    <message>
+        <source>turning faster than %1°/s</source>
+        <translation>girando a mais de %1°/s</translation>
+    </message>
+    <message>
+        <source>%1 of %2 readings were left out: %3</source>
+        <translation>%1 de %2 leituras ficaram de fora: %3</translation>
+    </message>
+    <message>
+        <source>North is not averaged from the still sensor while a motor draws more: its field turns the needle.</source>
+        <translation>O norte não é tirado da média do sensor parado enquanto um motor consome mais: o seu campo desvia a agulha.</translation>
+    </message>
+    <message>
+        <source>A swing of the compass leaves out readings at which a motor draws more; turning needs some current.</source>
+        <translation>Uma volta da bússola deixa de fora as leituras em que um motor consome mais; girar pede alguma corrente.</translation>
+    </message>
+    <message>
+        <source>done, from %1 of %2 readings; left out: %3</source>
+        <translation>pronto, de %1 de %2 leituras; ficaram de fora: %3</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <translation>%1, %2 a %3</translation>
+    </message>
+    <message>
+        <source>%1, left out: %2</source>
+        <translation>%1, ficaram de fora: %2</translation>
+    </message>
+    <message>
+        <source>in %1 of %2 readings a motor draws more than %3 A (sensor.swing_current_a): see what holds the mount, or raise that limit</source>
+        <translation>em %1 de %2 leituras um motor consome mais de %3 A (sensor.swing_current_a): veja o que prende a montagem, ou aumente esse limite</translation>
+    </message>
+    <message>
+        <source>too much to put right: see how the box sits on the boom, and what the elevation axis shows</source>
+        <translation>demais para corrigir: veja como a caixa está no braço e o que o eixo de elevação mostra</translation>
+    </message>
+    <message>
+        <source>sensor and elevation axis differ by %1</source>
+        <translation>sensor e eixo de elevação diferem %1</translation>
+    </message>
+    <message>
+        <source>taken as a box that lies askew on the boom, the elevation of the beam stays</source>
+        <translation>tomado como uma caixa torta no braço, a elevação do feixe fica</translation>
+    </message>
+    <message>
+        <source>more than a box lies askew: the zero of the elevation axis is off</source>
+        <translation>mais do que uma caixa fica torta: o zero do eixo de elevação está errado</translation>
+    </message>
+    <message>
+        <source>the zero of elevation moves by %1: see first that the box lies along the boom</source>
+        <translation>o zero da elevação muda %1: veja antes se a caixa está alinhada com o braço</translation>
+    </message>
+    <message>
+        <source>; where the elevation axis shows 0° the sensor says %1 ± %2: %3</source>
+        <translation>; onde o eixo de elevação mostra 0° o sensor diz %1 ± %2: %3</translation>
+    </message>
+    <message>
+        <source>the points on the page Sun/Moon were taken with another drive</source>
+        <translation>os pontos da página Sol/Lua foram tomados com outro acionamento</translation>
+    </message>
+    <message>
+        <source>the points on the page Sun/Moon were taken at another site</source>
+        <translation>os pontos da página Sol/Lua foram tomados em outro local</translation>
+    </message>
+    <message>
+        <source>None of them is used any more: nothing is found from them</source>
+        <translation>Nenhum deles é mais usado: nada se tira deles</translation>
+    </message>
+    <message>
+        <source>Drop them and take new ones; a point that still holds can be used again on the page Model</source>
+        <translation>Descarte-os e tome novos; um ponto que ainda vale pode ser usado de novo na página Modelo</translation>
+    </message>
+    <message>
+        <source>%1 points that were taken before are here again; they count when both drives have told who they are</source>
+        <translation>%1 pontos tomados antes estão de novo aqui; contam quando ambos os acionamentos tiverem dito quem são</translation>
+    </message>
+    <message>
+        <source>No north is set in the profile, and the orientation sensor and the axes differ by %1 in azimuth</source>
+        <translation>Nenhum norte está definido no perfil, e o sensor de orientação e os eixos diferem %1 em azimute</translation>
+    </message>
+    <message>
+        <source>Nothing is moved because of it: azimuths are those of the axis</source>
+        <translation>Nada se move por causa disso: os azimutes são os do eixo</translation>
+    </message>
+    <message>
+        <source>Find north: panel North (Ctrl+9). If the zero of the axis was set to north already, likely: the sensor has an offset of its own or was shifted, or a coupling slips</source>
+        <translation>Encontre o norte: painel Norte (Ctrl+9). Se o zero do eixo já foi posto no norte, provável: o sensor tem um desvio próprio ou saiu do lugar, ou um acoplamento escorrega</translation>
+    </message>
+    <message>
+        <source>this holds for the simulated mount until the program ends; the profile of &quot;%1&quot; keeps its own motors, zeros, north, pointing model and sensor mounting: start without --simulate to set them</source>
+        <translation>isto vale para a montagem simulada até o programa terminar; o perfil de &quot;%1&quot; mantém os seus próprios motores, zeros, norte, modelo de apontamento e montagem do sensor: inicie sem --simulate para os definir</translation>
+    </message>
+    <message>
+        <source>the mount at %1 waits for Reconnect, and this was found of the one at %2: reconnect first</source>
+        <translation>a montagem em %1 espera por Reconectar, e isto foi achado na de %2: reconecte primeiro</translation>
+    </message>
+    <message>
+        <source>leaves the simulated mount: what was found of it is set back, and the directions, ends and zeros of the real one are to be looked at (guide, F3)</source>
+        <translation>deixa a montagem simulada: o que se achou dela volta ao inicial, e é preciso verificar os sentidos, os fins e os zeros da real (guia, F3)</translation>
+    </message>
+    <message>
+        <source>all points are about as high: the azimuth&apos;s offset and the collimation cannot be told apart; take one much higher or lower, or one over the top</source>
+        <translation>todos os pontos têm quase a mesma altura: não se distinguem o desvio do azimute e a colimação; tome um bem mais alto ou mais baixo, ou um passando pelo zênite</translation>
+    </message>
+    <message>
+        <source>the travel and the limits of the axes do not reach it over the top</source>
+        <translation>o curso e os limites dos eixos não chegam lá passando pelo zênite</translation>
+    </message>
+    <message>
+        <source>by the model in force the beam is %1° beside it: if it was not centred, drop point %2</source>
+        <translation>pelo modelo em vigor, o feixe está a %1° dele: se não estava centrado, descarte o ponto %2</translation>
+    </message>
+    <message>
+        <source>the beam is at the Sun, or led there</source>
+        <translation>o feixe está no Sol ou é levado até ele</translation>
+    </message>
+    <message>
+        <source>That lasts until the mount is moved or the Sun has passed</source>
+        <translation>Isso dura até que a montagem seja movida ou o Sol passe</translation>
+    </message>
+    <message>
+        <source>the compass contradicts the north in force by %1, more than both may err: apply this if the mount was moved or has slipped; if iron came near, take it away and measure again</source>
+        <translation>a bússola contradiz o norte em vigor em %1, mais do que ambos podem errar: aplique isto se a montagem foi movida ou escorregou; se ferro se aproximou, afaste-o e meça de novo</translation>
+    </message>
+    <message>
+        <source>north stays: it is known to %1, a compass to %2</source>
+        <translation>o norte mantém-se: conhece-se a %1, por uma bússola a %2</translation>
+    </message>
+    <message>
+        <source>tilt stays: it is known to %1, a swing to %2</source>
+        <translation>a inclinação mantém-se: conhece-se a %1, por um giro a %2</translation>
+    </message>
+    <message>
+        <source>the mast leans otherwise than the tilt in force says, by %1: see that it stands firm</source>
+        <translation>o mastro inclina-se de outro modo do que diz a inclinação em vigor, em %1: veja se está firme</translation>
+    </message>
+    <message>
+        <source>Offset of the sensor</source>
+        <translation>Desvio do sensor</translation>
+    </message>
+    <message>
+        <source>the sensor is made to agree at this one heading: a new swing does it at all of them</source>
+        <translation>o sensor é posto de acordo só neste rumo: um novo giro fá-lo em todos</translation>
+    </message>
+    <message>
+        <source>Curve of the compass</source>
+        <translation>Curva da bússola</translation>
+    </message>
+    <message>
+        <source>mounting or curve of the sensor</source>
+        <translation>montagem ou curva do sensor</translation>
+    </message>
+    <message>
+        <source>the mount follows the %1: hold it first</source>
+        <translation>a montagem segue: %1; retenha-a primeiro</translation>
+    </message>
+    <message>
+        <source>better raise the boom to 30° first: there it reads tilt and curve best</source>
+        <translation>melhor levantar antes a lança a 30°: ali leem-se melhor a inclinação e a curva</translation>
+    </message>
+    <message>
+        <source>%1 readings are too few: a peak needs %2</source>
+        <translation>%1 leituras são poucas: um pico precisa de %2</translation>
+    </message>
+    <message>
+        <source>the peak is narrower than the steps: scan less wide</source>
+        <translation>o pico é mais estreito que os passos: faça uma varredura menos larga</translation>
+    </message>
+    <message>
+        <source>%1, changed by hand since</source>
+        <translation>%1, alterado à mão depois</translation>
+    </message>
+    <message>
+        <source>%1; since then by hand: %2</source>
+        <translation>%1; depois disso, à mão: %2</translation>
+    </message>
+    <message>
+        <source>from a file</source>
+        <translation>de um ficheiro</translation>
     </message>
 </context>
 <context>
@@ -5700,6 +5904,22 @@ modo moteus %1, falha %2</translation>
         <source>no air</source>
         <translation>sem ar</translation>
     </message>
+    <message>
+        <source>Over the top</source>
+        <translation>Pelo outro lado do zênite</translation>
+    </message>
+    <message>
+        <source>From the other side, with the boom past the zenith. One point of three or two of six taken so tell north and the collimation apart.</source>
+        <translation>Do outro lado, com a lança além do zênite. Um ponto de três ou dois de seis tomados assim distinguem o norte da colimação.</translation>
+    </message>
+    <message>
+        <source>followed over the top, trim az %1 el %2</source>
+        <translation>seguido pelo outro lado, comp. az %1 el %2</translation>
+    </message>
+    <message>
+        <source>not followed, beam %1 beside it</source>
+        <translation>não é seguido, feixe a %1 dele</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::BodyPage</name>
@@ -5818,6 +6038,10 @@ modo moteus %1, falha %2</translation>
     <message>
         <source>Into force at once, nothing moves: %1</source>
         <translation>Vale de imediato, nada se move: %1</translation>
+    </message>
+    <message>
+        <source>Apply to sensor</source>
+        <translation>Aplicar ao sensor</translation>
     </message>
 </context>
 <context>
@@ -6798,32 +7022,12 @@ trocar os motores</translation>
         <translation>Move o eixo de %1 devagar enquanto premido</translation>
     </message>
     <message>
-        <source>AZ ↺ hold</source>
-        <translation>AZ ↺ premir</translation>
-    </message>
-    <message>
-        <source>AZ ↻ hold</source>
-        <translation>AZ ↻ premir</translation>
-    </message>
-    <message>
         <source>To the panel North, which finds it by them; F3 comes back</source>
         <translation>Para o painel Norte, que o acha por eles; F3 volta aqui</translation>
     </message>
     <message>
         <source>It really points to</source>
         <translation>Aponta mesmo para</translation>
-    </message>
-    <message>
-        <source>the drive does not say where the %1 is</source>
-        <translation>o acionamento não diz onde está o eixo de %1</translation>
-    </message>
-    <message>
-        <source>which turn the %1 is on is not known yet</source>
-        <translation>ainda não se sabe em que volta está o eixo de %1</translation>
-    </message>
-    <message>
-        <source>the mount moves: stop it first</source>
-        <translation>a montagem move-se: pare-a primeiro</translation>
     </message>
     <message>
         <source>the antenna looks up: lower it first</source>
@@ -6834,8 +7038,32 @@ trocar os motores</translation>
         <translation>Diz que aponta para %1</translation>
     </message>
     <message>
-        <source>Azimuth offset %1 → %2, in force at once. Nothing moves; travel, cable and park keep their numbers, horizon and keep-outs are true directions and stay.</source>
-        <translation>Desvio de azimute %1 → %2, em vigor de imediato. Nada se move; curso, cabo e estacionamento guardam os seus números; horizonte e zonas proibidas são direções verdadeiras e ficam.</translation>
+        <source>North is known: azimuth offset %1, from &quot;%2&quot; of %3.</source>
+        <translation>O norte é conhecido: desvio de azimute %1, de &quot;%2&quot; de %3.</translation>
+    </message>
+    <message>
+        <source>North is known: azimuth offset %1, set by hand.</source>
+        <translation>O norte é conhecido: desvio de azimute %1, posto à mão.</translation>
+    </message>
+    <message>
+        <source>Press Next to keep it. To replace it, type where the antenna really points.</source>
+        <translation>Prima Seguinte para o manter. Para o substituir, escreva para onde a antena realmente aponta.</translation>
+    </message>
+    <message>
+        <source>Replace the known north</source>
+        <translation>Substituir o norte conhecido</translation>
+    </message>
+    <message>
+        <source>type where it really points first</source>
+        <translation>escreva primeiro para onde ela realmente aponta</translation>
+    </message>
+    <message>
+        <source>north is known: tick that it shall be replaced first</source>
+        <translation>o norte é conhecido: marque primeiro que deve ser substituído</translation>
+    </message>
+    <message>
+        <source>Azimuth offset %1 → %2, at once; the way back: tab Mount, Profile, Undo. Nothing moves; travel, cable and park keep their numbers, horizon and keep-outs their true directions.</source>
+        <translation>Desvio de azimute %1 → %2, de imediato; o caminho de volta: separador Montagem, Perfil, Desfazer. Nada se move; curso, cabo e estacionamento guardam os seus números, horizonte e zonas proibidas as direções verdadeiras.</translation>
     </message>
 </context>
 <context>
@@ -7087,24 +7315,8 @@ trocar os motores</translation>
         <translation>Mover</translation>
     </message>
     <message>
-        <source>AZ ↺ hold</source>
-        <translation>AZ ↺ segurar</translation>
-    </message>
-    <message>
-        <source>EL ↓ hold</source>
-        <translation>EL ↓ segurar</translation>
-    </message>
-    <message>
         <source>Towards the lower end of %1 while held</source>
         <translation>Para o fim inferior de %1 enquanto premido</translation>
-    </message>
-    <message>
-        <source>AZ ↻ hold</source>
-        <translation>AZ ↻ segurar</translation>
-    </message>
-    <message>
-        <source>EL ↑ hold</source>
-        <translation>EL ↑ segurar</translation>
     </message>
     <message>
         <source>Towards the upper end of %1 while held</source>
@@ -7178,32 +7390,12 @@ trocar os motores</translation>
         <translation>Move o eixo de %1 devagar enquanto premido</translation>
     </message>
     <message>
-        <source>EL ↓ hold</source>
-        <translation>EL ↓ segurar</translation>
-    </message>
-    <message>
-        <source>EL ↑ hold</source>
-        <translation>EL ↑ segurar</translation>
-    </message>
-    <message>
         <source>Off: the ends keep their numbers, and lie elsewhere on the mount</source>
         <translation>Desativado: os fins mantêm os números e ficam noutro lugar da montagem</translation>
     </message>
     <message>
         <source>It really is</source>
         <translation>É de fato</translation>
-    </message>
-    <message>
-        <source>the drive does not say where the %1 is</source>
-        <translation>o acionamento não diz onde está o eixo de %1</translation>
-    </message>
-    <message>
-        <source>which turn the %1 is on is not known yet</source>
-        <translation>ainda não se sabe em que volta está o eixo de %1</translation>
-    </message>
-    <message>
-        <source>the mount moves: stop it first</source>
-        <translation>a montagem move-se: pare-a primeiro</translation>
     </message>
     <message>
         <source>It reads %1</source>
@@ -7646,6 +7838,10 @@ emergência por cabo junto ao mastro.</translation>
         <source>Place</source>
         <translation>Lugar</translation>
     </message>
+    <message>
+        <source>%1 (taken back)</source>
+        <translation>%1 (desfeita)</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::HistoryPage</name>
@@ -7705,12 +7901,32 @@ emergência por cabo junto ao mastro.</translation>
         <source>Redo the calibration</source>
         <translation>Refazer a calibração</translation>
     </message>
+    <message>
+        <source>Taken back, and another was applied since: kept to be read</source>
+        <translation>Desfeita, e outra foi aplicada depois: guardada para ser lida</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::HoldButtons</name>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>AZ ↺ hold</source>
+        <translation>AZ ↺ segurar</translation>
+    </message>
+    <message>
+        <source>AZ ↻ hold</source>
+        <translation>AZ ↻ segurar</translation>
+    </message>
+    <message>
+        <source>EL ↓ hold</source>
+        <translation>EL ↓ segurar</translation>
+    </message>
+    <message>
+        <source>EL ↑ hold</source>
+        <translation>EL ↑ segurar</translation>
     </message>
 </context>
 <context>
@@ -7985,6 +8201,10 @@ emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Not now: %1</source>
         <translation>Agora não: %1</translation>
+    </message>
+    <message>
+        <source>type the direction of the landmark first, 0 and 0 with its name</source>
+        <translation>escreva primeiro a direção do marco, 0 e 0 com o seu nome</translation>
     </message>
 </context>
 <context>
@@ -8436,6 +8656,10 @@ emergência por cabo junto ao mastro.</translation>
         <source>Type the terms, or exchange them with a file</source>
         <translation>Digitar os termos, ou trocá-los com um arquivo</translation>
     </message>
+    <message>
+        <source>The sensor knows the azimuth to %1 here (1 sigma): it cannot check a model that is more exact than that</source>
+        <translation>O sensor conhece aqui o azimute a %1 (1 sigma): não pode conferir um modelo mais exato do que isso</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::PanelTabs</name>
@@ -8635,14 +8859,6 @@ el %2</translation>
 <context>
     <name>boresight::ui::PointModel</name>
     <message>
-        <source>○ %1, not used</source>
-        <translation>○ %1, sem uso</translation>
-    </message>
-    <message>
-        <source>%1, %2: true %3, axes %4, centred to %5</source>
-        <translation>%1, %2: verdadeiro %3, eixos %4, centrado a %5</translation>
-    </message>
-    <message>
         <source>%1: across %2, elevation %3</source>
         <translation>%1: de lado %2, elevação %3</translation>
     </message>
@@ -8663,16 +8879,24 @@ el %2</translation>
         <translation>UTC</translation>
     </message>
     <message>
-        <source>Before</source>
-        <translation>Antes</translation>
+        <source>%1, not used</source>
+        <translation>%1, sem uso</translation>
     </message>
     <message>
-        <source>After</source>
-        <translation>Depois</translation>
+        <source>%1, %2: true %3, axes %4, centred to ± %5</source>
+        <translation>%1, %2: verdadeiro %3, eixos %4, centrado a ± %5</translation>
     </message>
     <message>
-        <source>By others</source>
-        <translation>Por outros</translation>
+        <source>Sigma</source>
+        <translation>Sigma</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <source>Others</source>
+        <translation>Outros</translation>
     </message>
 </context>
 <context>
@@ -8861,6 +9085,10 @@ el %2</translation>
     <message>
         <source>All changes are applied</source>
         <translation>Todas as alterações estão aplicadas</translation>
+    </message>
+    <message>
+        <source>Set back, because it was the simulated mount&apos;s: %1. Not applied: %2</source>
+        <translation>Volta ao inicial, por ser da montagem simulada: %1. Por aplicar: %2</translation>
     </message>
 </context>
 <context>
@@ -9478,20 +9706,12 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <translation>Agora não: %1</translation>
     </message>
     <message>
-        <source>Peak at %1, ± %2</source>
-        <translation>Pico em %1, ± %2</translation>
-    </message>
-    <message>
         <source>Scans across, then in elevation; type the power at each place</source>
         <translation>Varre de lado e depois em elevação; escreva a potência em cada lugar</translation>
     </message>
     <message>
         <source>Width of the scan</source>
         <translation>Largura da varredura</translation>
-    </message>
-    <message>
-        <source>On the sky, twice the width of the beam or so</source>
-        <translation>No céu, cerca do dobro da largura do feixe</translation>
     </message>
     <message>
         <source>Cross scan</source>
@@ -9552,6 +9772,53 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     <message>
         <source>Power of the receiver</source>
         <translation>Potência do receptor</translation>
+    </message>
+    <message>
+        <source>Scans across, then in elevation; the receiver tells the power</source>
+        <translation>Varre de través e depois em elevação; o receptor diz a potência</translation>
+    </message>
+    <message>
+        <source>as -73.2</source>
+        <translation>como -73.2</translation>
+    </message>
+    <message>
+        <source>Peak: across %1, elevation %2; beam %3 × %4</source>
+        <translation>Pico: transversal %1, elevação %2; feixe %3 × %4</translation>
+    </message>
+    <message>
+        <source>%1, %2 dB over the background</source>
+        <translation>%1, %2 dB acima do fundo</translation>
+    </message>
+    <message>
+        <source>%1, its background was not reached</source>
+        <translation>%1, o fundo não foi alcançado</translation>
+    </message>
+    <message>
+        <source>On the sky, from end to end of each line. Offered is twice the beam of the profile; from 1.5 to 3 times the peak is found</source>
+        <translation>No céu, de ponta a ponta de cada linha. Sugere-se o dobro do feixe do perfil; de 1,5 a 3 vezes o pico é encontrado</translation>
+    </message>
+    <message>
+        <source>What the scan found</source>
+        <translation>O que a varredura encontrou</translation>
+    </message>
+</context>
+<context>
+    <name>boresight::ui::ScanPlot</name>
+    <message>
+        <source>Power along both lines of the scan</source>
+        <translation>Potência ao longo das duas linhas da varredura</translation>
+    </message>
+    <message>
+        <source>%1 to %2 dB</source>
+        <translation>%1 a %2 dB</translation>
+    </message>
+    <message>
+        <source>across</source>
+        <translation>transversal</translation>
+    </message>
+    <message>
+        <source>elevation</source>
+        <translation>elevação</translation>
     </message>
 </context>
 <context>
@@ -9652,10 +9919,6 @@ Fica para si, porque só quem construiu a montagem o pode saber:
         <translation>A montagem fica parada, motores em repouso; média do sensor durante uns 20 s</translation>
     </message>
     <message>
-        <source>North: axis %1</source>
-        <translation>Norte: eixo %1</translation>
-    </message>
-    <message>
         <source>End average</source>
         <translation>Terminar média</translation>
     </message>
@@ -9674,6 +9937,42 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     <message>
         <source>Who adds the declination</source>
         <translation>Quem soma a declinação</translation>
+    </message>
+    <message>
+        <source>True azimuth by the sensor, and how well it is known</source>
+        <translation>Azimute verdadeiro pelo sensor, e quão bem é conhecido</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>Mudar…</translation>
+    </message>
+    <message>
+        <source>True</source>
+        <translation>Verdad.</translation>
+    </message>
+    <message>
+        <source>Change the declination</source>
+        <translation>Mudar a declinação</translation>
+    </message>
+    <message>
+        <source>Who adds the declination, its value or its model: opens these settings on the page Profile</source>
+        <translation>Quem soma a declinação, o valor ou o modelo dela: abre estes ajustes na página Perfil</translation>
+    </message>
+    <message>
+        <source>No sensor is set: the simulated mount has one on its boom</source>
+        <translation>Nenhum sensor definido: a montagem simulada tem um na lança</translation>
+    </message>
+    <message>
+        <source>Use the sensor</source>
+        <translation>Usar o sensor</translation>
+    </message>
+    <message>
+        <source>Sets sensor.source in the profile; nothing moves</source>
+        <translation>Define sensor.source no perfil; nada se move</translation>
+    </message>
+    <message>
+        <source>Last average: axis %1; in force: %2</source>
+        <translation>Última média: eixo %1; em vigor: %2</translation>
     </message>
 </context>
 <context>
@@ -9878,6 +10177,13 @@ Fica para si, porque só quem construiu a montagem o pode saber:
     </message>
 </context>
 <context>
+    <name>boresight::ui::StartProblem</name>
+    <message>
+        <source>Boresight cannot start</source>
+        <translation>O Boresight não pode arrancar</translation>
+    </message>
+</context>
+<context>
     <name>boresight::ui::StepButton</name>
     <message>
         <source>Step %1: %2</source>
@@ -10062,6 +10368,10 @@ This is a function of the program. It does not replace the hard-wired emergency 
         <source>Plan: %1</source>
         <translation>Plano: %1</translation>
     </message>
+    <message>
+        <source>The readings as they come, about their mean so far; the curve, and what is far off it, are found in the end.</source>
+        <translation>As leituras à medida que chegam, em torno da média até agora; a curva, e o que fica longe dela, acham-se no fim.</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::TermModel</name>
@@ -10094,8 +10404,12 @@ This is a function of the program. It does not replace the hard-wired emergency 
         <translation>Ajuste</translation>
     </message>
     <message>
-        <source>● given</source>
-        <translation>● dado</translation>
+        <source>◐ held</source>
+        <translation>◐ contido</translation>
+    </message>
+    <message>
+        <source>◐ as measured</source>
+        <translation>◐ como medido</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The simulated pair as a device of its own, found by `scan` and driven by boresightd. What the axes really do is
 // judged by the device's own --print-truth, not by what the drives report.
+#include "core/orientation/mqtt_source.h"
 #include "core/orientation/serial_source.h"
+#include "tests/fakes/mqtt_broker.h"
 #include "tests/fakes/program.h"
 #include "tests/fakes/wait_until.h"
 
@@ -9,6 +11,8 @@
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <QStandardPaths>
+#include <QTcpServer>
+#include <QTcpSocket>
 #include <QTemporaryDir>
 
 #include <gmock/gmock.h>
@@ -123,6 +127,64 @@ TEST_F(SimulateTest, IsItsOrientationSensorToo)
     m_device->terminate();
     EXPECT_EQ(m_device->waitForEnd(), 0);
     EXPECT_FALSE(QFileInfo(port).isSymLink());
+}
+
+// Both ways at once, as the box on the boom does it.
+TEST_F(SimulateTest, ItsSensorPublishesAtABrokerAsWell)
+{
+    if (!fakes::MqttBroker::isInstalled()) {
+        GTEST_SKIP() << "no mosquitto (Debian package mosquitto)";
+    }
+    fakes::MqttBroker broker;
+    ASSERT_TRUE(broker.start());
+    const SystemClock clock;
+    mqtt::Client client(clock);
+    orientation::MqttSource source(client, {.orientation = QStringLiteral("roof/orientation")}, clock);
+    std::vector<orientation::Orientation> heard;
+    QObject::connect(&source, &orientation::Source::received, &source,
+                     [&](const orientation::Orientation& value) { heard.push_back(value); });
+    source.open();
+    client.open({.host = QStringLiteral("127.0.0.1"), .port = broker.port()});
+    const QString address = QStringLiteral("127.0.0.1:%1").arg(broker.port());
+    start({QStringLiteral("--sensor-mqtt"), address, QStringLiteral("--sensor-topics"), QStringLiteral("roof/"),
+           QStringLiteral("--sensor-noise"), QStringLiteral("0"), QStringLiteral("--sensor"),
+           folder.filePath(QStringLiteral("sensor")), QStringLiteral("--sensor-north"), QStringLiteral("-12"),
+           QStringLiteral("--sensor-tilt"), QStringLiteral("0,0"), QStringLiteral("--sensor-deviation"),
+           QStringLiteral("0,0,0,0"), QStringLiteral("--sensor-frozen"), QStringLiteral("@2")});
+    ASSERT_TRUE(fakes::waitUntil([&] { return heard.size() >= 3; })) << source.status().problem.toStdString();
+    EXPECT_NEAR(heard.back().heading.angle().degrees(), 348.0, 0.5) << "collimation and backlash are left";
+    EXPECT_NEAR(heard.back().elevation.degrees(), 10.0, 0.1);
+    EXPECT_EQ(heard[2].heading, heard[1].heading) << "frozen";
+    EXPECT_THAT(m_device->errors().toStdString(), HasSubstr("s: the sensor publishes on roof/\n"));
+    EXPECT_THAT(m_device->errors().toStdString(), HasSubstr("begins: the sensor says one value again and again\n"));
+    m_device->terminate();
+    EXPECT_EQ(m_device->waitForEnd(), 0);
+}
+
+TEST_F(SimulateTest, ABrokerThatTakesNobodyIsOneLineHoweverOftenItIsTried)
+{
+    QTcpServer nobody;
+    ASSERT_TRUE(nobody.listen(QHostAddress::LocalHost));
+    int attempts = 0;
+    QObject::connect(&nobody, &QTcpServer::newConnection, &nobody, [&] {
+        ++attempts;
+        delete nobody.nextPendingConnection();
+    });
+    const QString address = QStringLiteral("127.0.0.1:%1").arg(nobody.serverPort());
+    start({QStringLiteral("--sensor-mqtt"), address});
+    ASSERT_TRUE(fakes::waitUntil([&] { return attempts == 3; }));  // what is wrong with two of them was told by then
+    EXPECT_EQ(m_device->errors().count(QStringLiteral("MQTT broker ") + address), 1)
+        << m_device->errors().toStdString();
+}
+
+// Story: tried beside the mast, at the broker of the real sensor, and the real mount heard both.
+TEST(SimulateHelp, WarnsOfTheRealSensorsTopics)
+{
+    fakes::Program program(QStringLiteral(BORESIGHTCTL), {QStringLiteral("help"), QStringLiteral("simulate")});
+    EXPECT_EQ(program.waitForEnd(), 0);
+    const std::string help = program.output().simplified().toStdString();
+    EXPECT_THAT(help, HasSubstr("whoever reads them at this broker, Boresight or a logger, takes it for the real "
+                                "sensor; --sensor-topics simulated/ keeps them apart"));
 }
 
 TEST_F(SimulateTest, FailsWhereNoLinkCanBeMade)

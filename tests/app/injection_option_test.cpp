@@ -80,7 +80,7 @@ TEST(InjectionOption, ErrorsNameTheOptionAndWhatItExpects)
 
 TEST(InjectionOption, EveryFaultOfTheSimulatorHasOne)
 {
-    for (int kind = 0; kind <= static_cast<int>(FaultKind::RegisterMap); ++kind) {
+    for (int kind = 0; kind <= static_cast<int>(FaultKind::SensorFrozen); ++kind) {
         const sim::Injection injection{.kind = static_cast<FaultKind>(kind), .value = 1.0};
         EXPECT_THAT(describe(injection), testing::Not(HasSubstr("#"))) << kind;
     }

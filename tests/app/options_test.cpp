@@ -3,6 +3,7 @@
 
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_store.h"
+#include "core/profile/setting.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -74,6 +75,50 @@ TEST_F(OptionsTest, TheCurrentMountOfTheStoreIsTaken)
     EXPECT_EQ(options->profile.bus, "socketcan:can7");
 }
 
+// Story: tried out first, with its sensor and its north applied; the adapter named at the next start then pointed 37.4°
+// beside, and refused every change because a real mount has no simulated sensor.
+TEST_F(OptionsTest, ARealBusLeavesBehindWhatWasFoundOfTheSimulatedMount)
+{
+    profile::Profile tried = named("tried");
+    tried.pointing.azimuthOffset = 37.4_deg;
+    tried.sensor.source = profile::SensorSource::Simulated;
+    tried.sensor.deviation.a1 = 3_deg;
+    tried.jog.slow = 0.7_deg_s;
+    const profile::ProfileStore store(config());
+    const auto file = store.add(tried);
+    ASSERT_TRUE(file && store.setCurrent(*file));
+    const auto options = read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")});
+    ASSERT_TRUE(options) << options.error().text;
+    profile::Profile real = named("tried");
+    real.bus = "socketcan:can7";
+    real.mount.directions = profile::Directions::Unconfirmed;
+    real.jog.slow = 0.7_deg_s;
+    EXPECT_EQ(options->profile, real);
+    EXPECT_TRUE(profile::problemsOf(options->profile).empty()) << "else every change would be refused";
+    EXPECT_EQ(read({QStringLiteral("--simulate")})->profile, tried);
+    EXPECT_EQ(profile::loadProfile(*file), tried) << "reading changes nothing";
+}
+
+TEST_F(OptionsTest, AnotherAdapterKeepsWhatWasFoundOfARealMount)
+{
+    profile::Profile real = named("real");
+    real.bus = "socketcan:can0";
+    real.pointing.azimuthOffset = 12_deg;
+    const profile::ProfileStore store(config());
+    ASSERT_TRUE(store.setCurrent(*store.add(real)));
+    real.bus = "socketcan:can7";
+    EXPECT_EQ(read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")})->profile, real);
+    real.bus = "simulated";
+    EXPECT_EQ(read({QStringLiteral("--simulate")})->profile, real);
+}
+
+TEST_F(OptionsTest, ABusWithoutAnyProfileIsTheReferenceMountThere)
+{
+    profile::Profile reference;
+    reference.bus = "socketcan:can7";
+    EXPECT_EQ(read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")})->profile, reference);
+}
+
 // Story: started with --simulate, a switch to another mount of the list connected its real antenna.
 TEST_F(OptionsTest, WhoAsksForTheSimulatedMountGetsNoOther)
 {
@@ -88,6 +133,22 @@ TEST_F(OptionsTest, WhoAsksForTheSimulatedMountGetsNoOther)
     EXPECT_EQ(read()->overridden(real), real) << "the simulated mount of a profile is this profile's alone";
     const auto other = read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")});
     EXPECT_EQ(other->overridden(real), real) << "the adapter named belongs to the mount of the start";
+}
+
+// What is tried first is the simulated mount, and finding north there wants its sensor.
+TEST_F(OptionsTest, TheSimulatedMountOfAFirstStartHasItsSensorOnIt)
+{
+    const profile::Profile tried = read({QStringLiteral("--simulate")})->startingProfile();
+    EXPECT_EQ(tried.sensor.source, profile::SensorSource::Simulated);
+    EXPECT_EQ(tried.mount.directions, profile::Directions::Confirmed);
+    EXPECT_TRUE(profile::problemsOf(tried).empty());
+    const profile::Profile commissioned = read()->startingProfile();
+    EXPECT_EQ(commissioned.sensor.source, profile::SensorSource::None);
+    EXPECT_EQ(commissioned.mount.directions, profile::Directions::Unconfirmed);
+    const profile::ProfileStore store(config());
+    ASSERT_TRUE(store.setCurrent(*store.add(named("one"))));
+    const auto known = read({QStringLiteral("--simulate")});
+    EXPECT_EQ(known->startingProfile(), known->profile);
 }
 
 TEST_F(OptionsTest, TheSingleProfileOfOldGoesOnWorking)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/profile_saver.h"
 
+#include "core/profile/commissioning.h"
 #include "core/profile/profile_file.h"
+#include "core/profile/profile_history.h"
 #include "core/profile/profile_store.h"
 
 #include <QEventLoop>
@@ -17,20 +19,32 @@ struct Rig
 {
     QTemporaryDir folder;
     profile::Profile inForce;
+    bool onlySimulated = false;
 
     [[nodiscard]] QString file() const { return folder.filePath(QStringLiteral("mount.toml")); }
 
-    // The saver is gone, and so all is written, when this returns.
-    void save(const QString& path, const profile::Profile& wanted) const
+    // The saver is gone, and so all is written, when this returns why it was not, or not all of it.
+    QString save(const QString& path, const profile::Profile& wanted) const
     {
-        ProfileSaver saver(folder.path(), path, inForce);
-        saver.save(wanted);
+        QString reason;
+        {
+            ProfileSaver saver(folder.path(), path, inForce);
+            if (onlySimulated) {
+                saver.keepSimulated();
+            }
+            QObject::connect(
+                &saver, &ProfileSaver::failed, &saver, [&](const QString& text) { reason = text; },
+                Qt::DirectConnection);
+            saver.save(wanted);
+        }
+        return reason;
     }
 };
 
 TEST(ProfileSaver, WritesWhatTheOperatorChangedAndNotWhatTheCommandLineOverrode)
 {
     Rig rig;
+    rig.onlySimulated = true;
     profile::Profile kept;
     kept.bus = "fdcanusb:/dev/mount";
     ASSERT_TRUE(profile::saveProfile(kept, rig.file()));
@@ -47,6 +61,7 @@ TEST(ProfileSaver, WritesWhatTheOperatorChangedAndNotWhatTheCommandLineOverrode)
 TEST(ProfileSaver, WhatWasFoundOfTheSimulatedMountIsNotTheRealOnes)
 {
     Rig rig;
+    rig.onlySimulated = true;
     profile::Profile kept;
     kept.bus = "fdcanusb:/dev/mount";
     kept.pointing.azimuthOffset = 12_deg;
@@ -58,20 +73,162 @@ TEST(ProfileSaver, WhatWasFoundOfTheSimulatedMountIsNotTheRealOnes)
     wanted.pointing.azimuthOffset = 37_deg;
     wanted.sensor.deviation.a1 = 3_deg;
     wanted.sensor.mounting.azimuthOffset = 5_deg;
-    QString reason;
-    {
-        ProfileSaver saver(rig.folder.path(), rig.file(), rig.inForce);
-        QObject::connect(
-            &saver, &ProfileSaver::failed, &saver, [&](const QString& text) { reason = text; }, Qt::DirectConnection);
-        saver.save(wanted);
-    }
+    const QString reason = rig.save(rig.file(), wanted);
     kept.jog.slow = 0.7_deg_s;
     EXPECT_EQ(kept, *profile::loadProfile(rig.file()));
-    EXPECT_TRUE(reason.contains(QStringLiteral("keeps its own north"))) << reason.toStdString();
+    EXPECT_TRUE(reason.contains(QStringLiteral("keeps its own motors, zeros, north"))) << reason.toStdString();
     // A mount that is simulated by its own profile keeps what is found of it.
     ASSERT_TRUE(profile::saveProfile(rig.inForce, rig.file()));
     rig.save(rig.file(), wanted);
     EXPECT_EQ(wanted, *profile::loadProfile(rig.file()));
+}
+
+// Story: level set in the guide with --simulate was the real mount's zero at the next start, its ends with it; and a
+// direction confirmed by looking at the simulated mount let the real one go as fast as it can.
+TEST(ProfileSaver, ZeroMotorsAndDirectionsOfTheSimulatedMountAreNotTheRealOnes)
+{
+    Rig rig;
+    rig.onlySimulated = true;
+    profile::Profile kept;
+    kept.bus = "fdcanusb:/dev/mount";
+    kept.mount.directions = profile::Directions::Unconfirmed;
+    ASSERT_TRUE(profile::saveProfile(kept, rig.file()));
+    rig.inForce = kept;
+    rig.inForce.bus = "simulated";
+    profile::Profile wanted = rig.inForce;
+    profile::setReading(wanted, Axis::Elevation, 3_deg, 10_deg, profile::Ends::StayOnTheMount);
+    profile::reverse(wanted, Axis::Azimuth, std::nullopt);
+    profile::swapMotors(wanted);
+    wanted.mount.directions = profile::Directions::Confirmed;
+    EXPECT_NE(rig.save(rig.file(), wanted), QString());
+    EXPECT_EQ(kept, *profile::loadProfile(rig.file()));
+    // Ends that were typed are the real mount's, whichever is connected.
+    wanted = rig.inForce;
+    profile::setTravel(wanted, Axis::Azimuth, {.min = -10_deg, .max = 270_deg});
+    EXPECT_EQ(rig.save(rig.file(), wanted), QString());
+    profile::setTravel(kept, Axis::Azimuth, {.min = -10_deg, .max = 270_deg});
+    EXPECT_EQ(kept, *profile::loadProfile(rig.file()));
+}
+
+// Story: "Use the sensor" with --simulate failed to save, and the version before was lost.
+TEST(ProfileSaver, TheSimulatedSensorIsNotTheRealMounts)
+{
+    Rig rig;
+    rig.onlySimulated = true;
+    profile::Profile kept;
+    kept.bus = "fdcanusb:/dev/mount";
+    ASSERT_TRUE(profile::saveProfile(kept, rig.file()));
+    kept.jog.slow = 0.7_deg_s;
+    ASSERT_TRUE(profile::saveKeepingPrevious(kept, rig.file()));
+    rig.inForce = kept;
+    rig.inForce.bus = "simulated";
+    profile::Profile wanted = rig.inForce;
+    wanted.sensor.source = profile::SensorSource::Simulated;
+    const QString reason = rig.save(rig.file(), wanted);
+    EXPECT_TRUE(reason.contains(QStringLiteral("until the program ends"))) << reason.toStdString();
+    EXPECT_EQ(kept, *profile::loadProfile(rig.file()));
+    EXPECT_EQ(profile::loadProfile(profile::previousOf(rig.file()))->jog.slow, profile::Profile{}.jog.slow)
+        << "the last change can still be taken back";
+    // A real sensor is the profile's, whichever mount it was set with.
+    wanted.sensor.source = profile::SensorSource::Mqtt;
+    EXPECT_EQ(rig.save(rig.file(), wanted), QString());
+    EXPECT_EQ(profile::loadProfile(rig.file())->sensor.source, profile::SensorSource::Mqtt);
+}
+
+// The file of the simulated mount, started with --bus: the next start would take its north for the simulated one's.
+TEST(ProfileSaver, WhatIsFoundOfARealMountMakesTheFileItsOwn)
+{
+    Rig rig;
+    profile::Profile tried;
+    tried.pointing = {.azimuthOffset = 37.4_deg, .elevationOffset = 1_deg};
+    tried.sensor.source = profile::SensorSource::Simulated;
+    ASSERT_TRUE(profile::saveProfile(tried, rig.file()));
+    rig.inForce.bus = "fdcanusb:/dev/mount";
+    rig.inForce.mount.directions = profile::Directions::Unconfirmed;
+    profile::Profile wanted = rig.inForce;
+    wanted.jog.slow = 0.7_deg_s;
+    EXPECT_EQ(rig.save(rig.file(), wanted), QString());
+    tried.jog.slow = 0.7_deg_s;
+    EXPECT_EQ(tried, *profile::loadProfile(rig.file())) << "a setting makes it nobody else's";
+    rig.inForce = wanted;
+    wanted.mount.directions = profile::Directions::Confirmed;
+    EXPECT_EQ(rig.save(rig.file(), wanted), QString());
+    EXPECT_EQ(wanted, *profile::loadProfile(rig.file()));
+    rig.inForce = wanted;
+    wanted.pointing.azimuthOffset = 12_deg;
+    EXPECT_EQ(rig.save(rig.file(), wanted), QString());
+    EXPECT_EQ(wanted, *profile::loadProfile(rig.file()));
+}
+
+// Story: started with --bus, another adapter was typed in the table: the file had a real bus and the simulated north.
+TEST(ProfileSaver, AnotherBusMakesTheSimulatedMountsFileARealOnes)
+{
+    Rig rig;
+    profile::Profile tried;
+    tried.pointing.azimuthOffset = 37.4_deg;
+    ASSERT_TRUE(profile::saveProfile(tried, rig.file()));
+    rig.inForce.bus = "fdcanusb:/dev/mount";
+    rig.inForce.mount.directions = profile::Directions::Unconfirmed;
+    profile::Profile wanted = rig.inForce;
+    wanted.bus = "socketcan:can1";
+    EXPECT_EQ(rig.save(rig.file(), wanted), QString());
+    EXPECT_EQ(wanted, *profile::loadProfile(rig.file()));
+}
+
+// Chosen in the table and not connected yet: what is typed meanwhile is the real mount's.
+TEST(ProfileSaver, WhatIsTypedForARealMountBeforeTheReconnectIsKept)
+{
+    Rig rig;
+    ASSERT_TRUE(profile::saveProfile(rig.inForce, rig.file()));
+    profile::Profile wanted = rig.inForce;
+    wanted.bus = "socketcan:can1";
+    wanted.mount.directions = profile::Directions::Unconfirmed;
+    {
+        ProfileSaver saver(rig.folder.path(), rig.file(), rig.inForce);
+        saver.save(wanted);
+        wanted.azimuth.id = 7;
+        wanted.pointing.azimuthOffset = 12_deg;
+        saver.save(wanted);
+    }
+    EXPECT_EQ(wanted, *profile::loadProfile(rig.file()));
+}
+
+// A real mount works on until the reconnect.
+TEST(ProfileSaver, TheSimulatedMountThatWasChosenStaysChosen)
+{
+    Rig rig;
+    rig.inForce.bus = "fdcanusb:/dev/mount";
+    rig.inForce.pointing.elevationOffset = 1_deg;
+    ASSERT_TRUE(profile::saveProfile(rig.inForce, rig.file()));
+    profile::Profile wanted = rig.inForce;
+    {
+        ProfileSaver saver(rig.folder.path(), rig.file(), rig.inForce);
+        wanted.bus = "simulated";
+        saver.save(wanted);
+        wanted.pointing.azimuthOffset = 12_deg;
+        saver.save(wanted);
+    }
+    EXPECT_EQ(wanted, *profile::loadProfile(rig.file()));
+}
+
+// The simulated mount is tried for a while, and Undo brings the real one back: only the bus is another on the way.
+TEST(ProfileSaver, ARealMountComesBackFromTheSimulatedOneWhole)
+{
+    Rig rig;
+    profile::Profile real = rig.inForce;
+    real.bus = "fdcanusb:/dev/mount";
+    real.azimuth.geometry.offset = 12_deg;
+    real.pointing.azimuthOffset = 37.4_deg;
+    real.mount.directions = profile::Directions::Confirmed;
+    ASSERT_TRUE(profile::saveProfile(real, rig.file()));
+    {
+        ProfileSaver saver(rig.folder.path(), rig.file(), real);
+        profile::Profile simulated = real;
+        simulated.bus = "simulated";
+        saver.save(simulated);
+        saver.save(real);
+    }
+    EXPECT_EQ(real, *profile::loadProfile(rig.file()));
 }
 
 TEST(ProfileSaver, TheFirstChangeWithoutAFileMakesTheFirstMount)

@@ -39,6 +39,73 @@ TEST(SimulateOptions, ASensorHasAFileOfItsOwn)
     EXPECT_FALSE(parse({"--pty", "/tmp/m", "--sensor"}));
 }
 
+TEST(SimulateOptions, ASensorMayPublishAtABroker)
+{
+    EXPECT_EQ(parse({"--pty", "p", "--sensor-mqtt", "broker.example"})->sensorBroker,
+              (mqtt::Broker{.host = QStringLiteral("broker.example"), .port = 1883}));
+    EXPECT_EQ(parse({"--pty", "p", "--sensor-mqtt=[::1]:1884"})->sensorBroker,
+              (mqtt::Broker{.host = QStringLiteral("::1"), .port = 1884}));
+    EXPECT_EQ(parse({"--pty", "p", "--sensor-mqtt=[::1]"})->sensorBroker->port, 1883);
+    EXPECT_EQ(parse({"--pty", "p", "--sensor-mqtt", "b", "--sensor-topics", "roof/"})->sensorTopics, "roof/");
+    EXPECT_THAT(refusal({"--pty", "p", "--sensor-mqtt"}), HasSubstr("expected HOST[:PORT]"));
+    EXPECT_THAT(refusal({"--pty", "p", "--sensor-mqtt", "b:0"}), HasSubstr("expected HOST[:PORT]"));
+    EXPECT_THAT(refusal({"--pty", "p", "--sensor-mqtt", "b", "--sensor-topics", "roof/#"}), HasSubstr("+ and #"));
+}
+
+TEST(SimulateOptions, WhatTheSensorHidesIsTheOperatorsChoice)
+{
+    const sim::SensorTruth hidden = parse({"--pty", "p", "--sensor", "s"})->sensorTruth;
+    EXPECT_EQ(hidden.mount.azimuthOffset, sim::truthToBeFound().mount.azimuthOffset);
+    const auto options = parse({"--pty",
+                                "p",
+                                "--sensor",
+                                "s",
+                                "--sensor-north",
+                                "-12",
+                                "--sensor-tilt=0.5,-1",
+                                "--sensor-mounting",
+                                "3,-2",
+                                "--sensor-deviation",
+                                "1,2,3,-4",
+                                "--sensor-noise",
+                                "0",
+                                "--sensor-per-ampere=0.2",
+                                "--sensor-declination",
+                                "7",
+                                "--sensor-calibration",
+                                "0,1,2,3",
+                                "--sensor-orientation-only",
+                                "--sensor-silence",
+                                "@60+20"});
+    ASSERT_TRUE(options) << options.error().text;
+    const sim::SensorTruth& truth = options->sensorTruth;
+    EXPECT_EQ(truth.mount.azimuthOffset, -12_deg);
+    EXPECT_EQ(truth.mount.tiltNorth, 0.5_deg);
+    EXPECT_EQ(truth.mount.tiltEast, -1_deg);
+    EXPECT_EQ(truth.mount.collimation, hidden.mount.collimation);
+    EXPECT_EQ(truth.mountingOffset, 3_deg);
+    EXPECT_EQ(truth.elevationOffset, -2_deg);
+    EXPECT_EQ((std::array{truth.a1, truth.b1, truth.a2, truth.b2}), (std::array{1_deg, 2_deg, 3_deg, -4_deg}));
+    EXPECT_EQ(truth.noise, Angle());
+    EXPECT_EQ(truth.perAmpere, 0.2_deg);
+    EXPECT_EQ(truth.declination, 7_deg);
+    EXPECT_EQ(truth.calibration,
+              (orientation::Calibration{.system = 0, .gyro = 1, .accelerometer = 2, .magnetometer = 3}));
+    EXPECT_TRUE(options->orientationOnly);
+    ASSERT_EQ(options->injections.size(), 1U);
+    EXPECT_EQ(options->injections[0].kind, sim::FaultKind::SensorSilence);
+}
+
+TEST(SimulateOptions, OfASensorNeedOne)
+{
+    EXPECT_THAT(refusal({"--pty", "p", "--sensor-noise", "1"}), HasSubstr("--sensor-noise needs --sensor"));
+    EXPECT_THAT(refusal({"--pty", "p", "--sensor-dead"}), HasSubstr("--sensor-dead needs --sensor"));
+    EXPECT_THAT(refusal({"--pty", "p", "--sensor", "s", "--sensor-tilt", "1"}),
+                HasSubstr("--sensor-tilt \"1\": expected NORTH,EAST, each -20…20"));
+    EXPECT_THAT(refusal({"--pty", "p", "--sensor", "s", "--sensor-noise", "nan"}), HasSubstr("expected DEGREES"));
+    EXPECT_THAT(refusal({"--pty", "p", "--sensor", "s", "--sensor-calibration", "3,3,3,4"}), HasSubstr("0…3"));
+}
+
 TEST(SimulateOptions, ChooseThePair)
 {
     const sim::PairSettings ready = parse({"--pty", "p"})->pairSettings();

@@ -56,6 +56,7 @@ public:
     double position;    // output turns
     double voltage = 24.0;
     double temperature = 31.0;
+    double current = 0.0;  // A
     std::vector<Seen> seen;
 
 private:
@@ -64,6 +65,7 @@ private:
         using moteus::Register;
         const std::map<Register, double> state{{Register::Mode, static_cast<double>(mode)},
                                                {Register::Position, position},
+                                               {Register::QCurrent, current},
                                                {Register::HomeState, static_cast<double>(home)},
                                                {Register::Voltage, voltage},
                                                {Register::Temperature, temperature},

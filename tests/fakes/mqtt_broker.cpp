@@ -3,6 +3,7 @@
 
 #include "tests/fakes/wait_until.h"
 
+#include <QDir>
 #include <QFile>
 #include <QStandardPaths>
 #include <QTcpServer>
@@ -12,6 +13,13 @@
 namespace boresight::fakes {
 namespace {
 
+const QByteArray kGuarded =
+    R"({"defaultACLAccess": {"publishClientSend": true, "publishClientReceive": true, "subscribe": false},
+        "roles": [{"rolename": "reader",
+                   "acls": [{"acltype": "subscribePattern", "topic": "permitted/#", "allow": true},
+                            {"acltype": "publishClientSend", "topic": "$CONTROL/#", "allow": true}]}],
+        "groups": [{"groupname": "all", "roles": [{"rolename": "reader"}]}], "anonymousGroup": "all", "clients": []})";
+
 // Debian keeps it where only root looks.
 QString broker()
 {
@@ -20,6 +28,19 @@ QString broker()
     return found.isEmpty()
                ? QStandardPaths::findExecutable(name, {QStringLiteral("/usr/sbin"), QStringLiteral("/usr/local/sbin")})
                : found;
+}
+
+// Debian keeps it in the folder of the architecture.
+QString guard()
+{
+    const QDir libraries(QStringLiteral("/usr/lib"));
+    for (const QString& folder : libraries.entryList(QDir::Dirs | QDir::NoDotDot)) {
+        const QString file = libraries.filePath(folder + QStringLiteral("/mosquitto_dynamic_security.so"));
+        if (QFile::exists(file)) {
+            return file;
+        }
+    }
+    return {};
 }
 
 void run(const QString& program, const QStringList& arguments)
@@ -43,6 +64,11 @@ bool MqttBroker::isInstalled()
         return !QStandardPaths::findExecutable(QLatin1String(name)).isEmpty();
     };
     return !broker().isEmpty() && isThere("mosquitto_passwd") && isThere("openssl");
+}
+
+bool MqttBroker::canBeGuarded()
+{
+    return !guard().isEmpty();
 }
 
 MqttBroker::MqttBroker(Door door) : m_door(door), m_port(freePort())
@@ -109,6 +135,15 @@ void MqttBroker::configure()
         case Door::TlsOther:
             text += QStringLiteral("allow_anonymous true\ncafile %1\ncertfile %2\nkeyfile %3\n")
                         .arg(caFile(), file("server.pem"), file("server.key"));
+            break;
+        case Door::AccessList:
+            write("acl", "topic write #\ntopic read permitted/#\n");
+            text += QStringLiteral("allow_anonymous true\nacl_file %1\n").arg(file("acl"));
+            break;
+        case Door::Guarded:
+            write("guard.json", kGuarded);
+            text += QStringLiteral("allow_anonymous true\nplugin %1\nplugin_opt_config_file %2\n")
+                        .arg(guard(), file("guard.json"));
             break;
     }
     write("mosquitto.conf", text.toUtf8());

@@ -21,10 +21,14 @@ public:
         Open,
         Password,  // user "mount", password "s3cret"
         Tls,       // certificate for localhost and 127.0.0.1, signed by caFile()
-        TlsOther   // the same for broker.example
+        TlsOther,  // the same for broker.example
+        // Whoever comes may write anything, and read what is below "permitted/":
+        AccessList,  // by acl_file, which grants every subscription and then delivers nothing of the rest
+        Guarded      // by the dynamic-security plugin, which refuses the subscription
     };
 
     [[nodiscard]] static bool isInstalled();
+    [[nodiscard]] static bool canBeGuarded();  // the plugin is there
     explicit MqttBroker(Door door = Door::Open);
 
     // True when it listens; after stop() or kill() on the same port again.

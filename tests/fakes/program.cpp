@@ -30,6 +30,11 @@ bool Program::waitForLine(const QString& text)
     });
 }
 
+bool Program::waitForError(const QString& text)
+{
+    return waitUntil([&] { return errors().contains(text); });
+}
+
 int Program::waitForEnd()
 {
     const bool ended = waitUntil([this] { return m_process.state() == QProcess::NotRunning; });

@@ -19,6 +19,8 @@ public:
 
     // True once a line of standard output begins with `text`.
     [[nodiscard]] bool waitForLine(const QString& text);
+    // True once standard error holds `text`.
+    [[nodiscard]] bool waitForError(const QString& text);
     // The exit status; -1 if the program crashed, was killed or does not end.
     [[nodiscard]] int waitForEnd();
     void terminate() { m_process.terminate(); }  // SIGTERM

@@ -81,7 +81,7 @@ PointingTerms randomHidden(std::mt19937_64& random)
 }
 
 std::vector<CalibrationPoint> sunPoints(const PointingTerms& hidden, const SunDay& day, int count, double noise,
-                                        std::mt19937_64& random)
+                                        std::mt19937_64& random, Sides sides)
 {
     const PointingModel model(hidden);
     const std::vector<double> hours = day.hours();
@@ -89,7 +89,9 @@ std::vector<CalibrationPoint> sunPoints(const PointingTerms& hidden, const SunDa
     for (int i = 0; i < count; ++i) {
         const double part = (i + uniform(random, 0.2, 0.8)) / count;
         const SkyPointing truth = day.at(hours[static_cast<std::size_t>(part * static_cast<double>(hours.size()))]);
-        AxisPosition axes = model.toAxes(truth).axes;
+        const bool overTheTop = sides == Sides::Both && i % 3 == 1;
+        const SkyPointing aim = overTheTop ? SkyPointing{truth.azimuth + 180_deg, 180_deg - truth.elevation} : truth;
+        AxisPosition axes = model.toAxes(aim).axes;
         axes.azimuth += Angle::fromDegrees(gaussian(random, noise) / std::cos(truth.elevation.radians()));
         axes.elevation += Angle::fromDegrees(gaussian(random, noise));
         points.push_back(
@@ -123,6 +125,19 @@ double rmsOverSky(const PointingTerms& hidden, const PointingTerms& fitted)
         }
     }
     return std::sqrt(square / count);
+}
+
+double northError(const PointingTerms& hidden, const PointingTerms& fitted)
+{
+    const PointingModel truth(hidden);
+    const PointingModel model(fitted);
+    double worst = 0.0;
+    for (int azimuth = 0; azimuth < 360; azimuth += 15) {
+        const AxisPosition axes = truth.toAxes({Angle::fromDegrees(azimuth), {}}).axes;
+        const Angle off = (model.toSky(axes).azimuth - truth.toSky(axes).azimuth).wrapped180();
+        worst = std::max(worst, std::abs(off.degrees()));
+    }
+    return worst;
 }
 
 }  // namespace boresight::fakes

@@ -27,10 +27,16 @@ struct SunDay
 // North 37.4°, tilt 0.6° to anywhere, collimation 0.3° to either side, a zero of elevation within 1°.
 [[nodiscard]] pointing::PointingTerms randomHidden(std::mt19937_64& random);
 
+enum class Sides
+{
+    One,
+    Both  // of three points the middle one over the top, of six the second and the fifth
+};
+
 // Spread over the day, each anywhere in the middle of its part of it; none above 80°, where nobody centres well.
 [[nodiscard]] std::vector<calibration::CalibrationPoint> sunPoints(const pointing::PointingTerms& hidden,
                                                                    const SunDay& day, int count, double noise,
-                                                                   std::mt19937_64& random);
+                                                                   std::mt19937_64& random, Sides sides = Sides::One);
 
 // How far the beam is off along the Sun's way of that day, at worst.
 [[nodiscard]] double worstOnArc(const pointing::PointingTerms& hidden, const pointing::PointingTerms& fitted,
@@ -38,5 +44,8 @@ struct SunDay
 
 // The rms of the same over the sky from 10° to 70° of elevation.
 [[nodiscard]] double rmsOverSky(const pointing::PointingTerms& hidden, const pointing::PointingTerms& fitted);
+
+// How well north is known: how far the azimuth of a level beam is off, at worst, all round.
+[[nodiscard]] double northError(const pointing::PointingTerms& hidden, const pointing::PointingTerms& fitted);
 
 }  // namespace boresight::fakes

@@ -2,7 +2,7 @@
 #include "core/mqtt/client.h"
 #include "core/sim/simulated_sensor.h"
 #include "core/station/calibration_status.h"
-#include "tests/fakes/mqtt_broker.h"
+#include "tests/fakes/mqtt_test.h"
 #include "tests/fakes/wait_until.h"
 #include "tests/system/simulated_station.h"
 
@@ -87,16 +87,10 @@ private:
     int m_ticks = 0;
 };
 
-class MqttSensorTest : public testing::Test
+class MqttSensorTest : public fakes::MqttTest
 {
 protected:
-    void SetUp() override
-    {
-        if (!fakes::MqttBroker::isInstalled()) {
-            GTEST_SKIP() << "no mosquitto, mosquitto_passwd or openssl (Debian packages mosquitto and openssl)";
-        }
-        broker = std::make_unique<fakes::MqttBroker>();
-    }
+    void prepare() override { broker = std::make_unique<fakes::MqttBroker>(); }
 
     // A mount that does not know its north, half a minute into its swing.
     void swing()
@@ -124,7 +118,6 @@ protected:
     }
     [[nodiscard]] CalibrationProgress progress() const { return rig->status().calibration->progress; }
 
-    std::unique_ptr<fakes::MqttBroker> broker;
     std::unique_ptr<SimulatedStation> rig;
     std::unique_ptr<PublishingSensor> sensor;
 };

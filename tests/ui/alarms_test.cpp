@@ -63,13 +63,16 @@ TEST_F(AlarmsTest, SaysWhatHappenedWhatWasDoneAndWhatToDo)
     EXPECT_EQ(cell(0, AlarmModel::Time), QStringLiteral("17:05:52"));
     EXPECT_TRUE(cell(0, AlarmModel::What).startsWith(QStringLiteral("■ Azimuth drive fault 38")));
     EXPECT_TRUE(cell(1, AlarmModel::What).startsWith(QStringLiteral("▲ ")));
-    EXPECT_EQ(reading(), QStringLiteral("2026-11-21 17:05:52.000Z, active, not acknowledged\n"
-                                        "■ Azimuth drive fault 38: over temperature, 81 °C\n"
-                                        "Boresight: Azimuth is off, elevation holds\n"
-                                        "To do: Let the drive cool below 60 °C, then press Re-arm"))
+    EXPECT_EQ(reading(),
+              QStringLiteral("2026-11-21 17:05:52.000Z, active, not acknowledged\n"
+                             "■ Azimuth drive fault 38: The board (75 °C by default) or the motor is too hot. "
+                             "Likely: Too much torque for too long, or too little cooling.\n"
+                             "Boresight: The drive switched its output off; the other axis holds if its drive "
+                             "can.\n"
+                             "To do: Let it cool down; lower the torque or improve cooling, then re-arm."))
         << "the worst is read without a click";
     clickRow(1);
-    EXPECT_TRUE(reading().contains(QStringLiteral("Boresight: Speed reduced")));
+    EXPECT_TRUE(reading().contains(QStringLiteral("Boresight: The drive gives less than it was asked for.")));
 }
 
 TEST_F(AlarmsTest, AcknowledgesTheSelectedOne)
@@ -157,7 +160,9 @@ TEST_F(AlarmsTest, SoundsOnceForEachNewAlarmUnlessSilenceIsChosen)
     EXPECT_EQ(beeps.count(), 2);
     show(samples::idle());
     StationStatus remark = samples::disconnected();
-    remark.alarms.front().severity = Severity::Advisory;
+    for (Alarm& alarm : remark.alarms) {
+        alarm.severity = Severity::Advisory;
+    }
     show(remark);
     EXPECT_EQ(beeps.count(), 2) << "a remark is silent";
     auto* const sound = named<QCheckBox>("Sound at a new alarm");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/axis_readout.h"
 
+#include "tests/ui/find_widget.h"
 #include "tests/ui/sample_status.h"
 #include "ui/value_label.h"
 
@@ -11,12 +12,7 @@ namespace {
 
 QString shown(const AxisReadout& readout, const char* name)
 {
-    for (const ValueLabel* const label : readout.findChildren<ValueLabel*>()) {
-        if (label->accessibleName() == QLatin1String(name)) {
-            return label->text();
-        }
-    }
-    return QStringLiteral("no such label");
+    return findNamed<ValueLabel>(readout, name)->text();
 }
 
 // At 62.6° and 20° of the axes, on the way to 72.6°.

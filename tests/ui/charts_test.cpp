@@ -8,7 +8,6 @@
 #include "ui/time_axis.h"
 
 #include <QComboBox>
-#include <QDir>
 #include <QPushButton>
 
 #include <cmath>
@@ -298,34 +297,6 @@ TEST_F(ChartsTest, AreDescribedInWords)
               QStringLiteral("azimuth, last 1 min. Position: commanded 12.00°, in between 10.00…12.00°; actual "
                              "11.50°, in between 9.50…11.50°. Error: commanded − actual 0.500°, in between 0.500°. "
                              "Torque: no data."));
-}
-
-TEST_F(ChartsTest, PicturesToLookAt)
-{
-    const QDir folder(QDir::current().filePath(QStringLiteral("pictures")));
-    ASSERT_TRUE(QDir().mkpath(folder.path()));
-    pass(1400s);
-    clock.advance(20s);
-    pass(420s);
-    const auto save = [&](const QString& title) {
-        QTest::qWait(1);
-        EXPECT_TRUE(window.grab().save(folder.filePath(title + QStringLiteral(".png")), "PNG", 80));
-    };
-    for (const ThemeKind kind : {ThemeKind::Day, ThemeKind::Night, ThemeKind::Red}) {
-        applyTheme(kind);
-        const QString theme = name(kind).toLower();
-        for (const char* const button : {"Show the last 10 s", "Show the last 1 min", "Show the last 30 min"}) {
-            press(button);
-            pointAt(Strip::Error, 150);
-            save(QStringLiteral("charts-%1-%2").arg(QString::fromUtf8(button).section(QLatin1Char(' '), -2), theme));
-        }
-        window.resize(1280, 800);
-        press("Show the charts in the place of the sky, and back (Ctrl+L)");
-        save(QStringLiteral("charts-large-%1").arg(theme));
-        press("Charts back to this panel");
-        window.resize(1024, 700);
-    }
-    applyTheme(ThemeKind::Day);
 }
 
 }  // namespace

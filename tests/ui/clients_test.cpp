@@ -227,14 +227,7 @@ class LeadPromptTest : public WindowFixture
 protected:
     LeadPromptTest() { give(samples::update(samples::fighting())); }
     LeadPrompt& prompt() { return *window.findChild<LeadPrompt*>(); }
-    void click(const char* name)
-    {
-        for (QPushButton* const button : prompt().findChildren<QPushButton*>()) {
-            if (button->accessibleName() == QLatin1String(name)) {
-                QTest::mouseClick(button, Qt::LeftButton);
-            }
-        }
-    }
+    void click(const char* name) { QTest::mouseClick(findNamed<QPushButton>(prompt(), name), Qt::LeftButton); }
 };
 
 TEST_F(LeadPromptTest, AsksOverThePlotWhateverPanelIsOpen)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/system/simulated_station.h"
+#include "tests/ui/find_widget.h"
 #include "ui/command_button.h"
 #include "ui/jog_button.h"
 #include "ui/jog_panel.h"
@@ -51,15 +52,10 @@ protected:
         return profile;
     }
 
-    // Of several with one name the one that is seen.
     template <class T>
     T& named(const char* name)
     {
-        auto all = window.findChildren<T*>();
-        std::ranges::stable_partition(all, [](const QWidget* one) { return one->isVisible(); });
-        const auto found = std::ranges::find(all, QString::fromUtf8(name), &QWidget::accessibleName);
-        EXPECT_NE(found, all.end()) << name;
-        return **found;
+        return *findNamed<T>(window, name);
     }
     void click(const char* button)
     {

@@ -5,7 +5,6 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QFileDialog>
-#include <QLineEdit>
 #include <QProcess>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -42,26 +41,7 @@ protected:
         clock.advance(Seconds(10.0));
     }
 
-    void chooseFile(const QString& path)
-    {
-        auto* const dialog = window.findChild<QFileDialog*>();
-        ASSERT_NE(dialog, nullptr);
-        auto* const name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-        EXPECT_TRUE(name->text().endsWith(QStringLiteral(".tar.gz"))) << name->text().toStdString();
-        name->setText(path);
-        QTest::keyClick(name, Qt::Key_Return);
-    }
-    bool says(const char* words)
-    {
-        return QTest::qWaitFor([&] {
-            for (const ValueLabel* const label : window.findChildren<ValueLabel*>()) {
-                if (label->isVisible() && label->text().contains(QString::fromUtf8(words))) {
-                    return true;
-                }
-            }
-            return false;
-        });
-    }
+    bool says(const char* words) { return ui::says(window, words); }
     QByteArray fileOf(const QString& archive, const char* name)
     {
         QProcess tar;
@@ -76,6 +56,9 @@ TEST_F(DiagnosticsSaverTest, AreSavedByKeyWithLogAndTelemetry)
 {
     const QString path = folder.filePath(QStringLiteral("bundle.tar.gz"));
     QTest::keyClick(&window, Qt::Key_B, Qt::ControlModifier);
+    ASSERT_NE(fileNameField(window), nullptr);
+    EXPECT_TRUE(fileNameField(window)->text().endsWith(QStringLiteral(".tar.gz")))
+        << fileNameField(window)->text().toStdString();
     chooseFile(path);
     ASSERT_TRUE(says("Diagnostics saved: "));
     EXPECT_EQ(fileOf(path, "events.log"), "the log\n");

@@ -36,17 +36,8 @@ protected:
         EXPECT_TRUE(one->toolTip().contains(QString::fromUtf8(why))) << one->toolTip().toStdString();
     }
 
-    // The button of the open question; other panels have a hidden one of the same class.
-    CommandButton* act(const char* text)
-    {
-        for (CommandButton* const button : window.findChildren<CommandButton*>()) {
-            if (button->isVisible() && button->accessibleName() == QLatin1String(text)) {
-                return button;
-            }
-        }
-        ADD_FAILURE() << "no question offers " << text;
-        return nullptr;
-    }
+    // The button of the open question.
+    CommandButton* act(const char* text) { return &findSeen<CommandButton>(window, text); }
     QString questionText()
     {
         for (const QPlainTextEdit* const text : window.findChildren<QPlainTextEdit*>()) {

@@ -1,113 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/profile/commissioning.h"
-#include "tests/ui/window_fixture.h"
-#include "ui/calibration_panel.h"
-#include "ui/command_button.h"
-#include "ui/direction_arrow.h"
+#include "tests/ui/guide_fixture.h"
 #include "ui/guide_client.h"
 #include "ui/guide_connect.h"
 #include "ui/guide_directions.h"
 #include "ui/guide_north.h"
-#include "ui/guide_page.h"
-#include "ui/guide_site.h"
-#include "ui/guide_travel.h"
-#include "ui/guide_zero.h"
-#include "ui/jog_button.h"
-#include "ui/jog_panel.h"
 #include "ui/protection_panel.h"
-#include "ui/step_button.h"
 #include "ui/stop_button.h"
 
+#include <QAbstractButton>
 #include <QApplication>
-#include <QCheckBox>
 #include <QClipboard>
-#include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
 
+// The guide as a whole: its steps, what each needs, where it goes on.
 namespace boresight::ui {
 namespace {
-
-class GuideTest : public WindowFixture
-{
-protected:
-    GuideTest()
-    {
-        status = samples::freshMount();
-        give(samples::update(status));
-        QObject::connect(&window, &MainWindow::guideProgressed, &window,
-                         [this](const GuideProgress& progress) { kept = progress; });
-        QTest::keyClick(&window, Qt::Key_F3);
-    }
-
-    GuidePage& guide() { return *window.findChild<GuidePage*>(); }
-    bool isOpen() { return guide().isVisible() && !window.findChild<JogPanel*>()->isVisible(); }
-    StepButton& stepButton(GuideStep step) { return *window.findChildren<StepButton*>().at(static_cast<int>(step)); }
-    template <class Page>
-    Page& open(GuideStep step)
-    {
-        QTest::mouseClick(&stepButton(step), Qt::LeftButton);
-        return *guide().findChild<Page*>();
-    }
-    // In the guide, not on a panel that is also there.
-    template <class T>
-    T& inGuide(const char* name)
-    {
-        for (T* const widget : guide().findChildren<T*>()) {
-            if (widget->accessibleName() == QString::fromUtf8(name) && widget->isVisible()) {
-                return *widget;
-            }
-        }
-        throw std::runtime_error(std::string("nothing in the guide is called ") + name);
-    }
-    void click(const char* name) { QTest::mouseClick(&inGuide<QPushButton>(name), Qt::LeftButton); }
-    GuideStep current() { return guide().progress().current; }
-
-    // The station takes it: what applies now is in force, the rest waits, and a reconnect puts all in force.
-    void accept()
-    {
-        StationUpdate update = samples::update(status);
-        update.answers.push_back({requests.back().id, std::nullopt});
-        give(update);
-    }
-    profile::Profile lastApplied() { return asked<request::ApplyProfile>().back().profile; }
-    void putInForce(const profile::Profile& profile)
-    {
-        status.profile = std::make_shared<const profile::Profile>(profile);
-        give(samples::update(status));
-    }
-    // Applied, connected anew, in force: as the station does with all that needs a reconnect.
-    void goThroughWithReconnect()
-    {
-        const profile::Profile wanted = lastApplied();
-        accept();
-        ASSERT_EQ(asked<request::Reconnect>().size(), 1u);
-        EXPECT_EQ(asked<request::Reconnect>().back().profile, wanted);
-        accept();
-        putInForce(wanted);
-    }
-    void moveTo(AxisPosition place, AxisState state = AxisState::Moving)
-    {
-        status.azimuth.actual = place.azimuth;
-        status.elevation.actual = place.elevation;
-        status.azimuth.state = state;
-        status.elevation.state = state;
-        give(samples::update(status));
-    }
-    JogButton& hold(Axis axis, bool upwards)
-    {
-        const char* const names[2][2] = {
-            {"Turn azimuth back at 1.0°/s while held", "Turn azimuth on at 1.0°/s while held"},
-            {"Lower elevation at 1.0°/s while held", "Raise elevation at 1.0°/s while held"}};
-        return inGuide<JogButton>(names[axis == Axis::Elevation][upwards]);
-    }
-    bool lastJogIsZero() { return !asked<request::Jog>().empty() && asked<request::Jog>().back().rates == AxisRates{}; }
-
-    StationStatus status;
-    GuideProgress kept;
-};
 
 TEST_F(GuideTest, TakesThePlaceOfThePanelsAndCoversNothing)
 {
@@ -194,8 +103,40 @@ TEST_F(GuideTest, AnotherMountBeginsAnew)
     other.mount.name = "Roof";
     putInForce(other);
     EXPECT_EQ(current(), GuideStep::Connect);
-    EXPECT_EQ(kept.mount, QStringLiteral("Roof"));
+    EXPECT_EQ(kept.mount, QStringLiteral("Roof (simulated)"));
     EXPECT_TRUE(kept.passed.empty());
+}
+
+// Story: level and ends were ticked on the simulated mount, and stayed ticked when the real one was connected.
+TEST_F(GuideTest, TheRealMountBeginsAnewAfterTheSimulatedOne)
+{
+    open<GuideDirections>(GuideStep::Travel);
+    click("Next");
+    click("Next");
+    EXPECT_TRUE(kept.passed.contains(GuideStep::Level));
+    profile::Profile real = *status.profile;
+    real.bus = "socketcan:can0";
+    putInForce(real);
+    EXPECT_TRUE(kept.passed.empty());
+    EXPECT_EQ(kept.mount, toQString(real.mount.name));
+    EXPECT_EQ(stepButton(GuideStep::Travel).state(), StepState::Open);
+}
+
+// Story: a bus waited for its reconnect while the level of the simulated mount was set for it.
+TEST_F(GuideTest, NothingIsSetForAMountThatWaitsForItsReconnect)
+{
+    open<GuideConnect>(GuideStep::Connect);
+    Q_EMIT window.host().adaptersFound(adaptersOf({}, {{QStringLiteral("can0"), true}}));
+    inGuide<QListWidget>("Adapters of this computer").setCurrentRow(0);
+    click("Use this");
+    status.waitingKeys = {"bus.name"};
+    accept();
+    give(samples::refusal(status, requests.back().id, "the drives move"));
+    open<GuideDirections>(GuideStep::Directions);
+    const auto& swap = inGuide<QPushButton>("The other axis moved:\nswap the motors");
+    EXPECT_FALSE(swap.isEnabled());
+    EXPECT_TRUE(swap.toolTip().contains(QStringLiteral("the mount at socketcan:can0 waits for Reconnect")))
+        << swap.toolTip().toStdString();
 }
 
 TEST_F(GuideTest, AdaptersAreListedByTheirNamesAndScannedWithoutMovingAnything)
@@ -248,118 +189,6 @@ TEST_F(GuideTest, WhatIsRefusedStandsBesideTheButtonAndLeavesNoEditBehind)
     EXPECT_TRUE(inGuide<QPushButton>("Use this").isEnabled()) << "nothing is left half done";
 }
 
-TEST_F(GuideTest, AHeldTestMoveIsSlowAndEndsOnRelease)
-{
-    open<GuideDirections>(GuideStep::Directions);
-    for (const auto& [axis, upwards, rates] : {std::tuple{Axis::Azimuth, true, AxisRates{1_deg_s, 0_deg_s}},
-                                               std::tuple{Axis::Azimuth, false, AxisRates{-1_deg_s, 0_deg_s}},
-                                               std::tuple{Axis::Elevation, true, AxisRates{0_deg_s, 1_deg_s}},
-                                               std::tuple{Axis::Elevation, false, AxisRates{0_deg_s, -1_deg_s}}}) {
-        requests.clear();
-        QTest::mousePress(&hold(axis, upwards), Qt::LeftButton);
-        ASSERT_TRUE(QTest::qWaitFor([this] { return asked<request::Jog>().size() >= 3; }, 2000));
-        EXPECT_EQ(asked<request::Jog>().back().rates, rates);
-        QTest::mouseRelease(&hold(axis, upwards), Qt::LeftButton);
-        EXPECT_TRUE(lastJogIsZero());
-    }
-}
-
-TEST_F(GuideTest, SpaceHoldsATestMoveAndEverythingThatTakesItAwayEndsIt)
-{
-    open<GuideDirections>(GuideStep::Directions);
-    JogButton& button = hold(Axis::Azimuth, true);
-    const auto begin = [&] {
-        requests.clear();
-        button.setFocus();
-        QTest::keyPress(&button, Qt::Key_Space);
-        ASSERT_FALSE(asked<request::Jog>().empty());
-        EXPECT_FALSE(lastJogIsZero());
-    };
-    begin();
-    QTest::keyRelease(&button, Qt::Key_Space);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return lastJogIsZero(); }, 1000)) << "release";
-    begin();
-    QTest::keyClick(&window, Qt::Key_Tab);
-    EXPECT_TRUE(lastJogIsZero()) << "focus";
-    QTest::keyRelease(&button, Qt::Key_Space);
-    begin();
-    openPanel('1');
-    EXPECT_TRUE(lastJogIsZero()) << "another panel";
-    QTest::keyClick(&window, Qt::Key_F3);
-    begin();
-    give(samples::update(samples::stopped()));
-    EXPECT_TRUE(lastJogIsZero()) << "STOP";
-    give(samples::update(status));
-    begin();
-    give(samples::refusal(status, requests.front().id, "no farther than 2°"));
-    EXPECT_TRUE(lastJogIsZero()) << "a refusal";
-    EXPECT_TRUE(inGuide<ValueLabel>("Refused").text().contains(QStringLiteral("no farther")));
-}
-
-TEST_F(GuideTest, ARepeatedKeyIsOneHold)
-{
-    open<GuideDirections>(GuideStep::Directions);
-    JogButton& button = hold(Axis::Elevation, true);
-    button.setFocus();
-    QTest::keyPress(&button, Qt::Key_Space);
-    for (int repeat = 0; repeat < 3; ++repeat) {  // an X server's pairs that Qt did not see through
-        QTest::keyRelease(&button, Qt::Key_Space);
-        QTest::keyPress(&button, Qt::Key_Space);
-    }
-    for (const request::Jog& jog : asked<request::Jog>()) {
-        EXPECT_EQ(jog.rates, (AxisRates{0_deg_s, 1_deg_s}));
-    }
-    QTest::keyRelease(&button, Qt::Key_Space);
-}
-
-TEST_F(GuideTest, TheArrowFollowsTheMotionAndConfirmingNeedsBothToBeSeen)
-{
-    open<GuideDirections>(GuideStep::Directions);
-    auto& arrow = inGuide<DirectionArrow>("Direction of the azimuth");
-    EXPECT_EQ(arrow.turning(), Turning::Rests);
-    status.azimuth.rate = 1_deg_s;
-    moveTo({.azimuth = 10.5_deg, .elevation = 20_deg});
-    EXPECT_EQ(arrow.turning(), Turning::Grows);
-    EXPECT_EQ(arrow.accessibleDescription(), QStringLiteral("clockwise, seen from above"));
-    status.azimuth.rate = -1_deg_s;
-    moveTo({.azimuth = 10.4_deg, .elevation = 20_deg});
-    EXPECT_EQ(arrow.turning(), Turning::Shrinks);
-    auto& confirm = inGuide<QPushButton>("Both turn as the arrows show");
-    EXPECT_FALSE(confirm.isEnabled());
-    EXPECT_TRUE(confirm.toolTip().contains(QStringLiteral("elevation")));
-    status.azimuth.rate = 0_deg_s;
-    moveTo({.azimuth = 10.4_deg, .elevation = 19.5_deg});
-    moveTo({.azimuth = 10.4_deg, .elevation = 19.5_deg}, AxisState::Holding);
-    ASSERT_TRUE(confirm.isEnabled());
-    QTest::mouseClick(&confirm, Qt::LeftButton);
-    EXPECT_EQ(lastApplied().mount.directions, profile::Directions::Confirmed);
-    accept();
-    putInForce(lastApplied());
-    EXPECT_TRUE(asked<request::Reconnect>().empty()) << "it applies at once";
-    EXPECT_EQ(stepButton(GuideStep::Directions).state(), StepState::Done);
-    click("Next");
-    EXPECT_EQ(current(), GuideStep::Travel);
-}
-
-TEST_F(GuideTest, WrongMotorsAreSwappedAndAWrongDirectionReversedByOnePress)
-{
-    open<GuideDirections>(GuideStep::Directions);
-    moveTo({.azimuth = 11_deg, .elevation = 21_deg});
-    EXPECT_FALSE(inGuide<QPushButton>("AZ turned the other way").isEnabled()) << "not in motion";
-    moveTo({.azimuth = 11_deg, .elevation = 21_deg}, AxisState::Holding);
-    click("The other axis moved:\nswap the motors");
-    EXPECT_EQ(lastApplied().azimuth.id, 2);
-    EXPECT_EQ(lastApplied().elevation.id, 1);
-    goThroughWithReconnect();
-    EXPECT_FALSE(inGuide<QPushButton>("Both turn as the arrows show").isEnabled()) << "to be seen anew";
-    requests.clear();
-    click("AZ turned the other way");
-    EXPECT_EQ(lastApplied().azimuth.geometry.sign, -1);
-    EXPECT_NEAR(lastApplied().azimuth.geometry.offset.degrees(), -22.0, 1e-9) << "it reads 11° as before";
-    goThroughWithReconnect();
-    EXPECT_EQ(lastApplied().mount.directions, profile::Directions::Unconfirmed);
-}
-
 TEST_F(GuideTest, DrivesThatAreNotFitAreMendedFirst)
 {
     status = samples::factoryDrives();
@@ -385,107 +214,6 @@ TEST_F(GuideTest, AnOpenQuestionAboutATurnIsSaidAndReached)
     EXPECT_TRUE(inGuide<ValueLabel>("What is in the way").text().contains(QStringLiteral("Ctrl+9")));
     openPanel('9');
     EXPECT_FALSE(isOpen());
-}
-
-TEST_F(GuideTest, EndsAreTypedOrSetWhereTheMountStands)
-{
-    open<GuideTravel>(GuideStep::Travel);
-    EXPECT_FALSE(inGuide<QPushButton>("Use these ends").isEnabled());
-    QTest::mouseClick(&inGuide<QPushButton>("Set the lower end of azimuth here"), Qt::LeftButton);
-    inGuide<QDoubleSpinBox>("Upper end of azimuth").setValue(380.0);
-    auto& lowest = inGuide<QDoubleSpinBox>("Lower end of elevation");
-    lowest.setFocus();
-    lowest.selectAll();
-    QTest::keyClicks(&lowest, QStringLiteral("95"));
-    QTest::keyClick(&lowest, Qt::Key_Tab);
-    give(samples::update(status));
-    EXPECT_FALSE(inGuide<QPushButton>("Use these ends").isEnabled());
-    EXPECT_TRUE(inGuide<QPushButton>("Use these ends").toolTip().contains(QStringLiteral("not below")));
-    lowest.setValue(5.0);
-    give(samples::update(status));
-    EXPECT_TRUE(requests.empty()) << "nothing changes before it is used";
-    click("Use these ends");
-    EXPECT_EQ(lastApplied().azimuth.geometry.travel, (TravelRange{.min = 10_deg, .max = 380_deg}));
-    EXPECT_EQ(lastApplied().elevation.geometry.travel, (TravelRange{.min = 5_deg, .max = 90_deg}));
-    EXPECT_EQ(lastApplied().park, (AxisPosition{.azimuth = 10_deg, .elevation = 5_deg})) << "it came inside";
-    goThroughWithReconnect();
-    EXPECT_EQ(stepButton(GuideStep::Travel).state(), StepState::Done);
-}
-
-TEST_F(GuideTest, LevelIsSetHereAndItsEffectToldBefore)
-{
-    open<GuideZero>(GuideStep::Level);
-    moveTo({.azimuth = 10_deg, .elevation = 3.2_deg}, AxisState::Holding);
-    EXPECT_TRUE(inGuide<ValueLabel>("What the elevation reads now").text().contains(QStringLiteral("3.20°")));
-    EXPECT_TRUE(inGuide<ValueLabel>("What the change does").text().contains(QStringLiteral("-3.20°")));
-    EXPECT_TRUE(inGuide<ValueLabel>("What the change does").text().contains(QStringLiteral("-3.2°…86.8°")));
-    moveTo({.azimuth = 10_deg, .elevation = 3.2_deg}, AxisState::Moving);
-    EXPECT_FALSE(inGuide<QPushButton>("Set it").isEnabled()) << "not in motion";
-    moveTo({.azimuth = 10_deg, .elevation = 3.2_deg}, AxisState::Holding);
-    inGuide<QCheckBox>("Cable and stops are where they were: their numbers change").click();
-    EXPECT_TRUE(inGuide<ValueLabel>("What the change does").text().contains(QStringLiteral("0.0°…90.0°")));
-    click("Set it");
-    EXPECT_NEAR(lastApplied().elevation.geometry.offset.degrees(), 93.2, 1e-9);
-    EXPECT_EQ(lastApplied().elevation.geometry.travel, status.profile->elevation.geometry.travel);
-    goThroughWithReconnect();
-    EXPECT_EQ(stepButton(GuideStep::Level).state(), StepState::Done);
-}
-
-TEST_F(GuideTest, NorthIsSetInThePointingModelAtOnceAndTheCableKeepsItsNumbers)
-{
-    open<GuideNorth>(GuideStep::North);
-    moveTo({.azimuth = 10_deg, .elevation = 20_deg}, AxisState::Moving);
-    EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled()) << "not in motion";
-    moveTo({.azimuth = 10_deg, .elevation = 20_deg}, AxisState::Holding);
-    EXPECT_TRUE(inGuide<ValueLabel>("Where the antenna points now").text().contains(QStringLiteral("10.00°")));
-    inGuide<QDoubleSpinBox>("True azimuth of the antenna").setValue(350.0);
-    EXPECT_TRUE(inGuide<ValueLabel>("What the change does").text().contains(QStringLiteral("0.00° → -20.00°")));
-    const auto connects = asked<request::Reconnect>().size();
-    click("Set north");
-    EXPECT_NEAR(lastApplied().pointing.azimuthOffset.degrees(), -20.0, 1e-9);
-    EXPECT_EQ(lastApplied().azimuth.geometry, status.profile->azimuth.geometry);
-    EXPECT_EQ(lastApplied().limits, status.profile->limits);
-    EXPECT_EQ(asked<request::Reconnect>().size(), connects) << "it applies now";
-}
-
-TEST_F(GuideTest, TheOtherWaysToNorthAreOnePressAway)
-{
-    open<GuideNorth>(GuideStep::North);
-    QTest::mouseClick(&inGuide<QPushButton>("Sensor, Sun, Moon (Ctrl+9)"), Qt::LeftButton);
-    EXPECT_FALSE(window.findChild<GuidePage*>()->isVisible());
-    EXPECT_TRUE(window.findChild<CalibrationPanel*>()->isVisible());
-}
-
-TEST_F(GuideTest, AZeroNeedsAKnownTurn)
-{
-    give(samples::update(samples::asking(Axis::Azimuth, 3, 180_deg, true)));
-    open<GuideNorth>(GuideStep::North);
-    EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled());
-    EXPECT_TRUE(inGuide<QPushButton>("Set north").toolTip().contains(QStringLiteral("turn")));
-}
-
-TEST_F(GuideTest, SiteAndLocatorFollowEachOther)
-{
-    open<GuideSite>(GuideStep::Site);
-    EXPECT_FALSE(inGuide<QPushButton>("Set the site").isEnabled());
-    auto& locator = inGuide<QLineEdit>("Maidenhead locator");
-    locator.setFocus();
-    QTest::keyClicks(&locator, QStringLiteral("JN58t"));
-    EXPECT_FALSE(inGuide<ValueLabel>("What is wrong").text().isEmpty());
-    QTest::keyClicks(&locator, QStringLiteral("d"));
-    EXPECT_EQ(locator.text(), QStringLiteral("JN58td"));
-    EXPECT_NEAR(inGuide<QDoubleSpinBox>("Latitude").value(), 48.146, 0.001);  // published: 48°08.75' N, 11°37.5' E
-    EXPECT_NEAR(inGuide<QDoubleSpinBox>("Longitude").value(), 11.625, 0.001);
-    inGuide<QDoubleSpinBox>("Longitude").setValue(-8.5);
-    EXPECT_EQ(locator.text(), QStringLiteral("IN58sd"));
-    inGuide<QDoubleSpinBox>("Height").setValue(523.0);
-    click("Set the site");
-    EXPECT_TRUE(lastApplied().site.known);
-    EXPECT_NEAR(lastApplied().site.longitude.degrees(), -8.5, 1e-9);
-    EXPECT_EQ(lastApplied().site.heightMetres, 523.0);
-    accept();
-    putInForce(lastApplied());
-    EXPECT_EQ(stepButton(GuideStep::Site).state(), StepState::Done);
 }
 
 TEST_F(GuideTest, GpredictsSettingsAreCopied)
@@ -525,7 +253,7 @@ TEST(GuideAtStart, OpensWhereItWas)
     settings.guide = {.open = true,
                       .current = GuideStep::Site,
                       .passed = {GuideStep::Level},
-                      .mount = QString::fromStdString(samples::idle().profile->mount.name)};
+                      .mount = QStringLiteral("Boresight mount (simulated)")};
     MainWindow window(clock, settings);
     window.show();
     window.showUpdate(samples::update(samples::idle()));

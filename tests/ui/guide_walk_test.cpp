@@ -5,6 +5,7 @@
 #include "core/station/link_factory.h"
 #include "core/station/station.h"
 #include "tests/fakes/manual_clock.h"
+#include "tests/ui/find_widget.h"
 #include "ui/command_button.h"
 #include "ui/guide_page.h"
 #include "ui/jog_button.h"
@@ -113,12 +114,7 @@ protected:
     template <class T>
     T& inGuide(const char* name)
     {
-        for (T* const widget : guide().findChildren<T*>()) {
-            if (widget->accessibleName() == QString::fromUtf8(name) && widget->isVisible()) {
-                return *widget;
-            }
-        }
-        throw std::runtime_error(std::string("nothing in the guide is called ") + name);
+        return findSeen<T>(guide(), name);
     }
     void click(const char* name)
     {

@@ -5,6 +5,7 @@
 #include "core/profile/setting.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/help_page.h"
+#include "ui/stop_button.h"
 
 #include <QComboBox>
 #include <QFile>
@@ -126,6 +127,24 @@ TEST(Language, SourcesOfLinesAreShownWithoutTheirDetail)
     const Translation portuguese(QStringLiteral("pt"));
     EXPECT_EQ(sourceText(QStringLiteral("azimuth drive turn")), QStringLiteral("acionamento de azimute"));
     EXPECT_EQ(sourceText(QStringLiteral("operator")), QStringLiteral("operador"));
+}
+
+struct InPortuguese
+{
+    Translation translation{QStringLiteral("pt")};  // before the window
+};
+
+class PortugueseWindowTest : private InPortuguese, public WindowFixture
+{};
+
+TEST_F(PortugueseWindowTest, StopIsStopAndStateWordsAreTranslated)
+{
+    const auto* const stop = window.findChild<StopButton*>();
+    ASSERT_NE(stop, nullptr);
+    EXPECT_EQ(stop->accessibleName(), QStringLiteral("STOP"));
+    give(samples::update(samples::tracking(330)));
+    EXPECT_EQ(text("Estado da estação"), QStringLiteral("RASTREIO"));
+    EXPECT_EQ(text("Estado de azimute"), QStringLiteral("MOVE-SE"));
 }
 
 class LanguageChoiceTest : public WindowFixture

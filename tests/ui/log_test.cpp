@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/find_widget.h"
 #include "tests/ui/sample_status.h"
 #include "ui/choice_button.h"
 #include "ui/log_page.h"
@@ -200,12 +201,7 @@ TEST_F(LogTest, SavesTheShownLinesToAFileOrSaysWhyNot)
     const QTemporaryDir folder;
     const auto saveAs = [this](const QString& path) {
         press(events(), "File …");
-        auto* const dialog = panel.findChild<QFileDialog*>();
-        ASSERT_NE(dialog, nullptr);
-        EXPECT_FALSE(dialog->isModal()) << "STOP stays in reach";
-        auto* const name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-        name->setText(path);
-        QTest::keyClick(name, Qt::Key_Return);
+        chooseFile(panel, path);
         EXPECT_TRUE(QTest::qWaitFor([this] { return panel.findChild<QFileDialog*>() == nullptr; }));
     };
     saveAs(folder.filePath(QStringLiteral("nowhere/night.txt")));

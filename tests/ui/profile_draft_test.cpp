@@ -259,6 +259,72 @@ TEST_F(ProfileDraftTest, WhatWaitsForAReconnectIsAppliedAndGoesWithIt)
     EXPECT_EQ(std::get<request::Reconnect>(requests.back().request).profile.control.tickHz, 100);
 }
 
+// Story: the bus typed in the table took the simulated mount's north along, and the real one pointed 37.4° beside.
+TEST_F(ProfileDraftTest, ABusTypedByHandLeavesWhatWasFoundOfTheSimulatedMount)
+{
+    inForce.pointing.azimuthOffset = 37.4_deg;
+    inForce.pointing.tiltEast = 1_deg;
+    inForce.azimuth.geometry.offset = 5_deg;
+    put(inForce);
+    draft.edit([](Profile& p) { p.pointing.tiltEast = 2_deg; });
+    EXPECT_TRUE(draft.leftKeys().empty());
+    draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
+    Profile wanted;
+    wanted.bus = "socketcan:can0";
+    wanted.mount.directions = profile::Directions::Unconfirmed;
+    wanted.pointing.tiltEast = 2_deg;  // typed, for whichever mount
+    EXPECT_EQ(draft.edited(), wanted);
+    EXPECT_EQ(draft.leftKeys(),
+              (std::vector<std::string>{"mount.directions", "azimuth.offset_deg", "pointing.azimuth_offset_deg"}));
+    draft.edit([](Profile& p) { p.pointing.azimuthOffset = 37.4_deg; });
+    EXPECT_EQ(draft.edited().pointing.azimuthOffset, 37.4_deg) << "it really is so";
+    draft.revert();
+    EXPECT_EQ(draft.edited(), inForce);
+    draft.applyAlone([](Profile& p) { p.bus = "socketcan:can0"; }, &asker, [](const std::optional<Error>&) {});
+    EXPECT_EQ(sent().pointing, pointing::PointingTerms{}) << "whoever asks";
+}
+
+// North applied from elsewhere while the bus is being edited, and the edits then kept.
+TEST_F(ProfileDraftTest, KeptEditsLeaveTheSimulatedMountToo)
+{
+    draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
+    Profile other = inForce;
+    other.pointing.azimuthOffset = 37.4_deg;
+    put(other);
+    draft.keepEdits();
+    EXPECT_EQ(draft.edited().bus, "socketcan:can0");
+    EXPECT_EQ(draft.edited().pointing.azimuthOffset, Angle{});
+}
+
+TEST_F(ProfileDraftTest, AProfileThatIsTakenOverKeepsItsOwn)
+{
+    inForce.pointing = {.azimuthOffset = 12_deg, .tiltNorth = 2_deg};
+    put(inForce);
+    Profile real = inForce;
+    real.bus = "socketcan:can0";
+    real.pointing.tiltNorth = 1_deg;
+    draft.takeOver(real, {"bus.name", "pointing.tilt_north_deg"});
+    EXPECT_EQ(draft.edited(), real);
+    EXPECT_TRUE(draft.leftKeys().empty());
+    // Undoing a change to the simulated mount brings the real one back as it was.
+    put(real);
+    draft.revert();
+    draft.edit([](Profile& p) { p.bus = "simulated"; });
+    applyAndAccept();
+    undo();
+    EXPECT_EQ(sent(), real);
+}
+
+TEST_F(ProfileDraftTest, StartedWithSimulateNothingIsLeft)
+{
+    inForce.pointing.azimuthOffset = 12_deg;  // of the real mount whose profile it is
+    put(inForce);
+    draft.keepSimulated();
+    draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
+    EXPECT_EQ(draft.edited().pointing, inForce.pointing);
+    EXPECT_TRUE(draft.leftKeys().empty());
+}
+
 TEST_F(ProfileDraftTest, AnAskerThatIsGoneDoesNotKeepTheDraftWaiting)
 {
     setParkAzimuth(12_deg);

@@ -11,7 +11,6 @@
 #include <QAbstractItemModel>
 #include <QComboBox>
 #include <QFile>
-#include <QFileDialog>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPlainTextEdit>
@@ -114,25 +113,7 @@ protected:
         QTest::keyClicks(typed, QLatin1String(words));
         QTest::keyClick(typed, Qt::Key_Return);
     }
-    void chooseFile(const QString& path)
-    {
-        auto* const dialog = window.findChild<QFileDialog*>();
-        ASSERT_NE(dialog, nullptr);
-        auto* const name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-        name->setText(path);
-        QTest::keyClick(name, Qt::Key_Return);
-    }
-    bool says(const char* words)
-    {
-        return QTest::qWaitFor([&] {
-            for (const ValueLabel* const label : page().findChildren<ValueLabel*>()) {
-                if (label->isVisible() && label->text().contains(QString::fromUtf8(words))) {
-                    return true;
-                }
-            }
-            return false;
-        });
-    }
+    bool says(const char* words) { return ui::says(page(), words); }
     // As an operator does it: search, select the line, Enter, type, Enter.
     void edit(const char* key, const char* value)
     {
@@ -260,7 +241,7 @@ TEST_F(ProfilePageTest, WhatWaitsForAReconnectIsMarkedAndShownAlone)
     ASSERT_EQ(tree()->model()->rowCount(), 1);
     EXPECT_EQ(firstCell(SettingTree::Name), QStringLiteral("tick_hz"));
     EXPECT_EQ(firstCell(SettingTree::AppliesWhen), QStringLiteral("● waits"));
-    EXPECT_TRUE(says("Waits for a reconnect: control.tick_hz"));
+    EXPECT_TRUE(says("Waits for a reconnect: tick_hz (Control)"));
 }
 
 TEST_F(ProfilePageTest, SwitchingAsksWithTheDifferencesAndIsOneRequest)
@@ -401,6 +382,34 @@ TEST_F(ProfilePageTest, AnImportIntoTheMountInForceComesAsEdits)
     press("Apply");
     ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
     EXPECT_EQ(asked<request::ApplyProfile>().front().profile, changed);
+}
+
+TEST_F(ProfilePageTest, ABusThatLeavesTheSimulatedMountSaysWhatIsSetBack)
+{
+    roof.pointing.azimuthOffset = 37.4_deg;
+    put(roof);
+    edit("bus.name", "socketcan:can0");
+    EXPECT_TRUE(says("Set back, because it was the simulated mount's: "));
+    press("Apply");
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
+    EXPECT_EQ(asked<request::ApplyProfile>().front().profile.pointing, pointing::PointingTerms{});
+}
+
+TEST_F(ProfilePageTest, ARealMountsProfileImportedOverTheSimulatedOneKeepsItsOwn)
+{
+    roof.pointing.azimuthOffset = 12_deg;  // as it was tried with
+    put(roof);
+    Profile real = roof;
+    real.bus = "socketcan:can0";
+    const QString file = folder.filePath(QStringLiteral("roof.toml"));
+    ASSERT_TRUE(profile::saveProfile(real, file));
+    fromMenu("Import …");
+    chooseFile(file);
+    ASSERT_TRUE(asks());
+    press("Take over");
+    press("Apply");
+    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
+    EXPECT_EQ(asked<request::ApplyProfile>().front().profile, real);
 }
 
 TEST_F(ProfilePageTest, AnImportOverAnotherMountShowsWhatItWouldChangeAndKeepsTheVersionBefore)

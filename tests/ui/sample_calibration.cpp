@@ -120,12 +120,14 @@ std::vector<BodyNow> bodiesAt(UtcTime now)
              .direction = {143.2_deg, 52.1_deg},
              .isUp = true,
              .obstacle = {},
+             .obstacleOverTheTop = {},
              .nextRise = now + std::chrono::hours(11),
              .nextSet = now + std::chrono::minutes(214)},
             {.body = ephemeris::Body::Moon,
              .direction = {301.7_deg, -11.4_deg},
              .isUp = false,
              .obstacle = QStringLiteral("it is below the lowest elevation 5.0°"),
+             .obstacleOverTheTop = QStringLiteral("the travel and the limits of the axes do not reach it over the top"),
              .nextRise = now + std::chrono::minutes(338),
              .nextSet = std::nullopt}};
 }
@@ -149,7 +151,8 @@ StationStatus with(StationStatus status, const CalibrationStatus& calibration)
 
 StationStatus beforeCalibration()
 {
-    const StationStatus status = bounded();
+    StationStatus status = bounded();
+    status.sensor.source = QStringLiteral("simulated");
     CalibrationStatus calibration = sample(status);
     calibration.present = {};
     calibration.sensorObstacle =
@@ -171,6 +174,9 @@ StationStatus swinging()
                             .text = QStringLiteral("turning clockwise, 143 samples"),
                             .outcome = {},
                             .failed = false};
+    const auto samples = swingSamples();
+    calibration.swingSoFar = calibration::dotsOf(std::span(samples).first(samples.size() * 3 / 5), {},
+                                                 calibration::AzimuthSense::Clockwise, 400);
     return with(status, calibration);
 }
 
@@ -185,6 +191,7 @@ StationStatus swung()
     calibration.proposal = CalibrationProposal{
         .number = 7,
         .title = QStringLiteral("North from the compass swing"),
+        .reason = QStringLiteral("compass swing"),
         .text = {},
         .terms = {term("pointing.azimuth_offset_deg", 0.0, north.value.degrees(), north.sigma.degrees()),
                   term("pointing.tilt_north_deg", 0.0, 0.42, 0.05), term("pointing.tilt_east_deg", 0.0, -0.43, 0.05)},
@@ -207,7 +214,9 @@ StationStatus heard()
     status.sensor.last = last;
     status.sensor.age = std::chrono::milliseconds(300);
     status.sensor.direction = SkyPointing{.azimuth = 58.1_deg, .elevation = 45.2_deg};
+    status.sensor.azimuthSigma = 1.7_deg;
     status.sensor.declination = -1.9_deg;
+    status.sensor.declinationModel = QStringLiteral("WMM-2025, 2025.0 to 2030.0");
     status.sensor.declinationText =
         QStringLiteral("Declination by Boresight: -1.9° by the magnetic model, the sensor's 5.1° are taken out");
     status.sensor.azimuthDifference = 0.7_deg;
@@ -254,6 +263,15 @@ StationStatus followingSun()
     return with(status, calibration);
 }
 
+StationStatus followingOverTheTop()
+{
+    StationStatus status = followingSun();
+    status.elevation.travel.max = 180_deg;
+    CalibrationStatus calibration = *status.calibration;
+    calibration.overTheTop = true;
+    return with(status, calibration);
+}
+
 StationStatus scanning()
 {
     StationStatus status = followingSun();
@@ -267,6 +285,31 @@ StationStatus scanning()
                             .failed = false};
     calibration.wantsPower = true;
     calibration.powerLine = {.name = QStringLiteral("UDP 127.0.0.1:4540"), .decibels = -73.25, .age = Seconds(2.0)};
+    return with(status, calibration);
+}
+
+// A Sun of 3 dB in a beam of 2°, 0.6° to the right and 0.4° below the middle.
+StationStatus scanned()
+{
+    StationStatus status = followingSun();
+    CalibrationStatus calibration = *status.calibration;
+    std::minstd_rand random(20260621);
+    std::normal_distribution<double> noise(0.0, 0.001);
+    const auto line = [&](double peak) {
+        std::vector<calibration::ScanReading> readings;
+        for (int place = -4; place <= 4; ++place) {
+            const double off = (0.5 * place - peak) / 2.0;
+            readings.push_back({Angle::fromDegrees(0.5 * place),
+                                -73.0 + 10.0 * std::log10(1.0 + std::exp2(-4.0 * off * off)) + noise(random)});
+        }
+        return readings;
+    };
+    const auto scan =
+        calibration::fitCrossScan({.azimuth = 105_deg, .elevation = 31_deg}, line(0.6), line(-0.4), 0.6_deg);
+    if (scan) {
+        calibration.scan = *scan;
+    }
+    calibration.powerLine = {.name = QStringLiteral("UDP 127.0.0.1:4540"), .decibels = -70.02, .age = Seconds(0.4)};
     return with(status, calibration);
 }
 
@@ -288,6 +331,7 @@ StationStatus sixPoints()
                     QStringLiteral("the church tower is not used")}};
     calibration.proposal = CalibrationProposal{.number = 12,
                                                .title = QStringLiteral("Pointing model from 5 points"),
+                                               .reason = QStringLiteral("points"),
                                                .text = {},
                                                .terms = sixPointTerms(),
                                                .changesSensor = true,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The orientation sensor on the screen: its readout, its calibration bars, its link in the header, its marker.
+#include "tests/ui/find_widget.h"
 #include "ui/calibration_bars.h"
 #include "ui/header_bar.h"
 #include "ui/sensor_readout.h"
@@ -28,12 +29,7 @@ SensorStatus calibrated()
 
 QString shown(const QWidget& in, const char* accessibleName)
 {
-    for (const ValueLabel* const label : in.findChildren<ValueLabel*>()) {
-        if (label->accessibleName() == QLatin1String(accessibleName)) {
-            return label->text();
-        }
-    }
-    return QStringLiteral("no such label");
+    return findNamed<ValueLabel>(in, accessibleName)->text();
 }
 
 TEST(SensorReadout, IsThereOnlyWithASensor)

@@ -21,6 +21,13 @@ TEST(SettingWords, ValuesAreReadWithTheirUnits)
     EXPECT_EQ(rangeText(*findSetting("azimuth.max_speed_deg_s")), QStringLiteral("0.01 … 360 °/s"));
 }
 
+TEST(SettingWords, ASettingIsNamedAsItIsFoundOnTheScreen)
+{
+    EXPECT_EQ(settingName("limits.elevation_max_deg"), QStringLiteral("highest elevation"));
+    EXPECT_EQ(settingName("keep_out"), QStringLiteral("keep-outs"));
+    EXPECT_EQ(settingName("azimuth.id"), QStringLiteral("id (Azimuth axis)"));
+}
+
 TEST(SettingWords, WhatIsShownCanBeTypedAgain)
 {
     const Profile profile;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/fakes/manual_clock.h"
+#include "tests/ui/find_widget.h"
 #include "tests/ui/sample_status.h"
 #include "ui/main_window.h"
 #include "ui/value_label.h"
@@ -45,22 +46,14 @@ protected:
 
     void give(const StationUpdate& update) { window.showUpdate(update); }
 
-    // The widget a screen reader would find by this name; a hidden one only where none is seen: panels may each have
-    // one.
     template <class T>
     T* named(const char* name)
     {
-        T* found = nullptr;
-        for (T* const widget : window.findChildren<T*>()) {
-            if (widget->accessibleName() == QString::fromUtf8(name) && (found == nullptr || widget->isVisible())) {
-                found = widget;
-            }
-        }
-        EXPECT_NE(found, nullptr) << "no widget named " << name;
-        return found;
+        return findNamed<T>(window, name);
     }
 
     QString text(const char* name) { return named<ValueLabel>(name)->text(); }
+    void chooseFile(const QString& path) { ui::chooseFile(window, path); }
 
     template <class R>
     std::vector<R> asked() const

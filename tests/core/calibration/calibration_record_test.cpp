@@ -38,8 +38,12 @@ TEST(CalibrationHistory, ANewOneTakesThePlaceOfWhatWasUndone)
     history.undo();
     history.undo();
     history.add(step(9));
-    EXPECT_EQ(history, CalibrationHistory({step(1), step(9)}, 2));
+    EXPECT_EQ(history, CalibrationHistory({step(1), step(9)}, 2, {step(2), step(3)}));
     EXPECT_FALSE(history.canRedo());
+    history.undo();
+    history.add(step(10));
+    EXPECT_EQ(history.undo(), step(10)) << "undo does not lead to what was superseded";
+    EXPECT_EQ(history, CalibrationHistory({step(1), step(10)}, 1, {step(2), step(3), step(9)}));
 }
 
 TEST(CalibrationHistory, NoMoreIsInForceThanThereIs)

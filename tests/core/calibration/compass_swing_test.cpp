@@ -108,7 +108,7 @@ TEST(CompassSwing, ListsWhatItLeavesOut)
     Swung given = swung(hidden());
     given.samples[20].heading = SensorHeading::folded(given.samples[20].heading.angle() + 90_deg);
     given.samples[30].magnetometerCalibration = 1;
-    given.samples[40].motorCurrent = 5.0;
+    given.samples[40].motorCurrent = 5.5;
     given.samples[50].axisRate = 9_deg_s;
     const auto swing = fitCompassSwing(given.samples);
     ASSERT_TRUE(swing.has_value());
@@ -301,7 +301,8 @@ TEST(CompassSwing, IsRefusedWithTheReason)
     for (SwingSample& sample : bad) {
         sample.motorCurrent = 8.0;
     }
-    EXPECT_THAT(reason(bad), HasSubstr("a motor draws more than 3.0 A"));
+    EXPECT_THAT(reason(bad), HasSubstr("a motor draws more than 5.0 A (sensor.swing_current_a)"));
+    EXPECT_TRUE(fitCompassSwing(bad, {.motorCurrent = 9.0})) << "a limit that is set";
     bad = given.samples;
     for (SwingSample& sample : bad) {
         sample.heading = SensorHeading::folded(5.07_deg);  // a dead sensor

@@ -285,6 +285,8 @@ TEST(PointingFit, SaysWhatKindOfPointIsMissing)
     ASSERT_TRUE(fit.has_value());
     EXPECT_THAT(fit->hints, Contains(HasSubstr("all points are about as high")));
     EXPECT_THAT(fit->hints, Contains(HasSubstr("all points lie within 40° of azimuth")));
+    low.push_back(pointAt(hidden(), 320_deg, 150_deg));  // from the other side, as high
+    EXPECT_THAT(fitPointing(low, {})->hints, Not(Contains(HasSubstr("all points are about as high"))));
 }
 
 TEST(PointingFit, TheZenithSaysNothingAboutAzimuth)
@@ -325,45 +327,54 @@ TEST(PointingFit, IsRefusedWithTheReason)
 }
 
 // Any site within 60° of latitude, any date, points spread over the day, centred to 0.02°; the tilt is known from the
-// swing to 0.05°. The beam is then right along the arc of the Sun. The offset of azimuth as a term is less certain: on
-// a day on which the Sun is never high it cannot be told from the collimation, and its sigma says so.
+// swing to 0.05°. North is then known, and the beam right along the arc of the Sun. The offset of azimuth as a term is
+// less certain: on a day on which the Sun is never high it cannot be told from the collimation, and its sigma says so;
+// points from both sides tell them apart on any day.
 struct SunStatistics
 {
+    int north = 0;
     int onArc = 0;
     int tilt = 0;
+    int offset = 0;  // of azimuth, the term
     int honest = 0;
     int overSky = 0;
 };
 
-SunStatistics sunStatistics(int count, double arcLimit, int runs)
+constexpr int kDays = 100;
+
+SunStatistics sunStatistics(int count, double limit, fakes::Sides sides = fakes::Sides::One)
 {
     std::mt19937_64 random(2026);
     std::normal_distribution<double> gaussian(0.0, 0.05);
     SunStatistics result;
-    for (int run = 0; run < runs; ++run) {
+    for (int run = 0; run < kDays; ++run) {
         const PointingTerms truth = fakes::randomHidden(random);
         const SunDay day = fakes::randomDay(random);
         TermKnowledge known = TermKnowledge::usual();
         known.of(Term::TiltNorth) = {truth.tiltNorth + Angle::fromDegrees(gaussian(random)), 0.05_deg};
         known.of(Term::TiltEast) = {truth.tiltEast + Angle::fromDegrees(gaussian(random)), 0.05_deg};
-        const auto fit = fitPointing(fakes::sunPoints(truth, day, count, 0.02, random), {}, known);
+        const auto fit = fitPointing(fakes::sunPoints(truth, day, count, 0.02, random, sides), {}, known);
         if (!fit) {
             continue;
         }
         const Angle tiltOff =
             SkyOffset{fit->terms.tiltNorth - truth.tiltNorth, fit->terms.tiltEast - truth.tiltEast}.size();
-        const Estimate north = fit->of(Term::AzimuthOffset).estimate;
-        result.onArc += fakes::worstOnArc(truth, fit->terms, day) < arcLimit ? 1 : 0;
+        const Estimate offset = fit->of(Term::AzimuthOffset).estimate;
+        const Angle error = (offset.value - truth.azimuthOffset).wrapped180();
+        result.north += fakes::northError(truth, fit->terms) < limit ? 1 : 0;
+        result.onArc += fakes::worstOnArc(truth, fit->terms, day) < limit ? 1 : 0;
         result.overSky += fakes::rmsOverSky(truth, fit->terms) < 0.15 ? 1 : 0;
         result.tilt += tiltOff < 0.1_deg ? 1 : 0;
-        result.honest += abs((north.value - truth.azimuthOffset).wrapped180()) < north.sigma * 2.0 ? 1 : 0;
+        result.offset += std::abs(error.degrees()) < limit ? 1 : 0;
+        result.honest += abs(error) < offset.sigma * 2.0 ? 1 : 0;
     }
     return result;
 }
 
 TEST(PointingFit, ThreePointsOfTheSun)
 {
-    const SunStatistics result = sunStatistics(3, 0.15, 100);
+    const SunStatistics result = sunStatistics(3, 0.15);
+    EXPECT_GE(result.north, 99);
     EXPECT_GE(result.onArc, 98);
     EXPECT_GE(result.overSky, 95);
     EXPECT_GE(result.honest, 90);
@@ -371,11 +382,25 @@ TEST(PointingFit, ThreePointsOfTheSun)
 
 TEST(PointingFit, SixPointsOfTheSun)
 {
-    const SunStatistics result = sunStatistics(6, 0.05, 100);
+    const SunStatistics result = sunStatistics(6, 0.05);
+    EXPECT_GE(result.north, 97);
     EXPECT_GE(result.onArc, 90);
     EXPECT_GE(result.overSky, 97);
     EXPECT_GE(result.tilt, 98);
     EXPECT_GE(result.honest, 92);
+}
+
+TEST(PointingFit, PointsOfTheSunFromBothSides)
+{
+    const SunStatistics three = sunStatistics(3, 0.15, fakes::Sides::Both);
+    EXPECT_GE(three.offset, 99);
+    EXPECT_GE(three.tilt, 97);
+    EXPECT_GE(three.honest, 90);
+    const SunStatistics six = sunStatistics(6, 0.05, fakes::Sides::Both);
+    EXPECT_GE(six.offset, 99);
+    EXPECT_GE(six.north, 95);
+    EXPECT_GE(six.tilt, 99);
+    EXPECT_GE(six.honest, 92);
 }
 
 }  // namespace

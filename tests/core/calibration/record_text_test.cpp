@@ -92,12 +92,14 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 TEST(RecordText, EverythingSurvives)
 {
-    const CalibrationHistory history({full(), bare(), full()}, 2);
+    const CalibrationHistory history({full(), bare(), full()}, 2, {full()});
     const std::string text = written(history);
     const auto read = parseHistory(text, "calibration.toml");
     ASSERT_TRUE(read.has_value()) << read.error().text;
     EXPECT_EQ(read->inForce(), 2U);
     ASSERT_EQ(read->entries().size(), 3U);
+    ASSERT_EQ(read->superseded().size(), 1U);
+    EXPECT_EQ(read->superseded().front(), read->entries().front());
     EXPECT_EQ(written(*read), text);  // to a billionth of a degree
     const CalibrationRecord& record = read->entries().front();
     EXPECT_EQ(record.when, full().when);

@@ -177,7 +177,8 @@ TEST(SensorOffset, IsRefusedWithTheReason)
     EXPECT_THAT(reason(bad), HasSubstr("system calibration is 0 of 3"));
     bad = still;
     bad[3].motorCurrent = 2.5;
-    EXPECT_THAT(reason(bad), HasSubstr("a motor draws 2.5 A"));
+    EXPECT_THAT(reason(bad), HasSubstr("a motor draws 2.5 A, and above 1.0 A (sensor.still_current_a)"));
+    EXPECT_TRUE(sensorOffset(bad, {.motorCurrent = 3.0})) << "a limit that is set";
     bad = still;
     bad[3].motorCurrent = std::nan("");
     EXPECT_THAT(reason(bad), HasSubstr("a motor draws"));

@@ -3,7 +3,7 @@
 #include "core/mqtt/client.h"
 
 #include "tests/core/mqtt/mqtt_rig.h"
-#include "tests/fakes/mqtt_broker.h"
+#include "tests/fakes/mqtt_test.h"
 
 #include <QFile>
 #include <QTemporaryFile>
@@ -20,29 +20,19 @@ using testing::IsEmpty;
 
 const QString kTopic = QStringLiteral("antenna/orientation");
 
-class MqttClient : public testing::Test
-{
-protected:
-    void SetUp() override
-    {
-        if (!fakes::MqttBroker::isInstalled()) {
-            GTEST_SKIP() << "no mosquitto, mosquitto_passwd or openssl (Debian packages mosquitto and openssl)";
-        }
-    }
-};
+using MqttClient = fakes::MqttTest;
 
 TEST_F(MqttClient, BringsWhatOthersPublish)
 {
-    fakes::MqttBroker broker;
-    ASSERT_TRUE(broker.start());
+    ASSERT_TRUE(startBroker());
     Rig reader;
     reader.client.subscribe(QStringLiteral("antenna/#"));
-    reader.client.open(onLoopback(broker.port()));
+    reader.client.open(onLoopback(broker->port()));
     ASSERT_TRUE(reader.connected());
     reader.client.subscribe(QStringLiteral("later"));
     Rig writer;
     EXPECT_FALSE(writer.client.publish({.topic = kTopic, .payload = "lost"}));
-    writer.client.open(onLoopback(broker.port()));
+    writer.client.open(onLoopback(broker->port()));
     ASSERT_TRUE(writer.connected());
     const QByteArray odd("{\"ts\": 1, \"az\": \"\xC2\xB0\"}\0\n", 23);
     EXPECT_TRUE(writer.client.publish({.topic = kTopic, .payload = odd}));
@@ -57,11 +47,10 @@ TEST_F(MqttClient, BringsWhatOthersPublish)
 // Twice the rate that the sensor would have if it sent each reading.
 TEST_F(MqttClient, LosesNothingOfABurst)
 {
-    fakes::MqttBroker broker;
-    ASSERT_TRUE(broker.start());
+    ASSERT_TRUE(startBroker());
     Rig rig;
     rig.client.subscribe(kTopic);
-    rig.client.open(onLoopback(broker.port()));
+    rig.client.open(onLoopback(broker->port()));
     ASSERT_TRUE(rig.connected());
     for (int i = 0; i < 500; ++i) {
         ASSERT_TRUE(rig.client.publish({.topic = kTopic, .payload = QByteArray::number(i).repeated(100)}));
@@ -74,10 +63,9 @@ TEST_F(MqttClient, LosesNothingOfABurst)
 
 TEST_F(MqttClient, IsLetInByItsPassword)
 {
-    fakes::MqttBroker broker(fakes::MqttBroker::Door::Password);
-    ASSERT_TRUE(broker.start());
+    ASSERT_TRUE(startBroker(Door::Password));
     Rig rig;
-    Broker with = onLoopback(broker.port());
+    Broker with = onLoopback(broker->port());
     with.user = QStringLiteral("mount");
     with.password = QStringLiteral("s3cret");
     rig.client.open(with);
@@ -87,10 +75,9 @@ TEST_F(MqttClient, IsLetInByItsPassword)
 
 TEST_F(MqttClient, AWrongPasswordIsToldOnceHoweverOftenItIsTried)
 {
-    fakes::MqttBroker broker(fakes::MqttBroker::Door::Password);
-    ASSERT_TRUE(broker.start());
+    ASSERT_TRUE(startBroker(Door::Password));
     Rig rig;
-    Broker with = onLoopback(broker.port());
+    Broker with = onLoopback(broker->port());
     with.user = QStringLiteral("mount");
     with.password = QStringLiteral("secret");
     rig.client.open(with);
@@ -103,7 +90,7 @@ TEST_F(MqttClient, AWrongPasswordIsToldOnceHoweverOftenItIsTried)
         ASSERT_FALSE(rig.client.nextAttempt());
     }
     ASSERT_TRUE(rig.failed());
-    EXPECT_EQ(broker.count("Sending CONNACK"), 8);
+    EXPECT_EQ(broker->count("Sending CONNACK"), 8);
     EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("refuses the user \"mount\" or the password")));
 
     with.password = QStringLiteral("s3cret");
@@ -114,10 +101,9 @@ TEST_F(MqttClient, AWrongPasswordIsToldOnceHoweverOftenItIsTried)
 
 TEST_F(MqttClient, WithoutAUserTheBrokerSaysThatItWantsOne)
 {
-    fakes::MqttBroker broker(fakes::MqttBroker::Door::Password);
-    ASSERT_TRUE(broker.start());
+    ASSERT_TRUE(startBroker(Door::Password));
     Rig rig;
-    rig.client.open(onLoopback(broker.port()));
+    rig.client.open(onLoopback(broker->port()));
     ASSERT_TRUE(rig.failed());
     EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("wants a user name and a password")));
 }
@@ -125,15 +111,15 @@ TEST_F(MqttClient, WithoutAUserTheBrokerSaysThatItWantsOne)
 class MqttTls : public MqttClient
 {
 protected:
-    [[nodiscard]] static Broker to(const fakes::MqttBroker& broker, const char* host, const QString& caFile)
+    [[nodiscard]] static Broker to(const fakes::MqttBroker& which, const char* host, const QString& caFile)
     {
-        return {.host = QLatin1String(host), .port = broker.port(), .encryption = Encryption::Tls, .caFile = caFile};
+        return {.host = QLatin1String(host), .port = which.port(), .encryption = Encryption::Tls, .caFile = caFile};
     }
     // The line about a failed attempt.
-    [[nodiscard]] static std::string refused(const Broker& broker)
+    [[nodiscard]] static std::string refused(const Broker& which)
     {
         Rig rig;
-        rig.client.open(broker);
+        rig.client.open(which);
         EXPECT_TRUE(rig.failed());
         EXPECT_EQ(rig.problems.size(), 1U);
         return rig.problems.empty() ? std::string() : rig.problems.back();
@@ -142,13 +128,12 @@ protected:
 
 TEST_F(MqttTls, TrustsTheAuthorityOfTheFileByNameAndByAddress)
 {
-    fakes::MqttBroker broker(fakes::MqttBroker::Door::Tls);
-    ASSERT_TRUE(broker.start());
+    ASSERT_TRUE(startBroker(Door::Tls));
     for (const char* const host : {"localhost", "127.0.0.1"}) {
         const auto stall = stallOf([&](LoopWatch&) {
             Rig rig;
             rig.client.subscribe(kTopic);
-            rig.client.open(to(broker, host, broker.caFile()));
+            rig.client.open(to(*broker, host, broker->caFile()));
             ASSERT_TRUE(rig.connected()) << host;
             // More than one TLS record, so that some of it waits in OpenSSL's buffer.
             const QByteArray large(40'000, 'x');
@@ -165,33 +150,30 @@ TEST_F(MqttTls, TrustsTheAuthorityOfTheFileByNameAndByAddress)
 
 TEST_F(MqttTls, RefusesACertificateOfAnotherAuthority)
 {
-    fakes::MqttBroker broker(fakes::MqttBroker::Door::Tls);
-    ASSERT_TRUE(broker.start());
+    ASSERT_TRUE(startBroker(Door::Tls));
     EXPECT_THAT(
-        refused(to(broker, "localhost", broker.strangersCaFile())),
-        HasSubstr("its certificate is not signed by the authority in " + broker.strangersCaFile().toStdString()));
-    EXPECT_THAT(refused(to(broker, "localhost", {})), HasSubstr("signed by nobody this computer knows"));
+        refused(to(*broker, "localhost", broker->strangersCaFile())),
+        HasSubstr("its certificate is not signed by the authority in " + broker->strangersCaFile().toStdString()));
+    EXPECT_THAT(refused(to(*broker, "localhost", {})), HasSubstr("signed by nobody this computer knows"));
 }
 
 TEST_F(MqttTls, RefusesACertificateOfAnotherName)
 {
-    fakes::MqttBroker broker(fakes::MqttBroker::Door::TlsOther);
-    ASSERT_TRUE(broker.start());
-    EXPECT_THAT(refused(to(broker, "localhost", broker.caFile())), HasSubstr("not made for \"localhost\""));
-    EXPECT_THAT(refused(to(broker, "127.0.0.1", broker.caFile())), HasSubstr("not made for \"127.0.0.1\""));
+    ASSERT_TRUE(startBroker(Door::TlsOther));
+    EXPECT_THAT(refused(to(*broker, "localhost", broker->caFile())), HasSubstr("not made for \"localhost\""));
+    EXPECT_THAT(refused(to(*broker, "127.0.0.1", broker->caFile())), HasSubstr("not made for \"127.0.0.1\""));
 }
 
 // A file that is mended while the program runs is read again.
 TEST_F(MqttTls, TakesAMendedCaFile)
 {
-    fakes::MqttBroker broker(fakes::MqttBroker::Door::Tls);
-    ASSERT_TRUE(broker.start());
-    const QString file = broker.caFile() + QStringLiteral(".link");
-    ASSERT_TRUE(QFile::link(broker.strangersCaFile(), file));
+    ASSERT_TRUE(startBroker(Door::Tls));
+    const QString file = broker->caFile() + QStringLiteral(".link");
+    ASSERT_TRUE(QFile::link(broker->strangersCaFile(), file));
     Rig rig;
-    rig.client.open(to(broker, "localhost", file));
+    rig.client.open(to(*broker, "localhost", file));
     ASSERT_TRUE(rig.failed());
-    ASSERT_TRUE(QFile::remove(file) && QFile::link(broker.caFile(), file));
+    ASSERT_TRUE(QFile::remove(file) && QFile::link(broker->caFile(), file));
     rig.letTimePass(Seconds(1));
     EXPECT_TRUE(rig.connected());
     EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("not signed"), ""));
@@ -199,7 +181,7 @@ TEST_F(MqttTls, TakesAMendedCaFile)
 
 TEST_F(MqttTls, SaysSoWhenOnlyOneSideWantsEncryption)
 {
-    fakes::MqttBroker encrypted(fakes::MqttBroker::Door::Tls);
+    fakes::MqttBroker encrypted(Door::Tls);
     ASSERT_TRUE(encrypted.start());
     EXPECT_THAT(refused(onLoopback(encrypted.port())), HasSubstr("does this port want TLS?"));
     fakes::MqttBroker plain;
@@ -210,36 +192,35 @@ TEST_F(MqttTls, SaysSoWhenOnlyOneSideWantsEncryption)
 
 TEST_F(MqttTls, SaysSoWhenThereIsNoCaFile)
 {
-    fakes::MqttBroker broker(fakes::MqttBroker::Door::Tls);
-    EXPECT_THAT(refused(to(broker, "localhost", QStringLiteral("/no/such/file.pem"))),
+    broker = std::make_unique<fakes::MqttBroker>(Door::Tls);
+    EXPECT_THAT(refused(to(*broker, "localhost", QStringLiteral("/no/such/file.pem"))),
                 EndsWith("no certificate of an authority can be read from /no/such/file.pem (No such file or "
                          "directory): check mqtt.ca_file"));
 }
 
 TEST_F(MqttTls, RefusesAListOfManyAuthorities)
 {
-    fakes::MqttBroker broker(fakes::MqttBroker::Door::Tls);
+    broker = std::make_unique<fakes::MqttBroker>(Door::Tls);
     QTemporaryFile list;
     ASSERT_TRUE(list.open());
     list.write(QByteArray(33 * 1024, '\n'));
     list.flush();
-    EXPECT_THAT(refused(to(broker, "localhost", list.fileName())), HasSubstr("leave mqtt.ca_file empty"));
+    EXPECT_THAT(refused(to(*broker, "localhost", list.fileName())), HasSubstr("leave mqtt.ca_file empty"));
 }
 
 TEST_F(MqttClient, ComesBackAfterTheBrokerDiedInTheMiddleOfAStream)
 {
-    fakes::MqttBroker broker;
-    ASSERT_TRUE(broker.start());
+    ASSERT_TRUE(startBroker());
     Rig reader;
     reader.client.subscribe(kTopic);
-    reader.client.open(onLoopback(broker.port()));
+    reader.client.open(onLoopback(broker->port()));
     Rig writer;
-    writer.client.open(onLoopback(broker.port()));
+    writer.client.open(onLoopback(broker->port()));
     ASSERT_TRUE(reader.connected() && writer.connected());
     EXPECT_TRUE(writer.client.publish({.topic = kTopic, .payload = "before"}));
     ASSERT_TRUE(reader.received(1));
 
-    broker.kill();
+    broker->kill();
     for (int i = 0; i < 3; ++i) {
         ASSERT_TRUE(reader.failed() && writer.failed());
         EXPECT_FALSE(writer.client.publish({.topic = kTopic, .payload = "into the void"}));
@@ -249,7 +230,7 @@ TEST_F(MqttClient, ComesBackAfterTheBrokerDiedInTheMiddleOfAStream)
     ASSERT_TRUE(reader.failed() && writer.failed());
     EXPECT_THAT(reader.problems, ElementsAre(HasSubstr("the connection is lost"), HasSubstr("Connection refused")));
 
-    ASSERT_TRUE(broker.start());
+    ASSERT_TRUE(broker->start());
     reader.letTimePass(RetryDelay::kLongest);
     writer.letTimePass(RetryDelay::kLongest);
     ASSERT_TRUE(reader.connected() && writer.connected());
@@ -264,30 +245,28 @@ TEST_F(MqttClient, ComesBackAfterTheBrokerDiedInTheMiddleOfAStream)
 // A connection that was good makes the next attempt come soon; of one that ends at once nobody knows why.
 TEST_F(MqttClient, TheDelayBeginsAnewOnlyAfterAGoodConnection)
 {
-    fakes::MqttBroker broker;
-    ASSERT_TRUE(broker.start());
+    ASSERT_TRUE(startBroker());
     Rig rig;
-    rig.client.open(onLoopback(broker.port()));
+    rig.client.open(onLoopback(broker->port()));
     for (const int delay : {1, 2, 4}) {
         ASSERT_TRUE(rig.connected());
-        broker.kill();
+        broker->kill();
         ASSERT_TRUE(rig.failed());
         EXPECT_EQ(*rig.client.nextAttempt() - rig.clock.now(), std::chrono::seconds(delay));
-        ASSERT_TRUE(broker.start());
+        ASSERT_TRUE(broker->start());
         rig.letTimePass(Seconds(delay));
     }
     ASSERT_TRUE(rig.connected());
     rig.clock.advance(Client::kStable);
-    broker.kill();
+    broker->kill();
     ASSERT_TRUE(rig.failed());
     EXPECT_EQ(*rig.client.nextAttempt() - rig.clock.now(), RetryDelay::kFirst);
 }
 
 TEST_F(MqttClient, OfTwoOfOneNameTheFirstIsThrownOut)
 {
-    fakes::MqttBroker broker;
-    ASSERT_TRUE(broker.start());
-    Broker named = onLoopback(broker.port());
+    ASSERT_TRUE(startBroker());
+    Broker named = onLoopback(broker->port());
     named.clientId = QStringLiteral("boresight");
     Rig first;
     first.client.open(named);
@@ -302,22 +281,21 @@ TEST_F(MqttClient, OfTwoOfOneNameTheFirstIsThrownOut)
 
 TEST_F(MqttClient, TheWillIsToldWhenTheProgramDiesAndNotWhenItSaysGoodbye)
 {
-    fakes::MqttBroker broker;
-    ASSERT_TRUE(broker.start());
+    ASSERT_TRUE(startBroker());
     const QString topic = QStringLiteral("boresight/availability");
     const Message will{.topic = topic, .payload = "offline", .retain = Retain::Yes};
     Rig other;
     other.client.subscribe(topic);
-    other.client.open(onLoopback(broker.port()));
+    other.client.open(onLoopback(broker->port()));
     ASSERT_TRUE(other.connected());
     {
         Rig dying;
-        dying.client.open(onLoopback(broker.port()), will);
+        dying.client.open(onLoopback(broker->port()), will);
         ASSERT_TRUE(dying.connected());
     }
     ASSERT_TRUE(other.received(1));
     Rig polite;
-    polite.client.open(onLoopback(broker.port()), will);
+    polite.client.open(onLoopback(broker->port()), will);
     ASSERT_TRUE(polite.connected());
     polite.client.publish({.topic = topic, .payload = "online"});
     polite.client.close();
@@ -329,18 +307,17 @@ TEST_F(MqttClient, TheWillIsToldWhenTheProgramDiesAndNotWhenItSaysGoodbye)
                             Message{.topic = topic, .payload = "mark"}));
     Rig late;  // the broker has kept it
     late.client.subscribe(topic);
-    late.client.open(onLoopback(broker.port()));
+    late.client.open(onLoopback(broker->port()));
     ASSERT_TRUE(late.received(1));
     EXPECT_EQ(late.messages.front().payload, "offline");
 }
 
 TEST_F(MqttClient, MayBeClosedByWhoReceivesAMessage)
 {
-    fakes::MqttBroker broker;
-    ASSERT_TRUE(broker.start());
+    ASSERT_TRUE(startBroker());
     Rig rig;
     rig.client.subscribe(kTopic);
-    rig.client.open(onLoopback(broker.port()));
+    rig.client.open(onLoopback(broker->port()));
     ASSERT_TRUE(rig.connected());
     QObject::connect(&rig.client, &Client::messageReceived, &rig.client, [&] { rig.client.close(); });
     for (int i = 0; i < 10; ++i) {
@@ -348,7 +325,7 @@ TEST_F(MqttClient, MayBeClosedByWhoReceivesAMessage)
     }
     ASSERT_TRUE(rig.received(1));
     EXPECT_FALSE(rig.client.isConnected());
-    rig.client.open(onLoopback(broker.port()));
+    rig.client.open(onLoopback(broker->port()));
     ASSERT_TRUE(rig.connected());
     EXPECT_EQ(rig.messages.size(), 1U);
     EXPECT_EQ(rig.connections, 2);

@@ -3,7 +3,7 @@
 #include "core/orientation/mqtt_source.h"
 
 #include "tests/core/mqtt/mqtt_rig.h"
-#include "tests/fakes/mqtt_broker.h"
+#include "tests/fakes/mqtt_test.h"
 
 #include <gmock/gmock.h>
 
@@ -13,6 +13,7 @@ namespace {
 using mqtt::Rig;
 using testing::ElementsAre;
 using testing::HasSubstr;
+constexpr auto npos = std::string::npos;
 
 // As the firmware prints them, with its runs of spaces.
 const QByteArray kOrientation =
@@ -23,27 +24,20 @@ const QByteArray kStatus = R"({  "dateTime": "Thursday, 19-Feb-2026 09:35:11 UTC
 const QByteArray kCalibration = R"({  "dateTime": "Thursday, 19-Feb-2026 09:37:37 UTC",  "ts": "1771493857399",  )"
                                 R"("system": 0,  "gyro": 3,  "accelerometer": 1,  "magnetometer": 2})";
 
-class MqttSourceTest : public testing::Test
+class MqttSourceTest : public fakes::MqttTest
 {
 protected:
-    void SetUp() override
+    void prepare() override { begin(Door::Open); }
+    void begin(Door door)
     {
-        if (!fakes::MqttBroker::isInstalled()) {
-            GTEST_SKIP() << "no mosquitto, mosquitto_passwd or openssl (Debian packages mosquitto and openssl)";
-        }
-        broker = std::make_unique<fakes::MqttBroker>();
-        ASSERT_TRUE(broker->start());
+        ASSERT_TRUE(startBroker(door));
         sensor.client.open(mqtt::onLoopback(broker->port()));
         ASSERT_TRUE(sensor.connected());
     }
     void listen(std::chrono::milliseconds silence = std::chrono::seconds(5))
     {
-        source = std::make_unique<MqttSource>(station.client,
-                                              MqttTopics{.orientation = QStringLiteral("roof/orientation"),
-                                                         .status = QStringLiteral("roof/status"),
-                                                         .calibration = QStringLiteral("roof/calibration"),
-                                                         .silence = silence},
-                                              station.clock);
+        topics.silence = silence;
+        source = std::make_unique<MqttSource>(station.client, topics, station.clock);
         QObject::connect(source.get(), &Source::received, source.get(),
                          [this](const Orientation& value) { values.push_back(value); });
         QObject::connect(source.get(), &Source::statusChanged, source.get(), [this](const SourceStatus& status) {
@@ -57,12 +51,26 @@ protected:
     {
         EXPECT_TRUE(sensor.client.publish({.topic = QLatin1String(topic), .payload = payload}));
     }
+    // From now on a guarded broker lets everybody read everything.
+    void permitAll()
+    {
+        send(
+            "$CONTROL/dynamic-security/v1",
+            R"({"commands": [{"command": "setDefaultACLAccess", "acls": [{"acltype": "subscribe", "allow": true}]}]})");
+        sensor.client.subscribe(QStringLiteral("done"));
+        ASSERT_TRUE(fakes::waitUntil([this] {
+            send("done", "");
+            return !sensor.messages.empty();
+        }));
+    }
     [[nodiscard]] bool received(std::size_t count) const
     {
         return fakes::waitUntil([this, count] { return values.size() >= count; });
     }
 
-    std::unique_ptr<fakes::MqttBroker> broker;
+    MqttTopics topics{.orientation = QStringLiteral("roof/orientation"),
+                      .status = QStringLiteral("roof/status"),
+                      .calibration = QStringLiteral("roof/calibration")};
     Rig sensor;
     Rig station;
     std::vector<Orientation> values;
@@ -141,6 +149,76 @@ TEST_F(MqttSourceTest, SaysWhenNothingComesAndWhenItIsNothingOfTheSensor)
     send("roof/orientation", "21.5");
     ASSERT_TRUE(fakes::waitUntil([this] { return states.size() == 4; }));
     EXPECT_THAT(states.back(), HasSubstr("what comes on roof/orientation is no message of the sensor"));
+}
+
+// Story: the broker refused, and the line said that the sensor might have no power.
+TEST_F(MqttSourceTest, ATopicThatTheBrokerRefusesIsToldUntilItIsPermitted)
+{
+    if (!fakes::MqttBroker::canBeGuarded()) {
+        GTEST_SKIP() << "mosquitto_dynamic_security.so is not there";
+    }
+    begin(Door::Guarded);
+    topics.status = QStringLiteral("permitted/status");
+    topics.calibration = QStringLiteral("permitted/calibration");
+    listen(std::chrono::milliseconds(20));
+    ASSERT_TRUE(fakes::waitUntil([this] { return states.size() == 2; }));
+    EXPECT_THAT(states.back(), HasSubstr("open mqtt 127.0.0.1:"));
+    EXPECT_THAT(states.back(),
+                HasSubstr("the broker refuses to let us read roof/orientation: permit it in the broker's "
+                          "access list (ACL), or set mqtt.user and mqtt.password"));
+    send("roof/orientation", kOrientation);
+    station.letTimePass(Seconds(60.0));
+    ASSERT_TRUE(fakes::waitUntil([this] { return broker->count("roof/orientation (QoS 0)") == 2; })) << "asked again";
+    EXPECT_EQ(states.size(), 2U) << "one line, and nothing comes";
+    permitAll();
+    station.letTimePass(Seconds(29.0));
+    station.letTimePass(Seconds(1.0));
+    ASSERT_TRUE(fakes::waitUntil([this] { return broker->count("roof/orientation (QoS 0)") == 3; }));
+    ASSERT_TRUE(fakes::waitUntil([this] { return states.back().find("nothing comes on roof/or") != npos; }))
+        << "permitted, and waited for anew, without a message: " << states.back();
+    send("roof/orientation", kOrientation);
+    ASSERT_TRUE(received(1));
+    EXPECT_EQ(states.back(), "open ");
+    station.letTimePass(Seconds(60.0));
+    send("roof/orientation", kOrientation);
+    ASSERT_TRUE(received(2));
+    EXPECT_EQ(broker->count("roof/orientation (QoS 0)"), 3) << "granted is granted";
+}
+
+TEST_F(MqttSourceTest, ATopicBesideItThatIsRefusedIsToldAndTheRestWorks)
+{
+    if (!fakes::MqttBroker::canBeGuarded()) {
+        GTEST_SKIP() << "mosquitto_dynamic_security.so is not there";
+    }
+    begin(Door::Guarded);
+    topics.orientation = QStringLiteral("permitted/orientation");
+    topics.status = QStringLiteral("permitted/status");
+    listen();
+    ASSERT_TRUE(fakes::waitUntil([this] { return states.size() == 2; }));
+    EXPECT_THAT(states.back(), HasSubstr("refuses to let us read roof/calibration"));
+    send("permitted/orientation", kOrientation);
+    ASSERT_TRUE(received(1));
+    EXPECT_EQ(states.size(), 2U) << "as long as it lasts";
+    permitAll();
+    station.letTimePass(Seconds(30.0));
+    ASSERT_TRUE(fakes::waitUntil([this] { return states.size() == 3; }));
+    EXPECT_EQ(states.back(), "open ");
+}
+
+// What mosquitto's own access list does: it grants the subscription and delivers nothing.
+TEST_F(MqttSourceTest, AnAccessListThatKeepsQuietIsAmongTheCausesOfSilence)
+{
+    begin(Door::AccessList);
+    listen(std::chrono::milliseconds(300));
+    station.client.subscribe(QStringLiteral("permitted/mark"));
+    ASSERT_TRUE(fakes::waitUntil([this] {
+        send("roof/orientation", kOrientation);
+        send("permitted/mark", "");
+        return !station.messages.empty();
+    }));
+    EXPECT_TRUE(values.empty());
+    ASSERT_TRUE(fakes::waitUntil([this] { return states.size() == 2; }));
+    EXPECT_THAT(states.back(), HasSubstr("does the broker's access list let us read it?"));
 }
 
 TEST_F(MqttSourceTest, OutlivesTheBroker)

@@ -2,7 +2,7 @@
 #include "core/mqtt/state_publisher.h"
 
 #include "tests/core/mqtt/mqtt_rig.h"
-#include "tests/fakes/mqtt_broker.h"
+#include "tests/fakes/mqtt_test.h"
 
 #include <gmock/gmock.h>
 
@@ -14,16 +14,12 @@ using testing::ElementsAre;
 const QString kPrefix = QStringLiteral("shack/mount");
 const QString kAvailability = QStringLiteral("shack/mount/availability");
 
-class MqttStatePublisher : public testing::Test
+class MqttStatePublisher : public fakes::MqttTest
 {
 protected:
-    void SetUp() override
+    void prepare() override
     {
-        if (!fakes::MqttBroker::isInstalled()) {
-            GTEST_SKIP() << "no mosquitto, mosquitto_passwd or openssl (Debian packages mosquitto and openssl)";
-        }
-        broker = std::make_unique<fakes::MqttBroker>();
-        ASSERT_TRUE(broker->start());
+        ASSERT_TRUE(startBroker());
         logger.client.subscribe(kPrefix + QStringLiteral("/#"));
         logger.client.open(onLoopback(broker->port()));
         ASSERT_TRUE(logger.connected());
@@ -61,7 +57,6 @@ protected:
         return {.topic = kPrefix + QStringLiteral("/state"), .payload = toJson(state)};
     }
 
-    std::unique_ptr<fakes::MqttBroker> broker;
     Rig logger;
     std::unique_ptr<Rig> station;
     std::unique_ptr<StatePublisher> publisher;

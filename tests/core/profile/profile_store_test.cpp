@@ -128,6 +128,19 @@ TEST_F(ProfileStoreTest, TheLastChangeCanBeUndoneAndThatToo)
     EXPECT_EQ(loadProfile(file), changed);
 }
 
+TEST_F(ProfileStoreTest, WhatCanNotBeSavedLeavesTheVersionBefore)
+{
+    const QString file = added("one");
+    Profile changed = named("one");
+    changed.jog.slow = 1_deg_s;
+    ASSERT_TRUE(store.save(changed, file));
+    Profile wrong = changed;
+    wrong.azimuth.id = wrong.elevation.id;
+    EXPECT_FALSE(store.save(wrong, file));
+    EXPECT_EQ(loadProfile(file), changed);
+    EXPECT_EQ(loadProfile(previousOf(file)), named("one"));
+}
+
 TEST_F(ProfileStoreTest, ABrokenPreviousVersionIsNotBroughtBack)
 {
     const QString file = added("one");

@@ -54,7 +54,9 @@ TEST(SensorSettings, SurviveTheRoundTrip)
                       .latency = Seconds(0.25),
                       .averaging = Seconds(0.0),
                       .disagreement = 4.5_deg,
-                      .disagreementTime = Seconds(3.0)};
+                      .disagreementTime = Seconds(3.0),
+                      .stillCurrent = 0.4,
+                      .swingCurrent = 7.5};
     const auto again = parseProfile(toToml(profile), "m.toml");
     ASSERT_TRUE(again) << again.error().text;
     EXPECT_EQ(*again, profile);

@@ -2,8 +2,10 @@
 // Sun and Moon are followed for as long as that is what the operator asked for, and the change of a model moves
 // nothing.
 #include "core/station/station_rotator.h"
+#include "core/units/angle_between.h"
 #include "tests/core/station/calibration_sun.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace boresight {
@@ -25,7 +27,9 @@ TEST(CalibrationFollow, AClockThatIsSetMovesNothing)
     EXPECT_EQ(StationState::Hold, rig.state());
     EXPECT_LT(abs(rig.axes().azimuth - before.azimuth), 0.1_deg);
     EXPECT_LT(abs(rig.axes().elevation - before.elevation), 0.1_deg);
-    EXPECT_NE(std::string::npos, rig.lastLog().find("clock"));
+    EXPECT_TRUE(std::ranges::any_of(rig.log.since(0, 3), [](const LogEntry& line) {
+        return line.text.contains(QStringLiteral("the clock of this computer"));
+    }));
     const auto again = rig.ask(request::FollowBody{.body = Body::Sun});
     EXPECT_TRUE(again) << again.error().text;
 }
@@ -183,14 +187,98 @@ TEST(CalibrationFollow, WhatIsRefusedChangesNothing)
     EXPECT_TRUE(rig.status().following);
 }
 
+// Story: the Sun was followed, then the mount was sent to 300° 40°; one click took a "Sun" 66° beside the beam.
+TEST(CalibrationFollow, NoPointIsTakenOnceTheMountWasSentElsewhere)
+{
+    const AxisPosition elsewhere{.azimuth = 300_deg, .elevation = 40_deg};
+    const std::vector<Request> errands{request::PointSky{{elsewhere.azimuth, elsewhere.elevation}},
+                                       request::PointAxes{elsewhere},
+                                       request::Move{{.azimuth = 1_deg_s}},
+                                       request::Park{},
+                                       request::Home{},
+                                       request::Horizon{},
+                                       request::GiveAuthority{},
+                                       CalibrationRequest(request::StartSwing{.rate = 3_deg_s, .headings = 0})};
+    for (const Request& errand : errands) {
+        CalibrationRig rig = swungRig();
+        setHour(rig, 8.0);
+        follow(rig);
+        ASSERT_EQ(Body::Sun, rig.status().body);
+        const auto sent = rig.ask(errand);
+        ASSERT_TRUE(sent) << sent.error().text;
+        rig.run(Seconds(1.0));
+        ASSERT_TRUE(rig.ask(request::EndCalibration{}));
+        ASSERT_TRUE(rig.ask(request::Hold{}));
+        rig.run(Seconds(5.0));
+        const auto taken = rig.ask(request::TakePoint{});
+        ASSERT_FALSE(taken) << errand.index();
+        EXPECT_NE(std::string::npos, taken.error().text.find("follow the Sun or the Moon first"));
+        EXPECT_FALSE(rig.status().body) << errand.index();
+        EXPECT_FALSE(rig.status().pointObstacle.isEmpty());
+        follow(rig);
+        EXPECT_TRUE(rig.ask(request::TakePoint{}));
+    }
+}
+
+TEST(CalibrationFollow, NoPointIsTakenAfterAClientLedTheMount)
+{
+    CalibrationRig rig = swungRig();
+    setHour(rig, 8.0);
+    follow(rig);
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+    ASSERT_TRUE(rig.point(120.0, 30.0, kClient));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
+    rig.run(Seconds(5.0));
+    EXPECT_FALSE(rig.ask(request::TakePoint{}));
+}
+
+// From a north that is 37° wrong the body is centred by hand, however far that is.
+TEST(CalibrationFollow, APointIsTakenWhatWasCentredByHand)
+{
+    CalibrationRig rig;
+    setHour(rig, 8.0);
+    follow(rig);
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::ResetStop{}));
+    ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = -3_deg_s}}));
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = -1_deg, .elevation = {}}));
+    rig.run(Seconds(5.0));
+    const AxisPosition wanted = rig.model.toAxes(rig.status().bodies.at(0).direction).axes;
+    ASSERT_TRUE(rig.ask(request::Step{.azimuth = (wanted.azimuth - rig.axes().azimuth).wrapped180(),
+                                      .elevation = wanted.elevation - rig.axes().elevation}));
+    rig.run(Seconds(20.0));
+    const auto taken = rig.ask(request::TakePoint{});
+    ASSERT_TRUE(taken) << taken.error().text;
+    EXPECT_EQ(std::string::npos, rig.lastLog().find("beside")) << "no north has been found yet";
+    EXPECT_EQ(Body::Sun, rig.status().body);
+    ASSERT_TRUE(rig.apply());
+    EXPECT_NEAR(37.4, rig.terms().azimuthOffset.degrees(), 1.0);
+}
+
+// Where north was found, a point far from it is taken, for the operator sees what they see, but not without a word.
+TEST(CalibrationFollow, APointFarFromTheNorthThatWasFoundIsToldOf)
+{
+    CalibrationRig rig = swungRig();
+    takeSun(rig, 8.0);
+    ASSERT_TRUE(rig.apply());
+    follow(rig);
+    ASSERT_TRUE(rig.ask(request::TakePoint{}));
+    EXPECT_EQ(std::string::npos, rig.lastLog().find("beside"));
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    ASSERT_TRUE(rig.ask(request::Step{.azimuth = 20_deg, .elevation = {}}));
+    rig.run(Seconds(20.0));
+    ASSERT_TRUE(rig.ask(request::TakePoint{}));
+    EXPECT_NE(std::string::npos, rig.lastLog().find("beside")) << rig.lastLog();
+}
+
 bool warnsOfTheSun(CalibrationRig& rig)
 {
-    for (const Alarm& alarm : rig.control.status().alarms) {
-        if (alarm.active && alarm.what.contains(QStringLiteral("led to the Sun"))) {
-            return true;
-        }
-    }
-    return false;
+    return rig.control.alarms().active(QStringLiteral("calibration.sun"));
 }
 
 TEST(CalibrationFollow, TheMoonBearsNoAlarmOfTheSun)
@@ -204,6 +292,75 @@ TEST(CalibrationFollow, TheMoonBearsNoAlarmOfTheSun)
     EXPECT_FALSE(warnsOfTheSun(rig));
     follow(rig);
     EXPECT_TRUE(warnsOfTheSun(rig));
+}
+
+// Story: sun.keep_away was switched on, and the mount drove 5° in the next second.
+TEST(CalibrationFollow, KeepingAwayFromTheSunMovesNothing)
+{
+    CalibrationRig rig = swungRig();
+    setHour(rig, 8.0);
+    follow(rig);
+    const AxisPosition before = rig.axes();
+    profile::Profile careful = rig.profile;
+    careful.sun.keepAway = profile::KeepAway::On;
+    rig.setProfile(careful);
+    EXPECT_NE(std::string::npos, rig.lastLog().find("keeps the beam away")) << rig.lastLog();
+    rig.run(Seconds(10.0));
+    EXPECT_FALSE(rig.status().following);
+    EXPECT_EQ(StationState::Hold, rig.state());
+    EXPECT_LT(abs(rig.axes().azimuth - before.azimuth), 0.02_deg);
+    EXPECT_LT(abs(rig.axes().elevation - before.elevation), 0.02_deg);
+    EXPECT_TRUE(rig.control.alarms().active(QStringLiteral("Sun")));
+    EXPECT_FALSE(warnsOfTheSun(rig)) << "one alarm says it";
+    EXPECT_TRUE(rig.status().warning.isEmpty());
+}
+
+// Story: Hold and Apply ended the following, and the alarm said "over" with the beam 0.01° beside the Sun.
+TEST(CalibrationFollow, TheWarningStaysWhileTheBeamLooksIntoTheSun)
+{
+    CalibrationRig rig = swungRig();
+    setHour(rig, 8.0);
+    follow(rig);
+    EXPECT_TRUE(warnsOfTheSun(rig));
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    rig.run(Seconds(5.0));
+    EXPECT_TRUE(warnsOfTheSun(rig));
+    EXPECT_FALSE(rig.status().warning.isEmpty());
+    rig.clock.stepUtc(std::chrono::hours(1));
+    rig.run(Seconds(1.0));
+    EXPECT_FALSE(warnsOfTheSun(rig)) << "the Sun went on";
+    EXPECT_TRUE(rig.status().warning.isEmpty());
+    follow(rig);
+    rig.goTo(300.0, 30.0);
+    EXPECT_FALSE(warnsOfTheSun(rig)) << "the beam went away";
+}
+
+TEST(CalibrationFollow, WhoeverLedTheBeamToTheSunIsWarned)
+{
+    CalibrationRig rig = swungRig();
+    setHour(rig, 8.0);
+    rig.run(Seconds(1.0));
+    const SkyPointing sun = rig.status().bodies.at(0).direction;
+    ASSERT_TRUE(rig.ask(request::PointSky{sun}));
+    rig.run(Seconds(60.0));
+    EXPECT_TRUE(warnsOfTheSun(rig));
+    EXPECT_FALSE(rig.status().warning.isEmpty());
+    setHour(rig, 23.0);
+    rig.run(Seconds(1.0));
+    EXPECT_FALSE(warnsOfTheSun(rig));
+
+    // Through the Sun and on, it is not told.
+    setHour(rig, 8.0);
+    ASSERT_TRUE(rig.ask(request::PointSky{{sun.azimuth - 30_deg, sun.elevation}}));
+    rig.run(Seconds(60.0));
+    ASSERT_TRUE(rig.ask(request::PointSky{{sun.azimuth + 30_deg, sun.elevation}}));
+    Angle nearest = 180_deg;
+    for (int i = 0; i < 600; ++i) {
+        rig.run(Seconds(0.1));
+        nearest = std::min(nearest, angleBetween(*rig.control.direction(), sun));
+        EXPECT_FALSE(warnsOfTheSun(rig));
+    }
+    EXPECT_LT(nearest, 1_deg);
 }
 
 // A client that only reads is told where the beam points, like the screen and MQTT.

@@ -31,7 +31,32 @@ TEST(CalibrationPoints, FollowsTheSunAndSaysSo)
     ASSERT_TRUE(rig.ask(request::Hold{}));
     rig.run(Seconds(0.5));
     EXPECT_FALSE(rig.status().following);
-    EXPECT_TRUE(rig.status().warning.isEmpty());
+}
+
+TEST(CalibrationPoints, OverTheTopOnlyWhereTheElevationReachesIt)
+{
+    CalibrationRig upright;
+    setHour(upright, 8.0);
+    upright.run(Seconds(1.0));
+    EXPECT_TRUE(upright.status().bodies.at(0).obstacle.isEmpty());
+    EXPECT_TRUE(upright.status().bodies.at(0).obstacleOverTheTop.contains(QStringLiteral("over the top")));
+    const AxisPosition before = upright.axes();
+    EXPECT_FALSE(upright.ask(request::FollowBody{.body = Body::Sun, .overTheTop = true}));
+    upright.run(Seconds(5.0));
+    EXPECT_LT(abs(upright.axes().azimuth - before.azimuth), 0.01_deg);
+
+    // The limits of operation count as the travel does, also when they come in the middle of it.
+    CalibrationRig rig({}, profileOverTheTop());
+    setHour(rig, 8.0);
+    follow(rig, Body::Sun, true);
+    EXPECT_GT(rig.axes().elevation, 90_deg);
+    EXPECT_LT(apart(*rig.control.status().actual, rig.status().bodies.at(0).direction), 0.02);
+    profile::Profile lower = rig.profile;
+    lower.limits.elevation.max = 100_deg;
+    rig.setProfile(lower);
+    rig.run(Seconds(10.0));
+    EXPECT_FALSE(rig.status().following);
+    EXPECT_EQ(StationState::Hold, rig.state());
 }
 
 TEST(CalibrationPoints, TheSunIsRefusedWhereTheProfileKeepsAwayFromIt)
@@ -116,6 +141,35 @@ TEST(CalibrationPoints, ASwingThenThreeAndSixSunsMakeTheModel)
     EXPECT_LT(abs(rig.terms().azimuthOffset - rig.truth.terms.azimuthOffset), 2.0 * sigma);
     EXPECT_NEAR(37.4, rig.terms().azimuthOffset.degrees(), 0.15);
     RecordProperty("north_error", std::to_string(rig.terms().azimuthOffset.degrees() - 37.4));
+}
+
+// One of three, two of six, with the boom past the zenith: the terms themselves are true, on any day.
+TEST(CalibrationPoints, SunsFromBothSidesTellTheTermsApart)
+{
+    CalibrationRig rig({}, profileOverTheTop());
+    rig.goTo(200.0, 30.0);
+    ASSERT_TRUE(rig.ask(request::StartSwing{.rate = 3_deg_s, .headings = 0}));
+    rig.runOut();
+    ASSERT_TRUE(rig.apply());
+    takeSun(rig, 6.0);
+    takeSun(rig, 9.0, true);
+    EXPECT_GT(rig.axes().elevation, 90_deg);
+    EXPECT_TRUE(rig.status().overTheTop);
+    takeSun(rig, 15.0);
+    EXPECT_FALSE(rig.status().overTheTop);
+    ASSERT_TRUE(rig.apply());
+    EXPECT_NEAR(37.4, rig.terms().azimuthOffset.degrees(), 0.15);
+    EXPECT_LT(worstOnItsWay(rig), 0.15);
+    takeSun(rig, 7.0);
+    takeSun(rig, 11.0);
+    takeSun(rig, 14.0, true);
+    ASSERT_EQ(6U, rig.status().points.size());
+    ASSERT_TRUE(rig.apply());
+    EXPECT_NEAR(37.4, rig.terms().azimuthOffset.degrees(), 0.05);
+    EXPECT_NEAR(0.3, rig.terms().collimation.degrees(), 0.05);
+    EXPECT_NEAR(rig.truth.terms.tiltNorth.degrees(), rig.terms().tiltNorth.degrees(), 0.1);
+    EXPECT_NEAR(rig.truth.terms.tiltEast.degrees(), rig.terms().tiltEast.degrees(), 0.1);
+    EXPECT_LT(worstOnItsWay(rig), 0.05);
 }
 
 TEST(CalibrationPoints, ApplyMovesNothing)
@@ -272,6 +326,112 @@ TEST(CalibrationPoints, ThePointsOutliveTheConnection)
     }
     CalibrationRig dropped({}, calibratedProfile(), folder.path());
     EXPECT_TRUE(dropped.status().points.empty());
+}
+
+// The board at the azimuth is taken out, and another put in its place: it counts from wherever it woke up.
+void replaceDrive(CalibrationRig& rig)
+{
+    rig.azimuth.silent = true;
+    rig.run(Seconds(0.5));
+    rig.control.learn(Axis::Azimuth, std::nullopt);
+    rig.run(Seconds(1.0));
+    rig.azimuth.home = moteus::HomeState::Rotor;
+    rig.azimuth.position = std::remainder(rig.azimuth.position, 0.01);
+    rig.azimuth.mode = moteus::Mode::Stopped;
+    rig.azimuth.silent = false;
+    survey::DriveFacts other = rig.factsOf(Axis::Azimuth);
+    other.uuid = QStringLiteral("a0000000-0000-0000-0000-000000000009");
+    other.bootedAt = rig.clock.now();
+    rig.learn(Axis::Azimuth, other);
+    rig.run(Seconds(2.0));
+}
+
+// Points that were kept on the disk, of a mast that was moved or a drive that was replaced meanwhile.
+TEST(CalibrationPoints, ThoseOfAnotherDriveOrSiteAreLeftOut)
+{
+    QTemporaryDir folder;
+    const auto used = [](CalibrationRig& rig) {
+        return std::ranges::count(rig.status().points, true, &PointStatus::isUsed);
+    };
+    const auto warned = [](CalibrationRig& rig) {
+        return rig.control.alarms().active(QStringLiteral("calibration points"));
+    };
+    {
+        CalibrationRig rig({}, calibratedProfile(), folder.path());
+        rig.goTo(200.0, 30.0);
+        ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = {.azimuth = 10_deg, .elevation = 30_deg}, .label = {}}));
+    }
+    {
+        CalibrationRig same({}, calibratedProfile(), folder.path());
+        EXPECT_EQ(1, used(same));
+        EXPECT_FALSE(warned(same));
+        ASSERT_TRUE(same.status().proposal);
+        replaceDrive(same);
+        ASSERT_TRUE(same.control.isTurnAsked(Axis::Azimuth)) << "the journal does not know it before that is answered";
+        EXPECT_EQ(0, used(same));
+        EXPECT_EQ(1U, same.status().points.size()) << "they are not lost";
+        EXPECT_FALSE(same.status().proposal);
+        EXPECT_TRUE(warned(same));
+        ASSERT_TRUE(same.ask(request::UsePoint{.index = 0, .used = true}));
+        same.run(Seconds(0.5));
+        EXPECT_EQ(1, used(same)) << "the operator knows better";
+        EXPECT_FALSE(warned(same));
+    }
+    profile::Profile elsewhere = calibratedProfile();
+    elsewhere.site.latitude = 47_deg;
+    CalibrationRig moved({}, elsewhere, folder.path());
+    EXPECT_EQ(0, used(moved));
+    EXPECT_TRUE(warned(moved));
+    EXPECT_FALSE(moved.status().proposal);
+}
+
+// Until a drive has said who it is, it may be another than the one that the kept points were taken with.
+TEST(CalibrationPoints, ThoseThatWereKeptWaitUntilTheDrivesAreKnown)
+{
+    CalibrationRig rig;
+    rig.goTo(200.0, 30.0);
+    ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = {.azimuth = 10_deg, .elevation = 30_deg}, .label = {}}));
+    rig.control.learn(Axis::Azimuth, std::nullopt);
+    CalibrationDesk again(rig.control, rig.profile, *rig.file, rig.clock, rig.log);
+    again.tick();
+    ASSERT_EQ(1U, again.status()->points.size());
+    EXPECT_FALSE(again.status()->proposal);
+    profile::Profile typed = rig.profile;
+    typed.pointing.collimation = 0.5_deg;
+    again.setProfile(typed);
+    again.tick();
+    EXPECT_FALSE(again.status()->proposal);
+    EXPECT_FALSE(again.status()->fit);
+    rig.control.learn(Axis::Azimuth, rig.factsOf(Axis::Azimuth));
+    again.tick();
+    EXPECT_TRUE(again.status()->proposal);
+    EXPECT_TRUE(again.status()->points.front().isUsed);
+}
+
+// Story: a point was dropped while the site was not known; the others were nobody's from then on.
+TEST(CalibrationPoints, AreNotTornFromTheirSiteWhileNoneIsKnown)
+{
+    CalibrationRig rig;
+    for (const double azimuth : {200.0, 250.0}) {
+        rig.goTo(azimuth, 30.0);
+        ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = rig.beam(), .label = {}}));
+    }
+    profile::Profile settings = rig.profile;
+    settings.site.known = false;
+    rig.setProfile(settings);
+    ASSERT_TRUE(rig.ask(request::DropPoint{.index = 0}));
+    settings.site.known = true;
+    settings.site.latitude = 47_deg;
+    rig.setProfile(settings);
+    rig.run(Seconds(0.5));
+    ASSERT_EQ(1U, rig.status().points.size());
+    EXPECT_FALSE(rig.status().points.front().isUsed);
+    EXPECT_TRUE(rig.control.alarms().active(QStringLiteral("calibration points")));
+    // New ones are of this place.
+    ASSERT_TRUE(rig.ask(request::DropAllPoints{}));
+    ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = rig.beam(), .label = {}}));
+    rig.run(Seconds(0.5));
+    EXPECT_TRUE(rig.status().points.front().isUsed);
 }
 
 TEST(CalibrationPoints, WhatWasNotSeenIsNotApplied)

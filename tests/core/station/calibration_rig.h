@@ -122,7 +122,7 @@ public:
     }
 
     // Of the hidden mount: where the beam looks.
-    [[nodiscard]] SkyPointing beam() const { return model.toSky(axes()); }
+    [[nodiscard]] SkyPointing beam() const { return pointing::upright(model.toSky(axes())); }
 
     HiddenTruth truth;
     pointing::PointingModel model;

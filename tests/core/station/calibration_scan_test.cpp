@@ -2,6 +2,8 @@
 // A scan across the Sun by the power of a small dish: what ends it, and what its readings are of.
 #include "tests/core/station/calibration_sun.h"
 
+#include <cmath>
+
 namespace boresight {
 namespace {
 
@@ -39,10 +41,10 @@ void scanToTheEnd(CalibrationRig& rig)
     rig.tick();
 }
 
-void startScan(CalibrationRig& rig, Angle width = 8_deg)
+void startScan(CalibrationRig& rig, Angle width = 8_deg, bool overTheTop = false)
 {
     setHour(rig, 8.0);
-    follow(rig);
+    follow(rig, Body::Sun, overTheTop);
     const auto started = rig.ask(request::StartCrossScan{.width = width, .body = Body::Sun});
     ASSERT_TRUE(started) << started.error().text;
 }
@@ -56,6 +58,87 @@ TEST(CalibrationScan, FindsTheSun)
     ASSERT_EQ(1U, rig.status().points.size());
     const PointStatus point = rig.status().points.front();
     EXPECT_LT(apart(rig.model.toSky(point.axes), point.truth), 0.1);
+}
+
+// A peak of the last scan would be taken for one of this.
+TEST(CalibrationScan, ForgetsWhatTheLastOneFound)
+{
+    CalibrationRig rig = swungRig();
+    startScan(rig);
+    scanToTheEnd(rig);
+    ASSERT_TRUE(rig.status().scan);
+    ASSERT_TRUE(rig.ask(request::StartCrossScan{.width = 8_deg, .body = Body::Sun}));
+    ASSERT_TRUE(rig.ask(request::EndCalibration{}));
+    rig.tick();
+    EXPECT_FALSE(rig.status().scan);
+}
+
+// A Sun of 2 dB in a beam of 6°: the usual case with a small dish.
+TEST(CalibrationScan, FindsAWeakSun)
+{
+    CalibrationRig rig = swungRig();
+    startScan(rig, 12_deg);
+    for (int i = 0; i < 200000 && scans(rig); ++i) {
+        rig.tick();
+        if (rig.status().wantsPower) {
+            const double power = std::pow(10.0, (receivedPower(rig) + 60.0) / 10.0);
+            ASSERT_TRUE(rig.ask(request::GivePower{-70.0 + 10.0 * std::log10(1.0 + 0.6 * power)}));
+        }
+    }
+    rig.tick();
+    ASSERT_TRUE(rig.status().scan) << rig.status().progress.outcome.toStdString();
+    EXPECT_NEAR(6.0, rig.status().scan->across.halfPowerWidth.degrees(), 0.2);
+    const PointStatus point = rig.status().points.front();
+    EXPECT_LT(apart(rig.model.toSky(point.axes), point.truth), 0.1);
+}
+
+CalibrationRig rigOverTheTop()
+{
+    CalibrationRig rig({}, profileOverTheTop());
+    profile::Profile nearNorth = rig.profile;
+    nearNorth.pointing.azimuthOffset = 36.0_deg;
+    nearNorth.pointing.elevationOffset = 0.8_deg;
+    rig.setProfile(nearNorth);
+    return rig;
+}
+
+// There left is right and up is down.
+TEST(CalibrationScan, FindsTheSunOverTheTop)
+{
+    CalibrationRig rig = rigOverTheTop();
+    startScan(rig, 8_deg, true);
+    scanToTheEnd(rig);
+    ASSERT_TRUE(rig.status().scan) << rig.status().progress.outcome.toStdString();
+    ASSERT_EQ(1U, rig.status().points.size());
+    const PointStatus point = rig.status().points.front();
+    EXPECT_GT(point.axes.elevation, 90_deg);
+    EXPECT_LT(apart(pointing::upright(rig.model.toSky(point.axes)), point.truth), 0.1);
+}
+
+// The Sun sinks in mid-scan: a place beyond the limits is not one on the other side of the zenith.
+TEST(CalibrationScan, OverTheTopStaysThere)
+{
+    CalibrationRig rig = rigOverTheTop();
+    setHour(rig, 14.0);
+    follow(rig, Body::Sun, true);
+    profile::Profile narrow = rig.profile;
+    narrow.limits.elevation.max = rig.axes().elevation + 4.1_deg;
+    rig.setProfile(narrow);
+    const auto started = rig.ask(request::StartCrossScan{.width = 8_deg, .body = Body::Sun});
+    ASSERT_TRUE(started) << started.error().text;
+    rig.run(Seconds(60.0));  // the power lets wait
+    for (int i = 0; i < 200000 && scans(rig); ++i) {
+        rig.tick();
+        ASSERT_GT(rig.axes().elevation, 120_deg);
+        if (rig.status().wantsPower) {
+            static_cast<void>(rig.ask(request::GivePower{receivedPower(rig)}));
+        }
+    }
+    rig.run(Seconds(20.0));
+    EXPECT_GT(rig.axes().elevation, 120_deg);
+    EXPECT_FALSE(rig.status().scan);
+    EXPECT_TRUE(rig.status().points.empty());
+    EXPECT_FALSE(rig.status().following);
 }
 
 // A few replies are lost: neither a fault nor the end of the stream, but of the scan. What it leaves is not a beam that

@@ -23,9 +23,17 @@ inline CalibrationRig swungRig()
     return rig;
 }
 
-inline void follow(CalibrationRig& rig, ephemeris::Body body = ephemeris::Body::Sun)
+// The boom goes past the zenith.
+inline profile::Profile profileOverTheTop()
 {
-    const auto followed = rig.ask(request::FollowBody{.body = body});
+    profile::Profile profile = calibratedProfile();
+    profile.elevation.geometry.travel.max = 180_deg;
+    return profile;
+}
+
+inline void follow(CalibrationRig& rig, ephemeris::Body body = ephemeris::Body::Sun, bool overTheTop = false)
+{
+    const auto followed = rig.ask(request::FollowBody{.body = body, .overTheTop = overTheTop});
     ASSERT_TRUE(followed) << followed.error().text;
     rig.run(Seconds(70.0));
     ASSERT_EQ(StationState::Track, rig.state());
@@ -42,8 +50,9 @@ inline void centre(CalibrationRig& rig, double noise = 0.01)
 {
     std::normal_distribution<double> eye(0.0, noise);
     const SkyPointing sun = rig.status().bodies.at(0).direction;
+    const SkyPointing behind{.azimuth = sun.azimuth + 180_deg, .elevation = 180_deg - sun.elevation};
     for (int i = 0; i < 3; ++i) {
-        const AxisPosition wanted = rig.model.toAxes(sun).axes;
+        const AxisPosition wanted = rig.model.toAxes(rig.status().overTheTop ? behind : sun).axes;
         const AxisPosition here = rig.axes();
         ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = (wanted.azimuth - here.azimuth).wrapped180(),
                                            .elevation = wanted.elevation - here.elevation}));
@@ -55,10 +64,10 @@ inline void centre(CalibrationRig& rig, double noise = 0.01)
     EXPECT_LT(apart(rig.beam(), rig.status().bodies.at(0).direction), 0.1);
 }
 
-inline void takeSun(CalibrationRig& rig, double hour)
+inline void takeSun(CalibrationRig& rig, double hour, bool overTheTop = false)
 {
     setHour(rig, hour);
-    follow(rig);
+    follow(rig, ephemeris::Body::Sun, overTheTop);
     centre(rig);
     const auto taken = rig.ask(request::TakePoint{});
     ASSERT_TRUE(taken) << taken.error().text;

@@ -1,34 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The swing of the compass and the average of the still sensor, on a mount whose north is hidden.
+// The swing of the compass, on a mount whose north is hidden: what it finds, what it shows on the way, what it refuses.
+#include "tests/core/station/calibration_swing.h"
+
 #include "core/station/sensor_curve.h"
-#include "tests/core/station/calibration_rig.h"
 
 #include <algorithm>
 
 namespace boresight {
 namespace {
-
-using namespace boresight::literals;
-
-double northError(const CalibrationRig& rig)
-{
-    return (rig.terms().azimuthOffset - rig.truth.terms.azimuthOffset).wrapped180().degrees();
-}
-
-const request::StartSwing kSweep{.rate = 3_deg_s, .headings = 0};
-
-// A mount in the middle of its swing.
-void swingHalfWay(CalibrationRig& rig)
-{
-    rig.goTo(200.0, 30.0);
-    ASSERT_TRUE(rig.ask(kSweep));
-    rig.run(Seconds(80.0));
-    ASSERT_EQ(CalibrationRun::Swing, rig.status().progress.run);
-    ASSERT_TRUE(rig.desk.moves());
-    StationStatus status = rig.control.status();
-    rig.desk.fill(status);
-    EXPECT_EQ(StationState::Calibrate, status.state);
-}
 
 TEST(CalibrationSwing, FindsNorthAndTheTilt)
 {
@@ -49,6 +28,78 @@ TEST(CalibrationSwing, FindsNorthAndTheTilt)
     EXPECT_LT(sigma, 3.0);
     EXPECT_NEAR(rig.truth.terms.tiltNorth.degrees(), rig.terms().tiltNorth.degrees(), 0.15);
     EXPECT_NEAR(rig.truth.terms.tiltEast.degrees(), rig.terms().tiltEast.degrees(), 0.15);
+}
+
+// Story: at 6°/s, the fastest that was offered and the fastest that was used, every other reading was "too fast" by a
+// hair, and thrown away.
+TEST(CalibrationSwing, UsesItsReadingsAtEveryRateThatIsOffered)
+{
+    for (const double rate : {1.0, 3.0, 6.0}) {
+        CalibrationRig rig;
+        rig.goTo(200.0, 30.0);
+        ASSERT_TRUE(rig.ask(request::StartSwing{.rate = AngularRate::fromDegrees(rate), .headings = 0}));
+        rig.runOut(Seconds(2000.0));
+        ASSERT_TRUE(rig.status().swing) << rate << rig.status().progress.outcome.toStdString();
+        const calibration::SwingTally tally(rig.status().swing->fit.samples);
+        EXPECT_GT(tally.all(), 100U);
+        EXPECT_LE(static_cast<double>(tally.leftOut()), 0.1 * static_cast<double>(tally.all()))
+            << rate << ": " << rig.status().progress.outcome.toStdString();
+    }
+}
+
+// Story: the plot stayed empty for the four minutes in which the mount turned.
+TEST(CalibrationSwing, ShowsItsReadingsAsTheyCome)
+{
+    CalibrationRig rig;
+    rig.goTo(200.0, 30.0);
+    EXPECT_TRUE(rig.status().swingSoFar.empty());
+    ASSERT_TRUE(rig.ask(kSweep));
+    std::size_t most = 0;
+    const auto runs = [&rig] { return rig.status().progress.run == CalibrationRun::Swing; };
+    std::vector<calibration::SwingDot> last;
+    for (; runs(); rig.run(Seconds(10.0))) {
+        last = rig.status().swingSoFar;
+        EXPECT_GE(last.size(), most) << "none goes away";
+        most = last.size();
+    }
+    EXPECT_GT(most, 200U);
+    for (const auto way : {calibration::Turning::Clockwise, calibration::Turning::CounterClockwise}) {
+        EXPECT_GT(std::ranges::count(last, way, &calibration::SwingDot::turning), 80);
+    }
+    EXPECT_TRUE(std::ranges::all_of(last, [](const auto& dot) { return abs(dot.error) < 15_deg; }));
+    EXPECT_TRUE(rig.status().swingSoFar.empty()) << "the curve is there now";
+}
+
+TEST(CalibrationSwing, SaysAsItTurnsHowManyReadingsAreLeftOutAndWhy)
+{
+    CalibrationRig rig;
+    swingHalfWay(rig);
+    EXPECT_FALSE(rig.status().progress.text.contains(QStringLiteral("left out")));
+    rig.azimuth.current = 8.0;
+    rig.run(Seconds(20.0));
+    rig.azimuth.current = 0.0;
+    EXPECT_TRUE(rig.status().progress.text.contains(QStringLiteral("with a motor above 5.0 A")))
+        << rig.status().progress.text.toStdString();
+    rig.runOut();
+    const std::string outcome = rig.status().progress.outcome.toStdString();
+    EXPECT_NE(std::string::npos, outcome.find("left out: ")) << outcome;
+    EXPECT_NE(std::string::npos, outcome.find("with a motor above 5.0 A (sensor.swing_current_a)")) << outcome;
+}
+
+TEST(CalibrationSwing, TheProfileSaysHowMuchCurrentIsTooMuch)
+{
+    for (const auto& [limit, accepted] : {std::pair(1.5, false), std::pair(2.5, true)}) {
+        profile::Profile profile = calibratedProfile();
+        profile.sensor.swingCurrent = limit;
+        CalibrationRig rig({}, profile);
+        rig.goTo(200.0, 30.0);
+        rig.azimuth.current = 2.0;
+        ASSERT_TRUE(rig.ask(kSweep));
+        rig.runOut();
+        const std::string outcome = rig.status().progress.outcome.toStdString();
+        EXPECT_EQ(accepted, rig.status().proposal.has_value()) << outcome;
+        EXPECT_EQ(!accepted, outcome.find("more than 1.5 A (sensor.swing_current_a)") != std::string::npos) << outcome;
+    }
 }
 
 TEST(CalibrationSwing, StopsAtHeadingsFindNorthToo)
@@ -91,6 +142,27 @@ TEST(CalibrationSwing, KeepsHowFarItIsToBeBelieved)
 }
 
 // The sensor's later readings are true: its curve came into force with north.
+// As long as it waits for Apply the sensor is compared by it, too; and the screen says what turns.
+TEST(CalibrationSwing, IsToldAsWhatTurnsAndThenAsWhatIsProposed)
+{
+    CalibrationRig rig;
+    rig.goTo(200.0, 30.0);
+    EXPECT_FALSE(rig.desk.proposedOfSensor());
+    ASSERT_TRUE(rig.ask(kSweep));
+    rig.run(Seconds(40.0));
+    StationStatus status = rig.control.status();
+    rig.desk.fill(status);
+    EXPECT_EQ(QStringLiteral("compass swing"), status.targetText);
+    rig.runOut();
+    const auto proposed = rig.desk.proposedOfSensor();
+    ASSERT_TRUE(proposed);
+    EXPECT_NEAR(37.4, proposed->terms.azimuthOffset.degrees(), 5.0);
+    ASSERT_TRUE(proposed->sensor);
+    EXPECT_TRUE(proposed->sensor->curve);
+    ASSERT_TRUE(rig.apply());
+    EXPECT_FALSE(rig.desk.proposedOfSensor());
+}
+
 TEST(CalibrationSwing, CorrectsTheSensor)
 {
     CalibrationRig rig;
@@ -152,112 +224,6 @@ TEST(CalibrationSwing, StaysWithinTheLimitsOfOperation)
     EXPECT_LT(std::abs(northError(rig)), 4.0);
 }
 
-TEST(CalibrationSwing, StopEndsItAtOnceAndLatches)
-{
-    CalibrationRig rig;
-    swingHalfWay(rig);
-    ASSERT_TRUE(rig.ask(request::Stop{}));
-    const AxisPosition at = rig.axes();
-    rig.run(Seconds(3.0));
-    EXPECT_EQ(CalibrationRun::None, rig.status().progress.run);
-    EXPECT_TRUE(rig.status().progress.failed);
-    EXPECT_FALSE(rig.status().proposal);
-    EXPECT_EQ(StationState::Stopped, rig.state());
-    EXPECT_TRUE(rig.status().progress.outcome.startsWith(QStringLiteral("STOP ended it")))
-        << rig.status().progress.outcome.toStdString();
-    EXPECT_LT(abs(rig.axes().azimuth - at.azimuth), 3_deg);
-    ASSERT_TRUE(rig.ask(request::ResetStop{}));
-    const AxisPosition rest = rig.axes();
-    rig.run(Seconds(5.0));
-    EXPECT_EQ(rest, rig.axes());
-}
-
-TEST(CalibrationSwing, EndsWithAnyOtherMotion)
-{
-    for (const Request& other :
-         {Request(request::Hold{}), Request(request::Jog{{.azimuth = 1_deg_s, .elevation = {}}}),
-          Request(request::Step{.azimuth = 1_deg, .elevation = {}}), Request(request::EndCalibration{})}) {
-        CalibrationRig rig;
-        swingHalfWay(rig);
-        ASSERT_TRUE(rig.ask(other));
-        rig.run(Seconds(0.1));
-        EXPECT_EQ(CalibrationRun::None, rig.status().progress.run);
-        EXPECT_FALSE(rig.status().progress.outcome.isEmpty());
-        EXPECT_FALSE(rig.desk.moves());
-    }
-}
-
-TEST(CalibrationSwing, ASensorThatIsLostEndsItAndHolds)
-{
-    CalibrationRig rig;
-    swingHalfWay(rig);
-    rig.speaks = false;
-    rig.run(Seconds(34.0));
-    EXPECT_EQ(CalibrationRun::Swing, rig.status().progress.run);
-    const AxisPosition rest = rig.axes();
-    rig.run(Seconds(4.0));
-    EXPECT_EQ(CalibrationRun::None, rig.status().progress.run);
-    EXPECT_TRUE(rig.status().progress.failed);
-    EXPECT_TRUE(rig.status().progress.outcome.contains(QStringLiteral("sensor has said nothing for 3")))
-        << rig.status().progress.outcome.toStdString();
-    EXPECT_EQ(StationState::Hold, rig.state());
-    rig.speaks = true;
-    rig.run(Seconds(5.0));
-    EXPECT_EQ(rest, rig.axes()) << "what has ended does not begin by itself";
-}
-
-// Story: a WiFi that was away for ten seconds cost a swing of four minutes.
-TEST(CalibrationSwing, WaitsAtRestForASensorThatFallsSilent)
-{
-    for (const int headings : {0, 16}) {
-        CalibrationRig rig;
-        rig.goTo(200.0, 30.0);
-        ASSERT_TRUE(rig.ask(request::StartSwing{.rate = 3_deg_s, .headings = headings}));
-        rig.run(Seconds(90.0));
-        rig.speaks = false;
-        rig.run(Seconds(15.0));
-        const AxisPosition rest = rig.axes();
-        const Seconds left = rig.status().progress.left;
-        EXPECT_TRUE(rig.status().progress.text.startsWith(QStringLiteral("standing still until the sensor is heard")));
-        rig.run(Seconds(10.0));
-        EXPECT_EQ(rest, rig.axes());
-        EXPECT_EQ(left, rig.status().progress.left) << "waiting is no progress";
-        rig.speaks = true;
-        rig.runOut();
-        ASSERT_TRUE(rig.status().proposal) << rig.status().progress.outcome.toStdString();
-        ASSERT_TRUE(rig.apply());
-        EXPECT_LT(std::abs(northError(rig)), 2.0);
-    }
-}
-
-TEST(CalibrationSwing, StopEndsTheWaitingToo)
-{
-    CalibrationRig rig;
-    swingHalfWay(rig);
-    rig.speaks = false;
-    rig.run(Seconds(12.0));
-    ASSERT_TRUE(rig.ask(request::Stop{}));
-    rig.run(Seconds(1.0));
-    EXPECT_EQ(CalibrationRun::None, rig.status().progress.run);
-    ASSERT_TRUE(rig.ask(request::ResetStop{}));
-    const AxisPosition rest = rig.axes();
-    rig.speaks = true;
-    rig.run(Seconds(5.0));
-    EXPECT_EQ(rest, rig.axes());
-}
-
-TEST(CalibrationSwing, ADriveInFaultEndsIt)
-{
-    CalibrationRig rig;
-    swingHalfWay(rig);
-    rig.azimuth.mode = moteus::Mode::Fault;
-    rig.azimuth.fault = 38;
-    rig.run(Seconds(1.0));
-    EXPECT_EQ(StationState::Fault, rig.state());
-    EXPECT_EQ(CalibrationRun::None, rig.status().progress.run);
-    EXPECT_TRUE(rig.status().progress.failed);
-}
-
 TEST(CalibrationSwing, IsRefusedWithTheReason)
 {
     {
@@ -295,151 +261,6 @@ TEST(CalibrationSwing, IsRefusedWithTheReason)
     EXPECT_FALSE(rig.ask(kSweep));  // it runs already
 }
 
-TEST(CalibrationSwing, AClientMayAskForNothingOfIt)
-{
-    CalibrationRig rig;
-    EXPECT_FALSE(rig.control.request(kSweep, kClient));
-}
-
-TEST(CalibrationSensor, TheStillMountTellsNorthAsWellAsOneHeadingCan)
-{
-    CalibrationRig rig;
-    ASSERT_TRUE(rig.ask(request::MeasureSensorOffset{}));
-    rig.runOut(Seconds(60.0));
-    ASSERT_TRUE(rig.status().sensorOffset) << rig.status().progress.outcome.toStdString();
-    ASSERT_TRUE(rig.apply());
-    EXPECT_LT(std::abs(northError(rig)), 12.0);
-    EXPECT_GT(rig.status().sensorOffset->offset.sigma.degrees(), 3.0);
-}
-
-// Story: measured with a mounting of 0°, 90° typed, and the north of before was still proposed, under a new number.
-TEST(CalibrationSensor, WhatWasFoundWithOtherSettingsIsNotProposedAnyMore)
-{
-    CalibrationRig rig;
-    const auto measured = [&rig] {
-        EXPECT_TRUE(rig.ask(request::MeasureSensorOffset{}));
-        rig.runOut(Seconds(60.0));
-        rig.run(Seconds(0.5));
-        return rig.status().proposal.has_value();
-    };
-    ASSERT_TRUE(measured());
-    profile::Profile other = rig.profile;
-    other.jog.slow = 0.3_deg_s;
-    rig.setProfile(other);
-    rig.run(Seconds(0.5));
-    EXPECT_TRUE(rig.status().proposal);
-    other.sensor.mounting.azimuthOffset = 90_deg;
-    rig.setProfile(other);
-    rig.run(Seconds(0.5));
-    EXPECT_FALSE(rig.status().proposal);
-    EXPECT_FALSE(rig.status().sensorOffset);
-    ASSERT_TRUE(measured());
-    rig.truth.declination += 1.0;  // another model was read
-    rig.run(Seconds(3.0));
-    EXPECT_FALSE(rig.status().proposal);
-}
-
-TEST(CalibrationSensor, AMountThatMovesTellsNothing)
-{
-    CalibrationRig rig;
-    ASSERT_TRUE(rig.ask(request::MeasureSensorOffset{}));
-    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 180_deg, .elevation = 30_deg}}));
-    rig.runOut(Seconds(60.0));
-    EXPECT_TRUE(rig.status().progress.failed);
-    EXPECT_FALSE(rig.status().proposal);
-}
-
-// The broker's WiFi comes and goes: so much patience nobody at the mast has.
-TEST(CalibrationSwing, WaitsNoLongerInAllThanOnce)
-{
-    CalibrationRig rig;
-    swingHalfWay(rig);
-    int waits = 0;
-    for (; waits < 10 && rig.status().progress.run == CalibrationRun::Swing; ++waits) {
-        rig.speaks = false;
-        rig.run(Seconds(17.0));
-        rig.speaks = true;
-        rig.run(Seconds(3.0));
-    }
-    EXPECT_TRUE(rig.status().progress.failed);
-    EXPECT_GT(waits, 1);
-    EXPECT_LT(waits, 5);
-}
-
-bool warnsOfTheWait(const CalibrationRig& rig)
-{
-    const auto alarms = rig.control.status().alarms;
-    return std::ranges::any_of(
-        alarms, [](const Alarm& alarm) { return alarm.active && alarm.action.contains(QStringLiteral("BY ITSELF")); });
-}
-
-TEST(CalibrationSwing, WhoStandsAtTheMastIsToldThatItWillGoOn)
-{
-    CalibrationRig rig;
-    swingHalfWay(rig);
-    EXPECT_FALSE(warnsOfTheWait(rig));
-    rig.speaks = false;
-    rig.run(Seconds(12.0));
-    EXPECT_TRUE(warnsOfTheWait(rig));
-    rig.speaks = true;
-    rig.run(Seconds(3.0));
-    EXPECT_FALSE(warnsOfTheWait(rig));
-    rig.speaks = false;
-    rig.run(Seconds(12.0));
-    EXPECT_TRUE(warnsOfTheWait(rig));
-    ASSERT_TRUE(rig.ask(request::Hold{}));
-    rig.run(Seconds(0.1));
-    EXPECT_FALSE(warnsOfTheWait(rig));
-}
-
-// Its compass may have another calibration now: readings from before and after are of two sensors.
-TEST(CalibrationSwing, ASensorThatWasRestartedEndsIt)
-{
-    CalibrationRig rig;
-    swingHalfWay(rig);
-    rig.restarts = 1;
-    rig.run(Seconds(3.0));
-    EXPECT_EQ(CalibrationRun::None, rig.status().progress.run);
-    EXPECT_TRUE(rig.status().progress.outcome.contains(QStringLiteral("started anew")));
-    EXPECT_EQ(StationState::Hold, rig.state());
-    EXPECT_TRUE(rig.ask(kSweep));
-}
-
-// Without word of its calibration nobody sees a restart: what came before and after a silence may be of two compasses.
-TEST(CalibrationSwing, ASilenceOfASensorThatTellsNoCalibrationIsADoubt)
-{
-    for (const bool tells : {true, false}) {
-        CalibrationRig rig;
-        if (!tells) {
-            rig.calibration.reset();
-        }
-        swingHalfWay(rig);
-        rig.speaks = false;
-        rig.run(Seconds(15.0));
-        rig.speaks = true;
-        rig.runOut();
-        ASSERT_TRUE(rig.status().proposal) << rig.status().progress.outcome.toStdString();
-        const auto warnings = rig.status().proposal->warnings;
-        EXPECT_EQ(!tells, std::ranges::any_of(warnings, [](const QString& warning) {
-            return warning.contains(QStringLiteral("silent"));
-        }));
-    }
-}
-
-// Minutes of turning are not lost for a few replies.
-TEST(CalibrationSwing, OutlastsAStallOfThisComputer)
-{
-    CalibrationRig rig;
-    swingHalfWay(rig);
-    rig.azimuth.mute = rig.elevation.mute = true;
-    rig.run(Seconds(0.16));
-    rig.azimuth.mute = rig.elevation.mute = false;
-    rig.runOut();
-    EXPECT_FALSE(rig.status().progress.failed) << rig.status().progress.outcome.toStdString();
-    ASSERT_TRUE(rig.apply());
-    EXPECT_LT(std::abs(northError(rig)), 2.0);
-}
-
 // Near the zenith the compass says nothing, over the top it says the opposite.
 TEST(CalibrationSwing, IsRefusedWithTheBoomTooHigh)
 {
@@ -457,14 +278,10 @@ TEST(CalibrationSwing, IsRefusedWithTheBoomTooHigh)
     }
 }
 
-TEST(CalibrationSensor, IsNotAveragedWhileTheMountMoves)
+TEST(CalibrationSwing, AClientMayAskForNothingOfIt)
 {
     CalibrationRig rig;
-    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 180_deg, .elevation = 30_deg}}));
-    rig.run(Seconds(2.0));
-    const auto refused = rig.ask(request::MeasureSensorOffset{});
-    ASSERT_FALSE(refused);
-    EXPECT_NE(std::string::npos, refused.error().text.find("still moves"));
+    EXPECT_FALSE(rig.control.request(kSweep, kClient));
 }
 
 }  // namespace

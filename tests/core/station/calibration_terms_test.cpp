@@ -6,6 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 namespace boresight {
 namespace {
 
@@ -25,6 +27,18 @@ pointing::PointingTerms typed()
 std::string textOf(const CalibrationStatus& status)
 {
     return calibration::toText(status.sheet);
+}
+
+// Over the whole sky: they determine most of the terms.
+void takeLandmarks(CalibrationRig& rig)
+{
+    for (const double azimuth : {20.0, 80.0, 140.0, 200.0, 260.0, 320.0}) {
+        for (const double elevation : {20.0, 60.0}) {
+            rig.goTo(azimuth, elevation);
+            ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = rig.beam(), .label = {}}));
+        }
+    }
+    rig.tick();
 }
 
 bool isWarned(CalibrationRig& rig)
@@ -56,6 +70,97 @@ TEST(CalibrationTerms, WhatIsTypedIsProposedAppliedAndTakenBack)
     EXPECT_EQ(before, rig.profile);
     ASSERT_TRUE(rig.ask(request::RedoCalibration{}));
     EXPECT_EQ(after, rig.profile);
+}
+
+// Story: a fit has more decimals than a profile keeps. One term was typed, and five counted as given: "38.11°
+// → 38.11°".
+TEST(CalibrationTerms, WhatWasNotTypedKeepsItsValueAndItsSigma)
+{
+    CalibrationRig rig;
+    takeLandmarks(rig);
+    ASSERT_TRUE(rig.apply());
+    rig.tick();
+    const pointing::PointingTerms found = rig.terms();
+    const auto sigma = rig.status().sheet.sigmas.at(0);
+    ASSERT_TRUE(sigma);
+    pointing::PointingTerms wanted = found;
+    wanted.elevationSag = 0.3_deg;
+    ASSERT_TRUE(rig.ask(request::ProposeTerms{wanted}));
+    rig.tick();
+    const auto proposal = rig.status().proposal;
+    ASSERT_TRUE(proposal);
+    EXPECT_EQ(1, std::ranges::count_if(proposal->terms, &TermStatus::isOn));
+    EXPECT_TRUE(proposal->terms.at(6).isOn);
+    EXPECT_FALSE(proposal->terms.at(6).sigma);
+    EXPECT_EQ(sigma, proposal->terms.at(0).sigma);
+    EXPECT_EQ(found.azimuthOffset, proposal->terms.at(0).proposed);
+    ASSERT_TRUE(rig.apply());
+    rig.tick();
+    EXPECT_EQ(found.azimuthOffset, rig.terms().azimuthOffset);
+    EXPECT_THAT(rig.status().history.front().change.toStdString(), ::testing::StartsWith("elevation sag "));
+    EXPECT_EQ(sigma, rig.status().sheet.sigmas.at(0));
+    EXPECT_FALSE(rig.status().sheet.sigmas.at(6));
+}
+
+// Story: five points were fitted, a term was typed, applied and taken back; the fit could not be applied any more.
+TEST(CalibrationTerms, AfterUndoThePointsAreProposedAgainIfTheySayOtherwise)
+{
+    CalibrationRig rig;
+    takeLandmarks(rig);
+    ASSERT_TRUE(rig.ask(request::ProposeTerms{typed()}));
+    rig.tick();
+    ASSERT_TRUE(rig.apply());
+    rig.tick();
+    EXPECT_FALSE(rig.status().proposal) << "it is what the operator wants now";
+    ASSERT_TRUE(rig.ask(request::UndoCalibration{}));
+    rig.tick();
+    ASSERT_TRUE(rig.status().proposal);
+    EXPECT_EQ(QStringLiteral("points"), rig.status().proposal->reason);
+    ASSERT_TRUE(rig.apply());
+    EXPECT_NEAR(rig.truth.terms.azimuthOffset.degrees(), rig.terms().azimuthOffset.degrees(), 0.1);
+    ASSERT_TRUE(rig.ask(request::UndoCalibration{}));
+    rig.tick();
+    EXPECT_TRUE(rig.status().proposal) << "what the points say is not in force";
+    ASSERT_TRUE(rig.ask(request::RedoCalibration{}));
+    rig.tick();
+    EXPECT_FALSE(rig.status().proposal) << "it is";
+}
+
+// Story: north was set by hand in the guide, and the history went on to say that the former is in force.
+TEST(CalibrationTerms, WhatWasChangedByHandSinceIsTold)
+{
+    CalibrationRig rig;
+    ASSERT_TRUE(rig.ask(request::ProposeTerms{typed()}));
+    rig.tick();
+    ASSERT_TRUE(rig.apply());
+    rig.tick();
+    EXPECT_EQ(QStringLiteral("Typed terms"), rig.status().history.front().title);
+    profile::Profile changed = rig.profile;
+    changed.pointing.azimuthOffset = 338.7_deg;
+    rig.setProfile(changed);
+    rig.tick();
+    EXPECT_EQ(QStringLiteral("Typed terms, changed by hand since"), rig.status().history.front().title);
+    EXPECT_THAT(rig.status().history.front().change.toStdString(),
+                HasSubstr("since then by hand: azimuth offset 37.40° → 338.70°"));
+    EXPECT_TRUE(rig.status().history.front().inForce);
+}
+
+// Story: what was known of a term counted as much as the points, and the page called it found.
+TEST(CalibrationTerms, WhatIsOnlyHeldIsNotCalledFound)
+{
+    CalibrationRig rig;
+    for (const double azimuth : {40.0, 75.0, 110.0}) {
+        rig.goTo(azimuth, 30.0 + azimuth / 10.0);
+        ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = rig.beam(), .label = {}}));
+    }
+    rig.tick();
+    const auto proposal = rig.status().proposal;
+    ASSERT_TRUE(proposal);
+    const auto held = [](const TermStatus& term) { return !term.isOn && term.sigma && term.proposed != term.present; };
+    EXPECT_TRUE(proposal->terms.at(0).isOn);
+    EXPECT_GT(std::ranges::count_if(proposal->terms, held), 0) << "three points determine not all that they move";
+    EXPECT_EQ(std::ranges::count_if(proposal->terms, &TermStatus::isOn),
+              std::ranges::count_if(rig.status().fit->terms, &TermStatus::isOn));
 }
 
 TEST(CalibrationTerms, TheyAreShownBesideThePoints)
@@ -235,13 +340,7 @@ TEST(CalibrationTerms, AreNoKnowledgeForTheFit)
         rig.ask(request::ImportTerms{.name = QStringLiteral("wrong.terms"), .text = calibration::toText(sheet)}));
     rig.tick();
     ASSERT_TRUE(rig.apply());
-    for (const double azimuth : {20.0, 80.0, 140.0, 200.0, 260.0, 320.0}) {
-        for (const double elevation : {20.0, 60.0}) {
-            rig.goTo(azimuth, elevation);
-            ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = rig.beam(), .label = {}}));
-        }
-    }
-    rig.tick();
+    takeLandmarks(rig);
     ASSERT_TRUE(rig.apply());
     EXPECT_NEAR(rig.truth.terms.tiltNorth.degrees(), rig.terms().tiltNorth.degrees(), 0.05);
 }
@@ -302,6 +401,31 @@ TEST(CalibrationTerms, AnotherDriveWarns)
     same.setProfile(changed);
     same.run(Seconds(1.0));
     EXPECT_FALSE(isWarned(same));
+}
+
+// Story: what was taken back, with the points of six hours of Sun in it, was gone from the file once another was
+// applied.
+TEST(CalibrationTerms, WhatWasTakenBackStaysToBeRead)
+{
+    CalibrationRig rig;
+    const auto applies = [&rig](double north) {
+        rig.run(Seconds(60.0));
+        return rig.ask(request::ProposeTerms{{.azimuthOffset = Angle::fromDegrees(north)}}) && rig.apply();
+    };
+    ASSERT_TRUE(applies(10.0));
+    ASSERT_TRUE(applies(20.0));
+    ASSERT_TRUE(rig.ask(request::UndoCalibration{}));
+    ASSERT_TRUE(applies(30.0));
+    const auto history = rig.status().history;
+    ASSERT_EQ(3U, history.size());
+    EXPECT_TRUE(history[0].inForce);
+    EXPECT_TRUE(history[1].superseded);
+    EXPECT_FALSE(history[1].inForce);
+    EXPECT_TRUE(history[1].change.contains(QStringLiteral("20.00°")));
+    EXPECT_TRUE(history[2].inForce);
+    EXPECT_FALSE(rig.status().canRedo);
+    ASSERT_TRUE(rig.ask(request::UndoCalibration{}));
+    EXPECT_NEAR(10.0, rig.terms().azimuthOffset.degrees(), 1e-9) << "not to what was taken back before";
 }
 
 }  // namespace

@@ -64,6 +64,32 @@ TEST(ScanRun, ItSaysWhatItWaitsFor)
     EXPECT_EQ(QStringLiteral("the mount does not come to rest"), scan.obstacle(at(601.0)));
 }
 
+// Of a weak source half a beam beside the other line half the power is seen, and then nothing is found.
+TEST(ScanRun, TheSecondLineGoesThroughThePeakOfTheFirst)
+{
+    ScanRun scan(8_deg, kStart);
+    double now = 0.0;
+    for (int place = 0; place < ScanRun::kPlaces; ++place) {
+        now += 5.0;
+        EXPECT_EQ(Angle{}, scan.offset().elevation);
+        const double off = scan.offset().across.degrees() - 1.0;
+        scan.give(-60.0 - 0.3 * off * off, at(now));
+    }
+    EXPECT_NEAR(1.0, scan.offset().across.degrees(), 0.01);
+    EXPECT_EQ(-4_deg, scan.offset().elevation);
+    EXPECT_TRUE(scan.obstacle(at(now)).isEmpty());
+}
+
+TEST(ScanRun, EndsAfterTheFirstLineIfThatHasNoPeak)
+{
+    ScanRun scan(8_deg, kStart);
+    for (int place = 0; place < ScanRun::kPlaces; ++place) {
+        EXPECT_TRUE(scan.obstacle(at(5.0 * place)).isEmpty());
+        scan.give(-60.0, at(5.0 * (place + 1)));
+    }
+    EXPECT_TRUE(scan.obstacle(at(45.0)).startsWith(QStringLiteral("across: the power changes by 0.00 dB only")));
+}
+
 TEST(ScanRun, OnTheWayBackNothingIsListenedTo)
 {
     ScanRun scan(8_deg, kStart);

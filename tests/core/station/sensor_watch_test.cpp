@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/sensor_watch.h"
-
 #include "core/station/sensor_curve.h"
-#include "tests/fakes/manual_clock.h"
-
-#include <gmock/gmock.h>
+#include "tests/core/station/sensor_watch_rig.h"
 
 #include <cmath>
 #include <utility>
@@ -15,75 +11,9 @@ namespace {
 using orientation::Presence;
 using testing::HasSubstr;
 
-constexpr SkyPointing kAxes{.azimuth = Angle::fromDegrees(100.0), .elevation = Angle::fromDegrees(20.0)};
-
-struct WatchRig
-{
-    explicit WatchRig(const profile::Profile& settings = {}) : profile(settings), watch(settings, clock, log, alarms)
-    {
-        watch.begin(QStringLiteral("serial /dev/ttyUSB0"));
-    }
-
-    // A value each second, while `speaking`.
-    void run(double seconds)
-    {
-        for (int i = 0; i < static_cast<int>(seconds * 50.0); ++i) {
-            clock.advance(Seconds(0.02));
-            watch.tick(kAxes);
-            if (speaking && ++ticks % 50 == 0) {
-                watch.take(value());
-            }
-        }
-    }
-
-    [[nodiscard]] orientation::Orientation value() const
-    {
-        return {.heading = orientation::SensorHeading::folded(heading),
-                .extendedAzimuth = heading,
-                .elevation = elevation,
-                .temperature = 27.0,
-                .calibration = calibration,
-                .arrival = clock.now(),
-                .unknown = unknown};
-    }
-
-    [[nodiscard]] std::string alarmText() const
-    {
-        for (const Alarm& alarm : alarms.list()) {
-            if (alarm.active) {
-                EXPECT_EQ(alarm.severity, Severity::Warning) << "amber: the mount goes on";
-                return (alarm.what + QLatin1Char(' ') + alarm.action + QLatin1Char(' ') + alarm.remedy).toStdString();
-            }
-        }
-        return {};
-    }
-
-    [[nodiscard]] std::string logText() const
-    {
-        std::string text;
-        for (const LogEntry& entry : log.since(0, 100)) {
-            text += entry.source.toStdString() + ": " + entry.text.toStdString() + "\n";
-        }
-        return text;
-    }
-
-    fakes::ManualClock clock;
-    EventLog log{clock};
-    AlarmBoard alarms{log, clock};
-    profile::Profile profile;
-    SensorWatch watch;
-    bool speaking = true;
-    int ticks = 0;
-    Angle heading = 100_deg;
-    Angle elevation = 20_deg;
-    std::optional<orientation::Calibration> calibration{
-        {.system = 3, .gyro = 3, .accelerometer = 3, .magnetometer = 3}};
-    std::string unknown;
-};
-
 TEST(SensorWatch, WithoutASensorThereIsNothingToTell)
 {
-    WatchRig rig;
+    SensorWatchRig rig;
     rig.watch.begin({});
     rig.speaking = false;
     rig.run(60.0);
@@ -96,7 +26,7 @@ TEST(SensorWatch, ShowsTheTrueDirectionAndItsAge)
     profile::Profile profile;
     profile.sensor.mounting.azimuthOffset = 37.4_deg;
     profile.sensor.mounting.elevationOffset = 1_deg;
-    WatchRig rig(profile);
+    SensorWatchRig rig(profile);
     rig.heading = 62.6_deg;
     rig.elevation = 19_deg;
     rig.run(10.5);
@@ -113,7 +43,7 @@ TEST(SensorWatch, ShowsTheTrueDirectionAndItsAge)
 
 TEST(SensorWatch, LateThenLostThenBack)
 {
-    WatchRig rig;
+    SensorWatchRig rig;
     rig.run(10.0);
     rig.speaking = false;
     rig.run(3.5);
@@ -133,7 +63,7 @@ TEST(SensorWatch, LateThenLostThenBack)
 
 TEST(SensorWatch, AFirstWordIsWaitedForTenSeconds)
 {
-    WatchRig rig;
+    SensorWatchRig rig;
     rig.speaking = false;
     rig.run(9.9);
     EXPECT_EQ(rig.alarmText(), "");
@@ -143,7 +73,7 @@ TEST(SensorWatch, AFirstWordIsWaitedForTenSeconds)
 
 TEST(SensorWatch, ADeadOneIsToldAsThat)
 {
-    WatchRig rig;
+    SensorWatchRig rig;
     rig.run(3.0);
     orientation::Orientation dead = rig.value();
     dead.heading = orientation::SensorHeading::folded(5.07_deg);
@@ -158,66 +88,16 @@ TEST(SensorWatch, ADeadOneIsToldAsThat)
     EXPECT_EQ(rig.watch.evidence(), SensorEvidence());
 }
 
-TEST(SensorWatch, APersistentDifferenceIsAmberWithItsLikelyCauses)
-{
-    WatchRig rig;
-    rig.run(5.0);
-    rig.heading = 130_deg;
-    rig.run(3.0);
-    EXPECT_THAT(rig.alarmText(), HasSubstr("differ by 30.0° in azimuth"));
-    EXPECT_THAT(rig.alarmText(), HasSubstr("Nothing is moved because of it"));
-    EXPECT_THAT(rig.alarmText(), HasSubstr("iron near the compass"));
-    EXPECT_TRUE(rig.watch.status().disagrees);
-    rig.heading = 100_deg;
-    rig.run(6.0);
-    EXPECT_EQ(rig.alarmText(), "");
-    rig.elevation = 45_deg;
-    rig.run(3.0);
-    EXPECT_THAT(rig.alarmText(), HasSubstr("differ by 25.0° in elevation"));
-}
-
-// Story: any setting at all took the alarm away, and 1.5 s later it came anew, unacknowledged.
-TEST(SensorWatch, ASettingOfSomethingElseLeavesTheAlarm)
-{
-    WatchRig rig;
-    rig.run(5.0);
-    rig.heading = 130_deg;
-    rig.run(3.0);
-    ASSERT_TRUE(rig.watch.status().disagrees);
-    profile::Profile other = rig.profile;
-    other.rotctld.maxClients = 3;
-    rig.watch.setProfile(other);
-    rig.run(0.1);
-    EXPECT_TRUE(rig.watch.status().disagrees);
-    other.pointing.azimuthOffset = 30_deg;  // the axes tell another direction from now on
-    rig.watch.setProfile(other);
-    rig.run(0.1);
-    EXPECT_FALSE(rig.watch.status().disagrees);
-}
-
 TEST(SensorWatch, TheDeclinationOfAnotherSiteIsForgotten)
 {
     profile::Profile profile;
     profile.sensor.declinationBy = geomagnetism::DeclinationBy::Boresight;
     profile.sensor.declinationFile = "WMM.COF";
-    WatchRig rig(profile);
+    SensorWatchRig rig(profile);
     rig.watch.setSiteDeclination(Result<Angle>(12_deg));
     EXPECT_NEAR(12.0, rig.watch.status().declination.degrees(), 1e-9);
     rig.watch.setSiteDeclination(std::nullopt);
     EXPECT_THAT(rig.watch.status().declinationText.toStdString(), HasSubstr("not known"));
-}
-
-TEST(SensorWatch, ANewSettingTakesADifferenceAway)
-{
-    WatchRig rig;
-    rig.heading = 62.6_deg;
-    rig.run(5.0);
-    EXPECT_NE(rig.alarmText(), "");
-    rig.profile.sensor.mounting.azimuthOffset = 37.4_deg;
-    rig.watch.setProfile(rig.profile);
-    rig.run(2.0);
-    EXPECT_EQ(rig.alarmText(), "");
-    EXPECT_NEAR(rig.watch.status().direction->azimuth.degrees(), 100.0, 1e-9);
 }
 
 // Whole turns, whichever way the sensor counts: the mount turns clockwise by 500°.
@@ -228,7 +108,7 @@ TEST(SensorWatch, ItsCourseIsThatOfTheMount)
         profile.sensor.mounting.azimuthOffset = 37.4_deg;
         profile.sensor.mounting.sense =
             clockwise ? orientation::Sense::Clockwise : orientation::Sense::CounterClockwise;
-        WatchRig rig(profile);
+        SensorWatchRig rig(profile);
         rig.run(2.0);
         const auto before = rig.watch.evidence().course;
         ASSERT_TRUE(before);
@@ -248,7 +128,7 @@ TEST(SensorWatch, ItsCourseIsThatOfTheMount)
 
 TEST(SensorWatch, ItsCourseBreaksWhereItProvesNothing)
 {
-    WatchRig rig;
+    SensorWatchRig rig;
     const auto unbroken = [&rig] {
         rig.run(2.0);
         const auto course = rig.watch.evidence().course;
@@ -281,7 +161,7 @@ TEST(SensorWatch, ItsCourseBreaksWhereItProvesNothing)
 
 TEST(SensorWatch, AnUncalibratedCompassIsNoWitness)
 {
-    WatchRig rig;
+    SensorWatchRig rig;
     rig.calibration->magnetometer = 1;
     rig.heading = 180_deg;
     rig.run(10.0);
@@ -298,7 +178,7 @@ TEST(SensorWatch, AnUncalibratedCompassIsNoWitness)
 // Practically no calibration comes by MQTT: that is no proof, but a difference is told all the same.
 TEST(SensorWatch, WithoutACalibrationItWarnsButProvesNothing)
 {
-    WatchRig rig;
+    SensorWatchRig rig(withNorth());
     rig.calibration.reset();
     rig.heading = 150_deg;
     rig.run(5.0);
@@ -312,7 +192,7 @@ TEST(SensorWatch, WhatASwingFoundStandsForTheMounting)
     profile::Profile profile;
     profile.sensor.mounting.azimuthOffset = 37_deg;
     profile.sensor.deviation = {.a1 = curve.a1, .b1 = curve.b1, .a2 = curve.a2, .b2 = curve.b2};
-    WatchRig rig(profile);
+    SensorWatchRig rig(profile);
     rig.heading = curve.reading(100_deg).angle();
     rig.run(3.0);
     EXPECT_NEAR(rig.watch.status().direction->azimuth.degrees(), 100.0, 1e-6);
@@ -323,7 +203,7 @@ TEST(SensorWatch, WhatASwingFoundSaysHowFarItIsToBeBelieved)
 {
     profile::Profile profile;
     profile.sensor.deviation = {.a1 = 8_deg, .sigma = 1.5_deg, .elevation = 20_deg};
-    WatchRig rig(profile);
+    SensorWatchRig rig(profile);
     rig.heading = curveOf(profile.sensor, profile.sensor.declinationInSensor).reading(100_deg).angle();
     rig.run(3.0);
     EXPECT_NEAR(rig.watch.status().azimuthSigma->degrees(), 1.5, 1e-9);
@@ -352,7 +232,7 @@ TEST(SensorWatch, TheDeclinationOfTheSiteCountsOnceItIsKnown)
     profile::Profile profile;
     profile.sensor.declinationBy = geomagnetism::DeclinationBy::Boresight;
     profile.sensor.declinationFile = "WMM.COF";
-    WatchRig rig(profile);
+    SensorWatchRig rig(profile);
     rig.run(2.0);
     EXPECT_NEAR(rig.watch.status().direction->azimuth.degrees(), 100.0, 1e-9);
     rig.watch.setSiteDeclination(-14.93_deg);
@@ -365,9 +245,34 @@ TEST(SensorWatch, TheDeclinationOfTheSiteCountsOnceItIsKnown)
     EXPECT_NEAR(rig.watch.status().direction->azimuth.degrees(), 100.0, 1e-9) << "not known is not 0";
 }
 
+TEST(SensorWatch, TellsTheMagneticModelAndWhatIsWrongWithTheDeclination)
+{
+    profile::Profile profile;
+    {
+        SensorWatchRig typed(profile);
+        EXPECT_EQ(QString(), typed.watch.status().declinationDoubt) << "nobody has typed one";
+    }
+    profile.sensor.declination = 12_deg;  // and the sensor adds that of Berlin
+    {
+        SensorWatchRig typed(profile);
+        EXPECT_THAT(typed.watch.status().declinationDoubt.toStdString(), HasSubstr("off"));
+    }
+    profile.sensor.declinationBy = geomagnetism::DeclinationBy::Boresight;
+    profile.sensor.declinationFile = "WMM.COF";
+    SensorWatchRig rig(profile);
+    rig.watch.setSiteDeclination(12_deg, QStringLiteral("WMM-2025, 2025.0 to 2030.0"));
+    EXPECT_EQ(QStringLiteral("WMM-2025, 2025.0 to 2030.0"), rig.watch.status().declinationModel);
+    EXPECT_EQ(QString(), rig.watch.status().declinationDoubt);
+    rig.watch.setSiteDeclination(12_deg, QStringLiteral("WMM-2020, 2020.0 to 2025.0"), QStringLiteral("it has ended"));
+    EXPECT_EQ(QStringLiteral("it has ended"), rig.watch.status().declinationDoubt);
+    rig.watch.setSiteDeclination(failure(ErrorCode::NoDevice, "WMM.COF: no such file"));
+    EXPECT_EQ(QStringLiteral("WMM.COF: no such file"), rig.watch.status().declinationDoubt);
+    EXPECT_EQ(QString(), rig.watch.status().declinationModel);
+}
+
 TEST(SensorWatch, TellsRestartsAndUnknownFieldsOnce)
 {
-    WatchRig rig;
+    SensorWatchRig rig;
     rig.unknown = "12.5,hPa";
     rig.run(5.0);
     rig.calibration = orientation::Calibration{};

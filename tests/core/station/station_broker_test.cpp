@@ -5,7 +5,7 @@
 #include "core/sim/simulated_link.h"
 #include "core/station/station.h"
 #include "tests/core/mqtt/mqtt_rig.h"
-#include "tests/fakes/mqtt_broker.h"
+#include "tests/fakes/mqtt_test.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -29,16 +29,12 @@ profile::Profile publishing(std::uint16_t port)
     return profile;
 }
 
-class StationBrokerTest : public testing::Test
+class StationBrokerTest : public fakes::MqttTest
 {
 protected:
-    void SetUp() override
+    void prepare() override
     {
-        if (!fakes::MqttBroker::isInstalled()) {
-            GTEST_SKIP() << "no mosquitto, mosquitto_passwd or openssl (Debian packages mosquitto and openssl)";
-        }
-        broker = std::make_unique<fakes::MqttBroker>();
-        ASSERT_TRUE(broker->start());
+        ASSERT_TRUE(startBroker());
         logger.client.subscribe(QStringLiteral("boresight/#"));
         logger.client.open(mqtt::onLoopback(broker->port()));
         ASSERT_TRUE(logger.connected());
@@ -88,7 +84,6 @@ protected:
 
     const QString kState = QStringLiteral("boresight/state");
     const QString kAvailability = QStringLiteral("boresight/availability");
-    std::unique_ptr<fakes::MqttBroker> broker;
     mqtt::Rig logger;
     fakes::ManualClock clock;
     QTemporaryDir stateDir;

@@ -131,6 +131,27 @@ TEST(StationSensor, ADisturbedCompassIsToldWithinThreeSecondsAndMovesNothing)
     EXPECT_EQ(rig.alarms(), "");
 }
 
+// Story: amber beside the very north that was found and waited for Apply.
+TEST(StationSensor, ADifferenceThatTheFoundNorthExplainsIsNoAlarm)
+{
+    profile::Profile profile = withSimulatedSensor();
+    profile.sensor.mounting.azimuthOffset = 10_deg;
+    profile.pointing.azimuthOffset = 5_deg;
+    SensedRig rig(profile);
+    rig.run(kSurvey + 6.0);
+    ASSERT_THAT(rig.alarms(), HasSubstr("The orientation sensor and the axes differ by"));
+    ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
+    const auto asked = rig.ask(request::MeasureSensorOffset{});
+    ASSERT_TRUE(asked) << asked.error().text;
+    rig.run(30.0);
+    ASSERT_TRUE(rig.station->status().calibration->proposal)
+        << rig.station->status().calibration->progress.outcome.toStdString();
+    EXPECT_EQ(rig.alarms(), "");
+    ASSERT_TRUE(rig.ask(request::ApplyCalibration{rig.station->status().calibration->proposal->number}));
+    rig.run(10.0);
+    EXPECT_EQ(rig.alarms(), "") << "in force it explains it as well";
+}
+
 // The field of the motors turns the needle while they work: slews to and fro show it.
 TEST(StationSensor, ADisturbanceThatGoesWithTheMotorsCurrentIsToldAsThat)
 {

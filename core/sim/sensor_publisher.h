@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mqtt/client.h"
+#include "core/sim/sensor_box.h"
+
+#include <QObject>
+
+#include <chrono>
+#include <optional>
+
+// The simulated orientation sensor at an MQTT broker, as its firmware does it: quality of service 0, nothing retained,
+// no will, no user; PREFIXorientation about once a second, PREFIXcalibration each 10 s, PREFIXstatus each minute. Lives
+// on the thread of its event loop; nothing blocks, and what is said without a connection is lost.
+namespace boresight::sim {
+
+enum class PublishedTopics
+{
+    All,
+    OrientationOnly  // what is left of them since the firmware of March 2026
+};
+
+class SensorPublisher final : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr std::chrono::seconds kCalibrationPeriod{10};
+    static constexpr std::chrono::seconds kStatusPeriod{60};
+
+    // Box and clock outlive the publisher.
+    SensorPublisher(SensorBox& box, const Clock& clock, const QString& prefix,
+                    PublishedTopics topics = PublishedTopics::All);
+
+    // Whom to open, and whose problem to tell.
+    [[nodiscard]] mqtt::Client& client() { return m_client; }
+
+private:
+    struct Beside
+    {
+        orientation::Topic topic;
+        QString name;
+        std::chrono::seconds period;
+        std::optional<SteadyTime> last{};
+    };
+    void publish(const SensorMessage& message);
+    bool send(const QString& name, const SensorMessage& message, orientation::Topic topic);
+
+    const Clock& m_clock;
+    QString m_prefix;
+    std::vector<Beside> m_beside;
+    mqtt::Client m_client;
+};
+
+}  // namespace boresight::sim

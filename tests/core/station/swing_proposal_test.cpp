@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a swing proposes of the zero of elevation, which a box that lies askew spoils as well; and of a north and a tilt
+// that points have told better.
+#include "core/station/calibration_proposal.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+using namespace boresight::literals;
+using calibration::indexOf;
+using calibration::Term;
+
+// Where the elevation axis shows 0° the sensor says so much.
+SwingOutcome saying(Angle zero)
+{
+    calibration::AxisTilt tilt;
+    tilt.elevationOffset = {zero, 1_deg};
+    tilt.sizeSigma = 0.05_deg;
+    SwingOutcome swing;
+    swing.fit.north = {37.4_deg, 1.6_deg};
+    swing.tilt = tilt;
+    return swing;
+}
+
+Angle sensorZero(const Proposal& proposal)
+{
+    return proposal.sensor->elevationOffset;
+}
+
+bool warns(const Proposal& proposal)
+{
+    return std::ranges::any_of(proposal.warnings, [](const QString& warning) {
+        return warning.contains(QStringLiteral("zero")) || warning.contains(QStringLiteral("differ"));
+    });
+}
+
+TEST(SwingProposal, WhatABoxAskewExplainsIsTheSensors)
+{
+    profile::Profile profile;
+    profile.pointing.elevationOffset = -0.25_deg;
+    const Proposal proposal = proposalOf(saying(0.7_deg), profile);
+    EXPECT_EQ(-0.25_deg, proposal.terms.elevationOffset) << "the beam stays";
+    EXPECT_FALSE(proposal.sigmas[indexOf(Term::ElevationOffset)]);
+    EXPECT_NEAR(-0.95, sensorZero(proposal).degrees(), 1e-9) << "0.70° as sent are -0.25° of the beam then";
+    EXPECT_FALSE(warns(proposal));
+    EXPECT_TRUE(proposal.text.contains(QStringLiteral("askew")));
+}
+
+TEST(SwingProposal, MoreThanThatIsTheZeroOfTheAxis)
+{
+    profile::Profile profile;
+    profile.sensor.mounting.elevationOffset = 1_deg;
+    const Proposal proposal = proposalOf(saying(3_deg), profile);
+    EXPECT_NEAR(4.0, proposal.terms.elevationOffset.degrees(), 1e-9);
+    EXPECT_EQ(1_deg, *proposal.sigmas[indexOf(Term::ElevationOffset)]);
+    EXPECT_EQ(1_deg, sensorZero(proposal)) << "as it was mounted";
+    EXPECT_TRUE(warns(proposal));
+}
+
+TEST(SwingProposal, AZeroThatTheSunHasToldStays)
+{
+    profile::Profile profile;
+    profile.pointing.elevationOffset = 0.4_deg;
+    TermSigmas told;
+    told[indexOf(Term::ElevationOffset)] = 0.03_deg;
+    const Proposal proposal = proposalOf(saying(5_deg), profile, told);
+    EXPECT_EQ(0.4_deg, proposal.terms.elevationOffset);
+    EXPECT_NEAR(-4.6, sensorZero(proposal).degrees(), 1e-9);
+    told[indexOf(Term::ElevationOffset)] = 2_deg;
+    EXPECT_NEAR(5.0, proposalOf(saying(5_deg), profile, told).terms.elevationOffset.degrees(), 1e-9)
+        << "known worse than the swing tells it";
+}
+
+// 6° and 7° more are no 13° that a profile could keep: the whole swing was refused with them.
+TEST(SwingProposal, AZeroBeyondWhatAProfileKeepsIsNotProposed)
+{
+    profile::Profile profile;
+    profile.pointing.elevationOffset = 6_deg;
+    const Proposal proposal = proposalOf(saying(13_deg), profile);
+    EXPECT_EQ(6_deg, proposal.terms.elevationOffset);
+    EXPECT_FALSE(proposal.sigmas[indexOf(Term::ElevationOffset)]);
+    EXPECT_TRUE(proposal.text.contains(QStringLiteral("too much to put right")));
+    EXPECT_TRUE(warns(proposal));
+    EXPECT_TRUE(asSettings(proposal.terms)) << "north and curve can be applied";
+    EXPECT_NEAR(37.4, proposal.terms.azimuthOffset.degrees(), 1e-9);
+    // A box that lies askew a little stays one, also near the end.
+    profile.pointing.elevationOffset = 9.5_deg;
+    EXPECT_TRUE(proposalOf(saying(10.5_deg), profile).text.contains(QStringLiteral("askew on the boom")));
+}
+
+TEST(SwingProposal, WhatCannotBeAnOffsetIsPutRightByHand)
+{
+    const profile::Profile profile;
+    const Proposal proposal = proposalOf(saying(60_deg), profile);
+    EXPECT_EQ(0_deg, proposal.terms.elevationOffset);
+    EXPECT_EQ(0_deg, sensorZero(proposal));
+    EXPECT_TRUE(warns(proposal));
+}
+
+// North, tilt and deviation as a compass tells them.
+SwingOutcome swung(Angle north, Angle tiltNorth = {})
+{
+    SwingOutcome swing = saying({});
+    swing.fit.north = {north, 2.4_deg};
+    swing.fit.statistical = 0.03_deg;
+    swing.fit.curve.a1 = 8_deg;
+    swing.fit.curve.constantSigma = 2.4_deg;
+    swing.tilt->north = {tiltNorth, 0.05_deg};
+    swing.tilt->size = abs(tiltNorth);
+    return swing;
+}
+
+// The Sun's north, and how well it is known.
+profile::Profile withNorth(Angle north)
+{
+    profile::Profile profile;
+    profile.pointing.azimuthOffset = north;
+    return profile;
+}
+
+TermSigmas northTold(Angle sigma)
+{
+    TermSigmas told;
+    told[indexOf(Term::AzimuthOffset)] = sigma;
+    return told;
+}
+
+// Story: in force 37.50° ± 0.11° from ten points, proposed 37.63° ± 2.39°, and the curve could not be had without.
+TEST(SwingProposal, ANorthThatPointsHaveToldBetterStays)
+{
+    const profile::Profile profile = withNorth(37.5_deg);
+    const Proposal proposal = proposalOf(swung(39.5_deg), profile, northTold(0.11_deg));
+    EXPECT_EQ(profile.pointing, proposal.terms);
+    EXPECT_FALSE(proposal.sigmas[indexOf(Term::AzimuthOffset)]) << "of it nothing was found out";
+    EXPECT_EQ(QStringLiteral("north stays: it is known to 0.11°, a compass to 2.4°"), proposal.stays);
+    EXPECT_EQ(QStringLiteral("Curve of the compass"), proposal.title);
+    EXPECT_TRUE(proposal.warnings.empty()) << proposal.warnings.front().toStdString();
+    // What was true azimuth 39.5° + axis for the swing is 37.5° + axis really.
+    const calibration::DeviationCurve asSwung{.a1 = 8_deg};
+    const calibration::DeviationCurve& curve = *proposal.sensor->curve;
+    for (const Angle axis : {0_deg, 70_deg, 200_deg}) {
+        EXPECT_NEAR(asSwung.reading(axis + 39.5_deg).angle().degrees(),
+                    curve.reading(axis + 37.5_deg).angle().degrees(), 1e-9);
+    }
+    EXPECT_EQ(-curve.constant, proposal.sensor->azimuthOffset);
+    EXPECT_NEAR(std::hypot(0.11, 0.03), curve.constantSigma->degrees(), 1e-9);
+}
+
+TEST(SwingProposal, ANorthThatNobodyHasToldBetterIsReplaced)
+{
+    for (const TermSigmas& told : {TermSigmas{}, northTold(3_deg)}) {
+        const Proposal proposal = proposalOf(swung(39.5_deg), withNorth(37.5_deg), told);
+        EXPECT_NEAR(39.5, proposal.terms.azimuthOffset.degrees(), 1e-9);
+        EXPECT_EQ(2.4_deg, *proposal.sigmas[indexOf(Term::AzimuthOffset)]);
+        EXPECT_TRUE(proposal.stays.isEmpty());
+        EXPECT_TRUE(proposal.warnings.empty());
+    }
+}
+
+// More than both may err: who moved the mount needs the compass's north, who brought iron near must not take it.
+TEST(SwingProposal, ANorthThatTheCompassContradictsIsReplacedWithAWarning)
+{
+    const Proposal stays = proposalOf(swung(357.6_deg), withNorth(4.7_deg), northTold(0.11_deg));
+    EXPECT_FALSE(stays.stays.isEmpty()) << "7.1° the shorter way";
+    const Proposal proposal = proposalOf(swung(357.4_deg), withNorth(4.7_deg), northTold(0.11_deg));
+    EXPECT_NEAR(-2.6, proposal.terms.azimuthOffset.degrees(), 1e-9) << "nearest to what is in force";
+    EXPECT_TRUE(proposal.stays.isEmpty());
+    ASSERT_EQ(1U, proposal.warnings.size());
+    EXPECT_TRUE(proposal.warnings[0].contains(QStringLiteral("7.3°"))) << proposal.warnings[0].toStdString();
+    EXPECT_TRUE(proposal.warnings[0].contains(QStringLiteral("moved")));
+    EXPECT_TRUE(proposal.warnings[0].contains(QStringLiteral("iron")));
+}
+
+TEST(SwingProposal, ATiltThatPointsHaveToldBetterStays)
+{
+    profile::Profile profile = withNorth(37.5_deg);
+    profile.pointing.tiltNorth = 0.5_deg;
+    TermSigmas told = northTold(0.11_deg);
+    told[indexOf(Term::TiltNorth)] = 0.02_deg;
+    told[indexOf(Term::TiltEast)] = 0.04_deg;
+    const Proposal stays = proposalOf(swung(37.4_deg, 0.6_deg), profile, told);
+    EXPECT_EQ(0.5_deg, stays.terms.tiltNorth);
+    EXPECT_FALSE(stays.sigmas[indexOf(Term::TiltNorth)]) << "else it would count as what the swing has found";
+    EXPECT_EQ(QStringLiteral("north stays: it is known to 0.11°, a compass to 2.4°; tilt stays: it is known to 0.04°, "
+                             "a swing to 0.05°"),
+              stays.stays);
+    // The mast leans otherwise today.
+    const Proposal contradicts = proposalOf(swung(37.4_deg, 0.8_deg), profile, told);
+    EXPECT_EQ(0.8_deg, contradicts.terms.tiltNorth);
+    ASSERT_EQ(1U, contradicts.warnings.size());
+    EXPECT_TRUE(contradicts.warnings[0].contains(QStringLiteral("0.30°"))) << contradicts.warnings[0].toStdString();
+    told[indexOf(Term::TiltEast)] = {};
+    EXPECT_EQ(0.6_deg, proposalOf(swung(37.4_deg, 0.6_deg), profile, told).terms.tiltNorth)
+        << "half of it is not known";
+}
+
+// Of the still sensor there is no curve: it is turned so that it agrees.
+TEST(SensorProposal, ANorthThatPointsHaveToldBetterStays)
+{
+    calibration::SensorOffset offset;
+    offset.offset = {43_deg, 6_deg};
+    profile::Profile profile = withNorth(37.5_deg);
+    profile.sensor.mounting.azimuthOffset = 2_deg;
+    const Proposal proposal = proposalOf(offset, profile, northTold(0.11_deg));
+    EXPECT_EQ(profile.pointing, proposal.terms);
+    EXPECT_EQ(QStringLiteral("north stays: it is known to 0.11°, a compass to 6.0°"), proposal.stays);
+    EXPECT_NEAR(-3.5, proposal.sensor->azimuthOffset.degrees(), 1e-9);
+    EXPECT_FALSE(proposal.sensor->curve);
+    EXPECT_TRUE(proposal.warnings.empty()) << "that north is known badly by it harms nobody";
+    const Proposal before = proposalOf(offset, profile);
+    EXPECT_NEAR(43.0, before.terms.azimuthOffset.degrees(), 1e-9);
+    EXPECT_FALSE(before.sensor);
+}
+
+}  // namespace
+}  // namespace boresight

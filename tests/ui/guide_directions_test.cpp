@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/guide_directions.h"
+
+#include "tests/ui/guide_fixture.h"
+#include "ui/direction_arrow.h"
+
+// Test moves: which motor is which, and which way it turns.
+namespace boresight::ui {
+namespace {
+
+TEST_F(GuideTest, AHeldTestMoveIsSlowAndEndsOnRelease)
+{
+    open<GuideDirections>(GuideStep::Directions);
+    for (const auto& [axis, upwards, rates] : {std::tuple{Axis::Azimuth, true, AxisRates{1_deg_s, 0_deg_s}},
+                                               std::tuple{Axis::Azimuth, false, AxisRates{-1_deg_s, 0_deg_s}},
+                                               std::tuple{Axis::Elevation, true, AxisRates{0_deg_s, 1_deg_s}},
+                                               std::tuple{Axis::Elevation, false, AxisRates{0_deg_s, -1_deg_s}}}) {
+        requests.clear();
+        QTest::mousePress(&hold(axis, upwards), Qt::LeftButton);
+        ASSERT_TRUE(QTest::qWaitFor([this] { return asked<request::Jog>().size() >= 3; }, 2000));
+        EXPECT_EQ(asked<request::Jog>().back().rates, rates);
+        QTest::mouseRelease(&hold(axis, upwards), Qt::LeftButton);
+        EXPECT_TRUE(lastJogIsZero());
+    }
+}
+
+TEST_F(GuideTest, SpaceHoldsATestMoveAndEverythingThatTakesItAwayEndsIt)
+{
+    open<GuideDirections>(GuideStep::Directions);
+    JogButton& button = hold(Axis::Azimuth, true);
+    const auto begin = [&] {
+        requests.clear();
+        button.setFocus();
+        QTest::keyPress(&button, Qt::Key_Space);
+        ASSERT_FALSE(asked<request::Jog>().empty());
+        EXPECT_FALSE(lastJogIsZero());
+    };
+    begin();
+    QTest::keyRelease(&button, Qt::Key_Space);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return lastJogIsZero(); }, 1000)) << "release";
+    begin();
+    QTest::keyClick(&window, Qt::Key_Tab);
+    EXPECT_TRUE(lastJogIsZero()) << "focus";
+    QTest::keyRelease(&button, Qt::Key_Space);
+    begin();
+    openPanel('1');
+    EXPECT_TRUE(lastJogIsZero()) << "another panel";
+    QTest::keyClick(&window, Qt::Key_F3);
+    begin();
+    give(samples::update(samples::stopped()));
+    EXPECT_TRUE(lastJogIsZero()) << "STOP";
+    give(samples::update(status));
+    begin();
+    give(samples::refusal(status, requests.front().id, "no farther than 2°"));
+    EXPECT_TRUE(lastJogIsZero()) << "a refusal";
+    EXPECT_TRUE(inGuide<ValueLabel>("Refused").text().contains(QStringLiteral("no farther")));
+}
+
+TEST_F(GuideTest, ARepeatedKeyIsOneHold)
+{
+    open<GuideDirections>(GuideStep::Directions);
+    JogButton& button = hold(Axis::Elevation, true);
+    button.setFocus();
+    QTest::keyPress(&button, Qt::Key_Space);
+    for (int repeat = 0; repeat < 3; ++repeat) {  // an X server's pairs that Qt did not see through
+        QTest::keyRelease(&button, Qt::Key_Space);
+        QTest::keyPress(&button, Qt::Key_Space);
+    }
+    for (const request::Jog& jog : asked<request::Jog>()) {
+        EXPECT_EQ(jog.rates, (AxisRates{0_deg_s, 1_deg_s}));
+    }
+    QTest::keyRelease(&button, Qt::Key_Space);
+}
+
+TEST_F(GuideTest, TheArrowFollowsTheMotionAndConfirmingNeedsBothToBeSeen)
+{
+    open<GuideDirections>(GuideStep::Directions);
+    auto& arrow = inGuide<DirectionArrow>("Direction of the azimuth");
+    EXPECT_EQ(arrow.turning(), Turning::Rests);
+    status.azimuth.rate = 1_deg_s;
+    moveTo({.azimuth = 10.5_deg, .elevation = 20_deg});
+    EXPECT_EQ(arrow.turning(), Turning::Grows);
+    EXPECT_EQ(arrow.accessibleDescription(), QStringLiteral("clockwise, seen from above"));
+    status.azimuth.rate = -1_deg_s;
+    moveTo({.azimuth = 10.4_deg, .elevation = 20_deg});
+    EXPECT_EQ(arrow.turning(), Turning::Shrinks);
+    auto& confirm = inGuide<QPushButton>("Both turn as the arrows show");
+    EXPECT_FALSE(confirm.isEnabled());
+    EXPECT_TRUE(confirm.toolTip().contains(QStringLiteral("elevation")));
+    status.azimuth.rate = 0_deg_s;
+    moveTo({.azimuth = 10.4_deg, .elevation = 19.5_deg});
+    moveTo({.azimuth = 10.4_deg, .elevation = 19.5_deg}, AxisState::Holding);
+    ASSERT_TRUE(confirm.isEnabled());
+    QTest::mouseClick(&confirm, Qt::LeftButton);
+    EXPECT_EQ(lastApplied().mount.directions, profile::Directions::Confirmed);
+    accept();
+    putInForce(lastApplied());
+    EXPECT_TRUE(asked<request::Reconnect>().empty()) << "it applies at once";
+    EXPECT_EQ(stepButton(GuideStep::Directions).state(), StepState::Done);
+    click("Next");
+    EXPECT_EQ(current(), GuideStep::Travel);
+}
+
+TEST_F(GuideTest, WrongMotorsAreSwappedAndAWrongDirectionReversedByOnePress)
+{
+    open<GuideDirections>(GuideStep::Directions);
+    moveTo({.azimuth = 11_deg, .elevation = 21_deg});
+    EXPECT_FALSE(inGuide<QPushButton>("AZ turned the other way").isEnabled()) << "not in motion";
+    moveTo({.azimuth = 11_deg, .elevation = 21_deg}, AxisState::Holding);
+    click("The other axis moved:\nswap the motors");
+    EXPECT_EQ(lastApplied().azimuth.id, 2);
+    EXPECT_EQ(lastApplied().elevation.id, 1);
+    goThroughWithReconnect();
+    EXPECT_FALSE(inGuide<QPushButton>("Both turn as the arrows show").isEnabled()) << "to be seen anew";
+    requests.clear();
+    click("AZ turned the other way");
+    EXPECT_EQ(lastApplied().azimuth.geometry.sign, -1);
+    EXPECT_NEAR(lastApplied().azimuth.geometry.offset.degrees(), -22.0, 1e-9) << "it reads 11° as before";
+    goThroughWithReconnect();
+    EXPECT_EQ(lastApplied().mount.directions, profile::Directions::Unconfirmed);
+}
+
+}  // namespace
+}  // namespace boresight::ui

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/ui/window_fixture.h"
+#include "ui/guide_page.h"
+#include "ui/jog_button.h"
+#include "ui/jog_panel.h"
+#include "ui/step_button.h"
+
+#include <QPushButton>
+
+// The guide, opened before a mount that nobody has commissioned, and a station that says yes.
+namespace boresight::ui {
+
+class GuideTest : public WindowFixture
+{
+protected:
+    GuideTest()
+    {
+        status = samples::freshMount();
+        give(samples::update(status));
+        QObject::connect(&window, &MainWindow::guideProgressed, &window,
+                         [this](const GuideProgress& progress) { kept = progress; });
+        QTest::keyClick(&window, Qt::Key_F3);
+    }
+
+    GuidePage& guide() { return *window.findChild<GuidePage*>(); }
+    bool isOpen() { return guide().isVisible() && !window.findChild<JogPanel*>()->isVisible(); }
+    StepButton& stepButton(GuideStep step) { return *window.findChildren<StepButton*>().at(static_cast<int>(step)); }
+    template <class Page>
+    Page& open(GuideStep step)
+    {
+        QTest::mouseClick(&stepButton(step), Qt::LeftButton);
+        return *guide().findChild<Page*>();
+    }
+    // In the guide, not on a panel that is also there.
+    template <class T>
+    T& inGuide(const char* name)
+    {
+        return findSeen<T>(guide(), name);
+    }
+    void click(const char* name) { QTest::mouseClick(&inGuide<QPushButton>(name), Qt::LeftButton); }
+    GuideStep current() { return guide().progress().current; }
+
+    // The station takes it: what applies now is in force, the rest waits, and a reconnect puts all in force.
+    void accept()
+    {
+        StationUpdate update = samples::update(status);
+        update.answers.push_back({requests.back().id, std::nullopt});
+        give(update);
+    }
+    profile::Profile lastApplied() { return asked<request::ApplyProfile>().back().profile; }
+    void putInForce(const profile::Profile& profile)
+    {
+        status.profile = std::make_shared<const profile::Profile>(profile);
+        give(samples::update(status));
+    }
+    // Applied, connected anew, in force: as the station does with all that needs a reconnect.
+    void goThroughWithReconnect()
+    {
+        const profile::Profile wanted = lastApplied();
+        accept();
+        ASSERT_EQ(asked<request::Reconnect>().size(), 1u);
+        EXPECT_EQ(asked<request::Reconnect>().back().profile, wanted);
+        accept();
+        putInForce(wanted);
+    }
+    void moveTo(AxisPosition place, AxisState state = AxisState::Moving)
+    {
+        status.azimuth.actual = place.azimuth;
+        status.elevation.actual = place.elevation;
+        status.azimuth.state = state;
+        status.elevation.state = state;
+        give(samples::update(status));
+    }
+    JogButton& hold(Axis axis, bool upwards)
+    {
+        const char* const names[2][2] = {
+            {"Turn azimuth back at 1.0°/s while held", "Turn azimuth on at 1.0°/s while held"},
+            {"Lower elevation at 1.0°/s while held", "Raise elevation at 1.0°/s while held"}};
+        return inGuide<JogButton>(names[axis == Axis::Elevation][upwards]);
+    }
+    bool lastJogIsZero() { return !asked<request::Jog>().empty() && asked<request::Jog>().back().rates == AxisRates{}; }
+
+    StationStatus status;
+    GuideProgress kept;
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/guide_fixture.h"
+#include "ui/calibration_panel.h"
+#include "ui/guide_north.h"
+#include "ui/guide_site.h"
+#include "ui/guide_travel.h"
+#include "ui/guide_zero.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+
+// Ends of travel, level, north and site: the steps that set numbers.
+namespace boresight::ui {
+namespace {
+
+TEST_F(GuideTest, EndsAreTypedOrSetWhereTheMountStands)
+{
+    open<GuideTravel>(GuideStep::Travel);
+    EXPECT_FALSE(inGuide<QPushButton>("Use these ends").isEnabled());
+    QTest::mouseClick(&inGuide<QPushButton>("Set the lower end of azimuth here"), Qt::LeftButton);
+    inGuide<QDoubleSpinBox>("Upper end of azimuth").setValue(380.0);
+    auto& lowest = inGuide<QDoubleSpinBox>("Lower end of elevation");
+    lowest.setFocus();
+    lowest.selectAll();
+    QTest::keyClicks(&lowest, QStringLiteral("95"));
+    QTest::keyClick(&lowest, Qt::Key_Tab);
+    give(samples::update(status));
+    EXPECT_FALSE(inGuide<QPushButton>("Use these ends").isEnabled());
+    EXPECT_TRUE(inGuide<QPushButton>("Use these ends").toolTip().contains(QStringLiteral("not below")));
+    lowest.setValue(5.0);
+    give(samples::update(status));
+    EXPECT_TRUE(requests.empty()) << "nothing changes before it is used";
+    click("Use these ends");
+    EXPECT_EQ(lastApplied().azimuth.geometry.travel, (TravelRange{.min = 10_deg, .max = 380_deg}));
+    EXPECT_EQ(lastApplied().elevation.geometry.travel, (TravelRange{.min = 5_deg, .max = 90_deg}));
+    EXPECT_EQ(lastApplied().park, (AxisPosition{.azimuth = 10_deg, .elevation = 5_deg})) << "it came inside";
+    goThroughWithReconnect();
+    EXPECT_EQ(stepButton(GuideStep::Travel).state(), StepState::Done);
+}
+
+TEST_F(GuideTest, LevelIsSetHereAndItsEffectToldBefore)
+{
+    open<GuideZero>(GuideStep::Level);
+    moveTo({.azimuth = 10_deg, .elevation = 3.2_deg}, AxisState::Holding);
+    EXPECT_TRUE(inGuide<ValueLabel>("What the elevation reads now").text().contains(QStringLiteral("3.20°")));
+    EXPECT_TRUE(inGuide<ValueLabel>("What the change does").text().contains(QStringLiteral("-3.20°")));
+    EXPECT_TRUE(inGuide<ValueLabel>("What the change does").text().contains(QStringLiteral("-3.2°…86.8°")));
+    moveTo({.azimuth = 10_deg, .elevation = 3.2_deg}, AxisState::Moving);
+    EXPECT_FALSE(inGuide<QPushButton>("Set it").isEnabled()) << "not in motion";
+    moveTo({.azimuth = 10_deg, .elevation = 3.2_deg}, AxisState::Holding);
+    inGuide<QCheckBox>("Cable and stops are where they were: their numbers change").click();
+    EXPECT_TRUE(inGuide<ValueLabel>("What the change does").text().contains(QStringLiteral("0.0°…90.0°")));
+    click("Set it");
+    EXPECT_NEAR(lastApplied().elevation.geometry.offset.degrees(), 93.2, 1e-9);
+    EXPECT_EQ(lastApplied().elevation.geometry.travel, status.profile->elevation.geometry.travel);
+    goThroughWithReconnect();
+    EXPECT_EQ(stepButton(GuideStep::Level).state(), StepState::Done);
+}
+
+TEST_F(GuideTest, NorthIsSetInThePointingModelAtOnceAndTheCableKeepsItsNumbers)
+{
+    open<GuideNorth>(GuideStep::North);
+    moveTo({.azimuth = 10_deg, .elevation = 20_deg}, AxisState::Moving);
+    EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled()) << "not in motion";
+    moveTo({.azimuth = 10_deg, .elevation = 20_deg}, AxisState::Holding);
+    EXPECT_TRUE(inGuide<ValueLabel>("Where the antenna points now").text().contains(QStringLiteral("10.00°")));
+    inGuide<QDoubleSpinBox>("True azimuth of the antenna").setValue(350.0);
+    EXPECT_TRUE(inGuide<ValueLabel>("What the change does").text().contains(QStringLiteral("0.00° → -20.00°")));
+    const auto connects = asked<request::Reconnect>().size();
+    click("Set north");
+    EXPECT_NEAR(lastApplied().pointing.azimuthOffset.degrees(), -20.0, 1e-9);
+    EXPECT_EQ(lastApplied().azimuth.geometry, status.profile->azimuth.geometry);
+    EXPECT_EQ(lastApplied().limits, status.profile->limits);
+    EXPECT_EQ(asked<request::Reconnect>().size(), connects) << "it applies now";
+}
+
+// Story: F3 and one click on "Set north" with the preset 0.00° put -21.30° in the place of a north that was found.
+TEST_F(GuideTest, ANorthThatIsKnownIsReplacedOnlyOnPurpose)
+{
+    CalibrationStatus calibration;
+    calibration.history = {{.when = status.utc,
+                            .title = QStringLiteral("Pointing model from 3 points"),
+                            .change = {},
+                            .place = {},
+                            .inForce = true}};
+    status.calibration = std::make_shared<const CalibrationStatus>(calibration);
+    profile::Profile known = *status.profile;
+    known.pointing.azimuthOffset = 38.11_deg;
+    putInForce(known);
+    open<GuideNorth>(GuideStep::North);
+    moveTo({.azimuth = 10_deg, .elevation = 20_deg}, AxisState::Holding);
+    const QString told = inGuide<ValueLabel>("What to do").text();
+    EXPECT_TRUE(told.contains(QStringLiteral("azimuth offset 38.11°"))) << told.toStdString();
+    EXPECT_TRUE(told.contains(QStringLiteral("Pointing model from 3 points"))) << told.toStdString();
+    auto& truth = inGuide<QDoubleSpinBox>("True azimuth of the antenna");
+    EXPECT_NEAR(truth.value(), 48.11, 1e-9) << "what the beam reads";
+    EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled()) << "nobody has typed anything";
+    truth.setValue(0.0);
+    EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled()) << "not on purpose yet";
+    EXPECT_TRUE(inGuide<QPushButton>("Set north").toolTip().contains(QStringLiteral("north is known")));
+    const QString effect = inGuide<ValueLabel>("What the change does").text();
+    EXPECT_TRUE(effect.contains(QStringLiteral("38.11° → -10.00°"))) << effect.toStdString();
+    EXPECT_TRUE(effect.contains(QStringLiteral("Profile, Undo"))) << "the way back: " << effect.toStdString();
+    inGuide<QCheckBox>("Replace the known north").click();
+    click("Set north");
+    EXPECT_NEAR(lastApplied().pointing.azimuthOffset.degrees(), -10.0, 1e-9);
+    accept();
+    putInForce(lastApplied());
+    open<GuideNorth>(GuideStep::North);
+    EXPECT_FALSE(inGuide<QCheckBox>("Replace the known north").isChecked()) << "once is not for ever";
+    EXPECT_NEAR(truth.value(), 0.0, 1e-9) << "what the beam reads now";
+    EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled());
+}
+
+TEST_F(GuideTest, ANorthOfAnotherPlaceIsNotCalledKnown)
+{
+    CalibrationStatus calibration;
+    calibration.otherMount = QStringLiteral("another site");
+    status.calibration = std::make_shared<const CalibrationStatus>(calibration);
+    profile::Profile moved = *status.profile;
+    moved.pointing.azimuthOffset = 38.11_deg;
+    putInForce(moved);
+    open<GuideNorth>(GuideStep::North);
+    moveTo({.azimuth = 10_deg, .elevation = 20_deg}, AxisState::Holding);
+    EXPECT_FALSE(inGuide<ValueLabel>("What to do").text().contains(QStringLiteral("North is known")));
+}
+
+TEST_F(GuideTest, TheOtherWaysToNorthAreOnePressAway)
+{
+    open<GuideNorth>(GuideStep::North);
+    QTest::mouseClick(&inGuide<QPushButton>("Sensor, Sun, Moon (Ctrl+9)"), Qt::LeftButton);
+    EXPECT_FALSE(window.findChild<GuidePage*>()->isVisible());
+    EXPECT_TRUE(window.findChild<CalibrationPanel*>()->isVisible());
+}
+
+TEST_F(GuideTest, AZeroNeedsAKnownTurn)
+{
+    give(samples::update(samples::asking(Axis::Azimuth, 3, 180_deg, true)));
+    open<GuideNorth>(GuideStep::North);
+    EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled());
+    EXPECT_TRUE(inGuide<QPushButton>("Set north").toolTip().contains(QStringLiteral("turn")));
+}
+
+TEST_F(GuideTest, SiteAndLocatorFollowEachOther)
+{
+    open<GuideSite>(GuideStep::Site);
+    EXPECT_FALSE(inGuide<QPushButton>("Set the site").isEnabled());
+    auto& locator = inGuide<QLineEdit>("Maidenhead locator");
+    locator.setFocus();
+    QTest::keyClicks(&locator, QStringLiteral("JN58t"));
+    EXPECT_FALSE(inGuide<ValueLabel>("What is wrong").text().isEmpty());
+    QTest::keyClicks(&locator, QStringLiteral("d"));
+    EXPECT_EQ(locator.text(), QStringLiteral("JN58td"));
+    EXPECT_NEAR(inGuide<QDoubleSpinBox>("Latitude").value(), 48.146, 0.001);  // published: 48°08.75' N, 11°37.5' E
+    EXPECT_NEAR(inGuide<QDoubleSpinBox>("Longitude").value(), 11.625, 0.001);
+    inGuide<QDoubleSpinBox>("Longitude").setValue(-8.5);
+    EXPECT_EQ(locator.text(), QStringLiteral("IN58sd"));
+    inGuide<QDoubleSpinBox>("Height").setValue(523.0);
+    click("Set the site");
+    EXPECT_TRUE(lastApplied().site.known);
+    EXPECT_NEAR(lastApplied().site.longitude.degrees(), -8.5, 1e-9);
+    EXPECT_EQ(lastApplied().site.heightMetres, 523.0);
+    accept();
+    putInForce(lastApplied());
+    EXPECT_EQ(stepButton(GuideStep::Site).state(), StepState::Done);
+}
+
+}  // namespace
+}  // namespace boresight::ui

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/picture_book.h"
+#include "tests/ui/sample_calibration.h"
+#include "ui/guide_north.h"
+#include "ui/step_button.h"
+
+#include <QDoubleSpinBox>
+
+// The guide's steps, on a mount that nobody has commissioned.
+namespace boresight::ui {
+namespace {
+
+class GuidePictures : public PictureBook
+{
+protected:
+    GuidePictures()
+    {
+        QTest::keyClick(&window, Qt::Key_F3);
+        Q_EMIT window.host().adaptersFound(
+            adaptersOf({{.device = QStringLiteral("/dev/ttyACM0"),
+                         .stableName = QStringLiteral("/dev/serial/by-id/usb-mjbots_fdcanusb"),
+                         .manufacturer = QStringLiteral("mjbots"),
+                         .description = QStringLiteral("fdcanusb"),
+                         .serialNumber = QStringLiteral("1A2B3C4D"),
+                         .vendor = 0x0483,
+                         .product = 0x5740}},
+                       {{QStringLiteral("can0"), false}}));
+    }
+};
+
+TEST_P(GuidePictures, AreTakenOfEveryStep)
+{
+    for (const GuideStep step : kGuideSteps) {
+        give(samples::update(step == GuideStep::Protection ? samples::factoryDrives() : samples::freshMount()));
+        const int number = static_cast<int>(step);
+        QTest::mouseClick(window.findChildren<StepButton*>().at(number), Qt::LeftButton);
+        take(QStringLiteral("guide-%1").arg(number + 1));
+    }
+}
+
+TEST_P(GuidePictures, AreTakenOfANorthThatIsKnown)
+{
+    StationStatus status = samples::freshMount();
+    profile::Profile known = *status.profile;
+    known.pointing.azimuthOffset = 38.11_deg;
+    status.profile = std::make_shared<const profile::Profile>(known);
+    status.calibration = samples::sixPoints().calibration;
+    give(samples::update(status));
+    QTest::mouseClick(window.findChildren<StepButton*>().at(static_cast<int>(GuideStep::North)), Qt::LeftButton);
+    window.findChild<GuideNorth*>()->findChild<QDoubleSpinBox*>()->setValue(210.0);
+    take(QStringLiteral("guide-6-known"));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GuidePictures, kThemesAndPortuguese, editionName);
+
+}  // namespace
+}  // namespace boresight::ui

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/ui/window_fixture.h"
+#include "ui/language.h"
+
+#include <QList>
+
+#include <ostream>
+
+// Pictures of the window for the eye, and what a program can judge of them. A test puts a scene on the screen once and
+// takes it: at every size and scale, into pictures/SCENE-EDITION-VIEW.png of the folder it runs in. An edition (a
+// theme, or Portuguese) is a test of its own, so that they run side by side.
+namespace boresight::ui {
+
+struct Edition
+{
+    const char* name;  // in the file's name
+    ThemeKind theme;
+    const char* language;
+};
+
+void PrintTo(const Edition& edition, std::ostream* out);
+
+inline const auto kThemes =
+    ::testing::Values(Edition{"day", ThemeKind::Day, "en"}, Edition{"night", ThemeKind::Night, "en"},
+                      Edition{"red", ThemeKind::Red, "en"});
+inline const auto kThemesAndPortuguese =
+    ::testing::Values(Edition{"day", ThemeKind::Day, "en"}, Edition{"night", ThemeKind::Night, "en"},
+                      Edition{"red", ThemeKind::Red, "en"}, Edition{"pt", ThemeKind::Day, "pt"});
+
+[[nodiscard]] std::string editionName(const ::testing::TestParamInfo<Edition>& test);
+
+// The language is in force before the window is made.
+class InAnEdition : public ::testing::WithParamInterface<Edition>
+{
+protected:
+    InAnEdition();
+
+private:
+    Translation m_translation;
+};
+
+class PictureBook : public InAnEdition, public WindowFixture
+{
+protected:
+    PictureBook();
+    ~PictureBook() override;
+
+    // This status after a pass, so that there are a path in the sky, charts and a log; and the panel of this key.
+    void show(const StationStatus& status, char panel);
+    void take(const QString& scene);
+
+    // What may never be cut off while it is seen: all of the header and the axes but their long sentences, and what a
+    // test adds.
+    QList<const ValueLabel*> mustBeWhole;
+
+private:
+    void judge();
+};
+
+}  // namespace boresight::ui

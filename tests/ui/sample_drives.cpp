@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/sample_drives.h"
+
+#include "tests/ui/sample_status.h"
+
+#include <string_view>
+
+namespace boresight::samples {
+
+namespace {
+
+using survey::ProtectionLine;
+using survey::Verdict;
+
+struct Setting
+{
+    const char* key;
+    const char* wanted;           // of azimuth
+    const char* wantedElevation;  // nullptr: the same
+    const char* factory;
+    Verdict verdict;  // of the factory value
+    const char* reason;
+};
+
+constexpr Setting kSettings[] = {
+    {"id.id", "1", "2", nullptr, Verdict::Right, "the profile knows this axis under this id"},
+    {"servopos.position_min", "-0.258333 turns (-93.0°)", "-0.008333 turns (-3.0°)", "-0.01 turns (-3.6°)",
+     Verdict::Dangerous, "the factory's ±3.6° would end every move in fault 39"},
+    {"servopos.position_max", "1.25833 turns (453.0°)", "0.258333 turns (93.0°)", "0.01 turns (3.6°)",
+     Verdict::Dangerous, "the factory's ±3.6° would end every move in fault 39"},
+    {"servo.timeout_mode", "10 (hold)", nullptr, "12 (damp)", Verdict::Dangerous,
+     "mode 12 only damps: a loaded elevation creeps down when the computer dies"},
+    {"servo.default_timeout_s", "0.05 to 0.2 s", nullptr, "0.1 s", Verdict::Right,
+     "after this time without an order the drive stops by itself"},
+    {"servo.timeout_max_torque_Nm", "above 0 Nm", nullptr, "5 Nm", Verdict::Right,
+     "the torque with which timeout mode 12 damps"},
+    {"servo.max_current_A", "above 0 A", nullptr, "20 A", Verdict::Right,
+     "without current the axis falls, without a limit the motor burns; the value is in the data sheet of the motor"},
+    {"servo.max_voltage", "10 to 46 V", nullptr, "46 V", Verdict::Right,
+     "above it the drive stops before braking energy destroys the board"},
+    {"servo.flux_brake_margin_voltage", "1 to 20 V", nullptr, "3 V", Verdict::Right,
+     "so far below the highest voltage the drive begins to turn braking energy into heat"},
+    {"servo.default_velocity_limit", "0.025 turns/s (9°/s)", nullptr, "none", Verdict::Advised,
+     "the speed of every order that names none; the factory has no limit"},
+    {"servo.default_accel_limit", "0.166667 turns/s² (60°/s²)", nullptr, "50 turns/s² (18000°/s²)", Verdict::Advised,
+     "with it the drive brakes when the computer dies: too low and the axis runs on, too high (the factory's 50 "
+     "turns/s²) and the mount is hit hard"},
+    {"motor_position.rotor_to_output_ratio", "0.00666667", nullptr, "1", Verdict::Dangerous,
+     "the gear as the profile has it (gear_ratio, gear_in): with another one every angle is wrong. To be changed by "
+     "hand only: the gains change with the square of it"},
+    {"motor_position.output.sign", "1 or -1", nullptr, "1", Verdict::Right,
+     "turned round, the axis runs the other way: the profile's sign goes with it"},
+    {"motor_position.output.reference_source", "any", nullptr, "-1", Verdict::Right,
+     "-1: no encoder on the axis, so the turn is not known after power-up"},
+    {"servo.fault_position_error", "0.0277778 turns (10°)", nullptr, "none", Verdict::Advised,
+     "second line against a jam: so far behind its order the drive gives up (fault 49) without this program"},
+    {"servo.max_position_slip", "none or ≥ 1°", nullptr, "none", Verdict::Right,
+     "a small one lets the axis give way to the wind instead of holding"},
+};
+
+std::vector<ProtectionLine> protections(Axis axis, bool factory)
+{
+    std::vector<ProtectionLine> lines;
+    for (const Setting& setting : kSettings) {
+        const bool own = axis == Axis::Elevation && setting.wantedElevation != nullptr;
+        const QString wanted = QString::fromUtf8(own ? setting.wantedElevation : setting.wanted);
+        const bool byHand = setting.key == std::string_view("motor_position.rotor_to_output_ratio");
+        const bool differs = setting.factory != nullptr && (factory || setting.verdict == Verdict::Right);
+        lines.push_back({.key = QLatin1String(setting.key),
+                         .wanted = wanted,
+                         .found = differs ? QString::fromUtf8(setting.factory) : wanted,
+                         .reason = QString::fromUtf8(setting.reason),
+                         .fix = differs && setting.verdict != Verdict::Right && !byHand ? wanted : QString(),
+                         .verdict = differs ? setting.verdict : Verdict::Right});
+    }
+    return lines;
+}
+
+}  // namespace
+
+DriveStatus drive(Axis axis)
+{
+    DriveStatus drive;
+    const bool azimuth = axis == Axis::Azimuth;
+    drive.id = azimuth ? 1 : 2;
+    drive.identity = {.uuid = azimuth ? QStringLiteral("3f2a9c1d-77b0-4e0c-9a52-5b1d20c4e811")
+                                      : QStringLiteral("a07e4410-2c5f-4b6d-8f3e-90d1c2b7a5f4"),
+                      .firmware = QStringLiteral("1.1.0"),
+                      .registerMap = 5};
+    drive.protections = protections(axis, false);
+    drive.turnKnown = true;
+    drive.crashStop = memory::CrashStop{.drive = drive.identity.uuid,
+                                        .rate = 2_deg_s,
+                                        .angle = azimuth ? 0.21_deg : 0.16_deg,
+                                        .time = std::chrono::milliseconds(azimuth ? 140 : 120),
+                                        .when = kUtc - std::chrono::minutes(306)};
+    return drive;
+}
+
+StationStatus factoryDrives()
+{
+    StationStatus status = idle();
+    status.state = StationState::Standby;
+    status.stateReason = QStringLiteral("protections are wrong");
+    status.azimuth.state = AxisState::Off;
+    status.elevation.state = AxisState::Off;
+    dropTarget(status);
+    status.drives.switchedOn = false;
+    status.drives.armingObstacle =
+        QStringLiteral("5 settings of each drive are dangerous, first: azimuth servopos.position_min");
+    for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
+        DriveStatus& one = axis == Axis::Azimuth ? status.drives.azimuth : status.drives.elevation;
+        one.protections = protections(axis, true);
+        one.crashStop.reset();
+    }
+    status.drives.fixable = true;
+    return status;
+}
+
+StationStatus reading()
+{
+    StationStatus status = factoryDrives();
+    status.drives.survey = survey::SurveyState::Running;
+    status.drives.surveyText = QStringLiteral("reading servo.timeout_mode of elevation");
+    status.drives.armingObstacle = QStringLiteral("the drives are being read");
+    for (ProtectionLine& line : status.drives.elevation.protections) {
+        line.verdict = Verdict::Unread;
+        line.found.clear();
+    }
+    status.drives.azimuth.turnKnown = false;
+    status.drives.elevation.turnKnown = false;
+    return status;
+}
+
+StationStatus released()
+{
+    StationStatus status = withAge(idle(), std::chrono::milliseconds(9000));
+    status.state = StationState::Disconnected;
+    status.stateReason = QStringLiteral("bus released to other tools");
+    status.bus.state = LinkState::Closed;
+    status.azimuth.state = AxisState::NoData;
+    status.elevation.state = AxisState::NoData;
+    dropTarget(status);
+    status.drives.released = true;
+    status.drives.switchedOn = false;
+    status.drives.survey = survey::SurveyState::NotDone;
+    return status;
+}
+
+StationStatus proving()
+{
+    StationStatus status = idle();
+    status.state = StationState::Calibrate;
+    status.stateReason = QStringLiteral("crash-stop proof");
+    place(status, {31.4_deg, 20_deg}, {31.45_deg, 20_deg}, {34_deg, 20_deg});
+    status.azimuth.state = AxisState::Moving;
+    dropTarget(status);
+    status.drives.proofRunning = true;
+    status.drives.proofText = QStringLiteral("azimuth at 2.0°/s, not fed since 0.3 s");
+    status.drives.elevation.crashStop.reset();
+    return status;
+}
+
+StationStatus asking(Axis axis, int places, Angle period, bool proposed)
+{
+    StationStatus status = idle();
+    status.state = StationState::Standby;
+    status.stateReason = QStringLiteral("the turn is not known");
+    place(status, {45.1_deg, 20_deg}, {45.1_deg, 20_deg}, {45.1_deg, 20_deg});
+    dropTarget(status);
+    const Angle at = axis == Axis::Azimuth ? 45.1_deg : 20_deg;
+    memory::TurnQuestion question;
+    for (int place = 0; place < places; ++place) {
+        question.candidates.push_back(at + period * (place - places / 4));
+    }
+    if (proposed) {
+        question.proposed = at;
+    }
+    question.period = period;
+    question.evidence = {
+        QStringLiteral("The angle is known to a multiple of %1° only: %2 places are possible")
+            .arg(period.degrees(), 0, 'f', 1)
+            .arg(places),
+        QStringLiteral("The journal says %1°, 14 h old, written %2")
+            .arg(at.degrees(), 0, 'f', 1)
+            .arg(proposed ? QStringLiteral("at rest") : QStringLiteral("while moving")),
+        QStringLiteral("The drive has lost power since: it counts its turns anew"),
+        QStringLiteral("There is no sensor to compare with"),
+    };
+    DriveStatus& one = axis == Axis::Azimuth ? status.drives.azimuth : status.drives.elevation;
+    one.turnKnown = false;
+    one.turnQuestion = question;
+    return status;
+}
+
+}  // namespace boresight::samples

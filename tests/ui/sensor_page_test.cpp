@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/north_fixture.h"
+#include "ui/compass_dial.h"
+#include "ui/deviation_plot.h"
+#include "ui/sensor_levels.h"
+
+#include <QDoubleSpinBox>
+#include <QPlainTextEdit>
+#include <QSpinBox>
+
+// The sensor and the compass swing: steps 1 and 2 of finding north.
+namespace boresight::ui {
+namespace {
+
+TEST_F(NorthTest, TheAverageOfTheSensorIsAskedAndEnded)
+{
+    StationStatus status = samples::swung();
+    show(CalibrationStep::Sensor, status);
+    click("Average");
+    EXPECT_EQ(wanted<request::MeasureSensorOffset>().size(), 1u);
+    CalibrationStatus running = *status.calibration;
+    running.progress = {
+        .run = CalibrationRun::SensorOffset, .done = 0.5, .left = Seconds(10), .text = {}, .outcome = {}};
+    status.calibration = std::make_shared<const CalibrationStatus>(running);
+    give(samples::update(status));
+    click("End average");
+    EXPECT_EQ(wanted<request::EndCalibration>().size(), 1u);
+    running.progress = {.outcome = QStringLiteral("the samples disagree"), .failed = true};
+    status.calibration = std::make_shared<const CalibrationStatus>(running);
+    give(samples::update(status));
+    EXPECT_EQ(text("Average of the sensor"), QStringLiteral("the samples disagree"));
+    EXPECT_EQ(named<ValueLabel>("Average of the sensor")->symbol(), Symbol::Warning);
+}
+
+TEST_F(NorthTest, TheSimulatedMountWithoutASensorOffersItsOwn)
+{
+    StationStatus status = samples::idle();
+    status.simulated = true;
+    CalibrationStatus without;
+    without.sensorObstacle = QStringLiteral("the profile names no orientation sensor");
+    status.calibration = std::make_shared<const CalibrationStatus>(without);
+    show(CalibrationStep::Sensor, status);
+    click("Use the sensor");
+    const auto applied = asked<request::ApplyProfile>();
+    ASSERT_EQ(applied.size(), 1u);
+    profile::Profile wanted = *status.profile;
+    wanted.sensor.source = profile::SensorSource::Simulated;
+    EXPECT_EQ(applied[0].profile, wanted);
+    EXPECT_TRUE(asked<CalibrationRequest>().empty());
+
+    status.simulated = false;
+    give(samples::update(status));
+    expectBlocked("Average", "the profile names no orientation sensor");
+}
+
+TEST_F(NorthTest, TheNeedlesAreWhatIsReadAndTheBarsSayWhatRaisesThem)
+{
+    StationStatus status = samples::swung();
+    show(CalibrationStep::Sensor, status);
+    const auto& dial = *window.findChild<CompassDial*>();
+    EXPECT_FALSE(dial.sensor().has_value()) << "nothing was heard of a sensor";
+    EXPECT_EQ(text("Heading of the sensor, as sent"), QStringLiteral("---.--°"));
+    orientation::Orientation heard;
+    heard.heading = orientation::SensorHeading::folded(417.4_deg);
+    heard.calibration = orientation::Calibration{.system = 1, .gyro = 3, .accelerometer = 2, .magnetometer = 0};
+    status.sensor.source = QStringLiteral("simulated");
+    status.sensor.presence = orientation::Presence::Present;
+    status.sensor.last = heard;
+    give(samples::update(status));
+    EXPECT_NEAR(dial.sensor()->angle().degrees(), 57.4, 1e-9);
+    EXPECT_NEAR(dial.axis()->degrees(), 20.0, 1e-9);
+    EXPECT_EQ(text("Sensor less axis"), QStringLiteral("+37.40°"));
+    EXPECT_EQ(named<LevelBar>("Gyro calibration")->level(), 3);
+    EXPECT_EQ(named<LevelBar>("Compass calibration")->level(), 0);
+    EXPECT_EQ(text("Compass: what raises it"), QStringLiteral("figure of eight, away from iron"));
+    EXPECT_EQ(named<ValueLabel>("Compass: what raises it")->symbol(), Symbol::Warning);
+    EXPECT_EQ(text("Gyro: what raises it"), QStringLiteral("good"));
+    status.sensor.presence = orientation::Presence::Lost;
+    give(samples::update(status));
+    EXPECT_FALSE(dial.sensor().has_value()) << "an old heading is not shown as a live one";
+}
+
+TEST_F(NorthTest, ASensorThatIsNoEvidenceIsNotAveragedAndSaysWhy)
+{
+    show(CalibrationStep::Sensor, samples::beforeCalibration());
+    expectBlocked("Average", "calibrated to 1 of 3");
+    EXPECT_TRUE(text("Average of the sensor").contains(QLatin1String("calibrated to 1 of 3")));
+}
+
+TEST_F(NorthTest, TheSwingIsPlannedInWordsBeforeItStarts)
+{
+    show(CalibrationStep::Swing, samples::sixPoints());
+    EXPECT_TRUE(text("Compass swing").contains(QLatin1String("takes 4 min")));
+    named<QDoubleSpinBox>("Rate of the swing")->setFocus();
+    QTest::keyClick(named<QDoubleSpinBox>("Rate of the swing"), Qt::Key_Up);
+    QTest::keyClick(named<QSpinBox>("Headings to stop at"), Qt::Key_PageUp);
+    ASSERT_EQ(wanted<request::PlanSwing>().size(), 2u);
+    EXPECT_NEAR(wanted<request::PlanSwing>().back().rate.degrees(), 3.5, 1e-9);
+    EXPECT_EQ(wanted<request::PlanSwing>().back().headings, 10);
+    EXPECT_TRUE(wanted<request::StartSwing>().empty());
+    click("Start swing");
+    ASSERT_EQ(wanted<request::StartSwing>().size(), 1u);
+    EXPECT_NEAR(wanted<request::StartSwing>().front().rate.degrees(), 3.5, 1e-9);
+    EXPECT_EQ(wanted<request::StartSwing>().front().headings, 10);
+}
+
+TEST_F(NorthTest, ARefusedSwingSaysWhyBesideItsButtonAndKeepsWhatWasTyped)
+{
+    show(CalibrationStep::Swing, samples::sixPoints());
+    named<QDoubleSpinBox>("Rate of the swing")->setValue(2.0);
+    click("Start swing");
+    give(samples::refusal(samples::sixPoints(), requests.back().id, "the range is too small for a swing"));
+    const auto* const panel = named<QTabWidget>("Steps of finding north")->currentWidget();
+    bool told = false;
+    for (const ValueLabel* const label : panel->findChildren<ValueLabel*>()) {
+        told =
+            told || (label->isVisible() && label->text() == QLatin1String("Start swing: the range is too small for a "
+                                                                          "swing"));
+    }
+    EXPECT_TRUE(told);
+    EXPECT_EQ(named<QDoubleSpinBox>("Rate of the swing")->value(), 2.0);
+}
+
+TEST_F(NorthTest, ASwingThatRunsShowsHowFarItIsAndCanBeEnded)
+{
+    show(CalibrationStep::Swing, samples::swinging());
+    EXPECT_TRUE(text("Compass swing").contains(QLatin1String("143 samples")));
+    EXPECT_TRUE(text("Compass swing").contains(QLatin1String("2 min left")));
+    click("End swing");
+    EXPECT_EQ(wanted<request::EndCalibration>().size(), 1u);
+    expectBlocked("Average", "a calibration is running");
+    expectBlocked("Follow Sun", "a calibration is running");
+}
+
+TEST_F(NorthTest, TheDeviationCurveLiesWhereItsSamplesAreAndShowsBothWays)
+{
+    const StationStatus status = samples::swung();
+    show(CalibrationStep::Swing, status);
+    QTest::qWait(1);
+    auto& plot = *window.findChild<DeviationPlot*>();
+    const SwingOutcome& swing = *status.calibration->swing;
+    ASSERT_FALSE(swing.fit.samples.empty());
+    QImage image(plot.size(), QImage::Format_RGB32);
+    plot.render(&image);
+    int curve = 0;
+    for (int heading = 5; heading < 360; heading += 5) {
+        const Angle at = Angle::fromDegrees(heading);
+        const QPoint pixel = plot.pixel(at, swing.fit.curve.deviation(at)).toPoint();
+        const auto isCurve = [&](int below) {
+            return image.pixelColor(pixel + QPoint(0, below)) == currentTheme().accent;
+        };
+        curve += isCurve(-1) || isCurve(0) || isCurve(1) ? 1 : 0;
+    }
+    EXPECT_GT(curve, 60) << "of 71 places, the curve is painted where Qwt's own scale says";
+    for (const auto& one : swing.fit.samples) {
+        if (one.fate == calibration::SampleFate::Used) {
+            EXPECT_LE(one.error.degrees(), plot.highest());
+            EXPECT_GE(one.error.degrees(), plot.lowest());
+        }
+    }
+    const QString found = named<QPlainTextEdit>("What the swing has found")->toPlainText();
+    EXPECT_TRUE(found.startsWith(QStringLiteral("North ")));
+    EXPECT_TRUE(found.contains(QStringLiteral("leans by 0.60° ± 0.05°")));
+}
+
+TEST_F(NorthTest, AHopelessPlaceIsSaidFirstAndNothingOfItCanBeApplied)
+{
+    show(CalibrationStep::Swing, samples::swungInVain());
+    const QString found = named<QPlainTextEdit>("What the swing has found")->toPlainText();
+    EXPECT_TRUE(found.startsWith(QStringLiteral("▲ the needle is off")));
+    EXPECT_TRUE(found.contains(QStringLiteral("No tilt: the boom was below 10°")));
+    expectBlocked("Apply north", "a hopeless swing is not applied");
+    EXPECT_EQ(named<ValueLabel>("Proposed calibration")->symbol(), Symbol::Warning);
+}
+
+}  // namespace
+}  // namespace boresight::ui
