@@ -269,7 +269,7 @@ TEST(StationSensor, AMagneticModelThatCannotBeReadIsTold)
         rig.run(0.02);
         return log.open(QIODevice::ReadOnly) && log.readAll().contains("/nowhere/WMM.COF");
     };
-    EXPECT_TRUE(QTest::qWaitFor(told, 2000));
+    EXPECT_TRUE(QTest::qWaitFor(told));
     EXPECT_THAT(rig.sensor().declinationText.toStdString(), HasSubstr("not known"));
 }
 
