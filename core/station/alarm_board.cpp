@@ -58,7 +58,22 @@ void AlarmBoard::raise(const QString& cause, Severity severity, const AlarmText&
                          whole.action, whole.remedy};
         line.removeAll(QString());
         Lines& lines = linesOf(cause);
-        lines.told |= lines.throttle.add(severity, spoken(cause), line.join(QLatin1Char(' ')), LogKind::Alarm);
+        const QString joined = line.join(QLatin1Char(' '));
+        const bool added = lines.throttle.add(severity, spoken(cause), joined, LogKind::Alarm);
+        lines.told |= added;
+        lines.leftOut =
+            added ? std::nullopt : std::optional(LeftOut{.severity = severity, .text = joined, .since = m_clock.now()});
+    }
+}
+
+void AlarmBoard::tick()
+{
+    for (auto& [cause, lines] : m_lines) {
+        if (lines.leftOut && m_clock.now() - lines.leftOut->since >= std::chrono::seconds(1)) {
+            lines.told |=
+                lines.throttle.add(lines.leftOut->severity, spoken(cause), lines.leftOut->text, LogKind::Alarm);
+            lines.leftOut.reset();
+        }
     }
 }
 
@@ -68,6 +83,7 @@ void AlarmBoard::clear(const QString& cause)
         return;
     }
     Lines& lines = linesOf(cause);
+    lines.leftOut.reset();
     if (std::exchange(lines.told, false)) {
         lines.throttle.insist(Severity::Advisory, spoken(cause), Text::tr("the alarm is over"), LogKind::Alarm);
     }

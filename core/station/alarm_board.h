@@ -8,11 +8,12 @@
 #include <QString>
 
 #include <map>
+#include <optional>
 #include <vector>
 
 // The alarms of the station and their lines in the log: each comes and goes with one line, however often its cause is
-// named. One that flickers is throttled without a word of the others left out; what was told is also told to be over.
-// Station thread only.
+// named. One that flickers is throttled without a word of the others left out; what was told is also told to be over,
+// and what still stands a second after its beginning was left out is told then. Station thread only.
 namespace boresight {
 
 class AlarmBoard
@@ -23,6 +24,7 @@ public:
     // `cause` names the alarm, and begins its log line unless the text does so itself.
     void raise(const QString& cause, Severity severity, const AlarmText& text);
     void clear(const QString& cause);
+    void tick();  // each tick of the station
     void acknowledgeAll() { m_alarms.acknowledgeAll(); }
     void acknowledge(std::uint64_t id) { m_alarms.acknowledge(id); }
 
@@ -30,10 +32,17 @@ public:
     [[nodiscard]] std::vector<Alarm> list() const { return m_alarms.list(); }
 
 private:
+    struct LeftOut
+    {
+        Severity severity;
+        QString text;
+        SteadyTime since;
+    };
     struct Lines
     {
         LogThrottle throttle;
-        bool told = false;  // that it began
+        bool told = false;               // that it began
+        std::optional<LeftOut> leftOut;  // of what stands
     };
 
     [[nodiscard]] Lines& linesOf(const QString& cause);

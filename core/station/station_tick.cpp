@@ -53,6 +53,7 @@ std::array<CanFrame, 2> StationControl::tick()
     watchRegion();
     watchCable();
     watchLimited();
+    m_alarms.tick();
     shutDownFurther();
     return m_drives.frames();
 }

@@ -70,5 +70,39 @@ TEST_F(AlarmBoardTest, ACableThatFlickersDoesNotFloodTheLog)
     EXPECT_EQ(lines(QStringLiteral("log"), QStringLiteral("%1 similar lines left out").arg(1000 - told)), 1);
 }
 
+// Story: a loose plug, lost at last. The log ended with "the alarm is over" while the alarm stood.
+TEST_F(AlarmBoardTest, WhatStandsAfterAFlickerIsToldInTheEnd)
+{
+    for (int i = 0; i < 10; ++i) {
+        raise(kBus, QStringLiteral("Lost."));
+        board.clear(kBus);
+    }
+    raise(kBus, QStringLiteral("Lost."));
+    ASSERT_EQ(log.since(0, EventLog::kCapacity).back().text, kOver);
+    clock.advance(Seconds(0.9));
+    board.tick();
+    ASSERT_EQ(log.since(0, EventLog::kCapacity).back().text, kOver);
+    clock.advance(Seconds(0.1));
+    board.tick();
+    EXPECT_EQ(log.since(0, EventLog::kCapacity).back().text, QStringLiteral("Lost."));
+    board.tick();
+    EXPECT_EQ(lines(kBus, QStringLiteral("Lost.")), 3) << "once";
+    board.clear(kBus);
+    EXPECT_EQ(log.since(0, EventLog::kCapacity).back().text, kOver);
+}
+
+// What was over before the second was is not told any more.
+TEST_F(AlarmBoardTest, WhatIsOverIsNotToldToBegin)
+{
+    for (int i = 0; i < 10; ++i) {
+        raise(kBus, QStringLiteral("Lost."));
+        board.clear(kBus);
+    }
+    const auto before = log.lastNumber();
+    clock.advance(Seconds(2.0));
+    board.tick();
+    EXPECT_EQ(log.lastNumber(), before);
+}
+
 }  // namespace
 }  // namespace boresight
