@@ -36,14 +36,23 @@ bool contains(const std::vector<std::string>& keys, const std::string& key)
     return std::ranges::find(keys, key) != keys.end();
 }
 
-// Of a mount that was simulated with the profile of a real one: what is left for that one. Not what can only be seen
-// on the mount itself, either: which motor is which and how it turns, nor that somebody has looked at it.
-Result<> leaveOutFound(std::vector<std::string>& keys, const profile::Profile& wanted, const std::string& mountName)
+// The zero of an axis is not where its profile has it.
+bool countsOtherwise(const std::vector<std::string>& differing, const std::string& axis)
 {
+    return contains(differing, axis + ".offset_deg") || contains(differing, axis + ".sign") ||
+           contains(differing, axis + ".id");
+}
+
+// Of a mount that was simulated with the profile of a real one: what is left for that one. Not what can only be seen
+// on the mount itself, either: which motor is which and how it turns, nor that somebody has looked at it; nor ends
+// that are counted from a zero which is not the real one's.
+Result<> leaveOutFound(std::vector<std::string>& keys, const profile::Profile& kept, const profile::Profile& wanted)
+{
+    const std::vector<std::string> differing = profile::changedKeys(kept, wanted);
     std::vector<std::string> simulatedOnes = {"mount.directions", "azimuth.id", "elevation.id", "azimuth.sign",
                                               "elevation.sign"};
     for (const std::string axis : {"azimuth", "elevation"}) {
-        if (contains(keys, axis + ".offset_deg")) {
+        if (countsOtherwise(differing, axis)) {
             std::ranges::copy(countedFrom(axis), std::back_inserter(simulatedOnes));
         }
     }
@@ -59,8 +68,9 @@ Result<> leaveOutFound(std::vector<std::string>& keys, const profile::Profile& w
     return failure(
         ErrorCode::Refused,
         Text::tr("this holds for the simulated mount until the program ends; the profile of \"%1\" keeps its own "
-                 "motors, zeros, north, pointing model and sensor mounting: start without --simulate to set them")
-            .arg(toQString(mountName)));
+                 "motors, zeros and the ends counted from them, north, pointing model and sensor mounting: start "
+                 "without --simulate to set them")
+            .arg(toQString(kept.mount.name)));
 }
 
 // A real mount, with the profile of the simulated one: what is found of it, and another bus, makes the file its own,
@@ -85,7 +95,7 @@ Result<> saveChanges(const QString& configDir, const QString& path, const profil
         const std::string name = kept.mount.name;
         Result<> all;
         if (onlySimulated && !profile::isSimulated(kept)) {
-            all = leaveOutFound(keys, wanted, name);
+            all = leaveOutFound(keys, kept, wanted);
         } else if (!profile::isSimulated(wanted) && profile::isSimulated(kept)) {
             becomeReal(kept, wanted, keys);
         }

@@ -39,19 +39,31 @@ QString ProfileChange::whyNot(const StationStatus& status, const Edit& edit) con
         return tr("another panel has changes that are not applied: apply or revert them first");
     }
     const profile::Profile wanted = changed(edit);
-    if (m_draft.keepsSimulated() && wanted.bus != m_draft.inForce().bus) {
-        return tr("Boresight was started with --simulate and stays so: start it with --bus %1 for this one")
-            .arg(QString::fromStdString(wanted.bus));
-    }
-    if (wanted.bus == m_draft.applied().bus && wanted.bus != m_draft.inForce().bus) {
-        return tr("the mount at %1 waits for Reconnect: press that first (tab Mount, Profile)")
-            .arg(QString::fromStdString(wanted.bus));
+    if (const QString reason = whyNotBus(wanted.bus); !reason.isEmpty()) {
+        return reason;
     }
     if (const auto problems = profile::problemsOf(wanted); !problems.empty()) {
         return QString::fromStdString(problems.front().key + ": " + problems.front().text);
     }
     const bool anew = !profile::applied(m_draft.inForce(), wanted).waitingKeys.empty();
     return anew && isMoving(status) ? tr("the mount moves: stop it first") : QString();
+}
+
+// With --simulate another bus is one for later, and what else is changed meanwhile is the simulated mount's.
+QString ProfileChange::whyNotBus(const std::string& wanted) const
+{
+    if (wanted == m_draft.inForce().bus) {
+        return {};
+    }
+    const bool waits = wanted == m_draft.applied().bus;
+    if (m_draft.keepsSimulated()) {
+        return waits ? QString()
+                     : tr("Boresight was started with --simulate and stays so: start it with --bus %1 for this one")
+                           .arg(QString::fromStdString(wanted));
+    }
+    return waits ? tr("the mount at %1 waits for Reconnect: press that first (tab Mount, Profile)")
+                       .arg(QString::fromStdString(wanted))
+                 : QString();
 }
 
 void ProfileChange::send(const Edit& edit, QObject* asker, const RequestDesk::Reply& reply)

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include <functional>
+#include <string>
 
 // One change of the profile by one press: put into the draft, applied, and where it needs a new connection that too.
 // What is refused leaves no edit behind. Not while another panel has edits of its own: they would be applied with it.
@@ -33,6 +34,7 @@ public:
 
 private:
     [[nodiscard]] profile::Profile changed(const Edit& edit) const;
+    [[nodiscard]] QString whyNotBus(const std::string& wanted) const;
     void send(const Edit& edit, QObject* asker, const RequestDesk::Reply& reply);
 
     ProfileDraft& m_draft;

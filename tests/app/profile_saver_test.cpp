@@ -76,7 +76,7 @@ TEST(ProfileSaver, WhatWasFoundOfTheSimulatedMountIsNotTheRealOnes)
     const QString reason = rig.save(rig.file(), wanted);
     kept.jog.slow = 0.7_deg_s;
     EXPECT_EQ(kept, *profile::loadProfile(rig.file()));
-    EXPECT_TRUE(reason.contains(QStringLiteral("keeps its own motors, zeros, north"))) << reason.toStdString();
+    EXPECT_TRUE(reason.contains(QStringLiteral("keeps its own motors, zeros and the ends"))) << reason.toStdString();
     // A mount that is simulated by its own profile keeps what is found of it.
     ASSERT_TRUE(profile::saveProfile(rig.inForce, rig.file()));
     rig.save(rig.file(), wanted);
@@ -106,6 +106,25 @@ TEST(ProfileSaver, ZeroMotorsAndDirectionsOfTheSimulatedMountAreNotTheRealOnes)
     wanted = rig.inForce;
     profile::setTravel(wanted, Axis::Azimuth, {.min = -10_deg, .max = 270_deg});
     EXPECT_EQ(rig.save(rig.file(), wanted), QString());
+    profile::setTravel(kept, Axis::Azimuth, {.min = -10_deg, .max = 270_deg});
+    EXPECT_EQ(kept, *profile::loadProfile(rig.file()));
+}
+
+// Story: level was set with --simulate, and left out; the end typed afterwards, counted from it, was the real mount's.
+TEST(ProfileSaver, EndsCountedFromTheSimulatedZeroAreNotTheRealOnes)
+{
+    Rig rig;
+    rig.onlySimulated = true;
+    profile::Profile kept;
+    kept.bus = "fdcanusb:/dev/mount";
+    ASSERT_TRUE(profile::saveProfile(kept, rig.file()));
+    rig.inForce = kept;
+    rig.inForce.bus = "simulated";
+    profile::setReading(rig.inForce, Axis::Elevation, 3_deg, 10_deg, profile::Ends::KeepTheirNumbers);
+    profile::Profile wanted = rig.inForce;
+    profile::setTravel(wanted, Axis::Azimuth, {.min = -10_deg, .max = 270_deg});
+    profile::setTravel(wanted, Axis::Elevation, {.min = 5_deg, .max = 80_deg});
+    EXPECT_NE(rig.save(rig.file(), wanted), QString());
     profile::setTravel(kept, Axis::Azimuth, {.min = -10_deg, .max = 270_deg});
     EXPECT_EQ(kept, *profile::loadProfile(rig.file()));
 }

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/profile_change.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight::ui {
+namespace {
+
+// A draft whose profile names another bus than the one in force: it waits for Reconnect.
+class ProfileChangeTest : public ::testing::Test
+{
+protected:
+    ProfileChangeTest()
+    {
+        QObject::connect(&desk, &RequestDesk::requested, &desk,
+                         [this](const NumberedRequest& request) { asked = request; });
+        status.profile = std::make_shared<const profile::Profile>();
+        draft.showStatus(status);
+        draft.edit([](profile::Profile& edited) { edited.bus = "socketcan:can0"; });
+        draft.apply(&desk, [](const std::optional<Error>&) {});
+        desk.take({{asked.id, std::nullopt}});
+        status.waitingKeys = {"bus.name"};
+        draft.showStatus(status);
+    }
+
+    [[nodiscard]] QString whyNotReverse() const
+    {
+        return change.whyNot(status, [](profile::Profile& edited) { edited.azimuth.sign = -1; });
+    }
+
+    RequestDesk desk;
+    ProfileDraft draft{desk};
+    ProfileChange change{draft, desk};
+    NumberedRequest asked{};
+    StationStatus status;
+};
+
+TEST_F(ProfileChangeTest, NothingIsChangedOfAMountThatWaitsForReconnect)
+{
+    EXPECT_TRUE(whyNotReverse().contains(QStringLiteral("socketcan:can0 waits for Reconnect")))
+        << whyNotReverse().toStdString();
+}
+
+// Story: with --simulate and a bus typed for later, the guide refused each of its acts and said to start anew.
+TEST_F(ProfileChangeTest, ABusForLaterLeavesTheSimulatedMountToBeSet)
+{
+    draft.keepSimulated();
+    EXPECT_EQ(whyNotReverse(), QString());
+    const auto useAnother = [](profile::Profile& edited) { edited.bus = "socketcan:can1"; };
+    EXPECT_TRUE(change.whyNot(status, useAnother).contains(QStringLiteral("--bus socketcan:can1")));
+}
+
+}  // namespace
+}  // namespace boresight::ui
