@@ -16,12 +16,18 @@ CalibrationBar::CalibrationBar(RequestDesk& desk, QWidget* parent)
       m_change(new ValueLabel(tr("What Apply changes"), fonts::label(), {}, this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_apply(new CommandButton(tr("Apply north"), {}, desk, *m_notice, this)),
+      m_discard(new CommandButton(tr("Discard"), tr("What is proposed goes; nothing changes, and the points stay"),
+                                  desk, *m_notice, this)),
       m_undo(new CommandButton(tr("Undo"), tr("Back to the calibration before; nothing moves"), desk, *m_notice, this))
 {
+    m_discard->setAccessibleName(tr("Discard what is proposed"));
     m_undo->setAccessibleName(tr("Undo the calibration"));
     build();
-    connect(m_apply, &QPushButton::pressed, this, [this] { m_pressed = m_shown; });
+    for (const CommandButton* const button : {m_apply, m_discard}) {
+        connect(button, &QPushButton::pressed, this, [this] { m_pressed = m_shown; });
+    }
     connect(m_apply, &QPushButton::clicked, this, [this] { m_apply->ask(request::ApplyCalibration{m_pressed}); });
+    connect(m_discard, &QPushButton::clicked, this, [this] { m_discard->ask(request::DiscardCalibration{m_pressed}); });
     connect(m_undo, &QPushButton::clicked, this, [this] { m_undo->ask(request::UndoCalibration{}); });
 }
 
@@ -41,6 +47,7 @@ void CalibrationBar::build()
     m_notice->setCollapsing(true);
     row->addLayout(lines, 1);
     row->addWidget(m_apply);
+    row->addWidget(m_discard);
     row->addWidget(m_undo);
 }
 
@@ -57,6 +64,7 @@ void CalibrationBar::showStatus(const StationStatus& status)
         calibration.proposal ? tr("Into force at once, nothing moves: %1").arg(changeText(*calibration.proposal))
                              : QString());
     m_apply->setBlocked(whyNoApply(status));
+    m_discard->setBlocked(whyNoDiscard(status));
     m_undo->setBlocked(whyNoUndo(status));
 }
 

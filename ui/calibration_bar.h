@@ -7,8 +7,9 @@
 
 #include <cstdint>
 
-// Below every step of the North panel: what is proposed, every figure before and after, Apply and Undo. What is applied
-// is the proposal that stood there when the button was pressed; were it another one by then, the station refuses.
+// Below every step of the North panel: what is proposed, every figure before and after, Apply, Discard and Undo. What
+// is applied or discarded is the proposal that stood there when the button was pressed; were it another one by then,
+// the station refuses.
 namespace boresight::ui {
 
 class CommandButton;
@@ -31,9 +32,10 @@ private:
     ValueLabel* m_change;
     ValueLabel* m_notice;
     CommandButton* m_apply;
+    CommandButton* m_discard;
     CommandButton* m_undo;
     std::uint64_t m_shown = 0;    // number of the proposal
-    std::uint64_t m_pressed = 0;  // that was shown when Apply was pressed
+    std::uint64_t m_pressed = 0;  // that was shown when Apply or Discard was pressed
 };
 
 }  // namespace boresight::ui

@@ -113,6 +113,11 @@ QString whyNoApply(const StationStatus& status)
     return proposal ? proposal->obstacle : CalibrationPermission::tr("nothing is proposed yet");
 }
 
+QString whyNoDiscard(const StationStatus& status)
+{
+    return calibrationOf(status).proposal ? QString() : CalibrationPermission::tr("nothing is proposed yet");
+}
+
 QString whyNoUndo(const StationStatus& status)
 {
     return calibrationOf(status).canUndo ? whyNoOther(status)

@@ -22,6 +22,7 @@ namespace boresight::ui {
 [[nodiscard]] QString whyNoPointChange(const StationStatus& status);
 [[nodiscard]] QString whyNoGivenTerms(const StationStatus& status);  // typed, or from a file
 [[nodiscard]] QString whyNoApply(const StationStatus& status);
+[[nodiscard]] QString whyNoDiscard(const StationStatus& status);
 [[nodiscard]] QString whyNoUndo(const StationStatus& status);
 [[nodiscard]] QString whyNoRedo(const StationStatus& status);
 

@@ -314,12 +314,18 @@ Result<> CalibrationDesk::makesSense(const CalibrationChange& change) const
     return {};
 }
 
+Result<> CalibrationDesk::isProposed(std::uint64_t number) const
+{
+    return m_proposal && m_proposal->number == number
+               ? Result<>{}
+               : failure(ErrorCode::Refused, Text::tr("this is not what is proposed any more: look at it again first"));
+}
+
 Result<> CalibrationDesk::handle(const request::ApplyCalibration& wanted)
 {
     dropStale();
-    if (!m_proposal || m_proposal->number != wanted.proposal) {
-        return failure(ErrorCode::Refused,
-                       Text::tr("this is not what is proposed any more: look at it again before you apply it"));
+    if (const Result<> same = isProposed(wanted.proposal); !same) {
+        return same;
     }
     const Proposal proposal = *m_proposal;
     const CalibrationChange change{.terms = proposal.terms, .sensor = proposal.sensor};
@@ -339,6 +345,14 @@ Result<> CalibrationDesk::handle(const request::ApplyCalibration& wanted)
             Text::tr("applies \"%1\": %2")
                 .arg(proposal.title, changeText(m_profile.pointing, proposal.terms, proposal.sensor.has_value())),
             ProposedBy::Nothing);
+    });
+}
+
+Result<> CalibrationDesk::handle(const request::DiscardCalibration& wanted)
+{
+    return isProposed(wanted.proposal).map([&] {
+        m_log.add(Severity::Advisory, QStringLiteral("operator"), Text::tr("discards \"%1\"").arg(m_proposal->title));
+        propose(ProposedBy::Nothing);
     });
 }
 

@@ -102,6 +102,7 @@ private:
     Result<> handle(const request::ImportTerms& wanted);
     Result<> handle(const request::EndCalibration& wanted);
     Result<> handle(const request::ApplyCalibration& wanted);
+    Result<> handle(const request::DiscardCalibration& wanted);
     Result<> handle(const request::UndoCalibration& wanted);
     Result<> handle(const request::RedoCalibration& wanted);
 
@@ -115,6 +116,7 @@ private:
     [[nodiscard]] Result<> roomForPoint() const;
     [[nodiscard]] Result<> mayTakePoint() const;
     [[nodiscard]] Result<> mayTakeBody();
+    [[nodiscard]] Result<> isProposed(std::uint64_t number) const;
     [[nodiscard]] Result<> mayChange() const;
     [[nodiscard]] Result<> makesSense(const CalibrationChange& change) const;
     [[nodiscard]] Result<> stillInForce(const pointing::PointingTerms& terms,

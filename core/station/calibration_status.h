@@ -166,10 +166,10 @@ struct CalibrationStatus
     QString noSite;                                 // why there is neither Sun nor Moon; empty: there are
     std::vector<BodyNow> bodies;                    // Sun, Moon
     ephemeris::Refraction refraction = ephemeris::Refraction::Light;
-    std::optional<ephemeris::Body> body;  // chosen last: TakePoint means this one
+    std::optional<ephemeris::Body> body;  // the mount was led to last, and to nothing else since: TakePoint means it
     bool following = false;               // and the mount follows it now
     bool overTheTop = false;              // with the boom past the zenith
-    QString warning;                      // of eyes and feed, while the beam is led to the Sun
+    QString warning;                      // of eyes and feed, while the beam is at the Sun
     QString pointObstacle;                // why TakePoint would be refused now; empty: it would not
     std::vector<PointStatus> points;
     std::optional<PointFitStatus> fit;

@@ -183,6 +183,10 @@ struct ApplyCalibration
 {
     std::uint64_t proposal = 0;  // CalibrationProposal::number
 };
+struct DiscardCalibration  // what is proposed; the points stay
+{
+    std::uint64_t proposal = 0;
+};
 struct UndoCalibration
 {};
 struct RedoCalibration
@@ -196,8 +200,8 @@ using CalibrationRequest =
     std::variant<request::FollowBody, request::TakePoint, request::TakeKnownPoint, request::DropPoint,
                  request::UsePoint, request::DropAllPoints, request::MeasureSensorOffset, request::PlanSwing,
                  request::StartSwing, request::StartCrossScan, request::GivePower, request::ProposeTerms,
-                 request::ImportTerms, request::EndCalibration, request::ApplyCalibration, request::UndoCalibration,
-                 request::RedoCalibration>;
+                 request::ImportTerms, request::EndCalibration, request::ApplyCalibration, request::DiscardCalibration,
+                 request::UndoCalibration, request::RedoCalibration>;
 
 using Request =
     std::variant<request::PointSky, request::PointAxes, request::Jog, request::Move, request::Step, request::Follow,

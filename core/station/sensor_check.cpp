@@ -61,7 +61,8 @@ void SensorCheck::take(const SensorReading& reading)
 void SensorCheck::judge(Case& which, const std::optional<Angle>& difference, Angle excess, SteadyTime arrival)
 {
     which.difference.now = difference;
-    if (excess > m_settings.threshold) {
+    which.difference.beyond = excess > m_settings.threshold;
+    if (which.difference.beyond) {
         if (which.differing++ == 0) {
             which.since = arrival;
             which.difference.beganMoving = which.difference.beganMoving || moves(before(arrival, Seconds(2.0)));

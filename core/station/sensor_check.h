@@ -41,6 +41,7 @@ public:
     struct Difference
     {
         std::optional<Angle> now;  // sensor minus axes; empty: not compared
+        bool beyond = false;       // the threshold, now
         bool lasts = false;
         bool beganMoving = false;  // it began while the axes moved
     };

@@ -297,7 +297,10 @@ bool SensorWatch::isNorthUnknown() const
 bool SensorWatch::disagrees(Axis axis) const
 {
     const bool expected = axis == Axis::Azimuth && isNorthUnknown();
-    const bool explained = m_proposed && !m_proposedCheck.difference(axis).lasts;
+    // An alarm that stands goes only when a value has agreed with what is proposed.
+    const SensorCheck::Difference& proposed = m_proposedCheck.difference(axis);
+    const bool agrees = proposed.now && !proposed.beyond;
+    const bool explained = m_proposed && !proposed.lasts && (agrees || !m_disagreed);
     return m_check.difference(axis).lasts && !expected && !explained;
 }
 

@@ -4726,8 +4726,8 @@ do eixo</translation>
         <translation>com isto o perfil não faria sentido, %1: altere isso primeiro</translation>
     </message>
     <message>
-        <source>this is not what is proposed any more: look at it again before you apply it</source>
-        <translation>já não é isto que se propõe: veja de novo antes de aplicar</translation>
+        <source>this is not what is proposed any more: look at it again first</source>
+        <translation>já não é isto que se propõe: veja-o primeiro de novo</translation>
     </message>
     <message>
         <source>applies &quot;%1&quot;: %2</source>
@@ -5406,8 +5406,8 @@ do eixo</translation>
         <translation>Encontre o norte: painel Norte (Ctrl+9). Se o zero do eixo já foi posto no norte, provável: o sensor tem um desvio próprio ou saiu do lugar, ou um acoplamento escorrega</translation>
     </message>
     <message>
-        <source>this holds for the simulated mount until the program ends; the profile of &quot;%1&quot; keeps its own motors, zeros, north, pointing model and sensor mounting: start without --simulate to set them</source>
-        <translation>isto vale para a montagem simulada até o programa terminar; o perfil de &quot;%1&quot; mantém os seus próprios motores, zeros, norte, modelo de apontamento e montagem do sensor: inicie sem --simulate para os definir</translation>
+        <source>this holds for the simulated mount until the program ends; the profile of &quot;%1&quot; keeps its own motors, zeros and the ends counted from them, north, pointing model and sensor mounting: start without --simulate to set them</source>
+        <translation>isto vale para a montagem simulada até o programa terminar; o perfil de &quot;%1&quot; mantém os seus próprios motores, zeros e os limites contados a partir deles, norte, modelo de apontamento e montagem do sensor: inicie sem --simulate para os definir</translation>
     </message>
     <message>
         <source>the mount at %1 waits for Reconnect, and this was found of the one at %2: reconnect first</source>
@@ -5496,6 +5496,10 @@ do eixo</translation>
     <message>
         <source>from a file</source>
         <translation>de um ficheiro</translation>
+    </message>
+    <message>
+        <source>discards &quot;%1&quot;</source>
+        <translation>descarta &quot;%1&quot;</translation>
     </message>
 </context>
 <context>
@@ -6042,6 +6046,18 @@ modo moteus %1, falha %2</translation>
     <message>
         <source>Apply to sensor</source>
         <translation>Aplicar ao sensor</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>What is proposed goes; nothing changes, and the points stay</source>
+        <translation>A proposta desaparece; nada muda, e os pontos ficam</translation>
+    </message>
+    <message>
+        <source>Discard what is proposed</source>
+        <translation>Descartar o que se propõe</translation>
     </message>
 </context>
 <context>

@@ -61,6 +61,7 @@ TEST_F(NorthTest, WithoutACalibrationDeskNothingIsOffered)
         show(static_cast<CalibrationStep>(step), status);
     }
     expectBlocked("Apply north", "nothing is proposed yet");
+    expectBlocked("Discard what is proposed", "nothing is proposed yet");
     expectBlocked("Undo the calibration", "nothing applied here");
     expectBlocked("Follow Sun", "it is not known where the Sun is");
 }
@@ -83,6 +84,15 @@ TEST_F(NorthTest, ApplySendsTheProposalThatWasSeenWhenItWasPressed)
     apply->setFocus();
     QTest::keyClick(apply, Qt::Key_Space);
     EXPECT_EQ(wanted<request::ApplyCalibration>().back().proposal, 8u);
+}
+
+TEST_F(NorthTest, DiscardSendsTheProposalThatWasSeenWhenItWasPressed)
+{
+    StationStatus status = samples::swung();
+    show(CalibrationStep::Swing, status);
+    click("Discard what is proposed");
+    ASSERT_EQ(wanted<request::DiscardCalibration>().size(), 1u);
+    EXPECT_EQ(wanted<request::DiscardCalibration>().front().proposal, 7u);
 }
 
 TEST_F(NorthTest, UndoAndRedoAreOfferedWhereThereIsSomethingAndTheHistoryWarnsOfAnotherMount)

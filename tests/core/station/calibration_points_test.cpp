@@ -239,6 +239,27 @@ TEST(CalibrationPoints, UndoAndRedoGiveExactlyWhatWas)
     EXPECT_NEAR(second.pointing.azimuthOffset.degrees(), again.terms().azimuthOffset.degrees(), 2e-9);
 }
 
+// Story: a swing beside a car was proposed until another one took its place.
+TEST(CalibrationPoints, WhatIsDiscardedIsProposedNoMoreAndChangesNothing)
+{
+    CalibrationRig rig = swungRig();
+    takeSun(rig, 8.0);
+    const profile::Profile before = rig.profile;
+    ASSERT_TRUE(rig.status().proposal);
+    const std::uint64_t number = rig.status().proposal->number;
+    EXPECT_FALSE(rig.ask(request::DiscardCalibration{number - 1})) << "another was looked at";
+    ASSERT_TRUE(rig.status().proposal);
+    ASSERT_TRUE(rig.ask(request::DiscardCalibration{number}));
+    rig.run(Seconds(2.0));
+    EXPECT_FALSE(rig.status().proposal);
+    EXPECT_EQ(before, rig.profile);
+    EXPECT_EQ(rig.status().points.size(), 1U);
+    EXPECT_FALSE(rig.ask(request::ApplyCalibration{number}));
+    EXPECT_FALSE(rig.ask(request::DiscardCalibration{number}));
+    takeSun(rig, 10.0);
+    EXPECT_TRUE(rig.status().proposal) << "what comes later is";
+}
+
 // Story: 37.4° applied, 50° and a collimation typed; Undo and Redo lost both without a word.
 TEST(CalibrationPoints, UndoAndRedoLoseNothingThatWasTypedSince)
 {
