@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/profile_change.h"
 
+#include "core/profile/commissioning.h"
+
 #include <gtest/gtest.h>
 
 namespace boresight::ui {
@@ -25,7 +27,7 @@ protected:
 
     [[nodiscard]] QString whyNotReverse() const
     {
-        return change.whyNot(status, [](profile::Profile& edited) { edited.azimuth.sign = -1; });
+        return change.whyNot(status, [](profile::Profile& edited) { profile::reverse(edited, Axis::Azimuth, {}); });
     }
 
     RequestDesk desk;
