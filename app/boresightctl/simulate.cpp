@@ -85,6 +85,7 @@ Result<> SimulatedDevice::startSensor()
         return {};
     }
     m_sensor = std::make_unique<sim::SensorBox>(m_pair, m_clock, m_epoch, m_options.sensorTruth);
+    m_sensor->start();
     if (m_options.sensorBroker) {
         startSensorPublisher();
     }

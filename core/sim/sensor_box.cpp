@@ -27,6 +27,10 @@ SensorBox::SensorBox(SimulatedPair& pair, const Clock& clock, SteadyTime epoch, 
 {
     m_timer.setTimerType(Qt::PreciseTimer);
     m_timer.callOnTimeout(this, &SensorBox::read);
+}
+
+void SensorBox::start()
+{
     m_timer.start(SimulatedSensor::kReadingPeriod);
 }
 

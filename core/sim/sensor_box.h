@@ -23,7 +23,7 @@ public:
     // Pair and clock outlive the box; the pair's time 0 was at `epoch`.
     SensorBox(SimulatedPair& pair, const Clock& clock, SteadyTime epoch, const SensorTruth& truth);
 
-    // What the timer calls; tests with a hand-turned clock call it themselves.
+    void start();  // from now on it reads by a timer of its own; with a hand-turned clock call read() in its place
     void read();
 
 Q_SIGNALS:

@@ -39,7 +39,7 @@ protected:
         return SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX,
                                          SDL_CONTROLLER_BUTTON_MAX, 0);
     }
-    bool becomes(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 3000); }
+    bool becomes(const std::function<bool()>& condition) { return QTest::qWaitFor(condition); }
 
     std::unique_ptr<Gamepad> gamepad = Gamepad::create();
     std::optional<QString> name;

@@ -17,7 +17,7 @@ TEST_F(GuideTest, AHeldTestMoveIsSlowAndEndsOnRelease)
                                                std::tuple{Axis::Elevation, false, AxisRates{0_deg_s, -1_deg_s}}}) {
         requests.clear();
         QTest::mousePress(&hold(axis, upwards), Qt::LeftButton);
-        ASSERT_TRUE(QTest::qWaitFor([this] { return asked<request::Jog>().size() >= 3; }, 2000));
+        ASSERT_TRUE(QTest::qWaitFor([this] { return asked<request::Jog>().size() >= 3; }));
         EXPECT_EQ(asked<request::Jog>().back().rates, rates);
         QTest::mouseRelease(&hold(axis, upwards), Qt::LeftButton);
         EXPECT_TRUE(lastJogIsZero());
@@ -37,7 +37,7 @@ TEST_F(GuideTest, SpaceHoldsATestMoveAndEverythingThatTakesItAwayEndsIt)
     };
     begin();
     QTest::keyRelease(&button, Qt::Key_Space);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return lastJogIsZero(); }, 1000)) << "release";
+    EXPECT_TRUE(QTest::qWaitFor([this] { return lastJogIsZero(); })) << "release";
     begin();
     QTest::keyClick(&window, Qt::Key_Tab);
     EXPECT_TRUE(lastJogIsZero()) << "focus";

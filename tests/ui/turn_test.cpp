@@ -37,7 +37,7 @@ protected:
     QLineEdit& field() { return *named<QLineEdit>("Angle read off the mount"); }
     bool answerable()
     {
-        return QTest::qWaitFor([this] { return answer().isEnabled(); }, 3000);
+        return QTest::qWaitFor([this] { return answer().isEnabled(); });
     }
     QRadioButton* place(const char* angle)
     {
@@ -205,7 +205,7 @@ TEST_F(TurnTest, UnwindingIsADeadManAtItsOwnRate)
     give(samples::update(fewPlaces()));
     auto* const back = named<QPushButton>("Turn counter-clockwise at 1.0°/s while held");
     QTest::mousePress(back, Qt::LeftButton);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return asked<request::Jog>().size() >= 4; }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return asked<request::Jog>().size() >= 4; }));
     EXPECT_EQ(asked<request::Jog>().back().rates, (AxisRates{-1_deg_s, 0_deg_s}));
     QTest::mouseRelease(back, Qt::LeftButton);
     EXPECT_EQ(asked<request::Jog>().back().rates, AxisRates{});

@@ -104,9 +104,9 @@ TEST_F(WindowTest, ASilentStationAgesTheScreenByItself)
 {
     give(samples::update(samples::tracking(100)));
     clock.advance(Seconds(1.0));
-    EXPECT_TRUE(QTest::qWaitFor([this] { return text("Detail of azimuth") == QLatin1String("age 1.0 s"); }, 2000));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return text("Detail of azimuth") == QLatin1String("age 1.0 s"); }));
     clock.advance(Seconds(1.5));
-    EXPECT_TRUE(QTest::qWaitFor([this] { return text("State of azimuth") == QLatin1String("NO DATA"); }, 2000));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return text("State of azimuth") == QLatin1String("NO DATA"); }));
     EXPECT_TRUE(text("Worst alarm").contains(QLatin1String("No word from the station for 2.5 s")));
     give(samples::update(samples::tracking(100)));
     EXPECT_EQ(text("State of azimuth"), QStringLiteral("MOVING"));

@@ -46,10 +46,10 @@ protected:
             clock.advance(SimulatedSensor::kReadingPeriod);
             box.read();
         }
-        publisher->client().publish({.topic = QStringLiteral("roof/mark")});
-        EXPECT_TRUE(fakes::waitUntil([this] {
-            return !listener.messages.empty() && listener.messages.back().topic == QStringLiteral("roof/mark");
-        }));
+        const QString mark = QStringLiteral("roof/mark");
+        publisher->client().publish({.topic = mark});
+        EXPECT_TRUE(
+            fakes::waitUntil([&] { return !listener.messages.empty() && listener.messages.back().topic == mark; }));
         listener.messages.pop_back();
         std::vector<std::string> topics;
         for (const mqtt::Message& message : listener.messages) {
