@@ -8,7 +8,6 @@
 namespace boresight::ui {
 namespace {
 
-// A draft whose profile names another bus than the one in force: it waits for Reconnect.
 class ProfileChangeTest : public ::testing::Test
 {
 protected:
@@ -18,9 +17,17 @@ protected:
                          [this](const NumberedRequest& request) { asked = request; });
         status.profile = std::make_shared<const profile::Profile>();
         draft.showStatus(status);
-        draft.edit([](profile::Profile& edited) { edited.bus = "socketcan:can0"; });
+    }
+
+    // All of it is in force at once but the bus, which waits for Reconnect.
+    void applyBus(const std::string& bus)
+    {
+        draft.edit([&bus](profile::Profile& edited) { edited.bus = bus; });
         draft.apply(&desk, [](const std::optional<Error>&) {});
         desk.take({{asked.id, std::nullopt}});
+        profile::Profile inForce = std::get<request::ApplyProfile>(asked.request).profile;
+        inForce.bus = status.profile->bus;
+        status.profile = std::make_shared<const profile::Profile>(inForce);
         status.waitingKeys = {"bus.name"};
         draft.showStatus(status);
     }
@@ -39,6 +46,7 @@ protected:
 
 TEST_F(ProfileChangeTest, NothingIsChangedOfAMountThatWaitsForReconnect)
 {
+    applyBus("socketcan:can0");
     EXPECT_TRUE(whyNotReverse().contains(QStringLiteral("socketcan:can0 waits for Reconnect")))
         << whyNotReverse().toStdString();
 }
@@ -47,6 +55,7 @@ TEST_F(ProfileChangeTest, NothingIsChangedOfAMountThatWaitsForReconnect)
 TEST_F(ProfileChangeTest, ABusForLaterLeavesTheSimulatedMountToBeSet)
 {
     draft.keepSimulated();
+    applyBus("socketcan:can0");
     EXPECT_EQ(whyNotReverse(), QString());
     const auto useAnother = [](profile::Profile& edited) { edited.bus = "socketcan:can1"; };
     EXPECT_TRUE(change.whyNot(status, useAnother).contains(QStringLiteral("--bus socketcan:can1")));
