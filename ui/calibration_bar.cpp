@@ -56,7 +56,8 @@ void CalibrationBar::showStatus(const StationStatus& status)
     const CalibrationStatus& calibration = calibrationOf(status);
     const Sentence title = proposalSentence(calibration);
     m_title->setValue(title.text, title.tone, title.symbol);
-    m_change->setValue(calibration.proposal ? changeText(*calibration.proposal) : QString(), Tone::Secondary);
+    m_change->setValue(calibration.proposal ? changeText(*calibration.proposal) : tr("Steps 1 to 3 find north"),
+                       Tone::Secondary);
     m_change->setVisible(m_notice->text().isEmpty());
     m_shown = calibration.proposal ? calibration.proposal->number : 0;
     m_apply->setCommand(

@@ -170,7 +170,7 @@ QString changeText(const CalibrationProposal& proposal)
 Sentence proposalSentence(const CalibrationStatus& calibration)
 {
     if (!calibration.proposal) {
-        return {CalibrationWords::tr("Nothing proposed yet: steps 1-3 find north")};
+        return {CalibrationWords::tr("Nothing proposed yet")};
     }
     CalibrationProposal proposal = *calibration.proposal;
     if (proposal.residuals) {

@@ -130,10 +130,6 @@
         <translation>nenhum termo muda 0.01°</translation>
     </message>
     <message>
-        <source>Nothing proposed yet: steps 1-3 find north</source>
-        <translation>Ainda não há proposta: os passos 1 a 3 acham o norte</translation>
-    </message>
-    <message>
         <source>Turning clockwise the sensor says %1 more than turning back.</source>
         <translation>No sentido horário o sensor diz mais %1 do que na volta.</translation>
     </message>
@@ -200,6 +196,10 @@
     <message>
         <source>%1: rms %2; their own fit, %3: %4</source>
         <translation>%1: rms %2; o ajuste deles, %3: %4</translation>
+    </message>
+    <message>
+        <source>Nothing proposed yet</source>
+        <translation>Ainda não há proposta</translation>
     </message>
 </context>
 <context>
@@ -6058,6 +6058,10 @@ modo moteus %1, falha %2</translation>
     <message>
         <source>Discard what is proposed</source>
         <translation>Descartar o que se propõe</translation>
+    </message>
+    <message>
+        <source>Steps 1 to 3 find north</source>
+        <translation>Os passos 1 a 3 acham o norte</translation>
     </message>
 </context>
 <context>

@@ -60,6 +60,8 @@ TEST_F(NorthTest, WithoutACalibrationDeskNothingIsOffered)
     for (int step = 0; step < 5; ++step) {
         show(static_cast<CalibrationStep>(step), status);
     }
+    EXPECT_EQ(text("Proposed calibration"), QStringLiteral("Nothing proposed yet"));
+    EXPECT_EQ(text("What Apply changes"), QStringLiteral("Steps 1 to 3 find north"));
     expectBlocked("Apply north", "nothing is proposed yet");
     expectBlocked("Discard what is proposed", "nothing is proposed yet");
     expectBlocked("Undo the calibration", "nothing applied here");
