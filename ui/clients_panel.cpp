@@ -39,7 +39,9 @@ ClientsPanel::ClientsPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* pare
       m_detail(new ValueLabel(tr("About the selected client"), fonts::label(), {}, this)),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_gpredict(new ValueLabel(tr("Settings for Gpredict"), fonts::label(), {}, this)),
-      m_first(new ChoiceButton(tr("First"), tr("The first client moves the mount until it is silent for 10 s"), this)),
+      m_first(new ChoiceButton(
+          tr("First"), tr("The first client moves the mount until it has asked for no motion for 10 s, or left"),
+          this)),
       m_last(new ChoiceButton(tr("Last"), tr("Whoever sent the last target moves the mount, as with Hamlib"), this)),
       m_locked(new ChoiceButton(tr("Locked"), tr("Only the host of one client: select it first"), this)),
       m_give(new CommandButton(tr("Give control"), tr("The selected client moves the mount from now on"), desk,
@@ -261,9 +263,11 @@ void ClientsPanel::showSelected()
     } else if (m_status.authority == Authority::Operator) {
         m_detail->setValue(tr("You have the control: clients' motions are refused until you give it back"));
     } else {
-        m_detail->setValue(m_status.clients.empty() ? tr("No program is connected")
-                                                    : tr("Select a client to give it the control, or to keep it out"),
-                           Tone::Secondary);
+        m_detail->setValue(
+            m_status.clients.empty()
+                ? tr("No program is connected. Gpredict leaves when it is refused: press Engage there again")
+                : tr("Select a client to give it the control, or to keep it out"),
+            Tone::Secondary);
     }
 }
 

@@ -33,8 +33,16 @@ void ClosePrompt::ask()
 
 void ClosePrompt::confirm()
 {
+    m_confirmed = true;
     setText(closingText());
     Q_EMIT confirmed();
+}
+
+void ClosePrompt::withdraw()
+{
+    if (!m_confirmed) {
+        hide();
+    }
 }
 
 }  // namespace boresight::ui

@@ -14,10 +14,14 @@ public:
     explicit ClosePrompt(QWidget* parent);
 
     void ask();
-    void confirm();  // also without having asked
+    void confirm();   // also without having asked
+    void withdraw();  // the mount stands: there is nothing to ask any more
 
 Q_SIGNALS:
     void confirmed();
+
+private:
+    bool m_confirmed = false;
 };
 
 }  // namespace boresight::ui

@@ -47,6 +47,7 @@ namespace {
 constexpr std::chrono::milliseconds kBeat{100};
 constexpr int kBeatsPerSecond = 10;
 constexpr std::chrono::seconds kStopUnanswered{1};
+constexpr std::chrono::seconds kSaidFor{10};  // time enough to read a path
 
 }  // namespace
 
@@ -100,7 +101,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(m_plot, &PolarPlot::editingChanged, this, &MainWindow::showEditing);
     connect(&m_panels->log(), &LogPanel::diagnosticsWanted, this, &MainWindow::saveDiagnostics);
     connect(m_diagnostics, &DiagnosticsSaver::saved, this,
-            [this](const QString& path) { m_alarms->notice().setValue(tr("Diagnostics saved: %1").arg(path)); });
+            [this](const QString& path) { sayForAWhile(tr("Diagnostics saved: %1").arg(path)); });
     connect(m_diagnostics, &DiagnosticsSaver::failed, this,
             [this](const QString& reason) { warn(tr("Diagnostics not saved: %1").arg(reason)); });
     m_panels->arrange(settings.layout);
@@ -235,6 +236,9 @@ void MainWindow::showStatus(const StationStatus& status)
         m_guide->showStatus(status);
     }
     m_leadBar->showStatus(status);
+    if (!isMoving(status)) {
+        m_closeBar->withdraw();
+    }
     blockGoHere(status);
 }
 
@@ -250,6 +254,12 @@ void MainWindow::beat()
     ++m_beats;
     if (m_clock.now() - m_lastUpdate >= kLateAfter || m_stopSince) {
         showStatus(aged());
+    }
+    if (!m_said.text.isEmpty() && m_clock.now() >= m_said.until) {
+        if (m_alarms->notice().text() == m_said.text) {
+            m_alarms->notice().setValue({});
+        }
+        m_said = {};
     }
     m_alarms->flash(m_beats % kBeatsPerSecond < kBeatsPerSecond / 2);
     m_panels->jog().beat();
@@ -303,6 +313,13 @@ void MainWindow::stop()
                                         Symbol::Alarm);
         }
     });
+}
+
+// It stands in the place of an alarm's remedy.
+void MainWindow::sayForAWhile(const QString& what)
+{
+    m_alarms->notice().setValue(what);
+    m_said = {.text = what, .until = m_clock.now() + kSaidFor};
 }
 
 void MainWindow::warn(const QString& what)

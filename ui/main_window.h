@@ -61,6 +61,7 @@ public:
 public Q_SLOTS:
     void showUpdate(const boresight::StationUpdate& update);
     // What went wrong outside of the station, beside the alarm line; empty clears it.
+    void sayForAWhile(const QString& what);
     void warn(const QString& what);
 
 Q_SIGNALS:
@@ -108,12 +109,19 @@ private:
     void park();
     void acknowledge();
 
+    struct Said
+    {
+        QString text;
+        SteadyTime until{};
+    };
+
     const Clock& m_clock;
     RequestDesk m_desk;
     HostDesk m_host;
     ProfileDraft m_draft;
     StationStatus m_status;
     SteadyTime m_lastUpdate;
+    Said m_said;
     std::optional<SteadyTime> m_stopSince;  // a STOP the status does not show yet
     HeaderBar* m_header;
     AlarmLine* m_alarms;

@@ -184,8 +184,8 @@ void addClients(std::vector<Setting>& list)
     list.push_back(choice(
         "rotctld.lead", {"first", "last", "locked"}, Applies::Now,
         QT_TRANSLATE_NOOP("Text",
-                          "Which of several clients moves the mount: the \"first\" until it is silent for 10 s, "
-                          "whoever asked \"last\" (as Hamlib), or \"locked\" to one."),
+                          "Which of several clients moves the mount: the \"first\" until it has asked for no motion "
+                          "for 10 s, whoever asked \"last\" (as Hamlib), or \"locked\" to one."),
         [](auto& p) -> auto& { return p.rotctld.lead; }));
     list.push_back(textual(
         "rotctld.locked_to", Applies::Now,

@@ -23,8 +23,8 @@ Result<> pointTo(const Command& command, const Context& context)
     constexpr float kLowest = -90.0F;
     constexpr float kHighest = 180.0F;
     if (*elevation < kLowest || *elevation > kHighest) {
-        return failure(ErrorCode::OutOfRange, Text::tr("elevation %1° is outside -90°…180°")
-                                                  .arg(toQString(formatFixed(static_cast<double>(*elevation), 2))));
+        return failure(ErrorCode::InvalidInput, Text::tr("elevation %1° is outside -90°…180°")
+                                                    .arg(toQString(formatFixed(static_cast<double>(*elevation), 2))));
     }
     const auto degrees = [](float value) { return Angle::fromDegrees(static_cast<double>(value)); };
     return context.rotator.pointTo(context.client, {.azimuth = degrees(*azimuth), .elevation = degrees(*elevation)});

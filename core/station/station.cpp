@@ -408,6 +408,8 @@ void Station::publish()
 
 void Station::shutDown()
 {
+    m_log.add(Severity::Advisory, QStringLiteral("station"),
+              Text::tr("Boresight is being closed: the mount is stopped"));
     m_control.shutDown();
 }
 

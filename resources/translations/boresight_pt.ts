@@ -1947,8 +1947,8 @@ do eixo</translation>
         <translation>Endereços e redes (&quot;192.168.1.7&quot;, &quot;10.0.0.0/8&quot;) que podem conectar-se; vazio: quem chegar à porta.</translation>
     </message>
     <message>
-        <source>Which of several clients moves the mount: the &quot;first&quot; until it is silent for 10 s, whoever asked &quot;last&quot; (as Hamlib), or &quot;locked&quot; to one.</source>
-        <translation>Qual de vários clientes move a montagem: o primeiro (&quot;first&quot;) até ficar calado 10 s, quem pediu por último (&quot;last&quot;, como o Hamlib), ou só um (&quot;locked&quot;).</translation>
+        <source>Which of several clients moves the mount: the &quot;first&quot; until it has asked for no motion for 10 s, whoever asked &quot;last&quot; (as Hamlib), or &quot;locked&quot; to one.</source>
+        <translation>Qual de vários clientes move a montagem: o primeiro (&quot;first&quot;) até não pedir movimento durante 10 s, quem pediu por último (&quot;last&quot;, como o Hamlib), ou só um (&quot;locked&quot;).</translation>
     </message>
     <message>
         <source>Address of the one client that may move the mount while lead is &quot;locked&quot;.</source>
@@ -5501,6 +5501,10 @@ do eixo</translation>
         <source>discards &quot;%1&quot;</source>
         <translation>descarta &quot;%1&quot;</translation>
     </message>
+    <message>
+        <source>Boresight is being closed: the mount is stopped</source>
+        <translation>O Boresight está a ser fechado: a montagem é parada</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -6251,8 +6255,8 @@ modo moteus %1, falha %2</translation>
         <translation>Primeiro</translation>
     </message>
     <message>
-        <source>The first client moves the mount until it is silent for 10 s</source>
-        <translation>O primeiro cliente move a montagem até ficar calado 10 s</translation>
+        <source>The first client moves the mount until it has asked for no motion for 10 s, or left</source>
+        <translation>O primeiro cliente move a montagem até não pedir movimento durante 10 s, ou sair</translation>
     </message>
     <message>
         <source>Last</source>
@@ -6365,8 +6369,8 @@ modo moteus %1, falha %2</translation>
         <translation>O controle é seu: os movimentos dos clientes são recusados até o devolver</translation>
     </message>
     <message>
-        <source>No program is connected</source>
-        <translation>Nenhum programa está conectado</translation>
+        <source>No program is connected. Gpredict leaves when it is refused: press Engage there again</source>
+        <translation>Nenhum programa está conectado. O Gpredict sai quando é recusado: prima lá Engage de novo</translation>
     </message>
     <message>
         <source>Select a client to give it the control, or to keep it out</source>

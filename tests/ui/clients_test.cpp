@@ -162,7 +162,9 @@ TEST_F(ClientsPanelTest, TheRuleFollowsTheStatusNotTheClick)
     const auto applied = asked<request::ApplyProfile>();
     ASSERT_EQ(applied.size(), 1U);
     EXPECT_EQ(applied[0].profile.rotctld.lead, profile::Lead::Last);
-    EXPECT_TRUE(named<ChoiceButton>("The first client moves the mount until it is silent for 10 s")->isChecked());
+    EXPECT_TRUE(
+        named<ChoiceButton>("The first client moves the mount until it has asked for no motion for 10 s, or left")
+            ->isChecked());
     StationUpdate answer = with(profile::Lead::Last, "");
     answer.answers.push_back({requests.back().id, std::nullopt});
     give(answer);

@@ -65,6 +65,14 @@ TEST_F(DiagnosticsSaverTest, AreSavedByKeyWithLogAndTelemetry)
     chooseFile(path);
     ASSERT_TRUE(says("Diagnostics saved: "));
     EXPECT_EQ(fileOf(path, "events.log"), "the log\n");
+    clock.advance(
+        Seconds(10.0));  // Story: what to do about a fault was cut by it for as long as nobody pressed anything
+    EXPECT_TRUE(QTest::qWaitFor([this] {
+        const auto labels = window.findChildren<ValueLabel*>();
+        return std::ranges::none_of(labels, [](const ValueLabel* label) {
+            return label->isVisible() && label->text().startsWith(QLatin1String("Diagnostics saved"));
+        });
+    }));
     EXPECT_TRUE(fileOf(path, "README.txt").contains("telemetry.csv"));
     EXPECT_TRUE(fileOf(path, "station.txt").contains("state TRACK"));
     const QByteArray telemetry = fileOf(path, "telemetry.csv");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
 #include "ui/cable_bar.h"
+#include "ui/close_prompt.h"
 #include "ui/command_button.h"
 #include "ui/jog_button.h"
 #include "ui/panel_tabs.h"
@@ -291,6 +292,11 @@ TEST_F(WindowTest, ClosingAsksOnceOnlyWhileTheMountMoves)
     EXPECT_EQ(close.count(), 0);
     QTest::mouseClick(buttonSaying("Keep open"), Qt::LeftButton);
     EXPECT_EQ(close.count(), 0);
+    window.close();
+    EXPECT_TRUE(window.findChild<ClosePrompt*>()->isVisible());
+    give(samples::update(samples::idle()));  // Story: after Esc the question stayed, and closing did nothing more
+    EXPECT_FALSE(window.findChild<ClosePrompt*>()->isVisible()) << "it stands";
+    give(samples::update(samples::tracking(11)));
     window.close();
     QTest::mouseClick(buttonSaying("Stop and close"), Qt::LeftButton);
     EXPECT_EQ(close.count(), 1);
