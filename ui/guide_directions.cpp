@@ -135,7 +135,7 @@ void GuideDirections::follow(Axis axis)
     }
     const QString hint = axis == Axis::Azimuth ? tr("↻ must turn the antenna clockwise, seen from above")
                                                : tr("↑ must raise the antenna");
-    row.moved->setValue(row.farthest < kSeen ? hint : tr("%1 Now %2.").arg(hint, signedAngleText(moved, 1)),
+    row.moved->setValue(row.farthest < kSeen ? hint : tr("%1. Now %2.").arg(hint, signedAngleText(moved, 1)),
                         row.farthest < kSeen ? Tone::Normal : Tone::Secondary);
 }
 

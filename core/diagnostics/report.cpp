@@ -161,9 +161,11 @@ QString stationText(const StationStatus& status)
                      .arg(client.lastCommand, client.leading ? QStringLiteral(", leads") : QString());
     }
     for (const Alarm& alarm : status.alarms) {
-        lines << QStringLiteral("alarm since %1%2: %3. %4. %5")
-                     .arg(utcText(alarm.since), alarm.active ? QString() : QStringLiteral(", over"), alarm.what,
-                          alarm.action, alarm.remedy);
+        QStringList sentences{alarm.what, alarm.action, alarm.remedy};
+        sentences.removeAll(QString());
+        lines << QStringLiteral("alarm since %1%2: %3")
+                     .arg(utcText(alarm.since), alarm.active ? QString() : QStringLiteral(", over"),
+                          sentences.join(QLatin1Char(' ')));
     }
     return joined(lines);
 }

@@ -57,23 +57,28 @@ const Angle kHoleTolerance = Angle::fromDegrees(0.5);
 // In the middle of a gap both ends are equally near: the other one must be better by this much to be worth the way.
 const Angle kEndPreference = Angle::fromDegrees(1.0);
 
-QString degrees(Angle angle)
+QString degrees(Angle angle, int decimals = 1)
 {
-    return toQString(formatFixed(angle.degrees(), 1)) + QStringLiteral("°");
+    return toQString(formatFixed(angle.degrees(), decimals)) + QStringLiteral("°");
+}
+
+// What is just past the limit is not told as the limit itself.
+std::string past(const QString& sentence, Angle angle, Angle limit)
+{
+    const int decimals = abs(angle - limit) < Angle::fromDegrees(0.1) ? 2 : 1;
+    return sentence.arg(degrees(angle, decimals), degrees(limit, decimals)).toStdString();
 }
 
 std::string azimuthReason(Angle angle, const TravelRange& travel)
 {
-    return (angle < travel.min ? Text::tr("azimuth %1 below limit %2").arg(degrees(angle), degrees(travel.min))
-                               : Text::tr("azimuth %1 above limit %2").arg(degrees(angle), degrees(travel.max)))
-        .toStdString();
+    return angle < travel.min ? past(Text::tr("azimuth %1 below limit %2"), angle, travel.min)
+                              : past(Text::tr("azimuth %1 above limit %2"), angle, travel.max);
 }
 
 std::string elevationReason(Angle angle, const TravelRange& travel)
 {
-    return (angle < travel.min ? Text::tr("elevation %1 below limit %2").arg(degrees(angle), degrees(travel.min))
-                               : Text::tr("elevation %1 above limit %2").arg(degrees(angle), degrees(travel.max)))
-        .toStdString();
+    return angle < travel.min ? past(Text::tr("elevation %1 below limit %2"), angle, travel.min)
+                              : past(Text::tr("elevation %1 above limit %2"), angle, travel.max);
 }
 
 void addReason(Resolved& resolved, const std::string& reason)

@@ -6983,8 +6983,8 @@ trocar os motores</translation>
         <translation>↑ tem de levantar a antena</translation>
     </message>
     <message>
-        <source>%1 Now %2.</source>
-        <translation>%1 Agora %2.</translation>
+        <source>%1. Now %2.</source>
+        <translation>%1. Agora %2.</translation>
     </message>
     <message>
         <source>it is confirmed already</source>

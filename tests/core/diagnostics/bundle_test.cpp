@@ -46,7 +46,9 @@ struct Rig
                                             .angle = 0.42_deg,
                                             .time = std::chrono::milliseconds(310),
                                             .when = kWhen};
-        snapshot.status.alarms.push_back({.what = QStringLiteral("No reply from elevation"), .since = kWhen});
+        snapshot.status.alarms.push_back({.what = QStringLiteral("No reply from elevation."),
+                                          .remedy = QStringLiteral("Check its cable."),
+                                          .since = kWhen});
     }
 
     void put(const char* name, const QByteArray& bytes) const
@@ -114,7 +116,7 @@ TEST(DiagnosticsBundle, HasWhatABugReportNeeds)
     const QByteArray drives = Rig::read(dir, "drives.txt");
     EXPECT_TRUE(drives.contains("DANGEROUS  servo.timeout_mode  found 12  wanted 10")) << drives.toStdString();
     EXPECT_TRUE(drives.contains("from 2.00°/s stood after 0.42° and 310 ms")) << drives.toStdString();
-    EXPECT_TRUE(Rig::read(dir, "station.txt").contains("No reply from elevation"));
+    EXPECT_TRUE(Rig::read(dir, "station.txt").contains(": No reply from elevation. Check its cable.\n"));
 }
 
 // Whatever file of it one looks into.

@@ -174,6 +174,7 @@ TEST(Resolve, ElevationBeyondItsTravelIsLimitedWithTheReason)
     EXPECT_TRUE(high.limited);
     EXPECT_EQ(high.reason, "elevation 85.0° above limit 80.0°");
     EXPECT_EQ(high.position.elevation, 80_deg);
+    EXPECT_EQ(resolveDegrees(model, 100, 80.04, 90).reason, "elevation 80.04° above limit 80.00°");
     EXPECT_NEAR(high.position.azimuth.degrees(), 100, 1e-9);
     const Resolved low = resolveDegrees(model, 100, -90, 90);
     EXPECT_TRUE(low.limited);
