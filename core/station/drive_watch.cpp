@@ -51,6 +51,7 @@ Severity severityOf(const supervision::Observed& observed)
 DriveWatch::DriveWatch(Axis axis, const profile::Profile& profile, AlarmBoard& alarms)
     : m_which(axis),
       m_axis(axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation")),
+      m_silence(m_axis + QStringLiteral(" drive silence")),
       m_settings(profile.axis(axis)),
       m_watchdog(profile.control.watchdog),
       m_alarms(alarms),
@@ -88,35 +89,44 @@ std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive)
         return std::nullopt;
     }
     const int code = drive.report() ? drive.report()->fault : 0;
-    AlarmText text = drive_alarms::lost(drive.label(), *loss, code, m_watchdog);
-    if (*loss == DriveLoss::Silent && !m_silenceAdvice.isEmpty()) {
-        text.remedy = Text::tr("%1 Then re-arm").arg(m_silenceAdvice);
+    const AlarmText text = drive_alarms::lost(drive.label(), *loss, code, m_watchdog);
+    m_supervisor.forgetMotion();
+    if (*loss == DriveLoss::Silent) {
+        tellSilence(text, true);
+        // The reason of a latch outlasts the silence itself.
+        return Trouble{.what = Text::tr("the %1 fell silent").arg(drive.label()), .loss = classOf(*loss, code)};
     }
     m_alarms.raise(toQString(drive.name()), Severity::Alarm, text);
-    m_silenceTold = *loss == DriveLoss::Silent;
-    m_supervisor.forgetMotion();
-    // The reason of a latch outlasts the silence itself.
-    const QString fellSilent = Text::tr("the %1 fell silent").arg(drive.label());
-    return Trouble{.what = m_silenceTold ? fellSilent : text.what, .loss = classOf(*loss, code)};
+    return Trouble{.what = text.what, .loss = classOf(*loss, code)};
 }
 
+void DriveWatch::tellSilence(AlarmText text, bool needsRearm)
+{
+    if (!m_silenceAdvice.isEmpty()) {
+        text.remedy = needsRearm ? Text::tr("%1 Then re-arm").arg(m_silenceAdvice) : m_silenceAdvice;
+    }
+    m_silenceTold = true;
+    m_alarms.raise(m_silence, Severity::Alarm, text);
+}
+
+// A drive can come and go many times before somebody re-arms it: what stands is always what it does now.
 void DriveWatch::watchSilence(const Drive& drive, const Context& context)
 {
-    const QString name = toQString(drive.name());
     if (drive.answering(context.now) || context.silenceExpected) {
         if (!context.faultLatched) {
-            m_alarms.clear(name);
+            endSilence();
         } else if (!context.silenceExpected && std::exchange(m_silenceTold, false)) {
-            m_alarms.raise(name, Severity::Alarm, drive_alarms::answersAgain(drive.label()));
+            m_alarms.raise(m_silence, Severity::Alarm, drive_alarms::answersAgain(drive.label()));
         }
-    } else if (context.running > kPatienceAtStart && !m_alarms.active(name)) {
-        AlarmText text = drive_alarms::silent(drive.label());
-        if (!m_silenceAdvice.isEmpty()) {
-            text.remedy = m_silenceAdvice;
-        }
-        m_silenceTold = true;
-        m_alarms.raise(name, Severity::Alarm, text);
+    } else if (context.running > kPatienceAtStart && !m_silenceTold) {
+        tellSilence(drive_alarms::silent(drive.label()), context.faultLatched);
     }
+}
+
+void DriveWatch::endSilence()
+{
+    m_silenceTold = false;
+    m_alarms.clear(m_silence);
 }
 
 void DriveWatch::watchUnordered(const Drive& drive, const Context& context)
@@ -246,6 +256,7 @@ void DriveWatch::engaged()
 void DriveWatch::rearmed()
 {
     m_supervisor.forgetMotion();
+    endSilence();
     for (const auto& [finding, weight] : m_told) {
         m_alarms.clear(cause(finding));
     }

@@ -52,6 +52,8 @@ public:
 private:
     [[nodiscard]] std::optional<Trouble> watchLoss(Drive& drive);
     void watchSilence(const Drive& drive, const Context& context);
+    void tellSilence(AlarmText text, bool needsRearm);
+    void endSilence();
     void watchUnordered(const Drive& drive, const Context& context);
     void watchActiveLimit(const Drive& drive, SteadyTime now);
     [[nodiscard]] std::optional<Trouble> supervise(const Drive& drive, const tracking::Setpoint& setpoint,
@@ -63,7 +65,8 @@ private:
     void endHints(const std::vector<supervision::Observed>& seen);
 
     Axis m_which;
-    QString m_axis;  // "azimuth"
+    QString m_axis;     // "azimuth"
+    QString m_silence;  // the cause of that alarm: apart from what else the drive was lost by
     profile::AxisSettings m_settings;
     Seconds m_watchdog;
     AlarmBoard& m_alarms;

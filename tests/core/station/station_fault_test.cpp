@@ -97,6 +97,109 @@ TEST(StationControl, ADriveThatAnswersAgainSaysSoWhileItWaitsForTheRearm)
     EXPECT_TRUE(rig.control.status().alarms.empty());
 }
 
+// What stands in the alarm list about the azimuth drive's silence, and what the log said of it last.
+struct SilenceRig : StationRig
+{
+    SilenceRig() { EXPECT_TRUE(setsOff(100.0, 60.0, Seconds(2.0))); }
+
+    void falls(bool silent, Seconds time)
+    {
+        azimuth.silent = silent;
+        azimuth.mode = silent ? Mode::PositionTimeout : azimuth.mode;
+        run(time);
+    }
+
+    [[nodiscard]] static bool isOfSilence(const QString& text)
+    {
+        return text.contains(QStringLiteral("o reply from the azimuth drive")) ||
+               text.contains(QStringLiteral("azimuth drive fell silent"));
+    }
+
+    [[nodiscard]] std::string shown() const
+    {
+        QStringList all;
+        for (const Alarm& alarm : control.status().alarms) {
+            if (alarm.active && isOfSilence(alarm.what)) {
+                all << alarm.what;
+            }
+        }
+        return all.join(QLatin1Char(' ')).toStdString();
+    }
+
+    [[nodiscard]] std::string logged() const
+    {
+        QString last;
+        for (const LogEntry& line : log.since(0, EventLog::kCapacity)) {
+            last = line.kind == LogKind::Alarm && isOfSilence(line.text) ? line.text : last;
+        }
+        return last.section(QLatin1Char('.'), 0, 0).toStdString() + '.';
+    }
+};
+
+constexpr const char* kNoReply = "No reply from the azimuth drive.";
+constexpr const char* kBack = "The azimuth drive fell silent; it answers again.";
+
+// Story: of two losses without a re-arm between, the second was never told: 41 s later the alarm still said that the
+// drive answered again.
+TEST(StationControl, EverySilenceBeforeTheRearmIsTold)
+{
+    SilenceRig rig;
+    for (int loss = 0; loss < 3; ++loss) {
+        rig.falls(true, Seconds(1.0));
+        EXPECT_EQ(rig.shown(), kNoReply) << loss;
+        EXPECT_EQ(rig.logged(), kNoReply) << loss;
+        rig.falls(false, Seconds(9.0));
+        EXPECT_EQ(rig.shown(), kBack) << loss;
+        EXPECT_EQ(rig.logged(), kBack) << loss;
+    }
+    rig.falls(true, Seconds(41.0));
+    EXPECT_EQ(rig.state(), StationState::Disconnected);
+    EXPECT_EQ(rig.shown(), kNoReply);
+    EXPECT_EQ(rig.logged(), kNoReply);
+    rig.falls(false, Seconds(2.0));
+    ASSERT_TRUE(rig.ask(request::Rearm{}));
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.shown(), "");
+    rig.falls(true, Seconds(1.0));
+    EXPECT_EQ(rig.shown(), kNoReply) << "and after it";
+}
+
+// A loose plug: more changes than the log takes in a second.
+TEST(StationControl, ASilenceThatLastsIsToldAfterAFlicker)
+{
+    SilenceRig rig;
+    for (int i = 0; i < 20; ++i) {
+        rig.falls(true, Seconds(0.24));
+        rig.falls(false, Seconds(0.06));
+    }
+    const auto lines = rig.log.since(0, EventLog::kCapacity);
+    EXPECT_LE(std::ranges::count_if(lines, [](const LogEntry& line) { return SilenceRig::isOfSilence(line.text); }),
+              30);
+    rig.falls(true, Seconds(3.0));
+    EXPECT_EQ(rig.shown(), kNoReply);
+    EXPECT_EQ(rig.logged(), kNoReply);
+}
+
+TEST(StationControl, ADriveInFaultThatFallsSilentIsToldBesideItsFault)
+{
+    SilenceRig rig;
+    rig.azimuth.mode = Mode::Fault;
+    rig.azimuth.fault = 38;
+    rig.run(Seconds(1.0));
+    rig.azimuth.silent = true;
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.shown(), kNoReply);
+    const Alarm first = rig.control.status().alarms.front();
+    EXPECT_TRUE(first.active);
+    EXPECT_TRUE(first.what.startsWith(QStringLiteral("Azimuth drive fault 38"))) << "the cause before the symptom";
+    rig.azimuth.silent = false;
+    rig.run(Seconds(2.0));
+    EXPECT_EQ(rig.shown(), kBack);
+    ASSERT_TRUE(rig.ask(request::Rearm{}));
+    rig.run(Seconds(0.5));
+    EXPECT_TRUE(std::ranges::none_of(rig.control.status().alarms, &Alarm::active));
+}
+
 TEST(StationControl, AFaultAtStartIsShownAndNeedsRearm)
 {
     StationRig rig;
