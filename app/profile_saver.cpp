@@ -14,13 +14,32 @@
 namespace boresight::app {
 namespace {
 
-Result<> saveNew(const QString& configDir, const profile::Profile& profile, QString& path)
+const std::string kBus = "bus.name";
+
+// Started with --simulate, a bus for later: until the end it stays the simulated mount, and nothing of that one goes
+// into the real one's file.
+Result<> leaveForLater(profile::Profile& kept, const profile::Profile& before)
 {
+    if (profile::leaveSimulatedMount(kept, before).empty()) {
+        return {};
+    }
+    return failure(ErrorCode::Refused,
+                   Text::tr("\"%1\" is a real mount from the next start on: what was found of the simulated one is set "
+                            "back in its file, and its directions are to be confirmed")
+                       .arg(toQString(kept.mount.name)));
+}
+
+Result<> saveNew(const QString& configDir, profile::Profile profile, const profile::Profile& before, bool onlySimulated,
+                 QString& path)
+{
+    Result<> all = onlySimulated ? leaveForLater(profile, before) : Result<>{};
     const profile::ProfileStore store(configDir);
-    return store.add(profile).and_then([&](const QString& added) {
-        path = added;
-        return store.setCurrent(added);
-    });
+    return store.add(profile)
+        .and_then([&](const QString& added) {
+            path = added;
+            return store.setCurrent(added);
+        })
+        .and_then([&] { return all; });
 }
 
 // Which keys say of an axis where its zero is: the angles that are counted from it were changed with it.
@@ -36,6 +55,11 @@ bool contains(const std::vector<std::string>& keys, const std::string& key)
     return std::ranges::find(keys, key) != keys.end();
 }
 
+bool isOfOneMount(const std::string& key)
+{
+    return profile::isFoundOfOneMount(key) || key == "mount.directions" || key == kBus;
+}
+
 // The zero of an axis is not where its profile has it.
 bool countsOtherwise(const std::vector<std::string>& differing, const std::string& axis)
 {
@@ -45,7 +69,8 @@ bool countsOtherwise(const std::vector<std::string>& differing, const std::strin
 
 // Of a mount that was simulated with the profile of a real one: what is left for that one. Not what can only be seen
 // on the mount itself, either: which motor is which and how it turns, nor that somebody has looked at it; nor ends
-// that are counted from a zero which is not the real one's.
+// that are counted from a zero which is not the real one's; nor its bus, where one that was typed for later is taken
+// back.
 Result<> leaveOutFound(std::vector<std::string>& keys, const profile::Profile& kept, const profile::Profile& wanted)
 {
     const std::vector<std::string> differing = profile::changedKeys(kept, wanted);
@@ -59,6 +84,9 @@ Result<> leaveOutFound(std::vector<std::string>& keys, const profile::Profile& k
     if (wanted.sensor.source == profile::SensorSource::Simulated) {
         simulatedOnes.push_back("sensor.source");
     }
+    if (profile::isSimulated(wanted)) {
+        simulatedOnes.push_back(kBus);
+    }
     const auto isOfTheSimulated = [&simulatedOnes](const std::string& key) {
         return profile::isFoundOfOneMount(key) || contains(simulatedOnes, key);
     };
@@ -67,42 +95,51 @@ Result<> leaveOutFound(std::vector<std::string>& keys, const profile::Profile& k
     }
     return failure(
         ErrorCode::Refused,
-        Text::tr("this holds for the simulated mount until the program ends; the profile of \"%1\" keeps its own "
+        Text::tr("this holds for the simulated mount until the program ends; the profile of \"%1\" keeps its own bus, "
                  "motors, zeros and the ends counted from them, north, pointing model and sensor mounting: start "
                  "without --simulate to set them")
             .arg(toQString(kept.mount.name)));
 }
 
-// A real mount, with the profile of the simulated one: what is found of it, and another bus, makes the file its own,
-// with all that is known of that mount. Kept beside the simulated bus it would be left again at the next start; beside
-// another bus the simulated mount's would be the real one's.
-void becomeReal(profile::Profile& kept, const profile::Profile& wanted, const std::vector<std::string>& keys)
+// With all that is known of the mount that the file is now of.
+void takeMount(profile::Profile& kept, const profile::Profile& wanted)
 {
-    const auto isOfOneMount = [](const std::string& key) {
-        return profile::isFoundOfOneMount(key) || key == "mount.directions" || key == "bus.name";
-    };
-    if (std::ranges::any_of(keys, isOfOneMount)) {
-        std::vector<std::string> ofTheMount = profile::changedKeys(kept, wanted);
-        std::erase_if(ofTheMount, [&](const std::string& key) { return !isOfOneMount(key) && key != "sensor.source"; });
-        profile::takeOver(kept, wanted, ofTheMount);
+    std::vector<std::string> ofTheMount = profile::changedKeys(kept, wanted);
+    std::erase_if(ofTheMount, [](const std::string& key) { return !isOfOneMount(key) && key != "sensor.source"; });
+    profile::takeOver(kept, wanted, ofTheMount);
+}
+
+// What is left of the changes for the file; an error says what is not.
+Result<> fit(std::vector<std::string>& keys, profile::Profile& kept, const profile::Profile& wanted, bool onlySimulated)
+{
+    const bool simulatedFile = profile::isSimulated(kept);
+    // A real mount, with the profile of the simulated one: what is found of it, and another bus, makes the file its
+    // own. Kept beside the simulated bus it would be left again at the next start; beside another bus the simulated
+    // mount's would be the real one's.
+    const bool becomesReal = !onlySimulated && simulatedFile && !profile::isSimulated(wanted);
+    // A bus for later is taken back before anything is known of its mount.
+    const bool comesBack = onlySimulated && !simulatedFile && profile::isSimulated(wanted) && contains(keys, kBus) &&
+                           !profile::isAnythingFound(kept);
+    if (comesBack || (becomesReal && std::ranges::any_of(keys, isOfOneMount))) {
+        takeMount(kept, wanted);
+        return {};
     }
+    return onlySimulated && !simulatedFile ? leaveOutFound(keys, kept, wanted) : Result<>{};
 }
 
 Result<> saveChanges(const QString& configDir, const QString& path, const profile::Profile& wanted,
                      std::vector<std::string> keys, bool onlySimulated)
 {
     return profile::loadProfile(path).and_then([&](profile::Profile kept) -> Result<> {
-        const std::string name = kept.mount.name;
-        Result<> all;
-        if (onlySimulated && !profile::isSimulated(kept)) {
-            all = leaveOutFound(keys, kept, wanted);
-        } else if (!profile::isSimulated(wanted) && profile::isSimulated(kept)) {
-            becomeReal(kept, wanted, keys);
-        }
+        const profile::Profile before = kept;
+        Result<> all = fit(keys, kept, wanted, onlySimulated);
         profile::takeOver(kept, wanted, keys);
+        if (onlySimulated && profile::isSimulated(before)) {
+            all = leaveForLater(kept, before);
+        }
         // A new name must not be another mount's.
-        const Result<> saved = kept.mount.name == name ? profile::saveKeepingPrevious(kept, path)
-                                                       : profile::ProfileStore(configDir).save(kept, path);
+        const Result<> saved = kept.mount.name == before.mount.name ? profile::saveKeepingPrevious(kept, path)
+                                                                    : profile::ProfileStore(configDir).save(kept, path);
         return saved.and_then([&] { return all; });
     });
 }
@@ -131,10 +168,11 @@ ProfileSaver::~ProfileSaver()
 
 void ProfileSaver::save(const profile::Profile& wanted)
 {
-    const auto keys = profile::changedKeys(std::exchange(m_last, wanted), wanted);
-    m_writer.start([this, wanted, keys, onlySimulated = m_keepsSimulated, configDir = m_configDir, path = m_path] {
-        const Result<> saved = path->isEmpty() ? saveNew(configDir, wanted, *path)
-                                               : saveChanges(configDir, *path, wanted, keys, onlySimulated);
+    const profile::Profile before = std::exchange(m_last, wanted);
+    m_writer.start([this, wanted, before, onlySimulated = m_keepsSimulated, configDir = m_configDir, path = m_path] {
+        const Result<> saved = path->isEmpty() ? saveNew(configDir, wanted, before, onlySimulated, *path)
+                                               : saveChanges(configDir, *path, wanted,
+                                                             profile::changedKeys(before, wanted), onlySimulated);
         if (!saved) {
             Q_EMIT failed(QString::fromStdString(saved.error().text));
         }

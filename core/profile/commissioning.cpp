@@ -94,6 +94,11 @@ bool isFoundOfOneMount(const std::string& key)
     return isFoundByCalibrating(key) || key == "azimuth.offset_deg" || key == "elevation.offset_deg";
 }
 
+bool isAnythingFound(const Profile& profile)
+{
+    return std::ranges::any_of(changedKeys(profile, Profile{}), isFoundOfOneMount);
+}
+
 std::vector<std::string> leaveSimulatedMount(Profile& changed, const Profile& before)
 {
     if (!isSimulated(before) || isSimulated(changed)) {

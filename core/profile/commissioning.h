@@ -23,6 +23,8 @@ void useBus(Profile& profile, const std::string& bus, std::span<const int> ids);
 [[nodiscard]] bool isFoundByCalibrating(const std::string& key);
 // The same, and where the encoders have their zero.
 [[nodiscard]] bool isFoundOfOneMount(const std::string& key);
+// Anything of this is in the profile.
+[[nodiscard]] bool isAnythingFound(const Profile& profile);
 
 // The one place where a mount stops being the simulated one; every way in which the bus of a profile changes goes
 // through here. `changed` was `before`. If it left the simulated mount, then what was found of that one, unless it was

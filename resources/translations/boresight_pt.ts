@@ -5406,10 +5406,6 @@ do eixo</translation>
         <translation>Encontre o norte: painel Norte (Ctrl+9). Se o zero do eixo já foi posto no norte, provável: o sensor tem um desvio próprio ou saiu do lugar, ou um acoplamento escorrega</translation>
     </message>
     <message>
-        <source>this holds for the simulated mount until the program ends; the profile of &quot;%1&quot; keeps its own motors, zeros and the ends counted from them, north, pointing model and sensor mounting: start without --simulate to set them</source>
-        <translation>isto vale para a montagem simulada até o programa terminar; o perfil de &quot;%1&quot; mantém os seus próprios motores, zeros e os limites contados a partir deles, norte, modelo de apontamento e montagem do sensor: inicie sem --simulate para os definir</translation>
-    </message>
-    <message>
         <source>the mount at %1 waits for Reconnect, and this was found of the one at %2: reconnect first</source>
         <translation>a montagem em %1 espera por Reconectar, e isto foi achado na de %2: reconecte primeiro</translation>
     </message>
@@ -5504,6 +5500,14 @@ do eixo</translation>
     <message>
         <source>Boresight is being closed: the mount is stopped</source>
         <translation>O Boresight está a ser fechado: a montagem é parada</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a real mount from the next start on: what was found of the simulated one is set back in its file, and its directions are to be confirmed</source>
+        <translation>&quot;%1&quot; é uma montagem real a partir do próximo início: o que se achou da simulada volta ao inicial no seu arquivo, e os seus sentidos estão por confirmar</translation>
+    </message>
+    <message>
+        <source>this holds for the simulated mount until the program ends; the profile of &quot;%1&quot; keeps its own bus, motors, zeros and the ends counted from them, north, pointing model and sensor mounting: start without --simulate to set them</source>
+        <translation>isto vale para a montagem simulada até o programa terminar; o perfil de &quot;%1&quot; mantém os seus próprios barramento, motores, zeros e os limites contados a partir deles, norte, modelo de apontamento e montagem do sensor: inicie sem --simulate para os definir</translation>
     </message>
 </context>
 <context>

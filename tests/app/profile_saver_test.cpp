@@ -76,7 +76,8 @@ TEST(ProfileSaver, WhatWasFoundOfTheSimulatedMountIsNotTheRealOnes)
     const QString reason = rig.save(rig.file(), wanted);
     kept.jog.slow = 0.7_deg_s;
     EXPECT_EQ(kept, *profile::loadProfile(rig.file()));
-    EXPECT_TRUE(reason.contains(QStringLiteral("keeps its own motors, zeros and the ends"))) << reason.toStdString();
+    EXPECT_TRUE(reason.contains(QStringLiteral("keeps its own bus, motors, zeros and the ends")))
+        << reason.toStdString();
     // A mount that is simulated by its own profile keeps what is found of it.
     ASSERT_TRUE(profile::saveProfile(rig.inForce, rig.file()));
     rig.save(rig.file(), wanted);
@@ -152,6 +153,77 @@ TEST(ProfileSaver, TheSimulatedSensorIsNotTheRealMounts)
     wanted.sensor.source = profile::SensorSource::Mqtt;
     EXPECT_EQ(rig.save(rig.file(), wanted), QString());
     EXPECT_EQ(profile::loadProfile(rig.file())->sensor.source, profile::SensorSource::Mqtt);
+}
+
+// Story: with --simulate a real bus was typed for later, and at the next start the real antenna ran at full rate by the
+// simulated zero and north.
+TEST(ProfileSaver, ABusForLaterLeavesTheSimulatedMountInTheFile)
+{
+    Rig rig;
+    rig.onlySimulated = true;
+    rig.inForce.pointing.azimuthOffset = 37.4_deg;
+    rig.inForce.azimuth.geometry.offset = 5_deg;
+    rig.inForce.sensor.deviation.a1 = 3_deg;
+    rig.inForce.sensor.source = profile::SensorSource::Simulated;
+    const profile::Profile simulated = rig.inForce;
+    ASSERT_TRUE(profile::saveProfile(simulated, rig.file()));
+    profile::Profile wanted = simulated;
+    wanted.bus = "socketcan:can0";
+    wanted.sensor.source = profile::SensorSource::None;
+    wanted.jog.slow = 0.7_deg_s;
+    const QString reason = rig.save(rig.file(), wanted);
+    EXPECT_TRUE(reason.contains(QStringLiteral("set back in its file"))) << reason.toStdString();
+    profile::Profile real;
+    real.bus = "socketcan:can0";
+    real.mount.directions = profile::Directions::Unconfirmed;
+    real.jog.slow = 0.7_deg_s;
+    EXPECT_EQ(real, *profile::loadProfile(rig.file()));
+    // What is found until the end is the simulated mount's, and the file is another's.
+    rig.inForce = wanted;
+    wanted.pointing.azimuthOffset = 12_deg;
+    wanted.jog.slow = 0.5_deg_s;
+    EXPECT_TRUE(rig.save(rig.file(), wanted).contains(QStringLiteral("until the program ends")));
+    real.jog.slow = 0.5_deg_s;
+    EXPECT_EQ(real, *profile::loadProfile(rig.file()));
+    // The bus is taken back: it is the simulated mount's file again, with all of it.
+    rig.inForce = wanted;
+    wanted.bus = "simulated";
+    EXPECT_EQ(rig.save(rig.file(), wanted), QString());
+    EXPECT_EQ(wanted, *profile::loadProfile(rig.file()));
+}
+
+TEST(ProfileSaver, ABusForLaterLeavesTheSimulatedMountInTheFirstFileToo)
+{
+    Rig rig;
+    rig.onlySimulated = true;
+    profile::Profile wanted = rig.inForce;
+    wanted.bus = "socketcan:can0";
+    EXPECT_NE(rig.save({}, wanted), QString());
+    const auto current = profile::ProfileStore(rig.folder.path()).findCurrent();
+    ASSERT_TRUE(current && *current);
+    wanted.mount.directions = profile::Directions::Unconfirmed;
+    EXPECT_EQ(wanted, *profile::loadProfile(**current));
+}
+
+// Story: with --simulate another adapter was typed, and then Undo: the calibrated mount's file named the simulated bus,
+// and all that was found of it was set back when its own was typed again.
+TEST(ProfileSaver, ABusForLaterThatIsTakenBackDoesNotMakeARealMountsFileTheSimulatedOnes)
+{
+    Rig rig;
+    rig.onlySimulated = true;
+    profile::Profile kept;
+    kept.bus = "socketcan:can0";
+    kept.pointing.azimuthOffset = 12_deg;
+    ASSERT_TRUE(profile::saveProfile(kept, rig.file()));
+    const profile::Profile simulated = rig.inForce;
+    profile::Profile later = simulated;
+    later.bus = "socketcan:can1";
+    EXPECT_EQ(rig.save(rig.file(), later), QString());
+    rig.inForce = later;
+    const QString reason = rig.save(rig.file(), simulated);
+    kept.bus = "socketcan:can1";
+    EXPECT_TRUE(reason.contains(QStringLiteral("keeps its own bus"))) << reason.toStdString();
+    EXPECT_EQ(kept, *profile::loadProfile(rig.file()));
 }
 
 // The file of the simulated mount, started with --bus: the next start would take its north for the simulated one's.
