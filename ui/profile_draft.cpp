@@ -91,6 +91,8 @@ void ProfileDraft::edit(const std::function<void(profile::Profile&)>& change)
     change(profile);
     if (profile::isSimulated(m_edited)) {
         leaveSimulatedMount(profile, m_base);  // what was typed since stays
+    } else if (profile::isSimulated(profile)) {
+        profile::takeOver(profile, m_base, leftKeys());  // it is not left after all
     }
     put(profile);
 }

@@ -39,7 +39,7 @@ public:
     [[nodiscard]] const profile::Profile& edited() const { return m_edited; }
     [[nodiscard]] const std::vector<std::string>& waitingKeys() const { return m_waitingKeys; }
 
-    // Where the bus leaves the simulated mount, what was found of that one is left too.
+    // Where the bus leaves the simulated mount, what was found of that one is left too, and comes back with its bus.
     void edit(const std::function<void(profile::Profile&)>& change);
     // From a whole profile, with what was found of its mount.
     void takeOver(const profile::Profile& from, const std::vector<std::string>& keys);

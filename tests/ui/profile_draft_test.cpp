@@ -315,6 +315,25 @@ TEST_F(ProfileDraftTest, AProfileThatIsTakenOverKeepsItsOwn)
     EXPECT_EQ(sent(), real);
 }
 
+// Story: the bus was mistyped and typed back before Apply, which wrote the defaults over north and zeros.
+TEST_F(ProfileDraftTest, ABusThatIsTypedBackBringsBackWhatWasSetBackWithIt)
+{
+    inForce.pointing.azimuthOffset = 37.4_deg;
+    inForce.azimuth.geometry.offset = 5_deg;
+    inForce.sensor.source = profile::SensorSource::Simulated;
+    put(inForce);
+    draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
+    draft.edit([](Profile& p) { p.bus = "simulated"; });
+    EXPECT_EQ(draft.edited(), inForce);
+    EXPECT_FALSE(draft.hasEdits());
+    draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
+    draft.edit([](Profile& p) { p.bus = "socketcan:can1"; });
+    draft.edit([](Profile& p) { p.azimuth.geometry.offset = 7_deg; });
+    draft.edit([](Profile& p) { p.bus = "simulated"; });
+    inForce.azimuth.geometry.offset = 7_deg;
+    EXPECT_EQ(draft.edited(), inForce) << "what was typed since stays";
+}
+
 TEST_F(ProfileDraftTest, StartedWithSimulateNothingIsLeft)
 {
     inForce.pointing.azimuthOffset = 12_deg;  // of the real mount whose profile it is
