@@ -42,7 +42,7 @@ QString ProfileChange::whyNot(const StationStatus& status, const Edit& edit) con
     if (const QString reason = whyNotBus(wanted.bus); !reason.isEmpty()) {
         return reason;
     }
-    if (const auto problems = profile::problemsOf(wanted); !problems.empty()) {
+    if (const auto problems = m_draft.problemsOf(wanted); !problems.empty()) {
         return QString::fromStdString(problems.front().key + ": " + problems.front().text);
     }
     const bool anew = !profile::applied(m_draft.inForce(), wanted).waitingKeys.empty();

@@ -67,6 +67,7 @@ void ProfileDraft::takeApplied(const profile::Profile& applied)
     } else if (ours || m_edited == applied) {
         m_base = applied;  // edits made while the answer was under way stay edits
     }
+    m_problems = problemsOf(m_edited);  // some speak only against what is applied now
 }
 
 // What is edited, upon what is applied now.
@@ -82,7 +83,21 @@ void ProfileDraft::mergeEdits()
 void ProfileDraft::setEdited(const profile::Profile& profile)
 {
     m_edited = profile;
-    m_problems = profile::problemsOf(m_edited);
+    m_problems = problemsOf(m_edited);
+}
+
+// What was found of a real mount would be taken for the simulated one's, and set back when its own bus is chosen again.
+std::vector<profile::Problem> ProfileDraft::problemsOf(const profile::Profile& wanted) const
+{
+    auto problems = profile::problemsOf(wanted);
+    const bool simulates = !profile::isSimulated(m_applied) && profile::isSimulated(wanted);
+    if (simulates && !m_keepsSimulated && profile::isAnythingFound(m_applied)) {
+        problems.push_back({"bus.name", tr("this profile holds what was found of a real mount (zeros, north, pointing "
+                                           "model or sensor mounting): to try the simulated one start Boresight with "
+                                           "--simulate")
+                                            .toStdString()});
+    }
+    return problems;
 }
 
 void ProfileDraft::edit(const std::function<void(profile::Profile&)>& change)
@@ -228,7 +243,7 @@ void ProfileDraft::applyAlone(const std::function<void(profile::Profile&)>& chan
     profile::Profile changed = m_applied;
     change(changed);
     leaveSimulatedMount(changed, m_applied);
-    const auto problems = profile::problemsOf(changed);
+    const auto problems = problemsOf(changed);
     if (m_asked) {
         reply(refused(tr("the station has not answered yet")));
     } else if (!problems.empty()) {

@@ -50,6 +50,8 @@ public:
 
     // The live check of the edited profile.
     [[nodiscard]] const std::vector<profile::Problem>& problems() const { return m_problems; }
+    // What speaks against this one in the place of the applied one.
+    [[nodiscard]] std::vector<profile::Problem> problemsOf(const profile::Profile& wanted) const;
     // Of this setting, or of a part of it: "keep_out[2]" also finds "keep_out[2].name". Empty: none.
     [[nodiscard]] QString problem(const std::string& key) const;
 

@@ -9047,6 +9047,10 @@ el %2</translation>
         <source>nothing waits for a reconnect</source>
         <translation>nada espera por uma reconexão</translation>
     </message>
+    <message>
+        <source>this profile holds what was found of a real mount (zeros, north, pointing model or sensor mounting): to try the simulated one start Boresight with --simulate</source>
+        <translation>este perfil guarda o que se achou de uma montagem real (zeros, norte, modelo de apontamento ou montagem do sensor): para experimentar a simulada inicie o Boresight com --simulate</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::ProfileDraftBar</name>

@@ -61,5 +61,21 @@ TEST_F(ProfileChangeTest, ABusForLaterLeavesTheSimulatedMountToBeSet)
     EXPECT_TRUE(change.whyNot(status, useAnother).contains(QStringLiteral("--bus socketcan:can1")));
 }
 
+// Story: "Use this" with the simulated mount selected began to lose what had been found of the real one.
+TEST_F(ProfileChangeTest, ARealMountOfWhichSomethingWasFoundIsNotMadeTheSimulatedOne)
+{
+    profile::Profile real;
+    real.bus = "socketcan:can0";
+    const auto simulate = [](profile::Profile& edited) { edited.bus = "simulated"; };
+    status.profile = std::make_shared<const profile::Profile>(real);
+    status.waitingKeys.clear();
+    draft.showStatus(status);
+    EXPECT_EQ(change.whyNot(status, simulate), QString());
+    real.pointing.azimuthOffset = 12_deg;
+    status.profile = std::make_shared<const profile::Profile>(real);
+    draft.showStatus(status);
+    EXPECT_TRUE(change.whyNot(status, simulate).contains(QStringLiteral("start Boresight with --simulate")));
+}
+
 }  // namespace
 }  // namespace boresight::ui

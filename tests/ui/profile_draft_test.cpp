@@ -306,13 +306,6 @@ TEST_F(ProfileDraftTest, AProfileThatIsTakenOverKeepsItsOwn)
     draft.takeOver(real, {"bus.name", "pointing.tilt_north_deg"});
     EXPECT_EQ(draft.edited(), real);
     EXPECT_TRUE(draft.leftKeys().empty());
-    // Undoing a change to the simulated mount brings the real one back as it was.
-    put(real);
-    draft.revert();
-    draft.edit([](Profile& p) { p.bus = "simulated"; });
-    applyAndAccept();
-    undo();
-    EXPECT_EQ(sent(), real);
 }
 
 // Story: the bus was mistyped and typed back before Apply, which wrote the defaults over north and zeros.
@@ -334,6 +327,56 @@ TEST_F(ProfileDraftTest, ABusThatIsTypedBackBringsBackWhatWasSetBackWithIt)
     EXPECT_EQ(draft.edited(), inForce) << "what was typed since stays";
 }
 
+// Story: a calibrated mount was turned into the simulated one to look around, and all that was found of it was set back
+// as the simulated mount's when its bus was typed again.
+TEST_F(ProfileDraftTest, ARealMountOfWhichSomethingWasFoundDoesNotBecomeTheSimulatedOne)
+{
+    Profile real;
+    real.bus = "socketcan:can0";
+    real.pointing.azimuthOffset = 12_deg;
+    real.elevation.geometry.offset = 93.2_deg;
+    put(real);
+    const auto simulate = [](Profile& p) { p.bus = "simulated"; };
+    draft.edit(simulate);
+    EXPECT_TRUE(draft.problem("bus.name").contains(QStringLiteral("--simulate")));
+    apply();
+    draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
+    EXPECT_EQ(draft.edited(), real);
+    EXPECT_FALSE(draft.hasEdits());
+    draft.applyAlone(simulate, &asker, [this](const std::optional<Error>& error) { answers.push_back(error); });
+    draft.takeOver(inForce, {"bus.name"});  // a file of the simulated mount
+    EXPECT_TRUE(draft.problem("bus.name").contains(QStringLiteral("--simulate")));
+    apply();
+    EXPECT_TRUE(requests.empty());
+    ASSERT_EQ(answers.size(), 3u);
+    EXPECT_TRUE(answers[0] && answers[1] && answers[2]);
+    draft.revert();
+    // Where nothing was found nothing is lost.
+    real.pointing = {};
+    real.elevation = inForce.elevation;
+    put(real);
+    draft.edit(simulate);
+    applyAndAccept();
+    EXPECT_EQ(sent().bus, "simulated");
+    undo();
+    EXPECT_EQ(sent(), real);
+}
+
+// Story: the edit was made while another one was under way to the station.
+TEST_F(ProfileDraftTest, WhatSpeaksAgainstEditsIsToldUponWhatIsAppliedNow)
+{
+    Profile real;
+    real.bus = "socketcan:can0";
+    real.pointing.azimuthOffset = 12_deg;
+    draft.takeOver(real, {"bus.name"});
+    apply();
+    draft.edit([](Profile& p) { p.bus = "simulated"; });
+    EXPECT_TRUE(draft.problems().empty());
+    accept();
+    put(real);
+    EXPECT_FALSE(draft.problem("bus.name").isEmpty());
+}
+
 TEST_F(ProfileDraftTest, StartedWithSimulateNothingIsLeft)
 {
     inForce.pointing.azimuthOffset = 12_deg;  // of the real mount whose profile it is
@@ -342,6 +385,9 @@ TEST_F(ProfileDraftTest, StartedWithSimulateNothingIsLeft)
     draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
     EXPECT_EQ(draft.edited().pointing, inForce.pointing);
     EXPECT_TRUE(draft.leftKeys().empty());
+    applyAndAccept();
+    draft.edit([](Profile& p) { p.bus = "simulated"; });
+    EXPECT_TRUE(draft.whyNoApply().isEmpty()) << "it is the simulated one all the time";
 }
 
 TEST_F(ProfileDraftTest, AnAskerThatIsGoneDoesNotKeepTheDraftWaiting)
