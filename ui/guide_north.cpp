@@ -18,6 +18,7 @@
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLineEdit>
+#include <QShowEvent>
 #include <QSignalBlocker>
 
 #include <algorithm>
@@ -123,24 +124,45 @@ void GuideNorth::build()
 
 void GuideNorth::showStatus(const StationStatus& status)
 {
+    const bool another =
+        status.profile->bus != m_status.profile->bus || status.profile->mount.name != m_status.profile->mount.name;
     m_status = status;
+    if (another) {
+        forget();  // it was typed for the other mount
+    }
     m_hold->setRate(status.profile->jog.slow);
     m_hold->showStatus(status);
     showKnown();
     showEffect();
 }
 
+// The mount may have moved meanwhile, or north been found elsewhere. A window that was only out of sight keeps it.
+void GuideNorth::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (!event->spontaneous()) {
+        forget();
+        showEffect();
+    }
+}
+
+// Emptied, or with no more than a sign in it, the field still has the number from before.
 void GuideNorth::type()
 {
-    m_typed = true;
+    m_typed = m_truth->hasAcceptableInput();
     showEffect();
 }
 
 // Once is not for ever: the next one is typed, and meant, anew.
-void GuideNorth::taken()
+void GuideNorth::forget()
 {
     m_typed = false;
     m_replace->setChecked(false);
+}
+
+void GuideNorth::taken()
+{
+    forget();
     Q_EMIT done();
 }
 
@@ -194,7 +216,7 @@ void GuideNorth::showEffect()
     const profile::Profile& now = m_change.applied();
     const bool known = isBeamKnown();
     const SkyPointing beam = pointing::upright(pointing::PointingModel(now.pointing).toSky(axes()));
-    if (known && !m_typed) {
+    if (known && !m_typed && m_truth->hasAcceptableInput()) {  // else somebody is typing
         const QSignalBlocker silent(m_truth);
         m_truth->setValue(beam.azimuth.degrees());
     }

@@ -12,7 +12,8 @@ class QPushButton;
 
 // The guide's step for north: where the antenna says it points, and where it really points. Only the azimuth offset of
 // the pointing model changes, at once; the antenna stays where it is, and so do the numbers of its cable. The field
-// shows what the beam reads until somebody types, and a north that is known is replaced only when that is ticked too.
+// shows what the beam reads until somebody types, and again when the step is left or another mount connected; and a
+// north that is known is replaced only when that is ticked too.
 // The North panel, which asks the sensor, the Sun or the Moon instead, is one press away.
 namespace boresight::ui {
 
@@ -33,9 +34,13 @@ Q_SIGNALS:
     void done();         // the station has taken the new north
     void panelWanted();  // the North panel
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     void build();
     void type();
+    void forget();
     void taken();
     void showKnown();
     void showEffect();

@@ -113,6 +113,59 @@ TEST_F(GuideTest, ANorthThatIsKnownIsReplacedOnlyOnPurpose)
     EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled());
 }
 
+// Story: 210 was typed, Skip pressed and north found in the panel; back here one click put 210 in its place.
+TEST_F(GuideTest, WhatWasTypedForNorthIsForgottenWhenTheStepIsLeft)
+{
+    open<GuideNorth>(GuideStep::North);
+    moveTo({.azimuth = 10_deg, .elevation = 20_deg}, AxisState::Holding);
+    auto& truth = inGuide<QDoubleSpinBox>("True azimuth of the antenna");
+    truth.setValue(210.0);
+    EXPECT_TRUE(inGuide<QPushButton>("Set north").isEnabled());
+    open<QWidget>(GuideStep::Site);
+    open<GuideNorth>(GuideStep::North);
+    EXPECT_NEAR(truth.value(), 10.0, 1e-9) << "what the beam reads";
+    EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled());
+}
+
+TEST_F(GuideTest, WhatWasTypedForNorthIsOfOneMountAlone)
+{
+    profile::Profile other = *status.profile;
+    other.bus = "socketcan:can0";
+    putInForce(other);
+    open<GuideNorth>(GuideStep::North);
+    moveTo({.azimuth = 10_deg, .elevation = 20_deg}, AxisState::Holding);
+    inGuide<QDoubleSpinBox>("True azimuth of the antenna").setValue(210.0);
+    EXPECT_TRUE(inGuide<QPushButton>("Set north").isEnabled());
+    other.bus = "socketcan:can1";
+    putInForce(other);
+    EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled());
+}
+
+// Story: the field was emptied and left, and "Set north" took the number that had stood there for the typed one.
+TEST_F(GuideTest, AnEmptiedNorthIsNotATypedOne)
+{
+    open<GuideNorth>(GuideStep::North);
+    moveTo({.azimuth = 10_deg, .elevation = 20_deg}, AxisState::Holding);
+    auto& truth = inGuide<QDoubleSpinBox>("True azimuth of the antenna");
+    truth.setFocus();
+    truth.selectAll();
+    QTest::keyClick(&truth, Qt::Key_Delete);
+    give(samples::update(status));
+    EXPECT_EQ(truth.cleanText(), QString()) << "somebody is about to type";
+    EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled());
+    EXPECT_TRUE(inGuide<QPushButton>("Set north").toolTip().contains(QStringLiteral("type where it really points")));
+    QTest::keyClick(&truth, Qt::Key_Tab);
+    EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled());
+    truth.setFocus();
+    truth.selectAll();
+    QTest::keyClicks(&truth, QStringLiteral("-"));
+    give(samples::update(status));
+    EXPECT_EQ(truth.cleanText(), QStringLiteral("-"));
+    EXPECT_FALSE(inGuide<QPushButton>("Set north").isEnabled()) << "not a number yet";
+    QTest::keyClicks(&truth, QStringLiteral("20"));
+    EXPECT_TRUE(inGuide<QPushButton>("Set north").isEnabled());
+}
+
 TEST_F(GuideTest, ANorthOfAnotherPlaceIsNotCalledKnown)
 {
     CalibrationStatus calibration;
