@@ -129,10 +129,12 @@ void setTilt(Proposal& proposal, const calibration::AxisTilt& tilt, const std::o
     }
     const Angle apart =
         calibration::hypot(tilt.north.value - proposal.terms.tiltNorth, tilt.east.value - proposal.terms.tiltEast);
-    const Standing standing = standingOf(told, tilt.sizeSigma, apart);
+    // Of its parts: a roll of the box turns one into the other, and leaves the size.
+    const Angle sigma = std::max(tilt.north.sigma, tilt.east.sigma);
+    const Standing standing = standingOf(told, sigma, apart);
     if (standing == Standing::Stays) {
-        setStays(proposal, Text::tr("tilt stays: it is known to %1, a swing to %2")
-                               .arg(degreesText(*told), degreesText(tilt.sizeSigma)));
+        setStays(proposal,
+                 Text::tr("tilt stays: it is known to %1, a swing to %2").arg(degreesText(*told), degreesText(sigma)));
         return;
     }
     if (standing == Standing::Contradicted) {

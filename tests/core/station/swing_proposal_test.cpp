@@ -194,6 +194,10 @@ TEST(SwingProposal, ATiltThatPointsHaveToldBetterStays)
     EXPECT_EQ(0.8_deg, contradicts.terms.tiltNorth);
     ASSERT_EQ(1U, contradicts.warnings.size());
     EXPECT_TRUE(contradicts.warnings[0].contains(QStringLiteral("0.30°"))) << contradicts.warnings[0].toStdString();
+    // A roll of the box turns the tilt: its size is known better than its parts are, and those are the terms.
+    SwingOutcome rolled = swung(37.4_deg, 0.6_deg);
+    rolled.tilt->sizeSigma = 0.01_deg;
+    EXPECT_EQ(0.5_deg, proposalOf(rolled, profile, told).terms.tiltNorth);
     told[indexOf(Term::TiltEast)] = {};
     EXPECT_EQ(0.6_deg, proposalOf(swung(37.4_deg, 0.6_deg), profile, told).terms.tiltNorth)
         << "half of it is not known";
