@@ -83,8 +83,7 @@ private:
             FittedTerm& one = m_fit.fitted[indexOf(term)];
             one.estimate = {valueOf(choice.terms, term), choice.sigmas[indexOf(term)]};
             if (choice.set[indexOf(term)]) {
-                const auto& before = m_known.of(term);
-                const bool told = !before || one.estimate.sigma < before->sigma * kDataRule;
+                const bool told = toldByPoints(one.estimate.sigma, m_known.of(term));
                 one.state = told && m_used.size() >= fewestPoints(term) ? TermState::Fitted : TermState::Held;
             }
             one.why = whyNotFitted(term, one.state).toStdString();
@@ -200,6 +199,11 @@ int PointingFit::count(TermState state) const
 {
     return static_cast<int>(
         std::count_if(fitted.begin(), fitted.end(), [&](const FittedTerm& term) { return term.state == state; }));
+}
+
+bool toldByPoints(Angle sigma, const std::optional<Estimate>& before)
+{
+    return !before || sigma < before->sigma * kDataRule;
 }
 
 std::size_t fewestPoints(Term term)

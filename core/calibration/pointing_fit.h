@@ -65,6 +65,9 @@ struct PointingFit
                                               const pointing::PointingTerms& before,
                                               const TermKnowledge& known = TermKnowledge::usual());
 
+// Whether points that leave a term this uncertain have told it: else what was known before counts as much as they do.
+[[nodiscard]] bool toldByPoints(Angle sigma, const std::optional<Estimate>& before);
+
 // From how many points on a term counts as fitted.
 [[nodiscard]] std::size_t fewestPoints(Term term);
 

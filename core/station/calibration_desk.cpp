@@ -453,13 +453,13 @@ std::optional<Proposal> CalibrationDesk::proposed() const
 }
 
 // A tilt that a swing has found is known apart from any point; one that was fitted to points would be these very points
-// again, and one that was typed or read says not what it was found from. A swing always changes the sensor.
-calibration::TermKnowledge CalibrationDesk::known() const
+// again, and one that was typed or read says not what it was found from. A swing always changes the sensor. By the
+// first `entries` of the history.
+calibration::TermKnowledge CalibrationDesk::knownBy(std::size_t entries) const
 {
     calibration::TermKnowledge known = calibration::TermKnowledge::usual();
-    const auto& entries = m_file.history().entries();
-    for (std::size_t i = m_file.history().inForce(); i > 0; --i) {
-        const calibration::CalibrationRecord& record = entries[i - 1];
+    for (std::size_t i = entries; i > 0; --i) {
+        const calibration::CalibrationRecord& record = m_file.history().entries()[i - 1];
         const auto& north = record.sigmas[calibration::indexOf(calibration::Term::TiltNorth)];
         const auto& east = record.sigmas[calibration::indexOf(calibration::Term::TiltEast)];
         if (record.points.empty() && record.sensor && north && east &&

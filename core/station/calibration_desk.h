@@ -152,7 +152,8 @@ private:
     void propose(ProposedBy by);
     [[nodiscard]] std::optional<Proposal> proposed() const;
     [[nodiscard]] Proposal swungProposal() const;
-    [[nodiscard]] calibration::TermKnowledge known() const;
+    [[nodiscard]] calibration::TermKnowledge known() const { return knownBy(m_file.history().inForce()); }
+    [[nodiscard]] calibration::TermKnowledge knownBy(std::size_t entries) const;
     [[nodiscard]] calibration::RecordMount mountToday() const;
     [[nodiscard]] calibration::TermSheet sheet() const;
     [[nodiscard]] TermSigmas toldByPoints() const;

@@ -282,8 +282,8 @@ calibration::TermSheet CalibrationDesk::sheet() const
 }
 
 // How well Sun, Moon or landmarks have told what is in force, of this mount: a compass knows north and the zero of
-// elevation only by its box, and what a text says of itself was not seen here. A term keeps its sigma as long as it
-// keeps its value.
+// elevation only by its box, and what a text says of itself was not seen here. A term that points have only held is
+// known by the swing before them: the next one is worth as much. A term keeps its sigma as long as it keeps its value.
 TermSigmas CalibrationDesk::toldByPoints() const
 {
     TermSigmas told;
@@ -298,7 +298,7 @@ TermSigmas CalibrationDesk::toldByPoints() const
                 break;
             }
             const auto& sigma = record.sigmas[calibration::indexOf(term)];
-            if (sigma && !record.points.empty()) {
+            if (sigma && !record.points.empty() && calibration::toldByPoints(*sigma, knownBy(i - 1).of(term))) {
                 told[calibration::indexOf(term)] = sigma;
                 break;
             }
