@@ -141,7 +141,6 @@ TEST(CalibrationSwing, KeepsHowFarItIsToBeBelieved)
     EXPECT_EQ(rig.profile.sensor.deviation, profile::CompassDeviation());
 }
 
-// The sensor's later readings are true: its curve came into force with north.
 // As long as it waits for Apply the sensor is compared by it, too; and the screen says what turns.
 TEST(CalibrationSwing, IsToldAsWhatTurnsAndThenAsWhatIsProposed)
 {
@@ -163,6 +162,7 @@ TEST(CalibrationSwing, IsToldAsWhatTurnsAndThenAsWhatIsProposed)
     EXPECT_FALSE(rig.desk.proposedOfSensor());
 }
 
+// The sensor's later readings are true: its curve came into force with north.
 TEST(CalibrationSwing, CorrectsTheSensor)
 {
     CalibrationRig rig;
