@@ -88,6 +88,15 @@ QString termsText(const std::vector<TermStatus>& terms)
     return on == 1 ? CalibrationWords::tr("1 term") : CalibrationWords::tr("%1 terms").arg(on);
 }
 
+QString noFitText(const CalibrationStatus& calibration)
+{
+    if (calibration.points.empty()) {
+        return CalibrationWords::tr("No points yet: step 3 takes them");
+    }
+    return calibration.noFit.isEmpty() ? CalibrationWords::tr("No fit of these points")
+                                       : CalibrationWords::tr("No fit: %1").arg(calibration.noFit);
+}
+
 }  // namespace
 
 const CalibrationStatus& calibrationOf(const StationStatus& status)
@@ -226,8 +235,7 @@ bool proposesFit(const CalibrationStatus& calibration)
 QString fitText(const CalibrationStatus& calibration)
 {
     if (!calibration.fit) {
-        return calibration.points.empty() ? CalibrationWords::tr("No points yet: step 3 takes them")
-                                          : CalibrationWords::tr("No fit of these points");
+        return noFitText(calibration);
     }
     const PointFitStatus& fit = *calibration.fit;
     const QString points = pointsText(calibration.points);

@@ -478,7 +478,8 @@ calibration::RecordMount CalibrationDesk::mountToday() const
     const memory::MountMemory& memory = m_control.memory();
     const auto drive = [&](std::size_t axis) {
         const QString remembered = memory.turns[axis] ? memory.turns[axis]->drive : QString();
-        return (m_drives[axis].isEmpty() ? remembered : m_drives[axis]).toStdString();
+        const QString told = m_drives[axis].value_or(QString());
+        return (told.isEmpty() ? remembered : told).toStdString();
     };
     calibration::RecordMount mount{.azimuthDrive = drive(0), .elevationDrive = drive(1)};
     if (m_profile.site.known) {

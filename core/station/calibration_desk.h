@@ -207,9 +207,9 @@ private:
     power::LineStatus m_powerLine;
     GivenTerms m_given;
     PointBook m_book;
-    std::array<QString, 2> m_drives;         // their UUIDs, as last read; empty: not read yet
-    calibration::RecordMount m_pointsMount;  // of whom the points are
-    std::optional<UtcTime> m_axesTold;       // the operator was last asked where an axis stands
+    std::array<std::optional<QString>, 2> m_drives;  // their UUIDs, empty if a drive told none; nothing: not read yet
+    calibration::RecordMount m_pointsMount;          // of whom the points are
+    std::optional<UtcTime> m_axesTold;               // the operator was last asked where an axis stands
     ProposedBy m_by = ProposedBy::Nothing;
     Angle m_proposedAt;  // the declination that was in force when it was found
     std::optional<Proposal> m_proposal;

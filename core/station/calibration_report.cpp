@@ -64,6 +64,7 @@ void CalibrationDesk::publish()
     status.pointObstacle = reasonOf(mayTakeBody());
     status.points = m_book.status();
     status.fit = m_book.fitStatus(m_profile.pointing);
+    status.noFit = m_book.problem();
     status.scan = m_scanned;
     status.power = m_power;
     status.powerLine = m_powerLine;

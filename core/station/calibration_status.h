@@ -173,6 +173,7 @@ struct CalibrationStatus
     QString pointObstacle;                // why TakePoint would be refused now; empty: it would not
     std::vector<PointStatus> points;
     std::optional<PointFitStatus> fit;
+    QString noFit;  // why the points that are used speak for no model; empty: they do, or there are none
     std::optional<calibration::CrossScan> scan;
     std::optional<double> power;  // dB, given last
     bool wantsPower = false;      // a scan waits for the power at this place

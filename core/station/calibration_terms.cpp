@@ -170,16 +170,19 @@ void CalibrationDesk::restorePoints()
                   .arg(m_book.points().size()));
     m_pointsMount = m_file.pointsMount();
     m_book.setWaiting(true);
+    m_book.fit(m_profile.pointing, known());
 }
 
-// A drive tells who it is some seconds after the start, and after it was silent it may be another.
+// A drive tells who it is some seconds after the start, and after it was silent it may be another. One that was read
+// and tells no UUID speaks against nothing.
 void CalibrationDesk::noteDrives()
 {
     bool isNew = false;
     for (const Axis axis : kAxes) {
-        const QString uuid = m_control.uuid(axis);
-        if (!uuid.isEmpty() && uuid != m_drives[index(axis)]) {
-            m_drives[index(axis)] = uuid;
+        const std::optional<QString> uuid = m_control.uuid(axis);
+        std::optional<QString>& last = m_drives[index(axis)];
+        if (uuid && uuid != last && (!last || !uuid->isEmpty())) {
+            last = uuid;
             isNew = true;
         }
     }
@@ -203,7 +206,8 @@ bool CalibrationDesk::pointsSayOther() const
 
 void CalibrationDesk::countRestored()
 {
-    if (!m_book.isWaiting() || std::ranges::any_of(m_drives, &QString::isEmpty)) {
+    const bool allRead = std::ranges::all_of(m_drives, [](const auto& uuid) { return uuid.has_value(); });
+    if (!m_book.isWaiting() || !allRead) {
         return;
     }
     m_book.setWaiting(false);

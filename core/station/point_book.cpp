@@ -32,7 +32,16 @@ Result<> PointBook::has(std::size_t index) const
 
 Result<> PointBook::drop(std::size_t index)
 {
-    return has(index).map([&] { m_points.erase(m_points.begin() + static_cast<std::ptrdiff_t>(index)); });
+    return has(index).map([&] {
+        m_points.erase(m_points.begin() + static_cast<std::ptrdiff_t>(index));
+        m_waiting = m_waiting && !m_points.empty();
+    });
+}
+
+void PointBook::clear()
+{
+    m_points.clear();
+    m_waiting = false;
 }
 
 Result<> PointBook::use(std::size_t index, bool used)
@@ -45,10 +54,12 @@ void PointBook::fit(const pointing::PointingTerms& inForce, const calibration::T
     m_before = inForce;
     m_fit.reset();
     m_problem.clear();
-    if (m_waiting || std::ranges::none_of(m_points, &calibration::CalibrationPoint::isUsed)) {
+    if (std::ranges::none_of(m_points, &calibration::CalibrationPoint::isUsed)) {
         return;
     }
-    if (auto fit = calibration::fitPointing(m_points, inForce, known)) {
+    if (m_waiting) {
+        m_problem = Text::tr("these points wait until both drives have told who they are");
+    } else if (auto fit = calibration::fitPointing(m_points, inForce, known)) {
         m_fit = std::move(*fit);
     } else {
         m_problem = toQString(fit.error().text);

@@ -17,9 +17,10 @@ public:
     void add(const calibration::CalibrationPoint& point) { m_points.push_back(point); }
     Result<> drop(std::size_t index);
     Result<> use(std::size_t index, bool used);
-    void clear() { m_points.clear(); }
+    void clear();
 
-    // It is not certain yet that they are of this mount: they are in the list, and say nothing.
+    // It is not certain yet that they are of this mount: they are in the list, and say nothing. Ends with the last of
+    // them.
     void setWaiting(bool waiting) { m_waiting = waiting; }
     [[nodiscard]] bool isWaiting() const { return m_waiting; }
 
@@ -29,7 +30,7 @@ public:
     [[nodiscard]] const std::vector<calibration::CalibrationPoint>& points() const { return m_points; }
     // Empty while there is no point that is used, or they wait.
     [[nodiscard]] const std::optional<calibration::PointingFit>& fitted() const { return m_fit; }
-    // Why there is no fit; empty if there is one.
+    // Why there is no fit; empty if there is one, or no point that is used.
     [[nodiscard]] const QString& problem() const { return m_problem; }
 
     [[nodiscard]] std::vector<PointStatus> status() const;

@@ -102,8 +102,11 @@ public:
     void setProfile(const profile::Profile& profile);
     // What the survey knows about a drive now; empty: nothing, its turn is then judged anew.
     void learn(Axis axis, const std::optional<survey::DriveFacts>& facts);
-    // Of the drive that was read there; empty: none was.
-    [[nodiscard]] QString uuid(Axis axis) const { return facts(axis) ? facts(axis)->uuid : QString(); }
+    // Of the drive that was read there, empty if it told none; nothing: none was read.
+    [[nodiscard]] std::optional<QString> uuid(Axis axis) const
+    {
+        return facts(axis) ? std::optional(facts(axis)->uuid) : std::nullopt;
+    }
     // Where a sensor on the antenna says that the beam points: it speaks when a turn is asked for, and nowhere else.
     void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation,
                    const std::optional<memory::SensorCourse>& course = std::nullopt);

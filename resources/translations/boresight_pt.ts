@@ -201,6 +201,10 @@
         <source>Nothing proposed yet</source>
         <translation>Ainda não há proposta</translation>
     </message>
+    <message>
+        <source>No fit: %1</source>
+        <translation>Sem ajuste: %1</translation>
+    </message>
 </context>
 <context>
     <name>ClientsPermission</name>
@@ -5508,6 +5512,10 @@ do eixo</translation>
     <message>
         <source>this holds for the simulated mount until the program ends; the profile of &quot;%1&quot; keeps its own bus, motors, zeros and the ends counted from them, north, pointing model and sensor mounting: start without --simulate to set them</source>
         <translation>isto vale para a montagem simulada até o programa terminar; o perfil de &quot;%1&quot; mantém os seus próprios barramento, motores, zeros e os limites contados a partir deles, norte, modelo de apontamento e montagem do sensor: inicie sem --simulate para os definir</translation>
+    </message>
+    <message>
+        <source>these points wait until both drives have told who they are</source>
+        <translation>estes pontos esperam até que ambos os acionamentos tenham dito quem são</translation>
     </message>
 </context>
 <context>

@@ -128,6 +128,22 @@ TEST_F(NorthTest, TheRmsIsThatOfWhatIsProposed)
     EXPECT_TRUE(told.endsWith(QStringLiteral("χ² 0.012"))) << told.toStdString();
 }
 
+// Story: six kept points waited for a drive, and only "No fit of these points" was to be read.
+TEST_F(NorthTest, WhyThereIsNoFitIsSaid)
+{
+    StationStatus status = samples::sixPoints();
+    CalibrationStatus calibration = *status.calibration;
+    calibration.proposal.reset();
+    calibration.fit.reset();
+    status.calibration = std::make_shared<const CalibrationStatus>(calibration);
+    show(CalibrationStep::Model, status);
+    EXPECT_EQ(text("How well the model fits"), QStringLiteral("No fit of these points"));
+    calibration.noFit = QStringLiteral("they wait");
+    status.calibration = std::make_shared<const CalibrationStatus>(calibration);
+    give(samples::update(status));
+    EXPECT_EQ(text("How well the model fits"), QStringLiteral("No fit: they wait"));
+}
+
 // Story: "found" was said of terms that the points only moved within what was known of them.
 TEST_F(NorthTest, WhatIsOnlyHeldIsSaidSo)
 {

@@ -429,6 +429,52 @@ TEST(CalibrationPoints, ThoseThatWereKeptWaitUntilTheDrivesAreKnown)
     EXPECT_TRUE(again.status()->points.front().isUsed);
 }
 
+// Story: a drive of a firmware without a UUID kept the points waiting for ever, and new ones with them.
+TEST(CalibrationPoints, ThoseThatWereKeptCountWithADriveThatTellsNoUuid)
+{
+    CalibrationRig rig;
+    rig.goTo(200.0, 30.0);
+    ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = {.azimuth = 10_deg, .elevation = 30_deg}, .label = {}}));
+    rig.control.learn(Axis::Azimuth, std::nullopt);
+    profile::Profile nearly = rig.profile;
+    nearly.pointing.azimuthOffset = 169_deg;
+    CalibrationDesk again(rig.control, nearly, *rig.file, rig.clock, rig.log);
+    again.tick();
+    EXPECT_FALSE(again.status()->fit);
+    EXPECT_TRUE(again.status()->noFit.contains(QStringLiteral("wait"))) << again.status()->noFit.toStdString();
+    EXPECT_LT(abs(again.status()->points.front().before.across), 1_deg) << "by the model in force";
+    survey::DriveFacts nameless = rig.factsOf(Axis::Azimuth);
+    nameless.uuid.clear();
+    rig.control.learn(Axis::Azimuth, nameless);
+    again.tick();
+    EXPECT_TRUE(again.status()->fit);
+    EXPECT_TRUE(again.status()->noFit.isEmpty());
+    EXPECT_TRUE(again.status()->proposal);
+    EXPECT_TRUE(again.status()->points.front().isUsed);
+}
+
+// Those that come after them are of the mount of today.
+TEST(CalibrationPoints, WithThoseThatWaitedTheWaitingGoes)
+{
+    const calibration::CalibrationPoint point{.axes = {.azimuth = 200_deg, .elevation = 30_deg},
+                                              .truth = {.azimuth = 10_deg, .elevation = 30_deg}};
+    const auto isFitted = [&point](PointBook& book) {
+        book.add(point);
+        book.fit({}, calibration::TermKnowledge::usual());
+        return book.fitted().has_value();
+    };
+    PointBook book;
+    book.setWaiting(true);
+    EXPECT_FALSE(isFitted(book));
+    EXPECT_FALSE(book.problem().isEmpty());
+    book.clear();
+    EXPECT_TRUE(isFitted(book));
+    EXPECT_TRUE(book.problem().isEmpty());
+    book.setWaiting(true);
+    ASSERT_TRUE(book.drop(0));
+    EXPECT_TRUE(isFitted(book)) << "the last of them";
+}
+
 // Story: a point was dropped while the site was not known; the others were nobody's from then on.
 TEST(CalibrationPoints, AreNotTornFromTheirSiteWhileNoneIsKnown)
 {
