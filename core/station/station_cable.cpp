@@ -5,6 +5,9 @@
 #include "core/station/station_control.h"
 #include "core/tracking/cable_forecast.h"
 
+#include <QDateTime>
+
+#include <algorithm>
 #include <cmath>
 
 namespace boresight {
@@ -16,6 +19,10 @@ constexpr Seconds kWarnTime{60.0};
 constexpr Angle kWarnAngle = Angle::fromDegrees(30.0);
 constexpr double kKeep = 1.3;
 constexpr std::uint64_t kTicksBetween = 10;
+// The path bends, and with it the time that was told: told anew when it is off by this, or by a fifth of what is left.
+constexpr Seconds kTimeOff{10.0};
+constexpr double kPartOff = 0.2;
+constexpr Seconds kToldAnewAfter{10.0};
 
 // Ramps included; the jerk adds a part of a second.
 Seconds turnTime(const tracking::MotionLimits& limits)
@@ -27,6 +34,17 @@ QString timeText(Seconds time)
 {
     return time < Seconds(100.0) ? QStringLiteral("%1 s").arg(std::lround(time.count()))
                                  : QStringLiteral("%1 min").arg(std::lround(time.count() / 60.0));
+}
+
+QString degreesText(Angle angle, int decimals)
+{
+    return toQString(formatFixed(angle.degrees(), decimals)) + QStringLiteral("°");
+}
+
+QString clockText(UtcTime utc)
+{
+    const auto time = std::chrono::round<std::chrono::seconds>(utc).time_since_epoch();
+    return QDateTime::fromSecsSinceEpoch(time.count(), Qt::UTC).toString(QStringLiteral("HH:mm:ss'Z'"));
 }
 
 }  // namespace
@@ -56,8 +74,8 @@ Result<> StationControl::handle(const request::Unwind&, const Source& source)
             return failure(ErrorCode::Refused,
                            Text::tr("in this direction the azimuth cable can not be wound less than it is"));
         }
-        const QString azimuth = QString::fromStdString(formatFixed(place->azimuth.degrees(), 1)) + QStringLiteral("°");
-        return goTo(*place, Activity::Pointing, source, Text::tr("unwind the cable, azimuth to %1").arg(azimuth));
+        return goTo(*place, Activity::Pointing, source,
+                    Text::tr("unwind the cable, azimuth to %1").arg(degreesText(place->azimuth, 1)));
     });
 }
 
@@ -72,6 +90,7 @@ void StationControl::watchCable()
     const double keep = m_cableEnd ? kKeep : 1.0;
     if (!forecast || (forecast->in > kWarnTime * keep && forecast->left > kWarnAngle * keep)) {
         m_cableEnd.reset();
+        m_cableTold.reset();
         m_alarms.clear(kCause);
         return;
     }
@@ -84,25 +103,38 @@ void StationControl::watchCable()
     tellCable(*m_cableEnd);
 }
 
-// Once when it comes in sight, and once more when it is near.
+bool StationControl::cableTold(const CableTold& end, Seconds in) const
+{
+    if (!m_cableTold || end.severity > m_cableTold->severity) {
+        return false;
+    }
+    const Seconds off = std::chrono::abs(Seconds(end.ends - m_cableTold->ends));
+    return off < std::max(kTimeOff, kPartOff * in) || end.when - m_cableTold->when < kToldAnewAfter;
+}
+
+// When it comes in sight, when it is near, and when it turns out to end at another time. The time of day stays true
+// while it is read; the bar counts.
 void StationControl::tellCable(const CableEnd& end)
 {
     const Severity severity = end.in > kWarnTime ? Severity::Advisory : Severity::Warning;
-    if (m_alarms.active(kCause) && severity <= m_cableSeverity) {
+    const CableTold now{.severity = m_cableTold ? std::max(severity, m_cableTold->severity) : severity,
+                        .ends = m_clock.utc() + std::chrono::round<UtcTime::duration>(end.in),
+                        .when = m_now};
+    if (cableTold(now, end.in)) {
         return;
     }
-    m_cableSeverity = severity;
-    const QString place = QString::fromStdString(formatFixed(end.end.degrees(), 1)) + QStringLiteral("°");
-    const QString what = Text::tr("azimuth cable ends in %1, at %2").arg(timeText(end.in), place);
+    m_cableTold = now;
+    const QString what =
+        Text::tr("azimuth cable ends at %1, about %2").arg(degreesText(end.end, 1), clockText(now.ends));
     if (end.turningBack) {
-        m_alarms.raise(kCause, severity,
+        m_alarms.raise(kCause, now.severity,
                        {.what = what,
                         .action = Text::tr("There Boresight turns back by 360° and follows on; the target is "
                                            "lost for about %1")
                                       .arg(timeText(*end.turningBack)),
                         .remedy = Text::tr("To turn back earlier press Unwind, then give control back")});
     } else {
-        m_alarms.raise(kCause, severity,
+        m_alarms.raise(kCause, now.severity,
                        {.what = what,
                         .action = Text::tr("Boresight holds there until the target can be reached again"),
                         .remedy = Text::tr("Widen the limits if the cable allows, or let the target go")});

@@ -136,6 +136,13 @@ private:
         Running,
         Proving
     };
+    // What the alarm of the cable says.
+    struct CableTold
+    {
+        Severity severity;
+        UtcTime ends;
+        SteadyTime when;
+    };
     enum class ShutDown
     {
         No,
@@ -224,6 +231,7 @@ private:
     void watchLimited();
     [[nodiscard]] std::optional<AxisPosition> leastWound(const AxisPosition& place) const;
     void tellCable(const CableEnd& end);
+    [[nodiscard]] bool cableTold(const CableTold& end, Seconds in) const;
     void finishRearm();
     void stepProof();
     void keepStop(Axis axis);
@@ -272,7 +280,7 @@ private:
     AxisPosition m_trim{};    // what the operator adds to the targets of clients
     FirstMoves m_firstMoves;
     std::optional<CableEnd> m_cableEnd;
-    Severity m_cableSeverity = Severity::Advisory;
+    std::optional<CableTold> m_cableTold;
     std::optional<SteadyTime> m_jogDeadline;
     std::array<bool, 2> m_answered{};
     std::array<bool, 2> m_ignoringBounds{};

@@ -3790,10 +3790,6 @@ do eixo</translation>
         <translation>perdeu-se uma parte da resposta; repita o comando</translation>
     </message>
     <message>
-        <source>azimuth cable ends in %1, at %2</source>
-        <translation>o cabo do azimute acaba em %1, a %2</translation>
-    </message>
-    <message>
         <source>There Boresight turns back by 360° and follows on; the target is lost for about %1</source>
         <translation>Ali o Boresight gira 360° para trás e continua a seguir; perde-se o alvo por cerca de %1</translation>
     </message>
@@ -5516,6 +5512,10 @@ do eixo</translation>
     <message>
         <source>these points wait until both drives have told who they are</source>
         <translation>estes pontos esperam até que ambos os acionamentos tenham dito quem são</translation>
+    </message>
+    <message>
+        <source>azimuth cable ends at %1, about %2</source>
+        <translation>o cabo do azimute acaba a %1, por volta das %2</translation>
     </message>
 </context>
 <context>

@@ -241,7 +241,7 @@ StationStatus cableEnding()
     StationStatus status = tracking(480.0);
     status.trim = SkyPointing{.azimuth = 0.3_deg, .elevation = -0.1_deg};
     status.cableEnd = CableEnd{.end = 450_deg, .in = Seconds(41.0), .turningBack = Seconds(37.0)};
-    addAlarm(status, Severity::Warning, QStringLiteral("Azimuth cable ends in 58 s, at 450.0°."),
+    addAlarm(status, Severity::Warning, QStringLiteral("Azimuth cable ends at 450.0°, about 17:14:40Z."),
              QStringLiteral("There Boresight turns back by 360° and follows on; the target is lost for about 37 s."),
              QStringLiteral("To turn back earlier press Unwind, then give control back."));
     profile::Profile profile = *status.profile;

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is told when the azimuth cable ends while something is followed. Travel -90…450°.
+#include "tests/core/station/station_rig.h"
+
+#include <QDateTime>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace boresight {
+namespace {
+
+class StationCable : public ::testing::Test
+{
+protected:
+    void standAt(Angle azimuth)
+    {
+        rig.run(Seconds(0.1));
+        ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = azimuth, .elevation = 30_deg}}));
+        rig.settle();
+        ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+    }
+
+    // A client's points along 30° of elevation, one a second, counted beyond 360°; the last one's azimuth.
+    double stream(
+        double from, double perSecond, int seconds, const std::function<void()>& look = [] {})
+    {
+        for (int second = 0; second < seconds; ++second) {
+            EXPECT_TRUE(rig.point(std::fmod(from + second * perSecond, 360.0), 30.0));
+            rig.run(Seconds(1.0));
+            look();
+        }
+        return from + (seconds - 1) * perSecond;
+    }
+
+    [[nodiscard]] std::vector<LogEntry> lines(LogKind kind, const QString& words) const
+    {
+        auto found = rig.log.since(0, EventLog::kCapacity);
+        std::erase_if(found, [&](const LogEntry& line) { return line.kind != kind || !line.text.contains(words); });
+        return found;
+    }
+    [[nodiscard]] std::string headline() const
+    {
+        const auto alarms = rig.control.status().alarms;
+        return alarms.empty() ? std::string() : alarms.front().what.toStdString();
+    }
+
+    // How far the time in the headline is from what the bar counts.
+    [[nodiscard]] double headlineOff() const
+    {
+        const StationStatus status = rig.control.status();
+        const QTime told =
+            QTime::fromString(status.alarms.front().what.section(QLatin1Char(' '), -1), QStringLiteral("HH:mm:ss'Z.'"));
+        const std::chrono::sys_days day = std::chrono::floor<std::chrono::days>(status.utc);
+        const double now = std::chrono::duration<double>(status.utc - day).count();
+        return told.isValid() ? told.msecsSinceStartOfDay() / 1000.0 - now - status.cableEnd->in.count() : NAN;
+    }
+
+    StationRig rig;
+};
+
+// Story: "ends in 38 s" stood there until the end, and as over after it.
+TEST_F(StationCable, TheHeadlineTellsWhenAndStaysTrue)
+{
+    standAt(390_deg);
+    stream(390.0, 1.0, 8);
+    EXPECT_EQ(headline().substr(0, 40), "Azimuth cable ends at 450.0°, about 00:");
+    stream(398.0, 1.0, 50, [&] { EXPECT_LT(std::abs(headlineOff()), 12.0); });
+    EXPECT_LE(lines(LogKind::Alarm, QStringLiteral("Ends at 450.0°")).size(), 3U);
+}
+
+TEST_F(StationCable, AnEndThatComesLaterIsToldAnewButNotEachSecond)
+{
+    standAt(390_deg);
+    const double last = stream(390.0, 1.0, 30);
+    const auto before = lines(LogKind::Alarm, QStringLiteral("Ends at 450.0°"));
+    ASSERT_FALSE(before.empty());
+    stream(last + 0.5, 0.5, 40);
+    EXPECT_LT(std::abs(headlineOff()), 12.0);
+    const auto after = lines(LogKind::Alarm, QStringLiteral("Ends at 450.0°"));
+    EXPECT_GT(after.size(), before.size());
+    for (std::size_t i = before.size(); i < after.size(); ++i) {
+        EXPECT_GE(after[i].utc - after[i - 1].utc, std::chrono::seconds(10)) << after[i].text.toStdString();
+    }
+}
+
+}  // namespace
+}  // namespace boresight
