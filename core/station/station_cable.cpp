@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of StationControl about the azimuth cable: unwinding, and telling in time that it ends before the pass does.
+// The part of StationControl about the azimuth cable: unwinding, and telling in time that it ends before the pass does
+// and that the mount turns back because it ends.
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/station/station_control.h"
@@ -23,6 +24,9 @@ constexpr std::uint64_t kTicksBetween = 10;
 constexpr Seconds kTimeOff{10.0};
 constexpr double kPartOff = 0.2;
 constexpr Seconds kToldAnewAfter{10.0};
+// A stream's next target is no farther away than this; what is farther is another target.
+constexpr Angle kNextOfStream = Angle::fromDegrees(10.0);
+constexpr Angle kTurnedBack = Angle::fromDegrees(1.0);
 
 // Ramps included; the jerk adds a part of a second.
 Seconds turnTime(const tracking::MotionLimits& limits)
@@ -139,6 +143,61 @@ void StationControl::tellCable(const CableEnd& end)
                         .action = Text::tr("Boresight holds there until the target can be reached again"),
                         .remedy = Text::tr("Widen the limits if the cable allows, or let the target go")});
     }
+}
+
+// Both from where the axes are going, which chose the turn, and from where they are.
+std::optional<StationControl::TurnBack> StationControl::turnBackTo(const AxisPosition& place,
+                                                                   const Source& source) const
+{
+    const TravelRange& range = m_motion.region().ranges().azimuth;
+    const auto leadsBeyond = [&](Angle from) {
+        const Angle near = place.azimuth.nearestTo(from);
+        return abs(near - place.azimuth) > 180_deg && !range.contains(near);
+    };
+    const Angle here = standing().azimuth;
+    if (!leadsBeyond(heading().azimuth) || !leadsBeyond(here)) {
+        return std::nullopt;
+    }
+    const Angle near = place.azimuth.nearestTo(here);
+    const bool follows = m_activity == Activity::Streaming && m_commander == source && abs(near - here) < kNextOfStream;
+    return TurnBack{.by = place.azimuth - (follows ? near : here),
+                    .end = near > range.max ? range.max : range.min,
+                    .follows = follows};
+}
+
+// The log names it as a motion of its own: the mount leaves a target that it seemed to follow.
+void StationControl::beginTurnBack(const std::optional<TurnBack>& back)
+{
+    if (!back) {
+        return;
+    }
+    m_turnBack = back;
+    const QString what = Text::tr("turns back by %1: the cable ends at %2")
+                             .arg(degreesText(abs(back->by), 0), degreesText(back->end, 1));
+    tell(Severity::Advisory, m_commander,
+         back->follows
+             ? Text::tr("%1; the target is lost for about %2").arg(what, timeText(turnTime(m_profile.azimuth.limits)))
+             : what,
+         LogKind::MotionStart);
+}
+
+// Until it is there, or is led the other way again.
+void StationControl::watchTurnBack()
+{
+    if (!m_turnBack) {
+        return;
+    }
+    const auto target = moves() && m_motion.noWay().empty() ? m_motion.target(m_now) : std::nullopt;
+    const double sign = m_turnBack->by < Angle{} ? -1.0 : 1.0;
+    if (!target || sign * (target->azimuth - m_motion.place().azimuth) < kTurnedBack) {
+        m_turnBack.reset();
+    }
+}
+
+// Short, for the line below the state.
+QString StationControl::turnBackText() const
+{
+    return Text::tr("cable ends: turns back by %1").arg(degreesText(abs(m_turnBack->by), 0));
 }
 
 }  // namespace boresight

@@ -166,6 +166,7 @@ void StationControl::begin(Activity activity, const Source& source, const QStrin
     const bool continues = m_activity == activity && m_commander == source &&
                            (activity == Activity::Streaming || activity == Activity::Jogging);
     if (!continues) {
+        m_turnBack.reset();
         tell(Severity::Advisory, source, Text::tr("moves the mount from %1: %2").arg(directionText(heading()), what),
              LogKind::MotionStart);
         m_errand += activity == Activity::Jogging ? 0 : 1;
@@ -244,7 +245,9 @@ Result<> StationControl::streamTo(pointing::Resolved resolved, const SkyPointing
     }
     const bool wasLimited = !m_limitedReason.isEmpty();
     const bool newStream = m_activity != Activity::Streaming || m_commander != source;
+    const auto back = turnBackTo(resolved.position, source);
     begin(Activity::Streaming, source, what.isEmpty() ? QStringLiteral("P ") + text(asked) : what);
+    beginTurnBack(back);
     if (newStream) {
         m_motion.rest();  // the points of another client say nothing about this one's
     }
@@ -276,8 +279,11 @@ Result<> StationControl::handle(const request::PointSky& wanted, const Source& s
                 ErrorCode::OutOfRange,
                 Text::tr("elevation %1 above limit %2").arg(degreesText(wanted.direction.elevation), degreesText(top)));
         }
-        return goTo(turnWithAWay(resolved.position), Activity::Pointing, source,
-                    Text::tr("go to %1").arg(text(wanted.direction)));
+        const AxisPosition place = turnWithAWay(resolved.position);
+        const auto back = turnBackTo(place, source);
+        return goTo(place, Activity::Pointing, source, Text::tr("go to %1").arg(text(wanted.direction))).map([&] {
+            beginTurnBack(back);
+        });
     });
 }
 

@@ -136,6 +136,13 @@ private:
         Running,
         Proving
     };
+    // The short way would lead beyond an end of the azimuth's range: the mount goes the other way round.
+    struct TurnBack
+    {
+        Angle by;  // signed
+        Angle end;
+        bool follows = false;  // in the middle of a stream, which it goes on following after it
+    };
     // What the alarm of the cable says.
     struct CableTold
     {
@@ -232,6 +239,10 @@ private:
     [[nodiscard]] std::optional<AxisPosition> leastWound(const AxisPosition& place) const;
     void tellCable(const CableEnd& end);
     [[nodiscard]] bool cableTold(const CableTold& end, Seconds in) const;
+    [[nodiscard]] std::optional<TurnBack> turnBackTo(const AxisPosition& place, const Source& source) const;
+    void beginTurnBack(const std::optional<TurnBack>& back);
+    void watchTurnBack();
+    [[nodiscard]] QString turnBackText() const;
     void finishRearm();
     void stepProof();
     void keepStop(Axis axis);
@@ -281,6 +292,7 @@ private:
     FirstMoves m_firstMoves;
     std::optional<CableEnd> m_cableEnd;
     std::optional<CableTold> m_cableTold;
+    std::optional<TurnBack> m_turnBack;  // going on now
     std::optional<SteadyTime> m_jogDeadline;
     std::array<bool, 2> m_answered{};
     std::array<bool, 2> m_ignoringBounds{};

@@ -255,8 +255,8 @@ StationStatus StationControl::status() const
                          .utc = m_clock.utc(),
                          .tick = m_tick};
     status.stopLatched = m_arming.stopLatched();
-    status.stateReason =
-        m_arming.released() ? Text::tr("the bus is left to other tools") : m_arming.fault().value_or(m_commandText);
+    status.stateReason = m_arming.released() ? Text::tr("the bus is left to other tools")
+                                             : m_arming.fault().value_or(m_turnBack ? turnBackText() : m_commandText);
     if (const auto measured = m_drives.measured(); measured && turnsKnown()) {
         status.actual = m_model.toSky(*measured);
     }

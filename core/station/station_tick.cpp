@@ -52,6 +52,7 @@ std::array<CanFrame, 2> StationControl::tick()
     moveOn(step);
     watchRegion();
     watchCable();
+    watchTurnBack();
     watchLimited();
     m_alarms.tick();
     shutDownFurther();

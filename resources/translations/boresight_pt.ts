@@ -5517,6 +5517,18 @@ do eixo</translation>
         <source>azimuth cable ends at %1, about %2</source>
         <translation>o cabo do azimute acaba a %1, por volta das %2</translation>
     </message>
+    <message>
+        <source>turns back by %1: the cable ends at %2</source>
+        <translation>gira %1 para trás: o cabo acaba a %2</translation>
+    </message>
+    <message>
+        <source>%1; the target is lost for about %2</source>
+        <translation>%1; perde-se o alvo por cerca de %2</translation>
+    </message>
+    <message>
+        <source>cable ends: turns back by %1</source>
+        <translation>fim do cabo: gira %1 para trás</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/asking_panel.h"
 #include "ui/client_model.h"
@@ -101,6 +102,18 @@ TEST_P(CutTextTest, AClientThatWantsToDriveIsNamedWhole)
         give(samples::update(status));
         expectWhole(*window.findChild<LeadPrompt*>());
     }
+}
+
+TEST_P(CutTextTest, ThatTheMountTurnsBackIsWholeBelowTheState)
+{
+    StationStatus status = samples::cableEnding();
+    status.state = StationState::Slew;
+    status.stateReason = Text::tr("cable ends: turns back by %1").arg(QStringLiteral("360°"));
+    give(samples::update(status));
+    const auto labels = window.findChildren<ValueLabel*>();
+    const auto reason = std::ranges::find(labels, status.stateReason, &ValueLabel::text);
+    ASSERT_NE(reason, labels.end());
+    EXPECT_FALSE((*reason)->isElided()) << status.stateReason.toStdString();
 }
 
 TEST_P(CutTextTest, WhyADirectionIsForbiddenIsWhole)

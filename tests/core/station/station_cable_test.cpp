@@ -42,6 +42,11 @@ protected:
         std::erase_if(found, [&](const LogEntry& line) { return line.kind != kind || !line.text.contains(words); });
         return found;
     }
+    [[nodiscard]] std::vector<LogEntry> turnBacks() const
+    {
+        return lines(LogKind::MotionStart, QStringLiteral("turns back"));
+    }
+    [[nodiscard]] std::string reason() const { return rig.control.status().stateReason.toStdString(); }
     [[nodiscard]] std::string headline() const
     {
         const auto alarms = rig.control.status().alarms;
@@ -61,6 +66,95 @@ protected:
 
     StationRig rig;
 };
+
+constexpr const char* kTurnsBack = "turns back by 360°: the cable ends at 450.0°; the target is lost for about 37 s";
+constexpr const char* kDetail = "cable ends: turns back by 360°";
+
+// Story: at the end of the cable the mount set off for a whole turn, and neither the log nor the screen said why.
+TEST_F(StationCable, ATurnBackIsToldWithWhoAndWhyForAsLongAsItLasts)
+{
+    standAt(440_deg);
+    stream(440.0, 1.0, 11);
+    EXPECT_TRUE(turnBacks().empty());
+    EXPECT_EQ(reason(), "P 90.00° 30.00°");
+    EXPECT_TRUE(rig.point(91.0, 30.0));
+    ASSERT_EQ(turnBacks().size(), 1U);
+    EXPECT_EQ(turnBacks().front().text.toStdString(), kTurnsBack);
+    EXPECT_EQ(turnBacks().front().source, kClient.name);
+    rig.run(Seconds(1.0));
+
+    double turning = 0.0;
+    stream(452.0, 1.0, 45, [&] {
+        const StationStatus status = rig.control.status();
+        const bool there = std::abs(status.azimuth.commanded->degrees() - status.azimuth.target->degrees()) < 1.0;
+        EXPECT_EQ(status.stateReason.toStdString() == kDetail, !there) << status.azimuth.commanded->degrees();
+        turning += there ? 0.0 : 1.0;
+    });
+    EXPECT_GE(turning, 30.0);
+    EXPECT_EQ(rig.state(), StationState::Track);
+    EXPECT_EQ(turnBacks().size(), 1U) << "once, not with each point";
+}
+
+// Faster than a satellite: no path is forecast, so no alarm came before it either.
+TEST_F(StationCable, ATurnBackAfterTargetsFasterThanASatelliteIsToldAlike)
+{
+    standAt(400_deg);
+    stream(400.0, 5.0, 12);
+    ASSERT_EQ(turnBacks().size(), 1U);
+    EXPECT_EQ(turnBacks().front().text.toStdString(), kTurnsBack);
+    EXPECT_EQ(rig.state(), StationState::Slew);
+    EXPECT_EQ(reason(), kDetail);
+}
+
+TEST_F(StationCable, TheOtherEndTurnsItBackTheOtherWay)
+{
+    standAt(-80_deg);
+    stream(280.0, -1.0, 15);
+    ASSERT_EQ(turnBacks().size(), 1U);
+    EXPECT_TRUE(turnBacks().front().text.startsWith(QStringLiteral("turns back by 360°: the cable ends at -90.0°")));
+    EXPECT_EQ(reason(), kDetail);
+    rig.run(Seconds(60.0));
+    EXPECT_NE(reason(), kDetail);
+    EXPECT_NEAR(rig.azimuthDegrees(), 266.0, 1.0);
+}
+
+TEST_F(StationCable, WhatEndsTheTurnBackEndsItsWords)
+{
+    standAt(440_deg);
+    stream(440.0, 1.0, 15);
+    ASSERT_EQ(reason(), kDetail);
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    rig.tick();
+    EXPECT_EQ(reason(), "");
+    ASSERT_TRUE(rig.ask(request::Park{}));
+    rig.tick();
+    EXPECT_EQ(reason().substr(0, 4), "park");
+}
+
+TEST_F(StationCable, AGoToTheOtherWayRoundSaysWhy)
+{
+    standAt(400_deg);
+    ASSERT_TRUE(rig.point(60.0, 30.0, kOperator));
+    EXPECT_TRUE(turnBacks().empty()) << "420° is inside";
+    rig.settle();
+    ASSERT_TRUE(rig.point(120.0, 30.0, kOperator));
+    ASSERT_EQ(turnBacks().size(), 1U);
+    EXPECT_EQ(turnBacks().front().source, kOperator.name);
+    EXPECT_EQ(turnBacks().front().text.toStdString(), "turns back by 300°: the cable ends at 450.0°");
+    EXPECT_EQ(reason(), "cable ends: turns back by 300°");
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 120.0, 0.1);
+    EXPECT_EQ(reason(), "go to 120.00° 30.00°");
+}
+
+TEST_F(StationCable, UnwindingIsNoTurnBackByTheCable)
+{
+    standAt(425_deg);
+    ASSERT_TRUE(rig.ask(request::Unwind{}));
+    rig.run(Seconds(2.0));
+    EXPECT_TRUE(turnBacks().empty());
+    EXPECT_TRUE(reason().starts_with("unwind the cable"));
+}
 
 // Story: "ends in 38 s" stood there until the end, and as over after it.
 TEST_F(StationCable, TheHeadlineTellsWhenAndStaysTrue)
