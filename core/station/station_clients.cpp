@@ -92,6 +92,28 @@ void StationControl::endCalibrationMotion()
     }
 }
 
+void StationControl::sourceGone(const Source& source)
+{
+    m_lead.gone(source);
+    if (m_commander != source) {
+        return;
+    }
+    if (m_activity == Activity::Running) {
+        m_log.add(Severity::Advisory, source.name, Text::tr("is gone: its motion ends"));
+        holdHere(Activity::Holding);
+    } else if (m_activity == Activity::Streaming) {
+        m_motion.settleStream();
+        m_activity = Activity::Pointing;
+    }
+}
+
+void StationControl::positionRead(std::uint64_t clientId)
+{
+    if (m_activity == Activity::Streaming && followsClient() && m_commander.clientId == clientId) {
+        m_motion.confirmStream(m_now);
+    }
+}
+
 void StationControl::describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const
 {
     const profile::RotctldSettings& rules = m_profile.rotctld;

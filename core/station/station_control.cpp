@@ -397,28 +397,6 @@ Result<> StationControl::handle(const request::Rearm&, const Source& source)
     return m_arming.rearm(source);
 }
 
-void StationControl::sourceGone(const Source& source)
-{
-    m_lead.gone(source);
-    if (m_commander != source) {
-        return;
-    }
-    if (m_activity == Activity::Running) {
-        m_log.add(Severity::Advisory, source.name, Text::tr("is gone: its motion ends"));
-        holdHere(Activity::Holding);
-    } else if (m_activity == Activity::Streaming) {
-        m_motion.settleStream();
-        m_activity = Activity::Pointing;
-    }
-}
-
-void StationControl::positionRead(std::uint64_t clientId)
-{
-    if (m_activity == Activity::Streaming && followsClient() && m_commander.clientId == clientId) {
-        m_motion.confirmStream(m_now);
-    }
-}
-
 Result<AxisPosition> StationControl::measured() const
 {
     for (const Axis axis : kAxes) {
