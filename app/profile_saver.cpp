@@ -70,7 +70,7 @@ bool countsOtherwise(const std::vector<std::string>& differing, const std::strin
 // Of a mount that was simulated with the profile of a real one: what is left for that one. Not what can only be seen
 // on the mount itself, either: which motor is which and how it turns, nor that somebody has looked at it; nor ends
 // that are counted from a zero which is not the real one's; nor its bus, where one that was typed for later is taken
-// back.
+// back: whose file it was before is not known any more.
 Result<> leaveOutFound(std::vector<std::string>& keys, const profile::Profile& kept, const profile::Profile& wanted)
 {
     const std::vector<std::string> differing = profile::changedKeys(kept, wanted);
@@ -117,10 +117,7 @@ Result<> fit(std::vector<std::string>& keys, profile::Profile& kept, const profi
     // own. Kept beside the simulated bus it would be left again at the next start; beside another bus the simulated
     // mount's would be the real one's.
     const bool becomesReal = !onlySimulated && simulatedFile && !profile::isSimulated(wanted);
-    // A bus for later is taken back before anything is known of its mount.
-    const bool comesBack = onlySimulated && !simulatedFile && profile::isSimulated(wanted) && contains(keys, kBus) &&
-                           !profile::isAnythingFound(kept);
-    if (comesBack || (becomesReal && std::ranges::any_of(keys, isOfOneMount))) {
+    if (becomesReal && std::ranges::any_of(keys, isOfOneMount)) {
         takeMount(kept, wanted);
         return {};
     }

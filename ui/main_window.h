@@ -61,7 +61,6 @@ public:
 public Q_SLOTS:
     void showUpdate(const boresight::StationUpdate& update);
     // What went wrong outside of the station, beside the alarm line; empty clears it.
-    void sayForAWhile(const QString& what);
     void warn(const QString& what);
 
 Q_SIGNALS:
@@ -105,6 +104,7 @@ private:
     void closeGuide();
     void toggleGuide();
     void goTo();
+    void sayForAWhile(const QString& what);
     void hold();
     void park();
     void acknowledge();

@@ -45,8 +45,7 @@ QString ProfileChange::whyNot(const StationStatus& status, const Edit& edit) con
     if (const auto problems = m_draft.problemsOf(wanted); !problems.empty()) {
         return QString::fromStdString(problems.front().key + ": " + problems.front().text);
     }
-    const bool anew = !profile::applied(m_draft.inForce(), wanted).waitingKeys.empty();
-    return anew && isMoving(status) ? tr("the mount moves: stop it first") : QString();
+    return needsReconnect(wanted) && isMoving(status) ? tr("the mount moves: stop it first") : QString();
 }
 
 // With --simulate another bus is one for later, and what else is changed meanwhile is the simulated mount's.
@@ -66,6 +65,14 @@ QString ProfileChange::whyNotBus(const std::string& wanted) const
                  : QString();
 }
 
+bool ProfileChange::needsReconnect(profile::Profile wanted) const
+{
+    if (m_draft.keepsSimulated()) {
+        wanted.bus = m_draft.inForce().bus;
+    }
+    return !profile::applied(m_draft.inForce(), wanted).waitingKeys.empty();
+}
+
 void ProfileChange::send(const Edit& edit, QObject* asker, const RequestDesk::Reply& reply)
 {
     if (m_draft.hasEdits()) {
@@ -83,7 +90,7 @@ void ProfileChange::send(const Edit& edit, QObject* asker, const RequestDesk::Re
         return;
     }
     const profile::Profile wanted = m_draft.edited();
-    const bool anew = !profile::applied(m_draft.inForce(), wanted).waitingKeys.empty();
+    const bool anew = needsReconnect(wanted);
     m_draft.apply(asker, [this, wanted, anew, asker, reply](const std::optional<Error>& error) {
         if (error) {
             m_draft.revert();

@@ -2,12 +2,15 @@
 #include "ui/profile_change.h"
 
 #include "core/profile/commissioning.h"
+#include "ui/command_button.h"
+#include "ui/value_label.h"
 
 #include <gtest/gtest.h>
 
 namespace boresight::ui {
 namespace {
 
+// Of a profile whose bus may wait for its reconnect.
 class ProfileChangeTest : public ::testing::Test
 {
 protected:
@@ -59,6 +62,19 @@ TEST_F(ProfileChangeTest, ABusForLaterLeavesTheSimulatedMountToBeSet)
     EXPECT_EQ(whyNotReverse(), QString());
     const auto useAnother = [](profile::Profile& edited) { edited.bus = "socketcan:can1"; };
     EXPECT_TRUE(change.whyNot(status, useAnother).contains(QStringLiteral("--bus socketcan:can1")));
+}
+
+TEST_F(ProfileChangeTest, WhatAppliesAtOnceDoesSoWithABusForLater)
+{
+    draft.keepSimulated();
+    applyBus("socketcan:can0");
+    ValueLabel notice(QStringLiteral("Refused"), fonts::label(), {}, nullptr);
+    CommandButton button(QStringLiteral("Set north"), {}, desk, notice);
+    change.ask(button, [](profile::Profile& edited) { edited.pointing.azimuthOffset = 12_deg; });
+    EXPECT_TRUE(std::holds_alternative<request::ApplyProfile>(asked.request));
+    desk.take({{asked.id, std::nullopt}});
+    EXPECT_FALSE(std::holds_alternative<request::Reconnect>(asked.request)) << "it would end every connection";
+    EXPECT_FALSE(button.isWaiting());
 }
 
 // Story: "Use this" with the simulated mount selected began to lose what had been found of the real one.
