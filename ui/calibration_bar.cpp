@@ -56,8 +56,7 @@ void CalibrationBar::showStatus(const StationStatus& status)
     const CalibrationStatus& calibration = calibrationOf(status);
     const Sentence title = proposalSentence(calibration);
     m_title->setValue(title.text, title.tone, title.symbol);
-    m_change->setValue(calibration.proposal ? changeText(*calibration.proposal) : tr("Steps 1 to 3 find north"),
-                       Tone::Secondary);
+    showChange(calibration.proposal);
     m_change->setVisible(m_notice->text().isEmpty());
     m_shown = calibration.proposal ? calibration.proposal->number : 0;
     m_apply->setCommand(
@@ -67,6 +66,19 @@ void CalibrationBar::showStatus(const StationStatus& status)
     m_apply->setBlocked(whyNoApply(status));
     m_discard->setBlocked(whyNoDiscard(status));
     m_undo->setBlocked(whyNoUndo(status));
+}
+
+// A warning comes first: there is not room for all of it.
+void CalibrationBar::showChange(const std::optional<CalibrationProposal>& proposal)
+{
+    if (!proposal) {
+        m_change->setValue(tr("Steps 1 to 3 find north"), Tone::Secondary);
+    } else if (proposal->warnings.empty()) {
+        m_change->setValue(changeText(*proposal), Tone::Secondary);
+    } else {
+        m_change->setValue(QStringLiteral("%1; %2").arg(proposal->warnings.front(), changeText(*proposal)),
+                           Tone::Warning);
+    }
 }
 
 }  // namespace boresight::ui

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <cstdint>
+#include <optional>
 
 // Below every step of the North panel: what is proposed, every figure before and after, Apply, Discard and Undo. What
 // is applied or discarded is the proposal that stood there when the button was pressed; were it another one by then,
@@ -27,6 +28,7 @@ public:
 
 private:
     void build();
+    void showChange(const std::optional<CalibrationProposal>& proposal);
 
     ValueLabel* m_title;
     ValueLabel* m_change;

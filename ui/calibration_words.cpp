@@ -187,8 +187,7 @@ Sentence proposalSentence(const CalibrationStatus& calibration)
                               .arg(angleText(proposal.residuals->before, 3), angleText(proposal.residuals->after, 3));
     }
     return proposal.warnings.empty() ? Sentence{proposal.title, Tone::Normal}
-                                     : Sentence{proposal.title + QStringLiteral(": ") + proposal.warnings.front(),
-                                                Tone::Warning, Symbol::Warning};
+                                     : Sentence{proposal.title, Tone::Warning, Symbol::Warning};
 }
 
 QString swingText(const SwingOutcome& swing)

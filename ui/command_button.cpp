@@ -41,6 +41,9 @@ void CommandButton::setBlocked(const QString& reason)
 {
     if (reason != m_reason) {
         m_reason = reason;
+        if (!reason.isEmpty() && hasFocus()) {
+            parentWidget()->setFocus(Qt::OtherFocusReason);  // not the next button: a second press would be its own
+        }
         setEnabled(reason.isEmpty());
         showHelp();
     }

@@ -4,12 +4,12 @@
 #include "ui/axes.h"
 #include "ui/caption.h"
 #include "ui/command_button.h"
+#include "ui/decimal_box.h"
 #include "ui/drives_permission.h"
 #include "ui/format.h"
 #include "ui/survey_words.h"
 #include "ui/value_label.h"
 
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 
 namespace boresight::ui {
@@ -41,9 +41,8 @@ QString shortened(const QString& uuid)
 
 QDoubleSpinBox* makeRate(QWidget* parent)
 {
-    auto* const rate = new QDoubleSpinBox(parent);
+    auto* const rate = new DecimalBox(parent);
     rate->setFont(fonts::text());
-    rate->setLocale(QLocale::c());
     rate->setDecimals(1);
     rate->setSingleStep(0.5);
     rate->setRange(kSlowestProof.degrees(), kFastestProof.degrees());

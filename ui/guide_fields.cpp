@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/guide_fields.h"
 
+#include "ui/decimal_box.h"
 #include "ui/theme.h"
-
-#include <QDoubleSpinBox>
 
 namespace boresight::ui {
 
@@ -13,9 +12,8 @@ constexpr int kHeight = 36;  // px; four rows of them fit at 1024×700
 
 QDoubleSpinBox* makeField(const NumberField& field, QWidget* parent)
 {
-    auto* const box = new QDoubleSpinBox(parent);
+    auto* const box = new DecimalBox(parent);
     box->setFont(fonts::label());
-    box->setLocale(QLocale::c());
     box->setDecimals(field.decimals);
     box->setRange(field.min, field.max);
     box->setSuffix(field.unit);

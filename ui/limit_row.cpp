@@ -4,11 +4,11 @@
 #include "ui/axes.h"
 #include "ui/caption.h"
 #include "ui/command_button.h"
+#include "ui/decimal_box.h"
 #include "ui/limit_bar.h"
 #include "ui/sky_limits.h"
 #include "ui/theme.h"
 
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QSignalBlocker>
 
@@ -43,9 +43,8 @@ LimitRow::LimitRow(Axis axis, ProfileDraft& draft, QWidget& panel)
 
 QDoubleSpinBox* LimitRow::makeField(const QString& name, Angle TravelRange::*end, QWidget& panel)
 {
-    auto* const field = new QDoubleSpinBox(&panel);
+    auto* const field = new DecimalBox(&panel);
     field->setFont(fonts::label());
-    field->setLocale(QLocale::c());
     field->setDecimals(1);
     field->setSingleStep(0.5);
     field->setSuffix(QStringLiteral("°"));

@@ -162,7 +162,11 @@ void BodyFollower::tick()
             return sendPoint(false);
         });
         if (!may) {
+            const bool leapt = !staysOnItsWay();
             end(toQString(may.error().text));
+            if (leapt) {
+                m_body.reset();  // nobody has centred it where it is now
+            }
         }
     }
 }

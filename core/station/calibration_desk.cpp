@@ -204,6 +204,7 @@ void CalibrationDesk::pointsChanged()
                        .terms = {.before = m_profile.pointing, .after = m_profile.pointing},
                        .points = m_book.points()});
     m_book.fit(m_profile.pointing, known());
+    m_fitDiscarded = false;
     const ProposedBy other = m_by == ProposedBy::Points ? ProposedBy::Nothing : m_by;
     propose(m_book.fitted() ? ProposedBy::Points : other);
 }
@@ -352,6 +353,7 @@ Result<> CalibrationDesk::handle(const request::DiscardCalibration& wanted)
 {
     return isProposed(wanted.proposal).map([&] {
         m_log.add(Severity::Advisory, QStringLiteral("operator"), Text::tr("discards \"%1\"").arg(m_proposal->title));
+        m_fitDiscarded = m_fitDiscarded || m_by == ProposedBy::Points;
         propose(ProposedBy::Nothing);
     });
 }
@@ -442,8 +444,9 @@ std::optional<Proposal> CalibrationDesk::proposed() const
         case ProposedBy::Swing:
             return swungProposal();
         case ProposedBy::Points:
-            return m_book.fitted() ? std::optional(proposalOf(*m_book.fitted(), m_book.points(), m_profile))
-                                   : std::nullopt;
+            return m_book.fitted() && !m_fitDiscarded
+                       ? std::optional(proposalOf(*m_book.fitted(), m_book.points(), m_profile))
+                       : std::nullopt;
         case ProposedBy::Given:
             return proposalOf(m_given, m_profile);
         case ProposedBy::Nothing:

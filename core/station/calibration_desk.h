@@ -211,7 +211,8 @@ private:
     calibration::RecordMount m_pointsMount;          // of whom the points are
     std::optional<UtcTime> m_axesTold;               // the operator was last asked where an axis stands
     ProposedBy m_by = ProposedBy::Nothing;
-    Angle m_proposedAt;  // the declination that was in force when it was found
+    bool m_fitDiscarded = false;  // what the points say, until they say otherwise
+    Angle m_proposedAt;           // the declination that was in force when it was found
     std::optional<Proposal> m_proposal;
     std::uint64_t m_proposals = 0;
     std::optional<CalibrationChange> m_change;

@@ -97,6 +97,24 @@ TEST_F(NorthTest, DiscardSendsTheProposalThatWasSeenWhenItWasPressed)
     EXPECT_EQ(wanted<request::DiscardCalibration>().front().proposal, 7u);
 }
 
+// Story: a second Space on Discard took back the calibration that was in force.
+TEST_F(NorthTest, ASecondPressOfAButtonThatIsDoneIsNotTheNextOnes)
+{
+    StationStatus status = samples::sixPoints();
+    show(CalibrationStep::Model, status);
+    auto* const discard = named<CommandButton>("Discard what is proposed");
+    discard->setFocus();
+    QTest::keyClick(discard, Qt::Key_Space);
+    CalibrationStatus without = *status.calibration;
+    without.proposal.reset();
+    status.calibration = std::make_shared<const CalibrationStatus>(without);
+    give(samples::update(status));
+    ASSERT_FALSE(discard->isEnabled());
+    ASSERT_TRUE(named<CommandButton>("Undo the calibration")->isEnabled());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+    EXPECT_TRUE(wanted<request::UndoCalibration>().empty());
+}
+
 TEST_F(NorthTest, UndoAndRedoAreOfferedWhereThereIsSomethingAndTheHistoryWarnsOfAnotherMount)
 {
     StationStatus status = samples::sixPoints();

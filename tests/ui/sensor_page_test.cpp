@@ -171,6 +171,7 @@ TEST_F(NorthTest, AHopelessPlaceIsSaidFirstAndNothingOfItCanBeApplied)
     EXPECT_TRUE(found.contains(QStringLiteral("No tilt: the boom was below 10°")));
     expectBlocked("Apply north", "a hopeless swing is not applied");
     EXPECT_EQ(named<ValueLabel>("Proposed calibration")->symbol(), Symbol::Warning);
+    EXPECT_TRUE(text("What Apply changes").startsWith(samples::swungInVain().calibration->proposal->warnings.front()));
 }
 
 }  // namespace

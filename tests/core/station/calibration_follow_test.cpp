@@ -30,6 +30,7 @@ TEST(CalibrationFollow, AClockThatIsSetMovesNothing)
     EXPECT_TRUE(std::ranges::any_of(rig.log.since(0, 3), [](const LogEntry& line) {
         return line.text.contains(QStringLiteral("the clock of this computer"));
     }));
+    EXPECT_FALSE(rig.ask(request::TakePoint{})) << "Story: a Sun 45° beside the beam was taken, and north moved 15°";
     const auto again = rig.ask(request::FollowBody{.body = Body::Sun});
     EXPECT_TRUE(again) << again.error().text;
 }

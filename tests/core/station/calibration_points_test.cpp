@@ -256,6 +256,10 @@ TEST(CalibrationPoints, WhatIsDiscardedIsProposedNoMoreAndChangesNothing)
     EXPECT_EQ(rig.status().points.size(), 1U);
     EXPECT_FALSE(rig.ask(request::ApplyCalibration{number}));
     EXPECT_FALSE(rig.ask(request::DiscardCalibration{number}));
+    ASSERT_TRUE(rig.ask(request::ProposeTerms{{.azimuthOffset = 12_deg}}));
+    ASSERT_TRUE(rig.apply());
+    ASSERT_TRUE(rig.ask(request::UndoCalibration{}));
+    EXPECT_FALSE(rig.status().proposal) << "Undo is no new point";
     takeSun(rig, 10.0);
     EXPECT_TRUE(rig.status().proposal) << "what comes later is";
 }
