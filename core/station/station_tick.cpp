@@ -35,6 +35,9 @@ std::array<CanFrame, 2> StationControl::tick()
     watchStall(now - m_now);
     const Seconds step = std::clamp(Seconds(now - m_now), Seconds(0.0), kLongestStep);
     m_now = now;
+    if (m_tick == 0) {
+        m_started = now;  // the drives have had no question before
+    }
     ++m_tick;
     m_drives.judge(now);
     if (m_arming.losesConnection(now)) {

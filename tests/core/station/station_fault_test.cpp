@@ -47,6 +47,19 @@ TEST(StationControl, AFaultOnOneAxisHoldsTheOtherAndWaitsForRearm)
     EXPECT_NEAR(rig.azimuthDegrees(), 100.0, 0.001);
 }
 
+// Story: on a busy computer two red "No reply" greeted a newcomer before the first question had been sent.
+TEST(StationControl, WhoHasHadNoQuestionIsNotSilent)
+{
+    StationRig rig;
+    rig.clock.advance(Seconds(5.0));
+    rig.run(Seconds(0.5));
+    EXPECT_TRUE(std::ranges::none_of(
+        rig.log.since(0, 100), [](const LogEntry& line) { return line.text.startsWith(QStringLiteral("No reply")); }));
+    rig.azimuth.silent = true;
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.control.status().alarms.front().what, QStringLiteral("No reply from the azimuth drive."));
+}
+
 TEST(StationControl, ASilentBusInMidMotionNeedsRearm)
 {
     StationRig rig;
