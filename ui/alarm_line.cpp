@@ -83,6 +83,7 @@ void AlarmLine::showWorst(const StationStatus& status)
         m_what->setValue(tr("No alarm"), Tone::Secondary);
         m_what->setToolTip({});
         m_advice->setValue({});
+        m_advice->setToolTip({});
         return;
     }
     const Alarm& worst = status.alarms.front();

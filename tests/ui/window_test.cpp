@@ -280,6 +280,10 @@ TEST_F(WindowTest, ATargetOutsideTheLimitsIsToldWithTheReason)
     EXPECT_TRUE(text("Worst alarm").contains(QStringLiteral("outside the limits")));
     EXPECT_TRUE(
         named<ValueLabel>("Worst alarm")->toolTip().contains(QStringLiteral("elevation -2.4° below limit 10.0°")));
+    EXPECT_FALSE(named<ValueLabel>("What was done and what to do")->toolTip().isEmpty());
+    give(samples::update(samples::idle()));
+    EXPECT_EQ(named<ValueLabel>("Worst alarm")->toolTip(), QString());
+    EXPECT_EQ(named<ValueLabel>("What was done and what to do")->toolTip(), QString()) << "beside \"No alarm\"";
 }
 
 TEST_F(WindowTest, ClosingAsksOnceOnlyWhileTheMountMoves)
