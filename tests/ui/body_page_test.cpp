@@ -238,7 +238,7 @@ TEST_F(NorthTest, TheScanTellsAndShowsWhatItFound)
 {
     show(CalibrationStep::Body, samples::scanned());
     choose("The peak of the received power, by a cross scan");
-    const calibration::CrossScan& scan = *samples::scanned().calibration->scan;
+    const calibration::CrossScan scan = *samples::scanned().calibration->scan;
     EXPECT_EQ(text("What the scan found"),
               QStringLiteral("Peak: across +0.60° ± %1, elevation -0.40° ± %2; beam 2.0° × 2.0°, 3.0 dB over the "
                              "background")
