@@ -13,6 +13,8 @@ namespace boresight::ui {
 
 namespace {
 
+constexpr std::chrono::seconds kSaidFor{10};  // time enough to read a path
+
 QSizePolicy keepsItsPlace()
 {
     QSizePolicy policy(QSizePolicy::Fixed, QSizePolicy::Fixed);
@@ -122,9 +124,22 @@ void AlarmLine::showRecovery(const StationStatus& status)
                                  : tr("Keep the mount for the operator: motion commands of clients are refused"));
 }
 
-void AlarmLine::flash(bool on)
+void AlarmLine::beat(SteadyTime now, bool flashing)
 {
-    m_what->setSymbolShown(on || !m_flashing);
+    m_what->setSymbolShown(flashing || !m_flashing);
+    if (!m_said.isEmpty() && now - m_saidAt >= kSaidFor) {
+        if (m_notice->text() == m_said) {
+            m_notice->setValue({});
+        }
+        m_said.clear();
+    }
+}
+
+void AlarmLine::sayForAWhile(const QString& what, SteadyTime now)
+{
+    m_notice->setValue(what);
+    m_said = what;
+    m_saidAt = now;
 }
 
 void AlarmLine::acknowledge()

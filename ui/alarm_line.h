@@ -22,7 +22,9 @@ public:
     explicit AlarmLine(RequestDesk& desk, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
-    void flash(bool on);
+    void beat(SteadyTime now, bool flashing);
+    // In the place of a refusal, for some seconds: it stands beside what to do about an alarm.
+    void sayForAWhile(const QString& what, SteadyTime now);
     void acknowledge();  // F8
 
     // For refusals of controls that have no line of their own (STOP).
@@ -42,6 +44,8 @@ private:
     StationState m_state = StationState::Disconnected;
     Authority m_control = Authority::Clients;
     bool m_flashing = false;
+    QString m_said;
+    SteadyTime m_saidAt{};
 };
 
 }  // namespace boresight::ui

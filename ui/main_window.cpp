@@ -47,7 +47,6 @@ namespace {
 constexpr std::chrono::milliseconds kBeat{100};
 constexpr int kBeatsPerSecond = 10;
 constexpr std::chrono::seconds kStopUnanswered{1};
-constexpr std::chrono::seconds kSaidFor{10};  // time enough to read a path
 
 }  // namespace
 
@@ -100,8 +99,9 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(&m_panels->jog(), &JogPanel::recentGoTosChanged, this, &MainWindow::recentGoTosChanged);
     connect(m_plot, &PolarPlot::editingChanged, this, &MainWindow::showEditing);
     connect(&m_panels->log(), &LogPanel::diagnosticsWanted, this, &MainWindow::saveDiagnostics);
-    connect(m_diagnostics, &DiagnosticsSaver::saved, this,
-            [this](const QString& path) { sayForAWhile(tr("Diagnostics saved: %1").arg(path)); });
+    connect(m_diagnostics, &DiagnosticsSaver::saved, this, [this](const QString& path) {
+        m_alarms->sayForAWhile(tr("Diagnostics saved: %1").arg(path), m_clock.now());
+    });
     connect(m_diagnostics, &DiagnosticsSaver::failed, this,
             [this](const QString& reason) { warn(tr("Diagnostics not saved: %1").arg(reason)); });
     m_panels->arrange(settings.layout);
@@ -255,13 +255,7 @@ void MainWindow::beat()
     if (m_clock.now() - m_lastUpdate >= kLateAfter || m_stopSince) {
         showStatus(aged());
     }
-    if (!m_said.text.isEmpty() && m_clock.now() >= m_said.until) {
-        if (m_alarms->notice().text() == m_said.text) {
-            m_alarms->notice().setValue({});
-        }
-        m_said = {};
-    }
-    m_alarms->flash(m_beats % kBeatsPerSecond < kBeatsPerSecond / 2);
+    m_alarms->beat(m_clock.now(), m_beats % kBeatsPerSecond < kBeatsPerSecond / 2);
     m_panels->jog().beat();
     m_panels->north().beat();
     if (m_beats % kBeatsPerSecond == 0) {
@@ -313,13 +307,6 @@ void MainWindow::stop()
                                         Symbol::Alarm);
         }
     });
-}
-
-// It stands in the place of an alarm's remedy.
-void MainWindow::sayForAWhile(const QString& what)
-{
-    m_alarms->notice().setValue(what);
-    m_said = {.text = what, .until = m_clock.now() + kSaidFor};
 }
 
 void MainWindow::warn(const QString& what)

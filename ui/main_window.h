@@ -104,16 +104,9 @@ private:
     void closeGuide();
     void toggleGuide();
     void goTo();
-    void sayForAWhile(const QString& what);
     void hold();
     void park();
     void acknowledge();
-
-    struct Said
-    {
-        QString text;
-        SteadyTime until{};
-    };
 
     const Clock& m_clock;
     RequestDesk m_desk;
@@ -121,7 +114,6 @@ private:
     ProfileDraft m_draft;
     StationStatus m_status;
     SteadyTime m_lastUpdate;
-    Said m_said;
     std::optional<SteadyTime> m_stopSince;  // a STOP the status does not show yet
     HeaderBar* m_header;
     AlarmLine* m_alarms;
