@@ -35,19 +35,19 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 set(CMAKE_AUTOMOC ON)
 set(CMAKE_AUTORCC ON)
 
-# One cache for every checkout: paths below the source folder are made relative before hashing.
+# One cache for every checkout: paths below the source folder are made relative before hashing, and a precompiled header
+# is compared by what it defines rather than by its date.
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER
-    "${CMAKE_COMMAND};-E;env;CCACHE_BASEDIR=${CMAKE_SOURCE_DIR};CCACHE_NOHASHDIR=1;${CCACHE_PROGRAM}")
+    "${CMAKE_COMMAND};-E;env;CCACHE_BASEDIR=${CMAKE_SOURCE_DIR};CCACHE_NOHASHDIR=1"
+    "CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime;${CCACHE_PROGRAM}")
+  target_compile_options(boresight_options INTERFACE -fpch-preprocess)
 endif()
 
 # boresight_precompile(TARGET HEADER…)
 # Headers that nearly every source of a target includes are compiled once for it: half of the time of a build from
-# nothing. Not with a compiler cache, which could then no longer share what one checkout compiled with another; so each
-# source is also compiled with no more than it includes itself.
+# nothing.
 function(boresight_precompile target)
-  if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    target_precompile_headers(${target} PRIVATE ${ARGN})
-  endif()
+  target_precompile_headers(${target} PRIVATE ${ARGN})
 endfunction()

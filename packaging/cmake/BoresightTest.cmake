@@ -5,7 +5,8 @@ include(GoogleTest)
 # One GoogleTest executable per module. LIBRARIES is what is tested (boresight_core or boresight_ui); NO_MAIN leaves
 # out GTest's main for tests that bring their own (a QCoreApplication or QApplication). SERIAL is for tests that measure
 # real time: nothing else runs beside them. ONE_THREAD is for tests in which ThreadSanitizer has nothing to find, or
-# nothing that a test beside them does not show: its build leaves them out. HEADERS are precompiled besides the usual.
+# nothing that a test beside them does not show: its build leaves them out. All share one precompiled header; HEADERS
+# gives an executable one of its own, with these besides the usual.
 #
 # Tests are not optimised: what they test is, and half of the time of a build from nothing goes into them.
 function(boresight_add_test name)
@@ -29,9 +30,10 @@ function(boresight_add_test name)
     target_link_libraries(${name} PRIVATE ${T_LIBRARIES} GTest::gmock_main)
   endif()
   target_compile_options(${name} PRIVATE -O0)
-  list(LENGTH T_SOURCES sources)
-  if(sources GREATER 3)
-    boresight_precompile(${name} <gmock/gmock.h> <gtest/gtest.h> ${core_headers} ${T_HEADERS})
+  if(T_HEADERS)
+    boresight_precompile(${name} ${test_headers} ${T_HEADERS})
+  else()
+    target_precompile_headers(${name} REUSE_FROM boresight_test_headers)
   endif()
   target_compile_definitions(${name} PRIVATE BORESIGHT_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data")
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${T_LABEL}" TIMEOUT ${T_TIMEOUT}
