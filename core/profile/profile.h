@@ -87,10 +87,18 @@ struct MountSettings
     bool operator==(const MountSettings&) const = default;
 };
 
+// What a short stall of this computer leaves behind, in which the drives stopped by their watchdogs.
+enum class AfterStall
+{
+    Resume,  // the motion goes on, where nothing is in doubt
+    Wait     // for a re-arm
+};
+
 struct ControlSettings
 {
     int tickHz = 50;
     Seconds watchdog{0.1};
+    AfterStall afterStall = AfterStall::Resume;
     OnExit onExit = OnExit::Hold;
     Angle driveLimitMargin = Angle::fromDegrees(3.0);  // of the drives' own position bounds beyond the travel
 

@@ -126,6 +126,12 @@ void addControl(std::vector<Setting>& list)
         QT_TRANSLATE_NOOP("Text", "The drives stop by themselves after this time without a command."),
         [](auto& p) -> auto& { return p.control.watchdog; }));
     list.push_back(choice(
+        "control.after_stall", {"resume", "wait"}, Applies::Now,
+        QT_TRANSLATE_NOOP("Text",
+                          "After this computer stalled for up to 2 s and the drives stopped by their watchdogs: resume "
+                          "the motion by itself, or wait for a re-arm."),
+        [](auto& p) -> auto& { return p.control.afterStall; }));
+    list.push_back(choice(
         "control.on_exit", {"hold", "brake", "off"}, Applies::Now,
         QT_TRANSLATE_NOOP("Text",
                           "What the drives are left doing when the program ends. hold needs servo.timeout_mode 10 in "

@@ -112,6 +112,7 @@ public:
     [[nodiscard]] bool takeEngaged() { return std::exchange(m_justEngaged, false); }
     // Given once when a drive was lost, or is in fault; it is Listening then.
     [[nodiscard]] std::optional<DriveLoss> takeLoss() { return std::exchange(m_loss, std::nullopt); }
+    [[nodiscard]] const std::optional<DriveLoss>& loss() const { return m_loss; }  // not taken yet
 
     [[nodiscard]] Phase phase() const { return m_phase; }
     [[nodiscard]] const std::string& name() const { return m_name; }  // as the source of a line and cause of an alarm

@@ -46,7 +46,8 @@ public:
     // The axis was re-armed, its turn was set, its drive restarted, or this computer stalled: what it did before says
     // nothing any more.
     void forgetMotion();
-    void engaged();  // its set-point was put where it stands
+    void forgetReplies() { m_supervisor.forgetReplies(); }  // this computer was late
+    void engaged();                                         // its set-point was put where it stands
     void rearmed();
 
 private:

@@ -16,6 +16,7 @@
 #include "core/station/first_moves.h"
 #include "core/station/log_throttle.h"
 #include "core/station/motion.h"
+#include "core/station/own_stall.h"
 #include "core/station/request.h"
 #include "core/station/station_status.h"
 #include "core/station/sun_watch.h"
@@ -222,6 +223,9 @@ private:
     [[nodiscard]] AxisPosition heading() const;   // where the axes are going, else where they stand
 
     void watchStall(Seconds gap);
+    void resumeAfterStall();
+    [[nodiscard]] bool mayResume(Axis axis) const;
+    void finishResumption();
     void watchDrives();
     void keepStopped();
     void stopFor(Axis axis, const DriveWatch::Trouble& trouble);
@@ -276,6 +280,7 @@ private:
     DriveWatch m_azimuthWatch;
     DriveWatch m_elevationWatch;
     TurnKeeper m_turns;
+    OwnStall m_stall;
     LogThrottle m_clientLines;
     std::array<std::optional<survey::DriveFacts>, 2> m_facts;
     std::optional<CrashStopProof> m_proof;

@@ -14,7 +14,8 @@ constexpr Seconds kLongestStep{0.1};
 constexpr Seconds kShutDownPatience{5.0};
 constexpr Seconds kStall{0.125};
 // Long enough for a hand at the mount's switch; what a tool sets meanwhile is seen by its origin.
-constexpr Seconds kLongStall{1.0};
+constexpr Seconds kLongStall{2.0};
+const QString kStallCause = QStringLiteral("computer stall");
 // How long the last order of the program is repeated, so that a lost frame does not matter.
 constexpr std::chrono::milliseconds kLastOrder{150};
 // From full speed, with a second to spare.
@@ -44,6 +45,7 @@ std::array<CanFrame, 2> StationControl::tick()
         holdHere(Activity::None);
     }
     keepTurns();
+    resumeAfterStall();
     watchDrives();
     keepStopped();
     watchJog();
@@ -164,17 +166,76 @@ void StationControl::tellTurns()
 
 void StationControl::watchStall(Seconds gap)
 {
-    if (m_tick > 0 && gap > kStall) {
-        m_drives.excuse(gap, m_now + std::chrono::duration_cast<SteadyTime::duration>(gap));
-        for (const Axis axis : kAxes) {
-            watchOf(axis).forgetMotion();
-            if (gap > kLongStall) {
-                m_turns.forget(axis);  // whatever was done to the drive meanwhile
-            }
+    if (m_tick == 0 || !m_stall.note(gap, m_profile.control.watchdog, m_motion.place(), m_clock.now())) {
+        return;
+    }
+    m_drives.excuse(gap, m_now + std::chrono::duration_cast<SteadyTime::duration>(gap));
+    m_azimuthWatch.forgetReplies();
+    m_elevationWatch.forgetReplies();
+    if (gap <= kStall) {
+        return;
+    }
+    for (const Axis axis : kAxes) {
+        watchOf(axis).forgetMotion();
+        if (gap > kLongStall) {
+            m_turns.forget(axis);  // whatever was done to the drive meanwhile
         }
-        m_log.add(Severity::Warning, QStringLiteral("station"),
-                  Text::tr("this computer stalled for %1 s; drives may have stopped by their watchdog")
-                      .arg(gap.count(), 0, 'f', 2));
+    }
+    m_log.add(Severity::Warning, QStringLiteral("station"),
+              Text::tr("this computer stalled for %1 s; drives may have stopped by their watchdog")
+                  .arg(gap.count(), 0, 'f', 2));
+}
+
+// The watchdogs of the drives may have stopped the mount. What was going on goes on where nothing is in doubt: each
+// drive is taken over as after any time-out, and what is wanted was never given up.
+void StationControl::resumeAfterStall()
+{
+    for (const Axis axis : kAxes) {
+        Drive& drive = m_drives.drive(axis);
+        if (drive.loss() == DriveLoss::TimedOut && mayResume(axis)) {
+            (void)drive.takeLoss();
+            drive.engage();
+            m_stall.resume();
+            m_alarms.raise(
+                kStallCause, Severity::Advisory,
+                {.what = Text::tr("This computer stalled for %1 s, and the drives stopped by their watchdogs.")
+                             .arg(m_stall.gap().count(), 0, 'f', 2),
+                 .action = Text::tr("Boresight takes the drives over and resumes the motion."),
+                 .remedy = {}});
+        }
+    }
+    finishResumption();
+}
+
+bool StationControl::mayResume(Axis axis) const
+{
+    const auto isHealthy = [this](Axis which) {
+        const Drive& drive = m_drives.drive(which);
+        return drive.report() && drive.report()->mode != moteus::Mode::Fault &&
+               drive.loss().value_or(DriveLoss::TimedOut) == DriveLoss::TimedOut;
+    };
+    const bool hindered = m_proof || m_arming.closing() || m_arming.released() || m_arming.stopLatched() ||
+                          faultLatched() || !m_arming.fitness();
+    const auto place = m_drives.measured(axis);
+    return m_profile.control.afterStall == profile::AfterStall::Resume && m_stall.explainsTimeOut(m_now) && !hindered &&
+           turnsKnown() && std::ranges::all_of(kAxes, isHealthy) && place && m_stall.isNear(axis, *place);
+}
+
+void StationControl::finishResumption()
+{
+    if (!m_stall.resuming() || (!m_drives.engaged() && !faultLatched() && !m_stall.isLate(m_now))) {
+        return;
+    }
+    m_stall.end();
+    m_alarms.clear(kStallCause);
+    for (const Axis axis : kAxes) {
+        const Drive& drive = m_drives.drive(axis);
+        if (drive.phase() != Drive::Phase::Engaged && !faultLatched()) {
+            const AlarmText text =
+                drive_alarms::lost(drive.label(), DriveLoss::TimedOut, 0, m_profile.control.watchdog);
+            m_alarms.raise(toQString(drive.name()), Severity::Alarm, text);
+            stopFor(axis, {.what = text.what, .loss = supervision::LossClass::Bus});
+        }
     }
 }
 

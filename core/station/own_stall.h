@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/units/quantity.h"
+#include "core/units/sky.h"
+
+// The last stall of this computer: for how long it sent no commands, and where the set-points were. Decides whether the
+// motion may go on after the drives stopped by their watchdogs. Pure, one thread; mechanical angles.
+namespace boresight {
+
+class OwnStall
+{
+public:
+    // Between two ticks passed `gap`; a drive stops by itself when it gets no command for `watchdog`. True if it may
+    // have.
+    bool note(Seconds gap, Seconds watchdog, const AxisPosition& setpoints, SteadyTime now);
+
+    // A time-out that is seen now comes from the stall, and the stall was short enough to go on.
+    [[nodiscard]] bool explainsTimeOut(SteadyTime now) const;
+    // The axis stands where a braked mount can stand.
+    [[nodiscard]] bool isNear(Axis axis, Angle measured) const;
+
+    // The drives are being taken over again.
+    void resume() { m_resuming = true; }
+    void end() { m_resuming = false; }
+    [[nodiscard]] bool resuming() const { return m_resuming; }
+    // The drives had their time.
+    [[nodiscard]] bool isLate(SteadyTime now) const;
+    [[nodiscard]] Seconds gap() const { return m_gap; }
+
+private:
+    Seconds m_gap{0.0};
+    SteadyTime m_end{};
+    AxisPosition m_setpoints{};
+    bool m_possible = false;  // that a watchdog acted, and that the motion may go on
+    bool m_resuming = false;
+};
+
+}  // namespace boresight
