@@ -9,6 +9,7 @@
 #include "ui/symbol.h"
 
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -24,6 +25,7 @@ LogPanel::LogPanel(RequestDesk& desk, bool sound, QWidget* parent)
       m_alarms(new AlarmsPage(desk, sound, this)),
       m_choice(new QHBoxLayout),
       m_pages(new QStackedWidget(this)),
+      m_timing(new QLabel(this)),
       m_alarmsChoice(addPage(*m_alarms, tr("Alarms"), tr("Alarms of now and since the start of the window")))
 {
     connect(m_alarms, &AlarmsPage::beepWanted, this, &LogPanel::beepWanted);
@@ -35,6 +37,9 @@ LogPanel::LogPanel(RequestDesk& desk, bool sound, QWidget* parent)
     column->setContentsMargins(6, 6, 6, 6);
     column->addLayout(m_choice);
     column->addWidget(m_pages, 1);
+    m_timing->setWordWrap(true);
+    m_timing->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    column->addWidget(m_timing);
 }
 
 void LogPanel::addDiagnosticsButton()
@@ -67,6 +72,10 @@ ChoiceButton* LogPanel::addPage(QWidget& page, const QString& text, const QStrin
 void LogPanel::showStatus(const StationStatus& status)
 {
     m_alarms->showStatus(status);
+    m_timing->setText(tr("Control ticks: late by %1 ms (99 % of them), %2 ms at worst. %3")
+                          .arg(status.timing.lateP99.count() * 1e3, 0, 'f', 1)
+                          .arg(status.timing.lateWorst.count() * 1e3, 0, 'f', 1)
+                          .arg(status.timing.scheduling));
     const auto waits = [](const Alarm& alarm) { return !alarm.acknowledged; };
     const auto first = std::ranges::find_if(status.alarms, waits);
     m_alarmsChoice->setText(first == status.alarms.end()

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 class QHBoxLayout;
+class QLabel;
 class QStackedWidget;
 
 // What happened, seen in three ways: the alarms; who moved the mount and why; every event. How many alarms wait for
@@ -46,6 +47,7 @@ private:
     AlarmsPage* m_alarms;
     QHBoxLayout* m_choice;
     QStackedWidget* m_pages;
+    QLabel* m_timing;
     ChoiceButton* m_alarmsChoice;
 };
 

@@ -155,11 +155,13 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
         const profile::Profile profile = options.overridden(wanted);
         auto station = std::make_unique<Station>(profile, links.make(profile.bus), options.stateDir, clock);
         station->setSensorMaker(links.sensors());
+        station->wantRealTime();
         return station;
     };
     auto first = std::make_unique<Station>(options.profile, links.make(options.profile.bus), options.stateDir, clock,
                                            options.standingAt);
     first->setSensorMaker(links.sensors());
+    first->wantRealTime();
     app::StationThread station(std::move(first), build);
     app::ProfileSaver saver(options.configDir, options.profilePath, options.profile);
     if (options.onlySimulated) {

@@ -35,6 +35,7 @@ int run(QCoreApplication& application, const app::Options& options)
     const LinkMaker links(options.profile, clock);
     Station station(options.profile, links.make(options.profile.bus), options.stateDir, clock, options.standingAt);
     station.setSensorMaker(links.sensors());
+    station.wantRealTime();
     app::UnixSignals signals;
     QObject::connect(&station, &Station::started, &application, [&](const QString& listening, const QString& problem) {
         if (listening.isEmpty()) {

@@ -142,6 +142,11 @@ QString stationText(const StationStatus& status)
                  status.stopLatched ? QStringLiteral(", STOP is latched") : QString()),
         QStringLiteral("target: %1 by %2").arg(orUnknown(status.targetText), status.commander.name),
         QStringLiteral("bus: %1%2").arg(status.busName, status.simulated ? QStringLiteral(" (simulated)") : QString()),
+        QStringLiteral("control ticks late: median %1 ms, p99 %2 ms, worst %3 ms. %4")
+            .arg(status.timing.lateP50.count() * 1e3, 0, 'f', 1)
+            .arg(status.timing.lateP99.count() * 1e3, 0, 'f', 1)
+            .arg(status.timing.lateWorst.count() * 1e3, 0, 'f', 1)
+            .arg(status.timing.scheduling),
         QStringLiteral("rotctld: listens on %1").arg(orUnknown(status.listening)),
         axisLine("azimuth", status.azimuth),
         axisLine("elevation", status.elevation)};

@@ -138,6 +138,9 @@ Station::~Station()
 
 void Station::start()
 {
+    if (m_wantsRealTime) {
+        m_realTime.ask();
+    }
     openAll();
     m_tickTimer.start();
     m_updateTimer.start();
@@ -424,6 +427,10 @@ StationStatus Station::status() const
     m_care.fill(status.drives);
     status.listening = QString::fromStdString(m_server.address());
     status.clients = clients();
+    status.timing = {.lateP50 = m_lateness.percentile(0.5),
+                     .lateP99 = m_lateness.percentile(0.99),
+                     .lateWorst = m_lateness.percentile(1.0),
+                     .scheduling = m_realTime.text()};
     status.broker = m_broker.status();
     status.sensor = m_sensor.status();
     m_calibration.fill(status);

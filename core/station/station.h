@@ -11,6 +11,7 @@
 #include "core/station/event_file.h"
 #include "core/station/event_log.h"
 #include "core/station/live_profile.h"
+#include "core/station/real_time.h"
 #include "core/station/request.h"
 #include "core/station/station_broker.h"
 #include "core/station/station_control.h"
@@ -50,6 +51,9 @@ public:
 
     // How the orientation sensor is reached, if not by what the profile says alone. Before start().
     void setSensorMaker(SensorMaker maker) { m_sensor.setMaker(std::move(maker)); }
+
+    // Asks for real-time scheduling of the thread that start() runs on. Before start().
+    void wantRealTime() { m_wantsRealTime = true; }
 
     [[nodiscard]] StationStatus status() const;
     [[nodiscard]] const TickLateness& lateness() const { return m_lateness; }
@@ -115,6 +119,8 @@ private:
     QTimer m_updateTimer;
     QTimer m_reopenTimer;
     TickLateness m_lateness;
+    RealTime m_realTime{this};
+    bool m_wantsRealTime = false;
     std::vector<Answer> m_answers;
     std::deque<TickSample> m_samples;  // since the last update
     std::uint64_t m_lastLogSent = 0;

@@ -149,6 +149,15 @@ struct Alarm
     bool acknowledged = false;
 };
 
+// How late the control ticks have come since the start, and what the system grants them.
+struct TimingStatus
+{
+    Seconds lateP50{0.0};
+    Seconds lateP99{0.0};
+    Seconds lateWorst{0.0};
+    QString scheduling;  // one line; empty where it was not asked for
+};
+
 struct StationStatus
 {
     StationState state = StationState::Disconnected;
@@ -173,6 +182,7 @@ struct StationStatus
     bool simulated = false;
     QString listening;  // "127.0.0.1:4533", empty when the server could not listen
     std::vector<ClientStatus> clients;
+    TimingStatus timing;
     BrokerStatus broker;
     SensorStatus sensor;
     std::vector<Alarm> alarms;  // active or unacknowledged, worst first
