@@ -53,11 +53,16 @@ Result<> Arming::admits(const Source& source) const
     if (const auto reason = fault()) {
         return failure(ErrorCode::Refused, Text::tr("%1: re-arm first").arg(*reason));
     }
+    return mayCommand(source).and_then([this] { return m_fitness; });
+}
+
+Result<> Arming::mayCommand(const Source& source) const
+{
     if (source.kind == SourceKind::Client && m_authority == Authority::Operator) {
         return failure(ErrorCode::Refused,
                        Text::tr("the operator has taken over: give control back to the clients first"));
     }
-    return m_fitness;
+    return {};
 }
 
 void Arming::latchStop()

@@ -31,6 +31,8 @@ public:
 
     // May this source start a motion? The error says what stands in the way and what to do.
     [[nodiscard]] Result<> admits(const Source& source) const;
+    // Has this source the control authority, whatever else stands in the way?
+    [[nodiscard]] Result<> mayCommand(const Source& source) const;
 
     // Nothing moves until reset; a STOP also takes the authority from the clients.
     void latchStop();

@@ -22,14 +22,21 @@ QString ago(SteadyTime::duration age)
 
 void ClientLead::came(const Source& client, const std::string& host)
 {
-    m_clients[client.clientId] = {.client = client, .host = host};
+    Connected& one = m_clients[client.clientId] = {.client = client, .host = host};
+    if (const auto passer = m_passers.find(host); passer != m_passers.end()) {
+        one.asked = passer->second.asked;
+        one.waits = passer->second.waits;
+        m_passers.erase(passer);
+    }
 }
 
 // Some programs connect for each command. They would lose the lead between any two, so a client that leaves after a
 // single motion command leaves it to a later connection of its host until kRelease is over.
 void ClientLead::gone(const Source& client)
 {
-    m_clients.erase(client.clientId);
+    if (const auto left = m_clients.extract(client.clientId); left && left.mapped().asked && left.mapped().asks <= 1) {
+        m_passers[left.mapped().host] = {.asked = *left.mapped().asked, .waits = left.mapped().waits};
+    }
     if (!m_leader || m_leader->client.clientId != client.clientId) {
         return;
     }
@@ -71,7 +78,7 @@ QString ClientLead::leaderText(SteadyTime now) const
         .arg(m_leader->client.name, when);
 }
 
-Result<> ClientLead::admits(const Rules& rules, const Source& client, SteadyTime now) const
+Result<> ClientLead::mayAct(const Rules& rules, const Source& client, SteadyTime now) const
 {
     if (readOnly(client.clientId)) {
         return failure(ErrorCode::Refused, Text::tr("the operator has made this client read-only"));
@@ -83,6 +90,54 @@ Result<> ClientLead::admits(const Rules& rules, const Source& client, SteadyTime
         return failure(ErrorCode::Refused, leaderText(now));
     }
     return {};
+}
+
+Result<> ClientLead::admits(const Rules& rules, const Source& client, SteadyTime now) const
+{
+    return mayAct(rules, client, now).and_then([&]() -> Result<> {
+        if (waits(client.clientId)) {
+            return failure(ErrorCode::Refused, Text::tr("Another client re-armed the drives while this one kept "
+                                                        "sending. Pause it for %1 s, or send R 1.")
+                                                   .arg(kRelease.count()));
+        }
+        return {};
+    });
+}
+
+void ClientLead::asked(const Source& client, SteadyTime now)
+{
+    std::erase_if(m_passers, [now](const auto& passer) { return now - passer.second.asked >= kRelease; });
+    const auto found = m_clients.find(client.clientId);
+    if (found == m_clients.end()) {
+        return;
+    }
+    Connected& one = found->second;
+    one.waits = one.waits && now - *one.asked < kRelease;
+    one.asked = now;
+    ++one.asks;
+}
+
+void ClientLead::rearmed(const Source& client, SteadyTime now)
+{
+    for (auto& [id, one] : m_clients) {
+        one.waits = id != client.clientId && one.asked && now - *one.asked < kRelease;
+    }
+    for (auto& [host, passer] : m_passers) {
+        passer.waits = !rotctld::sameHost(host, hostOf(client.clientId));
+    }
+}
+
+bool ClientLead::waits(std::uint64_t clientId) const
+{
+    const auto found = m_clients.find(clientId);
+    return found != m_clients.end() && found->second.waits;
+}
+
+void ClientLead::acted(const Source& client)
+{
+    if (const auto found = m_clients.find(client.clientId); found != m_clients.end()) {
+        found->second.waits = false;
+    }
 }
 
 void ClientLead::moved(const Source& client, SteadyTime now)
@@ -103,6 +158,7 @@ Result<> ClientLead::give(const Rules& rules, std::uint64_t clientId, SteadyTime
                        Text::tr("the mount is locked to %1: unlock it first").arg(toQString(rules.lockedTo)));
     }
     found->second.readOnly = false;
+    found->second.waits = false;
     m_leader = Leader{.client = found->second.client, .host = found->second.host, .since = now, .given = true};
     return {};
 }
@@ -122,6 +178,10 @@ Result<> ClientLead::setReadOnly(std::uint64_t clientId, bool readOnly)
 
 void ClientLead::resume(SteadyTime now)
 {
+    for (auto& [id, one] : m_clients) {
+        one.waits = false;
+    }
+    m_passers.clear();
     if (m_leader && !m_leader->left) {
         m_leader->since = now;
     }

@@ -28,10 +28,22 @@ public:
     void came(const Source& client, const std::string& host);
     void gone(const Source& client);
 
-    // May this client move the mount now? The error says who leads instead.
+    // May this client move the mount now? The error says who leads instead, or what the client waits for.
     [[nodiscard]] Result<> admits(const Rules& rules, const Source& client, SteadyTime now) const;
+    // The same, but for the wait after a re-arm: it could take the control by an act of its own.
+    [[nodiscard]] Result<> mayAct(const Rules& rules, const Source& client, SteadyTime now) const;
+    // It asks for a motion, whatever the answer will be. Call before admits().
+    void asked(const Source& client, SteadyTime now);
     // It has moved the mount.
     void moved(const Source& client, SteadyTime now);
+
+    // This client has re-armed the drives, which is an act of its own. Every other client that keeps asking for motions
+    // waits: the mount must not set off because a stream went on through the fault. The wait ends when the client asks
+    // for nothing during kRelease, acts itself, connects anew, or is given control by the operator.
+    void rearmed(const Source& client, SteadyTime now);
+    [[nodiscard]] bool waits(std::uint64_t clientId) const;
+    // It sent R 1: it knows of the re-arm.
+    void acted(const Source& client);
 
     // The operator's word: this client leads from now on, for kRelease even if it says nothing.
     Result<> give(const Rules& rules, std::uint64_t clientId, SteadyTime now);
@@ -51,6 +63,15 @@ private:
         Source client;
         std::string host;
         bool readOnly = false;
+        std::optional<SteadyTime> asked{};  // for a motion, last
+        int asks = 0;
+        bool waits = false;  // since another client re-armed
+    };
+    // A program that connects for each command goes on under its host's address.
+    struct Passer
+    {
+        SteadyTime asked{};
+        bool waits = false;
     };
     // The client that moved the mount last, or that was given the lead.
     struct Leader
@@ -69,6 +90,7 @@ private:
     [[nodiscard]] QString leaderText(SteadyTime now) const;
 
     std::map<std::uint64_t, Connected> m_clients;
+    std::map<std::string, Passer> m_passers;  // by host
     std::optional<Leader> m_leader;
 };
 

@@ -28,6 +28,13 @@ QString text(const SkyPointing& direction)
     return degreesText(direction.azimuth) + QStringLiteral(" ") + degreesText(direction.elevation);
 }
 
+// As far as clients ask for one.
+bool asksForMotion(const Request& request)
+{
+    return std::holds_alternative<request::PointSky>(request) || std::holds_alternative<request::PointAxes>(request) ||
+           std::holds_alternative<request::Move>(request) || std::holds_alternative<request::Park>(request);
+}
+
 bool isZero(const AxisRates& rates)
 {
     return rates == AxisRates{};
@@ -59,6 +66,9 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
 
 Result<> StationControl::request(const Request& request, const Source& source)
 {
+    if (source.kind == SourceKind::Client && asksForMotion(request)) {
+        clientAsked(source);
+    }
     return std::visit([&](const auto& wanted) { return handle(wanted, source); }, request);
 }
 
@@ -67,10 +77,8 @@ Result<> StationControl::mayMove(const Source& source) const
     if (m_proof) {
         return failure(ErrorCode::Refused, Text::tr("the crash-stop proof moves the mount: end it first"));
     }
-    const auto leads = [&]() -> Result<> {
-        return source.kind == SourceKind::Client ? m_lead.admits(m_profile.rotctld, source, m_now) : Result<>{};
-    };
-    return m_arming.admits(source).and_then(leads).and_then([&]() -> Result<> {
+    const auto commands = [&] { return mayCommand(source); };
+    return m_arming.admits(source).and_then(commands).and_then([&]() -> Result<> {
         for (const Axis axis : kAxes) {
             if (!m_drives.measured(axis)) {
                 return failure(
@@ -98,6 +106,13 @@ Result<> StationControl::mayPoint(const Source& source) const
             }
         }
         return {};
+    });
+}
+
+Result<> StationControl::mayCommand(const Source& source) const
+{
+    return m_arming.mayCommand(source).and_then([&]() -> Result<> {
+        return source.kind == SourceKind::Client ? m_lead.admits(m_profile.rotctld, source, m_now) : Result<>{};
     });
 }
 
@@ -389,12 +404,19 @@ Result<> StationControl::handle(const request::ResetStop&, const Source& source)
     });
 }
 
+// A client re-arms only with the authority to move, and only for itself: the others that kept sending wait.
 Result<> StationControl::handle(const request::Rearm&, const Source& source)
 {
-    if (source.kind == SourceKind::Client && m_lead.readOnly(source.clientId)) {
-        return failure(ErrorCode::Refused, Text::tr("the operator has made this client read-only"));
+    if (source.kind != SourceKind::Client) {
+        return m_arming.rearm(source);
     }
-    return m_arming.rearm(source);
+    return m_lead.mayAct(m_profile.rotctld, source, m_now).and_then([&]() -> Result<> {
+        if (!faultLatched() && m_lead.waits(source.clientId)) {
+            m_lead.acted(source);
+            return {};
+        }
+        return m_arming.rearm(source).map([&] { m_lead.rearmed(source, m_now); });
+    });
 }
 
 Result<AxisPosition> StationControl::measured() const

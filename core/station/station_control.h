@@ -45,6 +45,8 @@ public:
     void clientCame(const Source& client, const std::string& host) { m_lead.came(client, host); }
     // The source is gone for good: a `Move` of its own ends, a stream comes to rest at its last point.
     void sourceGone(const Source& source);
+    // A client asks for a motion, also one that is refused before request() sees it.
+    void clientAsked(const Source& client) { m_lead.asked(client, m_now); }
     // A client has read the measured position: if the running stream is its own, it is content until it sends a
     // point.
     void positionRead(std::uint64_t clientId);
@@ -74,6 +76,10 @@ public:
     [[nodiscard]] Authority authority() const { return m_arming.authority(); }
     // Whether this source may send the mount anywhere now; the error says what stands in the way.
     [[nodiscard]] Result<> mayPoint(const Source& source) const;
+    // Whether this source has the control, as far as the operator and the other clients are concerned.
+    [[nodiscard]] Result<> mayCommand(const Source& source) const;
+    // Another client re-armed the drives; this one kept sending and has to act before it moves the mount.
+    [[nodiscard]] bool waitsSinceRearm(const Source& client) const { return m_lead.waits(client.clientId); }
     // Whether the beam can be pointed there from where it is, by all that is permitted.
     [[nodiscard]] Result<> reaches(const SkyPointing& direction) const;
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_motion.region(); }

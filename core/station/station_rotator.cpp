@@ -187,6 +187,7 @@ Result<> StationRotator::pointTo(const rotctld::Client& client, const rotctld::P
     const QString command =
         QStringLiteral("P %1 %2").arg(request.azimuth.degrees(), 0, 'f', 2).arg(request.elevation.degrees(), 0, 'f', 2);
     if (const Result<> allowed = permitted(request); !allowed) {
+        m_control.clientAsked(clientSource(client));
         logRefusal(client, command, allowed.error());
         return allowed;
     }
@@ -236,16 +237,20 @@ Result<> StationRotator::park(const rotctld::Client& client)
 
 Result<> StationRotator::reset(const rotctld::Client& client, int)
 {
-    if (m_control.faultLatched()) {
+    if (m_control.faultLatched() || m_control.waitsSinceRearm(clientSource(client))) {
         return ask(client, request::Rearm{}, QStringLiteral("R"));
     }
     return m_control.measured().map([](const AxisPosition&) {});  // nothing to re-arm; but are the drives there?
 }
 
-Result<> StationRotator::setSpeedLevel(const rotctld::Client&, int level)
+Result<> StationRotator::setSpeedLevel(const rotctld::Client& client, int level)
 {
     if (level < 1 || level > kFastestLevel) {
         return failure(ErrorCode::InvalidInput, "SPEED is 1 to 4");
+    }
+    if (const Result<> may = m_control.mayCommand(clientSource(client)); !may) {
+        logRefusal(client, QStringLiteral("V SPEED"), may.error());
+        return may;
     }
     m_speedLevel = level;
     return {};

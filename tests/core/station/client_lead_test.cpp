@@ -32,6 +32,12 @@ protected:
         lead.moved(client(id), clock.now());
         return {};
     }
+    // As a client's request comes in.
+    std::string asks(std::uint64_t id)
+    {
+        lead.asked(client(id), clock.now());
+        return moves(id);
+    }
     void pass(double seconds) { clock.advance(Seconds(seconds)); }
     bool leads(std::uint64_t id) { return lead.leads(rules, id, clock.now()); }
 
@@ -176,6 +182,73 @@ TEST_F(ClientLeadTest, NobodyThereCannotBeToldAnything)
     EXPECT_EQ(lead.give(rules, 77, clock.now()).error().code, ErrorCode::NotAvailable);
     EXPECT_EQ(lead.setReadOnly(77, true).error().code, ErrorCode::NotAvailable);
     EXPECT_EQ(moves(1), "");
+}
+
+// Story: a client without the lead re-armed, and the stream that had gone on through the fault moved the mount at once.
+TEST_F(ClientLeadTest, AfterAClientsRearmTheOthersThatKeptSendingWait)
+{
+    asks(1);
+    lead.rearmed(client(2), clock.now());
+    EXPECT_TRUE(lead.waits(1));
+    EXPECT_FALSE(lead.waits(2));
+    for (int i = 0; i < 60; ++i) {
+        pass(1.0);
+        EXPECT_EQ(asks(1),
+                  "Another client re-armed the drives while this one kept sending. Pause it for 10 s, or send "
+                  "R 1.");
+    }
+    EXPECT_TRUE(lead.mayAct(rules, client(1), clock.now()));
+    lead.acted(client(1));
+    EXPECT_EQ(asks(1), "");
+}
+
+TEST_F(ClientLeadTest, APauseANewConnectionOrTheOperatorEndsTheWait)
+{
+    asks(1);
+    lead.rearmed(client(2), clock.now());
+    pass(10.0);
+    EXPECT_EQ(asks(1), "") << "a pause";
+    asks(1);
+    lead.rearmed(client(2), clock.now());
+    lead.gone(client(1));
+    lead.came(client(3), "10.0.0.7");
+    EXPECT_EQ(asks(3), "") << "a new connection after a stream";
+    lead.rearmed(client(2), clock.now());
+    EXPECT_NE(asks(3), "");
+    EXPECT_TRUE(lead.give(rules, 3, clock.now()));
+    EXPECT_EQ(asks(3), "") << "the operator's word";
+    lead.rearmed(client(2), clock.now());
+    lead.resume(clock.now());
+    EXPECT_EQ(asks(3), "");
+}
+
+TEST_F(ClientLeadTest, WhoAskedForNothingBeforeTheRearmDoesNotWait)
+{
+    lead.rearmed(client(2), clock.now());
+    EXPECT_EQ(asks(1), "");
+    pass(10.0);
+    lead.rearmed(client(2), clock.now());
+    EXPECT_EQ(asks(1), "") << "its stream had ended";
+}
+
+TEST_F(ClientLeadTest, AProgramThatConnectsForEachCommandWaitsUnderItsAddress)
+{
+    asks(1);
+    lead.gone(client(1));
+    lead.rearmed(client(2), clock.now());
+    for (std::uint64_t id = 10; id < 20; ++id) {
+        lead.came(client(id), "10.0.0.7");
+        EXPECT_NE(asks(id), "");
+        lead.gone(client(id));
+        lead.came(client(id + 100), "10.0.0.7");  // which only reads
+        lead.gone(client(id + 100));
+        pass(1.0);
+    }
+    lead.came(client(20), "10.0.0.7");
+    lead.rearmed(client(20), clock.now());
+    lead.gone(client(20));
+    lead.came(client(21), "10.0.0.7");
+    EXPECT_EQ(asks(21), "") << "it has re-armed itself";
 }
 
 }  // namespace

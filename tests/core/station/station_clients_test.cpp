@@ -201,5 +201,61 @@ TEST_F(StationClients, WhoGoesOnAskingInVainIsShown)
     EXPECT_FALSE(status(kOtherClient, rig.clock.now()).wanting) << "all are refused, and are told why";
 }
 
+// A fault in mid-motion, while the clients go on sending for some seconds.
+void failInMidMotion(StationRig& rig, const Source& streaming, int seconds)
+{
+    ASSERT_TRUE(rig.point(80.0, 30.0, streaming));
+    rig.run(Seconds(2.0));
+    rig.elevation.mode = moteus::Mode::Fault;
+    rig.elevation.fault = 33;
+    for (int i = 0; i < seconds; ++i) {
+        rig.run(Seconds(1.0));
+        EXPECT_FALSE(rig.point(80.0, 30.0, streaming));
+    }
+}
+
+// Story: "R 1" of a client that the lock refused was accepted, and the locked client's stream moved the mount at once.
+TEST_F(StationClients, WhoMayNotMoveMayNotRearm)
+{
+    rig.profile.rotctld.lead = profile::Lead::Locked;
+    rig.profile.rotctld.lockedTo = "10.0.0.7";
+    rig.control.setProfile(rig.profile);
+    failInMidMotion(rig, kClient, 12);
+    EXPECT_EQ(text(rig.ask(request::Rearm{}, kOtherClient)), "the mount is locked to 10.0.0.7");
+    rig.run(Seconds(1.0));
+    EXPECT_FALSE(rig.point(80.0, 30.0));
+    EXPECT_EQ(rig.state(), StationState::Fault);
+    EXPECT_TRUE(rig.ask(request::Rearm{}, kClient));
+}
+
+TEST_F(StationClients, WhileAnotherLeadsAClientMayNotRearm)
+{
+    failInMidMotion(rig, kClient, 3);
+    EXPECT_EQ(text(rig.ask(request::Rearm{}, kOtherClient)),
+              "rotctld 1 has the lead: it sent its last command 5 s ago");
+}
+
+TEST_F(StationClients, AStreamThatWentOnThroughTheFaultWaitsForAnActOfItsOwn)
+{
+    failInMidMotion(rig, kClient, 12);
+    ASSERT_TRUE(rig.ask(request::Rearm{}, kOtherClient)) << "nobody leads any more";
+    const double place = rig.azimuthDegrees();
+    for (int i = 0; i < 30; ++i) {
+        rig.run(Seconds(1.0));
+        EXPECT_FALSE(rig.point(80.0, 30.0));
+    }
+    EXPECT_NEAR(rig.azimuthDegrees(), place, 0.05) << "it merely kept sending";
+    ASSERT_TRUE(rig.ask(request::Rearm{}, kClient)) << "there is no fault, but it acts";
+    EXPECT_TRUE(rig.point(80.0, 30.0));
+}
+
+TEST_F(StationClients, WhoRearmsItselfGoesOnAtOnce)
+{
+    failInMidMotion(rig, kClient, 3);
+    ASSERT_TRUE(rig.ask(request::Rearm{}, kClient));
+    rig.run(Seconds(0.5));
+    EXPECT_TRUE(rig.point(80.0, 30.0));
+}
+
 }  // namespace
 }  // namespace boresight

@@ -90,6 +90,26 @@ TEST(StationRotator, MoveRunsAtAShareOfTheFastestJogRate)
     EXPECT_FALSE(rig.rotator.motion().movingRight);
 }
 
+// Story: a client that the operator had made read-only still chose how fast the other one moved.
+TEST(StationRotator, OnlyWhoMayMoveSetsTheSpeed)
+{
+    RotatorRig rig;
+    const rotctld::Client other{.id = 2, .address = "10.0.0.9:50000"};
+    rig.rotator.clientConnected(kGpredict);
+    rig.rotator.clientConnected(other);
+    EXPECT_TRUE(rig.rotator.setSpeedLevel(kGpredict, 4));
+    ASSERT_TRUE(rig.pointTo(20.0, 20.0));
+    const Result<> refused = rig.rotator.setSpeedLevel(other, 1);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::Refused);
+    EXPECT_EQ(rig.lastLog().substr(0, 16), "V SPEED refused:");
+    ASSERT_TRUE(rig.rotator.move(kGpredict, rotctld::MoveDirection::Right, 0));
+    rig.run(Seconds(5.0));
+    EXPECT_NEAR(rig.control.status().azimuth.commandedRate->degrees(), rig.profile.jog.fast.degrees(), 1e-6);
+    ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
+    EXPECT_FALSE(rig.rotator.setSpeedLevel(kGpredict, 1));
+}
+
 TEST(StationRotator, TheLogTellsWhatAClientSentButNotEveryRepetition)
 {
     RotatorRig rig;
