@@ -10,6 +10,7 @@
 #include "core/profile/setting.h"
 
 #include <QCommandLineParser>
+#include <QDateTime>
 #include <QDebug>
 #include <QDir>
 #include <QStandardPaths>
@@ -24,6 +25,11 @@ const QString kSimulate = QStringLiteral("simulate");
 const QString kListen = QStringLiteral("listen");
 const QString kStateDir = QStringLiteral("state-dir");
 const QString kStandingAt = QStringLiteral("standing-at");
+
+QString timeOfNow()
+{
+    return QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyy-MM-ddTHH:mmZ"));
+}
 
 void addOptions(QCommandLineParser& parser)
 {
@@ -43,9 +49,12 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("DIR")});
     parser.addOption(
         {kStandingAt,
-         QStringLiteral("You have looked: the mount stands at about this azimuth and elevation, in degrees "
-                        "of the axes. Counts only where the drives and the journal can not tell."),
-         QStringLiteral("AZ,EL")});
+         QStringLiteral(
+             "You have looked at the mount at this time: the axes stand at about this azimuth and elevation, "
+             "in degrees of the axes. Counts once, at most 10 minutes later, and only where the drives and "
+             "the journal can not tell. Example: 405,50@%1")
+             .arg(timeOfNow()),
+         QStringLiteral("AZ,EL@UTC")});
 }
 
 Result<profile::Profile> readProfile(Options& options, const QCommandLineParser& parser)
@@ -109,15 +118,26 @@ Result<> applyStandingAt(Options& options, const QCommandLineParser& parser)
     if (!parser.isSet(kStandingAt)) {
         return {};
     }
-    const QStringList parts = parser.value(kStandingAt).split(QLatin1Char(','));
-    const auto azimuth = parseFinite(parts.value(0).toStdString());
-    const auto elevation = parseFinite(parts.value(1).toStdString());
-    if (parts.size() != 2 || !azimuth || !elevation) {
-        return failure(ErrorCode::InvalidInput, "--standing-at: two angles like 405,50 are expected, not \"" +
-                                                    parser.value(kStandingAt).toStdString() + "\"");
+    const QString text = parser.value(kStandingAt);
+    const QString place = text.section(QLatin1Char('@'), 0, 0);
+    const QStringList angles = place.split(QLatin1Char(','));
+    const auto azimuth = parseFinite(angles.value(0).toStdString());
+    const auto elevation = parseFinite(angles.value(1).toStdString());
+    if (angles.size() != 2 || !azimuth || !elevation) {
+        return failure(ErrorCode::InvalidInput, "--standing-at: two angles and a time like 405,50@" +
+                                                    timeOfNow().toStdString() + " are expected, not \"" +
+                                                    text.toStdString() + "\"");
     }
-    options.standingAt =
-        AxisPosition{.azimuth = Angle::fromDegrees(*azimuth), .elevation = Angle::fromDegrees(*elevation)};
+    const QDateTime looked = QDateTime::fromString(text.section(QLatin1Char('@'), 1), Qt::ISODate);
+    if (!looked.isValid() || looked.timeSpec() != Qt::UTC) {
+        return failure(ErrorCode::InvalidInput,
+                       "--standing-at: the UTC time at which you looked is missing. If that "
+                       "was just now, write --standing-at " +
+                           (place + QLatin1Char('@') + timeOfNow()).toStdString());
+    }
+    options.standingAt = memory::EnteredPlace{
+        .place = {.azimuth = Angle::fromDegrees(*azimuth), .elevation = Angle::fromDegrees(*elevation)},
+        .looked = UtcTime(std::chrono::milliseconds(looked.toMSecsSinceEpoch()))};
     return {};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/memory/entered_place.h"
 #include "core/profile/profile.h"
 
 #include <QString>
@@ -14,12 +15,12 @@ namespace boresight::app {
 
 struct Options
 {
-    profile::Profile profile;                // with the overrides applied
-    QString profilePath;                     // empty: built-in defaults, because there is no profile at all
-    QString configDir;                       // of the profile store
-    QString stateDir;                        // created if absent
-    bool onlySimulated = false;              // the command line says so
-    std::optional<AxisPosition> standingAt;  // where the operator says that the mount stands
+    profile::Profile profile;    // with the overrides applied
+    QString profilePath;         // empty: built-in defaults, because there is no profile at all
+    QString configDir;           // of the profile store
+    QString stateDir;            // created if absent
+    bool onlySimulated = false;  // the command line says so
+    std::optional<memory::EnteredPlace> standingAt;
 
     [[nodiscard]] bool isFirstStart() const { return profilePath.isEmpty(); }
     // What the window begins with. Without any profile nobody has looked yet which way the axes turn; unless it is the

@@ -23,6 +23,7 @@ const QString kMemoryKey = QStringLiteral("memory");
 const std::array<QString, 2> kAxisKeys = {QStringLiteral("azimuth"), QStringLiteral("elevation")};
 const QString kTurnKey = QStringLiteral("turn");
 const QString kCrashStopKey = QStringLiteral("crash_stop");
+constexpr const char* kPlaceUsedKey = "entered_place_used";
 
 // Absent together: the drive did not tell.
 constexpr const char* kOriginBeginning = "origin_beginning";
@@ -231,6 +232,12 @@ Result<MountMemory> readMemory(const QJsonObject& payload)
         memory.turns[i] = *turn;
         memory.crashStops[i] = *stop;
     }
+    if (Fields fields(payload, kMemoryKey); fields.has(kPlaceUsedKey)) {
+        memory.placeUsed = fields.time(kPlaceUsedKey);
+        if (!fields.problem().isEmpty()) {
+            return failure(ErrorCode::OutOfRange, fields.problem());
+        }
+    }
     return memory;
 }
 
@@ -274,6 +281,9 @@ Result<QByteArray> toText(const MountMemory& memory)
             axis.insert(kCrashStopKey, toJson(*stop));
         }
         payload.insert(kAxisKeys[i], axis);
+    }
+    if (memory.placeUsed) {
+        payload.insert(QLatin1String(kPlaceUsedKey), inIso(*memory.placeUsed));
     }
     return readMemory(payload).map([&](const MountMemory&) {
         const QJsonObject root{{kVersionKey, kVersion}, {kChecksumKey, checksum(payload)}, {kMemoryKey, payload}};

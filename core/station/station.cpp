@@ -55,7 +55,7 @@ SkyPointing beamBy(const pointing::PointingTerms& terms, const AxisPosition& pla
 }  // namespace
 
 Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link, const QString& stateDir,
-                 const Clock& clock, const std::optional<AxisPosition>& standingAt)
+                 const Clock& clock, const std::optional<memory::EnteredPlace>& standingAt)
     : m_profile(profile),
       m_clock(clock),
       m_log(clock),
@@ -107,7 +107,7 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
 }
 
 // The simulated mount is new, and stands where its drives say, whenever the program starts.
-TurnKeeper::Start Station::remembered(const std::optional<AxisPosition>& standingAt)
+TurnKeeper::Start Station::remembered(const std::optional<memory::EnteredPlace>& standingAt)
 {
     if (simulated()) {
         return {.trustFirstContact = true};
@@ -118,7 +118,8 @@ TurnKeeper::Start Station::remembered(const std::optional<AxisPosition>& standin
     }
     TurnKeeper::Start start{.memory = std::move(loaded.memory), .problem = std::move(loaded.problem)};
     if (standingAt) {
-        start.standingAt = {standingAt->azimuth, standingAt->elevation};
+        start.standingAt = {standingAt->place.azimuth, standingAt->place.elevation};
+        start.looked = standingAt->looked;
     }
     return start;
 }

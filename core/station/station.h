@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/can/can_link.h"
+#include "core/memory/entered_place.h"
 #include "core/memory/memory_file.h"
 #include "core/profile/profile.h"
 #include "core/rotctld/server.h"
@@ -44,9 +45,9 @@ public:
     static constexpr std::chrono::seconds kSamplesKept{10};
 
     // `clock` must outlive the station. Reads the mount's memory from the state folder; `standingAt` is where the
-    // operator says that the mount stands, for drives that can not tell.
+    // mount stood when the operator looked, for drives that can not tell; it counts once, and for ten minutes.
     Station(const profile::Profile& profile, std::unique_ptr<CanLink> link, const QString& stateDir, const Clock& clock,
-            const std::optional<AxisPosition>& standingAt = std::nullopt);
+            const std::optional<memory::EnteredPlace>& standingAt = std::nullopt);
     ~Station() override;
 
     // How the orientation sensor is reached, if not by what the profile says alone. Before start().
@@ -86,7 +87,7 @@ Q_SIGNALS:
 
 private:
     void showBus(const LinkStatus& status);
-    [[nodiscard]] TurnKeeper::Start remembered(const std::optional<AxisPosition>& standingAt);
+    [[nodiscard]] TurnKeeper::Start remembered(const std::optional<memory::EnteredPlace>& standingAt);
     [[nodiscard]] bool simulated() const { return m_profile.inForce()->bus == "simulated"; }
     void apply(const profile::Profile& wanted);
     void applyCalibration();

@@ -90,23 +90,29 @@ Result<> StationControl::mayMove(const Source& source) const
     });
 }
 
+Result<> StationControl::axesPlaced() const
+{
+    for (const Axis axis : kAxes) {
+        if (!m_turns.known(axis)) {
+            return failure(ErrorCode::Refused, Text::tr("it is not known on which turn the axis of the %1 stands: "
+                                                        "the operator must tell; slow jogging only")
+                                                   .arg(m_drives.drive(axis).label()));
+        }
+    }
+    return insideTravel();
+}
+
 Result<> StationControl::mayPoint(const Source& source) const
 {
-    return mayMove(source).and_then([&]() -> Result<> {
+    const auto directionsSeen = [this]() -> Result<> {
         if (m_profile.mount.directions != profile::Directions::Confirmed) {
             return failure(
                 ErrorCode::Refused,
                 Text::tr("it is not confirmed yet which way the axes turn: jog each a little and confirm it first"));
         }
-        for (const Axis axis : kAxes) {
-            if (!m_turns.known(axis)) {
-                return failure(ErrorCode::Refused, Text::tr("it is not known on which turn the axis of the %1 stands: "
-                                                            "the operator must tell; slow jogging only")
-                                                       .arg(m_drives.drive(axis).label()));
-            }
-        }
         return {};
-    });
+    };
+    return mayMove(source).and_then(directionsSeen).and_then([this] { return axesPlaced(); });
 }
 
 Result<> StationControl::mayCommand(const Source& source) const
@@ -121,28 +127,63 @@ bool StationControl::turnsKnown() const
     return m_turns.known(Axis::Azimuth) && m_turns.known(Axis::Elevation);
 }
 
-// Somebody must watch the cable of an axis whose turn is not known, so only the operator jogs it, and slowly.
+int StationControl::farOutside(Axis axis) const
+{
+    const auto place = m_drives.measured(axis);
+    if (!m_turns.known(axis) || !place) {
+        return 0;
+    }
+    const TravelRange& travel = m_model.axis(axis).travel;
+    const Angle margin = m_profile.control.driveLimitMargin;
+    return *place > travel.max + margin ? 1 : *place < travel.min - margin ? -1 : 0;
+}
+
+Result<> StationControl::insideTravel() const
+{
+    for (const Axis axis : kAxes) {
+        if (farOutside(axis) != 0) {
+            const TravelRange& travel = m_model.axis(axis).travel;
+            return failure(ErrorCode::Refused,
+                           Text::tr("The %1 stands at %2, outside its travel (%3 to %4). Jog it back slowly.")
+                               .arg(m_drives.drive(axis).label(), degreesText(*m_drives.measured(axis)),
+                                    degreesText(travel.min), degreesText(travel.max)));
+        }
+    }
+    return {};
+}
+
+// Somebody must watch the cable of an axis whose turn is not known, or that stands where it should never be. So only
+// the operator jogs it, and slowly.
 Result<> StationControl::mayJog(const AxisRates& rates, const Source& source) const
 {
-    if (turnsKnown()) {
-        return mayMove(source);
-    }
-    if (source.kind != SourceKind::Operator) {
-        return mayPoint(source);
-    }
     return mayMove(source).and_then([&]() -> Result<> {
-        for (const Axis axis : kAxes) {
-            if (!m_turns.known(axis) && !m_turns.asked(axis)) {
-                return failure(ErrorCode::Refused, Text::tr("the place of the axes is being found out: wait a moment"));
-            }
-        }
-        const AngularRate fastest = m_profile.jog.unwind;
-        if (std::max(abs(rates.azimuth), abs(rates.elevation)) > fastest) {
-            return failure(ErrorCode::Refused, Text::tr("the turn of an axis is not known: jog at %1°/s or slower")
-                                                   .arg(toQString(formatFixed(fastest.degrees(), 1))));
-        }
-        return {};
+        const Result<> placed = axesPlaced();
+        return placed || source.kind != SourceKind::Operator ? placed : mayJogSlowly(rates);
     });
+}
+
+Result<> StationControl::mayJogSlowly(const AxisRates& rates) const
+{
+    for (const Axis axis : kAxes) {
+        if (!m_turns.known(axis) && !m_turns.asked(axis)) {
+            return failure(ErrorCode::Refused, Text::tr("the place of the axes is being found out: wait a moment"));
+        }
+        const AngularRate rate = axis == Axis::Azimuth ? rates.azimuth : rates.elevation;
+        if (rate * static_cast<double>(farOutside(axis)) > AngularRate{}) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("The %1 stands outside its travel. It may only be jogged back inside.")
+                               .arg(m_drives.drive(axis).label()));
+        }
+    }
+    const AngularRate fastest = m_profile.jog.unwind;
+    if (std::max(abs(rates.azimuth), abs(rates.elevation)) > fastest) {
+        return failure(ErrorCode::Refused, (turnsKnown() ? Text::tr("An axis stands outside its travel. Jog at %1°/s "
+                                                                    "or slower.")
+                                                         : Text::tr("the turn of an axis is not known: jog at %1°/s or "
+                                                                    "slower"))
+                                               .arg(toQString(formatFixed(fastest.degrees(), 1))));
+    }
+    return {};
 }
 
 AxisPosition StationControl::standing() const

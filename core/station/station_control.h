@@ -201,7 +201,12 @@ private:
     Result<> handle(const CalibrationRequest& wanted, const Source& source);
 
     [[nodiscard]] Result<> mayMove(const Source& source) const;  // armed, and no proof is running
-    [[nodiscard]] Result<> mayJog(const AxisRates& rates, const Source& source) const;  // or are jogged slowly
+    [[nodiscard]] Result<> axesPlaced() const;  // each on a wrap that is known, and not far outside its travel
+    [[nodiscard]] Result<> mayJog(const AxisRates& rates, const Source& source) const;  // or is jogged slowly
+    [[nodiscard]] Result<> mayJogSlowly(const AxisRates& rates) const;
+    // Outside its travel by more than the drives' own bounds allow: 1 above, -1 below; 0 inside, or nobody knows.
+    [[nodiscard]] int farOutside(Axis axis) const;
+    [[nodiscard]] Result<> insideTravel() const;
     [[nodiscard]] Result<> drivesRest() const;  // for what is done to the drives themselves
     [[nodiscard]] bool moves() const { return m_activity != Activity::None && m_activity != Activity::Holding; }
     [[nodiscard]] bool arrived() const;  // at the place or direction that was asked for, and at rest there
@@ -239,6 +244,7 @@ private:
     void keepTurn(Axis axis);
     void letBackInside(Axis axis);
     void tellTurns();
+    void tellEnteredPlace(Axis axis);
     void watchJog();
     void watchFitness();
     void watchRegion();

@@ -133,11 +133,9 @@ void StationControl::keepTurn(Axis axis)
 void StationControl::letBackInside(Axis axis)
 {
     const auto measured = m_drives.measured(axis);
-    const TravelRange& travel = m_model.axis(axis).travel;
-    const Angle margin = m_profile.control.driveLimitMargin;
+    const bool outside = m_turns.known(axis) && measured && !m_model.axis(axis).travel.contains(*measured);
     bool& ignoring = m_ignoringBounds[index(axis)];
-    const bool beyond = measured && (*measured < travel.min - margin || *measured > travel.max + margin);
-    ignoring = m_turns.known(axis) && measured && (beyond || (ignoring && !travel.contains(*measured)));
+    ignoring = farOutside(axis) != 0 || (ignoring && outside);
     m_drives.drive(axis).setIgnoreBounds(ignoring);
 }
 
@@ -161,6 +159,24 @@ void StationControl::tellTurns()
                             .action = Text::tr("Pointing is refused, clients get no position; slow jogging only"),
                             .remedy = Text::tr("Look at the mount and its cable, then tell where it stands")});
         }
+        tellEnteredPlace(axis);
+    }
+}
+
+// A service has no window that asks.
+void StationControl::tellEnteredPlace(Axis axis)
+{
+    const Drive& drive = m_drives.drive(axis);
+    const QString cause = toQString(drive.name()) + QStringLiteral(" place");
+    const QString& problem = m_turns.placeProblem(axis);
+    if (m_turns.known(axis)) {
+        m_alarms.clear(cause);
+    } else if (!problem.isEmpty() && !m_alarms.active(cause)) {
+        m_alarms.raise(cause, Severity::Warning,
+                       {.what = Text::tr("--standing-at was not used for the %1: %2").arg(drive.label(), problem),
+                        .action = Text::tr("The cable wrap stays unknown"),
+                        .remedy = Text::tr("Enter the place in the window, or start again with the place and the "
+                                           "time of now")});
     }
 }
 

@@ -25,6 +25,8 @@ constexpr Seconds kCounterSpan{4294967.296};
 constexpr std::chrono::milliseconds kHeartbeat{1500};
 // Half a dozen frames each.
 constexpr std::chrono::seconds kOriginPeriod{5};
+// Between the clock by which somebody looked and this computer's.
+constexpr std::chrono::minutes kClockError{1};
 // Without candidates there is no period to derive it from.
 constexpr Angle kLoneTolerance = Angle::fromDegrees(1.0);
 
@@ -59,7 +61,11 @@ std::optional<Angle> sameAmong(const std::vector<Angle>& candidates, Angle angle
 }  // namespace
 
 TurnKeeper::TurnKeeper(const profile::Profile& profile, const Clock& clock, EventLog& log, Start start)
-    : m_profile(profile), m_clock(clock), m_log(log), m_start(std::move(start))
+    : m_profile(profile),
+      m_clock(clock),
+      m_log(log),
+      m_start(std::move(start)),
+      m_placeUsedBefore(m_start.memory.placeUsed && m_start.looked <= *m_start.memory.placeUsed)
 {}
 
 std::optional<memory::TurnRecord>& TurnKeeper::record(Axis axis)
@@ -196,24 +202,50 @@ void TurnKeeper::judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& dr
                                     .trusted = trusted,
                                     .doubt = doubt};
     const memory::Judgement judgement = memory::reconcile(met, evidence, geometry);
+    const auto entered = takeEnteredPlace(axis);
     if (const auto* const certain = std::get_if<memory::Certain>(&judgement)) {
-        m_start.standingAt[index(axis)].reset();
         settle(axis, certain->angle, met.period, drive, QStringLiteral("station"), certain->why);
         return;
     }
     ask(axis, std::get<memory::TurnQuestion>(judgement), drive);
-    const auto place = std::exchange(m_start.standingAt[index(axis)], std::nullopt);
-    if (!place || doubt || !chooseAsTold(axis, *place, drive)) {
+    if (!entered || doubt || !chooseAsEntered(axis, *entered, drive)) {
         countFromTheMiddle(axis, drive);
     }
 }
 
-bool TurnKeeper::chooseAsTold(Axis axis, Angle place, Drive& drive)
+// It is used up by the first judgement, also by one that needs no help: the mount moves from there on.
+std::optional<Angle> TurnKeeper::takeEnteredPlace(Axis axis)
+{
+    const auto place = std::exchange(m_start.standingAt[index(axis)], std::nullopt);
+    if (place && enteredPlaceCounts()) {
+        m_start.memory.placeUsed = m_start.looked;
+        m_changed = true;
+    }
+    return place;
+}
+
+Result<> TurnKeeper::enteredPlaceCounts() const
+{
+    const auto age = std::chrono::floor<std::chrono::minutes>(m_clock.utc() - m_start.looked);
+    if (m_placeUsedBefore) {
+        return failure(ErrorCode::Refused, Text::tr("An earlier start has used it. It counts once."));
+    }
+    if (age >= kPlaceAge) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("It is %1 min old. It counts for %2 min.").arg(age.count()).arg(kPlaceAge.count()));
+    }
+    if (age < -kClockError) {
+        return failure(ErrorCode::Refused, Text::tr("Its time is in the future. Check the clock of this computer."));
+    }
+    return {};
+}
+
+bool TurnKeeper::chooseAsEntered(Axis axis, Angle place, Drive& drive)
 {
     const QString source = QStringLiteral("command line");
-    const Result<> chosen = choose(axis, place, drive, source);
+    const Result<> chosen = enteredPlaceCounts().and_then([&] { return choose(axis, place, drive, source); });
     if (!chosen) {
-        m_log.add(Severity::Warning, source, QString::fromStdString(chosen.error().text));
+        m_placeProblems[index(axis)] = QString::fromStdString(chosen.error().text);
     }
     return chosen.has_value();
 }
@@ -313,8 +345,14 @@ Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString&
                                .arg(degreesText(angle), degreesText(place)));
         }
     }
-    if (drive.report()->mode != moteus::Mode::Stopped &&
-        beyondBounds(place, m_profile.axis(axis).geometry.travel, m_profile)) {
+    const TravelRange& travel = m_profile.axis(axis).geometry.travel;
+    if (place < travel.min - memory::kBeyondTravel || place > travel.max + memory::kBeyondTravel) {
+        return failure(ErrorCode::OutOfRange,
+                       Text::tr("%1 is outside the travel (%2 to %3) by more than %4. Enter the angle of the axis.")
+                           .arg(degreesText(place), degreesText(travel.min), degreesText(travel.max),
+                                degreesText(memory::kBeyondTravel)));
+    }
+    if (drive.report()->mode != moteus::Mode::Stopped && beyondBounds(place, travel, m_profile)) {
         return failure(ErrorCode::Refused,
                        Text::tr("%1 is beyond the drive's own bounds, and it would pull the axis to them at once: "
                                 "switch the drives off first (support the elevation)")

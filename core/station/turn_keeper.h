@@ -29,10 +29,13 @@ public:
         QString problem;  // why there is no journal, or not the newest: "the journal file is missing"
         // The built-in simulated mount is delivered standing where its drives say.
         bool trustFirstContact = false;
-        // Where the operator said at the start of the program that the mount stands, about. Answers the first question
-        // about each axis, and no later one.
+        // Where the operator entered at the start of the program that the mount stands, about. Answers the first
+        // question about each axis, and no later one, while it is not older than kPlaceAge and was never used before.
         std::array<std::optional<Angle>, 2> standingAt{};
+        UtcTime looked{};  // when the operator looked at the mount
     };
+    // Long enough to look, to walk to the computer and to start the program.
+    static constexpr std::chrono::minutes kPlaceAge{10};
 
     TurnKeeper(const profile::Profile& profile, const Clock& clock, EventLog& log, Start start);
 
@@ -52,6 +55,8 @@ public:
 
     [[nodiscard]] bool known(Axis axis) const { return state(axis).phase == Phase::Known; }
     [[nodiscard]] bool asked(Axis axis) const { return state(axis).phase == Phase::Asked; }
+    // Why the place that was entered at the start of the program did not count; empty: it did, or there was none.
+    [[nodiscard]] const QString& placeProblem(Axis axis) const { return m_placeProblems[index(axis)]; }
     // The question that waits for the operator; the places move along when the axis is jogged.
     [[nodiscard]] std::optional<memory::TurnQuestion> question(Axis axis, const Drive& drive) const;
 
@@ -96,7 +101,9 @@ private:
     [[nodiscard]] bool ofTheOtherAxis(Axis axis, const survey::DriveFacts& facts) const;
     void judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now);
     void ask(Axis axis, const memory::TurnQuestion& question, const Drive& drive);
-    [[nodiscard]] bool chooseAsTold(Axis axis, Angle place, Drive& drive);
+    [[nodiscard]] std::optional<Angle> takeEnteredPlace(Axis axis);
+    [[nodiscard]] Result<> enteredPlaceCounts() const;
+    [[nodiscard]] bool chooseAsEntered(Axis axis, Angle place, Drive& drive);
     void countFromTheMiddle(Axis axis, Drive& drive);
     void watchJog(Axis axis, const Drive& drive);
     void watchOrigin(Axis axis, const survey::DriveFacts& facts);
@@ -111,6 +118,8 @@ private:
     const Clock& m_clock;
     EventLog& m_log;
     Start m_start;
+    bool m_placeUsedBefore;
+    std::array<QString, 2> m_placeProblems;
     std::array<State, 2> m_states;
     std::array<std::optional<Angle>, 2> m_sensor;
     std::optional<memory::SensorCourse> m_course;

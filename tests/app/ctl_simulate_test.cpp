@@ -5,6 +5,7 @@
 #include "core/orientation/serial_source.h"
 #include "tests/fakes/mqtt_broker.h"
 #include "tests/fakes/program.h"
+#include "tests/fakes/real_mount.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QElapsedTimer>
@@ -250,10 +251,10 @@ TEST_F(SimulateTest, AxisStopsWhenTheServiceIsKilledInMotion)
         GTEST_SKIP() << "rotctl is not installed (Debian: libhamlib-utils)";
     }
     start({QStringLiteral("--print-truth")});
-    fakes::Program service(
-        QStringLiteral(BORESIGHTD),
-        {QStringLiteral("--bus"), bus(), QStringLiteral("--listen"), QStringLiteral("127.0.0.1:0"),
-         QStringLiteral("--state-dir"), folder.path(), QStringLiteral("--standing-at"), QStringLiteral("0,10")});
+    fakes::Program service(QStringLiteral(BORESIGHTD),
+                           QStringList{QStringLiteral("--listen"), QStringLiteral("127.0.0.1:0"),
+                                       QStringLiteral("--state-dir"), folder.path()} +
+                               fakes::confirmedMount(folder.path(), bus()) + fakes::standingAt(QStringLiteral("0,10")));
     const QString listening = QStringLiteral("rotctld listening on ");
     ASSERT_TRUE(service.waitForLine(listening)) << service.errors().toStdString();
     ASSERT_TRUE(fakes::waitUntil([&] { return service.errors().contains(QStringLiteral("both drives answer")); }));

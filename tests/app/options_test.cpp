@@ -117,6 +117,32 @@ TEST_F(OptionsTest, ABusWithoutAnyProfileIsTheReferenceMountThere)
     profile::Profile reference;
     reference.bus = "socketcan:can7";
     EXPECT_EQ(read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")})->profile, reference);
+    EXPECT_EQ(read({QStringLiteral("--bus"), QStringLiteral("simulated")})->profile, profile::Profile{});
+}
+
+TEST_F(OptionsTest, WhereTheMountStandsIsToldWithTheTimeAtWhichSomebodyLooked)
+{
+    const auto standing = [this](const char* text) {
+        return read({QStringLiteral("--standing-at"), QString::fromUtf8(text)});
+    };
+    const auto options = standing("405,-1.5@2026-11-22T18:05Z");
+    ASSERT_TRUE(options) << options.error().text;
+    EXPECT_NEAR(options->standingAt->place.azimuth.degrees(), 405.0, 1e-9);
+    EXPECT_NEAR(options->standingAt->place.elevation.degrees(), -1.5, 1e-9);
+    EXPECT_EQ(options->standingAt->looked, std::chrono::sys_days{std::chrono::year{2026} / 11 / 22} +
+                                               std::chrono::hours(18) + std::chrono::minutes(5));
+    EXPECT_TRUE(standing("405,50@2026-11-22T18:05:30Z"));
+    for (const char* untimed :
+         {"405,50", "405,50@", "405,50@18:05", "405,50@2026-11-22T18:05", "405,50@2026-11-22T18:05Z@"}) {
+        const auto refused = standing(untimed);
+        ASSERT_FALSE(refused) << untimed;
+        EXPECT_NE(refused.error().text.find("write --standing-at 405,50@20"), std::string::npos)
+            << refused.error().text;
+    }
+    for (const char* wrong :
+         {"", "405", "405,x@2026-11-22T18:05Z", "405,1,2@2026-11-22T18:05Z", "nan,1@2026-11-22T18:05Z"}) {
+        EXPECT_FALSE(standing(wrong)) << wrong;
+    }
 }
 
 // Story: started with --simulate, a switch to another mount of the list connected its real antenna.

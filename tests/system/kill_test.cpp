@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sim/pty_server.h"
+#include "tests/fakes/real_mount.h"
 #include "tests/fakes/wait_until.h"
 #include "tests/system/boresightd_process.h"
 #include "tests/system/standing.h"
@@ -27,17 +28,16 @@ protected:
         auto created = sim::PtyServer::create(terminal, pair, clock);
         ASSERT_TRUE(created) << created.error().text;
         server = std::move(*created);
-        boresightd = start({QStringLiteral("--standing-at"), QStringLiteral("0,10")});
+        boresightd = start(fakes::standingAt(QStringLiteral("0,10")));
         ASSERT_TRUE(boresightd->listens()) << boresightd->complaints();
         client = boresightd->connect();
     }
 
     [[nodiscard]] std::unique_ptr<BoresightdProcess> start(const QStringList& more = {}) const
     {
-        return std::make_unique<BoresightdProcess>(QStringList{QStringLiteral("--bus"),
-                                                               QStringLiteral("fdcanusb:") + terminal,
-                                                               QStringLiteral("--state-dir"), folder.path()} +
-                                                   more);
+        return std::make_unique<BoresightdProcess>(
+            fakes::confirmedMount(folder.path(), QStringLiteral("fdcanusb:") + terminal) +
+            QStringList{QStringLiteral("--state-dir"), folder.path()} + more);
     }
     sim::AxisTruth truth(Axis axis)
     {

@@ -101,13 +101,13 @@ Soak::Soak(unsigned seed)
       m_bus(m_clock, sim::commissionedPair({.azimuth = 0_deg, .elevation = 10_deg}))
 {
     m_bus.inject({.kind = sim::FaultKind::LostReply, .value = kLostReply});
-    start(truth());
+    start(memory::EnteredPlace{.place = truth(), .looked = m_clock.utc()});
     m_troubles = true;
 }
 
 Soak::~Soak() = default;
 
-void Soak::start(const std::optional<AxisPosition>& standingAt)
+void Soak::start(const std::optional<memory::EnteredPlace>& standingAt)
 {
     m_station =
         std::make_unique<Station>(m_profile, std::make_unique<LentLink>(*this), m_stateDir.path(), m_clock, standingAt);

@@ -75,7 +75,7 @@ public:
 private:
     class LentLink;
 
-    void start(const std::optional<AxisPosition>& standingAt);
+    void start(const std::optional<memory::EnteredPlace>& standingAt);
     void end();
     void tick();
     void wait(Seconds time);

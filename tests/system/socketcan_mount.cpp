@@ -45,16 +45,6 @@ std::optional<Truth> readTruth(const QString& line)
                  .elevationRate = number(5)};
 }
 
-// Where the simulated mount begins, for a boresightd that wants it confirmed.
-QStringList placeAtStart()
-{
-    fakes::Program help(QStringLiteral(BORESIGHTD), {QStringLiteral("--help")});
-    static_cast<void>(help.waitForEnd());
-    return help.output().contains(QStringLiteral("--standing-at"))
-               ? QStringList{QStringLiteral("--standing-at"), QStringLiteral("0,10")}
-               : QStringList{};
-}
-
 }  // namespace
 
 bool run(const std::string& command)
@@ -83,7 +73,8 @@ bool MountOnCan::startPrograms()
         return false;
     }
     m_boresightd = std::make_unique<BoresightdProcess>(
-        QStringList{QStringLiteral("--bus"), QStringLiteral("socketcan:") + m_programInterface} + placeAtStart());
+        fakes::confirmedMount(m_folder.path(), QStringLiteral("socketcan:") + m_programInterface) +
+        fakes::standingAt(QStringLiteral("0,10")));
     if (!m_boresightd->listens()) {
         ADD_FAILURE() << log();
         return false;

@@ -5,6 +5,7 @@
 #include "tests/system/boresightd_process.h"
 
 #include <QString>
+#include <QTemporaryDir>
 
 #include <functional>
 #include <memory>
@@ -75,6 +76,7 @@ private:
 
     QString m_drivesInterface;
     QString m_programInterface;
+    QTemporaryDir m_folder;
     std::unique_ptr<fakes::Program> m_drives;
     std::unique_ptr<BoresightdProcess> m_boresightd;
     std::unique_ptr<fakes::TcpPeer> m_client;

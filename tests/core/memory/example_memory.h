@@ -33,6 +33,7 @@ inline MountMemory exampleMemory()
                                      .angle = Angle::fromDegrees(0.137),
                                      .time = std::chrono::milliseconds(183),
                                      .when = kWhen};
+    memory.placeUsed = kWhen;
     return memory;
 }
 

@@ -91,7 +91,9 @@ TEST(StationTurns, CountingFromTheMiddleProvesNothingAfterASilenceEither)
 TEST(StationTurns, AnAnswerHalfWrittenIsNeverTakenForAMotion)
 {
     const StationRig standing;
-    StationRig told(profile::Profile{}, {.memory = journalOfTheFuture(standing), .standingAt = {100.8_deg, 43.2_deg}});
+    StationRig told(
+        profile::Profile{},
+        {.memory = journalOfTheFuture(standing), .standingAt = {100.8_deg, 43.2_deg}, .looked = standing.clock.utc()});
     memory::MountMemory saved;
     for (int i = 0; i < 25 && told.azimuth.position < 0.1; ++i) {
         told.tick();

@@ -14,6 +14,12 @@ namespace {
 using moteus::HomeState;
 using moteus::Register;
 
+// At the beginning of a test.
+UtcTime now()
+{
+    return fakes::ManualClock().utc();
+}
+
 // The azimuth drive has been without power: it knows its direction within 3.6° only.
 struct RestartedRig : StationRig
 {
@@ -153,8 +159,9 @@ TEST(StationTurns, WhatTheDriveContradictsIsNotTaken)
 struct CoastedRig : StationRig
 {
     explicit CoastedRig(double place, std::optional<Angle> told = std::nullopt)
-        : StationRig(profile::Profile{},
-                     {.problem = QStringLiteral("The journal file is missing."), .standingAt = {0_deg, told}})
+        : StationRig(
+              profile::Profile{},
+              {.problem = QStringLiteral("The journal file is missing."), .standingAt = {0_deg, told}, .looked = now()})
     {
         elevation.home = HomeState::Rotor;
         elevation.position = profile.elevation.geometry.toMotor(Angle::fromDegrees(place)).turns();
@@ -227,6 +234,98 @@ TEST(StationTurns, BeyondItsBoundsADriveIsToldItsPlaceOnlyWhenItIsOff)
     EXPECT_EQ(rig.elevation.seen.back().fields.count(Register::CommandIgnorePositionBounds), 1U) << "let back inside";
 }
 
+// A drive that knows nothing of its direction: any angle may be entered.
+struct LostRig : StationRig
+{
+    explicit LostRig(std::optional<Angle> told = std::nullopt)
+        : StationRig(profile::Profile{}, {.problem = QStringLiteral("The journal file is missing."),
+                                          .standingAt = {told, 10_deg},
+                                          .looked = now()})
+    {
+        azimuth.home = HomeState::Relative;
+        run(Seconds(0.5));
+    }
+    [[nodiscard]] std::optional<memory::TurnQuestion> question() const
+    {
+        return control.status().drives.azimuth.turnQuestion;
+    }
+};
+
+// Story: "--standing-at 4050,10" for 405, and the next target ran through the end of the cable into the stop.
+TEST(StationTurns, APlaceFarOutsideTheTravelIsRefused)
+{
+    LostRig rig;
+    ASSERT_TRUE(rig.question());
+    ASSERT_TRUE(rig.question()->candidates.empty());
+    for (const Angle far : {4050_deg, 466_deg, -106_deg}) {
+        const Result<> refused = rig.ask(request::ChooseTurn{Axis::Azimuth, far});
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().code, ErrorCode::OutOfRange);
+        EXPECT_NE(refused.error().text.find("outside the travel (-90.0° to 450.0°) by more than 15.0°"),
+                  std::string::npos)
+            << refused.error().text;
+    }
+    EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown);
+    EXPECT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 405_deg}));
+}
+
+TEST(StationTurns, APlaceOfTheCommandLineFarOutsideTheTravelIsAnAlarmAndTheWrapStaysAsked)
+{
+    LostRig rig(4050_deg);
+    ASSERT_TRUE(rig.question());
+    const auto alarms = rig.control.status().alarms;
+    const auto told = std::ranges::find_if(alarms, [](const Alarm& alarm) {
+        return alarm.what.contains(QStringLiteral("4050.0° is outside the travel"));
+    });
+    ASSERT_NE(told, alarms.end());
+    EXPECT_EQ(told->severity, Severity::Warning);
+    ASSERT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 405_deg}));
+    rig.run(Seconds(0.5));
+    const auto after = rig.control.status().alarms;
+    EXPECT_TRUE(std::ranges::none_of(after, [](const Alarm& alarm) { return alarm.active; }));
+}
+
+// An axis that was pushed, or entered, beyond the travel by more than the drives' own bounds allow.
+struct OutsideRig : StationRig
+{
+    OutsideRig() : StationRig(profile::Profile{})
+    {
+        run(Seconds(0.5));
+        azimuth.silent = true;
+        run(Seconds(0.5));
+        azimuth.position = 460.0 / 360.0;
+        azimuth.silent = false;
+        run(Seconds(1.5));
+    }
+};
+
+TEST(StationTurns, FarOutsideTheTravelOnlyTheOperatorJogsSlowlyAndInwards)
+{
+    OutsideRig rig;
+    ASSERT_TRUE(rig.control.status().drives.azimuth.turnKnown);
+    const std::string why =
+        "The azimuth drive stands at 460.00°, outside its travel (-90.00° to 450.00°). Jog it back "
+        "slowly.";
+    EXPECT_EQ(rig.point(100.0, 30.0).error().text, why);
+    EXPECT_EQ(rig.point(100.0, 30.0, kOperator).error().text, why);
+    EXPECT_EQ(rig.ask(request::Park{}).error().text, why);
+    EXPECT_EQ(rig.ask(request::Move{{.azimuth = -1_deg_s}}, kClient).error().text, why);
+    EXPECT_EQ(rig.ask(request::ProveCrashStop{2_deg_s}).error().text, why);
+    EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = -1_deg_s}}, kClient));
+    EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 0.5_deg_s}})) << "outwards";
+    EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = -3_deg_s}})) << "faster than jog.unwind";
+    rig.run(Seconds(1.0));
+    EXPECT_NEAR(rig.azimuthDegrees(), 460.0, 0.01);
+    for (int i = 0; i < 100 && rig.azimuthDegrees() > 452.0; ++i) {
+        ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = -2_deg_s}}));
+        rig.run(Seconds(0.1));
+    }
+    rig.run(Seconds(1.0));
+    EXPECT_TRUE(rig.point(100.0, 30.0, kOperator));
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 100.0, 0.1);
+}
+
 // Story: a brown-out shorter than a silence left the turn known, and the place after it overwrote the journal.
 TEST(StationTurns, ARestartThatNobodyNoticedIsSeenByTheHomeState)
 {
@@ -286,8 +385,9 @@ TEST(StationTurns, SwitchingOffIsNotUndoneByAClient)
 // of the program answered the new question, and the mount was wrong by many turns of the rotor.
 TEST(StationTurns, TheCommandLineAnswersOnlyTheFirstQuestion)
 {
-    StationRig rig(profile::Profile{},
-                   {.problem = QStringLiteral("The journal file is missing."), .standingAt = {0_deg, 0_deg}});
+    StationRig rig(
+        profile::Profile{},
+        {.problem = QStringLiteral("The journal file is missing."), .standingAt = {0_deg, 0_deg}, .looked = now()});
     rig.run(Seconds(0.5));
     ASSERT_TRUE(rig.control.status().drives.azimuth.turnKnown);
     ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
@@ -305,6 +405,57 @@ TEST(StationTurns, TheCommandLineAnswersOnlyTheFirstQuestion)
     for (const QString& line : question->evidence) {
         EXPECT_FALSE(line.contains(QStringLiteral("missing"))) << "there is a record by now";
     }
+}
+
+// Story: "--standing-at 0,0" was left in the unit file, and after a power cut it was believed anew.
+TEST(StationTurns, APlaceOfTheCommandLineIsForgottenAfterTenMinutes)
+{
+    using std::chrono::minutes;
+    for (const auto& [age, counts] :
+         {std::pair{minutes(9), true}, std::pair{minutes(10), false}, std::pair{minutes(-2), false}}) {
+        StationRig rig(profile::Profile{}, {.standingAt = {100_deg, 10_deg}, .looked = now() - age});
+        rig.azimuth.home = rig.elevation.home = HomeState::Rotor;
+        rig.run(Seconds(0.5));
+        EXPECT_EQ(rig.control.status().drives.azimuth.turnKnown, counts) << age.count();
+        const auto alarms = rig.control.status().alarms;
+        EXPECT_EQ(std::ranges::any_of(alarms,
+                                      [](const Alarm& alarm) {
+                                          return alarm.what.startsWith(
+                                              QStringLiteral("--standing-at was not used for the azimuth drive: It"));
+                                      }),
+                  !counts);
+    }
+}
+
+TEST(StationTurns, APlaceOfTheCommandLineCountsAtOneStartOnly)
+{
+    const TurnKeeper::Start told{.standingAt = {100_deg, 10_deg}, .looked = now()};
+    StationRig first(profile::Profile{}, told);
+    first.azimuth.home = first.elevation.home = HomeState::Rotor;
+    first.run(Seconds(0.5));
+    ASSERT_TRUE(first.control.status().drives.azimuth.turnKnown);
+    ASSERT_TRUE(first.control.status().drives.elevation.turnKnown);
+    memory::MountMemory kept;
+    kept.placeUsed = first.control.memory().placeUsed;  // also where the journal was lost since
+    for (const Seconds later : {Seconds(0.0), Seconds(60.0)}) {
+        TurnKeeper::Start again = told;
+        again.memory = kept;
+        again.looked += std::chrono::round<std::chrono::milliseconds>(later);
+        StationRig rig(profile::Profile{}, again);
+        rig.azimuth.home = rig.elevation.home = HomeState::Rotor;
+        rig.run(Seconds(0.5));
+        EXPECT_EQ(rig.control.status().drives.azimuth.turnKnown, later > Seconds(0.0)) << "with a later time it counts";
+    }
+}
+
+// The mount moved since, and only then lost its power.
+TEST(StationTurns, APlaceThatWasNotNeededIsUsedUpToo)
+{
+    StationRig rig(profile::Profile{}, {.trustFirstContact = true, .standingAt = {100_deg, 10_deg}, .looked = now()});
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.control.status().drives.azimuth.turnKnown);
+    EXPECT_NEAR(rig.azimuthDegrees(), 0.0, 0.01) << "the drive knew better";
+    EXPECT_EQ(rig.control.memory().placeUsed, now());
 }
 
 TEST(StationTurns, MotionIsJournalledAsMotionAndRestAsRest)

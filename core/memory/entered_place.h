@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/units/sky.h"
+
+// Where the mount stood when somebody looked at it, entered on the command line. Mechanical angles. Plain value.
+namespace boresight::memory {
+
+struct EnteredPlace
+{
+    AxisPosition place;
+    UtcTime looked;
+
+    bool operator==(const EnteredPlace&) const = default;
+};
+
+}  // namespace boresight::memory
