@@ -76,11 +76,8 @@ void useBus(Options& options, const std::string& bus)
 {
     const profile::Profile before = options.profile;
     options.profile.bus = bus;
-    if (options.isFirstStart()) {
-        return;
-    }
     profile::leaveSimulatedMount(options.profile, before);
-    if (profile::isSimulated(before) && !profile::isSimulated(options.profile)) {
+    if (!options.isFirstStart() && profile::isSimulated(before) && !profile::isSimulated(options.profile)) {
         qWarning().noquote() << QStringLiteral(
                                     "%1 is the profile of the simulated mount: its zeros, north, pointing model and "
                                     "sensor are left out for %2, and directions are to be confirmed")

@@ -15,7 +15,9 @@ namespace {
 using namespace boresight;
 using namespace boresight::ctl;
 
-constexpr std::array kSubcommands{&kSimulateCommand, &kScanCommand, &kDecodeCommand, &kCheckCommand, &kProfileCommand};
+constexpr std::array kSubcommands{&kSimulateCommand, &kScanCommand,    &kDecodeCommand,
+                                  &kCheckCommand,    &kProfileCommand, &kConfirmDirectionsCommand};
+constexpr std::size_t kNameWidth = 20;
 
 const Subcommand* findSubcommand(const std::string& name)
 {
@@ -27,8 +29,8 @@ std::string overview()
 {
     std::string text = "usage: boresightctl SUBCOMMAND …\n\n";
     for (const Subcommand* one : kSubcommands) {
-        text +=
-            "  " + std::string(one->name) + std::string(10 - one->name.size(), ' ') + std::string(one->summary) + '\n';
+        text += "  " + std::string(one->name) + std::string(kNameWidth - one->name.size(), ' ') +
+                std::string(one->summary) + '\n';
     }
     return text +
            "\n\"boresightctl help SUBCOMMAND\" tells more. BUS is fdcanusb:PATH, socketcan:IFACE or simulated.\n"

@@ -21,6 +21,7 @@ const Subcommand kProfileCommand{
     .arguments = "--default",
     .summary = "Print a profile with every setting, its meaning, unit, range and default",
     .details = R"(The values are those the program has without a profile: the reference mount on the simulated bus.
+With another bus.name the directions of its axes are unconfirmed: see "help confirm-directions".
 
 Example:
   boresightctl profile --default > mount.toml

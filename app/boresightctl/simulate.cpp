@@ -213,7 +213,7 @@ on standard error when it begins and ends.
     R"(
 Examples:
   boresightctl simulate --pty /tmp/mount --wind az:30Nm@5+3 --silence el@12s+500ms --fault az:38@20
-  boresightd --bus fdcanusb:/tmp/mount
+  boresightd --profile mount.toml   (with bus.name = "fdcanusb:/tmp/mount", mount.directions = "confirmed")
   boresightctl simulate --pty /tmp/mount --sensor /tmp/sensor --sensor-north -12 --sensor-silence @60+20
   boresightctl simulate --pty /tmp/mount --sensor-mqtt 127.0.0.1 --sensor-deviation 0,0,0,0
 )";

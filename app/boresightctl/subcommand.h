@@ -31,6 +31,7 @@ extern const Subcommand kScanCommand;
 extern const Subcommand kDecodeCommand;
 extern const Subcommand kCheckCommand;
 extern const Subcommand kProfileCommand;
+extern const Subcommand kConfirmDirectionsCommand;
 
 // Standard output, at once, also into a pipe.
 void print(const std::string& text);

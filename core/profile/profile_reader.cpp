@@ -30,6 +30,7 @@ public:
     {
         readVersion(root);
         readTable(root, "");
+        assumeTheRest();
         checkTogether();
         checkWhole();
     }
@@ -232,6 +233,16 @@ private:
             texts.push_back(text->get());
         }
         return texts;
+    }
+
+    // What the file leaves out and other settings decide.
+    void assumeTheRest()
+    {
+        for (const Setting& setting : settings()) {
+            if (setting.assume && !m_lines.contains(setting.key)) {
+                setting.assume(m_profile);
+            }
+        }
     }
 
     // Of the tables whose keys are given together.

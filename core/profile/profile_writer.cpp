@@ -72,17 +72,30 @@ std::string comment(const Setting& setting)
 {
     const Profile standard;
     std::string facts = boundsAndUnit(setting);
-    facts += setting.counts(standard) ? "; default " + toText(setting.get(standard))
-                                      : "; not given by default, and then nothing else of this table";
+    facts += setting.assume             ? "; its default depends on other settings"
+             : setting.counts(standard) ? "; default " + toText(setting.get(standard))
+                                        : "; not given by default, and then nothing else of this table";
     facts += setting.applies == Applies::Now ? "; applies at once" : "; applies on reconnect";
     return "# " + setting.text + "\n# " + facts + "\n";
+}
+
+// Reading the file without it comes to the same.
+bool isAssumed(const Setting& setting, Profile profile)
+{
+    const SettingValue value = setting.get(profile);
+    if (!setting.assume) {
+        return false;
+    }
+    setting.assume(profile);
+    return setting.get(profile) == value;
 }
 
 std::string line(const Setting& setting, const Profile& profile)
 {
     const std::string key = setting.key.substr(setting.key.find('.') + 1);
     // What is not given stands there as a comment, ready to be filled in.
-    return (setting.counts(profile) ? "" : "# ") + key + " = " + toText(setting.get(profile)) + "\n";
+    return (setting.counts(profile) && !isAssumed(setting, profile) ? "" : "# ") + key + " = " +
+           toText(setting.get(profile)) + "\n";
 }
 
 std::string horizonText(const std::vector<pointing::HorizonPoint>& horizon)

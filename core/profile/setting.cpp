@@ -3,6 +3,7 @@
 
 #include "core/base/bus_name.h"
 #include "core/base/text.h"
+#include "core/profile/commissioning.h"
 #include "core/profile/setting_groups.h"
 #include "core/profile/setting_makers.h"
 
@@ -28,10 +29,13 @@ void addMount(std::vector<Setting>& list)
         [](auto& p) -> auto& { return p.mount.beamWidth; }));
     list.push_back(choice(
         "mount.directions", {"confirmed", "unconfirmed"}, Applies::Now,
-        QT_TRANSLATE_NOOP(
-            "Text",
-            "Whether a person has seen that each axis turns the way this file says; before, moves are short and slow."),
+        QT_TRANSLATE_NOOP("Text",
+                          "Whether a person has seen that each axis turns the way this file says; before, moves are "
+                          "short and slow. Without this key a real mount is unconfirmed."),
         [](auto& p) -> auto& { return p.mount.directions; }));
+    list.back().assume = [](Profile& p) {
+        p.mount.directions = isSimulated(p) ? Directions::Confirmed : Directions::Unconfirmed;
+    };
     list.push_back(textual(
         "bus.name", Applies::OnReconnect,
         QT_TRANSLATE_NOOP("Text",

@@ -56,6 +56,9 @@ struct SettingOf
     std::function<Result<>(Owner&, const SettingValue&)> set;
     // Set where the keys of a table are given all together or not at all; then the value counts only if this holds.
     std::function<bool(const Owner&)> isGiven = {};
+    // Set where the default depends on other settings: makes the value that a file without the key means. The writer
+    // leaves the key out, as a comment, where it says nothing else.
+    std::function<void(Owner&)> assume = {};
     bool secret = false;  // not for logs, diagnostics and eyes over the shoulder; the file has it
 
     [[nodiscard]] bool counts(const Owner& owner) const { return !isGiven || isGiven(owner); }

@@ -7,8 +7,9 @@
 
 #include <optional>
 
-// Before a person has confirmed which way each axis turns, the mount is moved by hand only: slowly, and no farther than
-// a small way from where the first such motion began. A wrong sign then shows without harm. Pure.
+// Before a person has confirmed which way each axis turns, the mount is moved by hand only, by a jog or by a client's
+// "M": slowly, and no farther than a small way from where the first such motion began. A wrong sign then shows without
+// harm. Pure.
 namespace boresight {
 
 class FirstMoves

@@ -151,12 +151,25 @@ void Station::start()
 void Station::openAll()
 {
     m_opened = m_clock.now();
+    tellDirections();
     openBus();
     openServer();
     m_broker.apply(m_profile.inForce()->mqtt);
     m_sensor.open();
     m_power.open();
     writeEvents();
+}
+
+// A service has no guide that leads there.
+void Station::tellDirections()
+{
+    if (m_profile.inForce()->mount.directions == profile::Directions::Unconfirmed) {
+        m_log.add(
+            Severity::Warning, QStringLiteral("station"),
+            Text::tr("Nobody has confirmed which way the axes turn. Boresight moves the mount at most 2° at 5°/s, by "
+                     "a jog or by M of a client. See both axes turn as the profile says. Then confirm it in the "
+                     "guide of the window, or run boresightctl confirm-directions PROFILE and start again."));
+    }
 }
 
 void Station::openBus()

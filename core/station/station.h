@@ -73,6 +73,7 @@ public Q_SLOTS:
     void tick();
     void publish();
     void openAll();
+    void tellDirections();
     void openBus();
 
 Q_SIGNALS:

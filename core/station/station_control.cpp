@@ -387,10 +387,9 @@ Result<> StationControl::handle(const request::Horizon&, const Source& source)
 
 Result<> StationControl::runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& what)
 {
-    const Result<> may = activity == Activity::Jogging
-                             ? mayJog(rates, source).and_then([&] { return mayJogFirst(rates); })
-                             : mayPoint(source);
-    return may.map([&] {
+    const Result<> may = activity == Activity::Jogging ? mayJog(rates, source)
+                                                       : mayMove(source).and_then([this] { return axesPlaced(); });
+    return may.and_then([&] { return mayMoveFirst(rates); }).map([&] {
         begin(activity, source, what);
         m_motion.run(rates);
     });

@@ -219,7 +219,7 @@ private:
     Result<> runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& text);
     void enforceRegion();
     [[nodiscard]] QString directionText(const AxisPosition& place) const;
-    [[nodiscard]] Result<> mayJogFirst(const AxisRates& rates);
+    [[nodiscard]] Result<> mayMoveFirst(const AxisRates& rates);
     void watchFirstMoves();
     void setTrim(const AxisPosition& trim, const Source& source);
     void takeOver(const Source& source);

@@ -150,7 +150,7 @@ void StationControl::setProfile(const profile::Profile& profile)
 }
 
 // Nobody has confirmed yet that the axes turn as the profile says.
-Result<> StationControl::mayJogFirst(const AxisRates& rates)
+Result<> StationControl::mayMoveFirst(const AxisRates& rates)
 {
     if (m_profile.mount.directions == profile::Directions::Confirmed) {
         return {};
@@ -169,7 +169,8 @@ Result<> StationControl::mayJogFirst(const AxisRates& rates)
 
 void StationControl::watchFirstMoves()
 {
-    if (m_profile.mount.directions == profile::Directions::Confirmed || m_activity != Activity::Jogging) {
+    const bool running = m_activity == Activity::Jogging || m_activity == Activity::Running;
+    if (m_profile.mount.directions == profile::Directions::Confirmed || !running) {
         return;
     }
     const auto rest = [this](Axis axis) { return restingPlace(m_motion.setpoint(axis), m_profile.axis(axis).limits); };

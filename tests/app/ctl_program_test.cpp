@@ -37,7 +37,7 @@ TEST(Boresightctl, ExplainsItselfAndEverySubcommandWithAnExample)
 {
     const Outcome all = ctl({QStringLiteral("help")});
     EXPECT_EQ(all.status, 0);
-    for (const char* name : {"simulate", "scan", "decode", "check", "profile"}) {
+    for (const char* name : {"simulate", "scan", "decode", "check", "profile", "confirm-directions"}) {
         EXPECT_THAT(all.output, HasSubstr(name));
         const Outcome help = ctl({QStringLiteral("help"), QString::fromUtf8(name)});
         EXPECT_EQ(help.status, 0);
@@ -54,7 +54,7 @@ TEST(Boresightctl, RefusesWhatMakesNoSense)
     EXPECT_EQ(unknown.status, 2);
     EXPECT_THAT(unknown.errors, HasSubstr("there is no subcommand \"dance\""));
     for (const char* line : {"scan", "scan canbus:7", "check", "profile", "profile --other", "decode", "simulate",
-                             "simulate --pty /tmp/x --wind az:x"}) {
+                             "confirm-directions", "simulate --pty /tmp/x --wind az:x"}) {
         const Outcome refused = ctl(words(line));
         EXPECT_EQ(refused.status, 2) << line;
         EXPECT_THAT(refused.errors, HasSubstr("usage: boresightctl ")) << line;
@@ -108,6 +108,19 @@ protected:
         std::ofstream(path.toStdString()) << text;
         return path;
     }
+    std::string read() const
+    {
+        std::ifstream file(folder.filePath(QStringLiteral("mount.toml")).toStdString());
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    Outcome confirm(const char* answer) const
+    {
+        fakes::Program program(QStringLiteral(BORESIGHTCTL),
+                               {QStringLiteral("confirm-directions"), folder.filePath(QStringLiteral("mount.toml"))});
+        program.type(answer);
+        const int status = program.waitForEnd();
+        return {status, program.output().toStdString(), program.errors().toStdString()};
+    }
 
     QTemporaryDir folder;
 };
@@ -145,6 +158,24 @@ TEST_F(ProfileFile, CheckTellsOfAFileThatIsNotThere)
     const Outcome absent = ctl({QStringLiteral("check"), folder.filePath(QStringLiteral("absent.toml"))});
     EXPECT_EQ(absent.status, 1);
     EXPECT_THAT(absent.errors, HasSubstr("absent.toml"));
+}
+
+TEST_F(ProfileFile, DirectionsAreConfirmedByTypingYes)
+{
+    const std::string before = "# mine\nversion = 1\n[bus]\nname = \"socketcan:can0\"\n";
+    write(before);
+    for (const char* answer : {"", "y\n", "no\n"}) {
+        const Outcome refused = confirm(answer);
+        EXPECT_EQ(refused.status, 1) << answer;
+        EXPECT_THAT(refused.errors, HasSubstr("The file is unchanged."));
+        EXPECT_EQ(read(), before);
+    }
+    const Outcome confirmed = confirm("yes\n");
+    EXPECT_EQ(confirmed.status, 0) << confirmed.errors;
+    EXPECT_THAT(confirmed.output, HasSubstr("socketcan:can0"));
+    EXPECT_THAT(confirmed.output, HasSubstr("M 16"));
+    EXPECT_EQ(read(), before + "\n[mount]\ndirections = \"confirmed\"\n");
+    EXPECT_THAT(confirm("").output, HasSubstr("confirmed already"));
 }
 
 TEST_F(ProfileFile, TheDefaultProfileIsCommentedAndInOrder)

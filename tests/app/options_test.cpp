@@ -116,6 +116,7 @@ TEST_F(OptionsTest, ABusWithoutAnyProfileIsTheReferenceMountThere)
 {
     profile::Profile reference;
     reference.bus = "socketcan:can7";
+    reference.mount.directions = profile::Directions::Unconfirmed;
     EXPECT_EQ(read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")})->profile, reference);
     EXPECT_EQ(read({QStringLiteral("--bus"), QStringLiteral("simulated")})->profile, profile::Profile{});
 }

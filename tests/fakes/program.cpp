@@ -41,6 +41,12 @@ int Program::waitForEnd()
     return ended && m_process.exitStatus() == QProcess::NormalExit ? m_process.exitCode() : -1;
 }
 
+void Program::type(const QByteArray& text)
+{
+    m_process.write(text);
+    m_process.closeWriteChannel();
+}
+
 QStringList Program::lines() const
 {
     QStringList all = output().split(QLatin1Char('\n'));

@@ -23,6 +23,7 @@ public:
     [[nodiscard]] bool waitForError(const QString& text);
     // The exit status; -1 if the program crashed, was killed or does not end.
     [[nodiscard]] int waitForEnd();
+    void type(const QByteArray& text);           // and no more: the end of standard input
     void terminate() { m_process.terminate(); }  // SIGTERM
     void kill() { m_process.kill(); }            // SIGKILL
 

@@ -53,6 +53,26 @@ TEST(ProfileFile, TheDefaultFileReadsBackAsTheDefault)
     EXPECT_NE(text.find("# one of \"hold\" \"brake\" \"off\"; default \"hold\"; applies at once\n"), std::string::npos);
 }
 
+// Story: "profile --default" said that the directions were confirmed. With the name of a real bus in it, a mount that
+// nobody had seen turn went to its first target at 10 °/s.
+TEST(ProfileFile, TheDirectionsOfARealMountAreUnconfirmedUntilItsFileSaysSo)
+{
+    const auto directionsOf = [](const std::string& toml) { return parseProfile(toml, "m.toml")->mount.directions; };
+    const std::string real = "version = 1\n[bus]\nname = \"socketcan:can0\"\n";
+    EXPECT_EQ(directionsOf("version = 1\n"), Directions::Confirmed) << "the simulated mount";
+    EXPECT_EQ(directionsOf(real), Directions::Unconfirmed);
+    EXPECT_EQ(directionsOf(real + "[mount]\ndirections = \"confirmed\"\n"), Directions::Confirmed);
+    std::string edited = toToml(Profile{});
+    edited.replace(edited.find("\"simulated\"\n"), 11, "\"socketcan:can0\"");
+    EXPECT_EQ(directionsOf(edited), Directions::Unconfirmed) << edited;
+    Profile seen;
+    seen.bus = "socketcan:can0";
+    EXPECT_EQ(directionsOf(toToml(seen)), Directions::Confirmed);
+    seen.bus = "simulated";
+    seen.mount.directions = Directions::Unconfirmed;
+    EXPECT_EQ(directionsOf(toToml(seen)), Directions::Unconfirmed);
+}
+
 TEST(ProfileFile, EveryValueSurvivesTheRoundTrip)
 {
     Profile changed;

@@ -134,6 +134,26 @@ TEST(StationDesk, BeforeItsDirectionsAreConfirmedAMountIsJoggedALittleAndSlowly)
     EXPECT_TRUE(rig.point(50.0, 30.0, kOperator));
 }
 
+// Without a window the person at the mast sees the directions by a client's "M".
+TEST(StationDesk, BeforeItsDirectionsAreConfirmedAClientMovesItALittleAndSlowly)
+{
+    profile::Profile fresh;
+    fresh.mount.directions = Directions::Unconfirmed;
+    StationRig rig(fresh);
+    rig.run(Seconds(0.1));
+    EXPECT_FALSE(rig.point(50.0, 30.0));
+    EXPECT_FALSE(rig.ask(request::Move{{.elevation = 5.5_deg_s}}, kClient));
+    ASSERT_TRUE(rig.ask(request::Move{{.elevation = 1_deg_s}}, kClient));
+    rig.run(Seconds(5.0));
+    EXPECT_EQ(rig.state(), StationState::Hold);
+    EXPECT_GE(rig.elevationDegrees(), 1.7);
+    EXPECT_LE(rig.elevationDegrees(), 2.0);
+    EXPECT_FALSE(rig.ask(request::Move{{.elevation = 1_deg_s}}, kClient));
+    ASSERT_TRUE(rig.ask(request::Move{{.elevation = -1_deg_s}}, kClient)) << "the way back";
+    ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
+    EXPECT_FALSE(rig.ask(request::Move{{.elevation = -1_deg_s}}, kClient));
+}
+
 // Seen in the guide: after the azimuth had gone its small way the elevation did not move at all.
 TEST(StationDesk, AnAxisAtTheEndOfItsSmallWayKeepsNeitherTheOtherNorTheWayBack)
 {

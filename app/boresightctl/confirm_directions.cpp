@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/boresightctl/subcommand.h"
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/profile/directions_text.h"
+#include "core/profile/profile_file.h"
+#include "core/profile/text_file.h"
+
+#include <iostream>
+
+namespace boresight::ctl {
+namespace {
+
+ExitStatus fail(const Error& error)
+{
+    complain(kConfirmDirectionsCommand, error.text);
+    return kFoundWrong;
+}
+
+std::string question(const profile::Profile& profile)
+{
+    const auto speed = [](const profile::AxisSettings& axis) { return formatFixed(axis.limits.speed.degrees(), 1); };
+    return "Mount \"" + profile.mount.name + "\", bus " + profile.bus +
+           ".\nAfter this Boresight moves the mount to every place of its travel, at up to " + speed(profile.azimuth) +
+           " °/s in azimuth and " + speed(profile.elevation) +
+           " °/s in elevation.\nConfirm only what a person at the mast has seen:\n"
+           "  azimuth:   to the right (M 16) the beam turns clockwise, seen from above\n"
+           "  elevation: up (M 2) the beam rises\n"
+           "Type yes if both axes turn so: ";
+}
+
+bool isConfirmedByHand(const profile::Profile& profile)
+{
+    print(question(profile));
+    std::string answer;
+    std::getline(std::cin, answer);
+    return answer == "yes";
+}
+
+ExitStatus run(Arguments arguments)
+{
+    if (arguments.size() != 1) {
+        return usageError(kConfirmDirectionsCommand, "give one profile");
+    }
+    const QString path = QString::fromStdString(arguments.front());
+    const auto toml = profile::readFile(path);
+    const auto profile = profile::loadProfile(path);
+    if (!toml || !profile) {
+        return fail(toml ? profile.error() : toml.error());
+    }
+    const auto confirmed = profile::withDirectionsConfirmed(toml->toStdString(), arguments.front());
+    if (!confirmed) {
+        return fail(confirmed.error());
+    }
+    if (profile->mount.directions == profile::Directions::Confirmed) {
+        print(arguments.front() + ": the directions are confirmed already\n");
+        return kDone;
+    }
+    if (!isConfirmedByHand(*profile)) {
+        return fail({ErrorCode::Refused, "Nothing was confirmed. The file is unchanged."});
+    }
+    const auto written = profile::writeFile(path, QByteArray::fromStdString(*confirmed), profile::readersOf(path));
+    if (!written) {
+        return fail(written.error());
+    }
+    print(arguments.front() + ": the directions are confirmed. Start Boresight again.\n");
+    return kDone;
+}
+
+}  // namespace
+
+const Subcommand kConfirmDirectionsCommand{
+    .name = "confirm-directions",
+    .arguments = "PROFILE",
+    .summary = "Write into a profile that both axes turn the way it says",
+    .details = R"(Before, Boresight moves a real mount at most 2° at 5 °/s. For a boresightd without a window:
+  1. Start boresightd with this profile, and stand where you see the antenna.
+  2. rotctl -m 2 -r localhost:4533, and in it: M 16 20 (right), M 2 20 (up). The mount stops by itself.
+  3. An axis that turned the other way: change its sign in the profile, and begin again.
+  4. Both turned as they should: this command, then start boresightd again.
+It asks before it writes. Comments and everything else in the file stay.
+Exit status: 0 the directions are confirmed, 1 they are not: the file is unchanged.
+
+Example:
+  boresightctl confirm-directions /etc/boresight/profile.toml
+)",
+    .run = run};
+
+}  // namespace boresight::ctl

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+
+#include <string>
+
+// The one setting that is changed in a profile's file by hand of the program: comments and order of the file stay as
+// the operator wrote them. Pure.
+namespace boresight::profile {
+
+// The file's text with `directions = "confirmed"` and nothing else changed. Refuses a file that does not read without
+// error, one of the simulated mount, and one in which the place of the key cannot be found.
+[[nodiscard]] Result<std::string> withDirectionsConfirmed(const std::string& toml, const std::string& fileName);
+
+}  // namespace boresight::profile
