@@ -14,8 +14,10 @@ constexpr Angle kRounding = Angle::fromDegrees(1e-9);
 constexpr Angle kBeyond = Angle::fromDegrees(3600.0);
 constexpr std::array kSides{Side::Upright, Side::OverTheTop};
 
-// An edge is looked at in this many places; in between it is within a hundredth of a degree, and the margin is more.
+// A side is looked at in this many places, and an upper or lower edge so often along its way; in between they are
+// within a hundredth of a degree, and the margin is more.
 constexpr int kSamples = 32;
+constexpr Angle kApart = Angle::fromDegrees(3.5);
 constexpr Angle kMargin = Angle::fromDegrees(0.02);
 constexpr Angle kDeep = Angle::fromDegrees(-45.0);
 // A keep-out is enclosed in few boxes, which reach beyond it by about twice the skew: each of them is a place to turn
@@ -167,11 +169,14 @@ std::vector<AxisBox> AxisImage::enclosed(const TravelRange& azimuths, const Trav
 AxisBox AxisImage::enclosing(const TravelRange& azimuths, const TravelRange& elevations, Side side) const
 {
     AxisBox box = AxisBox::at(place({azimuths.min, elevations.min}, side));
-    for (int i = 0; i <= kSamples; ++i) {
-        const Angle azimuth = part(azimuths, i, kSamples);
-        const Angle elevation = part(elevations, i, kSamples);
+    const int across = 2 + static_cast<int>((azimuths.max - azimuths.min) / kApart);
+    for (int i = 0; i <= across; ++i) {
+        const Angle azimuth = part(azimuths, i, across);
         include(box, place({azimuth, elevations.min}, side));
         include(box, place({azimuth, elevations.max}, side));
+    }
+    for (int i = 0; i <= kSamples; ++i) {
+        const Angle elevation = part(elevations, i, kSamples);
         include(box, place({azimuths.min, elevation}, side));
         include(box, place({azimuths.max, elevation}, side));
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PermittedRegion::nearest: the nearest permitted place lies at the azimuth asked for, at an edge of a keep-out or a
-// limit, at a corner of the horizon, at the foot of the shortest way to one of its lines, or where a line crosses the
-// elevation of an edge. Lines farther away than the best place so far are passed over.
+// PermittedRegion::nearest: the nearest permitted place lies at the azimuth or the elevation asked for on an edge of a
+// keep-out or a limit, where two such edges cross, at a corner of the horizon, at the foot of the shortest way to one
+// of its lines, or where a line crosses an edge. What is farther away than the best place so far is passed over.
 #include "core/pointing/permitted_region.h"
 
 #include <algorithm>
@@ -13,6 +13,18 @@ namespace boresight::pointing {
 namespace {
 
 const Angle kFullTurn = Angle::fromTurns(1.0);
+const Angle kRounding = Angle::fromDegrees(1e-9);
+constexpr TravelRange kAll{.min = Angle::fromDegrees(-1e6), .max = Angle::fromDegrees(1e6)};
+
+bool reaches(const TravelRange& range, Angle angle)
+{
+    return angle >= range.min - kRounding && angle <= range.max + kRounding;
+}
+
+Angle gap(const TravelRange& range, Angle angle)
+{
+    return std::max({range.min - angle, angle - range.max, Angle{}});
+}
 
 class Search
 {
@@ -24,72 +36,92 @@ public:
           m_width(std::max(0.05, std::abs(std::cos(wanted.elevation.radians()))))
     {
         const TravelRange& elevations = region.ranges().elevation;
-        m_levels = {elevations.clamped(wanted.elevation), elevations.min, elevations.max};
+        m_levels = {{elevations.clamped(wanted.elevation), kAll}, {elevations.min, kAll}, {elevations.max, kAll}};
         for (const AxisBox& keepOut : region.keepOuts()) {
-            m_levels.push_back(keepOut.elevation.min);
-            m_levels.push_back(keepOut.elevation.max);
+            m_levels.push_back({keepOut.elevation.min, keepOut.azimuth});
+            m_levels.push_back({keepOut.elevation.max, keepOut.azimuth});
         }
     }
 
-    void tryAzimuth(Angle azimuth)
+    // An edge at this azimuth, and what crosses it.
+    void tryAzimuth(Angle azimuth, const TravelRange& elevations = kAll)
     {
-        if (std::abs((azimuth - m_wanted.azimuth).radians()) * m_width >= m_bestDistance) {
+        if (squareOf(abs(azimuth - m_wanted.azimuth), gap(elevations, m_wanted.elevation)) >= m_bestSquare) {
             return;
         }
-        for (const Angle level : m_levels) {
-            tryPlace({azimuth, level});
+        for (const Level& level : m_levels) {
+            if (reaches(elevations, level.elevation) && reaches(level.azimuths, azimuth)) {
+                tryPlace({azimuth, level.elevation});
+            }
         }
-        const TravelRange here{azimuth, azimuth};
-        tryPlace({azimuth, m_region.floor(here)});
-        tryPlace({azimuth, m_region.ceiling(here)});
+        tryGround(azimuth);
     }
 
     // A line of the horizon, or its image over the top, as the axes see it.
     void tryLine(const HorizonPoint& a, const HorizonPoint& b)
     {
-        const Angle past = std::max(a.azimuth - m_wanted.azimuth, m_wanted.azimuth - b.azimuth);
-        if (past.radians() * m_width >= m_bestDistance) {
+        const TravelRange heights{std::min(a.elevation, b.elevation), std::max(a.elevation, b.elevation)};
+        if (squareOf(gap({a.azimuth, b.azimuth}, m_wanted.azimuth), gap(heights, m_wanted.elevation)) >= m_bestSquare) {
             return;
         }
-        tryAzimuth(a.azimuth);
-        tryAzimuth(b.azimuth);
+        tryGround(a.azimuth);
+        tryGround(b.azimuth);
         const double slope = (b.elevation - a.elevation) / (b.azimuth - a.azimuth);
         const double square = m_width * m_width;
         const Angle foot =
             (square * m_wanted.azimuth + slope * (m_wanted.elevation - a.elevation + slope * a.azimuth)) /
             (square + slope * slope);
-        tryOn(a, b, foot);
-        for (const Angle level : m_levels) {
-            tryOn(a, b, a.azimuth + (level - a.elevation) / slope);
+        if (foot > a.azimuth && foot < b.azimuth) {
+            tryGround(foot);
+        }
+        for (const Level& level : m_levels) {
+            const Angle crossing = a.azimuth + (level.elevation - a.elevation) / slope;
+            if (crossing > a.azimuth && crossing < b.azimuth && reaches(level.azimuths, crossing)) {
+                tryPlace({crossing, level.elevation});
+            }
         }
     }
 
     [[nodiscard]] std::optional<AxisPosition> best() const { return m_best; }
 
 private:
-    void tryOn(const HorizonPoint& a, const HorizonPoint& b, Angle azimuth)
+    // An elevation that the axes can move along at these azimuths.
+    struct Level
     {
-        if (azimuth > a.azimuth && azimuth < b.azimuth) {
-            tryAzimuth(azimuth);
+        Angle elevation;
+        TravelRange azimuths;
+    };
+
+    [[nodiscard]] double squareOf(Angle azimuth, Angle elevation) const
+    {
+        const double across = m_width * azimuth.radians();
+        return across * across + elevation.radians() * elevation.radians();
+    }
+
+    void tryGround(Angle azimuth)
+    {
+        if (squareOf(azimuth - m_wanted.azimuth, {}) < m_bestSquare && m_region.hasHorizon()) {
+            const TravelRange here{azimuth, azimuth};
+            tryPlace({azimuth, m_region.floor(here)});
+            tryPlace({azimuth, m_region.ceiling(here)});
         }
     }
 
     void tryPlace(const AxisPosition& place)
     {
-        const double distance = std::hypot(m_width * (place.azimuth - m_wanted.azimuth).radians(),
-                                           (place.elevation - m_wanted.elevation).radians());
-        if (distance < m_bestDistance && m_region.permits(place)) {
+        const double square = squareOf(place.azimuth - m_wanted.azimuth, place.elevation - m_wanted.elevation);
+        if (square < m_bestSquare && m_region.permits(place)) {
             m_best = place;
-            m_bestDistance = distance;
+            m_bestSquare = square;
         }
     }
 
     const PermittedRegion& m_region;
     AxisPosition m_wanted;
     double m_width;
-    std::vector<Angle> m_levels;
+    std::vector<Level> m_levels;
     std::optional<AxisPosition> m_best;
-    double m_bestDistance = std::numeric_limits<double>::infinity();
+    double m_bestSquare = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
@@ -102,8 +134,8 @@ std::optional<AxisPosition> PermittedRegion::nearest(const AxisPosition& place) 
     Search search(*this, place);
     search.tryAzimuth(m_ranges.azimuth.clamped(place.azimuth));
     for (const AxisBox& keepOut : m_boxes) {
-        search.tryAzimuth(keepOut.azimuth.min);
-        search.tryAzimuth(keepOut.azimuth.max);
+        search.tryAzimuth(keepOut.azimuth.min, keepOut.elevation);
+        search.tryAzimuth(keepOut.azimuth.max, keepOut.elevation);
     }
     search.tryAzimuth(m_ranges.azimuth.min);
     search.tryAzimuth(m_ranges.azimuth.max);

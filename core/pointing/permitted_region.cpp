@@ -110,7 +110,8 @@ PermittedRegion::PermittedRegion(const Region& region, const TravelRange& azimut
         layOut(cap, m_keepOuts.size());
     }
     closeSlits();
-    closeSlits();  // where three meet, between what the first round closed
+    dropCovered();  // at once: the next round compares each with each
+    closeSlits();   // where three meet, between what the first round closed
     dropCovered();
 }
 

@@ -43,6 +43,7 @@ public:
     // What the beam looks at; the turn and the side of the zenith are those of the axes.
     [[nodiscard]] SkyPointing beamAt(const AxisPosition& place) const { return m_pointing.toSky(place); }
 
+    [[nodiscard]] bool hasHorizon() const { return !m_horizon.empty(); }
     // The horizon under these azimuths; its image over the top, which a beam that looks backwards has to stay below.
     [[nodiscard]] Angle floor(const TravelRange& azimuths) const;
     [[nodiscard]] Angle ceiling(const TravelRange& azimuths) const;

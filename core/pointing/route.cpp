@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The azimuths at which anything begins or ends cut the range into columns. Within a column keep-outs go all the way
-// across, so that what is free in it are a few bands of elevation, above the highest point of its horizon; a way that
-// exists at all leads from band to band. The places worth turning at are therefore the ends of the bands at the sides
-// of the columns, and the elevations of both ends of the way. Among them the quickest way is searched (A*).
+// What is forbidden is a set of rectangles: the keep-outs as the axes see them and, between the azimuths at which
+// anything begins or ends, the highest horizon. A way that exists at all leads from corner to corner of them, so their
+// corners are the places worth turning at. Among them the quickest way is searched (A*).
 #include "core/pointing/route.h"
 
 #include "core/base/numbers.h"
@@ -12,12 +11,32 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 namespace boresight::pointing {
 
 namespace {
 
 const Angle kRounding = Angle::fromDegrees(1e-9);
+const Angle kHardly = Angle::fromDegrees(1e-6);
+
+// What a search may still cost.
+class Effort
+{
+public:
+    explicit Effort(std::size_t steps) : m_left(steps) {}
+
+    // Whether there is enough left for that; when there was not, there is nothing left.
+    bool spend(std::size_t steps)
+    {
+        m_left = steps < m_left ? m_left - steps : 0;
+        return !spent();
+    }
+    [[nodiscard]] bool spent() const { return m_left == 0; }
+
+private:
+    std::size_t m_left;
+};
 
 void sortUnique(std::vector<Angle>& angles)
 {
@@ -43,41 +62,80 @@ std::vector<Angle> columns(const PermittedRegion& region, const AxisPosition& fr
     return sides;
 }
 
-// The ends of the free bands of a column.
-std::vector<Angle> bandEnds(const PermittedRegion& region, const TravelRange& column)
+// A place to turn at. Around the corner of a rectangle a way leads from one of the two quadrants beside it to the
+// other: those to the upper right and the lower left of a `Falling` corner, of a `Rising` one the other two.
+enum class Turn
 {
-    const TravelRange& range = region.ranges().elevation;
-    std::vector<Angle> ends{std::max(range.min, region.floor(column)), std::min(range.max, region.ceiling(column))};
-    for (const AxisBox& keepOut : region.keepOuts()) {
-        if (keepOut.azimuth.max > column.min + kRounding && keepOut.azimuth.min < column.max - kRounding) {
-            ends.push_back(keepOut.elevation.min);
-            ends.push_back(keepOut.elevation.max);
-        }
+    Anyhow,  // an end of the way
+    Falling,
+    Rising
+};
+
+struct Place
+{
+    AxisPosition at;
+    Turn turn = Turn::Anyhow;
+
+    // Whether a leg to or from there can be one of a way around this corner.
+    [[nodiscard]] bool leadsTo(const AxisPosition& other) const
+    {
+        const double rise = (other.azimuth - at.azimuth).degrees() * (other.elevation - at.elevation).degrees();
+        constexpr double kLevel = 1e-9;
+        return turn == Turn::Anyhow || (turn == Turn::Falling ? rise > -kLevel : rise < kLevel);
     }
-    std::erase_if(ends, [&](Angle end) {
-        return !region.permits(AxisBox{.azimuth = column, .elevation = {end, end}});
-    });
-    return ends;
+    bool operator==(const Place&) const = default;
+};
+
+void addCorners(std::vector<Place>& places, const AxisBox& keepOut)
+{
+    const auto& [azimuth, elevation] = keepOut;
+    places.push_back({{azimuth.min, elevation.min}, Turn::Rising});
+    places.push_back({{azimuth.min, elevation.max}, Turn::Falling});
+    places.push_back({{azimuth.max, elevation.min}, Turn::Falling});
+    places.push_back({{azimuth.max, elevation.max}, Turn::Rising});
 }
 
-std::vector<AxisPosition> turningPlaces(const PermittedRegion& region, const AxisPosition& from, const AxisPosition& to)
+// Where the highest horizon of one column meets a lower one.
+void addSteps(std::vector<Place>& places, const PermittedRegion& region, const std::vector<Angle>& sides)
 {
-    std::vector<AxisPosition> places{from, to};
-    const std::vector<Angle> sides = columns(region, from, to);
-    std::vector<Angle> before;
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        std::vector<Angle> after =
-            i + 1 < sides.size() ? bandEnds(region, {sides[i], sides[i + 1]}) : std::vector<Angle>{};
-        std::vector<Angle> levels = std::move(before);
-        levels.insert(levels.end(), after.begin(), after.end());
-        levels.insert(levels.end(), {from.elevation, to.elevation});
-        sortUnique(levels);
-        for (const Angle level : levels) {
-            if (const AxisPosition place{sides[i], level}; region.permits(place)) {
-                places.push_back(place);
-            }
+    for (std::size_t i = 1; i + 1 < sides.size(); ++i) {
+        const TravelRange before{sides[i - 1], sides[i]};
+        const TravelRange after{sides[i], sides[i + 1]};
+        const Angle floor = region.floor(before);
+        const Angle nextFloor = region.floor(after);
+        if (floor != nextFloor) {
+            places.push_back(
+                {{sides[i], std::max(floor, nextFloor)}, floor < nextFloor ? Turn::Falling : Turn::Rising});
         }
-        before = std::move(after);
+        const Angle ceiling = region.ceiling(before);
+        const Angle nextCeiling = region.ceiling(after);
+        if (ceiling != nextCeiling) {
+            places.push_back(
+                {{sides[i], std::min(ceiling, nextCeiling)}, nextCeiling < ceiling ? Turn::Rising : Turn::Falling});
+        }
+    }
+}
+
+// Both ends of the way first.
+std::vector<Place> turningPlaces(const PermittedRegion& region, const AxisPosition& from, const AxisPosition& to,
+                                 Effort& effort)
+{
+    std::vector<Place> corners;
+    for (const AxisBox& keepOut : region.keepOuts()) {
+        addCorners(corners, keepOut);
+    }
+    if (region.hasHorizon()) {
+        addSteps(corners, region, columns(region, from, to));
+    }
+    std::ranges::sort(corners, {},
+                      [](const Place& one) { return std::tuple(one.at.azimuth, one.at.elevation, one.turn); });
+    const auto same = std::ranges::unique(corners);
+    corners.erase(same.begin(), same.end());
+    std::vector<Place> places{{from}, {to}};
+    for (const Place& corner : corners) {
+        if (effort.spend(region.keepOuts().size()) && region.permits(corner.at)) {
+            places.push_back(corner);
+        }
     }
     return places;
 }
@@ -88,25 +146,42 @@ double duration(const AxisPosition& a, const AxisPosition& b, const AxisRates& s
                     abs(b.elevation - a.elevation).radians() / speed.elevation.radians());
 }
 
+bool contains(const AxisBox& box, const AxisPosition& place)
+{
+    return box.azimuth.contains(place.azimuth) && box.elevation.contains(place.elevation);
+}
+
 // A* from places[0] to places[1].
 class QuickestWay
 {
 public:
-    QuickestWay(const PermittedRegion& region, std::vector<AxisPosition> places, const AxisRates& speed, double bend)
-        : m_region(region), m_places(std::move(places)), m_speed(speed), m_bend(bend), m_visits(m_places.size())
+    QuickestWay(const PermittedRegion& region, std::vector<Place> places, const AxisRates& speed, double bend,
+                Effort& effort)
+        : m_region(region),
+          m_places(std::move(places)),
+          m_speed(speed),
+          m_bend(bend),
+          m_effort(effort),
+          m_endSight(inSight(m_places[1].at)),
+          m_visits(m_places.size())
     {
-        m_visits[0] = {.time = 0.0, .left = duration(m_places[0], m_places[1], speed)};
+        m_visits[0] = {.time = 0.0, .left = left(0)};
     }
 
+    // Empty where there is none, and when the effort is spent.
     [[nodiscard]] std::optional<std::vector<AxisPosition>> find()
     {
         while (const auto here = nextOpen()) {
             if (*here == 1) {
                 return wayTo(1);
             }
+            if (!m_effort.spend(m_places.size() + 2 * m_region.keepOuts().size())) {
+                return std::nullopt;
+            }
             m_visits[*here].done = true;
+            const AxisBox sight = inSight(m_places[*here].at);
             for (std::size_t there = 1; there < m_places.size(); ++there) {
-                reach(*here, there);
+                reach(*here, there, sight);
             }
         }
         return std::nullopt;
@@ -135,29 +210,56 @@ private:
         return best;
     }
 
-    void reach(std::size_t here, std::size_t there)
+    // How far each axis can go alone: no leg leads beyond that. The horizon is asked about from a little above, so that
+    // rounding does not make a hill of a plain.
+    [[nodiscard]] AxisBox inSight(const AxisPosition& place) const
+    {
+        const AxisBox thin{.azimuth = {place.azimuth, place.azimuth},
+                           .elevation = {place.elevation + kHardly, place.elevation - kHardly}};
+        const TravelRange azimuths = m_region.azimuthsAround(thin);
+        const TravelRange elevations = m_region.elevationsAround(AxisBox::at(place));
+        return {.azimuth = {azimuths.min - kHardly, azimuths.max + kHardly},
+                .elevation = {elevations.min - kHardly, elevations.max + kHardly}};
+    }
+
+    void reach(std::size_t here, std::size_t there, const AxisBox& sight)
     {
         Visit& visit = m_visits[there];
-        const double time = m_visits[here].time + duration(m_places[here], m_places[there], m_speed) + m_bend;
-        if (!visit.done && time < visit.time && m_region.permits(AxisBox::between(m_places[here], m_places[there]))) {
-            visit = {.time = time, .left = duration(m_places[there], m_places[1], m_speed), .before = here};
+        const Place& from = m_places[here];
+        const Place& to = m_places[there];
+        if (visit.done || !contains(sight, to.at) || !from.leadsTo(to.at) || !to.leadsTo(from.at)) {
+            return;
         }
+        const double time = m_visits[here].time + duration(from.at, to.at, m_speed) + m_bend;
+        if (time < visit.time && m_effort.spend(m_region.keepOuts().size()) &&
+            m_region.permits(AxisBox::between(from.at, to.at))) {
+            visit = {.time = time, .left = left(there), .before = here};
+        }
+    }
+
+    // At least one leg more, and two where the end is out of sight.
+    [[nodiscard]] double left(std::size_t place) const
+    {
+        const double legs = place == 1 ? 0.0 : contains(m_endSight, m_places[place].at) ? 1.0 : 2.0;
+        return duration(m_places[place].at, m_places[1].at, m_speed) + legs * m_bend;
     }
 
     [[nodiscard]] std::vector<AxisPosition> wayTo(std::size_t place) const
     {
         std::vector<AxisPosition> way;
         for (; place != 0; place = m_visits[place].before) {
-            way.push_back(m_places[place]);
+            way.push_back(m_places[place].at);
         }
         std::ranges::reverse(way);
         return way;
     }
 
     const PermittedRegion& m_region;
-    std::vector<AxisPosition> m_places;
+    std::vector<Place> m_places;
     AxisRates m_speed;
     double m_bend;
+    Effort& m_effort;
+    AxisBox m_endSight;
     std::vector<Visit> m_visits;
 };
 
@@ -181,10 +283,21 @@ QString degrees(const SkyPointing& beam)
     return toQString(formatFixed(beam.azimuth.degrees(), 1) + "° " + formatFixed(beam.elevation.degrees(), 1) + "°");
 }
 
+Error noWay(const PermittedRegion& region, const AxisPosition& from, const AxisPosition& to, bool spent)
+{
+    const QString begin = degrees(region.beamAt(from));
+    const QString end = degrees(region.beamAt(to));
+    const QString text =
+        spent ? Text::tr("no way from %1 to %2 was found in time: there are too many keep-outs").arg(begin, end)
+              : Text::tr("there is no way from %1 to %2: %3 is in between")
+                    .arg(begin, end, toQString(obstacleBetween(region, from, to)));
+    return {ErrorCode::OutOfRange, text.toStdString()};
+}
+
 }  // namespace
 
 Result<std::vector<AxisPosition>> route(const PermittedRegion& region, const AxisPosition& from, const AxisPosition& to,
-                                        const AxisRates& speed, Seconds bend)
+                                        const AxisRates& speed, Seconds bend, std::size_t steps)
 {
     if (!region.permits(to)) {
         return failure(ErrorCode::OutOfRange, region.reason(to));
@@ -200,11 +313,11 @@ Result<std::vector<AxisPosition>> route(const PermittedRegion& region, const Axi
     if (*start == to) {
         return way;
     }
-    const auto further = QuickestWay(region, turningPlaces(region, *start, to), speed, bend.count()).find();
+    Effort effort(steps);
+    const auto further =
+        QuickestWay(region, turningPlaces(region, *start, to, effort), speed, bend.count(), effort).find();
     if (!further) {
-        return failure(ErrorCode::OutOfRange, Text::tr("there is no way from %1 to %2: %3 is in between")
-                                                  .arg(degrees(region.beamAt(from)), degrees(region.beamAt(to)),
-                                                       toQString(obstacleBetween(region, *start, to))));
+        return tl::unexpected(noWay(region, *start, to, effort.spent()));
     }
     way.insert(way.end(), further->begin(), further->end());
     return way;

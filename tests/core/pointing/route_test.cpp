@@ -250,3 +250,49 @@ TEST(Route, IsNoDetour)
     }
     EXPECT_GT(checked, 1000);
 }
+
+// Story: 60 keep-outs around a target held the control tick up for 0.15 s.
+TEST(Route, GivesUpAfterSoManySteps)
+{
+    const PermittedRegion region({.keepOuts = {mast()}}, kAzimuths, {0_deg, 90_deg});
+    const auto none = route(region, at(290, 10), at(340, 5), kSpeed, Seconds(0.5), 10);
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().text,
+              "no way from 290.0° 10.0° to 340.0° 5.0° was found in time: there are too many keep-outs");
+    EXPECT_TRUE(route(region, at(290, 10), at(300, 60), kSpeed, Seconds(0.5), 0)) << "a direct way needs no search";
+    EXPECT_TRUE(route(region, at(290, 10), at(340, 5), kSpeed, Seconds(0.5), 1000));
+}
+
+// As many as a profile may have, all around, on a mount that leans: a way is found in the steps there are.
+TEST(Route, FindsItsWayAmongAsManyKeepOutsAsThereMayBe)
+{
+    std::mt19937 random(11);
+    fakes::RandomRegion make(random);
+    const PointingModel leaning({.tiltNorth = 0.5_deg, .tiltEast = 0.3_deg, .collimation = 0.3_deg});
+    int found = 0;
+    for (int round = 0; round < 10; ++round) {
+        Region drawn;
+        for (int i = 0; i < 32; ++i) {
+            const double from = make.uniform(0, 350);
+            const double bottom = make.uniform(0, 60);
+            drawn.keepOuts.push_back({.name = std::to_string(i),
+                                      .azimuthFrom = Angle::fromDegrees(from),
+                                      .azimuthTo = Angle::fromDegrees(from + make.uniform(2, 10)),
+                                      .elevationMin = Angle::fromDegrees(bottom),
+                                      .elevationMax = Angle::fromDegrees(bottom + make.uniform(2, 15))});
+        }
+        const PermittedRegion region(drawn, kAzimuths, {0_deg, 180_deg}, leaning);
+        for (int i = 0; i < 10; ++i) {
+            const AxisPosition from = *region.nearest(make.place(kAzimuths, {0_deg, 180_deg}));
+            const AxisPosition to = *region.nearest(make.place(kAzimuths, {0_deg, 180_deg}));
+            const auto way = route(region, from, to, kSpeed);
+            if (way) {
+                expectPermitted(region, from, *way);
+                ++found;
+            } else {
+                EXPECT_EQ(way.error().text.find("in time"), std::string::npos) << way.error().text;
+            }
+        }
+    }
+    EXPECT_GT(found, 80);
+}
