@@ -70,14 +70,18 @@ void checkPark(std::vector<Problem>& problems, const Profile& profile)
     }
 }
 
+void checkCount(std::vector<Problem>& problems, std::string_view key, std::size_t count, std::size_t most,
+                const QString& sentence)
+{
+    if (count > most) {
+        problems.push_back(
+            {std::string(key), sentence.arg(QString::number(count), QString::number(most)).toStdString()});
+    }
+}
+
 void checkHorizon(std::vector<Problem>& problems, const std::vector<pointing::HorizonPoint>& horizon)
 {
-    if (horizon.size() > kMaxHorizonPoints) {
-        problems.push_back(
-            {std::string(kHorizonKey), Text::tr("%1 points are more than %2")
-                                           .arg(QString::number(horizon.size()), QString::number(kMaxHorizonPoints))
-                                           .toStdString()});
-    }
+    checkCount(problems, kHorizonKey, horizon.size(), kMaxHorizonPoints, Text::tr("%1 points are more than %2"));
     for (std::size_t i = 1; i < horizon.size(); ++i) {
         if (horizon[i].azimuth <= horizon[i - 1].azimuth) {
             problems.push_back(
@@ -102,6 +106,7 @@ void checkNames(std::vector<Problem>& problems, std::string_view list, const std
 
 void checkKeepOuts(std::vector<Problem>& problems, const std::vector<pointing::KeepOut>& keepOuts)
 {
+    checkCount(problems, kKeepOutKey, keepOuts.size(), kMaxKeepOuts, Text::tr("%1 keep-outs are more than %2"));
     checkNames(problems, kKeepOutKey, keepOuts);
     for (std::size_t i = 0; i < keepOuts.size(); ++i) {
         const pointing::KeepOut& keepOut = keepOuts[i];

@@ -391,6 +391,19 @@ TEST(ProblemsOf, CountRangesToo)
     EXPECT_EQ(problemsOf(profile).size(), 7U);
 }
 
+TEST(CrossCheck, KeepOutsHaveAMaximum)
+{
+    Profile profile;
+    for (std::size_t i = 0; i < kMaxKeepOuts; ++i) {
+        profile.limits.keepOuts.push_back({std::to_string(i), 100_deg, 110_deg, 40_deg, 50_deg});
+    }
+    EXPECT_TRUE(crossCheck(profile).empty());
+    profile.limits.keepOuts.push_back({"one more", 100_deg, 110_deg, 40_deg, 50_deg});
+    const auto problems = crossCheck(profile);
+    ASSERT_EQ(keysOf(problems), std::vector<std::string>{"keep_out"});
+    EXPECT_EQ(problems.front().text, "33 keep-outs are more than 32");
+}
+
 TEST(CrossCheck, TheSunNeedsTheSite)
 {
     Profile profile;
