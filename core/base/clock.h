@@ -17,6 +17,8 @@ public:
     virtual ~Clock() = default;
     [[nodiscard]] virtual SteadyTime now() const = 0;
     [[nodiscard]] virtual UtcTime utc() const = 0;
+    // A time source vouches for the UTC: NTP, PTP or a GPS receiver disciplines this computer's clock.
+    [[nodiscard]] virtual bool synchronised() const = 0;
 
 protected:
     Clock() = default;
@@ -29,6 +31,10 @@ class SystemClock final : public Clock
 public:
     [[nodiscard]] SteadyTime now() const override;
     [[nodiscard]] UtcTime utc() const override;
+    [[nodiscard]] bool synchronised() const override;
 };
+
+// What adjtimex(2) returned, and the status bits that it gave.
+[[nodiscard]] bool isSynchronised(int state, int status);
 
 }  // namespace boresight

@@ -3,7 +3,8 @@
 
 #include "core/base/clock.h"
 
-// A clock turned by hand; both times advance together, unless somebody sets the UTC.
+// A clock turned by hand; both times advance together, unless somebody sets the UTC. A time
+// source vouches for it until told otherwise.
 namespace boresight::fakes {
 
 class ManualClock final : public Clock
@@ -11,16 +12,20 @@ class ManualClock final : public Clock
 public:
     [[nodiscard]] SteadyTime now() const override { return m_now; }
     [[nodiscard]] UtcTime utc() const override { return m_utc; }
+    [[nodiscard]] bool synchronised() const override { return m_synchronised; }
     void advance(Seconds time)
     {
         m_now += std::chrono::duration_cast<SteadyTime::duration>(time);
         m_utc += std::chrono::duration_cast<UtcTime::duration>(time);
     }
     void stepUtc(Seconds by) { m_utc += std::chrono::duration_cast<UtcTime::duration>(by); }
+    void setUtc(UtcTime utc) { m_utc = utc; }
+    void setSynchronised(bool synchronised) { m_synchronised = synchronised; }
 
 private:
     SteadyTime m_now{std::chrono::hours(1)};
     UtcTime m_utc{std::chrono::sys_days{std::chrono::year{2026} / 11 / 21}};
+    bool m_synchronised = true;
 };
 
 }  // namespace boresight::fakes
