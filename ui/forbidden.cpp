@@ -14,7 +14,7 @@ namespace {
 pointing::PermittedRegion regionOf(const StationStatus& status)
 {
     const profile::Profile& profile = *status.profile;
-    return {pointing::withSun(profile.limits, status.sunKeepOut), profile.azimuth.geometry.travel,
+    return {pointing::withSun(profile.limits, status.sunKeepOuts), profile.azimuth.geometry.travel,
             profile.elevation.geometry.travel, pointing::PointingModel(profile.pointing)};
 }
 

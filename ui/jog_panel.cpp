@@ -85,7 +85,7 @@ QWidget* JogPanel::makeLowest()
 
 void JogPanel::showStatus(const StationStatus& status)
 {
-    if (status.profile != m_status.profile || status.sunKeepOut != m_status.sunKeepOut) {
+    if (status.profile != m_status.profile || status.sunKeepOuts != m_status.sunKeepOuts) {
         m_homeForbidden = whyHomeForbidden(status);
     }
     m_status = status;

@@ -282,7 +282,7 @@ void PolarPlot::showRegion(const StationStatus& status)
     m_beamWidth = status.profile->mount.beamWidth;
     m_focus = status.target ? *status.target : status.actual.value_or(m_focus);
     const bool moved = !m_editor->isDragging() && m_zoom.follow(m_focus);
-    const pointing::Region region = pointing::withSun(status.profile->limits, status.sunKeepOut);
+    const pointing::Region region = pointing::withSun(status.profile->limits, status.sunKeepOuts);
     const bool changed = m_region != region || travel != m_travel;
     if (changed) {
         m_region = region;

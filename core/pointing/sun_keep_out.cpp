@@ -12,6 +12,27 @@ namespace {
 
 constexpr Angle kDown = Angle::fromDegrees(-2.0);
 
+// The Sun's farthest declination is 23.44°. The air lifts its light by 0.6° at most.
+constexpr Angle kFarthest = Angle::fromDegrees(23.5 + 0.6);
+// The band is laid out in columns of azimuth and probed at steps of elevation. A step moves the declination by no more
+// than itself, so that a band that is wider by a step and longer by a step at each end has nothing left out.
+constexpr int kColumns = 24;
+constexpr Angle kOverlap = Angle::fromDegrees(0.1);
+constexpr Angle kStep = Angle::fromDegrees(0.5);
+
+double cosine(Angle angle)
+{
+    return std::cos(angle.radians());
+}
+
+// Whether the sine of the declination is within ±limit somewhere at this elevation, cos(azimuth) being in a range.
+bool isInBand(Angle latitude, Angle elevation, double leastCos, double mostCos, double limit)
+{
+    const double upright = std::sin(latitude.radians()) * std::sin(elevation.radians());
+    const double across = std::cos(latitude.radians()) * std::cos(elevation.radians());
+    return upright + across * leastCos <= limit && upright + across * mostCos >= -limit;
+}
+
 }  // namespace
 
 std::optional<KeepOut> sunKeepOut(const SkyPointing& sun, Angle radius)
@@ -34,12 +55,41 @@ std::optional<KeepOut> sunKeepOut(const SkyPointing& sun, Angle radius)
     return keepOut;
 }
 
-Region withSun(const Region& drawn, const std::optional<KeepOut>& sun)
+std::vector<KeepOut> sunBand(Angle latitude, Angle radius)
+{
+    const double limit = std::sin(std::min(kFarthest + radius + kStep, 90_deg).radians());
+    const Angle width = 360_deg / kColumns;
+    const Angle lowest = std::max(kDown - radius, -90_deg);
+    std::vector<KeepOut> band;
+    for (int i = 0; i < kColumns; ++i) {
+        const Angle from = i * width - kOverlap;
+        const Angle to = (i + 1) * width + kOverlap;
+        // The cosine has its ends at 0° and 180°, which are borders of columns.
+        const double least = to > 180_deg && from < 180_deg ? -1.0 : std::min(cosine(from), cosine(to));
+        const double most = from < 0_deg || to > 360_deg ? 1.0 : std::max(cosine(from), cosine(to));
+        bool before = false;
+        for (Angle elevation = lowest; elevation < 90_deg + kStep; elevation += kStep) {
+            const bool inside = isInBand(latitude, std::min(elevation, 90_deg), least, most, limit);
+            if (inside && !before) {
+                band.push_back({.name = Text::tr("Sun at any time: the clock is not synchronised").toStdString(),
+                                .azimuthFrom = from.wrapped360(),
+                                .azimuthTo = to.wrapped360(),
+                                .elevationMin = std::max(elevation - kStep, -90_deg),
+                                .elevationMax = {}});
+            }
+            if (inside) {
+                band.back().elevationMax = std::min(elevation + kStep, 90_deg);
+            }
+            before = inside;
+        }
+    }
+    return band;
+}
+
+Region withSun(const Region& drawn, const std::vector<KeepOut>& sun)
 {
     Region region = drawn;
-    if (sun) {
-        region.keepOuts.push_back(*sun);
-    }
+    region.keepOuts.insert(region.keepOuts.end(), sun.begin(), sun.end());
     return region;
 }
 

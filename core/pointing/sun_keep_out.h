@@ -4,6 +4,7 @@
 #include "core/pointing/region.h"
 
 #include <optional>
+#include <vector>
 
 // The Sun as a part of the sky that the beam stays out of: a dish gathers its heat in the feed, a low-noise receiver
 // hears nothing beside it. As a KeepOut of the Region it holds for every source of motion, for places, ways and what
@@ -16,7 +17,11 @@ namespace boresight::pointing {
 // refraction, its disc and a site above the horizon's plain do not matter.
 [[nodiscard]] std::optional<KeepOut> sunKeepOut(const SkyPointing& sun, Angle radius);
 
-// What was drawn, and the Sun besides if there is one.
-[[nodiscard]] Region withSun(const Region& drawn, const std::optional<KeepOut>& sun);
+// Every place that the Sun can have at this latitude, on any day and at any hour, with the circle of this radius around
+// it: where no clock tells the time. In parts that overlap.
+[[nodiscard]] std::vector<KeepOut> sunBand(Angle latitude, Angle radius);
+
+// What was drawn, and what is forbidden for the Sun besides.
+[[nodiscard]] Region withSun(const Region& drawn, const std::vector<KeepOut>& sun);
 
 }  // namespace boresight::pointing

@@ -142,9 +142,17 @@ enum class KeepAway
     On  // from where the Sun is by the site and the computer's clock
 };
 
+// A wrong clock puts the Sun into a wrong place.
+enum class SunClock
+{
+    Synchronised,  // counts while a time source vouches for it
+    Trusted        // always counts: the operator vouches for it
+};
+
 struct SunSettings
 {
     KeepAway keepAway = KeepAway::Off;
+    SunClock clock = SunClock::Synchronised;
     Angle radius = Angle::fromDegrees(10.0);  // of the part of the sky around it that the beam stays out of
 
     bool operator==(const SunSettings&) const = default;

@@ -134,6 +134,12 @@ void addSun(std::vector<Setting>& list)
         "sun.keep_away", {"off", "on"}, Applies::Now,
         QT_TRANSLATE_NOOP("Text", "Whether the beam stays away from the Sun, whoever moves it; needs the site."),
         [](auto& p) -> auto& { return p.sun.keepAway; }));
+    list.push_back(choice(
+        "sun.clock", {"synchronised", "trusted"}, Applies::Now,
+        QT_TRANSLATE_NOOP("Text",
+                          "Which clock tells where the Sun is: one synchronised by NTP or GPS, or always the "
+                          "clock of this computer."),
+        [](auto& p) -> auto& { return p.sun.clock; }));
     list.push_back(number(
         "sun.radius_deg", "°", {0.5, 45.0}, Applies::Now,
         QT_TRANSLATE_NOOP("Text", "How far from the middle of the Sun the beam stays."),

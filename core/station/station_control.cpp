@@ -60,7 +60,7 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
       m_started(clock.now()),
       m_now(m_started)
 {
-    (void)m_sun.update(clock.utc());
+    (void)m_sun.update(clock);
     enforceRegion();
 }
 
@@ -112,7 +112,9 @@ Result<> StationControl::mayPoint(const Source& source) const
         }
         return {};
     };
-    return mayMove(source).and_then(directionsSeen).and_then([this] { return axesPlaced(); });
+    return mayMove(source).and_then(directionsSeen).and_then([this] { return axesPlaced(); }).and_then([this] {
+        return mayLeaveSunBand({}, {});
+    });
 }
 
 Result<> StationControl::mayCommand(const Source& source) const
@@ -157,8 +159,10 @@ Result<> StationControl::insideTravel() const
 Result<> StationControl::mayJog(const AxisRates& rates, const Source& source) const
 {
     return mayMove(source).and_then([&]() -> Result<> {
-        const Result<> placed = axesPlaced();
-        return placed || source.kind != SourceKind::Operator ? placed : mayJogSlowly(rates);
+        if (const Result<> placed = axesPlaced(); !placed) {
+            return source.kind == SourceKind::Operator ? mayJogSlowly(rates) : placed;
+        }
+        return mayLeaveSunBand(rates, source);
     });
 }
 
@@ -387,8 +391,12 @@ Result<> StationControl::handle(const request::Horizon&, const Source& source)
 
 Result<> StationControl::runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& what)
 {
-    const Result<> may = activity == Activity::Jogging ? mayJog(rates, source)
-                                                       : mayMove(source).and_then([this] { return axesPlaced(); });
+    const auto mayRun = [&] {
+        return mayMove(source).and_then([this] { return axesPlaced(); }).and_then([this] {
+            return mayLeaveSunBand({}, {});
+        });
+    };
+    const Result<> may = activity == Activity::Jogging ? mayJog(rates, source) : mayRun();
     return may.and_then([&] { return mayMoveFirst(rates); }).map([&] {
         begin(activity, source, what);
         m_motion.run(rates);
@@ -521,7 +529,7 @@ void StationControl::enforceRegion()
     // A client's target that nobody moves any more is a place as well, unless the nearest permitted one is held for it.
     const bool standing = m_activity == Activity::Streaming && !m_motion.streaming(m_now) && !m_motion.limited();
     m_model.setPointing(pointing::PointingModel(m_profile.pointing));
-    m_motion.setRegion(pointing::withSun(m_profile.limits, m_sun.keepOut()), m_model.pointing());
+    m_motion.setRegion(pointing::withSun(m_profile.limits, m_sun.keepOuts()), m_model.pointing());
     const pointing::AxisBox& ranges = m_motion.region().ranges();
     m_model.limitTo(ranges.azimuth, ranges.elevation);
     const auto target = m_motion.target(m_now);

@@ -248,8 +248,12 @@ private:
     void watchJog();
     void watchFitness();
     void watchRegion();
+    void renewSun(bool redrawn);
     void watchSun();
     void tellSun();
+    void tellSunClock();
+    [[nodiscard]] bool isInSunBand(const AxisPosition& place) const;
+    [[nodiscard]] Result<> mayLeaveSunBand(const AxisRates& rates, const Source& source) const;
     void watchCable();
     void watchLimited();
     [[nodiscard]] std::optional<AxisPosition> leastWound(const AxisPosition& place) const;

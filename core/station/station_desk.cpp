@@ -137,9 +137,7 @@ void StationControl::setProfile(const profile::Profile& profile)
     }
     m_profile = profile;
     m_sun.setProfile(profile);
-    if (m_sun.update(m_clock.utc()) || redrawn) {
-        enforceRegion();
-    }
+    renewSun(redrawn);
     for (const Axis axis : kAxes) {
         m_motion.setLimits(axis, profile.axis(axis).limits);
     }

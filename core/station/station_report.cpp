@@ -266,7 +266,7 @@ StationStatus StationControl::status() const
     if (m_trim != AxisPosition{}) {
         status.trim = SkyPointing{.azimuth = m_trim.azimuth, .elevation = m_trim.elevation};
     }
-    status.sunKeepOut = m_sun.keepOut();
+    status.sunKeepOuts = m_sun.keepOuts();
     if (m_wantedDirection) {
         status.target = m_wantedDirection;
     } else if (const auto target = m_motion.target(m_now)) {

@@ -190,8 +190,8 @@ struct StationStatus
     std::uint64_t tick = 0;
     // What is in force: the object that is drawn and edited is the object that is obeyed. Never null.
     std::shared_ptr<const profile::Profile> profile = std::make_shared<const profile::Profile>();
-    std::optional<pointing::KeepOut> sunKeepOut;  // obeyed besides the profile's keep-outs, while the Sun is up
-    std::vector<std::string> waitingKeys;         // applied, and in force after Reconnect
+    std::vector<pointing::KeepOut> sunKeepOuts;  // obeyed besides the profile's keep-outs, while the Sun is up
+    std::vector<std::string> waitingKeys;        // applied, and in force after Reconnect
     // What the calibration desk does and has found; never null.
     std::shared_ptr<const CalibrationStatus> calibration = std::make_shared<const CalibrationStatus>();
 };

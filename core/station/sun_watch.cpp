@@ -2,8 +2,11 @@
 #include "core/station/sun_watch.h"
 
 #include "core/ephemeris/refraction.h"
+#include "core/pointing/pointing_model.h"
 #include "core/pointing/sun_keep_out.h"
 #include "core/units/angle_between.h"
+
+#include <algorithm>
 
 namespace boresight {
 
@@ -22,26 +25,47 @@ void SunWatch::setProfile(const profile::Profile& profile)
     }
 }
 
-bool SunWatch::update(UtcTime utc)
+bool SunWatch::update(const Clock& clock)
 {
-    if (m_looked && abs(utc - *m_looked) < kRenewal) {
+    const UtcTime utc = clock.utc();
+    const bool doubted = m_almanac && !m_trust.update(clock, m_sun.clock);
+    if (m_looked && abs(utc - *m_looked) < kRenewal && doubted == m_doubted) {
         return false;
     }
     m_looked = utc;
-    std::optional<pointing::KeepOut> keepOut;
-    if (m_almanac) {
-        m_direction =
-            ephemeris::apparent(m_almanac->place(ephemeris::Body::Sun, utc).direction, ephemeris::Refraction::Light);
-        keepOut = pointing::sunKeepOut(m_direction, m_sun.radius + kMargin);
-    }
-    const bool changed = keepOut != m_keepOut;
-    m_keepOut = keepOut;
+    m_doubted = doubted;
+    std::vector<pointing::KeepOut> keepOuts =
+        doubted ? pointing::sunBand(m_site.latitude, m_sun.radius + kMargin) : around(utc);
+    const bool changed = keepOuts != m_keepOuts;
+    m_keepOuts = std::move(keepOuts);
     return changed;
+}
+
+std::vector<pointing::KeepOut> SunWatch::around(UtcTime utc)
+{
+    if (!m_almanac) {
+        return {};
+    }
+    m_direction =
+        ephemeris::apparent(m_almanac->place(ephemeris::Body::Sun, utc).direction, ephemeris::Refraction::Light);
+    const auto keepOut = pointing::sunKeepOut(m_direction, m_sun.radius + kMargin);
+    return keepOut ? std::vector{*keepOut} : std::vector<pointing::KeepOut>{};
+}
+
+bool SunWatch::mayBeAt(const SkyPointing& beam) const
+{
+    return m_doubted &&
+           std::ranges::any_of(m_keepOuts, [at = pointing::upright(beam)](const pointing::KeepOut& keepOut) {
+               const Angle width = (keepOut.azimuthTo - keepOut.azimuthFrom).wrapped360();
+               const Angle into = (at.azimuth - keepOut.azimuthFrom).wrapped360();
+               return into > 0_deg && into < width && at.elevation > keepOut.elevationMin &&
+                      at.elevation < keepOut.elevationMax;
+           });
 }
 
 std::optional<Angle> SunWatch::distance(const SkyPointing& beam) const
 {
-    return m_keepOut ? std::optional(angleBetween(beam, m_direction)) : std::nullopt;
+    return m_doubted || m_keepOuts.empty() ? std::nullopt : std::optional(angleBetween(beam, m_direction));
 }
 
 }  // namespace boresight

@@ -5,11 +5,14 @@
 #include "core/ephemeris/almanac.h"
 #include "core/pointing/region.h"
 #include "core/profile/profile.h"
+#include "core/station/clock_trust.h"
 
 #include <optional>
+#include <vector>
 
 // Where the Sun is now, as far as the profile wants the beam away from it, and the part of the sky that is forbidden
-// for it until it is looked for again. Station thread only.
+// for it until it is looked for again. Without a clock to rely on that is every place that the Sun can have. Station
+// thread only.
 namespace boresight {
 
 class SunWatch
@@ -23,22 +26,30 @@ public:
     explicit SunWatch(const profile::Profile& profile) { setProfile(profile); }
 
     void setProfile(const profile::Profile& profile);
-    // Looks for the Sun when it is time, or when the clock was set; true when the keep-out has changed.
-    [[nodiscard]] bool update(UtcTime utc);
+    // Looks for the Sun when it is time, or when the clock was set; true when the keep-outs have changed.
+    [[nodiscard]] bool update(const Clock& clock);
 
     // Empty when the profile does not want it, and while the Sun is down.
-    [[nodiscard]] const std::optional<pointing::KeepOut>& keepOut() const { return m_keepOut; }
-    // How far a beam is from the middle of the Sun; empty without a keep-out.
+    [[nodiscard]] const std::vector<pointing::KeepOut>& keepOuts() const { return m_keepOuts; }
+    // The Sun is to be kept away from, and no clock tells where it is.
+    [[nodiscard]] bool clockDoubted() const { return m_doubted; }
+    // While the clock is doubted: the beam is where the Sun can be, not at the edge of that.
+    [[nodiscard]] bool mayBeAt(const SkyPointing& beam) const;
+    // How far a beam is from the middle of the Sun; empty without a keep-out, and while the clock is doubted.
     [[nodiscard]] std::optional<Angle> distance(const SkyPointing& beam) const;
     [[nodiscard]] Angle radius() const { return m_sun.radius; }
 
 private:
+    [[nodiscard]] std::vector<pointing::KeepOut> around(UtcTime utc);
+
     profile::SunSettings m_sun;
     profile::SiteSettings m_site;
+    ClockTrust m_trust;
     std::optional<ephemeris::Almanac> m_almanac;  // while the Sun is watched
     std::optional<UtcTime> m_looked;
+    bool m_doubted = false;
     SkyPointing m_direction;  // where it appeared then
-    std::optional<pointing::KeepOut> m_keepOut;
+    std::vector<pointing::KeepOut> m_keepOuts;
 };
 
 }  // namespace boresight

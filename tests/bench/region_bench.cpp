@@ -2,9 +2,12 @@
 //
 // How fast the permitted region answers, with a horizon of 360 points and ten keep-outs on a mount of nearly two turns
 // that flips: what a control tick asks (a box, the room around it), what a new target asks (the nearest permitted
-// place, a route), and whole ticks of both axes, among all that and with nothing forbidden.
+// place, a route), and whole ticks of both axes, among all that and with nothing forbidden. And what the most costs
+// that a profile may have: 32 keep-outs around one target, and the band of the Sun where no clock tells the time.
 
 #include "core/pointing/route.h"
+#include "core/pointing/sun_keep_out.h"
+#include "core/profile/setting.h"
 #include "core/station/motion.h"
 
 #include <benchmark/benchmark.h>
@@ -49,6 +52,24 @@ const PermittedRegion& leaningRegion()
 {
     static const PermittedRegion prepared(drawn(), {-200_deg, 460_deg}, {0_deg, 180_deg}, kLeaning);
     return prepared;
+}
+
+Region crowded(std::mt19937& random)
+{
+    const auto degrees = [&](double from, double to) {
+        return Angle::fromDegrees(std::uniform_real_distribution<double>(from, to)(random));
+    };
+    Region region = withSun({.horizon = drawn().horizon}, sunBand(48_deg, 10_deg));
+    for (std::size_t i = 0; i < profile::kMaxKeepOuts; ++i) {
+        const Angle azimuth = 20_deg + degrees(-12, 10);
+        const Angle elevation = 45_deg + degrees(-12, 10);
+        region.keepOuts.push_back({.name = std::to_string(i),
+                                   .azimuthFrom = azimuth,
+                                   .azimuthTo = azimuth + degrees(1, 4),
+                                   .elevationMin = elevation,
+                                   .elevationMax = elevation + degrees(1, 4)});
+    }
+    return region;
 }
 
 AxisPosition place(std::mt19937& random)
@@ -118,6 +139,35 @@ void routeBetweenAny(benchmark::State& state)
     state.counters["worst_cpu_ms"] = worst;
 }
 BENCHMARK(routeBetweenAny)->Arg(0)->Arg(1);  // of a mount that stands straight, that leans
+
+// From anywhere to the middle of them; the worst of laying out, of a nearest place and of a route.
+void mostKeepOuts(benchmark::State& state)
+{
+    const PointingModel model = state.range(0) != 0 ? kLeaning : PointingModel();
+    std::mt19937 random(1);
+    double prepared = 0.0;
+    double nearest = 0.0;
+    double routed = 0.0;
+    const auto timed = [](double& worst, auto&& work) {
+        const std::clock_t start = std::clock();
+        auto result = work();
+        worst = std::max(worst, 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+        return result;
+    };
+    for (auto _ : state) {
+        const Region plan = crowded(random);
+        const auto within = timed(prepared, [&] {
+            return PermittedRegion(plan, {-200_deg, 460_deg}, {0_deg, 180_deg}, model);
+        });
+        const AxisPosition from = permittedPlace(random, within);
+        const AxisPosition to = *timed(nearest, [&] { return within.nearest({20_deg, 45_deg}); });
+        benchmark::DoNotOptimize(timed(routed, [&] { return route(within, from, to, {10_deg_s, 8_deg_s}); }));
+    }
+    state.counters["worst_layout_ms"] = prepared;
+    state.counters["worst_nearest_ms"] = nearest;
+    state.counters["worst_route_ms"] = routed;
+}
+BENCHMARK(mostKeepOuts)->Arg(0)->Arg(1);
 
 void tickOfBothAxes(benchmark::State& state)
 {

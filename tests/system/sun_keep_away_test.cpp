@@ -78,6 +78,23 @@ TEST_F(SunKeepAway, HoldsForTheTrueDirectionOfTheBeam)
     EXPECT_LT(angleBetween(beam(), {.azimuth = sunNow().azimuth + 50_deg, .elevation = sun.elevation + 1_deg}), 1_deg);
 }
 
+// Story: at 1 January 2000 the beam went into the Sun without a word. Now a client is refused from every place where
+// the Sun may be, and what it is led to is none of them.
+TEST_F(SunKeepAway, WithoutASynchronisedClockTheBeamStaysAwayFromItToo)
+{
+    rig.clock.setSynchronised(false);
+    rig.clock.stepUtc(-std::chrono::hours(24 * 9456));
+    sun = {.azimuth = 180_deg, .elevation = 31_deg};  // where it really is
+    const auto client = rig.connect();
+    for (double azimuth = 60.0; azimuth <= 300.0; azimuth += 5.0) {
+        client->ask(pointAt(Angle::fromDegrees(azimuth), 31_deg));
+        rig.run(Seconds(2.0));
+    }
+    rig.run(Seconds(60.0));
+    EXPECT_GT(nearest, kRadius);
+    EXPECT_NE(rig.ask(request::PointSky{sun}).find("the clock is not synchronised"), std::string::npos);
+}
+
 // There the azimuth axis shows what the Sun's true azimuth is.
 TEST_F(SunKeepAway, LeavesFreeWhereOnlyTheAxisCountsLikeTheSun)
 {

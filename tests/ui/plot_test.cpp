@@ -276,13 +276,13 @@ TEST_F(PlotTest, TheSunIsDrawnWhileTheBeamIsKeptAwayFromIt)
         return false;
     };
     ASSERT_FALSE(isShaded({.azimuth = 220_deg, .elevation = 55_deg}));
-    status.sunKeepOut = pointing::sunKeepOut({.azimuth = 220_deg, .elevation = 55_deg}, 15_deg);
+    status.sunKeepOuts = {*pointing::sunKeepOut({.azimuth = 220_deg, .elevation = 55_deg}, 15_deg)};
     plot.showStatus(status);
     EXPECT_TRUE(isShaded({.azimuth = 220_deg, .elevation = 55_deg}));
-    status.sunKeepOut = pointing::sunKeepOut({.azimuth = 220_deg, .elevation = 80_deg}, 15_deg);
+    status.sunKeepOuts = {*pointing::sunKeepOut({.azimuth = 220_deg, .elevation = 80_deg}, 15_deg)};
     plot.showStatus(status);
     EXPECT_TRUE(isShaded({.azimuth = 40_deg, .elevation = 70_deg})) << "all round the zenith";
-    status.sunKeepOut.reset();
+    status.sunKeepOuts.clear();
     plot.showStatus(status);
     EXPECT_FALSE(isShaded({.azimuth = 220_deg, .elevation = 55_deg}));
 }

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 using namespace boresight;
@@ -20,7 +21,8 @@ constexpr TravelRange kFlipping{-5_deg, 180_deg};
 
 PermittedRegion regionAround(const SkyPointing& sun, Angle radius)
 {
-    return PermittedRegion(withSun({}, sunKeepOut(sun, radius)), kAzimuths, kFlipping);
+    const auto keepOut = sunKeepOut(sun, radius);
+    return PermittedRegion(withSun({}, keepOut ? std::vector{*keepOut} : std::vector<KeepOut>{}), kAzimuths, kFlipping);
 }
 
 // The direction at this distance from the Sun, at an angle from straight up around it.
@@ -121,4 +123,55 @@ TEST(SunKeepOut, HoldsForStepsAndWays)
     }
     EXPECT_GT(way->size(), 1U);
     EXPECT_FALSE(route(region, before, {.azimuth = 181_deg, .elevation = 41_deg}, {6_deg_s, 6_deg_s}));
+}
+
+// The Sun at any declination and hour angle, while it is up: what looks into the circle around it is forbidden, on a
+// mount that leans, too.
+TEST(SunBand, NoPlaceLooksIntoTheCircleAtAnyTime)
+{
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    constexpr Angle kRadius = 10_deg;
+    const PointingModel leaning({.azimuthOffset = 37_deg, .tiltNorth = 0.8_deg, .collimation = 0.3_deg});
+    int seen = 0;
+    for (const double latitude : {-67.0, -33.5, 0.0, 12.0, 38.757, 52.0, 78.0, 90.0}) {
+        const double north = latitude * std::numbers::pi / 180.0;
+        const Region drawn = withSun({}, sunBand(Angle::fromDegrees(latitude), kRadius));
+        const PermittedRegion region(drawn, kAzimuths, kFlipping);
+        const PermittedRegion leant(drawn, kAzimuths, kFlipping, leaning);
+        for (int i = 0; i < 3000; ++i) {
+            const double declination = (2.0 * unit(random) - 1.0) * 23.44 * std::numbers::pi / 180.0;
+            const double hour = 2.0 * std::numbers::pi * unit(random);
+            const double height = std::asin(std::sin(north) * std::sin(declination) +
+                                            std::cos(north) * std::cos(declination) * std::cos(hour));
+            const double east = -std::cos(declination) * std::sin(hour);
+            const double ahead =
+                std::sin(declination) * std::cos(north) - std::cos(declination) * std::cos(hour) * std::sin(north);
+            const SkyPointing sun{.azimuth = Angle::fromRadians(std::atan2(east, ahead)).wrapped360(),
+                                  .elevation = Angle::fromRadians(height)};
+            const SkyPointing looked = beside(sun, 0.999 * std::sqrt(unit(random)) * kRadius, 6.3 * unit(random));
+            if (sun.elevation < -2_deg || looked.elevation < 0_deg) {
+                continue;
+            }
+            EXPECT_FALSE(region.permits(AxisPosition{looked.azimuth, looked.elevation})) << latitude;
+            EXPECT_FALSE(
+                region.permits(AxisPosition{(looked.azimuth + 180_deg).wrapped360(), 180_deg - looked.elevation}));
+            EXPECT_FALSE(leant.permits(leaning.toAxes(looked).axes)) << latitude;
+            ++seen;
+        }
+    }
+    EXPECT_GT(seen, 8000);
+}
+
+// Not the whole sky: in the middle north what the Sun never reaches stays free.
+TEST(SunBand, LeavesFreeWhereTheSunNeverIs)
+{
+    const PermittedRegion region(withSun({}, sunBand(50_deg, 10_deg)), kAzimuths, {0_deg, 90_deg});
+    for (const AxisPosition& free :
+         {AxisPosition{0_deg, 10_deg}, AxisPosition{320_deg, 20_deg}, AxisPosition{90_deg, 60_deg},
+          AxisPosition{180_deg, 80_deg}, AxisPosition{180_deg, 2_deg}}) {
+        EXPECT_TRUE(region.permits(free)) << free.azimuth.degrees() << ' ' << free.elevation.degrees();
+    }
+    EXPECT_FALSE(region.permits(AxisPosition{180_deg, 10_deg}));
+    EXPECT_EQ(region.obstacle({180_deg, 40_deg}), "the keep-out \"Sun at any time: the clock is not synchronised\"");
 }

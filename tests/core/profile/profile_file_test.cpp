@@ -97,7 +97,7 @@ TEST(ProfileFile, EveryValueSurvivesTheRoundTrip)
                                    {"Sun's shed", 0_deg, 0.001_deg, -90_deg, -89_deg}}};
     changed.presets = {{"north", {0_deg, 0_deg}}, {"over the top \\", {359.5_deg, 180_deg}}};
     changed.site = {.known = true, .latitude = 38.7223_deg, .longitude = -9.1393_deg, .heightMetres = 102.25};
-    changed.sun = {.keepAway = KeepAway::On, .radius = 7.25_deg};
+    changed.sun = {.keepAway = KeepAway::On, .clock = SunClock::Trusted, .radius = 7.25_deg};
     changed.rotctld = {.listen = {"::", 0},
                        .allow = {"10.0.0.0/8", "fe80::1%a\"b"},
                        .lead = Lead::Locked,

@@ -2,11 +2,14 @@
 // The beam stays away from the Sun, whoever moves it; a mount that stands while the Sun comes over it stays there.
 #include "core/ephemeris/almanac.h"
 #include "core/ephemeris/refraction.h"
+#include "core/station/clock_trust.h"
 #include "core/station/sun_watch.h"
 #include "core/units/angle_between.h"
 #include "tests/core/station/station_rig.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace boresight {
 namespace {
@@ -69,15 +72,16 @@ struct SunRig : StationRig
 TEST(StationSun, IsAKeepOutWhileItIsUp)
 {
     SunRig rig;
-    const auto keepOut = rig.control.status().sunKeepOut;
-    ASSERT_TRUE(keepOut);
-    EXPECT_EQ(keepOut->name, "Sun");
-    const double middle = (keepOut->azimuthFrom + keepOut->azimuthTo).degrees() / 2.0;
+    const auto keepOuts = rig.control.status().sunKeepOuts;
+    ASSERT_EQ(keepOuts.size(), 1U);
+    const pointing::KeepOut& keepOut = keepOuts.front();
+    EXPECT_EQ(keepOut.name, "Sun");
+    const double middle = (keepOut.azimuthFrom + keepOut.azimuthTo).degrees() / 2.0;
     EXPECT_NEAR(middle, rig.sun().azimuth.degrees(), 0.2);
-    EXPECT_NEAR((keepOut->elevationMax - keepOut->elevationMin).degrees(), 20.4, 1e-6);
+    EXPECT_NEAR((keepOut.elevationMax - keepOut.elevationMin).degrees(), 20.4, 1e-6);
     rig.clock.stepUtc(std::chrono::hours(8));
     rig.tick();
-    EXPECT_FALSE(rig.control.status().sunKeepOut) << "at night";
+    EXPECT_TRUE(rig.control.status().sunKeepOuts.empty()) << "at night";
 }
 
 TEST(StationSun, NobodyMovesIntoIt)
@@ -160,7 +164,7 @@ TEST(StationSun, FromInsideOnlyTheWayOutIsOpen)
     const SkyPointing sun = rig.sun();
     ASSERT_TRUE(rig.goesTo(sun.azimuth.degrees() - 5.0, sun.elevation.degrees()));
     EXPECT_FALSE(rig.warned());
-    EXPECT_FALSE(rig.control.status().sunKeepOut);
+    EXPECT_TRUE(rig.control.status().sunKeepOuts.empty());
     rig.profile = sunny();
     rig.control.setProfile(rig.profile);
     rig.run(Seconds(1.0));
@@ -182,22 +186,27 @@ TEST(StationSun, IsFoundAnewWhenTheClockIsSet)
     SunRig rig;
     rig.clock.stepUtc(-std::chrono::hours(2));
     rig.tick();
-    const auto keepOut = rig.control.status().sunKeepOut;
-    ASSERT_TRUE(keepOut);
-    EXPECT_NEAR((keepOut->azimuthFrom + keepOut->azimuthTo).degrees() / 2.0, rig.sun().azimuth.degrees(), 0.2);
+    const auto keepOuts = rig.control.status().sunKeepOuts;
+    ASSERT_EQ(keepOuts.size(), 1U);
+    EXPECT_NEAR((keepOuts.front().azimuthFrom + keepOuts.front().azimuthTo).degrees() / 2.0,
+                rig.sun().azimuth.degrees(), 0.2);
 }
 
 // A beam at its edge is out of the circle until the keep-out is renewed, at any time of the day.
 TEST(SunWatch, ServesUntilItIsRenewed)
 {
     SunWatch watch(sunny());
+    fakes::ManualClock clock;
     ephemeris::Almanac almanac(kLisbon);
     const UtcTime day = std::chrono::sys_days{std::chrono::year{2026} / 6 / 21};
     for (std::chrono::minutes minute{6 * 60}; minute < std::chrono::minutes(18 * 60);
          minute += std::chrono::minutes(7)) {
-        ASSERT_TRUE(watch.update(day + minute));
-        EXPECT_FALSE(watch.update(day + minute + SunWatch::kRenewal - std::chrono::seconds(1))) << "not yet";
-        const pointing::KeepOut keepOut = watch.keepOut().value();
+        clock.setUtc(day + minute);
+        ASSERT_TRUE(watch.update(clock));
+        clock.advance(SunWatch::kRenewal - std::chrono::seconds(1));
+        EXPECT_FALSE(watch.update(clock)) << "not yet";
+        ASSERT_EQ(watch.keepOuts().size(), 1U);
+        const pointing::KeepOut keepOut = watch.keepOuts().front();
         const SkyPointing later =
             ephemeris::apparent(almanac.place(ephemeris::Body::Sun, day + minute + SunWatch::kRenewal).direction,
                                 ephemeris::Refraction::Light);
@@ -208,6 +217,174 @@ TEST(SunWatch, ServesUntilItIsRenewed)
         }
         EXPECT_GT(angleBetween(later, {later.azimuth, keepOut.elevationMin}), kRadius);
     }
+}
+
+// A computer without a battery starts at 1 January 2000. Nothing vouches for its clock.
+struct DoubtedRig : StationRig
+{
+    explicit DoubtedRig(const profile::Profile& settings = sunny()) : StationRig(settings)
+    {
+        clock.setSynchronised(false);
+        clock.setUtc(std::chrono::sys_days{std::chrono::year{2000} / 1 / 1});
+        run(Seconds(0.1));
+    }
+
+    [[nodiscard]] bool alarmed() const
+    {
+        const std::vector<Alarm> alarms = control.status().alarms;
+        return std::ranges::any_of(alarms, [](const Alarm& alarm) {
+            return alarm.active && alarm.what.startsWith(QStringLiteral("The clock of this computer is not synchr"));
+        });
+    }
+    void synchronise()
+    {
+        clock.setUtc(std::chrono::sys_days{std::chrono::year{2026} / 11 / 21} + std::chrono::hours(12));
+        clock.setSynchronised(true);
+        run(Seconds(0.1));
+    }
+    [[nodiscard]] std::string refusal(double azimuthDegrees, double elevationDegrees)
+    {
+        const auto answer = point(azimuthDegrees, elevationDegrees, kOperator);
+        return answer ? "" : answer.error().text;
+    }
+};
+
+// Story: at 1 January 2000 the beam went into the Sun without a word.
+TEST(StationSunClock, WithoutASynchronisedClockNothingMovesToWhereTheSunCanBe)
+{
+    DoubtedRig rig;
+    EXPECT_TRUE(rig.alarmed());
+    EXPECT_NE(rig.refusal(180.0, 31.0).find("Sun at any time: the clock is not synchronised"), std::string::npos);
+    EXPECT_NE(rig.refusal(120.0, 5.0).find("the clock is not synchronised"), std::string::npos);
+    EXPECT_EQ(rig.refusal(20.0, 40.0), "") << "in the north the Sun never stands";
+    rig.settle();
+    ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+    ASSERT_TRUE(rig.point(80.0, 40.0)) << "a client is led to the edge";
+    rig.settle();
+    EXPECT_TRUE(rig.control.status().limited);
+    EXPECT_GT(rig.azimuthDegrees(), 30.0);
+    ephemeris::Almanac almanac(kLisbon);
+    for (int hour = 0; hour < 366 * 24; ++hour) {
+        const UtcTime when = std::chrono::sys_days{std::chrono::year{2026} / 1 / 1} + std::chrono::hours(hour);
+        const SkyPointing sun = almanac.place(ephemeris::Body::Sun, when).direction;
+        if (sun.elevation > -2_deg) {
+            ASSERT_GE(angleBetween(sun, *rig.control.status().actual), kRadius) << "hour " << hour;
+        }
+    }
+}
+
+TEST(StationSunClock, AnySourceThatVouchesForItEndsTheDoubtAndNothingSetsOff)
+{
+    DoubtedRig rig;
+    ASSERT_TRUE(rig.point(90.0, 60.0));
+    rig.settle();
+    ASSERT_TRUE(rig.control.status().limited);
+    const AxisPosition place{*rig.control.status().azimuth.actual, *rig.control.status().elevation.actual};
+    rig.synchronise();
+    EXPECT_FALSE(rig.alarmed());
+    EXPECT_EQ(rig.control.status().sunKeepOuts.size(), 1U);
+    rig.run(Seconds(5.0));
+    EXPECT_EQ(rig.state(), StationState::Hold);
+    EXPECT_NEAR(rig.azimuthDegrees(), place.azimuth.degrees(), 0.01);
+    EXPECT_NEAR(rig.elevationDegrees(), place.elevation.degrees(), 0.01);
+    ASSERT_TRUE(rig.point(90.0, 60.0)) << "a new act";
+    rig.settle();
+    EXPECT_NEAR(rig.elevationDegrees(), 60.0, 0.01);
+}
+
+// A mount that stands where the Sun may be: no way out is known to be safe, so somebody has to look at it.
+TEST(StationSunClock, FromInsideTheOperatorJogsOutSlowly)
+{
+    profile::Profile off = sunny();
+    off.sun.keepAway = profile::KeepAway::Off;
+    DoubtedRig rig(off);
+    EXPECT_FALSE(rig.alarmed()) << "by choice";
+    ASSERT_TRUE(rig.point(180.0, 24.0, kOperator));
+    rig.settle();
+    rig.profile = sunny();
+    rig.control.setProfile(rig.profile);
+    rig.run(Seconds(0.1));
+    EXPECT_NE(rig.refusal(20.0, 40.0).find("the clock of this computer is not synchronised"), std::string::npos);
+    EXPECT_FALSE(rig.point(20.0, 40.0)) << "nor for a client";
+    EXPECT_FALSE(rig.ask(request::Jog{{.elevation = -3_deg_s}})) << "too fast";
+    for (int i = 0; i < 400; ++i) {
+        ASSERT_TRUE(rig.ask(request::Jog{{.elevation = -1.0 * rig.profile.jog.unwind}}));
+        rig.run(Seconds(0.1));
+    }
+    rig.settle();
+    EXPECT_LT(rig.elevationDegrees(), 18.0) << "below the lowest Sun of the winter";
+    EXPECT_EQ(rig.refusal(180.0, 2.0), "");
+}
+
+TEST(StationSunClock, WhatIsOnItsWayInTheBandEndsWhenTheClockComesToBeDoubted)
+{
+    SunRig rig;
+    const double azimuth = rig.sun().azimuth.degrees();
+    ASSERT_TRUE(rig.point(azimuth - 60.0, 30.0));
+    rig.settle();
+    ASSERT_TRUE(rig.point(azimuth - 20.0, 50.0));
+    rig.run(Seconds(1.0));
+    rig.clock.setSynchronised(false);
+    rig.clock.stepUtc(Seconds(20.0));
+    rig.run(Seconds(5.0));
+    EXPECT_EQ(rig.state(), StationState::Hold);
+    const double there = rig.azimuthDegrees();
+    rig.run(Seconds(5.0));
+    EXPECT_NEAR(rig.azimuthDegrees(), there, 1e-6);
+    EXPECT_FALSE(rig.point(azimuth - 20.0, 50.0));
+}
+
+// Where there is no time source the operator vouches, but not for a date before this program was written.
+TEST(StationSunClock, TheOperatorMayVouchForIt)
+{
+    profile::Profile trusting = sunny();
+    trusting.sun.clock = profile::SunClock::Trusted;
+    DoubtedRig rig(trusting);
+    EXPECT_TRUE(rig.alarmed()) << "in the year 2000";
+    rig.clock.setUtc(std::chrono::sys_days{std::chrono::year{2026} / 11 / 21} + std::chrono::hours(12));
+    rig.run(Seconds(0.1));
+    EXPECT_FALSE(rig.alarmed());
+    EXPECT_EQ(rig.control.status().sunKeepOuts.size(), 1U);
+}
+
+// Story: a field station loses its network; the kernel calls the clock unsynchronised nine hours later, in mid-pass.
+TEST(ClockTrust, OutlivesTheTimeSourceForADay)
+{
+    constexpr auto kNeeded = profile::SunClock::Synchronised;
+    fakes::ManualClock clock;
+    ClockTrust trust;
+    clock.setSynchronised(false);
+    EXPECT_FALSE(trust.update(clock, kNeeded));
+    clock.setSynchronised(true);
+    EXPECT_TRUE(trust.update(clock, kNeeded));
+    clock.setSynchronised(false);
+    clock.advance(ClockTrust::kKeeps);
+    EXPECT_TRUE(trust.update(clock, kNeeded));
+    clock.advance(Seconds(1.0));
+    EXPECT_FALSE(trust.update(clock, kNeeded));
+}
+
+TEST(ClockTrust, EndsWhenAClockThatNothingVouchesForIsSet)
+{
+    constexpr auto kNeeded = profile::SunClock::Synchronised;
+    fakes::ManualClock clock;
+    ClockTrust trust;
+    EXPECT_TRUE(trust.update(clock, kNeeded));
+    clock.stepUtc(std::chrono::hours(2));
+    EXPECT_TRUE(trust.update(clock, kNeeded)) << "its time source has set it";
+    clock.setSynchronised(false);
+    clock.stepUtc(Seconds(1.0));
+    EXPECT_TRUE(trust.update(clock, kNeeded)) << "a leap second";
+    clock.stepUtc(std::chrono::minutes(5));
+    EXPECT_FALSE(trust.update(clock, kNeeded));
+}
+
+TEST(ClockTrust, NoSourceVouchesForATimeBeforeThisProgram)
+{
+    fakes::ManualClock clock;
+    clock.setUtc(std::chrono::sys_days{std::chrono::year{2000} / 1 / 1});
+    EXPECT_FALSE(ClockTrust().update(clock, profile::SunClock::Synchronised));
+    EXPECT_FALSE(ClockTrust().update(clock, profile::SunClock::Trusted));
 }
 
 }  // namespace
