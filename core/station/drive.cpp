@@ -257,7 +257,7 @@ moteus::PositionCommand Drive::positionCommand(double position, double velocity)
             .maximumTorque = m_settings.maxTorque,
             .watchdogTimeout = m_settings.watchdog.count(),
             .velocityLimit = m_settings.velocityLimit.turns(),
-            .accelerationLimit = m_settings.accelerationLimit.turns(),
+            .accelerationLimit = (m_hardBraking ? m_settings.emergencyBraking : m_settings.accelerationLimit).turns(),
             .ignorePositionBounds = m_ignoreBounds ? std::optional(kIgnoreBounds) : std::nullopt};
 }
 

@@ -98,6 +98,8 @@ public:
     // For an axis known to stand beyond the drive's own position bounds: they would refuse the way back (fault 39).
     void setIgnoreBounds(bool ignore) { m_ignoreBounds = ignore; }
     void setSetpoint(MotorTurns position, MotorRate rate);  // sent while Engaged
+    // The set-points brake as hard as "hold where you are": the drive must not be the slower one.
+    void setHardBraking(bool hard) { m_hardBraking = hard; }
 
     // Takes a frame from the bus; false if it is not a reply of this drive to us.
     bool take(const CanFrame& frame);
@@ -151,6 +153,7 @@ private:
     bool m_heldWhenReferenced = false;
     bool m_holdNext = false;  // while Referencing: every second frame
     bool m_ignoreBounds = false;
+    bool m_hardBraking = false;
     bool m_faultTold = false;
     SteadyTime m_heard{};    // last reply, stalls of our own excused
     bool m_replied = false;  // since the last tick

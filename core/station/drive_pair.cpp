@@ -15,7 +15,7 @@ DriveSettings driveSettings(const profile::AxisSettings& axis, const profile::Co
             .maxTorque = axis.maxTorque,
             .velocityLimit = abs(axis.geometry.toMotor(axis.limits.speed)) * survey::kLimitGuard,
             .accelerationLimit = abs(axis.geometry.toMotor(axis.limits.acceleration)) * survey::kLimitGuard,
-            .emergencyBraking = abs(axis.geometry.toMotor(survey::emergencyBraking(axis)))};
+            .emergencyBraking = abs(axis.geometry.toMotor(survey::emergencyBraking(axis.limits)))};
 }
 
 }  // namespace
@@ -126,6 +126,12 @@ bool DrivePair::answering(SteadyTime now) const
 void DrivePair::setSetpoint(Axis axis, Angle angle, AngularRate rate)
 {
     drive(axis).setSetpoint(geometry(axis).toMotor(angle), geometry(axis).toMotor(rate));
+}
+
+void DrivePair::setHardBraking(bool hard)
+{
+    m_azimuth.setHardBraking(hard);
+    m_elevation.setHardBraking(hard);
 }
 
 std::optional<Angle> DrivePair::measured(Axis axis) const

@@ -42,6 +42,7 @@ public:
     [[nodiscard]] bool answering(SteadyTime now) const;
     void leave(profile::OnExit how);  // drives that were never engaged stay as they are
     void setSetpoint(Axis axis, Angle angle, AngularRate rate);
+    void setHardBraking(bool hard);
 
     // As last reported, whatever its age.
     [[nodiscard]] std::optional<Angle> measured(Axis axis) const;

@@ -23,7 +23,9 @@ AxisProfile profileOf(const profile::AxisSettings& axis)
 
 void obey(AxisProfile& axis, Seconds duration, const AxisWish& wish)
 {
-    if (wish.target) {
+    if (wish.braking) {
+        axis.brake(duration, *wish.braking);
+    } else if (wish.target) {
         axis.follow(duration, *wish.target, wish.rate);
     } else {
         axis.run(duration, wish.rate);
@@ -102,7 +104,7 @@ void GuardedAxes::step(Seconds duration, const AxisWish& azimuth, const AxisWish
     } else if (m_swept || m_region.permits(place())) {
         // An edge was moved into the way, or limits of motion were lowered: with those, what was left to pass holds.
         m_held = {wayOf(azimuth, place().azimuth), wayOf(elevation, place().elevation)};
-        brake(duration, m_swept.value_or(m_travel));
+        brake(duration, m_swept.value_or(m_travel), azimuth, elevation);
     } else {
         stepOut(duration, azimuth, elevation);
     }
@@ -138,7 +140,7 @@ void GuardedAxes::stepInside(Seconds duration, const AxisWish& azimuth, const Ax
     if (!m_region.permits(box)) {
         m_swept = still;
         m_held = {wayOf(azimuth, before.azimuth), wayOf(elevation, before.elevation)};
-        brake(duration, still);
+        brake(duration, still, azimuth, elevation);
         return;
     }
     m_azimuth = std::move(nextAzimuth);
@@ -158,19 +160,19 @@ void GuardedAxes::stepOut(Seconds duration, const AxisWish& azimuth, const AxisW
         const TravelRange rest = axis.untilRest();
         const bool inside = within(rest, free);
         axis.setTravel(!inside ? travel : end == free.max ? TravelRange{rest.max, end} : TravelRange{end, rest.min});
-        obey(axis, duration, inside ? wish : AxisWish{});
+        obey(axis, duration, inside ? wish : AxisWish{.braking = wish.braking});
     };
     move(m_azimuth, room.azimuth, out.azimuth, m_travel.azimuth, azimuth);
     move(m_elevation, room.elevation, out.elevation, m_travel.elevation, elevation);
     m_held = {heldWay(azimuth, place().azimuth, room.azimuth), heldWay(elevation, place().elevation, room.elevation)};
 }
 
-void GuardedAxes::brake(Seconds duration, const AxisBox& within)
+void GuardedAxes::brake(Seconds duration, const AxisBox& within, const AxisWish& azimuth, const AxisWish& elevation)
 {
     m_azimuth.setTravel(within.azimuth);
     m_elevation.setTravel(within.elevation);
-    m_azimuth.brake(duration);
-    m_elevation.brake(duration);
+    obey(m_azimuth, duration, {.braking = azimuth.braking});
+    obey(m_elevation, duration, {.braking = elevation.braking});
 }
 
 const tracking::Setpoint& GuardedAxes::setpoint(Axis axis) const

@@ -17,11 +17,13 @@
 // README.md.
 namespace boresight {
 
-// What one axis is asked: to go to a target that moves at `rate`, or without a target to run at `rate`. Zero: brake.
+// What one axis is asked: to go to a target that moves at `rate`, or without a target to run at `rate`. Zero: brake,
+// with `braking` where the limits of the axis are not enough.
 struct AxisWish
 {
-    std::optional<Angle> target;
-    AngularRate rate;
+    std::optional<Angle> target{};
+    AngularRate rate{};
+    std::optional<AngularAcceleration> braking{};
 };
 
 class GuardedAxes
@@ -54,7 +56,7 @@ private:
     void stepFree(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
     void stepInside(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
     void stepOut(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
-    void brake(Seconds duration, const pointing::AxisBox& within);
+    void brake(Seconds duration, const pointing::AxisBox& within, const AxisWish& azimuth, const AxisWish& elevation);
 
     pointing::AxisBox m_travel;
     pointing::PermittedRegion m_region;

@@ -2,6 +2,7 @@
 #include "core/station/motion.h"
 
 #include "core/pointing/route.h"
+#include "core/survey/protections.h"
 
 #include <cmath>
 
@@ -33,7 +34,9 @@ bool same(const AxisPosition& a, const AxisPosition& b)
 }  // namespace
 
 Motion::Motion(const profile::Profile& profile)
-    : m_axes(profile), m_speed{.azimuth = profile.azimuth.limits.speed, .elevation = profile.elevation.limits.speed}
+    : m_axes(profile),
+      m_speed{.azimuth = profile.azimuth.limits.speed, .elevation = profile.elevation.limits.speed},
+      m_hardest{survey::emergencyBraking(profile.azimuth.limits), survey::emergencyBraking(profile.elevation.limits)}
 {}
 
 void Motion::start(Axis axis, Angle measured)
@@ -96,6 +99,7 @@ void Motion::setLimits(Axis axis, const tracking::MotionLimits& limits)
 {
     m_axes.setLimits(axis, limits);
     (axis == Axis::Azimuth ? m_speed.azimuth : m_speed.elevation) = limits.speed;
+    m_hardest[axis == Axis::Azimuth ? 0 : 1] = survey::emergencyBraking(limits);
 }
 
 void Motion::forgetWay()
@@ -203,7 +207,10 @@ Result<std::vector<AxisPosition>> Motion::route(const AxisPosition& from, const 
 
 void Motion::brake(Seconds step)
 {
-    m_axes.step(step, {}, {});
+    const auto braking = [this](std::size_t axis) {
+        return AxisWish{.braking = m_hardBraking ? std::optional(m_hardest[axis]) : std::nullopt};
+    };
+    m_axes.step(step, braking(0), braking(1));
 }
 
 std::optional<AxisPosition> Motion::target(SteadyTime now) const

@@ -8,6 +8,7 @@
 #include "core/tracking/target_stream.h"
 #include "core/units/sky.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -42,6 +43,8 @@ public:
     // While nobody knows on which turn an axis stands, nobody knows what is forbidden: only the travel counts.
     void enforceRegion(bool enforced) { m_axes.enforce(enforced); }
 
+    // Braking is as hard as that of a drive that is left alone, still with bounded jerk; else as the limits say.
+    void setHardBraking(bool hard) { m_hardBraking = hard; }
     // One step of braking; what is wanted stays, for when both axes can move again.
     void brake(Seconds step);
     // Moves the set-points on to `now`, `step` after the previous call.
@@ -93,6 +96,8 @@ private:
     AxisPosition m_trim{};
     GuardedAxes m_axes;
     AxisRates m_speed;
+    std::array<AngularAcceleration, 2> m_hardest;
+    bool m_hardBraking = false;
     Way m_way;
     struct Limited
     {

@@ -316,6 +316,8 @@ void StationControl::moveOn(Seconds step)
         }
     }
     m_motion.enforceRegion(turnsKnown());
+    m_motion.setHardBraking(m_arming.stopLatched());
+    m_drives.setHardBraking(m_arming.stopLatched());
     if (m_drives.engaged() && m_drives.seen()) {
         m_motion.advance(m_now, step);
     } else {

@@ -231,7 +231,7 @@ void addLimits(List& list, const profile::AxisSettings& axis, const DriveScale& 
                          .remedy = kLimitGuard * speed,
                          .reason = Text::tr("the speed of every order that names none; the factory has no limit"),
                          .explain = scale.asSpan(QStringLiteral("°/s"))});
-    const double braking = scale.turns(Angle::fromDegrees(emergencyBraking(axis).degrees()));
+    const double braking = scale.turns(Angle::fromDegrees(emergencyBraking(axis.limits).degrees()));
     const double lowest = 0.8 * braking;  // 0.1 s from full speed
     addWithRemedy(list, {.key = "servo.default_accel_limit",
                          .unit = Text::tr("turns/s²"),
@@ -303,12 +303,12 @@ std::optional<double> Reading::value() const
     return text == "nan" || text == "-nan" ? std::optional(kNone) : parseFinite(text);
 }
 
-AngularAcceleration emergencyBraking(const profile::AxisSettings& axis)
+AngularAcceleration emergencyBraking(const tracking::MotionLimits& limits)
 {
     constexpr double kRamp = 0.08;  // s
-    const double asked = axis.limits.acceleration.degrees();
+    const double asked = limits.acceleration.degrees();
     return AngularAcceleration::fromDegrees(
-        std::clamp(axis.limits.speed.degrees() / kRamp, kLimitGuard * asked, 15.0 * asked));
+        std::clamp(limits.speed.degrees() / kRamp, kLimitGuard * asked, 15.0 * asked));
 }
 
 std::vector<Protection> protectionsOf(const profile::Profile& profile, Axis which)

@@ -84,6 +84,16 @@ Setpoint AxisProfile::run(Seconds dt, AngularRate rate)
     return advance(obstacle ? stopAt(*obstacle, fastest, duration) : path);
 }
 
+// It rests before every place at which the limits could have stopped it.
+Setpoint AxisProfile::brake(Seconds dt, AngularAcceleration deceleration)
+{
+    const double duration = dt.count();
+    if (duration <= 0.0) {
+        return m_setpoint;
+    }
+    return advance(changeRate(m_motion.latest(), 0.0, std::max(acceleration(), deceleration.radians()), duration));
+}
+
 // The end of the travel that the axis could no longer stop at after the path. It is enough to look at the end of each
 // segment: between them the place of a stop moves outwards only while the axis does. Motion back inside is always fine.
 std::optional<double> AxisProfile::endInTheWay(const std::vector<Segment>& path) const

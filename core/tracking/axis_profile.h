@@ -57,6 +57,8 @@ public:
     Setpoint run(Seconds dt, AngularRate rate);
     // Comes to rest as fast as the limits allow, and stays there.
     Setpoint brake(Seconds dt) { return run(dt, AngularRate{}); }
+    // The same with a stronger deceleration, averaged as every motion.
+    Setpoint brake(Seconds dt, AngularAcceleration deceleration);
 
     [[nodiscard]] const Setpoint& setpoint() const { return m_setpoint; }
     // All that the set-point still passes when the axis brakes from now on, where it is now included.

@@ -27,6 +27,64 @@ TEST(StationControl, StopDeceleratesHoldsAndLatches)
     EXPECT_EQ(rig.azimuthDegrees(), rest);
 }
 
+profile::Profile withoutBrakes()
+{
+    profile::Profile profile;
+    for (profile::AxisSettings* const axis : {&profile.azimuth, &profile.elevation}) {
+        axis->limits.acceleration = AngularAcceleration::fromDegrees(0.5);
+        axis->limits.jerk = AngularJerk::fromDegrees(5.0);
+    }
+    return profile;
+}
+
+// Story: with 0.5°/s² in the profile STOP took 14 s and 49°.
+TEST(StationControl, StopBrakesHarderThanAProfileWithoutBrakes)
+{
+    StationRig rig(withoutBrakes());
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.ask(request::Move{{.azimuth = 10_deg_s}}));
+    rig.run(Seconds(25.0));
+    ASSERT_NEAR(rig.control.status().azimuth.commandedRate->degrees(), 10.0, 0.01);
+    const double from = rig.azimuthDegrees();
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    rig.azimuth.seen.clear();
+    rig.run(Seconds(1.7));
+    EXPECT_EQ(rig.control.status().azimuth.commandedRate, AngularRate{});
+    EXPECT_LT(rig.azimuthDegrees() - from, 8.0);
+    // The drive must be able to follow that: 7.5°/s² in turns.
+    EXPECT_NEAR(rig.azimuth.seen.front().fields.at(Register::CommandAccelerationLimit), 7.5 / 360.0, 1e-6);
+    ASSERT_TRUE(rig.ask(request::ResetStop{}));
+    rig.azimuth.seen.clear();
+    rig.run(Seconds(0.1));
+    EXPECT_NEAR(rig.azimuth.seen.back().fields.at(Register::CommandAccelerationLimit), 0.75 / 360.0, 1e-6);
+}
+
+// The reference mount from full speed: 0.3 s and 1.4° instead of 1.2 s and 6°, still without a jerk.
+TEST(StationControl, StopFromFullSpeedTakesAThirdOfASecond)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(200.0, 10.0, Seconds(4.0)));
+    const double from = rig.azimuthDegrees();
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    AngularRate before = *rig.control.status().azimuth.commandedRate;
+    for (int i = 0; i < 17; ++i) {
+        rig.tick();
+        const AngularRate now = *rig.control.status().azimuth.commandedRate;
+        EXPECT_LE(abs(now - before).degrees(), 50.0 * 0.02 + 1e-6) << i;
+        before = now;
+    }
+    EXPECT_EQ(before, AngularRate{});
+    EXPECT_LT(rig.azimuthDegrees() - from, 1.6);
+    ASSERT_TRUE(rig.ask(request::ResetStop{}));
+    ASSERT_TRUE(rig.point(20.0, 10.0, kOperator));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    before = *rig.control.status().azimuth.commandedRate;
+    rig.tick();
+    EXPECT_LE(abs(*rig.control.status().azimuth.commandedRate - before).degrees(), 10.0 * 0.02 + 1e-6)
+        << "Hold is as gentle as before";
+}
+
 TEST(StationControl, AfterResetOfStopNothingComesBackByItself)
 {
     StationRig rig;

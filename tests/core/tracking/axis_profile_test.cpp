@@ -122,6 +122,39 @@ TEST(AxisProfile, UsesWhatTheLimitsAllow)
     EXPECT_GT(watch.jerk, 45.0);  // a ramp from rest takes the filter length: half the limit
 }
 
+TEST(AxisProfile, BrakesHarderWhereItIsAskedTo)
+{
+    AxisProfile profile(kLimits, kTravel, 0_deg);
+    for (int i = 0; i < 100; ++i) {
+        profile.run(kTick, 10_deg_s);
+    }
+    const Angle from = profile.setpoint().position;
+    Watch watch(profile);
+    int ticks = 0;
+    for (; !profile.atRest(); ++ticks) {
+        watch.add(kTick, profile.brake(kTick, AngularAcceleration::fromDegrees(125.0)));
+        ASSERT_LT(ticks, 100);
+    }
+    // Speed / deceleration + filter: 0.08 + 0.2 s, at the mean of full speed and none.
+    EXPECT_NEAR(ticks * kTick.count(), 0.28, 1.1 * kTick.count());
+    EXPECT_NEAR((profile.setpoint().position - from).degrees(), 1.4, 0.01);
+    EXPECT_LE(watch.acceleration, 50.0 + 1e-6) << "the averaging spreads it over 0.2 s";
+    EXPECT_LE(watch.highest, from.degrees() + 1.41);
+}
+
+TEST(AxisProfile, AWeakerBrakeThanTheLimitsIsTheirs)
+{
+    AxisProfile asked(kLimits, kTravel, 0_deg);
+    AxisProfile own(kLimits, kTravel, 0_deg);
+    for (int i = 0; i < 50; ++i) {
+        asked.run(kTick, 5_deg_s);
+        own.run(kTick, 5_deg_s);
+    }
+    for (int i = 0; i < 100; ++i) {
+        EXPECT_EQ(asked.brake(kTick, AngularAcceleration::fromDegrees(1.0)), own.brake(kTick));
+    }
+}
+
 TEST(AxisProfile, TheRateSentIsThatOfTheSetpoints)
 {
     AxisProfile profile(kLimits, kTravel, 0_deg);
