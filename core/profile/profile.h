@@ -224,6 +224,7 @@ struct SupervisionSettings
     double motorHot = 80.0;     // °C
     Seconds trendAhead{300.0};  // tell when a trend reaches its limit within this time
     double torqueHint = 0.7;    // of the axis's maximum torque, for 2 s
+    double torqueAtRest = 0.4;  // of the same, while the axis stands: more than weight and friction explain
     double torqueUnwind = 0.4;  // of the same, while the turn of the axis is unknown: a cable may be pulling
 
     bool operator==(const SupervisionSettings&) const = default;

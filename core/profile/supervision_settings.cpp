@@ -54,6 +54,13 @@ void addMotionSupervision(std::vector<Setting>& list)
         QT_TRANSLATE_NOOP("Text", "A hint when an axis needs this share of its max_torque_nm for 2 s."),
         [](auto& p) -> auto& { return p.supervision.torqueHint; }));
     list.push_back(number(
+        "supervision.torque_at_rest_share", "", {0.05, 1.0}, kNow,
+        QT_TRANSLATE_NOOP(
+            "Text",
+            "Warn when an axis that stands needs this share of its max_torque_nm for 2 s. Set it a little "
+            "above what weight and friction need."),
+        [](auto& p) -> auto& { return p.supervision.torqueAtRest; }));
+    list.push_back(number(
         "supervision.torque_unwind_share", "", {0.05, 1.0}, kNow,
         QT_TRANSLATE_NOOP("Text",
                           "While the turn of an axis is unknown, the mount stops at this share of its max_torque_nm: a "

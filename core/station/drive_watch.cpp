@@ -175,6 +175,7 @@ supervision::AxisObservation DriveWatch::observation(const Drive& drive, const t
             .voltage = report.voltage,
             .boardTemperature = report.boardTemperature,
             .motorTemperature = report.motorTemperature != 0.0 ? std::optional(report.motorTemperature) : std::nullopt,
+            .activeLimit = moteus::isLimit(report.fault) ? report.fault : 0,
             .turnKnown = context.turnKnown};
 }
 

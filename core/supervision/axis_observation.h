@@ -23,7 +23,8 @@ struct AxisObservation
     double voltage = 0.0;
     double boardTemperature = 0.0;
     std::optional<double> motorTemperature;  // empty without a sensor
-    bool turnKnown = false;                  // else `actual` is right but for whole turns of the rotor
+    int activeLimit = 0;     // the moteus code (96…105) of what the drive is limited by now; 0: nothing
+    bool turnKnown = false;  // else `actual` is right but for whole turns of the rotor
 };
 
 }  // namespace boresight::supervision

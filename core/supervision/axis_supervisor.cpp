@@ -2,6 +2,7 @@
 #include "core/supervision/axis_supervisor.h"
 
 #include "core/base/text.h"
+#include "core/moteus/faults.h"
 #include "core/supervision/words.h"
 
 #include <algorithm>
@@ -20,6 +21,16 @@ constexpr Angle kAgainst = Angle::fromDegrees(0.5);
 
 // A stop that one bad sample could cause waits for so long.
 constexpr Seconds kConfirm{0.1};
+
+// How long a limit that the drive has reported explains what the axis does.
+constexpr Seconds kLimitExplains{0.5};
+
+// A sustained need of torque, not that of a gust or an acceleration.
+constexpr Seconds kTorqueLasts{2.0};
+// An axis that stands this far from its set-point while its drive gives all it may does not get there. Nearer than ten
+// steps of the drive's position it is there.
+constexpr Angle kNotThere = Angle::fromDegrees(0.05);
+constexpr double kAllTorque = 0.9;
 
 constexpr double kSupplyReturns = 0.5;  // V
 constexpr double kCoolsBy = 3.0;        // °C
@@ -45,6 +56,7 @@ std::vector<Observed> AxisSupervisor::observe(const AxisObservation& seen)
     m_wasEngaged = seen.engaged;
     m_knewTurn = seen.turnKnown;
     if (seen.fresh) {
+        noteLimit(seen);
         judgeReplies(seen);
         judgeMotion(seen);
         judgeTorque(seen);
@@ -54,8 +66,8 @@ std::vector<Observed> AxisSupervisor::observe(const AxisObservation& seen)
     }
 
     std::vector<Observed> found;
-    for (const Watch* const watch : {&m_following, &m_stalled, &m_wrongWay, &m_uncommanded, &m_jump, &m_travel,
-                                     &m_torqueGuard, &m_torqueHigh, &m_replies, &m_supplyLow, &m_supplyFalls,
+    for (const Watch* const watch : {&m_following, &m_stalled, &m_pushes, &m_wrongWay, &m_uncommanded, &m_jump,
+                                     &m_travel, &m_torqueGuard, &m_torqueHigh, &m_replies, &m_supplyLow, &m_supplyFalls,
                                      &m_supplyHigh, &m_boardHot, &m_boardWarms, &m_motorHot, &m_motorWarms}) {
         const auto& one = watch->observed();
         if (one && std::ranges::find(found, one->finding, &Observed::finding) == found.end()) {
@@ -78,7 +90,8 @@ void AxisSupervisor::forgetCommand()
     m_progress.forget();
     m_standing.forget();
     m_outside.forget();
-    for (Watch* const watch : {&m_following, &m_stalled, &m_wrongWay, &m_uncommanded, &m_travel, &m_torqueGuard}) {
+    for (Watch* const watch :
+         {&m_following, &m_stalled, &m_pushes, &m_wrongWay, &m_uncommanded, &m_travel, &m_torqueGuard}) {
         watch->forget();
     }
 }
@@ -116,7 +129,9 @@ void AxisSupervisor::judgeFollowing(const AxisObservation& seen)
                              .after = m_settings.followingTime};
     m_following.update(seen.now, error.degrees(), limits, [&] {
         return Text::tr("%1 is %2 away from its set-point for %3 (set-point %4, axis %5)")
-            .arg(m_name, words(apart), words(m_settings.followingTime), words(seen.commanded), words(seen.actual));
+                   .arg(m_name, words(apart), words(m_settings.followingTime), words(seen.commanded),
+                        words(seen.actual)) +
+               limitText(seen.now);
     });
 }
 
@@ -126,13 +141,37 @@ void AxisSupervisor::judgeProgress(const AxisObservation& seen)
         return sentence.arg(m_name, words(m_progress.asked()), words(seen.commandedRate),
                             words(m_progress.underCommand()), words(m_progress.moved()));
     };
-    const double against = m_progress.against().degrees();
+    // Told to turn round, an axis runs on for as long as its drive, which gives all it may, needs to stop it.
+    const bool runsOn = limit(seen.now) != 0 && m_progress.slowsDown();
+    const double against = runsOn ? 0.0 : m_progress.against().degrees();
     m_wrongWay.update(seen.now, against, {.stop = kAgainst.degrees(), .release = kAgainst.degrees()},
                       [&] { return motion(Text::tr("%1 moves the wrong way: %2 at %3 commanded in %4, %5 moved")); });
     const double missing = m_progress.missing() ? m_progress.underCommand().count() : 0.0;
-    const double limit = m_settings.stallTime.count();
-    m_stalled.update(seen.now, missing, {.stop = limit, .release = limit},
-                     [&] { return motion(Text::tr("%1 does not move: %2 at %3 commanded in %4, %5 moved")); });
+    const double longest = m_settings.stallTime.count();
+    m_stalled.update(seen.now, missing, {.stop = longest, .release = longest}, [&] {
+        return motion(Text::tr("%1 does not move: %2 at %3 commanded in %4, %5 moved")) + limitText(seen.now);
+    });
+}
+
+void AxisSupervisor::noteLimit(const AxisObservation& seen)
+{
+    if (seen.activeLimit != 0) {
+        m_limit = seen.activeLimit;
+        m_limitSeen = seen.now;
+    }
+}
+
+int AxisSupervisor::limit(SteadyTime now) const
+{
+    return m_limit != 0 && now - m_limitSeen <= kLimitExplains ? m_limit : 0;
+}
+
+QString AxisSupervisor::limitText(SteadyTime now) const
+{
+    const int code = limit(now);
+    return code == 0 ? QString()
+                     : Text::tr("; limit %1 of the drive: %2")
+                           .arg(QString::number(code), Text::of(moteus::faultText(code).meaning));
 }
 
 void AxisSupervisor::judgeStanding(const AxisObservation& seen)
@@ -193,13 +232,32 @@ void AxisSupervisor::judgeTorque(const AxisObservation& seen)
         return sentence.arg(m_name, words(std::abs(seen.torque), 1), words(100.0 * share, 0),
                             words(m_limits.maxTorque, 1));
     };
-    m_torqueHigh.update(seen.now, share,
-                        {.hint = m_settings.torqueHint, .release = 0.85 * m_settings.torqueHint, .after = Seconds(2.0)},
-                        [&] { return needs(Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed")); });
+    const bool stands = m_standing.moved().has_value();
+    const double most = stands ? std::min(m_settings.torqueAtRest, m_settings.torqueHint) : m_settings.torqueHint;
+    m_torqueHigh.update(seen.now, share, {.hint = most, .release = 0.85 * most, .after = kTorqueLasts}, [&] {
+        return stands ? needs(Text::tr("%1 stands and needs %2 Nm, %3 % of the %4 Nm allowed: more than the %5 Nm of "
+                                       "weight and friction"))
+                            .arg(words(most * m_limits.maxTorque, 1))
+                      : needs(Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed"));
+    });
+    judgePush(seen, stands ? share : 0.0);
     m_torqueGuard.update(
         seen.now, seen.turnKnown ? 0.0 : share,
         {.stop = m_settings.torqueUnwind, .release = 0.85 * m_settings.torqueUnwind, .after = kConfirm},
         [&] { return needs(Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its turn is not known")); });
+}
+
+// An axis that was stopped by something just before its target is asked for too little to be found by its progress.
+void AxisSupervisor::judgePush(const AxisObservation& seen, double share)
+{
+    const Angle apart = abs(seen.commanded - seen.actual);
+    const bool pushes = share >= kAllTorque && apart > kNotThere;
+    m_pushes.update(seen.now, pushes ? 1.0 : 0.0, {.stop = 1.0, .release = 1.0, .after = kTorqueLasts}, [&] {
+        return Text::tr("%1 does not move: %2 from its set-point with %3 Nm of the %4 Nm allowed, for %5")
+                   .arg(m_name, words(apart), words(std::abs(seen.torque), 1), words(m_limits.maxTorque, 1),
+                        words(kTorqueLasts)) +
+               limitText(seen.now);
+    });
 }
 
 void AxisSupervisor::judgeReplies(const AxisObservation& seen)

@@ -60,6 +60,10 @@ private:
     void judgeJump(const AxisObservation& seen);
     void judgeTravel(const AxisObservation& seen);
     void judgeTorque(const AxisObservation& seen);
+    void judgePush(const AxisObservation& seen, double share);
+    void noteLimit(const AxisObservation& seen);
+    [[nodiscard]] int limit(SteadyTime now) const;          // code of what the drive is limited by; 0: nothing
+    [[nodiscard]] QString limitText(SteadyTime now) const;  // the same, to be added to a sentence
     void judgeReplies(const AxisObservation& seen);
     void judgeSupply(const AxisObservation& seen);
     void judgeBoard(const AxisObservation& seen);
@@ -81,9 +85,12 @@ private:
     bool m_wasEngaged = false;
     bool m_knewTurn = false;
     bool m_jumped = false;
+    int m_limit = 0;
+    SteadyTime m_limitSeen{};
 
     Watch m_following{Finding::FollowingError};
     Watch m_stalled{Finding::Stalled};
+    Watch m_pushes{Finding::Stalled};
     Watch m_wrongWay{Finding::WrongWay};
     Watch m_uncommanded{Finding::MovesUncommanded};
     Watch m_jump{Finding::EncoderJump};

@@ -54,8 +54,20 @@ void Progress::look(const AxisObservation& seen)
             anchorAt(seen);
         }
     }
+    lookAtRate(seen, passed);
     m_last = seen.now;
     m_lastCommanded = seen.commanded;
+}
+
+void Progress::lookAtRate(const AxisObservation& seen, Seconds passed)
+{
+    if (passed > Seconds(0.0)) {
+        const AngularRate rate = (seen.actual - m_lastActual) / passed;
+        const double way = m_asked < Angle{} ? -1.0 : 1.0;
+        m_slowsDown = way * rate > AngularRate{} || way * rate > way * m_lastRate;
+        m_lastRate = rate;
+        m_lastActual = seen.actual;
+    }
 }
 
 bool Progress::missing() const

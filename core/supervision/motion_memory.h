@@ -23,6 +23,7 @@ public:
     [[nodiscard]] Seconds underCommand() const { return m_underCommand; }  // time with a moving set-point since then
     [[nodiscard]] bool missing() const;                                    // asked to move and has hardly moved
     [[nodiscard]] Angle against() const;                                   // moved against the command; 0 if with it
+    [[nodiscard]] bool slowsDown() const { return m_slowsDown; }  // its motion against the command, or has ended
 
 private:
     struct Anchor
@@ -31,10 +32,14 @@ private:
         Angle actual;
     };
     void anchorAt(const AxisObservation& seen);
+    void lookAtRate(const AxisObservation& seen, Seconds passed);
 
     std::optional<Anchor> m_anchor;
     SteadyTime m_last{};
     Angle m_lastCommanded;
+    Angle m_lastActual;
+    AngularRate m_lastRate;
+    bool m_slowsDown = false;
     Angle m_asked;
     Angle m_moved;
     Seconds m_underCommand{0.0};

@@ -73,6 +73,21 @@ TEST_F(AxisSupervisorTest, ASetpointThatIsPutSomewhereElseIsNoMotion)
     EXPECT_TRUE(last.empty());
 }
 
+// A motor with exchanged phases gives all its torque, too, and gets faster and faster.
+TEST_F(AxisSupervisorTest, AnAxisThatGetsFasterAgainstItsCommandIsTheWrongWayWhateverItsDriveReports)
+{
+    ticks(50);
+    seen.activeLimit = 102;
+    AngularRate rate;
+    for (int i = 0; i < 20 && !stops(Finding::WrongWay); ++i) {
+        rate += 3_deg_s;
+        seen.actual -= rate * Seconds(0.02) + 5_deg_s * Seconds(0.02);  // tick() takes it along with its set-point
+        tick(5_deg_s);
+    }
+    EXPECT_TRUE(stops(Finding::WrongWay));
+    EXPECT_LT((100_deg - seen.actual).degrees(), 1.0);
+}
+
 // Story: without it a re-arm would be followed at once by the alarm that it has just acknowledged.
 TEST_F(AxisSupervisorTest, ReArmingForgetsWhatWasFoundInTheMotion)
 {

@@ -268,6 +268,41 @@ TEST_F(InjectedCause, WindThatTakesMuchOfTheTorque)
     EXPECT_FALSE(mount.stopped()) << mount.report();
 }
 
+// Story: 0.2° before its target an axis stood against an obstacle with all its torque, and nothing was said: too little
+// was asked to call it blocked.
+TEST_F(InjectedCause, AnAxisThatPushesJustBeforeItsTargetIsBlocked)
+{
+    mount.engage();
+    mount.inject(FaultKind::Stall, Axis::Azimuth);
+    mount.goTo(Axis::Azimuth, 180.2_deg);
+    EXPECT_LE(timeTo(Finding::Stalled, Weight::Stop, Seconds(10.0)), Seconds(5.0));
+    EXPECT_THAT(text(Finding::Stalled, Weight::Stop),
+                HasSubstr("0.2° from its set-point with 50.0 Nm of the 50.0 Nm allowed"));
+    EXPECT_THAT(text(Finding::Stalled, Weight::Stop), HasSubstr("limit 102 of the drive"));
+}
+
+TEST_F(InjectedCause, WindOnAStandingAxisIsToldFromASmallerTorqueOn)
+{
+    mount.engage();
+    mount.run(Seconds(1.0));
+    mount.inject(FaultKind::Wind, Axis::Azimuth, 28.0);
+    EXPECT_LE(timeTo(Finding::TorqueHigh, Weight::Hint, Seconds(5.0)), Seconds(3.0));
+    EXPECT_THAT(text(Finding::TorqueHigh, Weight::Hint), HasSubstr("more than the 20.0 Nm of weight and friction"));
+    mount.run(Seconds(5.0));
+    EXPECT_FALSE(mount.stopped()) << mount.report();
+}
+
+TEST_F(InjectedCause, ABlockedAxisIsToldWithTheLimitOfItsDrive)
+{
+    mount.engage();
+    mount.turn(Axis::Azimuth, 6_deg_s);
+    mount.run(Seconds(2.0));
+    mount.inject(FaultKind::Stall, Axis::Azimuth);
+    static_cast<void>(timeTo(Finding::Stalled, Weight::Stop, Seconds(3.0)));
+    EXPECT_THAT(text(Finding::Stalled, Weight::Stop),
+                HasSubstr("limit 102 of the drive: Limited by the maximum torque of the command"));
+}
+
 // A cable that comes tight during the guided unwind pulls harder and harder.
 TEST(TorqueGuard, StopsAnUnwindThatPullsTheCableTight)
 {

@@ -52,6 +52,29 @@ TEST(NoFalseFinding, JogsAndReversalsAtAnyRate)
     EXPECT_EQ(mount.report(), "");
 }
 
+// Story: 300°/s² with 50 Nm. Each reversal overshot, and the operator was told not to re-arm before the motor had been
+// calibrated.
+TEST(NoFalseFinding, AReversalWithTooLittleTorqueIsNoWrongWay)
+{
+    profile::Profile fast;
+    fast.azimuth.limits.acceleration = AngularAcceleration::fromDegrees(300.0);
+    fast.azimuth.limits.jerk = AngularJerk::fromDegrees(30000.0);
+    sim::PairSettings pair = sim::commissionedPair({.azimuth = 180_deg, .elevation = 45_deg});
+    pair.azimuth.plant.inertia = 60.0;
+    SupervisedMount mount(pair, fast);
+    mount.engage();
+    for (int i = 0; i < 4; ++i) {
+        mount.turn(Axis::Azimuth, 10_deg_s);
+        mount.run(Seconds(2.0));
+        mount.turn(Axis::Azimuth, -10_deg_s);
+        mount.run(Seconds(2.0));
+    }
+    EXPECT_FALSE(mount.first(Finding::WrongWay, Weight::Stop)) << mount.report();
+    const auto late = mount.first(Finding::FollowingError, Weight::Hint);
+    ASSERT_TRUE(late) << mount.report();
+    EXPECT_TRUE(late->observed.what.contains(QStringLiteral("limit 102 of the drive"))) << mount.report();
+}
+
 TEST(NoFalseFinding, CrawlsAndStepsOfATenthOfADegree)
 {
     SupervisedMount mount;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/supervision/supervised_mount.h"
 
+#include "core/moteus/faults.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -145,6 +147,8 @@ void SupervisedMount::take(const moteus::Reply& reply, Seconds received)
     seen.torque = reply.value(Register::Torque).value_or(0.0);
     seen.voltage = reply.value(Register::Voltage).value_or(0.0);
     seen.boardTemperature = reply.value(Register::Temperature).value_or(0.0);
+    const int code = reply.fault().value_or(0);
+    seen.activeLimit = moteus::isLimit(code) ? code : 0;
     seen.turnKnown = reply.homeState() == moteus::HomeState::Output;
 }
 
