@@ -2,9 +2,8 @@
 #include "core/can/port_holder.h"
 
 #include "core/base/numbers.h"
-#include "core/base/text.h"
+#include "core/base/process_name.h"
 
-#include <QFile>
 #include <QFileInfo>
 
 #include <unistd.h>
@@ -31,14 +30,6 @@ bool holds(const files::path& process, const files::path& target)
     return false;
 }
 
-QString nameOf(const files::path& process)
-{
-    QFile file(QString::fromStdString((process / "comm").string()));
-    const QString name = file.open(QIODevice::ReadOnly) ? QString::fromLocal8Bit(file.readAll()).trimmed() : QString();
-    return Text::tr("%1 (process %2)")
-        .arg(name.isEmpty() ? Text::tr("a program") : name, QString::fromStdString(process.filename().string()));
-}
-
 }  // namespace
 
 std::optional<QString> portHolder(const QString& device)
@@ -48,7 +39,7 @@ std::optional<QString> portHolder(const QString& device)
     for (files::directory_iterator entry("/proc", error), end; !error && entry != end; entry.increment(error)) {
         const auto process = parseInteger(entry->path().filename().string());
         if (process && *process != getpid() && !target.empty() && holds(entry->path(), target)) {
-            return nameOf(entry->path());
+            return nameOfProcess(entry->path().filename().string());
         }
     }
     return std::nullopt;
