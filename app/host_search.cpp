@@ -69,7 +69,8 @@ struct HostSearch::Scan
             return fail(QString::fromStdString(made.error().text));
         }
         link = std::move(*made);
-        if (const Result<> opened = link->open(); !opened) {
+        const Result<> opened = mayBeScanned(bus).and_then([this] { return link->open(); });
+        if (!opened) {
             return fail(QString::fromStdString(opened.error().text));
         }
         if (link->status().state != LinkState::Up) {

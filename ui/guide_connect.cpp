@@ -118,8 +118,11 @@ void GuideConnect::showAdapters(const std::vector<Adapter>& adapters)
         auto* const item = new QListWidgetItem(text, m_list);
         item->setToolTip(adapter.bus);
     }
-    const auto at = std::ranges::find(m_adapters, selected, &Adapter::bus);
-    m_list->setCurrentRow(at == m_adapters.end() ? 0 : static_cast<int>(at - m_adapters.begin()));
+    auto at = std::ranges::find(m_adapters, selected, &Adapter::bus);
+    if (at == m_adapters.end()) {
+        at = std::ranges::find(m_adapters, true, &Adapter::recognised);  // another device is the operator's choice
+    }
+    m_list->setCurrentRow(at == m_adapters.end() ? -1 : static_cast<int>(at - m_adapters.begin()));
     showButtons();
 }
 

@@ -3,6 +3,7 @@
 #include "app/bus_scan.h"
 #include "app/scan_report.h"
 #include "app/unix_signals.h"
+#include "core/can/adapters.h"
 #include "core/station/link_factory.h"
 
 #include <QCoreApplication>
@@ -36,7 +37,8 @@ ExitStatus report(const std::vector<FoundController>& controllers, const CanLink
 
 ExitStatus scan(CanLink& link)
 {
-    if (const Result<> opened = link.open(); !opened) {
+    const Result<> opened = mayBeScanned(link.name()).and_then([&] { return link.open(); });
+    if (!opened) {
         return fail(opened.error().text);
     }
     if (link.status().state != LinkState::Up) {
@@ -73,7 +75,8 @@ const Subcommand kScanCommand{
     .summary = "List every moteus controller on a bus and what is wrong with it",
     .details =
         R"(BUS is fdcanusb:PATH, socketcan:IFACE or simulated. Takes a second or two. Only asks: nothing moves, no watchdog is
-fed, and a running station is not disturbed on a SocketCAN bus.
+fed, and a running station is not disturbed on a SocketCAN bus. Nothing is sent to a USB device that is not known to be
+an adapter. A serial port that does not answer as an adapter gets one question.
 
 Columns: id on the bus; UUID of the board; firmware and register map (map) version; mode; fault; supply voltage; temperature
 of the board; position of the output in revolutions as the drive counts them; what that position is worth.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/can/adapters.h"
 
+#include "core/base/bus_name.h"
 #include "core/base/text.h"
+#include "core/can/serial_port_check.h"
 #include "core/can/stable_port.h"
 
 #include <QDir>
@@ -15,8 +17,10 @@ namespace {
 
 constexpr std::uint16_t kMjbotsVendor = 0x1209;  // pid.codes, shared by many
 constexpr std::uint16_t kMjcanfd = 0x2323;       // mjcanfd-usb-1x
-constexpr int kTypeOfCan = 280;                  // ARPHRD_CAN of linux/if_arp.h
-constexpr unsigned kInterfaceUp = 1;             // IFF_UP of linux/if.h
+constexpr std::uint16_t kStVendor = 0x0483;
+constexpr std::uint16_t kFdcanusb = 0x5740;  // of any serial port made with ST's example
+constexpr int kTypeOfCan = 280;              // ARPHRD_CAN of linux/if_arp.h
+constexpr unsigned kInterfaceUp = 1;         // IFF_UP of linux/if.h
 
 QString joined(const QStringList& parts)
 {
@@ -57,20 +61,27 @@ QByteArray contents(const QString& path)
     return file.open(QIODevice::ReadOnly) ? file.readAll().trimmed() : QByteArray();
 }
 
+SerialPortFacts factsOf(const QSerialPortInfo& info)
+{
+    return {.device = info.systemLocation(),
+            .stableName = stableNameOf(info.systemLocation()),
+            .manufacturer = info.manufacturer(),
+            .description = info.description(),
+            .serialNumber = info.serialNumber(),
+            .vendor = info.hasVendorIdentifier() ? std::optional(info.vendorIdentifier()) : std::nullopt,
+            .product = info.hasProductIdentifier() ? std::optional(info.productIdentifier()) : std::nullopt};
+}
+
 std::vector<SerialPortFacts> serialPorts()
 {
     std::vector<SerialPortFacts> ports;
-    for (const QSerialPortInfo& info : QSerialPortInfo::availablePorts()) {
-        ports.push_back(
-            {.device = info.systemLocation(),
-             .stableName = stableNameOf(info.systemLocation()),
-             .manufacturer = info.manufacturer(),
-             .description = info.description(),
-             .serialNumber = info.serialNumber(),
-             .vendor = info.hasVendorIdentifier() ? std::optional(info.vendorIdentifier()) : std::nullopt,
-             .product = info.hasProductIdentifier() ? std::optional(info.productIdentifier()) : std::nullopt});
-    }
+    std::ranges::transform(QSerialPortInfo::availablePorts(), std::back_inserter(ports), factsOf);
     return ports;
+}
+
+QString fourDigits(std::uint16_t number)
+{
+    return QStringLiteral("%1").arg(number, 4, 16, QLatin1Char('0'));
 }
 
 }  // namespace
@@ -93,6 +104,29 @@ std::vector<Adapter> adaptersOf(const std::vector<SerialPortFacts>& ports,
                    .detail = Text::tr("built in, to try everything without a mount"),
                    .recognised = true});
     return all;
+}
+
+Result<> mayBeScanned(const SerialPortFacts& port)
+{
+    const bool isFdcanusb = port.vendor == kStVendor && port.product == kFdcanusb;
+    if (!port.vendor || isFdcanusb || isRecognised(port)) {
+        return {};
+    }
+    return failure(ErrorCode::Refused,
+                   Text::tr("%1 is another USB device (%2:%3 %4). Known adapters are 0483:5740 and 1209:2323. Nothing "
+                            "was sent to it. If it is an adapter, enter it as the bus of the profile")
+                       .arg(port.device, fourDigits(*port.vendor), fourDigits(port.product.value_or(0)),
+                            joined({port.manufacturer, port.description})));
+}
+
+Result<> mayBeScanned(const QString& bus)
+{
+    const auto name = parseBusName(bus.toStdString());
+    if (!name || name->kind != BusKind::Fdcanusb) {
+        return {};
+    }
+    const QString port = canonicalPort(QString::fromStdString(name->target));
+    return mayBeScanned(factsOf(QSerialPortInfo(port.section(QLatin1Char('/'), -1))));
 }
 
 std::vector<CanInterfaceFacts> canInterfacesIn(const QString& folder)

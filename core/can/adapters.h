@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/result.h"
+
 #include <QMetaType>
 #include <QString>
 
@@ -45,6 +47,12 @@ struct CanInterfaceFacts
 
 // Those of this computer, now. Reads files of the kernel: some milliseconds, not on the gui thread.
 [[nodiscard]] std::vector<Adapter> findAdapters();
+
+// Whether a scan may write to this port. Not to another USB device: it takes our lines for its own commands. The bus of
+// a profile is the operator's choice and is not asked for here.
+[[nodiscard]] Result<> mayBeScanned(const SerialPortFacts& port);
+// The same for a bus of this computer by its name. Reads files of the kernel: some milliseconds.
+[[nodiscard]] Result<> mayBeScanned(const QString& bus);
 
 // The CAN interfaces in such a folder: /sys/class/net.
 [[nodiscard]] std::vector<CanInterfaceFacts> canInterfacesIn(const QString& folder);

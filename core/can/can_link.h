@@ -31,6 +31,7 @@ struct LinkStatus
     std::uint64_t received = 0;   // frames received
     std::uint64_t dropped = 0;    // frames the kernel or adapter lost, unreadable lines
     std::uint64_t busErrors = 0;  // error frames, ERR answers, missing OKs
+    bool leftAlone = false;       // Lost, and open() tries nothing before close() was called or the device changed
 
     bool operator==(const LinkStatus&) const = default;
 };

@@ -34,6 +34,21 @@ bool isWritable(int descriptor)
     return poll(&request, 1, 0) == 1 && (request.revents & POLLOUT) != 0;
 }
 
+// A stall of ours must not be taken for silence of the adapter.
+bool hasUnread(int descriptor)
+{
+    int waiting = 0;
+    return ioctl(descriptor, FIONREAD, &waiting) == 0 && waiting > 0;
+}
+
+QString inUse(const QString& device, const QString& holder)
+{
+    const bool ours = holder.startsWith(QStringLiteral("boresight"));
+    return (ours ? Text::tr("%1 is in use by %2: end it first, or press \"Release bus\" on its Drives page")
+                 : Text::tr("%1 is in use by %2: end it first"))
+        .arg(device, holder);
+}
+
 // All or nothing: an impossible frame keeps its whole batch back.
 Result<std::vector<std::string>> linesOf(std::span<const CanFrame> frames)
 {
@@ -75,6 +90,9 @@ QString FdcanusbLink::name() const
 
 Result<> FdcanusbLink::open()
 {
+    if (m_foreignPort && m_foreignPort == portIdentity(m_path.device())) {
+        return failure(ErrorCode::Refused, m_status.text);
+    }
     close();
     if (const auto opened = openPort(m_path.device()); !opened) {
         return opened;
@@ -90,8 +108,12 @@ Result<> FdcanusbLink::open()
     m_port.clear();  // what was said before we came is not for us
     m_lastCheck = m_clock.now();
     m_lastRestart = m_lastCheck - kRestartPeriod;
+    m_opened = m_lastCheck;
+    m_proven = false;
     updateStatus(LinkState::Up);
-    return {};
+    QByteArray probe;
+    appendLine(probe, fdcanusb::kBusStatusLine, Command::Status);
+    return writeLines(probe);
 }
 
 // The maker's tools take no lock that would keep us out, and two programs on one adapter steal each other's answers.
@@ -104,11 +126,7 @@ Result<> FdcanusbLink::openPort(const QString& device)
     }
     const std::string name = device.toStdString();
     if (const std::optional<QString> holder = portHolder(device)) {
-        const bool ours = holder->startsWith(QStringLiteral("boresight"));
-        return failure(ErrorCode::Busy,
-                       (ours ? Text::tr("%1 is in use by %2: end it first, or press \"Release bus\" on its Drives page")
-                             : Text::tr("%1 is in use by %2: end it first"))
-                           .arg(device, *holder));
+        return failure(ErrorCode::Busy, inUse(device, *holder));
     }
     m_port.setPortName(canonicalPort(device));
     if (m_port.open(QIODevice::ReadWrite)) {
@@ -134,16 +152,18 @@ void FdcanusbLink::close()
     m_port.clearError();
     m_adapterTrouble.clear();
     m_busOff = false;
+    m_foreignPort.reset();
+    m_status.leftAlone = false;
     reportBus(LinkState::Closed, {});
 }
 
 Result<> FdcanusbLink::send(std::span<const CanFrame> frames)
 {
+    checkDeadlines();
     if (m_status.state == LinkState::Closed || m_status.state == LinkState::Lost) {
         const QString text = m_status.text.isEmpty() ? Text::tr("%1 is not open").arg(name()) : m_status.text;
         return failure(ErrorCode::NoDevice, text.toStdString());
     }
-    checkDeadlines();
     if (m_port.bytesToWrite() > kMaxUnwritten) {
         return failure(ErrorCode::NoAnswer,
                        Text::tr("%1: the adapter takes no more data; plug it in again").arg(name()));
@@ -151,6 +171,9 @@ Result<> FdcanusbLink::send(std::span<const CanFrame> frames)
     const auto sendLines = linesOf(frames);
     if (!sendLines) {
         return tl::unexpected(sendLines.error());
+    }
+    if (!m_proven) {
+        return {};  // lost, as any frame may be
     }
     QByteArray lines;
     for (const std::string& line : *sendLines) {
@@ -200,7 +223,9 @@ void FdcanusbLink::handleLine(std::string_view line)
     }
     const auto rule =
         m_checksum == LineChecksum::On ? fdcanusb::ChecksumRule::Require : fdcanusb::ChecksumRule::VerifyIfPresent;
-    std::visit([this](const auto& answer) { handle(answer); }, fdcanusb::parseAnswer(line, rule));
+    const fdcanusb::Answer parsed = fdcanusb::parseAnswer(line, rule);
+    m_proven = m_proven || !std::holds_alternative<fdcanusb::Unreadable>(parsed);
+    std::visit([this](const auto& answer) { handle(answer); }, parsed);
 }
 
 void FdcanusbLink::handle(const CanFrame& frame)
@@ -284,9 +309,24 @@ void FdcanusbLink::checkDeadlines()
                                .arg(kOkDeadline.count());
         updateStatus(m_status.state);
     }
-    if (!m_pending.empty()) {
+    checkProbe();
+    if (!m_pending.empty() || isProbing()) {
         m_deadlineTimer.start(kOkDeadline);
     }
+}
+
+void FdcanusbLink::checkProbe()
+{
+    if (!isProbing() || m_clock.now() - m_opened < kProbeTime || hasUnread(m_port.handle())) {
+        return;
+    }
+    m_foreignPort = portIdentity(m_path.device());
+    m_status.leftAlone = true;
+    m_pending.clear();
+    m_port.close();
+    reportBus(LinkState::Lost,
+              Text::tr("no fdcanusb answers on this port. Choose the right port. If this is the right one, plug the "
+                       "adapter in again, or press \"Release bus\" and \"Take bus back\" on the Drives page"));
 }
 
 // Asks for the bus status when no frame came for a while; a healthy bus is never asked.

@@ -5,12 +5,14 @@
 #include "core/can/can_link.h"
 #include "core/can/fdcanusb_protocol.h"
 #include "core/can/line_splitter.h"
+#include "core/can/serial_port_check.h"
 #include "core/can/stable_port.h"
 
 #include <QSerialPort>
 #include <QTimer>
 
 #include <deque>
+#include <optional>
 
 // A CAN-FD bus behind an fdcanusb or mjcanfd-usb-1x adapter (or a moteus UART, or the simulated adapter's
 // pseudo-terminal): text lines over a serial port. Lives on the thread of its owner's event loop.
@@ -18,6 +20,10 @@
 // "OK" only says that the adapter queued a frame, and an adapter whose controller went bus-off still says OK. So after
 // 200 ms without any received frame the link asks for the bus status, and restarts the controller when it is off
 // (factory adapters do not do it themselves) - at most once a second, as "restart-ms 1000" does for SocketCAN.
+//
+// Behind a wrong name may be a radio, which would take our lines for its commands. So each opening begins with one
+// question for the bus status, and no frame is sent before the port has answered as an adapter does. A port that has
+// not within kProbeTime is closed, and stays closed until close() was called or another device has taken its place.
 namespace boresight {
 
 enum class LineChecksum
@@ -35,6 +41,8 @@ public:
     // Ten exchanges with both axes missed: so that bus-off is on the screen within 300 ms.
     static constexpr std::chrono::milliseconds kCheckPeriod{200};
     static constexpr std::chrono::seconds kRestartPeriod{1};
+    // An adapter answers within 50 ms. Shorter than a scan of the bus, which then tells why nobody answers.
+    static constexpr std::chrono::milliseconds kProbeTime{500};
 
     // `clock` outlives the link.
     FdcanusbLink(StablePort path, const Clock& clock, LineChecksum checksum = LineChecksum::Off,
@@ -76,6 +84,8 @@ private:
     Command takePending();
 
     void checkDeadlines();
+    [[nodiscard]] bool isProbing() const { return !m_proven && m_status.state == LinkState::Up; }
+    void checkProbe();
     void checkBus(QByteArray& lines);
     void restartController();
     void updateStatus(LinkState state);
@@ -95,6 +105,9 @@ private:
     QString m_busTrouble;      // until a frame is received or the bus status is good
     QString m_adapterTrouble;  // until a frame is accepted again
     std::uint64_t m_unreadableLines = 0;
+    bool m_proven = false;                      // the port has answered as an adapter does
+    std::optional<PortIdentity> m_foreignPort;  // it has not, and is left alone
+    SteadyTime m_opened{};
     SteadyTime m_lastCheck{};    // the bus status was asked for, or not needed
     SteadyTime m_lastRestart{};  // the controller was restarted
 };

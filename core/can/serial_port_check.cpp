@@ -50,4 +50,13 @@ QString canonicalPort(const QString& path)
     return canonical.isEmpty() ? path : canonical;
 }
 
+std::optional<PortIdentity> portIdentity(const QString& path)
+{
+    struct stat info = {};
+    if (stat(QFile::encodeName(path).constData(), &info) != 0) {
+        return std::nullopt;
+    }
+    return PortIdentity{.fileSystem = info.st_dev, .file = info.st_ino, .device = info.st_rdev};
+}
+
 }  // namespace boresight

@@ -204,7 +204,9 @@ void Station::showBus(const LinkStatus& status)
         m_control.alarms().raise(
             kBusCause, Severity::Alarm,
             {.what = status.text,
-             .action = Text::tr("Nothing can be commanded; the bus is tried again each second"),
+             .action = status.leftAlone
+                           ? Text::tr("Nothing can be commanded. Boresight sends nothing more to this port")
+                           : Text::tr("Nothing can be commanded; the bus is tried again each second"),
              .remedy =
                  Text::tr("Mend it; or choose another adapter in the guide, or another mount on the page Profile")});
     }

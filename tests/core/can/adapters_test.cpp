@@ -71,6 +71,33 @@ TEST(Adapters, AnAdapterIsKnownByItsNumbersToo)
     EXPECT_FALSE(adaptersOf({mjcanfd}, {}).front().recognised);
 }
 
+// Story: a scan of a mistyped port sent its questions to a radio.
+TEST(Adapters, AnotherUsbDeviceIsNotScanned)
+{
+    const auto refused = mayBeScanned(kRadio);
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_THAT(refused.error().text, testing::HasSubstr("/dev/ttyUSB0 is another USB device (0403:6001 FTDI, FT232R"));
+    EXPECT_TRUE(mayBeScanned(kFdcanusb).has_value());
+    SerialPortFacts nameless = kRadio;
+    nameless.vendor = 0x0483;
+    nameless.product = 0x5740;
+    EXPECT_TRUE(mayBeScanned(nameless).has_value());
+    nameless.vendor = 0x1209;
+    nameless.product = 0x2323;
+    EXPECT_TRUE(mayBeScanned(nameless).has_value());
+    nameless.product = 0x0001;
+    EXPECT_FALSE(mayBeScanned(nameless).has_value());
+}
+
+// A moteus at a soldered port, a pseudo-terminal of `boresightctl simulate`, a CAN interface: named by the operator.
+TEST(Adapters, WhatIsNoUsbDeviceMayBeScanned)
+{
+    EXPECT_TRUE(mayBeScanned(QStringLiteral("fdcanusb:/dev/ptmx")).has_value());
+    EXPECT_TRUE(mayBeScanned(QStringLiteral("fdcanusb:/no/such/port")).has_value());
+    EXPECT_TRUE(mayBeScanned(QStringLiteral("socketcan:can0")).has_value());
+    EXPECT_TRUE(mayBeScanned(QStringLiteral("simulated")).has_value());
+}
+
 TEST(Adapters, APortThatIsSolderedToTheBoardIsNotOffered)
 {
     const SerialPortFacts onBoard{.device = QStringLiteral("/dev/ttyS0"),

@@ -2,6 +2,7 @@
 #include "core/can/fdcanusb_link.h"
 
 #include "core/can/line_checksum.h"
+#include "tests/core/can/adapter_probe.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/pseudo_terminal.h"
 #include "tests/fakes/wait_until.h"
@@ -13,7 +14,9 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -46,7 +49,12 @@ protected:
         qRegisterMetaType<LinkStatus>();
     }
 
-    void SetUp() override { open(link); }
+    void SetUp() override
+    {
+        open(link);
+        fakes::answerProbe(adapter, link);
+        changes.clear();
+    }
     static void open(FdcanusbLink& opened)
     {
         const auto result = opened.open();
@@ -308,7 +316,9 @@ TEST_F(FdcanusbLinkTest, ReopenForgetsHalfLinesAndUnconfirmedFrames)
     sendOne();
     adapter.write("rcv 0100 2100");
     ASSERT_TRUE(written("can send 8001 50 BF\n"));
+    adapter.takeWritten();
     open(link);
+    fakes::answerProbe(adapter, link);
     adapter.write("rcv 0200 21000A e B F r x-1\n");
     ASSERT_TRUE(waitUntil([this] { return frames.size() == 1; }));
     EXPECT_EQ(received(0).id, 0x200U);
@@ -353,6 +363,11 @@ TEST_F(FdcanusbLinkTest, ChecksumModeAddsAndDemandsChecksums)
     FdcanusbLink uart{adapter.path(), clock, LineChecksum::On};
     open(uart);
     QSignalSpy uartFrames(&uart, &CanLink::frameReceived);
+    ASSERT_TRUE(written(QByteArray::fromStdString(fdcanusb::withChecksum("can status")) + "\n"));
+    adapter.takeWritten();
+    adapter.write(QByteArray::fromStdString(fdcanusb::withChecksum("rcv 1E00 50")) + "\n");
+    ASSERT_TRUE(waitUntil([&uartFrames] { return uartFrames.size() == 1; }));
+    uartFrames.clear();
     ASSERT_TRUE(uart.send(std::array{frameTo(0x8001, {0x50})}).has_value());
     ASSERT_TRUE(written(QByteArray::fromStdString(fdcanusb::withChecksum("can send 8001 50 BF")) + "\n"));
     adapter.write("OK *BD\nrcv 0100 210000 e B F r x-1\nrcv 1E00 D8DE0CA303606A95393B5917 *6D\n");
@@ -394,6 +409,153 @@ TEST_F(FdcanusbLinkTest, PortInUseNamesTheProgramThatHoldsIt)
                                      std::to_string(tool.processId()) + "): end it first");
     ASSERT_TRUE(waitUntil([&tool] { return tool.state() == QProcess::NotRunning; }));
     open(link);
+}
+
+// Story: 29 kB of frames in 4 s went into the control port of a radio behind a mistyped name, and no end of it.
+class FdcanusbProbeTest : public testing::Test
+{
+protected:
+    void openPort() { ASSERT_TRUE(link.open().has_value()); }
+    void tick()
+    {
+        clock.advance(20ms);
+        static_cast<void>(link.send(std::array{frameTo(0x8001, {0x50}), frameTo(0x8002, {0x50})}));
+    }
+    void run(std::chrono::milliseconds time)
+    {
+        for (auto left = time; left > 0ms; left -= 20ms) {
+            tick();
+        }
+    }
+    // As the station does it once a second with a link that is lost.
+    void reopenFor(std::chrono::seconds time)
+    {
+        for (auto left = time; left > 0s; left -= 1s) {
+            run(1s);
+            if (link.status().state == LinkState::Lost) {
+                static_cast<void>(link.open());
+            }
+        }
+    }
+    [[nodiscard]] bool framesArrive()
+    {
+        tick();
+        return waitUntil([this] { return port.written.startsWith("can send 8001 50 BF\ncan send 8002 50 BF\n"); });
+    }
+
+    fakes::ManualClock clock;
+    fakes::PseudoTerminal port;
+    QTemporaryDir folder;
+    FdcanusbLink link{port.path(), clock};
+};
+
+TEST_F(FdcanusbProbeTest, SilentPortHearsOneQuestionAndNothingElse)
+{
+    openPort();
+    reopenFor(60s);
+    ASSERT_TRUE(waitUntil([this] { return port.written == fakes::kProbe; })) << port.written.toStdString();
+    EXPECT_EQ(link.status().state, LinkState::Lost);
+    EXPECT_TRUE(link.status().leftAlone);
+    EXPECT_EQ(link.status().sent, 0U);
+    EXPECT_THAT(link.status().text.toStdString(), HasSubstr("no fdcanusb answers on this port"));
+    EXPECT_EQ(link.open().error().text, link.status().text.toStdString());
+    EXPECT_EQ(port.written, fakes::kProbe);
+}
+
+TEST_F(FdcanusbProbeTest, AnotherDeviceThatTalksIsNoAdapterEither)
+{
+    openPort();
+    port.write("ID019;?;\r\n$GNGGA,,,,*56\r\ncan status\r\nERROR\r\n");
+    ASSERT_TRUE(waitUntil([this] { return link.status().dropped == 4; }));
+    reopenFor(10s);
+    EXPECT_TRUE(link.status().leftAlone);
+    EXPECT_TRUE(waitUntil([this] { return port.written == fakes::kProbe; })) << port.written.toStdString();
+}
+
+// Nobody sends while the station is closing, and the port is to be free for its own program.
+TEST_F(FdcanusbProbeTest, SilentPortIsGivenBackWithoutAnySend)
+{
+    openPort();
+    clock.advance(FdcanusbLink::kProbeTime);
+    ASSERT_TRUE(waitUntil([this] { return link.status().state == LinkState::Lost; }));
+    FdcanusbLink other{port.path(), clock};
+    EXPECT_TRUE(other.open().has_value());
+}
+
+TEST_F(FdcanusbProbeTest, OperatorAsksAgain)
+{
+    openPort();
+    ASSERT_TRUE(waitUntil([this] { return port.written == fakes::kProbe; }));
+    port.takeWritten();
+    reopenFor(3s);
+    ASSERT_TRUE(link.status().leftAlone);
+    link.close();
+    openPort();
+    fakes::answerProbe(port, link);
+    EXPECT_TRUE(framesArrive());
+}
+
+TEST_F(FdcanusbProbeTest, AdapterWithoutDrivesIsFedAtOnce)
+{
+    openPort();
+    fakes::answerProbe(port, link);
+    EXPECT_TRUE(framesArrive());
+    EXPECT_EQ(link.status().state, LinkState::Up);
+}
+
+TEST_F(FdcanusbProbeTest, EveryKindOfAnswerProvesTheAdapter)
+{
+    for (const char* const answer : {"OK\r\n", "ERR unknown subcommand\r\n", "rcv 0100 21 e B F r x-1\r\n"}) {
+        fakes::PseudoTerminal another;
+        FdcanusbLink one{another.path(), clock};
+        ASSERT_TRUE(one.open().has_value());
+        ASSERT_TRUE(waitUntil([&] { return another.written == fakes::kProbe; }));
+        another.takeWritten();
+        another.write(answer);
+        ASSERT_TRUE(waitUntil([&] {
+            static_cast<void>(one.send(std::array{frameTo(0x8001, {0x50})}));
+            return another.written.startsWith("can send 8001");
+        })) << answer;
+        EXPECT_EQ(one.status().text, QString()) << answer;
+    }
+}
+
+// The right adapter comes after the wrong port: plugged in under the same name.
+TEST_F(FdcanusbProbeTest, AnotherDeviceInItsPlaceIsAskedByItself)
+{
+    const QString name = folder.filePath(QStringLiteral("adapter"));
+    const fakes::PseudoTerminal radio;
+    ASSERT_TRUE(QFile::link(radio.path(), name));
+    FdcanusbLink named{name, clock};
+    ASSERT_TRUE(named.open().has_value());
+    clock.advance(FdcanusbLink::kProbeTime);
+    ASSERT_FALSE(named.send(std::array{frameTo(0x8001, {0x50})}).has_value());
+    ASSERT_FALSE(named.open().has_value());
+    QFile::remove(name);
+    ASSERT_TRUE(QFile::link(port.path(), name));
+    ASSERT_TRUE(named.open().has_value());
+    fakes::answerProbe(port, named);
+    EXPECT_TRUE(named.send(std::array{frameTo(0x8001, {0x50})}).has_value());
+}
+
+// Its answer waits to be read when this computer wakes up.
+TEST_F(FdcanusbProbeTest, StallOfThisComputerIsNoSilenceOfTheAdapter)
+{
+    openPort();
+    ASSERT_TRUE(waitUntil([this] { return port.written == fakes::kProbe; }));
+    port.takeWritten();
+    port.write("lec=0 dlec=0 err=0 warn=0 busoff=0\r\n");
+    pollfd arrived{.fd = ::open(port.path().toLocal8Bit().constData(), O_RDONLY | O_NOCTTY | O_CLOEXEC),
+                   .events = POLLIN,
+                   .revents = 0};
+    ASSERT_EQ(poll(&arrived, 1, 5000), 1);
+    ::close(arrived.fd);
+    clock.advance(5s);
+    tick();
+    EXPECT_TRUE(waitUntil([this] {
+        tick();
+        return port.written.startsWith("can send");
+    }));
 }
 
 TEST_F(FdcanusbLinkTest, MissingPermissionNamesTheUdevRule)

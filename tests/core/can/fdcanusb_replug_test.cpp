@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/can/fdcanusb_link.h"
+#include "tests/core/can/adapter_probe.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/pseudo_terminal.h"
 #include "tests/fakes/wait_until.h"
@@ -36,6 +37,7 @@ protected:
         name("usb-mjbots_fdcanusb_F34E5D64-if00", first);
         const auto opened = link.open();
         ASSERT_TRUE(opened.has_value()) << opened.error().text;
+        fakes::answerProbe(first, link);
     }
     [[nodiscard]] QString path(const char* entry) const
     {
@@ -78,6 +80,7 @@ TEST_F(FdcanusbReplugTest, AdapterIsFoundAgainUnderItsStableName)
     name("usb-mjbots_fdcanusb_F34E5D64-if00", second);
     ASSERT_TRUE(link.open().has_value());
     EXPECT_EQ(link.name(), QStringLiteral("fdcanusb:") + first.path());  // as configured
+    fakes::answerProbe(second, link);
     EXPECT_TRUE(reaches(second));
 }
 
@@ -111,6 +114,7 @@ TEST_F(FdcanusbReplugTest, ChosenLinkIsFollowed)
     chosen.close();
     name("chosen", second);
     ASSERT_TRUE(chosen.open().has_value());
+    fakes::answerProbe(second, chosen);
     const CanFrame frame = anyFrame();
     ASSERT_TRUE(chosen.send({&frame, 1}).has_value());
     EXPECT_TRUE(waitUntil([this] { return second.written.startsWith("can send"); }));
