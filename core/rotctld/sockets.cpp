@@ -4,9 +4,11 @@
 #include "core/base/text.h"
 
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -37,6 +39,17 @@ void prepareClient(int fd)
     setOption(fd, IPPROTO_TCP, TCP_KEEPINTVL, 2);
     setOption(fd, IPPROTO_TCP, TCP_KEEPCNT, 3);
     setOption(fd, IPPROTO_TCP, TCP_USER_TIMEOUT, kGiveUpMilliseconds);
+}
+
+// The journal, the log and a port that is opened again need descriptors: the last ones are not for clients. The kernel
+// gives the lowest free number, so what is above it is free.
+bool isNearShortage(int fd)
+{
+    constexpr rlim_t kReserved = 32;
+    rlimit limit{};
+    const Descriptor lowest(::fcntl(fd, F_DUPFD_CLOEXEC, 0));
+    return !lowest.valid() ||
+           (::getrlimit(RLIMIT_NOFILE, &limit) == 0 && static_cast<rlim_t>(lowest.get()) + kReserved >= limit.rlim_cur);
 }
 
 std::string addressText(const sockaddr_storage& address, socklen_t length)
@@ -130,6 +143,9 @@ std::uint16_t localPort(const Descriptor& socket)
 
 tl::expected<Accepted, AcceptFailure> acceptOne(const Descriptor& listener)
 {
+    if (isNearShortage(listener.get())) {
+        return tl::unexpected(AcceptFailure::Shortage);
+    }
     sockaddr_storage address{};
     socklen_t length = sizeof address;
     void* const untyped = &address;

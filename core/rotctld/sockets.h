@@ -50,7 +50,7 @@ struct Accepted
 enum class AcceptFailure
 {
     NoneWaiting,
-    Shortage  // no descriptor or memory left; the client waits in the queue of the kernel
+    Shortage  // no memory or only the reserved descriptors left; the client waits in the queue of the kernel
 };
 
 [[nodiscard]] tl::expected<Accepted, AcceptFailure> acceptOne(const Descriptor& listener);

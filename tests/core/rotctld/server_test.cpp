@@ -2,6 +2,9 @@
 #include "tests/core/rotctld/server_fixture.h"
 
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -358,6 +361,29 @@ TEST(RotctldServer, SurvivesDescriptorShortage)
     hoard.clear();
     fixture.elapse(1s);
     EXPECT_EQ(waiting->ask("p\n", 2), "0.00\n0.00\n");
+}
+
+// Story: with a limit of 64 descriptors the clients held all of them, and the journal could not be written any more.
+TEST(RotctldServer, LeavesDescriptorsForTheJournal)
+{
+    const auto lowestFree = [] { return Descriptor(::dup(0)).get(); };
+    ServerFixture fixture;
+    rlimit usual{};
+    ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &usual), 0);
+    rlimit low = usual;
+    low.rlim_cur = static_cast<rlim_t>(lowestFree()) + 60;
+    ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &low), 0);
+    std::vector<std::unique_ptr<fakes::TcpPeer>> peers;
+    while (peers.size() < 30 && fixture.rotator.remarks.empty()) {
+        peers.push_back(fixture.connect());
+        ServerFixture::turn();
+    }
+    EXPECT_EQ(fixture.rotator.remarks, std::vector<std::string>{"no descriptor left: new clients wait"});
+    EXPECT_GE(low.rlim_cur - static_cast<rlim_t>(lowestFree()), 30U);
+    EXPECT_EQ(peers.front()->ask("p\n", 2), "0.00\n0.00\n");
+    ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &usual), 0);
+    fixture.elapse(1s);
+    EXPECT_EQ(peers.back()->ask("p\n", 2), "0.00\n0.00\n") << "who waited is served";
 }
 
 TEST(RotctldServer, SaysWhyItCannotListen)
