@@ -184,6 +184,7 @@ void Server::acceptWaiting()
         connection->lastReceived = m_clock.now();
         control(*connection, EPOLL_CTL_ADD, EPOLLIN);
         ++m_served;
+        ++m_servedOf[hostOf(client.address)];
         m_connections.emplace(m_lastId, std::move(connection));
         m_rotator.clientConnected(client);
     }
@@ -197,15 +198,30 @@ bool Server::turnedAway(const Client& client)
                                Text::tr("refused: its address is not among those that may connect").toStdString());
         return true;
     }
-    if (m_served < m_settings.maxClients) {
-        return false;
+    if (m_served >= m_settings.maxClients) {
+        tellCrowd(client, Text::tr("refused: %1 clients are connected").arg(QString::number(m_served)));
+        return true;
     }
-    if (!m_refusalTold) {
-        m_rotator.clientRemark(
-            client, Text::tr("refused: %1 clients are connected").arg(QString::number(m_served)).toStdString());
+    if (const std::string host = hostOf(client.address); crowdedBy(host)) {
+        tellCrowd(client,
+                  Text::tr("refused: %1 clients of its host are connected").arg(QString::number(m_servedOf.at(host))));
+        return true;
     }
-    m_refusalTold = true;
-    return true;
+    return false;
+}
+
+// A program that connects and never lets go must not keep the other computers out: a quarter is left to them.
+bool Server::crowdedBy(const std::string& host) const
+{
+    const auto found = m_servedOf.find(host);
+    return found != m_servedOf.end() && found->second >= m_settings.maxClients - m_settings.maxClients / 4;
+}
+
+void Server::tellCrowd(const Client& client, const QString& text)
+{
+    if (!std::exchange(m_refusalTold, true)) {
+        m_rotator.clientRemark(client, text.toStdString());
+    }
 }
 
 void Server::setAllowed(const std::vector<std::string>& entries)
@@ -407,6 +423,10 @@ void Server::farewell(Connection& connection, const std::string& reason)
     connection.left = true;
     connection.leftAt = m_clock.now();
     --m_served;
+    const auto host = m_servedOf.find(hostOf(connection.session.client().address));
+    if (host != m_servedOf.end() && --host->second == 0) {
+        m_servedOf.erase(host);
+    }
     m_refusalTold = false;
     m_rotator.clientGone(connection.session.client(), reason);
 }

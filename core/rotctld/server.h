@@ -79,6 +79,8 @@ private:
     void serveTurn();
     void acceptWaiting();
     [[nodiscard]] bool turnedAway(const Client& client);
+    [[nodiscard]] bool crowdedBy(const std::string& host) const;
+    void tellCrowd(const Client& client, const QString& text);
     void watchListener(bool on);
     void control(Connection& connection, int operation, std::uint32_t events);
     void watch(Connection& connection);
@@ -104,7 +106,8 @@ private:
     Connections m_connections;
     std::deque<std::uint64_t> m_backlog;
     std::uint64_t m_lastId = 0;
-    std::size_t m_served = 0;  // connections with a living session
+    std::size_t m_served = 0;                                 // connections with a living session
+    std::unordered_map<std::string, std::size_t> m_servedOf;  // the same by host
     bool m_listenerWatched = false;
     bool m_shortageTold = false;
     bool m_refusalTold = false;

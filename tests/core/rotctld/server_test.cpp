@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/rotctld/server_fixture.h"
 
+#include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/resource.h>
@@ -26,6 +27,21 @@ std::string repeated(std::string_view command, int count)
         text += command;
     }
     return text;
+}
+
+// Every address of 127.0.0.0/8 is this computer, and another host to the server.
+Descriptor connectAs(const char* own, std::uint16_t port)
+{
+    Descriptor socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    const void* const untyped = &address;
+    ::inet_pton(AF_INET, own, &address.sin_addr);
+    EXPECT_EQ(::bind(socket.get(), static_cast<const sockaddr*>(untyped), sizeof address), 0);
+    ::inet_pton(AF_INET, "127.0.0.1", &address.sin_addr);
+    address.sin_port = htons(port);
+    EXPECT_EQ(::connect(socket.get(), static_cast<const sockaddr*>(untyped), sizeof address), 0);
+    return socket;
 }
 
 TEST(RotctldServer, AnswersInOneSegmentEach)
@@ -250,6 +266,26 @@ TEST(RotctldServer, RefusesClientsAboveItsLimit)
     EXPECT_EQ(fixture.rotator.remarks.at(0), "refused: 2 clients are connected");
     EXPECT_EQ(one->ask("p\n", 2), "0.00\n0.00\n");
     two.reset();
+    ServerFixture::turn();
+    EXPECT_EQ(fixture.connect()->ask("p\n", 2), "0.00\n0.00\n");
+}
+
+// Story: one computer held every slot, and the tracking program of another one could not connect.
+TEST(RotctldServer, OneHostLeavesSlotsToTheOthers)
+{
+    ServerFixture fixture({.host = "0.0.0.0", .maxClients = 4});
+    std::vector<std::unique_ptr<fakes::TcpPeer>> crowd;
+    for (int i = 0; i < 3; ++i) {
+        crowd.push_back(fixture.connect());
+        EXPECT_EQ(crowd.back()->ask("p\n", 2), "0.00\n0.00\n");
+    }
+    EXPECT_EQ(fixture.connect()->receiveUntilClosed(), "");
+    EXPECT_EQ(fixture.connect()->receiveUntilClosed(), "");
+    EXPECT_EQ(fixture.rotator.remarks, std::vector<std::string>{"refused: 3 clients of its host are connected"});
+    const Descriptor other = connectAs("127.0.0.2", fixture.server->port());
+    ServerFixture::turn();
+    EXPECT_EQ(fixture.server->clients().back().address.substr(0, 10), "127.0.0.2:");
+    crowd.pop_back();
     ServerFixture::turn();
     EXPECT_EQ(fixture.connect()->ask("p\n", 2), "0.00\n0.00\n");
 }
