@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace boresight::rotctld {
 namespace {
@@ -19,6 +20,12 @@ Result<> pointTo(const Command& command, const Context& context)
     const auto elevation = command.argumentCount > 1 ? leadingPosition(command.arguments[1]) : std::nullopt;
     if (!elevation) {
         return badArgument(command, 1);
+    }
+    // Further round than any cable goes. Hamlib takes any finite number here, and a direction made of 1e38 is noise.
+    constexpr float kMostAzimuth = 3600.0F;
+    if (std::abs(*azimuth) > kMostAzimuth) {
+        return failure(ErrorCode::InvalidInput,
+                       Text::tr("azimuth %1° is outside -3600°…3600°").arg(static_cast<double>(*azimuth), 0, 'g', 6));
     }
     constexpr float kLowest = -90.0F;
     constexpr float kHighest = 180.0F;

@@ -20,7 +20,7 @@ struct Client
     std::string address;   // "127.0.0.1:51234"
 };
 
-// As the client wrote it: a finite azimuth of any turn, elevation -90°…180°.
+// As the client wrote it: an azimuth of any turn, -3600°…3600°, elevation -90°…180°.
 struct PointRequest
 {
     Angle azimuth;

@@ -32,8 +32,9 @@ using RotctldSession = SessionFixture;
 
 TEST_F(RotctldSession, RefusesWhatIsNoPosition)
 {
-    for (const char* command : {"P nan 10\n", "P 10 nan\n", "P inf 0\n", "P 0 -inf\n", "P 1e400 0\n", "P abc 5\n",
-                                "P ?\n", "P 10 180.5\n", "P 10 -90.5\n", "\\set_pos x y\n", "P - -\n"}) {
+    for (const char* command :
+         {"P nan 10\n", "P 10 nan\n", "P inf 0\n", "P 0 -inf\n", "P 1e400 0\n", "P abc 5\n", "P ?\n", "P 1e38 10\n",
+          "P -3600.5 10\n", "P 10 180.5\n", "P 10 -90.5\n", "\\set_pos x y\n", "P - -\n"}) {
         EXPECT_EQ(answer(command), "RPRT -1\n") << command;
     }
     EXPECT_FALSE(rotator.lastRequest.has_value());
