@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/rotctld/session.h"
 
+#include "core/base/control_characters.h"
 #include "core/base/text.h"
 #include "core/rotctld/c_number.h"
 
@@ -17,12 +18,13 @@ constexpr std::uint64_t kOddRemarks = 3;          // of them are logged word for
 constexpr std::size_t kMaxWaitingInPause = 4096;  // bytes
 constexpr std::size_t kShownBytes = 40;
 
+// What the client sent, for the log. It may be no text at all.
 std::string printable(std::string_view bytes)
 {
-    std::string text(bytes.substr(0, kShownBytes));
+    QString text = toQString(bytes.substr(0, kShownBytes));
     std::ranges::replace_if(
-        text, [](char byte) { return byte < ' ' || byte > '~'; }, '.');
-    return text;
+        text, [](QChar c) { return !c.isPrint() || c == QChar::ReplacementCharacter; }, QChar(u'.'));
+    return text.toStdString();
 }
 
 }  // namespace
@@ -147,7 +149,7 @@ void Session::failed(const Error& error, std::string& reply, std::size_t replySt
 {
     if (error.code == ErrorCode::InvalidInput || error.code == ErrorCode::NotAvailable) {
         odd(Text::tr("\"%1\" refused: %2")
-                .arg(toQString(lastCommand()), toQString(printable(error.text)))
+                .arg(toQString(lastCommand()), toQString(boresight::printable(error.text)))
                 .toStdString());
     }
     if (m_parser.skipLine() == Event::Stranger) {

@@ -43,6 +43,18 @@ TEST_F(RotctldSession, RefusesWhatIsNoPosition)
     EXPECT_NEAR(rotator.lastRequest->elevation.degrees(), -90.0, 1e-9);
 }
 
+// Story: the log showed "elevation 200.00.. is outside -90........180..".
+TEST_F(RotctldSession, RefusedLinesKeepTheirDegreeSigns)
+{
+    EXPECT_EQ(answer("P 10° 200\n"), "RPRT -1\n");
+    ASSERT_FALSE(rotator.remarks.empty());
+    EXPECT_EQ(rotator.remarks.back(), "\"P 10° 200\" refused: elevation 200.00° is outside -90°…180°");
+    EXPECT_EQ(answer("P 1e38 10\n"), "RPRT -1\n");
+    EXPECT_EQ(rotator.remarks.back(), "\"P 1e38 10\" refused: azimuth 1e+38° is outside -3600°…3600°");
+    EXPECT_EQ(answer("P \xff\x1b[2J 5\n"), "RPRT -1\n");
+    EXPECT_EQ(rotator.remarks.back().find('\x1b'), std::string::npos);
+}
+
 // Found by the fuzzer: the minutes became seconds beyond the largest number, and the client was told "inf" degrees.
 TEST_F(RotctldSession, AnswersNoInfiniteNumber)
 {
