@@ -2,6 +2,7 @@
 #include "core/can/fdcanusb_link.h"
 
 #include "core/base/control_characters.h"
+#include "core/base/program_lock.h"
 #include "core/base/text.h"
 #include "core/can/bus_advice.h"
 #include "core/can/line_checksum.h"
@@ -97,10 +98,11 @@ Result<> FdcanusbLink::open()
     if (const auto opened = openPort(m_path.device()); !opened) {
         return opened;
     }
+    if (const auto claimed = claimPort(); !claimed) {
+        m_port.close();
+        return claimed;
+    }
     m_path.remember();
-    // QSerialPort's lock file keeps others out. The kernel's own lock would outlive a killed program on a
-    // pseudo-terminal, whose other end stays open.
-    ioctl(m_port.handle(), TIOCNXCL);
     if (!m_port.setBaudRate(kBaudRate)) {
         qCDebug(lcFdcanusb) << m_port.portName() << "keeps its speed:" << m_port.errorString();
         m_port.clearError();
@@ -139,6 +141,21 @@ Result<> FdcanusbLink::openPort(const QString& device)
                            .arg(toQString(name), toQString(reason)));
     }
     return failure(ErrorCode::Io, Text::tr("%1 cannot be opened: %2").arg(toQString(name), toQString(reason)));
+}
+
+// QSerialPort's lock file is seen only by programs that share its folder: not by a service with a /tmp of its own. So
+// the device itself is locked, in both ways that there are. The kernel's exclusive mark would outlive a killed program
+// on a pseudo-terminal, whose other end stays open.
+Result<> FdcanusbLink::claimPort()
+{
+    if (isPseudoTerminal(m_port.handle())) {
+        ioctl(m_port.handle(), TIOCNXCL);
+    }
+    const Result<> locked = lockDescriptor(m_port.handle());
+    if (!locked && locked.error().code == ErrorCode::Busy) {
+        return failure(ErrorCode::Busy, inUse(m_path.device(), toQString(locked.error().text)));
+    }
+    return {};
 }
 
 void FdcanusbLink::close()

@@ -8,6 +8,7 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -57,6 +58,19 @@ std::optional<PortIdentity> portIdentity(const QString& path)
         return std::nullopt;
     }
     return PortIdentity{.fileSystem = info.st_dev, .file = info.st_ino, .device = info.st_rdev};
+}
+
+bool isPseudoTerminal(dev_t device)
+{
+    constexpr unsigned kFirstMajor = 136;  // UNIX98_PTY_SLAVE_MAJOR of linux/major.h
+    constexpr unsigned kLastMajor = 143;
+    return major(device) >= kFirstMajor && major(device) <= kLastMajor;
+}
+
+bool isPseudoTerminal(int descriptor)
+{
+    struct stat info = {};
+    return fstat(descriptor, &info) == 0 && isPseudoTerminal(info.st_rdev);
 }
 
 }  // namespace boresight

@@ -30,4 +30,8 @@ struct PortIdentity
 };
 [[nodiscard]] std::optional<PortIdentity> portIdentity(const QString& path);  // empty: nothing is there
 
+// Of a program's making, as by `boresightctl simulate`, and not a port of this computer.
+[[nodiscard]] bool isPseudoTerminal(dev_t device);
+[[nodiscard]] bool isPseudoTerminal(int descriptor);
+
 }  // namespace boresight

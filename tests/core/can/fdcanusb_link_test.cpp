@@ -18,7 +18,9 @@
 #include <gmock/gmock.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -556,6 +558,45 @@ TEST_F(FdcanusbProbeTest, StallOfThisComputerIsNoSilenceOfTheAdapter)
         tick();
         return port.written.startsWith("can send");
     }));
+}
+
+// Story: a second program of another user took the adapter of the running service. It sees neither the open files of
+// the service nor the folder of its lock file. Here the holder is this program itself, which the look at /proc leaves
+// out.
+TEST_F(FdcanusbLinkTest, PortThatIsLockedInAnyWayIsRefused)
+{
+    link.close();
+    const FileDescriptor holder(::open(adapter.path().toLocal8Bit().constData(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+    ASSERT_EQ(flock(holder.number(), LOCK_EX | LOCK_NB), 0);
+    const auto busy = link.open();
+    ASSERT_FALSE(busy.has_value());
+    EXPECT_EQ(busy.error().code, ErrorCode::Busy);
+    EXPECT_EQ(busy.error().text, adapter.path().toStdString() + " is in use by can_test (process " +
+                                     std::to_string(getpid()) + "): end it first");
+    EXPECT_EQ(adapter.written, QByteArray());
+    ASSERT_EQ(flock(holder.number(), LOCK_UN), 0);
+    open(link);
+}
+
+TEST_F(FdcanusbLinkTest, OpenPortIsLockedForOthersUntilItIsClosed)
+{
+    const FileDescriptor other(::open(adapter.path().toLocal8Bit().constData(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+    EXPECT_EQ(flock(other.number(), LOCK_EX | LOCK_NB), -1);
+    link.close();
+    EXPECT_EQ(flock(other.number(), LOCK_EX | LOCK_NB), 0);
+}
+
+// The kernel's exclusive mark stays on real ports: those of USB adapters (166, 188) and of the board (4).
+TEST(SerialPortCheck, OnlyAPseudoTerminalIsOne)
+{
+    EXPECT_FALSE(isPseudoTerminal(makedev(166, 0)));
+    EXPECT_FALSE(isPseudoTerminal(makedev(188, 0)));
+    EXPECT_FALSE(isPseudoTerminal(makedev(4, 64)));
+    EXPECT_TRUE(isPseudoTerminal(makedev(136, 0)));
+    EXPECT_TRUE(isPseudoTerminal(makedev(143, 255)));
+    const fakes::PseudoTerminal terminal;
+    const FileDescriptor end(::open(terminal.path().toLocal8Bit().constData(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+    EXPECT_TRUE(isPseudoTerminal(end.number()));
 }
 
 TEST_F(FdcanusbLinkTest, MissingPermissionNamesTheUdevRule)
