@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/memory/memory_file.h"
 
+#include "core/base/file_descriptor.h"
 #include "core/base/text.h"
 #include "core/memory/memory_text.h"
 
 #include <QCryptographicHash>
 #include <QDateTime>
 #include <QFile>
+#include <QFileInfo>
 #include <QSaveFile>
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <utility>
 
@@ -29,6 +34,17 @@ Result<> replaceByRenaming(const QString& from, const QString& to)
 {
     if (std::rename(QFile::encodeName(from).constData(), QFile::encodeName(to).constData()) != 0) {
         return tl::unexpected(ioError(from, qt_error_string()));
+    }
+    return {};
+}
+
+// After a power cut the new names count, not only the bytes behind them. A file system that cannot sync a folder needs
+// no sync or has none.
+Result<> syncFolder(const QString& folder)
+{
+    const FileDescriptor descriptor(::open(QFile::encodeName(folder).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!descriptor.isOpen() || (::fsync(descriptor.number()) != 0 && errno != EINVAL)) {
+        return tl::unexpected(ioError(folder, qt_error_string()));
     }
     return {};
 }
@@ -56,21 +72,31 @@ Result<> write(const QString& path, const MountMemory& memory)
     if (!file.commit()) {
         return tl::unexpected(ioError(path, file.errorString()));
     }
-    return {};
+    return syncFolder(QFileInfo(path).absolutePath());
 }
 
+// Never waits, and never reads for ever: a pipe without a writer and /dev/zero are refused at once.
 Result<MountMemory> read(const QString& path)
 {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return failure(file.exists() ? ErrorCode::Io : ErrorCode::NoDevice, file.errorString());
+    constexpr qint64 kLargest = 1 << 20;  // a memory has 2 kB
+    const FileDescriptor descriptor(
+        ::open(QFile::encodeName(path).constData(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+    struct stat info = {};
+    if (!descriptor.isOpen() || ::fstat(descriptor.number(), &info) != 0) {
+        return failure(errno == ENOENT ? ErrorCode::NoDevice : ErrorCode::Io, qt_error_string());
     }
-    // A memory has 2 kB. Something huge under its name must not fill ours.
-    constexpr qint64 kLargest = 1 << 20;
-    if (file.size() > kLargest) {
+    if (!S_ISREG(info.st_mode)) {
+        return failure(ErrorCode::InvalidInput, Text::tr("it is not a regular file"));
+    }
+    QFile file;
+    if (!file.open(descriptor.number(), QIODevice::ReadOnly)) {
+        return failure(ErrorCode::Io, file.errorString());
+    }
+    const QByteArray text = file.read(kLargest + 1);
+    if (text.size() > kLargest) {
         return failure(ErrorCode::InvalidInput, Text::tr("it is too large for the memory of a mount"));
     }
-    return parseMemory(file.readAll());
+    return parseMemory(text);
 }
 
 // Under the name that it returns, if that could be done. Never deleted: it may be all that is left of the truth.
@@ -78,7 +104,7 @@ std::optional<QString> keepAside(const QString& path)
 {
     const QString time = QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd'T'HHmmss.zzz'Z'"));
     const QString aside = QStringLiteral("%1.corrupt-%2").arg(path, time);
-    return QFile::rename(path, aside) ? std::optional(aside) : std::nullopt;
+    return replaceByRenaming(path, aside) ? std::optional(aside) : std::nullopt;
 }
 
 QString whatIsWrong(const QString& path, const Error& error)
@@ -123,6 +149,18 @@ MemoryFile::MemoryFile(const QString& stateDir, const QString& mountName, QObjec
 MemoryFile::~MemoryFile()
 {
     (void)flush();
+}
+
+Result<> MemoryFile::claim()
+{
+    Result<ProgramLock> lock = ProgramLock::take(m_path + QStringLiteral(".lock"));
+    if (lock) {
+        m_lock = *std::move(lock);
+    } else if (lock.error().code == ErrorCode::Busy) {
+        return failure(ErrorCode::Busy, Text::tr("%1 controls this mount already: its journal %2 is in use")
+                                            .arg(toQString(lock.error().text), m_path));
+    }
+    return {};
 }
 
 LoadedMemory MemoryFile::load()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/program_lock.h"
 #include "core/base/result.h"
 #include "core/memory/mount_memory.h"
 
@@ -33,6 +34,10 @@ public:
 
     [[nodiscard]] const QString& path() const { return m_path; }
 
+    // Keeps other programs from this journal until the end of this object. Before load(). Busy: another program uses
+    // it. A place where nothing can be written needs no lock.
+    [[nodiscard]] Result<> claim();
+
     // Blocks: once, before the station's loop runs. A file that cannot be read is kept under another name, and the
     // generation before it is taken; what that one says of an axis counts as written while moving, because the axis may
     // have moved since.
@@ -53,6 +58,7 @@ private:
     void finishWriting();
 
     QString m_path;
+    ProgramLock m_lock;
     std::shared_ptr<Result<>> m_outcome =
         std::make_shared<Result<>>();   // of the last writing; the worker's until it ends
     std::optional<MountMemory> m_next;  // came in meanwhile

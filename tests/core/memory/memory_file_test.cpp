@@ -13,12 +13,28 @@
 #include <QThread>
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cmath>
 #include <csignal>
+
+namespace {
+
+int foldersSynced = 0;  // by any thread of this program
+
+}  // namespace
+
+// Takes the place of the C library's, and counts.
+extern "C" int fsync(int descriptor)
+{
+    struct stat info = {};
+    foldersSynced += fstat(descriptor, &info) == 0 && S_ISDIR(info.st_mode) ? 1 : 0;
+    return static_cast<int>(syscall(SYS_fsync, descriptor));
+}
 
 namespace boresight::memory {
 namespace {
@@ -68,6 +84,71 @@ TEST_F(MemoryFileTest, AMissingFileIsAnEmptyMemoryAndSaid)
     const LoadedMemory loaded = load();
     EXPECT_EQ(loaded.memory, MountMemory());
     EXPECT_EQ(loaded.problem, QStringLiteral("The journal file %1 is missing").arg(path()));
+}
+
+// After a power cut a file whose folder was not written has its old name, or none.
+TEST_F(MemoryFileTest, TheFolderIsOnTheDiskAfterTheRenamings)
+{
+    MemoryFile file(m_dir.path(), QStringLiteral("mast"));
+    foldersSynced = 0;
+    file.save(at(10.0));
+    ASSERT_TRUE(file.flush());
+    EXPECT_EQ(foldersSynced, 1);
+    file.save(at(20.0));
+    ASSERT_TRUE(file.flush());
+    EXPECT_EQ(foldersSynced, 2);
+}
+
+// Story: a start with a pipe or /dev/zero in the place of the journal never ended, or filled the memory.
+TEST_F(MemoryFileTest, WhatIsNoRegularFileIsRefusedAtOnceAndKeptAside)
+{
+    ASSERT_EQ(mkfifo(path().toLocal8Bit().constData(), 0600), 0);
+    EXPECT_THAT(load().problem.toStdString(), HasSubstr("cannot be used: it is not a regular file; it is kept as"));
+    EXPECT_FALSE(QFileInfo::exists(path()));
+    for (const char* const endless : {"/dev/zero", "/dev/null"}) {
+        ASSERT_TRUE(QFile::link(QString::fromLatin1(endless), path()));
+        ASSERT_EQ(mkfifo(previous().toLocal8Bit().constData(), 0600), 0);
+        const LoadedMemory loaded = load();
+        EXPECT_EQ(loaded.memory, MountMemory());
+        EXPECT_THAT(loaded.problem.toStdString(), HasSubstr("cannot be used")) << endless;
+        EXPECT_FALSE(QFileInfo(path()).isSymLink());
+        QThread::msleep(2);  // the names of what is kept aside count milliseconds
+    }
+    EXPECT_EQ(QDir(m_dir.path()).entryList({QStringLiteral("*.corrupt-*")}, QDir::AllEntries | QDir::System).size(), 5);
+}
+
+// Story: two programs with one mount's name and one state folder overwrote each other's journal.
+TEST_F(MemoryFileTest, ASecondProgramIsKeptOutAndToldByWhom)
+{
+    MemoryFile first(m_dir.path(), QStringLiteral("mast"));
+    ASSERT_TRUE(first.claim());
+    MemoryFile second(m_dir.path(), QStringLiteral("mast"));
+    const Result<> refused = second.claim();
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::Busy);
+    EXPECT_THAT(refused.error().text,
+                StartsWith("memory_test (process " + std::to_string(getpid()) + ") controls this mount already"));
+    EXPECT_TRUE(MemoryFile(m_dir.path(), QStringLiteral("other")).claim()) << "another mount";
+}
+
+TEST_F(MemoryFileTest, AKilledProgramKeepsNobodyOut)
+{
+    const pid_t child = fork();
+    if (child == 0) {
+        MemoryFile file(m_dir.path(), QStringLiteral("mast"));
+        raise(file.claim() ? SIGKILL : SIGTERM);
+    }
+    int how = 0;
+    ASSERT_EQ(waitpid(child, &how, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(how) && WTERMSIG(how) == SIGKILL);
+    MemoryFile next(m_dir.path(), QStringLiteral("mast"));
+    EXPECT_TRUE(next.claim());
+}
+
+// Without a place for a journal there is nothing to be kept apart; saving tells it.
+TEST_F(MemoryFileTest, AFolderThatIsNotThereNeedsNoLock)
+{
+    EXPECT_TRUE(MemoryFile(m_dir.filePath(QStringLiteral("none")), QStringLiteral("mast")).claim());
 }
 
 // Story: what could not be opened was "left there", and the second save after that overwrote it.
