@@ -112,6 +112,10 @@ TurnKeeper::Start Station::remembered(const std::optional<memory::EnteredPlace>&
     if (simulated()) {
         return {.trustFirstContact = true};
     }
+    m_claim = m_memoryFile.claim();
+    if (!m_claim) {
+        return {};
+    }
     memory::LoadedMemory loaded = m_memoryFile.load();
     if (!loaded.problem.isEmpty()) {
         m_log.add(Severity::Warning, kMemoryCause, loaded.problem);
@@ -126,7 +130,7 @@ TurnKeeper::Start Station::remembered(const std::optional<memory::EnteredPlace>&
 
 void Station::saveMemory()
 {
-    if (m_control.takeMemoryChange() && !simulated()) {
+    if (m_control.takeMemoryChange() && !simulated() && m_claim) {
         m_memoryFile.save(m_control.memory());
     }
 }
@@ -151,6 +155,10 @@ void Station::start()
 void Station::openAll()
 {
     m_opened = m_clock.now();
+    if (!m_claim) {
+        refuseToStart();
+        return;
+    }
     tellDirections();
     openBus();
     openServer();
@@ -172,10 +180,24 @@ void Station::tellDirections()
     }
 }
 
+// Another program commands these drives and writes their journal: this one leaves all of it alone.
+void Station::refuseToStart()
+{
+    const QString problem = QString::fromStdString(m_claim.error().text);
+    m_control.alarms().raise(kMemoryCause, Severity::Alarm,
+                             {.what = problem,
+                              .action = Text::tr("Nothing is commanded and no client can connect"),
+                              .remedy = Text::tr("End the other program, then press Reconnect; or give this mount "
+                                                 "another name in its profile")});
+    m_startTold = true;
+    Q_EMIT started({}, problem + QStringLiteral(". ") +
+                           Text::tr("End that program, or give this mount another name in its profile"));
+}
+
 void Station::openBus()
 {
     const LinkState state = m_link->status().state;
-    if (state == LinkState::Up || state == LinkState::Down || m_finished || m_control.busReleased()) {
+    if (!m_claim || state == LinkState::Up || state == LinkState::Down || m_finished || m_control.busReleased()) {
         return;
     }
     if (const Result<> opened = m_link->open(); !opened) {

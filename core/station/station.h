@@ -95,6 +95,8 @@ private:
     [[nodiscard]] Result<> carryOut(const Request& request);
     void saveMemory();
     void openServer();
+    void refuseToStart();
+    void tellOpenPort();
     void tellStart();
     void witness();
     void finish();
@@ -106,6 +108,7 @@ private:
     const Clock& m_clock;
     EventLog m_log;
     memory::MemoryFile m_memoryFile;
+    Result<> m_claim;  // of the journal: without it this station is for show only
     StationControl m_control;
     DriveCare m_care;
     StationRotator m_rotator;
