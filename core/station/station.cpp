@@ -6,6 +6,7 @@
 #include "core/can/bus_advice.h"
 #include "core/profile/commissioning.h"
 
+#include <QHostAddress>
 #include <QLoggingCategory>
 
 #include <algorithm>
@@ -18,6 +19,7 @@ namespace {
 
 const QString kBusCause = QStringLiteral("bus");
 const QString kServerCause = QStringLiteral("rotctld");
+const QString kOpenPortCause = QStringLiteral("rotctld.open");
 const QString kMemoryCause = QStringLiteral("memory");
 constexpr std::chrono::seconds kReopenPeriod{1};
 // Who starts the program and asks for the position at once shall get one, if there is one to be had: where no drive
@@ -239,6 +241,7 @@ void Station::openServer()
     const Result<> listening = m_server.listen();
     if (listening) {
         m_log.add(Severity::Advisory, kServerCause, Text::tr("listening on %1").arg(toQString(m_server.address())));
+        tellOpenPort();
         return;
     }
     const QString problem = QString::fromStdString(listening.error().text);
@@ -250,6 +253,23 @@ void Station::openServer()
              "End the other program, or choose another port with --listen or in the profile, and start again")});
     m_startTold = true;
     Q_EMIT started({}, problem);
+}
+
+// Whoever reaches the port moves the mount: the protocol knows no password.
+void Station::tellOpenPort()
+{
+    const profile::RotctldSettings& settings = m_profile.inForce()->rotctld;
+    const bool local =
+        settings.listen.host == "localhost" || QHostAddress(QString::fromStdString(settings.listen.host)).isLoopback();
+    if (local || !settings.allow.empty() || m_server.address().empty()) {
+        m_control.alarms().clear(kOpenPortCause);
+        return;
+    }
+    m_control.alarms().raise(
+        kOpenPortCause, Severity::Advisory,
+        {.what = Text::tr("every computer that reaches %1 can move the mount").arg(toQString(m_server.address())),
+         .action = Text::tr("Boresight accepts every client"),
+         .remedy = Text::tr("Enter the addresses that may connect in rotctld.allow, or listen on 127.0.0.1")});
 }
 
 void Station::tellStart()
@@ -406,6 +426,7 @@ void Station::apply(const profile::Profile& wanted)
     m_control.setProfile(*m_profile.inForce());
     m_rotator.setProfile(*m_profile.inForce());
     m_server.setAllowed(m_profile.inForce()->rotctld.allow);
+    tellOpenPort();
     m_broker.apply(m_profile.inForce()->mqtt);
     m_sensor.apply(*m_profile.inForce());
     m_power.apply(m_profile.inForce()->power);

@@ -264,6 +264,62 @@ TEST(Station, ABusThatIsTriedAgainKeepsItsAlarm)
     EXPECT_TRUE(rig.station->status().alarms.front().active);
 }
 
+// Story: a second program took the journal, and with it the turn of each axis, from the one that moved the mount.
+TEST(Station, AMountThatAnotherProgramControlsIsLeftAlone)
+{
+    profile::Profile profile = anyPort();
+    profile.bus = "fdcanusb:/dev/mount";
+    Rig first(profile);
+    first.station->openAll();
+    first.run(5);
+    auto owned = std::make_unique<fakes::FakeCanLink>();
+    fakes::FakeCanLink* const link = owned.get();
+    Station second(profile, std::move(owned), first.stateDir.path(), first.clock);
+    QSignalSpy started(&second, &Station::started);
+    second.openAll();
+    ASSERT_EQ(started.size(), 1);
+    EXPECT_TRUE(started[0][0].toString().isEmpty());
+    EXPECT_TRUE(started[0][1].toString().contains(QStringLiteral("controls this mount already")));
+    for (int i = 0; i < 100; ++i) {
+        first.clock.advance(Seconds(0.02));
+        second.tick();
+        second.openBus();
+    }
+    EXPECT_EQ(link->openings, 0);
+    EXPECT_TRUE(link->sent.empty());
+    EXPECT_TRUE(second.status().listening.isEmpty());
+    ASSERT_FALSE(second.status().alarms.empty());
+    EXPECT_EQ(second.status().alarms.front().severity, Severity::Alarm);
+}
+
+TEST(Station, APortForEveryComputerIsAnAdvisory)
+{
+    profile::Profile profile = anyPort();
+    profile.rotctld.listen.host = "0.0.0.0";
+    Rig rig(profile);
+    rig.station->openAll();
+    ASSERT_EQ(rig.station->status().alarms.size(), 1U);
+    const Alarm told = rig.station->status().alarms.front();
+    EXPECT_EQ(told.severity, Severity::Advisory);
+    EXPECT_TRUE(told.what.startsWith(QStringLiteral("Every computer that reaches 0.0.0.0:")));
+    profile.rotctld.allow = {"192.168.1.0/24"};
+    rig.station->request({.id = 1, .request = request::ApplyProfile{profile}});
+    EXPECT_TRUE(rig.station->status().alarms.empty());
+
+    Rig local;
+    local.station->openAll();
+    EXPECT_TRUE(local.station->status().alarms.empty());
+}
+
+TEST(Station, AWrongPortIsNotSaidToBeTriedAgain)
+{
+    Rig rig;
+    rig.station->openAll();
+    rig.link->report({.state = LinkState::Lost, .text = QStringLiteral("no fdcanusb answers"), .leftAlone = true});
+    EXPECT_EQ(rig.station->status().alarms.front().action,
+              QStringLiteral("Nothing can be commanded. Boresight sends nothing more to this port."));
+}
+
 TEST(Station, AnOccupiedPortIsSaidAndTheRestWorks)
 {
     QTcpServer other;
