@@ -20,6 +20,21 @@ TEST(TickLateness, PercentilesOfKnownDelays)
     EXPECT_NEAR(lateness.percentile(0.999).count(), 0.005, 0.00011);
 }
 
+// Story: after a stall of 12 s the longest lateness was said to be 100 ms.
+TEST(TickLateness, LongStallsAreShownAsLongAsTheyWere)
+{
+    TickLateness lateness(Seconds(0.02));
+    SteadyTime now{};
+    lateness.tick(now);
+    for (const int gap : {20, 20, 20, 20, 20, 20, 20, 320, 1520, 12'365}) {
+        now += std::chrono::milliseconds(gap);
+        lateness.tick(now);
+    }
+    EXPECT_NEAR(lateness.percentile(0.7).count(), 0.3, 0.011);
+    EXPECT_NEAR(lateness.percentile(0.8).count(), 1.5, 0.011);
+    EXPECT_DOUBLE_EQ(lateness.percentile(1.0).count(), 12.345);
+}
+
 TEST(TickLateness, ATickThatComesEarlyIsNotLate)
 {
     TickLateness lateness(Seconds(0.02));
