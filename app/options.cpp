@@ -190,6 +190,9 @@ Result<Options> readOptions(const QStringList& arguments, const QString& descrip
     return readProfile(options, parser)
         .and_then([&](const profile::Profile& profile) -> Result<> {
             options.profile = profile;
+            if (const QString warning = profile::exposedSecret(profile, options.profilePath); !warning.isEmpty()) {
+                qWarning().noquote() << warning;
+            }
             return applyBus(options, parser);
         })
         .and_then([&] { return applyListen(options.profile, parser); })

@@ -18,6 +18,9 @@ ExitStatus run(Arguments arguments)
         std::fputs((profile.error().text + '\n').c_str(), stderr);
         return kFoundWrong;
     }
+    if (const QString warning = profile::exposedSecret(*profile, QString::fromStdString(path)); !warning.isEmpty()) {
+        std::fputs(("warning: " + warning.toStdString() + '\n').c_str(), stderr);
+    }
     print(path + ": in order: \"" + profile->mount.name + "\", bus " + profile->bus + ", azimuth id " +
           std::to_string(profile->azimuth.id) + ", elevation id " + std::to_string(profile->elevation.id) + '\n');
     return kDone;
@@ -29,7 +32,9 @@ const Subcommand kCheckCommand{
     .name = "check",
     .arguments = "PROFILE",
     .summary = "Read a profile as the program would and tell every error in it",
-    .details = R"(All errors come at once, one line each: FILE:LINE: KEY: reason. Nothing is changed.
+    .details =
+        R"(All errors come at once, one line each: FILE:LINE: KEY: reason. Nothing is changed. A file with a password that every
+user can read is a warning.
 Exit status: 0 no error, 1 there are errors or the file cannot be read.
 
 Example:

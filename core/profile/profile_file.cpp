@@ -5,6 +5,8 @@
 #include "core/profile/setting.h"
 #include "core/profile/text_file.h"
 
+#include <QFileInfo>
+
 namespace boresight::profile {
 
 Result<Profile> loadProfile(const QString& path)
@@ -12,6 +14,17 @@ Result<Profile> loadProfile(const QString& path)
     return readFile(path).and_then([&](const QByteArray& bytes) {
         return parseProfile({bytes.constData(), static_cast<std::size_t>(bytes.size())}, path.toStdString());
     });
+}
+
+QString exposedSecret(const Profile& profile, const QString& path)
+{
+    if (!hasSecrets(profile) || (QFileInfo(path).permissions() & QFileDevice::ReadOther) == 0) {
+        return {};
+    }
+    return Text::tr(
+               "%1 holds a password, and every user of this computer can read the file. Remove that right: "
+               "chmod o-r %1")
+        .arg(path);
 }
 
 Result<> saveProfile(const Profile& profile, const QString& path)
