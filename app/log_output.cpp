@@ -36,6 +36,7 @@ void writeLine(QtMsgType type, const QMessageLogContext& context, const QString&
 void logToStandardError()
 {
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     qInstallMessageHandler(writeLine);
 }
 

@@ -33,4 +33,23 @@ void notifyService(std::string_view state)
     ::close(socket);
 }
 
+// sd_watchdog_enabled(3): the number of the process keeps a child of the service from feeding in its place.
+ServiceWatchdog::ServiceWatchdog()
+{
+    const bool isOurs = qEnvironmentVariableIsEmpty("WATCHDOG_PID") ||
+                        qgetenv("WATCHDOG_PID").toLongLong() == static_cast<qlonglong>(::getpid());
+    const qlonglong granted = qgetenv("WATCHDOG_USEC").toLongLong();
+    if (isOurs && granted > 0) {
+        m_period = std::chrono::microseconds(granted / 2);
+    }
+}
+
+void ServiceWatchdog::feed(SteadyTime now)
+{
+    if (m_period && (!m_fed || now - *m_fed >= *m_period)) {
+        m_fed = now;
+        notifyService("WATCHDOG=1");
+    }
+}
+
 }  // namespace boresight::app

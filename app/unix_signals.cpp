@@ -11,9 +11,9 @@ namespace {
 
 int writeEnd = -1;  // a signal handler can reach nothing but globals
 
-void noteSignal(int)
+void noteSignal(int number)
 {
-    const char byte = 1;
+    const char byte = static_cast<char>(number);
     [[maybe_unused]] const auto written = ::write(writeEnd, &byte, 1);
 }
 
@@ -26,9 +26,16 @@ void catchSignal(int number)
     ::sigaction(number, &action, nullptr);
 }
 
+bool isIgnored(int number)
+{
+    struct sigaction action
+    {};
+    return ::sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
 }  // namespace
 
-UnixSignals::UnixSignals(QObject* parent) : QObject(parent)
+UnixSignals::UnixSignals(HangUp hangUp, QObject* parent) : QObject(parent), m_hangUp(hangUp)
 {
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0, m_sockets.data()) != 0) {
         return;  // the signals then keep their default: the program dies and the drives stop by their watchdog
@@ -38,17 +45,23 @@ UnixSignals::UnixSignals(QObject* parent) : QObject(parent)
     connect(m_notifier.get(), &QSocketNotifier::activated, this, [this] {
         char byte = 0;
         if (::read(m_sockets[1], &byte, 1) == 1) {
-            Q_EMIT endRequested();
+            byte == SIGHUP&& m_hangUp == HangUp::Reloads ? Q_EMIT reloadRequested() : Q_EMIT endRequested();
         }
     });
     catchSignal(SIGTERM);
     catchSignal(SIGINT);
+    if (m_hangUp == HangUp::Reloads || !isIgnored(SIGHUP)) {
+        catchSignal(SIGHUP);
+    }
 }
 
 UnixSignals::~UnixSignals()
 {
     std::signal(SIGTERM, SIG_DFL);
     std::signal(SIGINT, SIG_DFL);
+    if (!isIgnored(SIGHUP)) {
+        std::signal(SIGHUP, SIG_DFL);
+    }
     m_notifier.reset();
     for (const int socket : m_sockets) {
         if (socket >= 0) {

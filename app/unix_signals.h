@@ -7,22 +7,31 @@
 #include <array>
 #include <memory>
 
-// SIGTERM and SIGINT as a Qt signal on the thread that made this object, so that a program can end in good order. One
-// per program.
+// Signals of Unix as Qt signals on the thread that made this object, so that a program can end in good order: SIGTERM,
+// SIGINT and SIGHUP. One per program.
 namespace boresight::app {
+
+// What SIGHUP means. A program with a terminal or a window ends with it; a service reads its settings again.
+enum class HangUp
+{
+    Ends,  // unless the program was started to outlive its terminal (nohup)
+    Reloads,
+};
 
 class UnixSignals : public QObject
 {
     Q_OBJECT
 
 public:
-    explicit UnixSignals(QObject* parent = nullptr);
+    explicit UnixSignals(HangUp hangUp = HangUp::Ends, QObject* parent = nullptr);
     ~UnixSignals() override;
 
 Q_SIGNALS:
     void endRequested();
+    void reloadRequested();
 
 private:
+    HangUp m_hangUp;
     std::array<int, 2> m_sockets{-1, -1};
     std::unique_ptr<QSocketNotifier> m_notifier;
 };

@@ -9,6 +9,7 @@
 #include "core/station/station.h"
 
 #include <QCoreApplication>
+#include <QThreadPool>
 
 #include <cstdio>
 
@@ -29,6 +30,26 @@ void announce(const QString& listening)
     app::notifyService("READY=1");
 }
 
+Result<app::Options> readOptions()
+{
+    return app::readOptions(QCoreApplication::arguments(),
+                            QStringLiteral("Boresight without a screen: rotctld server for a moteus antenna mount."));
+}
+
+// The file is read on another thread: a slow disk must not keep the drives waiting.
+void reload(Station& station, QThreadPool& reader)
+{
+    app::notifyService("RELOADING=1");
+    reader.start([&station] {
+        const auto read = readOptions().map([](const app::Options& options) { return options.profile; });
+        const auto take = [&station, read] {
+            station.reload(read);
+            app::notifyService("READY=1");
+        };
+        QMetaObject::invokeMethod(&station, take, Qt::QueuedConnection);
+    });
+}
+
 int run(QCoreApplication& application, const app::Options& options)
 {
     const SystemClock clock;
@@ -36,7 +57,11 @@ int run(QCoreApplication& application, const app::Options& options)
     Station station(options.profile, links.make(options.profile.bus), options.stateDir, clock, options.standingAt);
     station.setSensorMaker(links.sensors());
     station.wantRealTime();
-    app::UnixSignals signals;
+    QThreadPool reader;
+    app::ServiceWatchdog watchdog;
+    QObject::connect(&station, &Station::ticked, &application, [&watchdog, &clock] { watchdog.feed(clock.now()); });
+    app::UnixSignals signals(app::HangUp::Reloads);
+    QObject::connect(&signals, &app::UnixSignals::reloadRequested, &station, [&] { reload(station, reader); });
     QObject::connect(&station, &Station::started, &application, [&](const QString& listening, const QString& problem) {
         if (listening.isEmpty()) {
             application.exit(complain(problem.toStdString()));
@@ -61,8 +86,6 @@ int main(int argc, char** argv)
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("boresightd"));
     QCoreApplication::setApplicationVersion(QString::fromUtf8(kVersion.data(), kVersion.size()));
-    const auto options =
-        app::readOptions(application.arguments(),
-                         QStringLiteral("Boresight without a screen: rotctld server for a moteus antenna mount."));
+    const auto options = readOptions();
     return options ? run(application, *options) : complain(options.error().text);
 }

@@ -310,6 +310,7 @@ void Station::tick()
     saveMemory();
     writeEvents();
     tellStart();
+    Q_EMIT ticked();
     if (m_control.shutDownDone() && !m_finished) {
         finish();
     }
@@ -359,18 +360,43 @@ void Station::finish()
 
 void Station::request(const NumberedRequest& numbered)
 {
-    static const Source kOperator{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
-    const Result<> answer = m_care.admits(numbered.request)
-                                .and_then([&] { return m_control.request(numbered.request, kOperator); })
-                                .and_then([&] { return carryOut(numbered.request); });
+    const Result<> answer = obey(numbered.request);
     if (!answer) {
-        m_log.add(Severity::Warning, kOperator.name, Text::tr("refused: %1").arg(toQString(answer.error().text)));
+        m_log.add(Severity::Warning, QStringLiteral("operator"),
+                  Text::tr("refused: %1").arg(toQString(answer.error().text)));
     }
     m_answers.push_back(
         {.requestId = numbered.id, .error = answer ? std::optional<Error>() : std::optional(answer.error())});
     if (std::holds_alternative<request::Stop>(numbered.request)) {
         tick();  // STOP does not wait for the next tick
     }
+}
+
+Result<> Station::obey(const Request& request)
+{
+    static const Source kOperator{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
+    return m_care.admits(request).and_then([&] { return m_control.request(request, kOperator); }).and_then([&] {
+        return carryOut(request);
+    });
+}
+
+void Station::reload(const Result<profile::Profile>& read)
+{
+    const QString source = QStringLiteral("station");
+    const Result<> taken =
+        read.and_then([this](const profile::Profile& profile) { return obey(request::ApplyProfile{profile}); });
+    if (!taken) {
+        m_log.add(Severity::Warning, source,
+                  Text::tr("the profile was not taken over, the one before stays in force: %1")
+                      .arg(toQString(taken.error().text)));
+        return;
+    }
+    QStringList waiting;
+    std::ranges::transform(m_profile.waitingKeys(), std::back_inserter(waiting), toQString);
+    m_log.add(waiting.isEmpty() ? Severity::Advisory : Severity::Warning, source,
+              waiting.isEmpty() ? Text::tr("the profile was read again and is in force")
+                                : Text::tr("the profile was read again; these settings wait for a restart: %1")
+                                      .arg(waiting.join(QStringLiteral(", "))));
 }
 
 // What StationControl has admitted, but does not do itself.

@@ -59,6 +59,10 @@ public:
     [[nodiscard]] StationStatus status() const;
     [[nodiscard]] const TickLateness& lateness() const { return m_lateness; }
 
+    // The profile was read again: what applies at once is in force, the rest is named in the log. What could not be
+    // read, or is refused now, leaves all as it was.
+    void reload(const Result<profile::Profile>& read);
+
 public Q_SLOTS:
     // Opens bus and server and begins to tick; started() tells how that went, as soon as there is a position to be told
     // or it is clear that there will be none. A bus that does not open is an alarm and is tried again each second.
@@ -81,6 +85,7 @@ Q_SIGNALS:
     void started(const QString& listening, const QString& problem);
     void updated(const boresight::StationUpdate& update);
     void finished();
+    void ticked();  // the control loop is alive
     // The operator's settings were taken over: they are worth saving.
     void profileApplied(const boresight::profile::Profile& profile);
     // In place of finished(): the mount shall be connected anew, with this profile.
@@ -92,6 +97,7 @@ private:
     [[nodiscard]] bool simulated() const { return m_profile.inForce()->bus == "simulated"; }
     void apply(const profile::Profile& wanted);
     void applyCalibration();
+    [[nodiscard]] Result<> obey(const Request& request);
     [[nodiscard]] Result<> carryOut(const Request& request);
     void saveMemory();
     void openServer();

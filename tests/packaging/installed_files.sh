@@ -50,6 +50,23 @@ installed() {
     return "$missing"
 }
 
+# What the program relies on: the limits that it asks for and a watchdog that it feeds.
+service_unit() {
+    local unit=$there/lib/systemd/system/boresightd.service line status=0
+    # shellcheck disable=SC2016  # systemd expands it
+    for line in 'ExecReload=/bin/kill -HUP $MAINPID' 'WatchdogSec=10' 'LimitRTPRIO=20' 'LimitMEMLOCK=infinity' 'Type=notify'; do
+        grep -qxF -- "$line" "$unit" || {
+            echo "the service has no $line"
+            status=1
+        }
+    done
+    ! grep -q '^RestrictRealtime=yes' "$unit" || {
+        echo "the service may not have the real-time scheduling that its limits grant"
+        status=1
+    }
+    return "$status"
+}
+
 manuals_without_warnings() {
     local page warnings status=0
     need man

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// boresightd as systemd runs it: signals, limits, the watchdog of the service, the rights of its files.
+#include "core/base/file_descriptor.h"
+#include "tests/fakes/program.h"
+#include "tests/fakes/wait_until.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <gmock/gmock.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <memory>
+
+namespace boresight {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+using namespace std::chrono_literals;
+
+const QByteArray kProfile = "version = 1\n";
+
+class ServiceTest : public testing::Test
+{
+protected:
+    void SetUp() override { write(kProfile); }
+    void TearDown() override
+    {
+        for (const char* const name : {"NOTIFY_SOCKET", "WATCHDOG_USEC", "WATCHDOG_PID"}) {
+            qunsetenv(name);
+        }
+    }
+    void write(const QByteArray& profile) const
+    {
+        QFile file(path);
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        ASSERT_EQ(file.write(profile), profile.size());
+    }
+    // `before` is what the shell does first.
+    void start(const QString& before = QStringLiteral(":"))
+    {
+        program = std::make_unique<fakes::Program>(
+            QStringLiteral("/bin/sh"),
+            QStringList{QStringLiteral("-c"), before + QStringLiteral("; echo $$; exec \"$0\" \"$@\""),
+                        QStringLiteral(BORESIGHTD), QStringLiteral("--profile"), path, QStringLiteral("--state-dir"),
+                        folder.path(), QStringLiteral("--listen"), QStringLiteral("127.0.0.1:0")});
+        ASSERT_TRUE(program->waitForLine(QStringLiteral("rotctld listening on"))) << errors();
+        process = program->lines().constFirst().toInt();
+    }
+    void send(int signal) const { ASSERT_EQ(::kill(process, signal), 0); }
+    [[nodiscard]] bool says(const char* text) { return program->waitForError(QString::fromUtf8(text)); }
+    [[nodiscard]] std::string errors() const { return program->errors().toStdString(); }
+    void expectOrderlyEnd()
+    {
+        program->terminate();
+        EXPECT_EQ(program->waitForEnd(), 0) << errors();
+    }
+
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("profile.toml"));
+    std::unique_ptr<fakes::Program> program;
+    pid_t process = 0;
+};
+
+// Story: SIGHUP, which reloads any other service, ended this one on the spot with the mount in motion.
+TEST_F(ServiceTest, HangUpReadsTheProfileAgain)
+{
+    start();
+    write(kProfile + "[jog]\nfast_deg_s = 5\n");
+    send(SIGHUP);
+    EXPECT_TRUE(says("the profile was read again and is in force")) << errors();
+    EXPECT_THAT(errors(), HasSubstr("changes jog.fast_deg_s"));
+    write(kProfile + "[jog]\nfast_deg_s = 5\n[azimuth]\nid = 7\n");
+    send(SIGHUP);
+    EXPECT_TRUE(says("these settings wait for a restart: azimuth.id")) << errors();
+    expectOrderlyEnd();
+}
+
+TEST_F(ServiceTest, AProfileThatCannotBeReadLeavesTheOldOneInForce)
+{
+    start();
+    write("version = 1\n[jog]\nfast_deg_s = \"quick\"\n");
+    send(SIGHUP);
+    EXPECT_TRUE(says("the profile was not taken over, the one before stays in force")) << errors();
+    EXPECT_THAT(errors(), HasSubstr("profile.toml:3: jog.fast_deg_s"));
+    QFile::remove(path);
+    send(SIGHUP);
+    EXPECT_TRUE(says("No such file")) << errors();
+    expectOrderlyEnd();
+}
+
+// A log or journal at the limit of its size is an alarm, not the end of the program.
+TEST_F(ServiceTest, AFileAtItsLimitDoesNotEndIt)
+{
+    start(QStringLiteral("ulimit -f 0"));
+    EXPECT_TRUE(says("events.log")) << errors();
+    expectOrderlyEnd();
+}
+
+TEST_F(ServiceTest, APasswordForEverybodyIsTold)
+{
+    write(kProfile + "[mqtt]\nhost = \"broker\"\nuser = \"mast\"\npassword = \"secret\"\n");
+    ASSERT_TRUE(QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner | QFile::ReadOther));
+    start();
+    EXPECT_THAT(errors(), HasSubstr("profile.toml holds a password, and every user of this computer can read"));
+    EXPECT_THAT(errors(), Not(HasSubstr("secret")));
+    fakes::Program check(QStringLiteral(BORESIGHTCTL), {QStringLiteral("check"), path});
+    EXPECT_EQ(check.waitForEnd(), 0);
+    EXPECT_THAT(check.errors().toStdString(), HasSubstr("chmod o-r"));
+    ASSERT_TRUE(QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner));
+    fakes::Program again(QStringLiteral(BORESIGHTCTL), {QStringLiteral("check"), path});
+    EXPECT_EQ(again.waitForEnd(), 0);
+    EXPECT_EQ(again.errors(), QString());
+}
+
+// What systemd hears.
+class NotifySocket
+{
+public:
+    explicit NotifySocket(const QString& path)
+        : m_socket(::socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0))
+    {
+        sockaddr_un address{};
+        address.sun_family = AF_UNIX;
+        std::strncpy(address.sun_path, path.toLocal8Bit().constData(), sizeof(address.sun_path) - 1);
+        const void* const untyped = &address;
+        EXPECT_EQ(::bind(m_socket.number(), static_cast<const sockaddr*>(untyped), sizeof address), 0);
+        qputenv("NOTIFY_SOCKET", path.toLocal8Bit());
+    }
+
+    QStringList takeAll()
+    {
+        QStringList all;
+        std::array<char, 256> text{};
+        for (ssize_t size = 0; (size = ::recv(m_socket.number(), text.data(), text.size(), 0)) > 0;) {
+            all << QString::fromLatin1(text.data(), size);
+        }
+        return all;
+    }
+
+private:
+    FileDescriptor m_socket;
+};
+
+TEST_F(ServiceTest, TheControlLoopFeedsTheWatchdogOfTheService)
+{
+    NotifySocket systemd(folder.filePath(QStringLiteral("notify")));
+    qputenv("WATCHDOG_USEC", "200000");
+    start();
+    QStringList heard;
+    const QString fed = QStringLiteral("WATCHDOG=1");
+    EXPECT_TRUE(fakes::waitUntil([&] {
+        heard += systemd.takeAll();
+        return heard.count(fed) >= 5;
+    }));
+    EXPECT_THAT(heard, Contains(QStringLiteral("READY=1")));
+    send(SIGHUP);
+    EXPECT_TRUE(fakes::waitUntil([&] {
+        heard += systemd.takeAll();
+        return heard.contains(QStringLiteral("RELOADING=1")) && heard.back() != QStringLiteral("RELOADING=1") &&
+               heard.count(QStringLiteral("READY=1")) == 2;
+    }));
+    expectOrderlyEnd();
+    EXPECT_THAT(systemd.takeAll(), Contains(QStringLiteral("STOPPING=1")));
+}
+
+TEST_F(ServiceTest, TheWatchdogOfAnotherProcessIsNotFed)
+{
+    NotifySocket systemd(folder.filePath(QStringLiteral("notify")));
+    qputenv("WATCHDOG_USEC", "1000");
+    qputenv("WATCHDOG_PID", "1");
+    start();
+    expectOrderlyEnd();
+    EXPECT_THAT(systemd.takeAll(), Not(Contains(QStringLiteral("WATCHDOG=1"))));
+}
+
+}  // namespace
+}  // namespace boresight
