@@ -34,6 +34,9 @@ enum class Retain
     Yes  // the broker keeps it for those who come later
 };
 
+// Bytes. No writer to the topics that we read has a reason for a larger message.
+inline constexpr qint64 kLargestMessage = 64 * 1024;
+
 struct Message
 {
     QString topic;

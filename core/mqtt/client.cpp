@@ -8,7 +8,7 @@
 
 namespace boresight::mqtt {
 
-Client::Client(const Clock& clock, QObject* parent) : QObject(parent), m_clock(clock), m_timer(this)
+Client::Client(const Clock& clock, QObject* parent) : Connection(parent), m_clock(clock), m_timer(this)
 {
     m_timer.setInterval(kServicePeriod);
     connect(&m_timer, &QTimer::timeout, this, &Client::service);
@@ -82,6 +82,7 @@ void Client::service()
 void Client::attempt()
 {
     m_nextAttempt.reset();
+    Q_EMIT nextAttemptChanged();
     if (const auto tls = prepareTls()) {
         lookUp();
     } else {
@@ -129,6 +130,7 @@ void Client::tryNextAddress()
     m_session = new Session(m_broker, m_tls, m_will, m_clock, this);
     connect(m_session, &Session::accepted, this, &Client::accepted);
     connect(m_session, &Session::received, this, &Client::messageReceived);
+    connect(m_session, &Session::dropped, this, &Client::messageDropped);
     connect(m_session, &Session::subscriptionAnswered, this, &Client::takeAnswer);
     connect(m_session, &Session::ended, this, &Client::ended);
     m_session->open(m_addresses.takeFirst());
@@ -193,6 +195,7 @@ void Client::giveUp(const Ending& ending)
     }
     m_nextAttempt = m_clock.now() + m_delay.next();
     setProblem(toText(ending, m_broker));
+    Q_EMIT nextAttemptChanged();
 }
 
 // The session may be the one that is calling.

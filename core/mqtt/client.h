@@ -2,14 +2,13 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/mqtt/broker.h"
+#include "core/mqtt/connection.h"
 #include "core/mqtt/ending.h"
 #include "core/mqtt/retry_delay.h"
 #include "core/mqtt/tls_context.h"
 
 #include <QHostAddress>
 #include <QHostInfo>
-#include <QObject>
 #include <QStringList>
 #include <QTimer>
 
@@ -17,15 +16,15 @@
 #include <optional>
 
 // An MQTT broker, as long as somebody wants it: connects, comes back by itself with growing delays, renews the
-// subscriptions, and tells in one line what is wrong. Messages go to the receivers of a signal. Station thread; nothing
-// blocks: names are looked up by Qt's helpers, the rest is Session's.
+// subscriptions, and tells in one line what is wrong. Messages go to the receivers of a signal. Lives in its owner's
+// event loop; nothing blocks: names are looked up by Qt's helpers, the rest is Session's.
 //
 // What is published while there is no connection is lost: nobody wants to know later where the mount was.
 namespace boresight::mqtt {
 
 class Session;
 
-class Client : public QObject
+class Client : public Connection
 {
     Q_OBJECT
 
@@ -45,16 +44,13 @@ public:
     void open(const Broker& broker, const std::optional<Message>& will = std::nullopt);
     void close();
 
-    // Survives reconnects and other brokers. Each topic has one reader: two of one topic are not counted.
-    void subscribe(const QString& filter);
-    void unsubscribe(const QString& filter);
-    // False: not connected.
-    bool publish(const Message& message);
+    void subscribe(const QString& filter) override;
+    void unsubscribe(const QString& filter) override;
+    bool publish(const Message& message) override;
 
-    [[nodiscard]] const Broker& broker() const { return m_broker; }
-    [[nodiscard]] bool isConnected() const { return m_connected; }
-    // One line for the operator; empty while connected or closed, and before it is known.
-    [[nodiscard]] const QString& problem() const { return m_problem; }
+    [[nodiscard]] const Broker& broker() const override { return m_broker; }
+    [[nodiscard]] bool isConnected() const override { return m_connected; }
+    [[nodiscard]] const QString& problem() const override { return m_problem; }
 
     // Empty while there is a connection or an attempt at one.
     [[nodiscard]] const std::optional<SteadyTime>& nextAttempt() const { return m_nextAttempt; }
@@ -63,15 +59,8 @@ public:
     void service();
 
 Q_SIGNALS:
-    void connected();
-    // Retain::Yes: kept by the broker, said by somebody some time before we came.
-    void messageReceived(const QString& topic, const QByteArray& payload, boresight::mqtt::Retain retain);
-    // Once in each connection, however often it is asked for. There are brokers that grant what they then never send.
-    void subscriptionRefused(const QString& filter);
-    // Only of one that was refused before.
-    void subscriptionGranted(const QString& filter);
-    // Once for each new trouble, however often it is tried again; empty when it is over.
-    void problemChanged(const QString& text);
+    // nextAttempt() is another.
+    void nextAttemptChanged();
 
 private Q_SLOTS:
     void takeLookup(const QHostInfo& found);

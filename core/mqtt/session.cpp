@@ -6,7 +6,6 @@
 #include <linux/tcp.h>
 #include <mosquitto.h>
 #include <netinet/in.h>
-#include <poll.h>
 #include <sys/socket.h>
 
 #include <cerrno>
@@ -17,8 +16,6 @@ namespace boresight::mqtt {
 namespace {
 
 constexpr int kOnePacket = 1;  // reserved by libmosquitto, "should be 1"
-// Nobody who writes to the topics we read has a reason for more; a stray video would only fill the memory.
-constexpr int kLargestPayload = 64 * 1024;
 constexpr int kRefused = 0x80;
 
 QString systemText(int error)
@@ -81,7 +78,9 @@ struct Session::Callbacks
 
     static void received(mosquitto* /*handle*/, void* session, const mosquitto_message* message)
     {
-        if (message->payloadlen <= kLargestPayload) {
+        if (message->payloadlen > kLargestMessage) {
+            static_cast<Session*>(session)->m_dropped = message->payloadlen;
+        } else {
             static_cast<Session*>(session)->m_inbox.push_back(
                 {.topic = QString::fromUtf8(message->topic),
                  .payload = QByteArray(static_cast<const char*>(message->payload), message->payloadlen),
@@ -253,7 +252,10 @@ void Session::socketWritable()
 // Reading also carries the TLS handshake on; when that is done there is something to write.
 void Session::pump()
 {
-    int result = mosquitto_loop_read(m_handle.get(), kOnePacket);
+    int result = MOSQ_ERR_SUCCESS;
+    if (m_tls || m_inlet.mayRead(mosquitto_socket(m_handle.get()))) {
+        result = mosquitto_loop_read(m_handle.get(), kOnePacket);
+    }
     if (result == MOSQ_ERR_SUCCESS && mosquitto_want_write(m_handle.get())) {
         result = mosquitto_loop_write(m_handle.get(), kOnePacket);
     }
@@ -277,7 +279,7 @@ void Session::settle(int result)
     }
     if (result != MOSQ_ERR_SUCCESS) {
         end(ending);
-    } else if (m_phase == Phase::Greeting && hungUp()) {
+    } else if (m_phase == Phase::Greeting && hungUp(mosquitto_socket(m_handle.get()))) {
         end({.kind = EndKind::HungUp});
     } else {
         watch();
@@ -297,12 +299,16 @@ void Session::deliver()
             Q_EMIT subscriptionAnswered(asked.mapped(), granted);
         }
     }
+    tellDropped();
 }
 
-bool Session::hungUp() const
+void Session::tellDropped()
 {
-    pollfd request{.fd = mosquitto_socket(m_handle.get()), .events = POLLRDHUP, .revents = 0};
-    return poll(&request, 1, 0) == 1 && (request.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0;
+    const auto packet = m_inlet.takeDropped();
+    const auto message = std::exchange(m_dropped, std::nullopt);
+    if (const auto bytes = packet ? packet : message; bytes && m_phase == Phase::Accepted) {
+        Q_EMIT dropped(*bytes);
+    }
 }
 
 EndKind Session::kindOfRefusal(int code)

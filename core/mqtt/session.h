@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/mqtt/broker.h"
 #include "core/mqtt/ending.h"
+#include "core/mqtt/inlet.h"
 #include "core/mqtt/tls_context.h"
 
 #include <QHostAddress>
@@ -61,6 +62,8 @@ Q_SIGNALS:
     void accepted();
     void received(const QString& topic, const QByteArray& payload, boresight::mqtt::Retain retain);
     void subscriptionAnswered(const QString& filter, bool granted);
+    // A message of more than kLargestMessage came and is thrown away.
+    void dropped(qint64 bytes);
     void ended(const boresight::mqtt::Ending& ending);
 
 private:
@@ -82,7 +85,7 @@ private:
     void pump();
     void settle(int result);
     void deliver();
-    [[nodiscard]] bool hungUp() const;
+    void tellDropped();
     [[nodiscard]] Ending endingOf(int result) const;
     [[nodiscard]] static EndKind kindOfRefusal(int code);
     void watch();
@@ -95,12 +98,14 @@ private:
     std::unique_ptr<mosquitto, Destroy> m_handle;
     QSocketNotifier m_readable;
     QSocketNotifier m_writable;
+    Inlet m_inlet;  // without encryption
     Phase m_phase = Phase::Connecting;
     SteadyTime m_opened{};
     // What libmosquitto told while it ran: acted upon when it has returned, for it must not be destroyed before.
     std::optional<int> m_answer;
     std::vector<Message> m_inbox;
-    std::map<int, QString> m_asked;  // filters that no answer has come to yet, by the number of their packet
+    std::optional<qint64> m_dropped;  // the size of a message that was too large; with encryption
+    std::map<int, QString> m_asked;   // filters that no answer has come to yet, by the number of their packet
     std::vector<std::pair<int, bool>> m_granted;
     QString m_tlsError;
 };

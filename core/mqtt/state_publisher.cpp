@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mqtt/state_publisher.h"
 
-#include "core/mqtt/client.h"
+#include "core/mqtt/connection.h"
 
 #include <QDateTime>
 #include <QJsonDocument>
@@ -74,10 +74,10 @@ QByteArray toJson(const PublishedState& state)
     return QJsonDocument(all).toJson(QJsonDocument::Compact);
 }
 
-StatePublisher::StatePublisher(Client& client, const Clock& clock, const QString& prefix, QObject* parent)
+StatePublisher::StatePublisher(Connection& client, const Clock& clock, const QString& prefix, QObject* parent)
     : QObject(parent), m_client(client), m_clock(clock), m_prefix(slashed(prefix))
 {
-    connect(&client, &Client::connected, this, &StatePublisher::sayOnline);
+    connect(&client, &Connection::connected, this, &StatePublisher::sayOnline);
     if (client.isConnected()) {
         sayOnline();
     }

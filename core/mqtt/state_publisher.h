@@ -16,7 +16,7 @@
 // thread.
 namespace boresight::mqtt {
 
-class Client;
+class Connection;
 
 // Unknown is empty. Programs read the words, so they are in no language but the protocol's.
 struct PublishedState
@@ -45,8 +45,8 @@ class StatePublisher : public QObject
 public:
     static constexpr std::chrono::seconds kPeriod{1};
 
-    // The client outlives the publisher. `prefix` with or without its last slash.
-    StatePublisher(Client& client, const Clock& clock, const QString& prefix, QObject* parent = nullptr);
+    // The connection outlives the publisher. `prefix` with or without its last slash.
+    StatePublisher(Connection& client, const Clock& clock, const QString& prefix, QObject* parent = nullptr);
 
     // What the broker has to know before it is connected to.
     [[nodiscard]] static Message will(const QString& prefix);
@@ -59,7 +59,7 @@ private:
     void sayOnline();
     [[nodiscard]] bool isNews(const PublishedState& state) const;
 
-    Client& m_client;
+    Connection& m_client;
     const Clock& m_clock;
     QString m_prefix;
     std::optional<SteadyTime> m_lastTime;  // published

@@ -16,7 +16,7 @@ Q_LOGGING_CATEGORY(lcSensor, "boresight.sensor.mqtt")
 
 }  // namespace
 
-MqttSource::MqttSource(mqtt::Client& client, const MqttTopics& topics, const Clock& clock, QObject* parent)
+MqttSource::MqttSource(mqtt::Connection& client, const MqttTopics& topics, const Clock& clock, QObject* parent)
     : Source(parent), m_client(client), m_topics(topics), m_clock(clock), m_silence(this)
 {
     m_silence.setSingleShot(true);
@@ -39,11 +39,11 @@ void MqttSource::open()
         return;
     }
     m_wanted = true;
-    connect(&m_client, &mqtt::Client::connected, this, &MqttSource::showConnection);
-    connect(&m_client, &mqtt::Client::problemChanged, this, &MqttSource::showConnection);
-    connect(&m_client, &mqtt::Client::messageReceived, this, &MqttSource::take);
-    connect(&m_client, &mqtt::Client::subscriptionRefused, this, &MqttSource::takeDenial);
-    connect(&m_client, &mqtt::Client::subscriptionGranted, this, &MqttSource::takeGrant);
+    connect(&m_client, &mqtt::Connection::connected, this, &MqttSource::showConnection);
+    connect(&m_client, &mqtt::Connection::problemChanged, this, &MqttSource::showConnection);
+    connect(&m_client, &mqtt::Connection::messageReceived, this, &MqttSource::take);
+    connect(&m_client, &mqtt::Connection::subscriptionRefused, this, &MqttSource::takeDenial);
+    connect(&m_client, &mqtt::Connection::subscriptionGranted, this, &MqttSource::takeGrant);
     for (const QString& topic : {m_topics.orientation, m_topics.status, m_topics.calibration}) {
         m_client.subscribe(topic);
     }

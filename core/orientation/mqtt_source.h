@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mqtt/client.h"
+#include "core/base/clock.h"
+#include "core/mqtt/connection.h"
 #include "core/orientation/json_payload.h"
 #include "core/orientation/source.h"
 
@@ -28,7 +29,7 @@ class MqttSource final : public Source
 
 public:
     // `client` and `clock` outlive the source.
-    MqttSource(mqtt::Client& client, const MqttTopics& topics, const Clock& clock, QObject* parent = nullptr);
+    MqttSource(mqtt::Connection& client, const MqttTopics& topics, const Clock& clock, QObject* parent = nullptr);
     ~MqttSource() override;
 
     [[nodiscard]] QString name() const override;
@@ -48,7 +49,7 @@ private:
     void tellSilence();
     void show(bool open, const QString& problem);
 
-    mqtt::Client& m_client;
+    mqtt::Connection& m_client;
     MqttTopics m_topics;
     const Clock& m_clock;
     PayloadReader m_reader;

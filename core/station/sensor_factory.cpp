@@ -23,7 +23,7 @@ orientation::MqttTopics topicsOf(const profile::SensorSettings& sensor)
 SensorMaker sensorMaker(const Clock& clock, std::shared_ptr<SimulatedMount> simulated)
 {
     return [&clock, simulated](const profile::Profile& profile,
-                               mqtt::Client& client) -> std::unique_ptr<orientation::Source> {
+                               mqtt::Connection& broker) -> std::unique_ptr<orientation::Source> {
         const profile::SensorSettings& sensor = profile.sensor;
         switch (sensor.source) {
             case profile::SensorSource::Serial:
@@ -34,7 +34,7 @@ SensorMaker sensorMaker(const Clock& clock, std::shared_ptr<SimulatedMount> simu
                 return simulated && profile.bus == "simulated" ? std::make_unique<SimulatedSource>(clock, simulated)
                                                                : nullptr;
             case profile::SensorSource::Mqtt:
-                return std::make_unique<orientation::MqttSource>(client, topicsOf(sensor), clock);
+                return std::make_unique<orientation::MqttSource>(broker, topicsOf(sensor), clock);
             case profile::SensorSource::None:
                 break;
         }

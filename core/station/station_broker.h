@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mqtt/client.h"
 #include "core/mqtt/state_publisher.h"
+#include "core/mqtt/threaded_client.h"
 #include "core/profile/profile.h"
 #include "core/station/event_log.h"
+#include "core/station/log_throttle.h"
 #include "core/station/station_status.h"
 
 #include <QObject>
@@ -13,7 +14,8 @@
 #include <optional>
 
 // The MQTT broker as the station uses it: one connection, by which the station's state goes out and the sensor's
-// messages come in. What happens to it is told in the log and never moves or stops anything. Station thread.
+// messages come in. What happens to it is told in the log and never moves or stops anything. Station thread; the broker
+// itself is served by a thread of its own.
 namespace boresight {
 
 class StationBroker : public QObject
@@ -21,7 +23,7 @@ class StationBroker : public QObject
     Q_OBJECT
 
 public:
-    // `log` and `clock` outlive this.
+    // `log` and `clock` outlive this; any thread may read the clock.
     StationBroker(EventLog& log, const Clock& clock, QObject* parent);
 
     // Connects if somebody needs the broker. From here on; what did not change stays as it is.
@@ -30,7 +32,7 @@ public:
     void setSensorWanted(bool wanted);
     void close();
 
-    [[nodiscard]] mqtt::Client& client() { return m_client; }
+    [[nodiscard]] mqtt::Connection& connection() { return m_client; }
     [[nodiscard]] bool isPublishing() const { return m_publisher != nullptr && m_client.isConnected(); }
     // To be called some times a second, while it publishes.
     void show(const StationStatus& status);
@@ -44,8 +46,9 @@ private:
 
     EventLog& m_log;
     const Clock& m_clock;
-    QString m_ownId;  // while the profile has none
-    mqtt::Client m_client;
+    QString m_ownId;      // while the profile has none
+    LogThrottle m_lines;  // about messages that others cause at will
+    mqtt::ThreadedClient m_client;
     std::unique_ptr<mqtt::StatePublisher> m_publisher;
     profile::BrokerSettings m_settings;
     bool m_sensorWanted = false;

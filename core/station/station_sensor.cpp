@@ -38,7 +38,7 @@ void StationSensor::open()
 {
     close();
     m_open = true;
-    m_source = m_maker(m_profile, m_broker.client());
+    m_source = m_maker(m_profile, m_broker.connection());
     m_broker.setSensorWanted(m_profile.sensor.source == profile::SensorSource::Mqtt);
     readModel();
     if (!m_source) {
@@ -51,7 +51,7 @@ void StationSensor::open()
     connect(m_source.get(), &orientation::Source::statusChanged, this, [this](const orientation::SourceStatus& status) {
         m_watch.show(status);
         // The broker's own trouble has its line already.
-        if (!status.problem.isEmpty() && status.problem != m_broker.client().problem()) {
+        if (!status.problem.isEmpty() && status.problem != m_broker.connection().problem()) {
             m_log.add(Severity::Warning, kSource, status.problem);
         }
     });

@@ -3,8 +3,10 @@
 
 #include "core/base/clock.h"
 
+#include <atomic>
+
 // A clock turned by hand; both times advance together, unless somebody sets the UTC. A time
-// source vouches for it until told otherwise.
+// source vouches for it until told otherwise. Any thread may read it.
 namespace boresight::fakes {
 
 class ManualClock final : public Clock
@@ -15,17 +17,17 @@ public:
     [[nodiscard]] bool synchronised() const override { return m_synchronised; }
     void advance(Seconds time)
     {
-        m_now += std::chrono::duration_cast<SteadyTime::duration>(time);
-        m_utc += std::chrono::duration_cast<UtcTime::duration>(time);
+        m_now = m_now.load() + std::chrono::duration_cast<SteadyTime::duration>(time);
+        stepUtc(time);
     }
-    void stepUtc(Seconds by) { m_utc += std::chrono::duration_cast<UtcTime::duration>(by); }
+    void stepUtc(Seconds by) { m_utc = m_utc.load() + std::chrono::duration_cast<UtcTime::duration>(by); }
     void setUtc(UtcTime utc) { m_utc = utc; }
     void setSynchronised(bool synchronised) { m_synchronised = synchronised; }
 
 private:
-    SteadyTime m_now{std::chrono::hours(1)};
-    UtcTime m_utc{std::chrono::sys_days{std::chrono::year{2026} / 11 / 21}};
-    bool m_synchronised = true;
+    std::atomic<SteadyTime> m_now{SteadyTime(std::chrono::hours(1))};
+    std::atomic<UtcTime> m_utc{std::chrono::sys_days{std::chrono::year{2026} / 11 / 21}};
+    std::atomic<bool> m_synchronised = true;
 };
 
 }  // namespace boresight::fakes

@@ -58,17 +58,22 @@ public:
     // Time goes on until they have; each attempt is brought to its end before the next one.
     [[nodiscard]] bool findBroker(Seconds limit)
     {
-        auto* const station = m_rig.station->findChild<mqtt::Client*>();
-        const auto settled = [](const mqtt::Client& client) { return client.isConnected() || client.nextAttempt(); };
         return m_rig.runUntil(
             [&] {
-                station->service();
                 m_client.service();
-                EXPECT_TRUE(fakes::waitUntil([&] { return settled(*station) && settled(m_client); }));
-                const bool both = station->isConnected() && m_client.isConnected();
+                EXPECT_TRUE(fakes::waitUntil([this] {
+                    return isSettled(m_rig.status()) && (m_client.isConnected() || m_client.nextAttempt());
+                }));
+                const bool both = m_rig.status().broker.connected && m_client.isConnected();
                 return both && fakes::waitUntil([this] { return isHeard(); });
             },
             limit);
+    }
+
+    // The station is connected, or waits for the time of its next attempt.
+    [[nodiscard]] static bool isSettled(const StationStatus& status)
+    {
+        return status.broker.connected || status.broker.retryIn.value_or(Seconds(0.0)) > Seconds(0.0);
     }
 
     [[nodiscard]] sim::SensorTruth& truth() { return m_sensor.truth(); }
@@ -190,8 +195,7 @@ std::vector<AxisPosition> tracked(SimulatedStation& rig)
 TEST_F(MqttSensorTest, ABrokerThatIsNotThereAtTheStartIsOneLineAndTheTrackingDoesNotMindIt)
 {
     rig = std::make_unique<SimulatedStation>(heardBy(*broker));  // nobody has started it
-    ASSERT_TRUE(
-        fakes::waitUntil([this] { return rig->station->findChild<mqtt::Client*>()->nextAttempt().has_value(); }));
+    ASSERT_TRUE(fakes::waitUntil([this] { return PublishingSensor::isSettled(rig->status()); }));
     const auto places = tracked(*rig);
     const QString trouble = QStringLiteral("MQTT broker 127.0.0.1:");
     EXPECT_TRUE(rig->logSays(trouble));

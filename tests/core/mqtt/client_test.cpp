@@ -61,6 +61,39 @@ TEST_F(MqttClient, LosesNothingOfABurst)
     }
 }
 
+// Story: it was kept in memory, up to 256 MB. A broker that keeps such a message sends it at each connection.
+TEST_F(MqttClient, AMessageThatIsTooLargeIsDroppedAndTheConnectionGoesOn)
+{
+    for (const Door door : {Door::Open, Door::Tls}) {
+        ASSERT_TRUE(startBroker(door));
+        Broker to = onLoopback(broker->port());
+        if (door == Door::Tls) {
+            to.encryption = Encryption::Tls;
+            to.caFile = broker->caFile();
+        }
+        Rig reader;
+        std::vector<qint64> dropped;
+        QObject::connect(&reader.client, &Client::messageDropped, [&](qint64 bytes) { dropped.push_back(bytes); });
+        reader.client.subscribe(QStringLiteral("#"));
+        reader.client.open(to);
+        Rig writer;
+        writer.client.open(to);
+        ASSERT_TRUE(reader.connected() && writer.connected());
+        const QByteArray largest(kLargestMessage, 'x');
+        EXPECT_TRUE(writer.client.publish({.topic = kTopic, .payload = QByteArray(3'000'000, 'x')}));
+        EXPECT_TRUE(writer.client.publish({.topic = kTopic, .payload = largest}));
+        EXPECT_TRUE(writer.client.publish({.topic = kTopic, .payload = "small"}));
+        ASSERT_TRUE(reader.received(2));
+        EXPECT_THAT(reader.messages, ElementsAre(Message{.topic = kTopic, .payload = largest},
+                                                 Message{.topic = kTopic, .payload = "small"}));
+        ASSERT_EQ(dropped.size(), 1U);
+        EXPECT_NEAR(static_cast<double>(dropped.front()), 3e6, 100.0);
+        EXPECT_TRUE(reader.client.publish({.topic = kTopic, .payload = "mine"}));
+        ASSERT_TRUE(reader.received(3));
+        EXPECT_EQ(reader.connections, 1);
+    }
+}
+
 TEST_F(MqttClient, IsLetInByItsPassword)
 {
     ASSERT_TRUE(startBroker(Door::Password));

@@ -196,6 +196,27 @@ TEST_F(StationBrokerTest, IsSwitchedOnAndOffWithoutAReconnectOfTheMount)
     EXPECT_FALSE(station->status().broker.wanted);
 }
 
+TEST_F(StationBrokerTest, AMessageThatIsTooLargeIsALineInTheLog)
+{
+    profile::Profile profile = publishing(broker->port());
+    profile.sensor.source = profile::SensorSource::Mqtt;
+    build(profile);
+    ASSERT_TRUE(connected());
+    ASSERT_TRUE(fakes::waitUntil([this] { return broker->count("Sending SUBACK to boresight-") >= 3; }));
+    for (int i = 0; i < 3; ++i) {
+        logger.client.publish(
+            {.topic = toQString(profile.sensor.orientationTopic), .payload = QByteArray(2'048'000, 'x')});
+    }
+    ASSERT_TRUE(fakes::waitUntil([this] {
+        run(1);
+        return log.size() > 1;
+    }));
+    EXPECT_THAT(log[1], HasSubstr("a message of 2000 kB was dropped; the limit is 64 kB"));
+    run(200);
+    (void)heardUntil(kState, R"("state":"STANDBY")");
+    EXPECT_EQ(log.size(), 2U) << "one line, and the connection goes on";
+}
+
 // For the sensor alone nothing is published.
 TEST_F(StationBrokerTest, TheSensorGetsTheSameConnection)
 {

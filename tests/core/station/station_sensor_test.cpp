@@ -36,13 +36,13 @@ struct SensedRig
         link = owned.get();
         station = std::make_unique<Station>(profile, std::move(owned), stateDir.path(), clock);
         station->setSensorMaker(
-            [this](const profile::Profile& wanted, mqtt::Client& client) { return make(wanted, client); });
+            [this](const profile::Profile& wanted, mqtt::Connection& broker) { return make(wanted, broker); });
         station->openAll();
     }
 
-    std::unique_ptr<orientation::Source> make(const profile::Profile& wanted, mqtt::Client& client)
+    std::unique_ptr<orientation::Source> make(const profile::Profile& wanted, mqtt::Connection& broker)
     {
-        auto made = sensorMaker(clock, mount)(wanted, client);
+        auto made = sensorMaker(clock, mount)(wanted, broker);
         source = dynamic_cast<SimulatedSource*>(made.get());
         return made;
     }

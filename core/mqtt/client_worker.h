@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/paced_outlet.h"
+#include "core/mqtt/client.h"
+#include "core/mqtt/newest_messages.h"
+#include "core/mqtt/threaded_client.h"
+
+#include <QObject>
+
+// The side of ThreadedClient that lives on the thread: a Client, and the report about it.
+namespace boresight::mqtt {
+
+class ClientWorker final : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit ClientWorker(const Clock& clock);
+
+    void open(int opening, const Broker& broker, const std::optional<Message>& will);
+    void close(int opening);
+    [[nodiscard]] Client& client() { return m_client; }
+    // The last report has been taken.
+    void taken() { m_outlet.taken(); }
+
+Q_SIGNALS:
+    void reported(const boresight::mqtt::ClientReport& report);
+
+private:
+    void begin(int opening);
+    void report();
+
+    Client m_client;
+    ClientReport m_next;
+    NewestMessages m_messages;
+    PacedOutlet m_outlet;
+};
+
+}  // namespace boresight::mqtt

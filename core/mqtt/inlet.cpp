@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mqtt/inlet.h"
+
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <utility>
+
+namespace boresight::mqtt {
+namespace {
+
+constexpr std::size_t kLongestHeader = 5;
+constexpr unsigned kBitsOfLength = 7;  // in each byte; the eighth says that another one follows
+
+// Poll shall say "readable" only from so many bytes on.
+void wakeAt(int socket, std::size_t bytes)
+{
+    const int wanted = static_cast<int>(bytes);
+    setsockopt(socket, SOL_SOCKET, SO_RCVLOWAT, &wanted, sizeof wanted);
+}
+
+std::size_t waiting(int socket)
+{
+    int bytes = 0;
+    return ioctl(socket, FIONREAD, &bytes) == 0 ? static_cast<std::size_t>(bytes) : 0;
+}
+
+bool isEmptyForNow(ssize_t received)
+{
+    return received < 0 && (errno == EAGAIN || errno == EINTR);
+}
+
+}  // namespace
+
+std::optional<std::size_t> packetLength(std::span<const std::uint8_t> bytes)
+{
+    std::size_t rest = 0;
+    for (std::size_t i = 1; i < kLongestHeader; ++i) {
+        if (i >= bytes.size()) {
+            return std::nullopt;
+        }
+        rest |= std::size_t{bytes[i] & 0x7FU} << (kBitsOfLength * (i - 1));
+        if ((bytes[i] & 0x80U) == 0) {
+            return 1 + i + rest;
+        }
+    }
+    return 0;
+}
+
+bool hungUp(int socket)
+{
+    pollfd request{.fd = socket, .events = POLLRDHUP, .revents = 0};
+    return poll(&request, 1, 0) == 1 && (request.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0;
+}
+
+bool Inlet::mayRead(int socket)
+{
+    if (m_toDrop > 0) {
+        return drop(socket);
+    }
+    std::array<std::uint8_t, kLongestHeader> ahead{};
+    const ssize_t received = recv(socket, ahead.data(), ahead.size(), MSG_PEEK | MSG_DONTWAIT);
+    if (received <= 0) {
+        return !isEmptyForNow(received);
+    }
+    return judge(socket, std::span(ahead).first(static_cast<std::size_t>(received)));
+}
+
+bool Inlet::judge(int socket, std::span<const std::uint8_t> ahead)
+{
+    const auto length = packetLength(ahead);
+    if (length && *length > kLargestPacket) {
+        m_toDrop = *length;
+        m_dropped = static_cast<qint64>(*length);
+        wakeAt(socket, 1);
+        return drop(socket);
+    }
+    const std::size_t needed = length.value_or(ahead.size() + 1);
+    const bool isHere = waiting(socket) >= needed || hungUp(socket);
+    wakeAt(socket, isHere ? 1 : needed);
+    return isHere;
+}
+
+bool Inlet::drop(int socket)
+{
+    std::array<char, kDroppedAtOnce> rubbish;
+    const ssize_t received = recv(socket, rubbish.data(), std::min(m_toDrop, rubbish.size()), MSG_DONTWAIT);
+    if (received <= 0) {
+        return !isEmptyForNow(received);
+    }
+    m_toDrop -= static_cast<std::size_t>(received);
+    return false;
+}
+
+std::optional<qint64> Inlet::takeDropped()
+{
+    return std::exchange(m_dropped, std::nullopt);
+}
+
+}  // namespace boresight::mqtt

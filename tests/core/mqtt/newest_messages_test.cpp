@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mqtt/newest_messages.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight::mqtt {
+namespace {
+
+Message numbered(int number, qsizetype bytes = 4)
+{
+    return {.topic = QString::number(number), .payload = QByteArray(bytes, 'x')};
+}
+
+TEST(NewestMessages, KeepsTheOrder)
+{
+    NewestMessages messages;
+    for (int i = 0; i < 3; ++i) {
+        messages.add(numbered(i));
+    }
+    EXPECT_EQ(messages.take(), (std::vector{numbered(0), numbered(1), numbered(2)}));
+    EXPECT_TRUE(messages.take().empty());
+}
+
+TEST(NewestMessages, OfAFloodTheNewestAreKept)
+{
+    NewestMessages messages;
+    for (int i = 0; i < 10'000; ++i) {
+        messages.add(numbered(i));
+    }
+    const auto kept = messages.take();
+    ASSERT_EQ(kept.size(), NewestMessages::kMost);
+    EXPECT_EQ(kept.front(), numbered(10'000 - static_cast<int>(NewestMessages::kMost)));
+    EXPECT_EQ(kept.back(), numbered(9999));
+}
+
+TEST(NewestMessages, TheirBytesAreBoundedTogether)
+{
+    NewestMessages messages;
+    for (int i = 0; i < 10; ++i) {
+        messages.add(numbered(i, kLargestMessage / 2));
+    }
+    EXPECT_EQ(messages.take().size(), 2U);
+    messages.add(numbered(10, kLargestMessage));
+    EXPECT_EQ(messages.take().size(), 1U);
+    messages.add(numbered(11));
+    EXPECT_EQ(messages.take().size(), 1U) << "counted anew";
+}
+
+}  // namespace
+}  // namespace boresight::mqtt
