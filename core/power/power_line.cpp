@@ -15,8 +15,6 @@ namespace {
 
 constexpr std::size_t kLongestQuote = 40;
 constexpr qint64 kLongestDatagram = 2048;
-// Then everybody else has a turn before the rest is read.
-constexpr int kDatagramsAtOnce = 100;
 
 QString nameOf(const LineSettings& settings)
 {
@@ -27,19 +25,49 @@ QString nameOf(const LineSettings& settings)
         .arg(settings.port);
 }
 
+QString problemOf(const LineSettings& settings, const LineState& state, SteadyTime now)
+{
+    const SteadyTime heard = state.last ? std::max(state.last->arrival, state.opened) : state.opened;
+    const bool isSilent = state.open && Seconds(now - heard) > settings.silence;
+    if (!isSilent) {
+        return state.trouble;
+    }
+    return state.rubbish.isEmpty()
+               ? Text::tr("%1: nothing comes: is the receiver's program running, and does it send here?")
+                     .arg(nameOf(settings))
+               : Text::tr("%1: what comes is no power in dB: %2").arg(nameOf(settings), state.rubbish);
+}
+
 }  // namespace
 
+LineStatus toStatus(const LineSettings& settings, const LineState& state, SteadyTime now)
+{
+    LineStatus status{.name = nameOf(settings),
+                      .problem = problemOf(settings, state, now),
+                      .values = state.values,
+                      .refused = state.refused};
+    if (state.last) {
+        status.decibels = state.last->decibels;
+        status.age = now - state.last->arrival;
+    }
+    return status;
+}
+
 PowerLine::PowerLine(const LineSettings& settings, const Clock& clock, QObject* parent)
-    : QObject(parent), m_settings(settings), m_clock(clock), m_name(nameOf(settings)), m_delay(settings.firstRetry)
+    : QObject(parent), m_settings(settings), m_clock(clock), m_delay(settings.firstRetry)
 {
     // Never by a proxy: to ask the desktop for one blocks.
     m_udp.setProxy(QNetworkProxy::NoProxy);
     m_tcp.setProxy(QNetworkProxy::NoProxy);
+    m_tcp.setReadBufferSize(kBytesAtOnce);
     m_retry.setSingleShot(true);
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(kPause);
     connect(&m_retry, &QTimer::timeout, this, &PowerLine::open);
-    connect(&m_udp, &QUdpSocket::readyRead, this, &PowerLine::readDatagrams);
+    connect(&m_pause, &QTimer::timeout, this, &PowerLine::readSome);
+    connect(&m_udp, &QUdpSocket::readyRead, this, &PowerLine::readSome);
     connect(&m_tcp, &QTcpSocket::connected, this, &PowerLine::begin);
-    connect(&m_tcp, &QTcpSocket::readyRead, this, [this] { read(m_tcp.readAll()); });
+    connect(&m_tcp, &QTcpSocket::readyRead, this, &PowerLine::readSome);
     connect(&m_tcp, &QTcpSocket::errorOccurred, this, [this] { lose(m_tcp.errorString()); });
 }
 
@@ -71,33 +99,56 @@ void PowerLine::connectToHost()
 
 void PowerLine::begin()
 {
-    m_open = true;
-    m_opened = m_clock.now();
-    m_rubbish.clear();
+    m_state.open = true;
+    m_state.opened = m_clock.now();
+    m_state.rubbish.clear();
     m_lines.clear();  // half a line from before
+    Q_EMIT stateChanged();
 }
 
 void PowerLine::lose(const QString& reason)
 {
-    m_open = false;
-    m_trouble = m_settings.transport == Transport::Udp
-                    ? Text::tr("%1 cannot be listened at: %2").arg(m_name, reason)
-                    : Text::tr("%1: no connection to the receiver's program: %2").arg(m_name, reason);
+    m_state.open = false;
+    m_state.trouble = m_settings.transport == Transport::Udp
+                          ? Text::tr("%1 cannot be listened at: %2").arg(nameOf(m_settings), reason)
+                          : Text::tr("%1: no connection to the receiver's program: %2").arg(nameOf(m_settings), reason);
     if (!m_retry.isActive()) {
         m_retry.start(m_delay);
         m_delay = std::min(2 * m_delay, m_settings.longestRetry);
     }
+    Q_EMIT stateChanged();
 }
 
-void PowerLine::readDatagrams()
+// Whatever is left after a full helping is read after the pause, and nothing before.
+void PowerLine::readSome()
 {
-    for (int i = 0; i < kDatagramsAtOnce && m_udp.hasPendingDatagrams(); ++i) {
+    if (m_pause.isActive()) {
+        return;
+    }
+    if (m_settings.transport == Transport::Udp ? readDatagrams() : readStream()) {
+        m_pause.start();
+    }
+    m_state.refused = m_refused + m_lines.overlongLines();
+    Q_EMIT stateChanged();
+}
+
+// True: a full helping.
+bool PowerLine::readDatagrams()
+{
+    int count = 0;
+    for (; count < kDatagramsAtOnce && m_udp.hasPendingDatagrams(); ++count) {
         m_lines.clear();
         read(m_udp.receiveDatagram(kLongestDatagram).data() + '\n');  // its end ends a line, too
     }
-    if (m_udp.hasPendingDatagrams()) {
-        QMetaObject::invokeMethod(this, &PowerLine::readDatagrams, Qt::QueuedConnection);
-    }
+    return count == kDatagramsAtOnce;
+}
+
+// True: a full helping.
+bool PowerLine::readStream()
+{
+    const QByteArray bytes = m_tcp.readAll();
+    read(bytes);
+    return bytes.size() >= kBytesAtOnce;
 }
 
 void PowerLine::read(const QByteArray& bytes)
@@ -114,42 +165,19 @@ void PowerLine::take(std::string_view line)
     const auto power = parsePower(line);
     if (!power) {
         ++m_refused;
-        if (m_rubbish.isEmpty()) {
-            m_rubbish = QStringLiteral("\"%1\": %2")
-                            .arg(toQString(printable(std::string(line.substr(0, kLongestQuote)))),
-                                 toQString(power.error().text));
+        if (m_state.rubbish.isEmpty()) {
+            m_state.rubbish = QStringLiteral("\"%1\": %2")
+                                  .arg(toQString(printable(std::string(line.substr(0, kLongestQuote)))),
+                                       toQString(power.error().text));
         }
         return;
     }
-    ++m_values;
-    m_last = Value{.decibels = *power, .arrival = m_clock.now()};
-    m_trouble.clear();
-    m_rubbish.clear();
+    ++m_state.values;
+    m_state.last = Value{.decibels = *power, .arrival = m_clock.now()};
+    m_state.trouble.clear();
+    m_state.rubbish.clear();
     m_delay = m_settings.firstRetry;
-    Q_EMIT received(*m_last);
-}
-
-QString PowerLine::problem() const
-{
-    const SteadyTime heard = m_last ? std::max(m_last->arrival, m_opened) : m_opened;
-    const bool isSilent = m_open && Seconds(m_clock.now() - heard) > m_settings.silence;
-    if (!isSilent) {
-        return m_trouble;
-    }
-    return m_rubbish.isEmpty()
-               ? Text::tr("%1: nothing comes: is the receiver's program running, and does it send here?").arg(m_name)
-               : Text::tr("%1: what comes is no power in dB: %2").arg(m_name, m_rubbish);
-}
-
-LineStatus PowerLine::status() const
-{
-    LineStatus status{
-        .name = m_name, .problem = problem(), .values = m_values, .refused = m_refused + m_lines.overlongLines()};
-    if (m_last) {
-        status.decibels = m_last->decibels;
-        status.age = m_clock.now() - m_last->arrival;
-    }
-    return status;
+    Q_EMIT received(*m_state.last);
 }
 
 }  // namespace boresight::power

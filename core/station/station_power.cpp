@@ -20,14 +20,13 @@ void StationPower::open()
     if (m_settings.source == profile::PowerSource::None) {
         return;
     }
-    m_line = std::make_unique<power::PowerLine>(
+    m_line = std::make_unique<power::ThreadedLine>(
         power::LineSettings{
             .transport = m_settings.source == profile::PowerSource::Udp ? power::Transport::Udp : power::Transport::Tcp,
             .host = QString::fromStdString(m_settings.host),
             .port = static_cast<std::uint16_t>(m_settings.port)},
         m_clock, this);
-    connect(m_line.get(), &power::PowerLine::received, this, &StationPower::received);
-    m_line->open();
+    connect(m_line.get(), &power::ThreadedLine::received, this, &StationPower::received);
 }
 
 void StationPower::close()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/power/power_line.h"
+#include "core/power/threaded_line.h"
 #include "core/profile/power_settings.h"
 #include "core/station/log_throttle.h"
 
@@ -10,7 +10,7 @@
 #include <memory>
 
 // The line of the received power as the station uses it: the one that the profile names, opened and closed as the
-// profile changes; its troubles go to the log. Station thread.
+// profile changes; its troubles go to the log. Station thread; the line itself is served by a thread of its own.
 namespace boresight {
 
 class StationPower : public QObject
@@ -18,7 +18,7 @@ class StationPower : public QObject
     Q_OBJECT
 
 public:
-    // Clock and log outlive this.
+    // Clock and log outlive this; any thread may read the clock.
     StationPower(const profile::PowerSettings& settings, const Clock& clock, EventLog& log, QObject* parent);
 
     void open();
@@ -35,8 +35,8 @@ private:
     profile::PowerSettings m_settings;
     const Clock& m_clock;
     LogThrottle m_lines;
-    std::unique_ptr<power::PowerLine> m_line;  // null: the profile names none, or it is closed
-    QString m_problem;                         // told last
+    std::unique_ptr<power::ThreadedLine> m_line;  // null: the profile names none, or it is closed
+    QString m_problem;                            // told last
     bool m_open = false;
 };
 

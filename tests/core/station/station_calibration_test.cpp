@@ -264,6 +264,7 @@ public:
     // One line; returns when the station has read it.
     void tell(const QByteArray& line)
     {
+        ASSERT_TRUE(fakes::waitUntil([this] { return m_rig.station->findChild<power::ThreadedLine*>()->isOpen(); }));
         const int before = m_arrived;
         ASSERT_EQ(line.size(), m_socket.writeDatagram(line, QHostAddress::LocalHost, m_port));
         ASSERT_TRUE(fakes::waitUntil([&] { return m_arrived > before; }));
