@@ -37,10 +37,14 @@ Result<> checkPort(const QString& device)
 SerialSource::SerialSource(const SerialSettings& settings, const Clock& clock, QObject* parent)
     : Source(parent), m_settings(settings), m_clock(clock), m_path(settings.port), m_delay(settings.firstRetry)
 {
+    m_port.setReadBufferSize(kBytesAtOnce);
     m_retry.setSingleShot(true);
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(kPause);
     m_silence.setSingleShot(true);
     connect(&m_retry, &QTimer::timeout, this, &SerialSource::open);
     connect(&m_silence, &QTimer::timeout, this, &SerialSource::tellSilence);
+    connect(&m_pause, &QTimer::timeout, this, &SerialSource::read);
     connect(&m_port, &QSerialPort::readyRead, this, &SerialSource::read);
     connect(&m_port, &QSerialPort::errorOccurred, this, &SerialSource::lose);
     connect(&m_lookUp, &QFutureWatcherBase::finished, this, &SerialSource::takeHolder);
@@ -140,9 +144,16 @@ void SerialSource::close()
     show(false, {});
 }
 
+// A full helping is followed by a pause; meanwhile the rest waits in the system.
 void SerialSource::read()
 {
+    if (m_pause.isActive() || !m_port.isOpen()) {
+        return;
+    }
     const QByteArray bytes = m_port.readAll();
+    if (bytes.size() >= kBytesAtOnce) {
+        m_pause.start();
+    }
     m_heard = m_heard || !bytes.isEmpty();
     const auto use = [this](const Orientation& value) {
         if (!m_wanted) {

@@ -14,8 +14,9 @@
 
 // The sensor's sentences from a serial port. Reads only: nothing is ever sent to the sensor. A port that is not there,
 // or goes, is tried again after 1, 2, 4, 8 s, then each 10 s; an adapter that comes back under another name is found by
-// its maker and number. Lives on the station thread; whether another program has the port is looked up beside it, for
-// that takes as long as the drives wait between two ticks.
+// its maker and number. At most kBytesAtOnce are read each kPause, whatever the port sends: some adapters ignore the
+// baud rate. Lives on the station thread; whether another program has the port is looked up beside it, for that takes
+// as long as the drives wait between two ticks.
 namespace boresight::orientation {
 
 struct SerialSettings
@@ -33,6 +34,9 @@ class SerialSource final : public Source
     Q_OBJECT
 
 public:
+    static constexpr qint64 kBytesAtOnce = 2048;
+    static constexpr std::chrono::milliseconds kPause{10};
+
     // `clock` outlives the source.
     SerialSource(const SerialSettings& settings, const Clock& clock, QObject* parent = nullptr);
     ~SerialSource() override;
@@ -59,6 +63,7 @@ private:
     QSerialPort m_port{this};
     SentenceStream m_stream;
     QTimer m_retry{this};
+    QTimer m_pause{this};
     QTimer m_silence{this};
     std::chrono::milliseconds m_delay;
     bool m_wanted = false;

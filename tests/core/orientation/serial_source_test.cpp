@@ -7,6 +7,7 @@
 #include "tests/fakes/program.h"
 #include "tests/fakes/pseudo_terminal.h"
 
+#include <QAbstractEventDispatcher>
 #include <QFile>
 #include <QSemaphore>
 #include <QTemporaryDir>
@@ -17,6 +18,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 
 namespace boresight::orientation {
@@ -66,6 +68,29 @@ struct SerialSourceTest : testing::Test
     std::vector<std::uint64_t> countsThen;
     std::vector<SourceStatus> changes;
 };
+
+// An adapter that ignores the baud rate may send as much as it likes.
+TEST_F(SerialSourceTest, AFloodIsReadInSmallHelpings)
+{
+    source.open();
+    ASSERT_TRUE(becomes(true)) << qPrintable(source.status().problem);
+    std::size_t most = 0;
+    std::size_t before = 0;
+    const auto turn =
+        QObject::connect(QAbstractEventDispatcher::instance(), &QAbstractEventDispatcher::awake, &source, [&] {
+            most = std::max(most, values.size() - before);
+            before = values.size();
+        });
+    const int sentences = 3 * static_cast<int>(SerialSource::kBytesAtOnce / kSentence.size());
+    for (int written = 0; written < sentences;) {  // as much as the terminal holds
+        for (int i = 0; i < 50 && written < sentences; ++i, ++written) {
+            terminal.write(kSentence);
+        }
+        ASSERT_TRUE(hears(static_cast<std::size_t>(written)));
+    }
+    QObject::disconnect(turn);
+    EXPECT_LE(most, static_cast<std::size_t>(SerialSource::kBytesAtOnce / kSentence.size() + 1));
+}
 
 TEST_F(SerialSourceTest, HearsSentencesOfAPort)
 {
