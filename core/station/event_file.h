@@ -2,32 +2,65 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/station/station_status.h"
+#include "core/station/event_log.h"
 
-#include <QFile>
+#include <QFuture>
+#include <QObject>
 #include <QString>
+#include <QThreadPool>
+
+#include <memory>
+#include <optional>
 
 // The event log on disk: one line per entry in STATE_DIR/events.log, UTC first. At kLargest bytes the file becomes
-// events.log.1 and a new one begins. Station thread only; a line is handed to the system at once, so that the last
-// words of a dying program are kept.
+// events.log.1 and a new one begins. Lives on the station thread, which never waits for the disk: one worker writes.
+// Entries that are not on the disk yet stay in the EventLog, which keeps EventLog::kCapacity of them; the file says how
+// many were lost beyond that. A write that fails is tried again every kRetry.
 namespace boresight {
 
-class EventFile
+class EventFile final : public QObject
 {
+    Q_OBJECT
+
 public:
     static constexpr qint64 kLargest = 5'000'000;
+    static constexpr std::chrono::seconds kRetry{5};
+    // At the end of the program a disk that does not answer is given up after this time.
+    static constexpr std::chrono::milliseconds kPatience{2000};
 
-    explicit EventFile(const QString& stateDir);
+    // Log and clock outlive this.
+    EventFile(const QString& stateDir, const EventLog& log, const Clock& clock, QObject* parent = nullptr);
+    // Writes the last entries and waits for them, at most kPatience.
+    ~EventFile() override;
 
-    // Errors come once: at the first line that cannot be written.
-    Result<> add(const LogEntry& entry);
+    // Takes the worker's answer and hands it what is new. Once per tick of the station.
+    void tick();
+
+Q_SIGNALS:
+    // From tick(). Each time that it fails.
+    void failed(const QString& reason);
+    void written();
 
 private:
-    Result<> open();
-    void rotate();
+    struct Writer;
+    struct Batch;
+    struct Outcome
+    {
+        std::uint64_t lastNumber = 0;  // that is on the disk
+        Result<> result;
+    };
 
-    QFile m_file;
-    bool m_failed = false;
+    [[nodiscard]] Batch nextBatch() const;
+    void startWriting(Batch batch);
+    void finishWriting();
+
+    const EventLog& m_log;
+    const Clock& m_clock;
+    std::shared_ptr<Writer> m_writer;  // the worker's while it writes; outlives this if the disk hangs at the end
+    std::uint64_t m_lastNumber = 0;    // of the entries that are on the disk
+    std::optional<SteadyTime> m_retryAt;
+    std::optional<QFuture<Outcome>> m_writing;
+    std::unique_ptr<QThreadPool> m_pool;  // one thread
 };
 
 }  // namespace boresight

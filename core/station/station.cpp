@@ -21,6 +21,7 @@ const QString kBusCause = QStringLiteral("bus");
 const QString kServerCause = QStringLiteral("rotctld");
 const QString kOpenPortCause = QStringLiteral("rotctld.open");
 const QString kMemoryCause = QStringLiteral("memory");
+const QString kLogCause = QStringLiteral("log");
 constexpr std::chrono::seconds kReopenPeriod{1};
 // Who starts the program and asks for the position at once shall get one, if there is one to be had: where no drive
 // answers there is none, and drives that answer are surveyed first.
@@ -72,7 +73,7 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
       m_power(profile.power, clock, m_log, this),
       m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), simulated()), this),
       m_calibration(m_control, profile, m_calibrationFile, clock, m_log),
-      m_eventFile(stateDir),
+      m_eventFile(stateDir, m_log, clock, this),
       m_tickTimer(this),
       m_updateTimer(this),
       m_reopenTimer(this),
@@ -103,6 +104,13 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
                                                      "the turn must be told after a restart")});
     });
     connect(&m_memoryFile, &memory::MemoryFile::saved, this, [this] { m_control.alarms().clear(kMemoryCause); });
+    connect(&m_eventFile, &EventFile::failed, this, [this](const QString& reason) {
+        m_control.alarms().raise(kLogCause, Severity::Warning,
+                                 {.what = reason,
+                                  .action = Text::tr("The log is kept in memory only"),
+                                  .remedy = Text::tr("Check the disk, or choose another folder with --state-dir")});
+    });
+    connect(&m_eventFile, &EventFile::written, this, [this] { m_control.alarms().clear(kLogCause); });
     if (const auto bus = parseBusName(profile.bus)) {
         m_control.setSilenceAdvice(silenceAdvice(*bus));
     }
@@ -167,7 +175,7 @@ void Station::openAll()
     m_broker.apply(m_profile.inForce()->mqtt);
     m_sensor.open();
     m_power.open();
-    writeEvents();
+    m_eventFile.tick();
 }
 
 // A service has no guide that leads there.
@@ -308,7 +316,7 @@ void Station::tick()
         [[maybe_unused]] const Result<> sent = m_link->send(frames);
     }
     saveMemory();
-    writeEvents();
+    m_eventFile.tick();
     tellStart();
     Q_EMIT ticked();
     if (m_control.shutDownDone() && !m_finished) {
@@ -536,19 +544,6 @@ std::vector<ClientStatus> Station::clients() const
         list.push_back(std::move(status));
     }
     return list;
-}
-
-void Station::writeEvents()
-{
-    for (const LogEntry& entry : m_log.since(m_lastLogWritten, EventLog::kCapacity)) {
-        if (const Result<> written = m_eventFile.add(entry); !written) {
-            m_control.alarms().raise(QStringLiteral("log"), Severity::Warning,
-                                     {.what = QString::fromStdString(written.error().text),
-                                      .action = Text::tr("The log is kept in memory only"),
-                                      .remedy = Text::tr("Check the disk, or choose another folder with --state-dir")});
-        }
-        m_lastLogWritten = entry.number;
-    }
 }
 
 }  // namespace boresight

@@ -107,7 +107,6 @@ private:
     void witness();
     void finish();
     void keepSample();
-    void writeEvents();
     [[nodiscard]] std::vector<ClientStatus> clients() const;
 
     LiveProfile m_profile;
@@ -135,7 +134,6 @@ private:
     std::vector<Answer> m_answers;
     std::deque<TickSample> m_samples;  // since the last update
     std::uint64_t m_lastLogSent = 0;
-    std::uint64_t m_lastLogWritten = 0;
     SteadyTime m_opened{};
     bool m_startTold = false;
     bool m_updateWanted = true;

@@ -6,12 +6,16 @@
 #include "tests/fakes/ideal_drive.h"
 #include "tests/fakes/manual_clock.h"
 
+#include <QDeadlineTimer>
 #include <QFile>
 #include <QSignalSpy>
 #include <QTcpServer>
 #include <QTemporaryDir>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
 
 namespace boresight {
 namespace {
@@ -423,15 +427,56 @@ TEST(Station, ReconnectEndsInTheOrderlyWayAndAsksForTheNextStation)
     EXPECT_EQ(rig.link->status().state, LinkState::Closed);
 }
 
+// The disk has its own time, whatever the clock says.
+bool ticksUntil(Rig& rig, const std::function<bool()>& condition)
+{
+    const QDeadlineTimer limit(std::chrono::seconds(10));
+    while (!condition() && !limit.hasExpired()) {
+        rig.tick();
+    }
+    return condition();
+}
+
 TEST(Station, TheLogIsOnDisk)
 {
     Rig rig;
     rig.station->openAll();
+    EXPECT_TRUE(ticksUntil(rig, [&rig] {
+        QFile file(rig.stateDir.filePath(QStringLiteral("events.log")));
+        return file.open(QIODevice::ReadOnly) &&
+               file.readAll().contains("Z station: both drives answer; nothing moves\n");
+    }));
+}
+
+TEST(Station, TheLastLinesAreOnDisk)
+{
+    Rig rig;
+    rig.station->openAll();
     rig.run(5);
+    rig.station->shutDown();
+    rig.run(5);
+    rig.station.reset();
     QFile file(rig.stateDir.filePath(QStringLiteral("events.log")));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    const QByteArray text = file.readAll();
-    EXPECT_TRUE(text.contains("Z station: both drives answer; nothing moves\n")) << text.toStdString();
+    EXPECT_TRUE(file.readAll().contains("Boresight is being closed"));
+}
+
+TEST(Station, ALogThatCannotBeWrittenIsAnAlarmUntilItCan)
+{
+    Rig rig;
+    const QString log = rig.stateDir.filePath(QStringLiteral("events.log"));
+    ASSERT_TRUE(QFile::link(QStringLiteral("/dev/full"), log));
+    rig.station->openAll();
+    const auto isTold = [&rig] {
+        const auto alarms = rig.station->status().alarms;
+        return std::ranges::any_of(alarms, [](const Alarm& alarm) {
+            return alarm.active && alarm.what.contains(QStringLiteral("events.log"));
+        });
+    };
+    EXPECT_TRUE(ticksUntil(rig, isTold));
+    ASSERT_TRUE(QFile::remove(log));
+    rig.clock.advance(EventFile::kRetry);
+    EXPECT_TRUE(ticksUntil(rig, [&] { return !isTold(); }));
 }
 
 // Story: an adapter that had refused frames for a moment was never asked again.
@@ -448,30 +493,6 @@ TEST(Station, KeepsSendingWhileTheBusIsDown)
     rig.link->sent.clear();
     rig.station->tick();
     EXPECT_TRUE(rig.link->sent.empty());
-}
-
-TEST(EventFile, SaysWhenTheDiskIsFull)
-{
-    const QTemporaryDir dir;
-    ASSERT_TRUE(QFile::link(QStringLiteral("/dev/full"), dir.filePath(QStringLiteral("events.log"))));
-    EventFile file(dir.path());
-    EXPECT_FALSE(file.add(LogEntry{.source = QStringLiteral("test"), .text = QStringLiteral("line")}));
-}
-
-TEST(EventFile, RotatesAndSaysOnceWhenItCannotWrite)
-{
-    const QTemporaryDir dir;
-    EventFile file(dir.path());
-    LogEntry big{.source = QStringLiteral("test"), .text = QString(1'000'000, QLatin1Char('x'))};
-    for (int i = 0; i < 8; ++i) {
-        ASSERT_TRUE(file.add(big));
-    }
-    EXPECT_TRUE(QFile::exists(dir.filePath(QStringLiteral("events.log.1"))));
-    EXPECT_LT(QFile(dir.filePath(QStringLiteral("events.log"))).size(), EventFile::kLargest);
-
-    EventFile nowhere(dir.filePath(QStringLiteral("absent")));
-    EXPECT_FALSE(nowhere.add(big));
-    EXPECT_TRUE(nowhere.add(big));
 }
 
 }  // namespace
