@@ -120,10 +120,9 @@ supervision::DriveConditions Arming::conditions(Axis axis) const
     if (!report) {
         return {};
     }
-    return {
-        .voltage = report->voltage,
-        .boardTemperature = report->boardTemperature,
-        .motorTemperature = report->motorTemperature != 0.0 ? std::optional(report->motorTemperature) : std::nullopt};
+    return {.voltage = report->voltage.value_or(0.0),
+            .boardTemperature = report->boardTemperature.value_or(0.0),
+            .motorTemperature = report->motorTemperature};
 }
 
 // The heat or the supply that led to a fault is still there.

@@ -16,6 +16,8 @@ constexpr MotorRate kSmallestVelocity = MotorRate::fromTurns(0.0001);
 // longer than kBrakingTime.
 constexpr MotorRate kStanding = MotorRate::fromTurns(0.001);
 constexpr Seconds kBrakingTime{0.6};
+// Nor has it moved since the last reply by more than this share of what a place is believed with.
+constexpr double kSteady = 0.2;
 
 const moteus::Field kIgnoreBounds{1.0, moteus::Resolution::Int8};
 
@@ -25,28 +27,43 @@ constexpr double kPositionRange = 32768.0;  // turns
 // A reply shows the state before the command in the same exchange, so the first one of a phase says nothing about it.
 constexpr int kFirstTellingReply = 2;
 
-DriveReport toReport(const moteus::Reply& reply, SteadyTime received)
+// `home`: for a reply that does not say it.
+DriveReport toReport(const moteus::Reply& reply, SteadyTime received, moteus::HomeState home)
 {
     using moteus::Register;
-    const auto number = [&](Register reg) { return reply.value(reg).value_or(0.0); };
-    const auto turns = reply.value(Register::Position);
+    const auto number = [&](Register reg) {
+        const auto value = reply.value(reg);
+        return value && std::isfinite(*value) ? value : std::nullopt;
+    };
+    const auto turns = number(Register::Position);
     const bool possible = turns && std::abs(*turns) <= kPositionRange;
+    const auto rate = number(Register::Velocity);
+    const auto motorTemperature = number(Register::MotorTemperature);
     return {.received = received,
             .mode = *reply.mode(),
             .fault = reply.fault().value_or(0),
-            .homeState = reply.homeState().value_or(moteus::HomeState::Relative),
+            .homeState = reply.homeState().value_or(home),
             .position = possible ? std::optional(MotorTurns::fromTurns(*turns)) : std::nullopt,
-            .rate = MotorRate::fromTurns(number(Register::Velocity)),
+            .rate = rate ? std::optional(MotorRate::fromTurns(*rate)) : std::nullopt,
             .torque = number(Register::Torque),
             .current = number(Register::QCurrent),
             .voltage = number(Register::Voltage),
             .boardTemperature = number(Register::Temperature),
-            .motorTemperature = number(Register::MotorTemperature)};
+            // Reads 0 without a sensor.
+            .motorTemperature = motorTemperature == 0.0 ? std::nullopt : motorTemperature};
 }
 
 }  // namespace
 
-Drive::Drive(const DriveSettings& settings, std::string name) : m_settings(settings), m_name(std::move(name)) {}
+Drive::Drive(const DriveSettings& settings, std::string name)
+    : m_settings(settings), m_name(std::move(name)), m_belief(settings.places)
+{}
+
+void Drive::setSettings(const DriveSettings& settings)
+{
+    m_settings = settings;
+    m_belief.setLimits(settings.places);
+}
 
 void Drive::enter(Phase phase)
 {
@@ -57,6 +74,7 @@ void Drive::enter(Phase phase)
 
 void Drive::engage()
 {
+    m_onlyHold = false;
     if (m_phase == Phase::Capturing || m_phase == Phase::Engaged || m_phase == Phase::Unseen) {
         return;
     }
@@ -68,6 +86,14 @@ void Drive::engage()
     if (m_phase != Phase::Recovering) {
         enter(latched() ? Phase::Recovering : Phase::Capturing);
     }
+}
+
+void Drive::hold()
+{
+    if (m_phase == Phase::Engaged || m_phase == Phase::Unseen) {
+        enter(Phase::Held);
+    }
+    m_onlyHold = true;
 }
 
 void Drive::listen()
@@ -96,13 +122,14 @@ void Drive::reference(MotorTurns place, MotorTurns tolerance)
     m_justReferenced = false;
     m_reference = place;
     m_referenceTolerance = tolerance;
-    m_heldWhenReferenced = m_phase == Phase::Engaged || m_phase == Phase::Capturing;
+    m_heldWhenReferenced = m_phase == Phase::Engaged || m_phase == Phase::Capturing || m_phase == Phase::Held;
+    m_belief.expectAnother();
     enter(Phase::Referencing);
 }
 
 bool Drive::canBeReferenced() const
 {
-    return m_report && (m_phase == Phase::Listening || m_phase == Phase::Engaged);
+    return m_report && (m_phase == Phase::Listening || m_phase == Phase::Engaged || m_phase == Phase::Held);
 }
 
 void Drive::starve()
@@ -134,7 +161,10 @@ bool Drive::answering(SteadyTime now) const
 // Replies that waited meanwhile are stamped when they are read, so that the excuse must not reach beyond now.
 void Drive::excuse(Seconds stall, SteadyTime now)
 {
-    m_heard = std::min(m_heard + std::chrono::duration_cast<SteadyTime::duration>(stall), now);
+    const auto excused = std::chrono::duration_cast<SteadyTime::duration>(stall);
+    m_heard = std::min(m_heard + excused, now);
+    m_placed = std::min(m_placed + excused, now);
+    m_belief.expectAnother();  // how it moved meanwhile is not known
 }
 
 bool Drive::activeUnordered() const
@@ -159,23 +189,44 @@ bool Drive::take(const CanFrame& frame)
         return false;
     }
     if (reply->mode()) {
-        m_report = toReport(*reply, frame.received);
+        m_report = toReport(*reply, frame.received, m_report ? m_report->homeState : moteus::HomeState::Relative);
         m_heard = frame.received;
         m_replied = true;
         ++m_repliesInPhase;
+        takePlace();
     }
     return true;
+}
+
+void Drive::takePlace()
+{
+    m_belief.take(
+        {.asked = m_asked.value_or(m_report->received), .received = m_report->received, .place = m_report->position});
+    if (m_phase == Phase::Referencing) {
+        static_cast<void>(takeFalsePlace());  // its place is set on purpose
+        static_cast<void>(takeJump());
+    }
+    if (m_belief.believedLast()) {
+        m_saidPlace = true;
+        m_placed = m_report->received;
+    }
 }
 
 void Drive::lose(DriveLoss loss)
 {
     m_loss = loss;
+    if (loss == DriveLoss::Silent || loss == DriveLoss::Released || loss == DriveLoss::Disobeys) {
+        m_belief.forget();  // it may have been without power, or not have taken its place yet
+    }
     enter(Phase::Listening);
 }
 
 void Drive::judge(SteadyTime now)
 {
-    m_unanswered = std::exchange(m_replied, false) ? 0 : m_unanswered + 1;
+    if (std::exchange(m_replied, false) || !m_asked) {
+        m_asked = now;
+    }
+    m_unanswered = std::exchange(m_saidPlace, false) ? 0 : m_unanswered + 1;
     judgeFault();
     if (m_phase == Phase::Listening || m_phase == Phase::Braking) {
         return;
@@ -189,6 +240,8 @@ void Drive::judge(SteadyTime now)
     }
     if (!answering(now)) {
         lose(DriveLoss::Silent);
+    } else if (m_phase == Phase::Unseen && now - m_placed >= kSilence) {
+        lose(DriveLoss::Blind);
     } else if (mustObey() && now - *m_phaseSince > kObedience) {
         lose(DriveLoss::Disobeys);
     } else if (m_repliesInPhase >= (m_phase == Phase::Unseen ? 1 : kFirstTellingReply)) {
@@ -227,23 +280,32 @@ void Drive::judgePhase(moteus::Mode mode, Seconds inPhase)
         judgeReference();
     } else if (mode == moteus::Mode::PositionTimeout) {
         lose(DriveLoss::TimedOut);
-    } else if (m_phase == Phase::Capturing && mode == moteus::Mode::Position && m_report->position) {
-        // An axis seized in motion brakes first: a set-point at its place of now would pull it back.
-        if (abs(m_report->rate) < kStanding || inPhase > kBrakingTime) {
-            enter(Phase::Engaged);
-            m_justEngaged = true;
+    } else if (m_phase == Phase::Capturing) {
+        if (mode == moteus::Mode::Position && m_belief.believedLast()) {
+            judgeCapture(inPhase);
         }
-    } else if ((m_phase == Phase::Engaged || m_phase == Phase::Unseen) && mode != moteus::Mode::Position) {
+    } else if (mode != moteus::Mode::Position) {
         lose(DriveLoss::Released);
-    } else if (m_phase == Phase::Unseen) {
+    } else if (m_phase == Phase::Unseen && !unseen()) {
         enter(Phase::Capturing);
+    }
+}
+
+// An axis seized in motion brakes first: a set-point at its place of now would pull it back.
+void Drive::judgeCapture(Seconds inPhase)
+{
+    const bool slow = m_report->rate && abs(*m_report->rate) < kStanding;
+    const bool stands = slow && abs(place()->moved) < m_settings.places.allowance * kSteady;
+    if (stands || inPhase > kBrakingTime) {
+        m_justEngaged = !m_onlyHold;
+        enter(m_onlyHold ? Phase::Held : Phase::Engaged);
     }
 }
 
 void Drive::judgeReference()
 {
-    const bool taken = m_report->homeState == moteus::HomeState::Output && m_report->position &&
-                       abs(*m_report->position - m_reference) < m_referenceTolerance;
+    const bool taken = m_report->homeState == moteus::HomeState::Output && m_belief.believedLast() &&
+                       abs(place()->position - m_reference) < m_referenceTolerance;
     if (taken) {
         enter(m_heldWhenReferenced ? Phase::Capturing : Phase::Listening);
         m_justReferenced = true;
@@ -291,6 +353,7 @@ std::optional<moteus::Command> Drive::command() const
             return referenceCommand();
         case Phase::Capturing:
         case Phase::Unseen:
+        case Phase::Held:
             return holdCommand();
         case Phase::Engaged: {
             const bool tooSlow = abs(m_setpointRate) < kSmallestVelocity;

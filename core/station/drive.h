@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/base/text.h"
 #include "core/moteus/codec.h"
+#include "core/supervision/place_belief.h"
 #include "core/units/quantity.h"
 
 #include <chrono>
@@ -26,13 +27,16 @@ struct DriveReport
     moteus::Mode mode = moteus::Mode::Stopped;
     int fault = 0;  // a fault in mode 1, an active limit (96…105) else
     moteus::HomeState homeState = moteus::HomeState::Relative;
-    std::optional<MotorTurns> position;  // empty if the drive does not know it: no encoder, not calibrated
-    MotorRate rate;
-    double torque = 0.0;
-    double current = 0.0;  // q axis
-    double voltage = 0.0;
-    double boardTemperature = 0.0;
-    double motorTemperature = 0.0;
+    // As the reply says, true or not: motion uses Drive::place(). Empty if the drive does not know it: no encoder, not
+    // calibrated.
+    std::optional<MotorTurns> position;
+    // Each is empty if the reply does not say it, or says no number.
+    std::optional<MotorRate> rate;
+    std::optional<double> torque;
+    std::optional<double> current;  // q axis
+    std::optional<double> voltage;
+    std::optional<double> boardTemperature;
+    std::optional<double> motorTemperature;  // also without a sensor
 };
 
 struct DriveSettings
@@ -43,6 +47,7 @@ struct DriveSettings
     MotorRate velocityLimit;  // above the host's own limits: the host leads, the drive guards
     MotorAcceleration accelerationLimit;
     MotorAcceleration emergencyBraking;  // of "hold where you are"
+    supervision::PlaceBelief::Limits places{};
 };
 
 // Why a drive can not be commanded any more. All but a fault arise only while it is under orders.
@@ -53,6 +58,7 @@ enum class DriveLoss
     TimedOut,  // mode 11: its own watchdog stopped it
     Released,  // another mode without our command: power cycle, or another program
     Disobeys,  // answers, but does not do what it is told for kObedience
+    Blind,     // answers, but no place that can be believed for kSilence
 };
 
 class Drive
@@ -63,7 +69,8 @@ public:
         Listening,    // only queries are sent
         Capturing,    // "brake and hold" is sent until the drive reports position mode and stands
         Engaged,      // set-points are sent
-        Unseen,       // was Engaged and answers no more: "brake and hold" is sent to a drive that may still hear
+        Unseen,       // was Engaged, and answers or says its place no more: "brake and hold" is sent
+        Held,         // its place has jumped, so that no set-point means anything: "brake and hold" until engage()
         Recovering,   // stop is sent until the drive reports mode 0; from a time-out it is captured again at once
         Referencing,  // the drive is told on which turn it stands; an axis that was held is held meanwhile
         Starving,     // under orders, but only asked: its watchdog shall stop it, and that is watched
@@ -77,7 +84,7 @@ public:
     static constexpr std::chrono::milliseconds kObedience{1000};  // enabling takes a drive some 13 ms
 
     Drive(const DriveSettings& settings, std::string name);
-    void setSettings(const DriveSettings& settings) { m_settings = settings; }  // from the next frame on; the same id
+    void setSettings(const DriveSettings& settings);  // from the next frame on; the same id
 
     // Orders of the station; they take effect in the next frame.
     void engage();  // Listening -> (Recovering, after a time-out ->) Capturing -> Engaged
@@ -92,6 +99,7 @@ public:
     // within `tolerance`. A drive that is Engaged holds meanwhile and is captured anew.
     void reference(MotorTurns place, MotorTurns tolerance);
     [[nodiscard]] bool canBeReferenced() const;
+    void hold();    // Engaged, Unseen, Capturing -> Held; not commanded: stays so
     void starve();  // Engaged -> Starving
     void brake();
     void release();
@@ -110,7 +118,7 @@ public:
     // We did not look at the bus for so long: this does not count as silence of the drive.
     void excuse(Seconds stall, SteadyTime now);
 
-    // True once after the drive has become Engaged: the first set-point must be where it stands.
+    // True once after the drive has become Engaged: the first set-point must be at its place(), which is of this tick.
     [[nodiscard]] bool takeEngaged() { return std::exchange(m_justEngaged, false); }
     // Given once when a drive was lost, or is in fault; it is Listening then.
     [[nodiscard]] std::optional<DriveLoss> takeLoss() { return std::exchange(m_loss, std::nullopt); }
@@ -120,10 +128,18 @@ public:
     [[nodiscard]] const std::string& name() const { return m_name; }  // as the source of a line and cause of an alarm
     [[nodiscard]] QString label() const { return Text::of(m_name); }  // as it stands in a sentence
     [[nodiscard]] const std::optional<DriveReport>& report() const { return m_report; }
+    // Where it stands: the last place that is believed, and when it came. See PlaceBelief.
+    [[nodiscard]] const std::optional<supervision::PlaceBelief::Place>& place() const { return m_belief.place(); }
+    // What was reported and was false, or has turned out to be a jump: each is given once.
+    [[nodiscard]] std::optional<supervision::PlaceBelief::Leap> takeFalsePlace() { return m_belief.takeFalsePlace(); }
+    [[nodiscard]] std::optional<supervision::PlaceBelief::Leap> takeJump() { return m_belief.takeJump(); }
+    [[nodiscard]] bool jumped() const { return m_belief.jumped(); }  // and nobody has taken it
+    // It was away, or was restarted: where it stands now is no jump.
+    void forgetPlace() { m_belief.forget(); }
     [[nodiscard]] bool answering(SteadyTime now) const;
     [[nodiscard]] SteadyTime heard() const { return m_heard; }  // the last reply, stalls of our own excused
-    // More frames in a row were not answered than can be lost by chance: nobody sees what the drive does. Counted in
-    // frames, so that a late tick of ours is no silence of the drive.
+    // More frames in a row were not answered with a place that is believed than can be lost by chance: nobody sees what
+    // the drive does. Counted in frames, so that a late tick of ours is no silence of the drive.
     [[nodiscard]] bool unseen() const { return m_unanswered > kMostUnanswered; }
     // In fault or time-out: takes no command but stop.
     [[nodiscard]] bool latched() const;
@@ -134,9 +150,11 @@ public:
 
 private:
     void enter(Phase phase);
+    void takePlace();
     void lose(DriveLoss loss);
     void judgeFault();
     void judgePhase(moteus::Mode mode, Seconds inPhase);
+    void judgeCapture(Seconds inPhase);
     void judgeReference();
     [[nodiscard]] bool mustObey() const;
     [[nodiscard]] std::optional<moteus::Command> command() const;
@@ -148,6 +166,7 @@ private:
     std::string m_name;
     Phase m_phase = Phase::Listening;
     bool m_captureAfterRecovery = false;
+    bool m_onlyHold = false;  // once captured
     bool m_justEngaged = false;
     bool m_justReferenced = false;
     bool m_heldWhenReferenced = false;
@@ -155,9 +174,12 @@ private:
     bool m_ignoreBounds = false;
     bool m_hardBraking = false;
     bool m_faultTold = false;
-    SteadyTime m_heard{};    // last reply, stalls of our own excused
-    bool m_replied = false;  // since the last tick
-    int m_unanswered = 0;    // frames in a row
+    SteadyTime m_heard{};                 // last reply, stalls of our own excused
+    SteadyTime m_placed{};                // last believed place, stalls of our own excused
+    bool m_replied = false;               // since the last tick
+    bool m_saidPlace = false;             // since the last tick, one that is believed
+    std::optional<SteadyTime> m_asked{};  // the oldest frame without a reply, else the last one
+    int m_unanswered = 0;                 // frames in a row
     int m_repliesInPhase = 0;
     std::optional<SteadyTime> m_phaseSince;  // of all but Listening and Braking
     MotorTurns m_setpoint;
@@ -165,6 +187,7 @@ private:
     MotorTurns m_reference;
     MotorTurns m_referenceTolerance;
     std::optional<DriveReport> m_report;
+    supervision::PlaceBelief m_belief;
     std::optional<DriveLoss> m_loss;
 };
 

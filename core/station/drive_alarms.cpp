@@ -80,6 +80,10 @@ AlarmText lost(const QString& drive, DriveLoss loss, int faultCode, Seconds watc
                 .action = Text::tr("Motion ended; an order under way may have switched it on again, then it holds by "
                                    "itself; the other axis holds if its drive can"),
                 .remedy = Text::tr("Its supply failed or another program stopped it: check both, then re-arm")};
+        case DriveLoss::Blind:
+            return {.what = Text::tr("The %1 does not report a position that can be believed").arg(drive),
+                    .action = Text::tr("It was ordered to brake and hold; the motion of both axes ended"),
+                    .remedy = Text::tr("Check its encoder and the CAN cable, then re-arm")};
         case DriveLoss::Disobeys:
             break;
     }

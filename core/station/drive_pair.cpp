@@ -8,14 +8,18 @@
 namespace boresight {
 namespace {
 
-DriveSettings driveSettings(const profile::AxisSettings& axis, const profile::ControlSettings& control)
+DriveSettings driveSettings(Axis which, const profile::Profile& profile)
 {
+    const profile::AxisSettings& axis = profile.axis(which);
+    const Angle allowance = profile.supervision.encoderJump;
     return {.id = axis.id,
-            .watchdog = control.watchdog,
+            .watchdog = profile.control.watchdog,
             .maxTorque = axis.maxTorque,
             .velocityLimit = abs(axis.geometry.toMotor(axis.limits.speed)) * survey::kLimitGuard,
             .accelerationLimit = abs(axis.geometry.toMotor(axis.limits.acceleration)) * survey::kLimitGuard,
-            .emergencyBraking = abs(axis.geometry.toMotor(survey::emergencyBraking(axis.limits)))};
+            .emergencyBraking = abs(axis.geometry.toMotor(survey::emergencyBraking(axis.limits))),
+            .places = {.allowance = abs(axis.geometry.toMotor(allowance) - axis.geometry.toMotor(Angle{})),
+                       .speed = abs(axis.geometry.toMotor(axis.limits.speed))}};
 }
 
 }  // namespace
@@ -23,14 +27,14 @@ DriveSettings driveSettings(const profile::AxisSettings& axis, const profile::Co
 DrivePair::DrivePair(const profile::Profile& profile)
     : m_azimuthGeometry(profile.azimuth.geometry),
       m_elevationGeometry(profile.elevation.geometry),
-      m_azimuth(driveSettings(profile.azimuth, profile.control), QT_TRANSLATE_NOOP("Text", "azimuth drive")),
-      m_elevation(driveSettings(profile.elevation, profile.control), QT_TRANSLATE_NOOP("Text", "elevation drive"))
+      m_azimuth(driveSettings(Axis::Azimuth, profile), QT_TRANSLATE_NOOP("Text", "azimuth drive")),
+      m_elevation(driveSettings(Axis::Elevation, profile), QT_TRANSLATE_NOOP("Text", "elevation drive"))
 {}
 
 void DrivePair::setProfile(const profile::Profile& profile)
 {
-    m_azimuth.setSettings(driveSettings(profile.azimuth, profile.control));
-    m_elevation.setSettings(driveSettings(profile.elevation, profile.control));
+    m_azimuth.setSettings(driveSettings(Axis::Azimuth, profile));
+    m_elevation.setSettings(driveSettings(Axis::Elevation, profile));
 }
 
 const pointing::AxisGeometry& DrivePair::geometry(Axis axis) const
@@ -136,14 +140,14 @@ void DrivePair::setHardBraking(bool hard)
 
 std::optional<Angle> DrivePair::measured(Axis axis) const
 {
-    const auto& report = drive(axis).report();
-    return report && report->position ? std::optional(geometry(axis).toAxis(*report->position)) : std::nullopt;
+    const auto& place = drive(axis).place();
+    return place ? std::optional(geometry(axis).toAxis(place->position)) : std::nullopt;
 }
 
 std::optional<AngularRate> DrivePair::measuredRate(Axis axis) const
 {
     const auto& report = drive(axis).report();
-    return report ? std::optional(geometry(axis).toAxis(report->rate)) : std::nullopt;
+    return report && report->rate ? std::optional(geometry(axis).toAxis(*report->rate)) : std::nullopt;
 }
 
 std::optional<AxisPosition> DrivePair::measured() const

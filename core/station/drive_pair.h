@@ -44,8 +44,9 @@ public:
     void setSetpoint(Axis axis, Angle angle, AngularRate rate);
     void setHardBraking(bool hard);
 
-    // As last reported, whatever its age.
+    // The place that is believed, whatever its age. See Drive::place().
     [[nodiscard]] std::optional<Angle> measured(Axis axis) const;
+    // As last reported, whatever its age.
     [[nodiscard]] std::optional<AngularRate> measuredRate(Axis axis) const;
     [[nodiscard]] std::optional<AxisPosition> measured() const;
     [[nodiscard]] std::optional<std::chrono::milliseconds> age(Axis axis, SteadyTime now) const;

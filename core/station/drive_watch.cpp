@@ -31,10 +31,19 @@ LossClass classOf(DriveLoss loss, int faultCode)
             return LossClass::Bus;
         case DriveLoss::Disobeys:
             return LossClass::Motion;
+        case DriveLoss::Blind:
+            return LossClass::Encoder;
         case DriveLoss::Released:
             break;
     }
     return LossClass::Released;
+}
+
+// Something pushes the axis or is in its way: a set-point elsewhere would go on pulling.
+bool isGivingWay(Finding finding)
+{
+    return finding == Finding::FollowingError || finding == Finding::Stalled || finding == Finding::WrongWay ||
+           finding == Finding::MovesUncommanded || finding == Finding::OutsideTravel;
 }
 
 // What passes by itself and leaves nothing to do is not kept for acknowledgement.
@@ -159,32 +168,44 @@ void DriveWatch::watchActiveLimit(const Drive& drive, SteadyTime now)
     }
 }
 
-supervision::AxisObservation DriveWatch::observation(const Drive& drive, const tracking::Setpoint& setpoint,
+supervision::AxisObservation DriveWatch::observation(Drive& drive, const tracking::Setpoint& setpoint,
                                                      const Context& context) const
 {
+    using Phase = Drive::Phase;
     const DriveReport& report = *drive.report();
-    return {.now = context.now,
-            .received = drive.heard(),
-            .fresh = report.received != m_observed,
-            .actual = m_settings.geometry.toAxis(*report.position),
-            .engaging = drive.phase() == Drive::Phase::Capturing || drive.phase() == Drive::Phase::Unseen,
-            .engaged = drive.phase() == Drive::Phase::Engaged,
-            .commanded = setpoint.position,
-            .commandedRate = setpoint.rate,
-            .torque = report.torque,
-            .voltage = report.voltage,
-            .boardTemperature = report.boardTemperature,
-            .motorTemperature = report.motorTemperature != 0.0 ? std::optional(report.motorTemperature) : std::nullopt,
-            .activeLimit = moteus::isLimit(report.fault) ? report.fault : 0,
-            .turnKnown = context.turnKnown};
+    const auto& place = drive.place();
+    const pointing::AxisGeometry& geometry = m_settings.geometry;
+    const auto leap = [&](const std::optional<supervision::PlaceBelief::Leap>& one) {
+        return one ? std::optional(supervision::AngleLeap{.by = geometry.toAxis(one->to) - geometry.toAxis(one->from),
+                                                          .to = geometry.toAxis(one->to),
+                                                          .within = one->within})
+                   : std::nullopt;
+    };
+    return {
+        .now = context.now,
+        .received = drive.heard(),
+        .fresh = report.received != m_observed,
+        .placed = place && place->received != m_placed,
+        .actual = place ? geometry.toAxis(place->position) : Angle{},
+        .falsePlace = leap(drive.takeFalsePlace()),
+        .jumped = leap(drive.takeJump()),
+        .engaging = drive.phase() == Phase::Capturing || drive.phase() == Phase::Unseen || drive.phase() == Phase::Held,
+        .engaged = drive.phase() == Phase::Engaged,
+        .commanded = setpoint.position,
+        .commandedRate = setpoint.rate,
+        .torque = report.torque,
+        .voltage = report.voltage,
+        .boardTemperature = report.boardTemperature,
+        .motorTemperature = report.motorTemperature,
+        .activeLimit = moteus::isLimit(report.fault) ? report.fault : 0,
+        .turnKnown = context.turnKnown};
 }
 
-std::optional<DriveWatch::Trouble> DriveWatch::supervise(const Drive& drive, const tracking::Setpoint& setpoint,
+std::optional<DriveWatch::Trouble> DriveWatch::supervise(Drive& drive, const tracking::Setpoint& setpoint,
                                                          const Context& context)
 {
-    const bool visible = drive.report() && drive.report()->position && drive.answering(context.now);
     const bool referencing = drive.phase() == Drive::Phase::Referencing;
-    if (!visible || referencing) {
+    if (!drive.answering(context.now) || referencing) {
         m_supervisor.forgetReplies();  // a silence has its own alarm
         if (referencing) {
             m_supervisor.forgetMotion();  // the reported angle is changed on purpose
@@ -192,22 +213,27 @@ std::optional<DriveWatch::Trouble> DriveWatch::supervise(const Drive& drive, con
         endHints({});
         return std::nullopt;
     }
-    const auto seen = m_supervisor.observe(observation(drive, setpoint, context));
+    const supervision::AxisObservation now = observation(drive, setpoint, context);
+    const auto seen = m_supervisor.observe(now);
     m_observed = drive.report()->received;
+    m_placed = drive.place() ? drive.place()->received : m_placed;
     // Danger is reported each time that it begins, also behind a fault that waits for its re-arm: the axis must then be
     // held where it is now, not where it was.
     std::optional<Trouble> trouble;
     std::set<Finding> stops;
     for (const supervision::Observed& observed : seen) {
         tell(observed);
-        const bool jump = observed.finding == Finding::EncoderJump && m_supervisor.jumped();
+        const bool jump = observed.finding == Finding::EncoderJump && now.jumped;
         const bool stop = observed.weight == Weight::Stop;
         const bool begins = stop && !m_stops.contains(observed.finding);
         if (stop) {
             stops.insert(observed.finding);
         }
-        if ((begins || jump) && !trouble) {
-            trouble = Trouble{.what = observed.what, .stops = stop, .turnDoubtful = jump};
+        if (jump || (begins && !trouble)) {
+            trouble = Trouble{.what = observed.what,
+                              .stops = stop || (trouble && trouble->stops),
+                              .turnDoubtful = jump,
+                              .gaveWay = isGivingWay(observed.finding)};
         }
     }
     m_stops = std::move(stops);

@@ -34,6 +34,7 @@ public:
         bool stops = true;  // the mount must come to rest and be re-armed
         supervision::LossClass loss = supervision::LossClass::Motion;
         bool turnDoubtful = false;  // the reported angle is not to be believed without a look
+        bool gaveWay = false;       // the axis can not follow: it is to be held where it is now
     };
 
     DriveWatch(Axis axis, const profile::Profile& profile, AlarmBoard& alarms);
@@ -57,9 +58,9 @@ private:
     void endSilence();
     void watchUnordered(const Drive& drive, const Context& context);
     void watchActiveLimit(const Drive& drive, SteadyTime now);
-    [[nodiscard]] std::optional<Trouble> supervise(const Drive& drive, const tracking::Setpoint& setpoint,
+    [[nodiscard]] std::optional<Trouble> supervise(Drive& drive, const tracking::Setpoint& setpoint,
                                                    const Context& context);
-    [[nodiscard]] supervision::AxisObservation observation(const Drive& drive, const tracking::Setpoint& setpoint,
+    [[nodiscard]] supervision::AxisObservation observation(Drive& drive, const tracking::Setpoint& setpoint,
                                                            const Context& context) const;
     void tell(const supervision::Observed& observed);
     [[nodiscard]] QString cause(supervision::Finding finding) const;
@@ -77,6 +78,7 @@ private:
     std::map<supervision::Finding, supervision::Weight> m_told;  // what has an alarm now
     std::set<supervision::Finding> m_stops;                      // what is dangerous now
     SteadyTime m_observed{};                                     // the reply last shown to the supervisor
+    SteadyTime m_placed{};                                       // and its place
     std::optional<SteadyTime> m_activeSince;                     // without our orders
     std::optional<SteadyTime> m_limitSeen;                       // when the drive last reported an active limit
 };

@@ -470,8 +470,8 @@ Result<> StationControl::handle(const request::Rearm&, const Source& source)
 Result<AxisPosition> StationControl::measured() const
 {
     for (const Axis axis : kAxes) {
-        const auto& report = m_drives.drive(axis).report();
-        if (!report || !report->position || m_clock.now() - report->received > kOldestPosition) {
+        const auto& place = m_drives.drive(axis).place();
+        if (!place || m_clock.now() - place->received > kOldestPosition) {
             return failure(ErrorCode::NoAnswer,
                            Text::tr("no fresh position from the %1").arg(m_drives.drive(axis).label()));
         }
@@ -513,6 +513,7 @@ void StationControl::driveRestarted(Axis axis)
     m_log.add(Severity::Warning, QString::fromStdString(m_drives.drive(axis).name()),
               Text::tr("was power-cycled: its turn must be judged anew"));
     m_turns.forget(axis);
+    m_drives.drive(axis).forgetPlace();
     watchOf(axis).forgetMotion();
     holdHere(Activity::None);
 }

@@ -242,7 +242,7 @@ private:
     void stopFor(Axis axis, const DriveWatch::Trouble& trouble);
     void keepTurns();
     void keepTurn(Axis axis);
-    void letBackInside(Axis axis);
+    void letBackInside();
     void tellTurns();
     void tellEnteredPlace(Axis axis);
     void watchJog();

@@ -30,9 +30,7 @@ void fillTelemetry(auto& values, const DriveReport& report)
     values.boardTemperature = report.boardTemperature;
     values.torque = report.torque;
     values.current = report.current;
-    if (report.motorTemperature != 0.0) {  // reads 0 without a sensor
-        values.motorTemperature = report.motorTemperature;
-    }
+    values.motorTemperature = report.motorTemperature;
 }
 
 }  // namespace
@@ -114,6 +112,9 @@ AxisState StationControl::axisState(Axis axis) const
     if (!drive.answering(m_now)) {
         return AxisState::NoData;  // nobody knows what it does
     }
+    if (drive.phase() == Drive::Phase::Held) {
+        return AxisState::Holding;
+    }
     if (drive.phase() != Drive::Phase::Engaged) {
         return ownState(axis);
     }
@@ -192,7 +193,8 @@ AxisSample StationControl::axisSample(Axis axis) const
         sample.commanded = m_motion.setpoint(axis).position;
     }
     if (const auto& report = m_drives.drive(axis).report(); report && report->received >= m_now) {
-        sample.actual = m_drives.measured(axis);
+        const auto& place = m_drives.drive(axis).place();
+        sample.actual = place && place->received >= m_now ? m_drives.measured(axis) : std::nullopt;
         fillTelemetry(sample, *report);
     }
     return sample;

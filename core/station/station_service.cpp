@@ -140,15 +140,16 @@ void StationControl::stepProof()
         return;
     }
     const Axis axis = m_proof->axis();
-    const auto measured = m_drives.measured(axis);
-    if (!measured) {
+    const auto& place = m_drives.drive(axis).place();
+    if (!place) {
         endProof(Text::tr("ended: the drive reports no position any more"));
         holdHere(Activity::Holding);
         return;
     }
     Drive& drive = m_drives.drive(axis);
     const bool settled = drive.phase() == Drive::Phase::Engaged || drive.phase() == Drive::Phase::Listening;
-    switch (m_proof->step(m_now, {.received = drive.report()->received, .angle = *measured, .settled = settled})) {
+    switch (
+        m_proof->step(m_now, {.received = place->received, .angle = *m_drives.measured(axis), .settled = settled})) {
         case CrashStopProof::Action::Run:
             m_motion.run(axis == Axis::Azimuth ? AxisRates{.azimuth = m_proof->rate()}
                                                : AxisRates{.elevation = m_proof->rate()});

@@ -47,6 +47,7 @@ std::array<CanFrame, 2> StationControl::tick()
     keepTurns();
     resumeAfterStall();
     watchDrives();
+    letBackInside();
     keepStopped();
     watchJog();
     watchFirstMoves();
@@ -91,12 +92,17 @@ void StationControl::keepStopped()
     }
 }
 
-// The motion ends, and the axis in trouble stays where it is: a target that it can not reach must not go on pulling.
+// The motion ends: the axes brake from their set-points. One that can not follow stays where it is, so that its
+// set-point does not go on pulling. One whose angle has jumped gets no set-point at all, because nobody knows which of
+// the two places its drive would take it to mean.
 void StationControl::stopFor(Axis axis, const DriveWatch::Trouble& trouble)
 {
     m_arming.lost(axis, trouble.loss, trouble.what);
     holdHere(Activity::None);
-    if (const auto measured = m_drives.measured(axis)) {
+    const auto measured = m_drives.measured(axis);
+    if (trouble.turnDoubtful) {
+        m_drives.drive(axis).hold();
+    } else if (trouble.gaveWay && measured) {
         m_motion.start(axis, *measured);
     }
 }
@@ -115,9 +121,10 @@ void StationControl::keepTurn(Axis axis)
     const bool answering = drive.answering(m_now) && !m_arming.released();
     if (!std::exchange(m_answered[index(axis)], answering) && answering) {
         m_turns.forget(axis);  // who was silent may come back as another
+        drive.forgetPlace();
         watchOf(axis).forgetMotion();
     }
-    if (answering && facts(axis)) {
+    if (answering && facts(axis) && !drive.jumped()) {
         const bool before = m_turns.known(axis);
         m_turns.judge(axis, *facts(axis), drive, m_now);
         if (m_turns.known(axis) != before) {
@@ -126,17 +133,18 @@ void StationControl::keepTurn(Axis axis)
         const bool moving = drive.phase() != Drive::Phase::Listening && !m_motion.atRest();
         m_turns.note(axis, *facts(axis), drive, moving, m_now);
     }
-    letBackInside(axis);
 }
 
 // An axis that was pushed out beyond its drive's own bounds could not even be moved back: fault 39.
-void StationControl::letBackInside(Axis axis)
+void StationControl::letBackInside()
 {
-    const auto measured = m_drives.measured(axis);
-    const bool outside = m_turns.known(axis) && measured && !m_model.axis(axis).travel.contains(*measured);
-    bool& ignoring = m_ignoringBounds[index(axis)];
-    ignoring = farOutside(axis) != 0 || (ignoring && outside);
-    m_drives.drive(axis).setIgnoreBounds(ignoring);
+    for (const Axis axis : kAxes) {
+        const auto measured = m_drives.measured(axis);
+        const bool outside = m_turns.known(axis) && measured && !m_model.axis(axis).travel.contains(*measured);
+        bool& ignoring = m_ignoringBounds[index(axis)];
+        ignoring = farOutside(axis) != 0 || (ignoring && outside);
+        m_drives.drive(axis).setIgnoreBounds(ignoring);
+    }
 }
 
 void StationControl::tellTurns()

@@ -128,7 +128,7 @@ bool TurnKeeper::ofTheOtherAxis(Axis axis, const survey::DriveFacts& facts) cons
 void TurnKeeper::judge(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now)
 {
     State& mine = state(axis);
-    if (!drive.report() || !drive.report()->position || !drive.answering(now) || ofTheOtherAxis(axis, facts)) {
+    if (!drive.report() || !drive.place() || !drive.answering(now) || ofTheOtherAxis(axis, facts)) {
         return;
     }
     switch (mine.phase) {
@@ -175,12 +175,12 @@ void TurnKeeper::watchJog(Axis axis, const Drive& drive)
     }
 }
 
-memory::DriveFrame TurnKeeper::frame(Axis axis, const survey::DriveFacts& facts, const DriveReport& report,
+memory::DriveFrame TurnKeeper::frame(Axis axis, const survey::DriveFacts& facts, const Drive& drive,
                                      SteadyTime now) const
 {
     return {.drive = facts.uuid,
-            .reported = *report.position,
-            .homeState = report.homeState,
+            .reported = drive.place()->position,
+            .homeState = drive.report()->homeState,
             .uptime = Seconds(std::fmod(Seconds(now - facts.bootedAt).count(), kCounterSpan.count())),
             .origin = known(axis) ? state(axis).origin : facts.origin.origin,
             .outputEncoder = facts.outputEncoder,
@@ -190,7 +190,7 @@ memory::DriveFrame TurnKeeper::frame(Axis axis, const survey::DriveFacts& facts,
 void TurnKeeper::judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now)
 {
     const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
-    const memory::DriveFrame met = frame(axis, facts, *drive.report(), now);
+    const memory::DriveFrame met = frame(axis, facts, drive, now);
     const bool trusted = m_profile.axis(axis).powerUpPosition == profile::PowerUpPosition::Trusted ||
                          (m_start.trustFirstContact && !record(axis));
     const auto doubt = state(axis).doubt;
@@ -254,7 +254,7 @@ void TurnKeeper::ask(Axis axis, const memory::TurnQuestion& question, const Driv
 {
     state(axis).phase = Phase::Asked;
     state(axis).question = question;
-    state(axis).reportedWhenAsked = *drive.report()->position;
+    state(axis).reportedWhenAsked = drive.place()->position;
     QString text = Text::tr("the turn of the axis is not known: no pointing until the operator has told it");
     memory::TurnQuestion told = question;
     addTurning(axis, told);
@@ -270,7 +270,7 @@ void TurnKeeper::countFromTheMiddle(Axis axis, Drive& drive)
     State& mine = state(axis);
     const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
     const Angle middle = (geometry.travel.min + geometry.travel.max) * 0.5;
-    const Angle reported = geometry.toAxis(*drive.report()->position);
+    const Angle reported = geometry.toAxis(drive.place()->position);
     const Angle period = mine.question.period;
     const bool phaseKnown = drive.report()->homeState != moteus::HomeState::Relative && period > Angle{};
     const Angle place = phaseKnown ? reported + period * std::round((middle - reported) / period) : middle;
@@ -289,13 +289,13 @@ MotorTurns TurnKeeper::tolerance(Axis axis, Angle period) const
 Angle TurnKeeper::movedSince(Axis axis, const Drive& drive) const
 {
     const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
-    return geometry.toAxis(*drive.report()->position) - geometry.toAxis(state(axis).reportedWhenAsked);
+    return geometry.toAxis(drive.place()->position) - geometry.toAxis(state(axis).reportedWhenAsked);
 }
 
 std::optional<memory::TurnQuestion> TurnKeeper::question(Axis axis, const Drive& drive) const
 {
     const State& mine = state(axis);
-    if (mine.phase != Phase::Asked || !drive.report() || !drive.report()->position) {
+    if (mine.phase != Phase::Asked || !drive.report() || !drive.place()) {
         return std::nullopt;
     }
     memory::TurnQuestion question = mine.question;
@@ -308,7 +308,7 @@ std::optional<memory::TurnQuestion> TurnKeeper::question(Axis axis, const Drive&
     // Those of now: one that lay beyond the stops may have come inside by jogging, and others gone out.
     const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
     question.candidates =
-        memory::placesAround(geometry.toAxis(*drive.report()->position), question.period, geometry.travel);
+        memory::placesAround(geometry.toAxis(drive.place()->position), question.period, geometry.travel);
     if (question.proposed) {
         const Angle wandered = *question.proposed + question.movedSince;
         question.proposed = sameAmong(question.candidates, wandered, question.period);
@@ -367,11 +367,10 @@ void TurnKeeper::settle(Axis axis, Angle angle, Angle period, Drive& drive, cons
     m_log.add(Severity::Advisory, source, Text::tr("%1 stands at %2: %3").arg(drive.label(), degreesText(angle), why));
     const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
     const MotorTurns place = geometry.toMotor(angle);
-    const DriveReport& report = *drive.report();
     const MotorTurns near = tolerance(axis, period);
-    const bool there = abs(*report.position - place) < near;
+    const bool there = abs(drive.place()->position - place) < near;
     const bool trusted = m_profile.axis(axis).powerUpPosition == profile::PowerUpPosition::Trusted;
-    if (there && (trusted || report.homeState == moteus::HomeState::Output)) {
+    if (there && (trusted || drive.report()->homeState == moteus::HomeState::Output)) {
         becomeKnown(axis, drive);
         return;
     }
@@ -382,14 +381,14 @@ void TurnKeeper::settle(Axis axis, Angle angle, Angle period, Drive& drive, cons
 void TurnKeeper::note(Axis axis, const survey::DriveFacts& facts, const Drive& drive, bool moving, SteadyTime now)
 {
     State& mine = state(axis);
-    if (mine.phase != Phase::Known || !drive.report()->position || !drive.answering(now)) {
+    if (mine.phase != Phase::Known || !drive.place() || !drive.answering(now)) {
         return;
     }
-    const Angle angle = m_profile.axis(axis).geometry.toAxis(*drive.report()->position);
+    const Angle angle = m_profile.axis(axis).geometry.toAxis(drive.place()->position);
     if (axis == Axis::Azimuth) {
         m_anchor = m_course ? std::optional(memory::CourseAnchor{.axis = angle, .course = *m_course}) : m_anchor;
     }
-    const memory::DriveFrame here = frame(axis, facts, *drive.report(), now);
+    const memory::DriveFrame here = frame(axis, facts, drive, now);
     auto& last = record(axis);
     const bool turned = !last || last->drive != facts.uuid || last->moving != moving || last->origin != here.origin;
     const SteadyTime::duration sinceNoted = mine.noted ? now - *mine.noted : SteadyTime::duration::max();

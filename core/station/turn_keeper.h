@@ -95,7 +95,7 @@ private:
     [[nodiscard]] State& state(Axis axis) { return m_states[index(axis)]; }
     [[nodiscard]] const State& state(Axis axis) const { return m_states[index(axis)]; }
     [[nodiscard]] std::optional<memory::TurnRecord>& record(Axis axis);
-    [[nodiscard]] memory::DriveFrame frame(Axis axis, const survey::DriveFacts& facts, const DriveReport& report,
+    [[nodiscard]] memory::DriveFrame frame(Axis axis, const survey::DriveFacts& facts, const Drive& drive,
                                            SteadyTime now) const;
     [[nodiscard]] bool isFresh(Axis axis, const survey::DriveFacts& facts) const;
     [[nodiscard]] bool ofTheOtherAxis(Axis axis, const survey::DriveFacts& facts) const;

@@ -9,21 +9,35 @@
 // One axis as seen in one tick. Mechanical angles, Nm, V, °C.
 namespace boresight::supervision {
 
+// PlaceBelief::Leap in mechanical angles.
+struct AngleLeap
+{
+    Angle by;  // signed
+    Angle to;
+    Seconds within{0.0};
+};
+
 struct AxisObservation
 {
     SteadyTime now{};
     SteadyTime received{};  // when the last reply came
     bool fresh = false;     // a new reply since the last tick
-    Angle actual;           // of the last reply
+    bool placed = true;     // it says a place that is believed; else `actual` is older and says nothing new
+    Angle actual;           // the last believed place
+    // What an earlier reply said, and has turned out to be false.
+    std::optional<AngleLeap> falsePlace{};
+    // Several replies that agree have shown that the angle has jumped to `actual`.
+    std::optional<AngleLeap> jumped{};
     bool engaging = false;  // the drive is told to hold where it is, and has not yet said that it does
     bool engaged = false;   // set-points are sent
     Angle commanded;        // the set-point last sent; these two count only while engaged
     AngularRate commandedRate;
-    double torque = 0.0;
-    double voltage = 0.0;
-    double boardTemperature = 0.0;
-    std::optional<double> motorTemperature;  // empty without a sensor
-    int activeLimit = 0;     // the moteus code (96…105) of what the drive is limited by now; 0: nothing
+    // Each is empty if the drive does not say it.
+    std::optional<double> torque{};
+    std::optional<double> voltage{};
+    std::optional<double> boardTemperature{};
+    std::optional<double> motorTemperature{};
+    int activeLimit = 0;  // the moteus code (96…105) of what the drive is limited by now; 0: nothing
     bool turnKnown = false;  // else `actual` is right but for whole turns of the rotor
 };
 

@@ -47,7 +47,6 @@ AxisSupervisor::AxisSupervisor(Axis axis, const profile::AxisSettings& limits,
 
 std::vector<Observed> AxisSupervisor::observe(const AxisObservation& seen)
 {
-    m_jumped = false;
     if (seen.turnKnown != m_knewTurn) {
         forgetMotion();
     } else if (seen.engaged && !m_wasEngaged) {
@@ -58,7 +57,10 @@ std::vector<Observed> AxisSupervisor::observe(const AxisObservation& seen)
     if (seen.fresh) {
         noteLimit(seen);
         judgeReplies(seen);
-        judgeMotion(seen);
+        judgeJump(seen);
+        if (seen.placed) {
+            judgeMotion(seen);
+        }
         judgeTorque(seen);
         judgeSupply(seen);
         judgeBoard(seen);
@@ -81,7 +83,6 @@ std::vector<Observed> AxisSupervisor::observe(const AxisObservation& seen)
 void AxisSupervisor::forgetMotion()
 {
     forgetCommand();
-    m_jumpGate.forget();
     m_jump.forget();
 }
 
@@ -110,7 +111,6 @@ void AxisSupervisor::setSettings(const profile::AxisSettings& limits, const prof
 
 void AxisSupervisor::judgeMotion(const AxisObservation& seen)
 {
-    judgeJump(seen);
     m_progress.look(seen);
     m_standing.look(seen);
     judgeFollowing(seen);
@@ -192,21 +192,29 @@ void AxisSupervisor::judgeStanding(const AxisObservation& seen)
 
 void AxisSupervisor::judgeJump(const AxisObservation& seen)
 {
-    const auto jump = m_jumpGate.look(seen, m_settings.encoderJump, m_limits.limits.speed);
-    m_jumped = jump.has_value();
-    if (jump) {
+    if (seen.jumped) {
         m_progress.forget();
         m_standing.forget();
         m_outside.forget();
     }
-    WatchLimits limits{.hint = 1.0, .release = 1.0, .quietFor = Seconds(3.0)};
+    constexpr double kFalse = 1.0;
+    constexpr double kJump = 2.0;
+    const auto& leap = seen.jumped ? seen.jumped : seen.falsePlace;
+    WatchLimits limits{.hint = kFalse, .release = kFalse, .quietFor = Seconds(3.0)};
     if (seen.engaged || seen.engaging) {
-        limits.stop = 1.0;
+        limits.stop = kJump;
     }
-    m_jump.update(seen.now, jump ? 1.0 : 0.0, limits, [&] {
-        return Text::tr("the reported angle of %1 jumped by %2 in %3, to %4: more than the axis can turn")
-            .arg(m_name, words(jump->by), words(jump->within), words(seen.actual));
-    });
+    m_jump.update(
+        seen.now,
+        seen.jumped ? kJump
+        : leap      ? kFalse
+                    : 0.0,
+        limits, [&] {
+            return (seen.jumped
+                        ? Text::tr("the reported angle of %1 jumped by %2 in %3, to %4: more than the axis can turn")
+                        : Text::tr("a false reply reported a jump of %1 by %2 in %3, to %4: it was ignored"))
+                .arg(m_name, words(leap->by), words(leap->within), words(leap->to));
+        });
 }
 
 void AxisSupervisor::judgeTravel(const AxisObservation& seen)
@@ -227,10 +235,13 @@ void AxisSupervisor::judgeTravel(const AxisObservation& seen)
 
 void AxisSupervisor::judgeTorque(const AxisObservation& seen)
 {
-    const double share = seen.engaged ? std::abs(seen.torque) / m_limits.maxTorque : 0.0;
+    if (!seen.torque) {
+        return;
+    }
+    const double torque = std::abs(*seen.torque);
+    const double share = seen.engaged ? torque / m_limits.maxTorque : 0.0;
     const auto needs = [&](const QString& sentence) {
-        return sentence.arg(m_name, words(std::abs(seen.torque), 1), words(100.0 * share, 0),
-                            words(m_limits.maxTorque, 1));
+        return sentence.arg(m_name, words(torque, 1), words(100.0 * share, 0), words(m_limits.maxTorque, 1));
     };
     const bool stands = m_standing.moved().has_value();
     const double most = stands ? std::min(m_settings.torqueAtRest, m_settings.torqueHint) : m_settings.torqueHint;
@@ -271,23 +282,27 @@ void AxisSupervisor::judgeReplies(const AxisObservation& seen)
 
 void AxisSupervisor::judgeSupply(const AxisObservation& seen)
 {
+    if (!seen.voltage) {
+        return;
+    }
+    const double voltage = *seen.voltage;
     // Smaller is worse, so both sides of the comparison are turned round.
     WatchLimits low{.hint = -m_settings.supplyLow, .release = -(m_settings.supplyLow + kSupplyReturns)};
     low.after = kConfirm;
     if (seen.engaged) {
         low.stop = -m_settings.supplyStop;
     }
-    m_supplyLow.update(seen.now, -seen.voltage, low, [&] {
-        const bool stop = seen.voltage <= m_settings.supplyStop;
+    m_supplyLow.update(seen.now, -voltage, low, [&] {
+        const bool stop = voltage <= m_settings.supplyStop;
         return Text::tr("the supply of %1 is at %2 V, below %3 V")
-            .arg(m_name, words(seen.voltage, 1), words(stop ? m_settings.supplyStop : m_settings.supplyLow, 1));
+            .arg(m_name, words(voltage, 1), words(stop ? m_settings.supplyStop : m_settings.supplyLow, 1));
     });
-    m_supplyHigh.update(seen.now, seen.voltage,
+    m_supplyHigh.update(seen.now, voltage,
                         {.hint = m_settings.supplyHigh, .release = m_settings.supplyHigh - kSupplyReturns}, [&] {
                             return Text::tr("the supply of %1 is at %2 V, above %3 V")
-                                .arg(m_name, words(seen.voltage, 1), words(m_settings.supplyHigh, 1));
+                                .arg(m_name, words(voltage, 1), words(m_settings.supplyHigh, 1));
                         });
-    m_supplyTrend.add(seen.now, seen.voltage);
+    m_supplyTrend.add(seen.now, voltage);
     judgeTrend(m_supplyFalls, seen.now, m_supplyTrend,
                {.value = m_settings.supplyLow,
                 .fromBelow = false,
@@ -299,13 +314,17 @@ void AxisSupervisor::judgeSupply(const AxisObservation& seen)
 
 void AxisSupervisor::judgeBoard(const AxisObservation& seen)
 {
+    if (!seen.boardTemperature) {
+        return;
+    }
+    const double temperature = *seen.boardTemperature;
     const QString what = Text::tr("the drive board of %1").arg(m_name);
-    m_boardHot.update(seen.now, seen.boardTemperature,
-                      {.hint = m_settings.boardHot, .release = m_settings.boardHot - kCoolsBy}, [&] {
+    m_boardHot.update(seen.now, temperature, {.hint = m_settings.boardHot, .release = m_settings.boardHot - kCoolsBy},
+                      [&] {
                           return Text::tr("%1 is at %2 °C; it gives up at %3 °C")
-                              .arg(what, words(seen.boardTemperature, 0), words(m_settings.boardLimit, 0));
+                              .arg(what, words(temperature, 0), words(m_settings.boardLimit, 0));
                       });
-    m_boardTrend.add(seen.now, seen.boardTemperature);
+    m_boardTrend.add(seen.now, temperature);
     judgeTrend(m_boardWarms, seen.now, m_boardTrend,
                {.value = m_settings.boardLimit, .near = kTrendNear, .unit = QStringLiteral("°C")}, what);
 }

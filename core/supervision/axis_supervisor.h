@@ -28,10 +28,6 @@ public:
     // text keeps the numbers of the moment when it began, became a stop or had doubled.
     [[nodiscard]] std::vector<Observed> observe(const AxisObservation& seen);
 
-    // Whether the reported angle has jumped with the reply of the last observe(): each jump once, while the finding
-    // stays for some seconds.
-    [[nodiscard]] bool jumped() const { return m_jumped; }
-
     // Call with every re-arm, when the reported angle was changed on purpose (the turn was set) and when the drive was
     // power-cycled: forgets what was commanded and measured before, and what was found in it. Trends go on.
     void forgetMotion();
@@ -77,14 +73,12 @@ private:
     std::optional<SteadyTime> m_lastReply;
     Progress m_progress;
     Standing m_standing;
-    JumpGate m_jumpGate;
     Outside m_outside;
     Trend m_supplyTrend;
     Trend m_boardTrend;
     Trend m_motorTrend;
     bool m_wasEngaged = false;
     bool m_knewTurn = false;
-    bool m_jumped = false;
     int m_limit = 0;
     SteadyTime m_limitSeen{};
 

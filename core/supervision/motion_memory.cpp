@@ -23,11 +23,6 @@ constexpr Angle kStill = Angle::fromDegrees(0.1);
 constexpr Seconds kStillFor{0.5};
 constexpr Seconds kStopsWithin{3.0};
 
-// The age of a reply when it arrives can differ from that of the one before by as much as a bus can delay it.
-constexpr Seconds kDelay{0.1};
-// Wind and control may drive an axis faster than its profile.
-constexpr double kFaster = 1.5;
-
 // After this time without a reply what was asked and what was done can not be compared any more.
 constexpr Seconds kGap{0.25};
 
@@ -123,17 +118,6 @@ bool Standing::shouldStand(const AxisObservation& seen)
         seen.engaged && (abs(seen.commandedRate) > kAtRest || abs(seen.commanded - m_lastCommanded) > kSameSetpoint);
     m_lastCommanded = seen.commanded;
     return !engagedNow && !moves;
-}
-
-std::optional<JumpGate::Jump> JumpGate::look(const AxisObservation& seen, Angle allowance, AngularRate speed)
-{
-    const std::optional<AxisObservation> last = std::exchange(m_last, seen);
-    if (!last) {
-        return std::nullopt;
-    }
-    const Jump jump{.by = seen.actual - last->actual, .within = seen.received - last->received};
-    const Angle possible = allowance + kFaster * (speed * (jump.within + kDelay));
-    return abs(jump.by) > possible ? std::optional(jump) : std::nullopt;
 }
 
 void Outside::look(const AxisObservation& seen, const TravelRange& travel)

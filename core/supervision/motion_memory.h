@@ -68,23 +68,6 @@ private:
     bool m_lastEngaged = false;
 };
 
-// By how much one reply is farther from the one before than the axis can have turned.
-class JumpGate
-{
-public:
-    struct Jump
-    {
-        Angle by;  // signed
-        Seconds within{0.0};
-    };
-    // `allowance`: of the encoder; `speed`: the fastest motion of the axis.
-    std::optional<Jump> look(const AxisObservation& seen, Angle allowance, AngularRate speed);
-    void forget() { m_last.reset(); }
-
-private:
-    std::optional<AxisObservation> m_last;
-};
-
 // Beyond the travel, and whether on the way farther out.
 class Outside
 {

@@ -5,6 +5,7 @@
 #include "core/moteus/codec.h"
 
 #include <cmath>
+#include <deque>
 #include <map>
 #include <optional>
 #include <vector>
@@ -32,6 +33,9 @@ public:
             return std::nullopt;
         }
         CanFrame reply = stateFrame(now);
+        if (!falsePlaces.empty()) {
+            falsePlaces.pop_front();
+        }
         obey(frame);
         return mute ? std::nullopt : std::optional(reply);
     }
@@ -51,11 +55,15 @@ public:
     int fault = 0;
     moteus::HomeState home = moteus::HomeState::Output;
     bool silent = false;
-    bool mute = false;  // obeys, but its replies are lost
-    bool deaf = false;  // answers, but ignores commands
-    double position;    // output turns
+    bool mute = false;               // obeys, but its replies are lost
+    bool deaf = false;               // answers, but ignores commands
+    bool modeOnly = false;           // answers, and says nothing but its mode
+    std::deque<double> falsePlaces;  // said by the next replies in place of the position; it stands where it stands
+    double position;                 // output turns
+    double travelled = 0.0;          // by set-points, all in all
     double voltage = 24.0;
     double temperature = 31.0;
+    double torque = 0.0;   // Nm
     double current = 0.0;  // A
     std::vector<Seen> seen;
 
@@ -63,15 +71,20 @@ private:
     [[nodiscard]] CanFrame stateFrame(SteadyTime now) const
     {
         using moteus::Register;
-        const std::map<Register, double> state{{Register::Mode, static_cast<double>(mode)},
-                                               {Register::Position, position},
-                                               {Register::QCurrent, current},
-                                               {Register::HomeState, static_cast<double>(home)},
-                                               {Register::Voltage, voltage},
-                                               {Register::Temperature, temperature},
-                                               {Register::Fault, static_cast<double>(fault)}};
+        const std::map<Register, double> state{
+            {Register::Mode, static_cast<double>(mode)},
+            {Register::Position, falsePlaces.empty() ? position : falsePlaces.front()},
+            {Register::Torque, torque},
+            {Register::QCurrent, current},
+            {Register::HomeState, static_cast<double>(home)},
+            {Register::Voltage, voltage},
+            {Register::Temperature, temperature},
+            {Register::Fault, static_cast<double>(fault)}};
         std::vector<moteus::RegisterValue> values;
         for (const moteus::RegisterRead& read : moteus::rotatorQuery()) {
+            if (modeOnly && read.reg != Register::Mode) {
+                continue;
+            }
             const auto known = state.find(read.reg);
             values.push_back({read.reg, read.resolution, known == state.end() ? 0.0 : known->second});
         }
@@ -110,6 +123,7 @@ private:
         fault = 0;
         const auto target = fields.find(moteus::Register::CommandPosition);
         if (mode == moteus::Mode::Position && target != fields.end() && std::isfinite(target->second)) {
+            travelled += target->second - position;
             position = target->second;
         }
     }

@@ -21,6 +21,11 @@ constexpr double kStill = 1e-9;     // turns between two set-points
 constexpr double kAtBorder = 0.05;  // degrees
 constexpr Angle kSamePlace = Angle::fromDegrees(1e-3);
 constexpr double kLongestStep = 0.1;  // s: after a stall the mount is slower, it does not jump
+// A drive that slipped while it was not heard comes back as long afterwards as it may be silent.
+constexpr int kSlipTicks = 15;
+constexpr double kPlaceNoise = 0.3;  // degrees: an error of a reply as small as this is believed
+// So long a drive may still be told to ignore its bounds after the axis has come back inside them.
+constexpr int kBoundsTicks = 6;
 
 const AxisStatus& axisOf(const StationStatus& status, Axis axis)
 {
@@ -178,6 +183,7 @@ void StationPromises::ticked(Seconds step)
     watchRegion(now);
     for (const Axis axis : kAxes) {
         watchPath(axis, now, step);
+        watchAxis(axis, now, step);
     }
     m_before = now;
 }
@@ -237,7 +243,8 @@ void StationPromises::watchFrame(Axis axis, const fakes::IdealDrive::Seen& seen,
         return found == seen.fields.end() ? std::nan("") : found->second;
     };
     if (seen.mode != moteus::Mode::Position) {
-        m_traces[index(axis)] = {.faultyTicks = m_traces[index(axis)].faultyTicks};
+        m_traces[index(axis)].position.reset();
+        m_traces[index(axis)].still = AxisTrace{}.still;
         if (seen.mode != moteus::Mode::Stopped) {
             fail("a mode that nobody asked for");
         }
@@ -257,7 +264,8 @@ void StationPromises::watchSetpoint(Axis axis, double position, const StationSta
 {
     AxisTrace& trace = m_traces[index(axis)];
     if (!std::isfinite(position)) {  // "hold where you are"
-        trace = {.faultyTicks = trace.faultyTicks};
+        trace.position.reset();
+        trace.still = AxisTrace{}.still;
         return;
     }
     const bool moves = trace.position && std::abs(position - *trace.position) > kStill && !takesOver(axis, now);
@@ -298,9 +306,35 @@ void StationPromises::watchBounds(Axis axis, const fakes::IdealDrive::Seen& seen
         return knows(status, axis) && of.actual && of.actual->degrees() > of.travel.min.degrees() + kAtBorder &&
                of.actual->degrees() < of.travel.max.degrees() - kAtBorder;
     };
-    if (ignored && inside(now) && inside(m_before)) {
+    if (ignored && ((inside(now) && inside(m_before)) || m_traces[index(axis)].inside > kBoundsTicks)) {
         fail("the drive's own bounds are ignored though the axis is inside them");
     }
+}
+
+// The axis itself, whatever its drive says about it.
+void StationPromises::watchAxis(Axis axis, const StationStatus& now, Seconds step)
+{
+    const fakes::IdealDrive& drive = axis == Axis::Azimuth ? m_rig.azimuth : m_rig.elevation;
+    const profile::AxisSettings& settings = m_rig.profile.axis(axis);
+    AxisTrace& trace = m_traces[index(axis)];
+    const auto degrees = [](double turns) { return std::abs(turns) * 360.0; };
+    const double moved = degrees(drive.travelled - trace.travelled);
+    const double time = std::min(step.count(), kLongestStep);
+    trace.travelled = drive.travelled;
+    // One that did not hear us makes up for it at once.
+    const bool deaf = drive.silent || drive.deaf || drive.mode != moteus::Mode::Position;
+    trace.sinceSlip = deaf ? 0 : trace.sinceSlip + 1;
+    if (trace.sinceSlip > kSlipTicks && moved > settings.limits.speed.degrees() * time * 1.001 + kPlaceNoise) {
+        fail("an axis moves faster than the limit: by " + std::to_string(moved) + "° in a tick");
+    }
+    if (trace.sinceSlip > kSlipTicks && m_sinceEnd > kStopTicks && moved > kPlaceNoise) {
+        fail("an axis really moves though its motion was ended: by " + std::to_string(moved) + "°");
+    }
+    const TravelRange& travel = settings.geometry.travel;
+    const Angle border = Angle::fromDegrees(kAtBorder);
+    const Angle place = settings.geometry.toAxis(MotorTurns::fromTurns(drive.position));
+    const bool inside = knows(now, axis) && place > travel.min + border && place < travel.max - border;
+    trace.inside = inside ? trace.inside + 1 : 0;
 }
 
 void StationPromises::watchRegion(const StationStatus& now)

@@ -21,6 +21,8 @@ public:
     void fitness(bool fit) { m_fit = fit; }  // what the survey says now
     void asked(const Request& request, const Source& source, bool accepted, const StationStatus& before);
     void sourceGone(const Source& source);
+    // The test has put the axis, or what its drive counts, somewhere else: a drive under orders comes back at once.
+    void slipped(Axis axis) { m_traces[index(axis)].sinceSlip = 0; }
     // `step`: since the last tick. The frames of the drives are those seen since then.
     void ticked(Seconds step);
 
@@ -44,6 +46,9 @@ private:
         std::optional<double> position;  // turns, of the last set-point, if the last frame had one
         int still = 1000;                // ticks; a drive just taken over stands
         int faultyTicks = 0;
+        int sinceSlip = 1000;    // ticks
+        int inside = 0;          // ticks that the axis has really been inside its travel
+        double travelled = 0.0;  // turns, at the end of the last tick
     };
 
     void fail(const std::string& what);
@@ -55,6 +60,7 @@ private:
     void watchFrames(const StationStatus& now);
     void watchFrame(Axis axis, const fakes::IdealDrive::Seen& seen, const StationStatus& now);
     void watchSetpoint(Axis axis, double position, const StationStatus& now);
+    void watchAxis(Axis axis, const StationStatus& now, Seconds step);
     [[nodiscard]] bool takesOver(Axis axis, const StationStatus& now) const;
     void watchBounds(Axis axis, const fakes::IdealDrive::Seen& seen, const StationStatus& now);
     void watchRegion(const StationStatus& now);

@@ -230,7 +230,7 @@ private:
     void disturb()
     {
         const Axis axis = anyAxis();
-        switch (m_random() % 14) {
+        switch (m_random() % 17) {
             case 0:
                 drive(axis).mode = moteus::Mode::Fault;
                 drive(axis).fault = 38;
@@ -251,6 +251,7 @@ private:
                 break;
             case 7:
                 drive(axis).position += number(-0.05, 0.05);
+                m_promises.slipped(axis);
                 break;
             case 8:
                 drive(axis).voltage = number(8.0, 50.0);
@@ -268,9 +269,26 @@ private:
             case 12:
                 stall();
                 break;
+            case 13:
+            case 14:
+            case 15:
+                sayFalsePlaces(axis);
+                break;
             default:
                 m_rig.clock.stepUtc(Seconds(number(-7200.0, 7200.0)));
                 break;
+        }
+    }
+
+    // Up to 0.3 s of replies that agree with each other, or do not, or are no numbers; the axis stays where it is.
+    void sayFalsePlaces(Axis axis)
+    {
+        const double offset = number(-0.4, 0.4);
+        const unsigned long kind = m_random() % 4;
+        for (unsigned long replies = 1 + m_random() % 15; replies > 0; --replies) {
+            const double places[] = {drive(axis).position + offset, drive(axis).position + number(-0.4, 0.4),
+                                     std::nan(""), m_random() % 2 == 0 ? drive(axis).position : offset};
+            drive(axis).falsePlaces.push_back(places[kind]);
         }
     }
 
@@ -282,6 +300,7 @@ private:
         drive(axis).home = moteus::HomeState::Rotor;
         drive(axis).position = std::remainder(drive(axis).position, kPlace.turns());
         m_facts[index(axis)].bootedAt = m_rig.clock.now();
+        m_promises.slipped(axis);
         if (m_random() % 2 == 0) {
             drive(axis).silent = true;  // for as long as it takes
         } else {

@@ -2,6 +2,8 @@
 // What is hard to do to a simulated mount, by hand-made observations.
 #include "core/supervision/axis_supervisor.h"
 
+#include "core/supervision/place_belief.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,9 +29,24 @@ protected:
         seen.actual += rate * period;
         seen.commanded += rate * period;
         seen.commandedRate = rate;
-        last = supervisor.observe(seen);
+        last = supervisor.observe(believed());
         return last;
     }
+    // As DriveWatch makes it: `seen.actual` is what the drive reports.
+    AxisObservation believed()
+    {
+        belief.take({.asked = seen.now, .received = seen.received, .place = turns(seen.actual)});
+        AxisObservation result = seen;
+        result.placed = belief.believedLast();
+        result.actual = belief.place() ? Angle::fromTurns(belief.place()->position.turns()) : Angle{};
+        if (const auto leap = belief.takeJump()) {
+            result.jumped = AngleLeap{.by = Angle::fromTurns((leap->to - leap->from).turns()),
+                                      .to = Angle::fromTurns(leap->to.turns()),
+                                      .within = leap->within};
+        }
+        return result;
+    }
+    static MotorTurns turns(Angle angle) { return MotorTurns::fromTurns(angle.turns()); }
     void ticks(int count, AngularRate rate = {})
     {
         for (int i = 0; i < count; ++i) {
@@ -49,6 +66,7 @@ protected:
 
     profile::Profile profile;
     AxisSupervisor supervisor{Axis::Azimuth, profile.azimuth, profile.supervision};
+    PlaceBelief belief{{.allowance = turns(0.5_deg), .speed = turns(10_deg) / Seconds(1.0)}};
     AxisObservation seen{.now = SteadyTime(std::chrono::hours(1)),
                          .actual = 100_deg,
                          .engaged = true,
@@ -64,11 +82,15 @@ TEST_F(AxisSupervisorTest, ASetpointThatIsPutSomewhereElseIsNoMotion)
     ticks(50);
     seen.actual -= 2.5_deg;  // in small steps, the drive was away for a while
     seen.commanded = seen.actual;
+    belief.forget();
     supervisor.forgetMotion();
     ticks(100);
     EXPECT_TRUE(last.empty());
     seen.commanded += 1.2_deg;  // in one step, and the axis follows
-    seen.actual += 1.2_deg;
+    for (int i = 0; i < 4; ++i) {
+        seen.actual += 0.3_deg;
+        tick();
+    }
     ticks(100);
     EXPECT_TRUE(last.empty());
 }
@@ -152,9 +174,11 @@ TEST_F(AxisSupervisorTest, ATurnThatIsSetIsNoJumpOfTheEncoder)
     ticks(100);
     seen.turnKnown = true;
     seen.actual += 36_deg;
+    belief.expectAnother();
     ticks(100);
     EXPECT_TRUE(last.empty());
     seen.actual += 36_deg;  // a turn that is corrected
+    belief.expectAnother();
     supervisor.forgetMotion();
     ticks(100);
     EXPECT_TRUE(last.empty());
@@ -170,7 +194,7 @@ TEST_F(AxisSupervisorTest, AJumpWhileEnablingStops)
     seen.engaging = false;
     seen.engaged = true;
     seen.actual -= 180_deg;
-    tick();
+    ticks(PlaceBelief::kJump);
     supervisor.forgetCommand();
     ASSERT_FALSE(last.empty());
     EXPECT_EQ(last.front().finding, Finding::EncoderJump);
@@ -189,6 +213,7 @@ TEST_F(AxisSupervisorTest, NoiseOfADirectDriveIsNoMotion)
 TEST_F(AxisSupervisorTest, AFastAxisMayBeTwoTicksBehind)
 {
     profile.azimuth.limits.speed = 60_deg_s;
+    belief.setLimits({.allowance = turns(0.5_deg), .speed = turns(60_deg) / Seconds(1.0)});
     supervisor.setSettings(profile.azimuth, profile.supervision);
     seen.actual -= 60_deg_s * Seconds(0.05);
     supervisor.forgetMotion();
@@ -283,7 +308,7 @@ TEST_F(AxisSupervisorTest, AJumpOutOfTheTravelIsNoMotionOutwards)
 {
     ticks(50);
     seen.actual = 460_deg;
-    ticks(2);
+    ticks(PlaceBelief::kJump + 1);
     EXPECT_TRUE(stops(Finding::EncoderJump));
     ASSERT_TRUE(found(Finding::OutsideTravel));
     EXPECT_FALSE(stops(Finding::OutsideTravel));

@@ -140,7 +140,7 @@ TEST(NoFalseFinding, GustsDoNotStopTheMount)
     mount.turn(Axis::Azimuth, 1_deg_s);
     mount.turn(Axis::Elevation, 0.3_deg_s);
     mount.run(Seconds(5.0));
-    const double tracking = std::abs(mount.seen(Axis::Elevation).torque);
+    const double tracking = std::abs(*mount.seen(Axis::Elevation).torque);
     ASSERT_GT(tracking, 4.0) << "friction";
     for (int i = 0; i < 8; ++i) {
         const double gust = (i % 2 == 0 ? 1.5 : -1.5) * tracking * (i < 4 ? 1.0 : 2.0);

@@ -3,6 +3,8 @@
 
 #include "core/moteus/faults.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +16,13 @@ SteadyTime steady(Seconds time)
     return SteadyTime(std::chrono::hours(1)) + std::chrono::duration_cast<SteadyTime::duration>(time);
 }
 
+PlaceBelief::Limits placesOf(const profile::AxisSettings& axis, const profile::Profile& profile)
+{
+    const Angle allowance = profile.supervision.encoderJump;
+    return {.allowance = abs(axis.geometry.toMotor(allowance) - axis.geometry.toMotor(Angle{})),
+            .speed = abs(axis.geometry.toMotor(axis.limits.speed))};
+}
+
 }  // namespace
 
 SupervisedMount::SupervisedMount(const sim::PairSettings& pair, const profile::Profile& profile)
@@ -22,11 +31,13 @@ SupervisedMount::SupervisedMount(const sim::PairSettings& pair, const profile::P
       m_sides{Side{.axis = Axis::Azimuth,
                    .settings = m_profile.azimuth,
                    .setpoints{m_profile.azimuth.limits, m_profile.azimuth.geometry.travel, Angle{}},
-                   .supervisor{Axis::Azimuth, m_profile.azimuth, m_profile.supervision}},
+                   .supervisor{Axis::Azimuth, m_profile.azimuth, m_profile.supervision},
+                   .belief = PlaceBelief(placesOf(m_profile.azimuth, m_profile))},
               Side{.axis = Axis::Elevation,
                    .settings = m_profile.elevation,
                    .setpoints{m_profile.elevation.limits, m_profile.elevation.geometry.travel, Angle{}},
-                   .supervisor{Axis::Elevation, m_profile.elevation, m_profile.supervision}}}
+                   .supervisor{Axis::Elevation, m_profile.elevation, m_profile.supervision},
+                   .belief = PlaceBelief(placesOf(m_profile.elevation, m_profile))}}
 {
     run(Seconds(0.1));
 }
@@ -120,6 +131,8 @@ void SupervisedMount::takeReplies()
 {
     for (Side& side : m_sides) {
         side.seen.fresh = false;
+        side.seen.placed = false;
+        side.seen.jumped.reset();
     }
     std::erase_if(m_replies, [this](const sim::PairReply& reply) {
         if (reply.due > m_now) {
@@ -143,10 +156,20 @@ void SupervisedMount::take(const moteus::Reply& reply, Seconds received)
     AxisObservation& seen = from.seen;
     seen.fresh = true;
     seen.received = steady(received);
-    seen.actual = from.settings.geometry.toAxis(MotorTurns::fromTurns(*turns));
-    seen.torque = reply.value(Register::Torque).value_or(0.0);
-    seen.voltage = reply.value(Register::Voltage).value_or(0.0);
-    seen.boardTemperature = reply.value(Register::Temperature).value_or(0.0);
+    from.belief.take({.asked = from.asked, .received = seen.received, .place = MotorTurns::fromTurns(*turns)});
+    const auto toAxis = [&](MotorTurns place) { return from.settings.geometry.toAxis(place); };
+    if (from.belief.believedLast()) {
+        seen.placed = true;
+        seen.actual = toAxis(from.belief.place()->position);
+    }
+    if (const auto leap = from.belief.takeJump()) {
+        seen.jumped =
+            AngleLeap{.by = toAxis(leap->to) - toAxis(leap->from), .to = toAxis(leap->to), .within = leap->within};
+    }
+    EXPECT_FALSE(from.belief.takeFalsePlace()) << "nothing here is false";
+    seen.torque = reply.value(Register::Torque);
+    seen.voltage = reply.value(Register::Voltage);
+    seen.boardTemperature = reply.value(Register::Temperature);
     const int code = reply.fault().value_or(0);
     seen.activeLimit = moteus::isLimit(code) ? code : 0;
     seen.turnKnown = reply.homeState() == moteus::HomeState::Output;
@@ -191,6 +214,7 @@ void SupervisedMount::command(Side& side)
 
 void SupervisedMount::exchange(Axis axis, const std::optional<moteus::Command>& command)
 {
+    side(axis).asked = steady(m_now);
     const auto frame = moteus::encode({.destination = static_cast<std::uint8_t>(side(axis).settings.id),
                                        .command = command,
                                        .query = moteus::rotatorQuery()});

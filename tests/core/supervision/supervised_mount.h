@@ -5,6 +5,7 @@
 #include "core/profile/profile.h"
 #include "core/sim/simulated_pair.h"
 #include "core/supervision/axis_supervisor.h"
+#include "core/supervision/place_belief.h"
 #include "core/tracking/axis_profile.h"
 
 #include <array>
@@ -65,6 +66,8 @@ private:
         const profile::AxisSettings& settings;
         tracking::AxisProfile setpoints;
         AxisSupervisor supervisor;
+        PlaceBelief belief;
+        SteadyTime asked{};
         AxisObservation seen{};
         std::optional<Angle> target{};
         AngularRate rate{};

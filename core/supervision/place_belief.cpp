@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/supervision/place_belief.h"
+
+#include <algorithm>
+
+namespace boresight::supervision {
+namespace {
+
+// Wind and control may drive an axis faster than its profile.
+constexpr double kFaster = 1.5;
+// From rest to that speed, or back, an axis needs at least this long: something hard in its way stops it so.
+constexpr Seconds kSpeedsUpIn{0.05};
+// The rate follows half as fast, so that a reply that is false by little does not spoil it; still faster than a drive
+// brakes by its own ramp.
+constexpr double kRateFollows = 0.5;
+
+// Where the axis is expected at the time of the reply.
+MotorTurns ahead(MotorTurns place, const std::optional<MotorRate>& rate, Seconds time)
+{
+    return place + rate.value_or(MotorRate{}) * time;
+}
+
+}  // namespace
+
+// By how much the rate can change.
+MotorRate PlaceBelief::gain(const Course& course, Seconds within) const
+{
+    const double share = course.rate ? std::clamp(within / kSpeedsUpIn, 0.0, 1.0) : 1.0;
+    return m_limits.speed * (kFaster * share);
+}
+
+MotorTurns PlaceBelief::miss(const Course& course, const Reply& reply)
+{
+    return abs(*reply.place - ahead(course.place, course.rate, reply.asked - course.asked));
+}
+
+// The drive has measured at any time between question and reply: the way has taken at least from the first reply to the
+// second question, and at most from the first question to the second reply.
+bool PlaceBelief::reaches(const Course& course, const Reply& reply) const
+{
+    const Seconds longest = std::max(Seconds(reply.received - course.asked), Seconds(0.0));
+    const Seconds shortest = std::max(Seconds(reply.asked - course.received), Seconds(0.0));
+    const MotorRate rate = course.rate.value_or(MotorRate{});
+    const auto [least, most] = std::minmax({rate * shortest, rate * longest});
+    const MotorTurns slack = gain(course, longest) * longest + m_limits.allowance;
+    const MotorTurns moved = *reply.place - course.place;
+    return moved >= least - slack && moved <= most + slack;
+}
+
+// Questions are sent by our own clock: they tell the rate better than replies, which may come late.
+PlaceBelief::Course PlaceBelief::continued(const Course& course, const Reply& reply) const
+{
+    const Seconds passed = reply.asked - course.asked;
+    Course next{.place = *reply.place, .rate = course.rate, .asked = reply.asked, .received = reply.received};
+    if (passed > Seconds(0.0)) {
+        const MotorRate rate = course.rate.value_or(MotorRate{});
+        const MotorRate more = gain(course, passed) * (course.rate ? kRateFollows : 1.0);
+        next.rate = std::clamp((*reply.place - course.place) / passed, rate - more, rate + more);
+    }
+    return next;
+}
+
+void PlaceBelief::take(const Reply& reply)
+{
+    if (!reply.place) {
+        m_doubted.reset();
+        passWithout();
+        return;
+    }
+    // A place that was false by little was believed. The next true one seems to leap back from it, and at another rate.
+    if (m_before && miss(*m_before, reply) < std::min(m_limits.allowance, miss(*m_believed, reply))) {
+        m_believed = m_before;
+    }
+    const bool expected = m_believed && reaches(*m_believed, reply);
+    const bool agrees = m_doubted && reaches(*m_doubted, reply);
+    if (expected && !(agrees && miss(*m_doubted, reply) < miss(*m_believed, reply))) {
+        m_false = m_doubt ? m_doubt : m_false;
+        believe(continued(*m_believed, reply));
+        return;
+    }
+    m_doubt = agrees ? m_doubt : leapTo(reply);
+    m_agreeing = agrees ? m_agreeing + 1 : 1;
+    m_doubted = agrees ? continued(*m_doubted, reply)
+                       : Course{.place = *reply.place, .rate = {}, .asked = reply.asked, .received = reply.received};
+    if (m_agreeing < (m_believed ? kJump : kAgree)) {
+        passWithout();
+        return;
+    }
+    m_jump = m_doubt;
+    m_believed.reset();
+    believe(*m_doubted);
+}
+
+std::optional<PlaceBelief::Leap> PlaceBelief::leapTo(const Reply& reply) const
+{
+    if (!m_believed) {
+        return std::nullopt;
+    }
+    return Leap{.from = ahead(m_believed->place, m_believed->rate, reply.asked - m_believed->asked),
+                .to = *reply.place,
+                .within = reply.received - m_believed->received};
+}
+
+void PlaceBelief::believe(const Course& course)
+{
+    m_before = std::exchange(m_believed, course);
+    m_doubted.reset();
+    m_doubt.reset();
+    m_agreeing = 0;
+    m_without = 0;
+    const MotorTurns before = m_place ? m_place->position : course.place;
+    m_place = Place{.position = course.place, .moved = course.place - before, .received = course.received};
+}
+
+void PlaceBelief::passWithout()
+{
+    ++m_without;
+    if (m_without >= kAgree) {
+        m_place.reset();
+    }
+}
+
+void PlaceBelief::forget()
+{
+    expectAnother();
+    m_place.reset();
+}
+
+void PlaceBelief::expectAnother()
+{
+    m_believed.reset();
+    m_before.reset();
+    m_doubted.reset();
+    m_doubt.reset();
+    m_false.reset();
+    m_jump.reset();
+    m_agreeing = 0;
+}
+
+}  // namespace boresight::supervision

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/supervision/place_belief.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace boresight::supervision {
+namespace {
+
+constexpr double kTick = 0.02;
+
+MotorTurns degrees(double value)
+{
+    return MotorTurns::fromTurns(value / 360.0);
+}
+
+// A drive that is asked every 20 ms and answers a millisecond later. Degrees, 10 °/s at most.
+class PlaceBeliefTest : public ::testing::Test
+{
+protected:
+    void reply(std::optional<double> place, double period = kTick)
+    {
+        now += std::chrono::duration_cast<SteadyTime::duration>(Seconds(period));
+        belief.take({.asked = now,
+                     .received = now + std::chrono::milliseconds(1),
+                     .place = place ? std::optional(degrees(*place)) : std::nullopt});
+    }
+    void replies(int count)
+    {
+        for (int i = 0; i < count; ++i) {
+            at += rate * kTick;
+            reply(at);
+        }
+    }
+    [[nodiscard]] std::optional<double> place() const
+    {
+        return belief.place() ? std::optional(belief.place()->position.turns() * 360.0) : std::nullopt;
+    }
+
+    PlaceBelief belief{{.allowance = degrees(0.5), .speed = degrees(10.0) / Seconds(1.0)}};
+    SteadyTime now{std::chrono::hours(1)};
+    double at = 100.0;
+    double rate = 0.0;
+};
+
+TEST_F(PlaceBeliefTest, TheFirstPlaceIsBelievedWhenThreeRepliesAgree)
+{
+    reply(100.0);
+    EXPECT_FALSE(place());
+    reply(190.0);
+    EXPECT_FALSE(place());
+    reply(100.0);
+    reply(100.01);
+    EXPECT_FALSE(place());
+    reply(100.02);
+    EXPECT_NEAR(*place(), 100.02, 1e-9);
+    EXPECT_TRUE(belief.believedLast());
+    EXPECT_FALSE(belief.takeJump()) << "there was no place to jump from";
+}
+
+TEST_F(PlaceBeliefTest, AFalseReplyIsNotBelievedAndIsTold)
+{
+    for (const double speed : {0.0, 10.0, -10.0}) {
+        for (const double by : {90.0, -90.0, 1.0, -1.0, 2.0, -2.0, 360.0}) {
+            rate = speed;
+            belief.forget();
+            replies(50);
+            const double before = *place();
+            at += rate * kTick;
+            reply(at + by);
+            EXPECT_NEAR(*place(), before, 1e-9) << speed << " " << by;
+            EXPECT_FALSE(belief.believedLast());
+            EXPECT_FALSE(belief.takeFalsePlace());
+            replies(1);
+            EXPECT_NEAR(*place(), at, 1e-9) << speed << " " << by;
+            EXPECT_TRUE(belief.believedLast());
+            const auto told = belief.takeFalsePlace();
+            ASSERT_TRUE(told) << speed << " " << by;
+            EXPECT_NEAR((told->to - told->from).turns() * 360.0, by, 0.01);
+            EXPECT_FALSE(belief.takeJump());
+        }
+    }
+}
+
+TEST_F(PlaceBeliefTest, PlacesThatDoNotAgreeAreNeverBelieved)
+{
+    replies(10);
+    for (int i = 0; i < 100; ++i) {
+        reply(i % 2 == 0 ? 190.0 : 10.0);
+    }
+    EXPECT_FALSE(place()) << "too old";
+    EXPECT_FALSE(belief.takeJump());
+    reply(100.0);
+    EXPECT_NEAR(*place(), 100.0, 1e-9) << "it still stands there";
+}
+
+TEST_F(PlaceBeliefTest, EverySecondReplyMayBeFalse)
+{
+    rate = 7.0;
+    replies(50);
+    for (int i = 0; i < 200; ++i) {
+        at += rate * kTick;
+        reply(at + 90.0);
+        replies(1);
+        ASSERT_NEAR(*place(), at, 1e-9);
+    }
+    EXPECT_FALSE(belief.takeJump());
+}
+
+// Story: a slip of 2° in mid-slew was within what a reply can be late.
+TEST_F(PlaceBeliefTest, ASlipOfOneDegreeIsAJumpAtAnySpeed)
+{
+    for (const double speed : {0.0, 1.0, 5.0, 10.0, -10.0}) {
+        for (const double slip : {1.0, -1.0, 2.0, -2.0, 90.0}) {
+            rate = speed;
+            belief.forget();
+            replies(50);
+            at += slip;
+            replies(PlaceBelief::kJump);
+            const auto jump = belief.takeJump();
+            ASSERT_TRUE(jump) << speed << " " << slip;
+            EXPECT_NEAR((jump->to - jump->from).turns() * 360.0, slip, 0.05) << speed << " " << slip;
+            EXPECT_NEAR(*place(), at, 1e-9);
+            replies(100);
+            EXPECT_FALSE(belief.takeJump()) << "told once";
+        }
+    }
+}
+
+TEST_F(PlaceBeliefTest, ADriveWithoutAPlaceHasNoneAfterThreeReplies)
+{
+    replies(10);
+    reply({});
+    reply({});
+    EXPECT_TRUE(place());
+    reply({});
+    EXPECT_FALSE(place());
+    reply(100.1);
+    EXPECT_NEAR(*place(), 100.1, 1e-9);
+    for (int i = 0; i < 5; ++i) {
+        reply({});
+    }
+    for (int i = 1; i < PlaceBelief::kJump; ++i) {
+        reply(120.0);
+    }
+    EXPECT_FALSE(place());
+    reply(120.0);
+    EXPECT_TRUE(belief.takeJump()) << "farther than it can have gone meanwhile";
+}
+
+TEST_F(PlaceBeliefTest, WhatIsForgottenIsNoJump)
+{
+    replies(10);
+    belief.forget();
+    EXPECT_FALSE(place());
+    at = 300.0;
+    replies(3);
+    EXPECT_NEAR(*place(), 300.0, 1e-9);
+    belief.expectAnother();
+    EXPECT_TRUE(place());
+    at = 200.0;
+    replies(3);
+    EXPECT_NEAR(*place(), 200.0, 1e-9);
+    EXPECT_FALSE(belief.takeJump());
+    EXPECT_FALSE(belief.takeFalsePlace());
+}
+
+// A reply of some ticks ago, and one that is false by little, are believed or not; the true ones after it are.
+TEST_F(PlaceBeliefTest, AReplyThatIsALittleOffIsNoJump)
+{
+    for (const double speed : {0.0, 3.0, 10.0, -10.0}) {
+        for (double by = -1.5; by < 1.5; by += 0.05) {
+            rate = speed;
+            belief.forget();
+            replies(50);
+            at += rate * kTick;
+            reply(at + by);
+            replies(20);
+            ASSERT_FALSE(belief.takeJump()) << speed << " " << by;
+            ASSERT_NEAR(*place(), at, 1e-9) << speed << " " << by;
+        }
+    }
+}
+
+TEST_F(PlaceBeliefTest, AnAxisThatIsStoppedAtOnceIsNotDoubted)
+{
+    for (const double speed : {2.0, 10.0, 60.0}) {
+        belief.setLimits({.allowance = degrees(0.5), .speed = degrees(speed) / Seconds(1.0)});
+        belief.forget();
+        rate = speed;
+        replies(50);
+        rate = 0.0;
+        replies(50);
+        EXPECT_FALSE(belief.takeFalsePlace()) << speed;
+        EXPECT_FALSE(belief.takeJump()) << speed;
+        EXPECT_NEAR(*place(), at, 1e-9);
+    }
+}
+
+// What is measured at `at` and known to the host at `arrives`.
+struct Sample
+{
+    double asked;
+    double arrives;
+    double place;
+};
+
+// A profile of speeds with jerky starts and stops, read by a host whose bus and ticks are late at random.
+class HealthyAxis : public PlaceBeliefTest, public ::testing::WithParamInterface<double>
+{
+protected:
+    [[nodiscard]] double speedAt(double time) const
+    {
+        const double fastest = GetParam();
+        switch (static_cast<int>(time / 1.5) % 4) {
+            case 0:
+                return 0.0;
+            case 1:
+                return fastest;
+            case 2:
+                return -fastest;
+            default:
+                return 0.3 * fastest;
+        }
+    }
+
+    // Speeds change by at most the emergency braking of a drive: from full speed to rest in 0.08 s.
+    [[nodiscard]] std::vector<double> placesEveryMillisecond() const
+    {
+        std::vector<double> places;
+        double place = 100.0;
+        double speed = 0.0;
+        for (int i = 0; i < 60'000; ++i) {
+            const double wanted = speedAt(0.001 * i);
+            const double most = GetParam() / 0.08 * 0.001;
+            speed += std::clamp(wanted - speed, -most, most);
+            place += speed * 0.001;
+            places.push_back(place);
+        }
+        return places;
+    }
+};
+
+TEST_P(HealthyAxis, IsNeverDoubted)
+{
+    belief.setLimits({.allowance = degrees(0.5), .speed = degrees(GetParam()) / Seconds(1.0)});
+    const std::vector<double> places = placesEveryMillisecond();
+    std::minstd_rand random(7);
+    const auto chance = [&](double part) { return std::uniform_real_distribution(0.0, 1.0)(random) < part; };
+    std::optional<double> asked;
+    bool replied = true;
+    std::vector<Sample> waiting;
+    double time = 0.1;
+    while (time < 59.0) {
+        // As Drive::judge() has it: the oldest question without an answer.
+        asked = replied || !asked ? time : *asked;
+        replied = false;
+        const double latency = chance(0.02) ? 0.03 : std::uniform_real_distribution(0.0005, 0.008)(random);
+        if (!chance(0.02)) {
+            const double measured = time + std::uniform_real_distribution(0.0, latency)(random);
+            waiting.push_back({time, time + latency, places[static_cast<std::size_t>(measured * 1000.0)]});
+        }
+        const double next =
+            time + (chance(0.01) ? 0.12 : kTick + std::uniform_real_distribution(-0.004, 0.004)(random));
+        while (!waiting.empty() && waiting.front().arrives < next) {
+            // After a stall replies are stamped when they are read.
+            const double stamp = next - time > 0.1 ? next - 0.0001 : waiting.front().arrives;
+            const auto steady = [](double seconds) {
+                return SteadyTime(std::chrono::duration_cast<SteadyTime::duration>(Seconds(seconds)));
+            };
+            belief.take({.asked = steady(*asked), .received = steady(stamp), .place = degrees(waiting.front().place)});
+            ASSERT_FALSE(belief.takeFalsePlace()) << time;
+            ASSERT_FALSE(belief.takeJump()) << time;
+            ASSERT_TRUE(time < 0.3 || belief.believedLast()) << time;
+            replied = true;
+            waiting.erase(waiting.begin());
+        }
+        time = next;
+    }
+    EXPECT_TRUE(belief.place());
+}
+
+INSTANTIATE_TEST_SUITE_P(Speed, HealthyAxis, ::testing::Values(2.0, 10.0, 60.0));
+
+}  // namespace
+}  // namespace boresight::supervision
