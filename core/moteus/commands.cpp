@@ -56,7 +56,8 @@ WriteList listOf(const PositionCommand& c)
         .with(Register::CommandFixedVoltage, c.fixedVoltage)
         .with(Register::CommandIntegralLimitScale, c.integralLimitScale)
         .with(Register::CommandFixedCurrent, c.fixedCurrent)
-        .with(Register::CommandIgnorePositionBounds, c.ignorePositionBounds);
+        .with(Register::CommandIgnorePositionBounds, c.ignorePositionBounds)
+        .with(Register::RecapturePositionVelocity, c.recapture ? std::optional(kTrigger) : std::nullopt);
 }
 
 WriteList listOf(const StayWithin& c)

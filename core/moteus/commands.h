@@ -62,6 +62,8 @@ struct PositionCommand
     std::optional<Field> integralLimitScale{};
     std::optional<Field> fixedCurrent{};
     std::optional<Field> ignorePositionBounds{};
+    // Before the command counts, the control set-points restart from the measured state. No command register.
+    bool recapture = false;
 };
 
 struct StayWithin

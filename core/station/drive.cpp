@@ -20,6 +20,7 @@ constexpr Seconds kBrakingTime{0.6};
 constexpr double kSteady = 0.2;
 
 const moteus::Field kIgnoreBounds{1.0, moteus::Resolution::Int8};
+const moteus::Field kNoIntegral{0.0, moteus::Resolution::Int8};
 
 // The position register wraps there; beyond it is no position.
 constexpr double kPositionRange = 32768.0;  // turns
@@ -83,6 +84,7 @@ void Drive::engage()
         return;
     }
     m_captureAfterRecovery = true;
+    m_yielding = false;
     if (m_phase != Phase::Recovering) {
         enter(latched() ? Phase::Recovering : Phase::Capturing);
     }
@@ -132,6 +134,14 @@ bool Drive::canBeReferenced() const
     return m_report && (m_phase == Phase::Listening || m_phase == Phase::Engaged || m_phase == Phase::Held);
 }
 
+void Drive::yield()
+{
+    if (m_phase == Phase::Engaged) {
+        m_yielding = true;
+        enter(Phase::Capturing);
+    }
+}
+
 void Drive::starve()
 {
     enter(Phase::Starving);
@@ -151,6 +161,7 @@ void Drive::setSetpoint(MotorTurns position, MotorRate rate)
 {
     m_setpoint = position;
     m_setpointRate = rate;
+    m_yielding = m_yielding && (m_phase != Phase::Engaged || rate == MotorRate{});
 }
 
 bool Drive::answering(SteadyTime now) const
@@ -320,6 +331,7 @@ moteus::PositionCommand Drive::positionCommand(double position, double velocity)
             .watchdogTimeout = m_settings.watchdog.count(),
             .velocityLimit = m_settings.velocityLimit.turns(),
             .accelerationLimit = (m_hardBraking ? m_settings.emergencyBraking : m_settings.accelerationLimit).turns(),
+            .integralLimitScale = m_yielding ? std::optional(kNoIntegral) : std::nullopt,
             .ignorePositionBounds = m_ignoreBounds ? std::optional(kIgnoreBounds) : std::nullopt};
 }
 
@@ -328,6 +340,7 @@ moteus::PositionCommand Drive::holdCommand() const
 {
     moteus::PositionCommand command = positionCommand(moteus::kKeepControlPosition, 0.0);
     command.accelerationLimit = m_settings.emergencyBraking.turns();
+    command.recapture = m_yielding && m_phase == Phase::Capturing && m_repliesInPhase < kFirstTellingReply;
     return command;
 }
 

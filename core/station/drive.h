@@ -100,6 +100,10 @@ public:
     void reference(MotorTurns place, MotorTurns tolerance);
     [[nodiscard]] bool canBeReferenced() const;
     void hold();    // Engaged, Unseen, Capturing -> Held; not commanded: stays so
+    // Engaged -> Capturing, for an axis that something blocks: the drive's control restarts where the axis is, and what
+    // its integrator has wound up is dropped. That stays out until the set-point moves again: against an obstacle it
+    // would wind up anew by the last digit of the position. The rest of the control holds the axis meanwhile.
+    void yield();
     void starve();  // Engaged -> Starving
     void brake();
     void release();
@@ -172,6 +176,7 @@ private:
     bool m_heldWhenReferenced = false;
     bool m_holdNext = false;  // while Referencing: every second frame
     bool m_ignoreBounds = false;
+    bool m_yielding = false;  // without the integrator
     bool m_hardBraking = false;
     bool m_faultTold = false;
     SteadyTime m_heard{};                 // last reply, stalls of our own excused

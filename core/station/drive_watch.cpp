@@ -39,13 +39,6 @@ LossClass classOf(DriveLoss loss, int faultCode)
     return LossClass::Released;
 }
 
-// Something pushes the axis or is in its way: a set-point elsewhere would go on pulling.
-bool isGivingWay(Finding finding)
-{
-    return finding == Finding::FollowingError || finding == Finding::Stalled || finding == Finding::WrongWay ||
-           finding == Finding::MovesUncommanded || finding == Finding::OutsideTravel;
-}
-
 // What passes by itself and leaves nothing to do is not kept for acknowledgement.
 Severity severityOf(const supervision::Observed& observed)
 {
@@ -53,6 +46,13 @@ Severity severityOf(const supervision::Observed& observed)
         return Severity::Alarm;
     }
     return observed.finding == Finding::RepliesLate ? Severity::Advisory : Severity::Warning;
+}
+
+// Something pushes the axis or is in its way: a set-point elsewhere would go on pulling, and its drive on pushing.
+bool isGivingWay(Finding finding)
+{
+    return finding == Finding::FollowingError || finding == Finding::Stalled || finding == Finding::WrongWay ||
+           finding == Finding::MovesUncommanded || finding == Finding::OutsideTravel || finding == Finding::TorqueGuard;
 }
 
 }  // namespace
@@ -233,7 +233,7 @@ std::optional<DriveWatch::Trouble> DriveWatch::supervise(Drive& drive, const tra
             trouble = Trouble{.what = observed.what,
                               .stops = stop || (trouble && trouble->stops),
                               .turnDoubtful = jump,
-                              .gaveWay = isGivingWay(observed.finding)};
+                              .gaveWay = stop && isGivingWay(observed.finding)};
         }
     }
     m_stops = std::move(stops);

@@ -99,11 +99,10 @@ void StationControl::stopFor(Axis axis, const DriveWatch::Trouble& trouble)
 {
     m_arming.lost(axis, trouble.loss, trouble.what);
     holdHere(Activity::None);
-    const auto measured = m_drives.measured(axis);
     if (trouble.turnDoubtful) {
         m_drives.drive(axis).hold();
-    } else if (trouble.gaveWay && measured) {
-        m_motion.start(axis, *measured);
+    } else if (trouble.gaveWay) {
+        m_drives.drive(axis).yield();  // its set-point follows when the drive is captured
     }
 }
 

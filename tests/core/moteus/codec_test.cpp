@@ -40,6 +40,15 @@ TEST(MoteusCodec, TrackingCommandAndFullReportFitOneFrame)
               "505050505050505050505050505050");  // the report
 }
 
+// In the same frame and before the command counts: the drive collects the command until the frame ends.
+TEST(MoteusCodec, APositionCommandCanRestartTheControlWhereTheAxisIs)
+{
+    const auto writes = registerWrites(PositionCommand{.position = kKeepControlPosition, .recapture = true});
+    ASSERT_EQ(writes.size(), 3U);
+    EXPECT_EQ(writes[0].reg, Register::Mode);
+    EXPECT_EQ(writes[2].reg, Register::RecapturePositionVelocity);
+}
+
 TEST(MoteusCodec, BlankFieldsAreNotSent)
 {
     const auto writes = registerWrites(PositionCommand{});

@@ -78,6 +78,74 @@ TEST(StationWatch, AStalledAxisStopsTheMountWithinASecond)
     EXPECT_NEAR(rig.azimuthDegrees(), 110.0, 0.01);
 }
 
+// Story: the integrator of a blocked drive pushed on with all its torque, through the re-arm.
+TEST(StationWatch, ABlockedDriveDropsWhatItsIntegratorHasWoundUpUntilItMovesAgain)
+{
+    using moteus::Register;
+    WatchRig rig;
+    ASSERT_TRUE(rig.ask(request::PointAxes{{200_deg, 45_deg}}));
+    rig.run(Seconds(3.0));
+    const double stuck = rig.azimuth.position;
+    rig.untilFault([&] { rig.azimuth.position = stuck; });
+    rig.azimuth.seen.clear();
+    rig.elevation.seen.clear();
+    rig.run(Seconds(1.0));
+    const auto& frames = rig.azimuth.seen;
+    ASSERT_GT(frames.size(), 10U);
+    EXPECT_TRUE(std::isnan(frames.front().fields.at(Register::CommandPosition))) << "from where the drive measures";
+    EXPECT_TRUE(frames.front().fields.contains(Register::RecapturePositionVelocity));
+    EXPECT_FALSE(frames.back().fields.contains(Register::RecapturePositionVelocity)) << "it would creep";
+    const auto integral = [](const auto& frame) {
+        const auto found = frame.fields.find(Register::CommandIntegralLimitScale);
+        return found == frame.fields.end() ? 1.0 : found->second;
+    };
+    EXPECT_TRUE(std::ranges::all_of(frames, [&](const auto& frame) { return integral(frame) == 0.0; }));
+    EXPECT_TRUE(std::ranges::all_of(frames, [](const auto& frame) {
+        return frame.fields.at(Register::CommandMaximumTorque) > 49.0;
+    })) << "an unbalanced axis must not fall";
+    EXPECT_TRUE(std::ranges::all_of(rig.elevation.seen, [&](const auto& frame) { return integral(frame) == 1.0; }));
+    ASSERT_TRUE(rig.ask(request::Rearm{}));
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(integral(rig.azimuth.seen.back()), 0.0);
+    ASSERT_TRUE(rig.ask(request::PointAxes{{110_deg, 45_deg}}));
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(integral(rig.azimuth.seen.back()), 1.0);
+}
+
+// Every field at once still fits into a frame.
+TEST(Drive, YieldsBeyondItsBounds)
+{
+    using moteus::Register;
+    Drive drive({.id = 1, .maxTorque = 50.0}, "azimuth drive");
+    fakes::IdealDrive ideal(1, 1.3);
+    SteadyTime now{};
+    const auto tick = [&] {
+        now += std::chrono::milliseconds(20);
+        drive.judge(now);
+        if (const auto reply = ideal.answer(drive.frame(), now)) {
+            drive.take(*reply);
+        }
+    };
+    tick();
+    drive.setIgnoreBounds(true);
+    drive.engage();
+    for (int i = 0; i < 10; ++i) {
+        tick();
+    }
+    ASSERT_TRUE(drive.takeEngaged());
+    drive.yield();
+    tick();
+    const auto& fields = ideal.seen.back().fields;
+    for (const Register reg : {Register::RecapturePositionVelocity, Register::CommandIntegralLimitScale,
+                               Register::CommandIgnorePositionBounds, Register::CommandWatchdogTimeout}) {
+        EXPECT_TRUE(fields.contains(reg));
+    }
+    for (int i = 0; i < 10; ++i) {
+        tick();
+    }
+    EXPECT_TRUE(drive.takeEngaged());
+}
+
 TEST(StationWatch, AnAxisThatRunsAwayFromItsPlaceStopsTheMount)
 {
     WatchRig rig;
