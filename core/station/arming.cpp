@@ -125,16 +125,25 @@ supervision::DriveConditions Arming::conditions(Axis axis) const
             .motorTemperature = report->motorTemperature};
 }
 
-// The heat or the supply that led to a fault is still there.
+// The heat or the supply that led to a fault is still there, or would lead to the next one.
 QString Arming::rearmObstacle() const
 {
+    const auto of = [this](Axis axis, const QString& why) {
+        return why.isEmpty() ? QString() : QStringLiteral("%1: %2").arg(m_drives.drive(axis).label(), why);
+    };
+    QString obstacle;
     for (const Loss& loss : m_losses) {
-        const QString why = supervision::clearRefusal(m_supervision, loss.kind, loss.conditions, conditions(loss.axis));
-        if (!why.isEmpty()) {
-            return QStringLiteral("%1: %2").arg(m_drives.drive(loss.axis).label(), why);
+        obstacle =
+            of(loss.axis, supervision::clearRefusal(m_supervision, loss.kind, loss.conditions, conditions(loss.axis)));
+        if (!obstacle.isEmpty()) {
+            return obstacle;
         }
     }
-    return {};
+    for (const Axis axis : kAxes) {
+        obstacle =
+            obstacle.isEmpty() ? of(axis, supervision::standingRefusal(m_supervision, conditions(axis))) : obstacle;
+    }
+    return obstacle;
 }
 
 Result<> Arming::rearm(const Source& source)

@@ -99,7 +99,7 @@ public:
     // within `tolerance`. A drive that is Engaged holds meanwhile and is captured anew.
     void reference(MotorTurns place, MotorTurns tolerance);
     [[nodiscard]] bool canBeReferenced() const;
-    void hold();    // Engaged, Unseen, Capturing -> Held; not commanded: stays so
+    void hold();  // Engaged, Unseen, Capturing -> Held; not commanded: stays so
     // Engaged -> Capturing, for an axis that something blocks: the drive's control restarts where the axis is, and what
     // its integrator has wound up is dropped. That stays out until the set-point moves again: against an obstacle it
     // would wind up anew by the last digit of the position. The rest of the control holds the axis meanwhile.

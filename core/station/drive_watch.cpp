@@ -244,9 +244,9 @@ std::optional<DriveWatch::Trouble> DriveWatch::supervise(Drive& drive, const tra
 // Once, and again when it has become worse.
 void DriveWatch::tell(const supervision::Observed& observed)
 {
-    const auto told = m_told.find(observed.finding);
-    if (told == m_told.end() || (told->second == Weight::Hint && observed.weight == Weight::Stop)) {
-        m_told[observed.finding] = observed.weight;
+    std::optional<Weight>& told = m_told[observed.finding];
+    if (!told || (told == Weight::Hint && observed.weight == Weight::Stop)) {
+        told = observed.weight;
         m_alarms.raise(cause(observed.finding), severityOf(observed), drive_alarms::supervised(observed));
     }
 }
@@ -280,14 +280,15 @@ void DriveWatch::engaged()
     m_supervisor.forgetCommand();
 }
 
+// An alarm whose cause lasts is not over: it is told anew with the next reply, or ends with it.
 void DriveWatch::rearmed()
 {
-    m_supervisor.forgetMotion();
+    m_supervisor.rearmed();
+    m_stops.clear();
     endSilence();
-    for (const auto& [finding, weight] : m_told) {
-        m_alarms.clear(cause(finding));
+    for (auto& [finding, told] : m_told) {
+        told.reset();
     }
-    m_told.clear();
 }
 
 }  // namespace boresight

@@ -74,13 +74,14 @@ private:
     AlarmBoard& m_alarms;
     supervision::AxisSupervisor m_supervisor;
     QString m_silenceAdvice;
-    bool m_silenceTold = false;                                  // and not that it is over
-    std::map<supervision::Finding, supervision::Weight> m_told;  // what has an alarm now
-    std::set<supervision::Finding> m_stops;                      // what is dangerous now
-    SteadyTime m_observed{};                                     // the reply last shown to the supervisor
-    SteadyTime m_placed{};                                       // and its place
-    std::optional<SteadyTime> m_activeSince;                     // without our orders
-    std::optional<SteadyTime> m_limitSeen;                       // when the drive last reported an active limit
+    bool m_silenceTold = false;  // and not that it is over
+    // What has an alarm now, and how it was told; empty: before a re-arm.
+    std::map<supervision::Finding, std::optional<supervision::Weight>> m_told;
+    std::set<supervision::Finding> m_stops;   // what is dangerous now
+    SteadyTime m_observed{};                  // the reply last shown to the supervisor
+    SteadyTime m_placed{};                    // and its place
+    std::optional<SteadyTime> m_activeSince;  // without our orders
+    std::optional<SteadyTime> m_limitSeen;    // when the drive last reported an active limit
 };
 
 }  // namespace boresight

@@ -37,7 +37,7 @@ struct AxisObservation
     std::optional<double> voltage{};
     std::optional<double> boardTemperature{};
     std::optional<double> motorTemperature{};
-    int activeLimit = 0;  // the moteus code (96…105) of what the drive is limited by now; 0: nothing
+    int activeLimit = 0;     // the moteus code (96…105) of what the drive is limited by now; 0: nothing
     bool turnKnown = false;  // else `actual` is right but for whole turns of the rotor
 };
 

@@ -86,6 +86,12 @@ void AxisSupervisor::forgetMotion()
     m_jump.forget();
 }
 
+void AxisSupervisor::rearmed()
+{
+    forgetMotion();
+    m_supplyLow.forget();
+}
+
 void AxisSupervisor::forgetCommand()
 {
     m_progress.forget();

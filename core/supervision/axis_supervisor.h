@@ -28,7 +28,9 @@ public:
     // text keeps the numbers of the moment when it began, became a stop or had doubled.
     [[nodiscard]] std::vector<Observed> observe(const AxisObservation& seen);
 
-    // Call with every re-arm, when the reported angle was changed on purpose (the turn was set) and when the drive was
+    // Call with every re-arm: forgets what stopped the mount, so that what lasts stops it again.
+    void rearmed();
+    // Call when the reported angle was changed on purpose (the turn was set) and when the drive was
     // power-cycled: forgets what was commanded and measured before, and what was found in it. Trends go on.
     void forgetMotion();
     // The drive was silent, which is not the same as late.

@@ -26,20 +26,43 @@ QString tooHot(const QString& sentence, double now, double needed)
     return now <= needed ? QString() : sentence.arg(words(now, 0), words(needed, 0));
 }
 
+QString motorTooHot(double now, double needed)
+{
+    return tooHot(Text::tr("the motor is still at %1 °C; it must cool down to %2 °C"), now, needed);
+}
+
+QString boardTooHot(double now, double needed)
+{
+    return tooHot(Text::tr("the drive board is still at %1 °C; it must cool down to %2 °C"), now, needed);
+}
+
+// A drive without any supply does not answer: 0 is what it did not tell.
+bool isTold(double voltage)
+{
+    return voltage > 0.0;
+}
+
+QString supplyTooLow(double now, double needed)
+{
+    return isTold(now) && now < needed
+               ? Text::tr("the supply is still at %1 V; %2 V are needed").arg(words(now, 1), words(needed, 1))
+               : QString();
+}
+
 // Fault 38 does not say whether the board or the motor was too hot: the motor, if the board was far from its limit.
+// That one must cool down by some degrees, and neither may be hot now: a motor warms up for minutes after it was
+// switched off.
 QString heatRefusal(double boardLimit, double motorHot, const DriveConditions& atLoss, const DriveConditions& now)
 {
-    const bool motorWasHot =
-        atLoss.motorTemperature && now.motorTemperature && atLoss.boardTemperature < boardLimit - kCoolDown;
-    if (motorWasHot && *atLoss.motorTemperature > motorHot - kCool) {
-        return tooHot(Text::tr("the motor is still at %1 °C; it must cool down to %2 °C"), *now.motorTemperature,
-                      *atLoss.motorTemperature - kCoolDown);
+    const bool boardWasFar = atLoss.boardTemperature < boardLimit - kCoolDown;
+    const double motorThen = atLoss.motorTemperature.value_or(0.0);
+    const bool motorWasHot = boardWasFar && motorThen > motorHot - kCool;
+    const double motorNeeded = motorWasHot ? std::min(motorHot, motorThen - kCoolDown) : motorHot;
+    const QString motor = now.motorTemperature ? motorTooHot(*now.motorTemperature, motorNeeded) : QString();
+    if (!motor.isEmpty() || motorWasHot || atLoss.boardTemperature < boardLimit - kCool) {
+        return motor;
     }
-    if (atLoss.boardTemperature < boardLimit - kCool) {
-        return {};
-    }
-    return tooHot(Text::tr("the drive board is still at %1 °C; it must cool down to %2 °C"), now.boardTemperature,
-                  std::min(atLoss.boardTemperature, boardLimit) - kCoolDown);
+    return boardTooHot(now.boardTemperature, std::min(atLoss.boardTemperature, boardLimit) - kCoolDown);
 }
 
 }  // namespace
@@ -139,15 +162,24 @@ QString clearRefusal(const profile::SupervisionSettings& settings, LossClass los
     if (loss == LossClass::OverTemperature) {
         return heatRefusal(settings.boardLimit, settings.motorHot, atLoss, now);
     }
-    if (loss == LossClass::Supply && now.voltage < settings.supplyLow) {
-        return Text::tr("the supply is still at %1 V; %2 V are needed")
-            .arg(words(now.voltage, 1), words(settings.supplyLow, 1));
+    if (loss == LossClass::Supply || (isTold(atLoss.voltage) && atLoss.voltage <= settings.supplyStop)) {
+        if (const QString low = supplyTooLow(now.voltage, settings.supplyLow); !low.isEmpty()) {
+            return low;
+        }
     }
     if (loss == LossClass::Supply && now.voltage > settings.supplyHigh) {
         return Text::tr("the supply is still at %1 V; at most %2 V are permitted")
             .arg(words(now.voltage, 1), words(settings.supplyHigh, 1));
     }
     return {};
+}
+
+QString standingRefusal(const profile::SupervisionSettings& settings, const DriveConditions& now)
+{
+    const QString hot = now.boardTemperature >= settings.boardLimit
+                            ? boardTooHot(now.boardTemperature, settings.boardLimit - kCoolDown)
+                            : QString();
+    return hot.isEmpty() ? supplyTooLow(now.voltage, settings.supplyStop) : hot;
 }
 
 }  // namespace boresight::supervision

@@ -67,5 +67,7 @@ struct DriveConditions
 // Why a re-arm would be pointless now: the heat or the supply that led to the fault is still there. Empty: go ahead.
 [[nodiscard]] QString clearRefusal(const profile::SupervisionSettings& settings, LossClass loss,
                                    const DriveConditions& atLoss, const DriveConditions& now);
+// The same of a drive whatever it was lost by, or was not: what it measures now would stop the mount again at once.
+[[nodiscard]] QString standingRefusal(const profile::SupervisionSettings& settings, const DriveConditions& now);
 
 }  // namespace boresight::supervision

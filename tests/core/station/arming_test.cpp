@@ -223,6 +223,23 @@ TEST(Arming, HeatMustPassBeforeARearm)
     EXPECT_TRUE(rig.arming.rearm(kOperator));
 }
 
+// Story: the other board was at 78 °C meanwhile; re-armed, it let its axis go a second later.
+TEST(Arming, WhatWouldStopTheMountAgainOnTheOtherAxisRefusesTheRearmToo)
+{
+    ArmingRig rig;
+    rig.makeReady();
+    rig.fail(rig.azimuth, 35);
+    rig.elevation.temperature = 78.0;
+    rig.run(Seconds(0.1));
+    const Result<> hot = rig.arming.rearm(kOperator);
+    ASSERT_FALSE(hot);
+    EXPECT_EQ(hot.error().text, "elevation drive: the drive board is still at 78 °C; it must cool down to 70 °C");
+    EXPECT_TRUE(rig.arming.fault());
+    rig.elevation.temperature = 69.0;
+    rig.run(Seconds(0.1));
+    EXPECT_TRUE(rig.arming.rearm(kOperator));
+}
+
 TEST(Arming, ThePolicyRearmsWhenItsTimeHasComeButNeverBehindAStop)
 {
     ArmingRig rig(retryingHeat());

@@ -146,6 +146,51 @@ TEST(Drive, YieldsBeyondItsBounds)
     EXPECT_TRUE(drive.takeEngaged());
 }
 
+// Story: a mount that was stopped at 11.5 V was re-armed at 11.5 V, and its alarm was called over.
+TEST(StationWatch, ASupplyThatStoppedTheMountIsNotOverBeforeItIsBack)
+{
+    WatchRig rig;
+    ASSERT_TRUE(rig.ask(request::PointAxes{{200_deg, 45_deg}}));
+    rig.run(Seconds(1.0));
+    rig.azimuth.voltage = rig.elevation.voltage = 11.5;
+    rig.run(Seconds(3.0));
+    ASSERT_EQ(rig.state(), StationState::Fault);
+    const auto hot = rig.ask(request::Rearm{});
+    ASSERT_FALSE(hot);
+    EXPECT_THAT(hot.error().text, HasSubstr("the supply is still at 11.5 V; 20.0 V are needed"));
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.state(), StationState::Fault);
+    EXPECT_FALSE(rig.alarm("supply of the azimuth is at 11.5 V").empty());
+    rig.azimuth.voltage = rig.elevation.voltage = 20.2;
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.ask(request::Rearm{}));
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.state(), StationState::Standby) << rig.control.status().stateReason.toStdString();
+    EXPECT_TRUE(std::ranges::none_of(rig.control.status().alarms, &Alarm::active));
+}
+
+TEST(StationWatch, AnAlarmWhoseCauseLastsIsNotOverWithTheRearm)
+{
+    WatchRig rig;
+    ASSERT_TRUE(rig.ask(request::PointAxes{{449.5_deg, 45_deg}}));
+    rig.settle();
+    rig.azimuth.deaf = true;  // pushed out against its drive
+    for (int i = 0; i < 30; ++i) {
+        rig.azimuth.position += 0.1 / 360.0;
+        rig.tick();
+    }
+    rig.run(Seconds(3.0));
+    ASSERT_EQ(rig.state(), StationState::Fault);
+    ASSERT_FALSE(rig.alarm("beyond its travel").empty());
+    ASSERT_TRUE(rig.ask(request::Rearm{})) << "else nobody could jog it back";
+    rig.run(Seconds(1.0));
+    EXPECT_FALSE(rig.control.faultLatched());
+    EXPECT_THAT(rig.alarm("beyond its travel"), HasSubstr("Jog the axis back inside"));
+    EXPECT_TRUE(std::ranges::none_of(rig.log.since(0, EventLog::kCapacity), [](const LogEntry& line) {
+        return line.source.contains(QLatin1String("outside travel")) && line.text == QLatin1String("the alarm is over");
+    }));
+}
+
 TEST(StationWatch, AnAxisThatRunsAwayFromItsPlaceStopsTheMount)
 {
     WatchRig rig;

@@ -179,10 +179,36 @@ TEST_F(ClearRefusal, AMotorMustCoolDownIfItWasTheMotor)
     const DriveConditions hot{.voltage = 24.0, .boardTemperature = 32.0, .motorTemperature = 90.0};
     EXPECT_EQ(
         refusal(LossClass::OverTemperature, hot, {.voltage = 24.0, .boardTemperature = 32.0, .motorTemperature = 86.0}),
-        "the motor is still at 86 °C; it must cool down to 85 °C");
+        "the motor is still at 86 °C; it must cool down to 80 °C");
     EXPECT_EQ(
-        refusal(LossClass::OverTemperature, hot, {.voltage = 24.0, .boardTemperature = 33.0, .motorTemperature = 84.9}),
+        refusal(LossClass::OverTemperature, hot, {.voltage = 24.0, .boardTemperature = 33.0, .motorTemperature = 79.9}),
         "");
+    // A motor whose limit is lower than what the profile calls hot.
+    const DriveConditions small{.voltage = 24.0, .boardTemperature = 32.0, .motorTemperature = 70.0};
+    EXPECT_EQ(refusal(LossClass::OverTemperature, small,
+                      {.voltage = 24.0, .boardTemperature = 32.0, .motorTemperature = 66.0}),
+              "the motor is still at 66 °C; it must cool down to 65 °C");
+}
+
+// Story: a motor at 95 °C went on warming up after its drive had switched off, and was re-armed as if that was over.
+TEST_F(ClearRefusal, AMotorThatIsHotNowIsNotReArmed)
+{
+    const DriveConditions both{.voltage = 24.0, .boardTemperature = 76.0, .motorTemperature = 78.0};
+    EXPECT_EQ(refusal(LossClass::OverTemperature, both,
+                      {.voltage = 24.0, .boardTemperature = 60.0, .motorTemperature = 95.0}),
+              "the motor is still at 95 °C; it must cool down to 80 °C");
+    EXPECT_EQ(refusal(LossClass::OverTemperature, both,
+                      {.voltage = 24.0, .boardTemperature = 60.0, .motorTemperature = 79.0}),
+              "");
+}
+
+// Story: a mount that Boresight had stopped at 11 V was re-armed at 11 V.
+TEST_F(ClearRefusal, ASupplyThatStoppedTheMountMustBeBackWhateverTheLossWasCalled)
+{
+    const DriveConditions low{.voltage = 11.8, .boardTemperature = 30.0};
+    EXPECT_EQ(refusal(LossClass::Motion, low, {.voltage = 14.0}), "the supply is still at 14.0 V; 20.0 V are needed");
+    EXPECT_EQ(refusal(LossClass::Motion, low, {.voltage = 20.5}), "");
+    EXPECT_EQ(refusal(LossClass::Motion, {.voltage = 15.0}, {.voltage = 14.0}), "") << "that did not stop it";
 }
 
 TEST_F(ClearRefusal, ABoardThatReportsToBeCoolNeedNotCoolDown)
@@ -202,10 +228,22 @@ TEST_F(ClearRefusal, TheSupplyMustBeBack)
 
 TEST_F(ClearRefusal, OtherLossesHaveNothingToWaitFor)
 {
-    const DriveConditions odd{.voltage = 11.0, .boardTemperature = 90.0};
+    const DriveConditions odd{.voltage = 13.0, .boardTemperature = 90.0};
     for (const LossClass loss : {LossClass::Bus, LossClass::Encoder, LossClass::Released}) {
         EXPECT_EQ(refusal(loss, odd, odd), "");
     }
+}
+
+TEST(StandingRefusal, WhatWouldStopTheMountAgainAtOnce)
+{
+    const profile::SupervisionSettings settings;
+    const auto refusal = [&](const DriveConditions& now) { return standingRefusal(settings, now).toStdString(); };
+    EXPECT_EQ(refusal({.voltage = 24.0, .boardTemperature = 74.0}), "");
+    EXPECT_EQ(refusal({.voltage = 24.0, .boardTemperature = 77.0}),
+              "the drive board is still at 77 °C; it must cool down to 70 °C");
+    EXPECT_EQ(refusal({.voltage = 11.9, .boardTemperature = 30.0}), "the supply is still at 11.9 V; 12.0 V are needed");
+    EXPECT_EQ(refusal({.voltage = 13.0, .boardTemperature = 30.0}), "");
+    EXPECT_EQ(refusal({}), "") << "a drive that does not tell them";
 }
 
 }  // namespace
