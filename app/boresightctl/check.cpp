@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/subcommand.h"
+#include "core/profile/advice.h"
 #include "core/profile/profile_file.h"
 
 #include <cstdio>
@@ -23,6 +24,9 @@ ExitStatus run(Arguments arguments)
     }
     print(path + ": in order: \"" + profile->mount.name + "\", bus " + profile->bus + ", azimuth id " +
           std::to_string(profile->azimuth.id) + ", elevation id " + std::to_string(profile->elevation.id) + '\n');
+    for (const profile::Advice& advice : profile::adviceOn(*profile)) {
+        print(advice.key + ": " + advice.what.toStdString() + ". " + advice.remedy.toStdString() + '\n');
+    }
     return kDone;
 }
 
@@ -35,6 +39,7 @@ const Subcommand kCheckCommand{
     .details =
         R"(All errors come at once, one line each: FILE:LINE: KEY: reason. Nothing is changed. A file with a password that every
 user can read is a warning.
+What is permitted and hardly meant (brakes that are none) is told as KEY: with its numbers.
 Exit status: 0 no error, 1 there are errors or the file cannot be read.
 
 Example:

@@ -62,6 +62,7 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
 {
     (void)m_sun.update(clock);
     enforceRegion();
+    tellAdvice();
 }
 
 Result<> StationControl::request(const Request& request, const Source& source)

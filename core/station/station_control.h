@@ -5,6 +5,7 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/pointing/mount_model.h"
+#include "core/profile/advice.h"
 #include "core/profile/profile.h"
 #include "core/station/alarm_board.h"
 #include "core/station/arming.h"
@@ -27,6 +28,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 // The only place that decides about motion: accepts or refuses every request, whoever sends it, and once per tick
 // turns the decision into one frame for each drive. Holds the rules: nothing moves before an explicit request, STOP
@@ -218,6 +220,7 @@ private:
                       const QString& what = {});
     Result<> runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& text);
     void enforceRegion();
+    void tellAdvice();
     [[nodiscard]] QString directionText(const AxisPosition& place) const;
     [[nodiscard]] Result<> mayMoveFirst(const AxisRates& rates);
     void watchFirstMoves();
@@ -315,6 +318,7 @@ private:
     std::optional<CableTold> m_cableTold;
     std::optional<TurnBack> m_turnBack;  // going on now
     std::optional<SteadyTime> m_jogDeadline;
+    std::vector<profile::Advice> m_advice;  // on the profile, as it was told
     std::array<bool, 2> m_answered{};
     std::array<bool, 2> m_ignoringBounds{};
     bool m_turnsWereKnown = false;

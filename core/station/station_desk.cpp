@@ -5,6 +5,8 @@
 #include "core/profile/setting.h"
 #include "core/station/station_control.h"
 
+#include <utility>
+
 namespace boresight {
 namespace {
 
@@ -145,6 +147,23 @@ void StationControl::setProfile(const profile::Profile& profile)
     m_arming.setProfile(profile);
     m_azimuthWatch.setProfile(profile);
     m_elevationWatch.setProfile(profile);
+    tellAdvice();
+}
+
+void StationControl::tellAdvice()
+{
+    const auto advice = profile::adviceOn(m_profile);
+    if (advice == m_advice) {
+        return;
+    }
+    for (const profile::Advice& old : std::exchange(m_advice, advice)) {
+        m_alarms.clear(toQString(old.key));
+    }
+    for (const profile::Advice& one : m_advice) {
+        m_alarms.raise(
+            toQString(one.key), Severity::Advisory,
+            {.what = one.what, .action = Text::tr("Boresight uses the profile as it is"), .remedy = one.remedy});
+    }
 }
 
 // Nobody has confirmed yet that the axes turn as the profile says.

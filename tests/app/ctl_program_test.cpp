@@ -153,6 +153,17 @@ TEST_F(ProfileFile, CheckKnowsRegionPresetsAndSite)
     EXPECT_THAT(bad.errors, HasSubstr("is in the keep-out \"mast\""));
 }
 
+TEST_F(ProfileFile, CheckTellsWhatIsHardlyMeantWithItsNumbers)
+{
+    const Outcome told =
+        ctl({QStringLiteral("check"), write("version = 1\n[azimuth]\nmax_acceleration_deg_s2 = 0.5\n"
+                                            "max_jerk_deg_s3 = 5\n[elevation]\n"
+                                            "max_acceleration_deg_s2 = 300\nmax_jerk_deg_s3 = 3000\n")});
+    EXPECT_EQ(told.status, 0) << "the mount alone knows";
+    EXPECT_THAT(told.output, HasSubstr("azimuth.max_acceleration_deg_s2: the azimuth needs 20.2 s and 101° to stop"));
+    EXPECT_THAT(told.output, HasSubstr("elevation.max_acceleration_deg_s2: the elevation is to reach 8.0°/s within"));
+}
+
 TEST_F(ProfileFile, CheckTellsOfAFileThatIsNotThere)
 {
     const Outcome absent = ctl({QStringLiteral("check"), folder.filePath(QStringLiteral("absent.toml"))});

@@ -37,6 +37,23 @@ TEST(StationDesk, ATrimIsACorrectionNotAnotherTarget)
     EXPECT_FALSE(rig.ask(request::ClearTrim{}, kClient));
 }
 
+TEST(StationDesk, AProfileWithoutBrakesIsAnAdvisoryForAsLongAsItIsInForce)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    EXPECT_TRUE(rig.control.status().alarms.empty());
+    rig.profile.azimuth.limits.acceleration = AngularAcceleration::fromDegrees(0.5);
+    rig.profile.azimuth.limits.jerk = AngularJerk::fromDegrees(5.0);
+    rig.control.setProfile(rig.profile);
+    const auto alarms = rig.control.status().alarms;
+    ASSERT_EQ(alarms.size(), 1U);
+    EXPECT_EQ(alarms.front().severity, Severity::Advisory);
+    EXPECT_EQ(alarms.front().what, QStringLiteral("The azimuth needs 20.2 s and 101° to stop from 10.0°/s."));
+    rig.profile.azimuth.limits = profile::referenceAzimuth().limits;
+    rig.control.setProfile(rig.profile);
+    EXPECT_TRUE(rig.control.status().alarms.empty());
+}
+
 TEST(StationDesk, ANudgeWithoutAStreamIsAStep)
 {
     StationRig rig;

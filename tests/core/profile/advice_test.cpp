@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/profile/advice.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace boresight::profile {
+namespace {
+
+using ::testing::HasSubstr;
+
+Profile with(double speed, double acceleration, double torque = 50.0)
+{
+    Profile profile;
+    profile.azimuth.limits = {.speed = AngularRate::fromDegrees(speed),
+                              .acceleration = AngularAcceleration::fromDegrees(acceleration),
+                              .jerk = AngularJerk::fromDegrees(10.0 * acceleration)};
+    profile.azimuth.maxTorque = torque;
+    return profile;
+}
+
+TEST(Advice, HasNothingOnOrdinaryMounts)
+{
+    EXPECT_TRUE(adviceOn({}).empty());
+    EXPECT_TRUE(adviceOn(with(1.0, 0.2)).empty()) << "a large dish: 5.2 s, but only 2.6°";
+    EXPECT_TRUE(adviceOn(with(30.0, 30.0)).empty()) << "a fast one: 18°, but within 1.2 s";
+}
+
+// Story: 0.5°/s² passed the check; the mount took 14 s and 49° to stop from 7°/s.
+TEST(Advice, TellsOfBrakesThatAreNone)
+{
+    const auto advice = adviceOn(with(7.0, 0.5));
+    ASSERT_EQ(advice.size(), 1U);
+    EXPECT_EQ(advice.front().key, "azimuth.max_acceleration_deg_s2");
+    EXPECT_THAT(advice.front().what.toStdString(), HasSubstr("needs 14.2 s and 50° to stop from 7.0°/s"));
+    EXPECT_THAT(advice.front().remedy.toStdString(), HasSubstr("Raise max_acceleration_deg_s2 (0.5)"));
+}
+
+// Story: 300°/s² with 50 Nm passed the check, and every reversal ended in a fault.
+TEST(Advice, TellsOfAnAccelerationThatNoTorqueGives)
+{
+    const auto advice = adviceOn(with(10.0, 300.0));
+    ASSERT_EQ(advice.size(), 1U);
+    EXPECT_THAT(advice.front().what.toStdString(),
+                HasSubstr("10.0°/s within 0.03 s: the 50.0 Nm allowed can do that with 9.5 kg·m² at most"));
+    EXPECT_THAT(advice.front().remedy.toStdString(), HasSubstr("Lower max_acceleration_deg_s2 (300.0)"));
+}
+
+TEST(Advice, LooksAtBothAxes)
+{
+    Profile profile = with(7.0, 0.5);
+    profile.elevation.limits = profile.azimuth.limits;
+    EXPECT_EQ(adviceOn(profile).size(), 2U);
+}
+
+}  // namespace
+}  // namespace boresight::profile
