@@ -3,6 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/moteus/faults.h"
+#include "core/sim/reply_spoiler.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +18,7 @@ using sim::Injection;
 constexpr auto kNeeded = NeedOfValue::Needed;
 constexpr auto kOptional = NeedOfValue::Optional;
 
-constexpr std::array<InjectionOption, 20> kOptions{{
+constexpr std::array<InjectionOption, 32> kOptions{{
     {.name = "silence", .kind = FaultKind::Silence, .text = "receives and acts, but answers nothing"},
     {.name = "late",
      .kind = FaultKind::LateReply,
@@ -45,6 +46,52 @@ constexpr std::array<InjectionOption, 20> kOptions{{
      .max = 1.0,
      .text = "its answers are damaged with probability #"},
     {.name = "duplicate-id", .kind = FaultKind::DuplicateId, .text = "has the id of the other drive"},
+    {.name = "false-position",
+     .kind = FaultKind::FalsePosition,
+     .need = kNeeded,
+     .value = "DEGREES",
+     .unit = "deg",
+     .min = -36000.0,
+     .max = 36000.0,
+     .text = "the position in its answers is wrong by #"},
+    {.name = "position-nan", .kind = FaultKind::PositionNaN, .text = "the position in its answers is NaN"},
+    {.name = "position-infinite",
+     .kind = FaultKind::PositionInfinite,
+     .text = "the position in its answers is infinite"},
+    {.name = "position-missing", .kind = FaultKind::PositionMissing, .text = "its answers end before the position"},
+    {.name = "supply-nan", .kind = FaultKind::SupplyNaN, .text = "the supply voltage in its answers is NaN"},
+    {.name = "temperature-nan", .kind = FaultKind::TemperatureNaN, .text = "the temperatures in its answers are NaN"},
+    {.name = "answer-as",
+     .kind = FaultKind::ForeignId,
+     .need = kNeeded,
+     .value = "ID",
+     .min = 0.0,
+     .max = 127.0,
+     .whole = true,
+     .text = "its answers carry the id #"},
+    {.name = "exchange", .kind = FaultKind::ExchangedReplies, .text = "its answers carry the id of the other drive"},
+    {.name = "double", .kind = FaultKind::DoubledReply, .text = "each of its answers comes twice"},
+    {.name = "stale",
+     .kind = FaultKind::StaleReply,
+     .need = kNeeded,
+     .value = "TIME",
+     .unit = "s",
+     .max = sim::kLongestStale.count(),
+     .text = "answers what it answered # ago"},
+    {.name = "edit",
+     .kind = FaultKind::EditedReply,
+     .need = kNeeded,
+     .value = "P",
+     .max = 1.0,
+     .text = "its answers are edited at random with probability #: false, missing, stale, doubled, under another id"},
+    {.name = "slip",
+     .kind = FaultKind::EncoderSlip,
+     .need = kNeeded,
+     .value = "DEGREES",
+     .unit = "deg",
+     .min = -360.0,
+     .max = 360.0,
+     .text = "its encoder slips by # once"},
     {.name = "fault",
      .kind = FaultKind::DriveFault,
      .need = kNeeded,

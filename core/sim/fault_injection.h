@@ -33,9 +33,21 @@ enum class FaultKind
     Jam,             // value: mount angle in degrees where something is in the way
     Stall,           // the axis is blocked where it is
     RegisterMap,     // value: another register map version
-    SensorSilence,   // the orientation sensor has no power, or no WiFi
-    SensorDead,      // its chip does not answer it: zeros
-    SensorFrozen,    // it says one value again and again
+    EncoderSlip,     // value: degrees that the measured angle jumps by when it begins; the jump stays
+    FalsePosition,   // value: degrees that the angle in a reply is wrong by; the drive itself knows better
+    PositionNaN,
+    PositionInfinite,
+    PositionMissing,   // the reply ends before it: little more than the mode
+    SupplyNaN,         // no voltage in the reply
+    TemperatureNaN,    // neither of the board nor of the motor
+    ForeignId,         // value: the id that a reply seems to come from
+    ExchangedReplies,  // a reply seems to come from the other drive
+    DoubledReply,      // each comes twice
+    StaleReply,        // value: seconds, up to kLongestStale; the reply of that time ago comes again
+    EditedReply,       // value: probability that one of the kinds from FalsePosition to StaleReply is done to a reply
+    SensorSilence,     // the orientation sensor has no power, or no WiFi
+    SensorDead,        // its chip does not answer it: zeros
+    SensorFrozen,      // it says one value again and again
 };
 
 struct Injection

@@ -81,7 +81,7 @@ void SimulatedMoteus::step(double dt, const Surroundings& surroundings)
 
 void SimulatedMoteus::sampleEncoder()
 {
-    m_encoder->sample(m_plant.position() * m_settings.gearRatio, m_plant.velocity() * m_settings.gearRatio,
+    m_encoder->sample((m_plant.position() + m_slip) * m_settings.gearRatio, m_plant.velocity() * m_settings.gearRatio,
                       m_plant.loadPosition());
 }
 

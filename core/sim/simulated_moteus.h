@@ -51,6 +51,8 @@ public:
     void setPowered(bool powered);
     // Turned by hand without power, which the drive does not see.
     void place(double position);
+    // The encoder sees the axis so many turns farther from now on.
+    void slipEncoder(double turns) { m_slip += turns; }
     void raiseFault(int code) { m_servo->raiseFault(code); }
     void setRegisterMapVersion(int version) { m_registerMapVersion = version; }
     [[nodiscard]] bool isPowered() const { return m_powered; }
@@ -109,6 +111,7 @@ private:
     DiagnosticConsole m_console{*this};
     moteus::FrameServer m_server;
     bool m_powered = true;
+    double m_slip = 0.0;  // turns of the axis
     double m_uptime = 0.0;
     int m_registerMapVersion = moteus::kRegisterMapVersion;
 

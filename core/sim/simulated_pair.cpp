@@ -58,8 +58,12 @@ PairSettings factoryPair(const AxisPosition& start)
 SimulatedPair::SimulatedPair(const PairSettings& settings)
     : m_supply(settings.supply),
       m_supplyVoltage(settings.supply.voltage),
-      m_sides{{{.axis = Axis::Azimuth, .drive = std::make_unique<SimulatedMoteus>(settings.azimuth)},
-               {.axis = Axis::Elevation, .drive = std::make_unique<SimulatedMoteus>(settings.elevation)}}},
+      m_sides{{{.axis = Axis::Azimuth,
+                .drive = std::make_unique<SimulatedMoteus>(settings.azimuth),
+                .spoiler = {Axis::Azimuth, settings.seed}},
+               {.axis = Axis::Elevation,
+                .drive = std::make_unique<SimulatedMoteus>(settings.elevation),
+                .spoiler = {Axis::Elevation, settings.seed + 1}}}},
       m_random(settings.seed)
 {}
 
@@ -120,6 +124,11 @@ void SimulatedPair::applyFaults(Side& side)
         side.drive->raiseFault(fault);
     }
     side.injectedFault = fault;
+    const double slip = faultValue(FaultKind::EncoderSlip, side.axis, 0.0);
+    if (slip != 0.0 && slip != side.injectedSlip) {
+        side.drive->slipEncoder(mount.sign * slip / 360.0);
+    }
+    side.injectedSlip = slip;
 }
 
 // Power goes for both; while it is away somebody may turn an axis by hand.
@@ -157,27 +166,41 @@ std::vector<PairReply> SimulatedPair::exchange(const CanFrame& frame, Seconds no
 {
     advanceTo(now);
     std::vector<PairReply> replies;
-    for (Side& side : m_sides) {
-        if (auto reply = askOne(side, frame)) {
-            replies.push_back(*reply);
+    for (const auto& [side, said] : ask(frame)) {
+        const double delay = m_faults.active(FaultKind::LateReply, side->axis, m_now).value_or(0.0);
+        for (const CanFrame& arriving : side->spoiler.spoil(said, m_faults, m_now, otherId(*side))) {
+            replies.push_back({.frame = arriving,
+                               .due = m_now + Seconds(delay),
+                               .damaged = happens(FaultKind::CorruptLine, side->axis)});
         }
     }
-    if (replies.size() == 2 && replies[0].frame.id == replies[1].frame.id) {
-        // Two with one id answer together: different bits destroy each other, the same bits are one frame.
-        replies.resize(replies[0].frame == replies[1].frame ? 1 : 0);
-    }
-    std::ranges::sort(replies, arbitratesBefore);
+    std::ranges::stable_sort(replies, arbitratesBefore);
     return replies;
 }
 
-std::optional<PairReply> SimulatedPair::askOne(Side& side, const CanFrame& frame)
+std::vector<SimulatedPair::Answer> SimulatedPair::ask(const CanFrame& frame)
+{
+    std::vector<Answer> answers;
+    for (Side& side : m_sides) {
+        if (const auto reply = askOne(side, frame)) {
+            answers.push_back({.side = &side, .frame = *reply});
+        }
+    }
+    if (answers.size() == 2 && answers[0].frame.id == answers[1].frame.id) {
+        // Two with one id answer together: different bits destroy each other, the same bits are one frame.
+        answers.erase(answers.begin() + (answers[0].frame == answers[1].frame ? 1 : 0), answers.end());
+    }
+    return answers;
+}
+
+std::optional<CanFrame> SimulatedPair::askOne(Side& side, const CanFrame& frame)
 {
     if (happens(FaultKind::LostCommand, side.axis)) {
         return std::nullopt;
     }
     std::optional<int> answerAs;
     if (m_faults.isActive(FaultKind::DuplicateId, side.axis, m_now)) {
-        answerAs = m_sides[1 - this->side(side.axis)].drive->driveConfig().id;
+        answerAs = otherId(side);
     }
     const double age = (m_stepped - m_now).count();
     const std::optional<CanFrame> reply = side.drive->exchange(frame, age, answerAs);
@@ -189,9 +212,12 @@ std::optional<PairReply> SimulatedPair::askOne(Side& side, const CanFrame& frame
         ++m_replyCounts.lost;
         return std::nullopt;
     }
-    const double delay = m_faults.active(FaultKind::LateReply, side.axis, m_now).value_or(0.0);
-    return PairReply{
-        .frame = *reply, .due = m_now + Seconds(delay), .damaged = happens(FaultKind::CorruptLine, side.axis)};
+    return reply;
+}
+
+int SimulatedPair::otherId(const Side& side) const
+{
+    return m_sides[1 - this->side(side.axis)].drive->driveConfig().id;
 }
 
 AxisTruth SimulatedPair::truth(Axis axis) const

@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/sim/fault_injection.h"
 #include "core/sim/power_supply.h"
+#include "core/sim/reply_spoiler.h"
 #include "core/sim/simulated_moteus.h"
 #include "core/units/sky.h"
 
@@ -22,7 +23,7 @@ struct PairSettings
     MoteusSettings azimuth;
     MoteusSettings elevation;
     SupplySettings supply{};
-    std::uint32_t seed = 1;  // of lost frames
+    std::uint32_t seed = 1;  // of lost and edited frames
 };
 
 // The reference mount (reference_mount.h), referenced and protected, standing at `start`.
@@ -80,7 +81,9 @@ private:
     {
         Axis axis;
         std::unique_ptr<SimulatedMoteus> drive;
+        ReplySpoiler spoiler;
         int injectedFault = 0;
+        double injectedSlip = 0.0;          // degrees
         std::optional<double> handAngle{};  // degrees, while the power is off
     };
 
@@ -91,7 +94,14 @@ private:
     void applyPower();
     [[nodiscard]] double faultValue(FaultKind kind, Axis axis, double otherwise) const;
     [[nodiscard]] bool happens(FaultKind kind, Axis axis);
-    [[nodiscard]] std::optional<PairReply> askOne(Side& side, const CanFrame& frame);
+    struct Answer
+    {
+        Side* side;
+        CanFrame frame;
+    };
+    [[nodiscard]] std::vector<Answer> ask(const CanFrame& frame);
+    [[nodiscard]] std::optional<CanFrame> askOne(Side& side, const CanFrame& frame);
+    [[nodiscard]] int otherId(const Side& side) const;
 
     PowerSupply m_supply;
     double m_supplyVoltage;

@@ -356,6 +356,20 @@ TEST_F(SimulatedLinkTest, StallShowsAsTorque)
     EXPECT_EQ(ask(1)->fault(), static_cast<int>(sim::ActiveLimit::MaxCurrent));
 }
 
+// The drive's integrator keeps what it has gathered: an order to stay where the axis is does not end it.
+TEST_F(SimulatedLinkTest, AStalledAxisIsPushedOnWhenItIsOrderedToStayWhereItIs)
+{
+    drive(0.5, 1, moveTo(0.0));
+    const auto stall = inject(FaultKind::Stall);
+    drive(3.0, 1, moveTo(0.02));
+    const double here = *ask(1)->value(Register::Position);
+    drive(5.0, 1, moveTo(here));
+    EXPECT_GT(link.truth(Axis::Azimuth).torque, 40.0);
+    link.pair().faults().remove(stall);
+    drive(5.0, 1, moveTo(here));
+    EXPECT_NEAR(link.truth(Axis::Azimuth).torque, 0.0, 6.0) << "it goes only by moving";
+}
+
 TEST_F(SimulatedLinkTest, JamStopsTheAxisWhereItIs)
 {
     inject(FaultKind::Jam, 30.0);
