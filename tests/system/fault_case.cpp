@@ -27,6 +27,14 @@ constexpr Seconds kBlockedKnown{1.1};
 // An axis that was pushed against something, when that gives way: the drive's integrator is wound up.
 constexpr Angle kWoundUp = Angle::fromDegrees(0.3);
 
+// Its drive follows its encoder, and no program sees by how much that is wrong within a turn of the rotor.
+constexpr Angle kSlips = Angle::fromDegrees(2.3);
+constexpr Angle kWindBends = Angle::fromDegrees(1.5);
+constexpr Angle kStormTurns = Angle::fromDegrees(25.0);  // its drive gives up at 10°
+
+// Unbalance, wind and friction of an axis that stands.
+constexpr double kHolds = 15.0;  // Nm
+
 struct Group
 {
     Fault fault;
@@ -114,8 +122,7 @@ std::vector<Group> roughLines()
             .name = name, .injections = {injection}, .outcome = Outcome::GoesOn, .hurt = Hurt::None, .alarm = alarm};
     };
     return {
-        {.fault = goesOn("one reply lost",
-                         {.kind = FaultKind::LostReply, .duration = SimulatedStation::kTick, .value = 1.0}),
+        {.fault = goesOn("one reply lost", {.kind = FaultKind::LostReply, .duration = kOneReply, .value = 1.0}),
          .moments = {Moment::InTrack}},
         {.fault = goesOn("every fifth reply lost", {.kind = FaultKind::LostReply, .value = 0.2}),
          .moments = {Moment::InSlew, Moment::InTrack}},
@@ -126,6 +133,94 @@ std::vector<Group> roughLines()
         {.fault = goesOn("replies 0.05 s late", {.kind = FaultKind::LateReply, .value = 0.05}),
          .moments = {Moment::InSlew, Moment::InTrack}},
     };
+}
+
+// What one drive answers is not what is true; it does what it is told. One such reply changes nothing.
+std::vector<Group> falsePositions()
+{
+    std::vector<Group> groups;
+    for (const Axis axis : kAxes) {
+        const auto answers = [axis](const std::string& what, const Injection& injection) {
+            Fault fault{.name = what, .injections = {injection}};
+            fault.name.replace(what.find('#'), 1, name(axis));
+            fault.injections[0].axis = axis;
+            return fault;
+        };
+        const auto goesOn = [](Fault fault) {
+            fault.outcome = Outcome::GoesOn;
+            fault.hurt = Hurt::None;
+            return fault;
+        };
+        const auto latches = [axis](Fault fault) {
+            fault.hurt = hurt(axis);
+            fault.alarm = name(axis);
+            return fault;
+        };
+        const double off = axis == Axis::Azimuth ? 90.0 : -60.0;
+        const std::string degrees = std::to_string(static_cast<int>(off)) + "°";
+        groups.push_back(
+            {.fault = goesOn(answers("one reply of the # drive is wrong by " + degrees,
+                                     {.kind = FaultKind::FalsePosition, .duration = kOneReply, .value = off})),
+             .moments = kEverywhereAndAtTheEnds});
+        groups.push_back({.fault = latches(answers("replies of the # drive are wrong by " + degrees,
+                                                   {.kind = FaultKind::FalsePosition, .value = off})),
+                          .moments = kEverywhereAndAtTheEnds});
+        groups.push_back({.fault = latches(answers("replies of the # drive are wrong by 5°",
+                                                   {.kind = FaultKind::FalsePosition, .value = 5.0})),
+                          .moments = kEverywhere});
+        groups.push_back({.fault = goesOn(answers("one reply of the # drive has no position",
+                                                  {.kind = FaultKind::PositionNaN, .duration = kOneReply})),
+                          .moments = kFast});
+        groups.push_back({.fault = latches(answers("# position NaN", {.kind = FaultKind::PositionNaN})),
+                          .moments = kEverywhereAndAtTheEnds});
+        groups.push_back({.fault = latches(answers("# position infinite", {.kind = FaultKind::PositionInfinite})),
+                          .moments = kFast});
+        groups.push_back(
+            {.fault = latches(answers("# replies end before the position", {.kind = FaultKind::PositionMissing})),
+             .moments = kFast});
+    }
+    return groups;
+}
+
+std::vector<Group> strangeReplies()
+{
+    const auto goesOn = [](const std::string& name, const Injection& injection) {
+        return Fault{.name = name, .injections = {injection}, .outcome = Outcome::GoesOn, .hurt = Hurt::None};
+    };
+    const auto ofAzimuth = [](const std::string& name, const Injection& injection) {
+        return Fault{.name = name, .injections = {injection}, .hurt = Hurt::Azimuth, .alarm = "azimuth"};
+    };
+    std::vector<Group> groups{
+        {.fault = ofAzimuth("azimuth drive answers under the unknown id 7",
+                            {.kind = FaultKind::ForeignId, .axis = Axis::Azimuth, .value = 7.0}),
+         .moments = kFast},
+        {.fault = goesOn("replies of both drives exchanged once",
+                         {.kind = FaultKind::ExchangedReplies, .duration = kOneReply}),
+         .moments = kEverywhere},
+        {.fault = {.name = "replies of both drives exchanged", .injections = {{.kind = FaultKind::ExchangedReplies}}},
+         .moments = kEverywhere},
+        {.fault = goesOn("each reply comes twice", {.kind = FaultKind::DoubledReply}), .moments = kEverywhere},
+        {.fault = goesOn("one reply is that of 0.5 s ago",
+                         {.kind = FaultKind::StaleReply, .duration = kOneReply, .value = 0.5}),
+         .moments = kEverywhere},
+        {.fault = ofAzimuth("azimuth replies are those of 0.5 s ago",
+                            {.kind = FaultKind::StaleReply, .axis = Axis::Azimuth, .value = 0.5}),
+         .moments = {Moment::InSlew}},
+        {.fault = goesOn("no supply voltage in the replies", {.kind = FaultKind::SupplyNaN}), .moments = kEverywhere},
+        {.fault = goesOn("no temperatures in the replies", {.kind = FaultKind::TemperatureNaN}),
+         .moments = kEverywhere},
+    };
+    for (const Axis axis : kAxes) {
+        groups.push_back({.fault = {.name = name(axis) + " encoder slips by 2°",
+                                    .injections = {{.kind = FaultKind::EncoderSlip, .axis = axis, .value = 2.0}},
+                                    .hurt = hurt(axis),
+                                    .alarm = name(axis),
+                                    .stillWithin = Seconds(2.0),
+                                    .strays = kSlips,
+                                    .arrives = kSlips},
+                          .moments = kEverywhere});
+    }
+    return groups;
 }
 
 std::vector<Group> driveFaults()
@@ -204,7 +299,8 @@ std::vector<Group> mechanics()
         {.fault = {.name = "gust of 20 Nm for 2 s",
                    .injections = {{.kind = FaultKind::Wind, .duration = Seconds(2.0), .value = 20.0}},
                    .outcome = Outcome::GoesOn,
-                   .hurt = Hurt::None},
+                   .hurt = Hurt::None,
+                   .strays = kWindBends},
          .moments = {Moment::AtRest, Moment::InSlew, Moment::InTrack}},
         {.fault = {.name = "storm of 60 Nm for 1 s, 50 Nm allowed",
                    .injections =
@@ -212,7 +308,8 @@ std::vector<Group> mechanics()
                    .hurt = Hurt::Azimuth,
                    .alarm = "azimuth",
                    .alarmWithin = Seconds(1.1),  // the 10 Nm too much need so long to push it 10° away (fault 49)
-                   .stillWithin = Seconds(3.0)},
+                   .stillWithin = Seconds(3.0),
+                   .strays = kStormTurns},
          .moments = {Moment::AtRest, Moment::InTrack}},
     };
     for (const Axis axis : kAxes) {
@@ -221,6 +318,7 @@ std::vector<Group> mechanics()
                                     .hurt = hurt(axis),
                                     .alarm = "The " + name(axis) + " does not move",
                                     .alarmWithin = kBlockedKnown,
+                                    .pushesOn = kHolds,
                                     .springsBack = kWoundUp},
                           .moments = kInMotion});
         groups.push_back({.fault = {.name = name(axis) + " jammed 0.1° farther on",
@@ -230,6 +328,7 @@ std::vector<Group> mechanics()
                                     .alarmWithin = kBlockedKnown,
                                     .stillWithin = Seconds(0.3),  // it goes on 0.1° first
                                     .othersStillWithin = Seconds(2.5),
+                                    .pushesOn = kHolds,
                                     .springsBack = kWoundUp},
                           .moments = kInMotion});
     }
@@ -316,7 +415,8 @@ std::string word(Moment moment)
 std::vector<FaultCase> faultCases()
 {
     std::vector<FaultCase> cases;
-    for (const auto& groups : {lostLines(), roughLines(), driveFaults(), supplies(), mechanics(), others()}) {
+    for (const auto& groups : {lostLines(), roughLines(), falsePositions(), strangeReplies(), driveFaults(), supplies(),
+                               mechanics(), others()}) {
         for (const Group& group : groups) {
             for (const Moment moment : group.moments) {
                 cases.push_back({.fault = group.fault, .moment = moment});

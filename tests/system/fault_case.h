@@ -4,6 +4,7 @@
 #include "tests/system/simulated_station.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,8 @@ enum class Hurt
 };
 
 inline constexpr Seconds kFaultLasts{3.0};
+inline constexpr Seconds kOneReply = 1.5 * SimulatedStation::kTick;
+inline constexpr Seconds kFiveReplies = 5.5 * SimulatedStation::kTick;
 
 struct Fault
 {
@@ -52,6 +55,9 @@ struct Fault
     Seconds stillWithin{0.2};   // the hurt axes
     Seconds othersStillWithin{2.0};
     Angle beyond = Angle::fromDegrees(0.2);        // the travel
+    std::optional<double> pushesOn{};              // Nm: at most so much on a blocked axis, when the fault ends
+    Angle strays = Angle::fromDegrees(0.3);        // from where it stood, at rest, until somebody re-arms
+    Angle arrives = Angle::fromDegrees(0.1);       // this near to its next target
     Angle springsBack = Angle::fromDegrees(0.03);  // when the fault is over: backlash, and the drive coming to rest
 };
 

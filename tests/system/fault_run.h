@@ -18,6 +18,8 @@ struct FaultOutcome
     std::optional<Seconds> alarm;    // empty: none with the expected words
     std::array<Seconds, 2> still{};  // azimuth, elevation: the last motion
     std::array<Angle, 2> beyond{};   // the farthest outside the travel
+    std::array<Angle, 2> strayed{};  // the farthest from where it stood when the fault began
+    std::array<double, 2> torque{};  // Nm, when the fault ends
     std::array<Angle, 2> moved{};    // from where it stood when the fault was over, until re-armed
     std::array<bool, 2> off{};       // its drive gives no torque then
     bool stoppedByThen = false;      // both axes, before the fault was over
@@ -58,8 +60,10 @@ private:
     std::optional<GpredictClient> m_gpredict;
     std::vector<sim::FaultSchedule::Handle> m_handles;
     SteadyTime m_began{};
+    AxisPosition m_stood;
     SteadyTime m_nextAsk{};
     bool m_faulty = false;
+    bool m_left = false;  // to itself: nobody has re-armed, or asked for something new
     bool m_keysHeld = false;
     FaultOutcome m_outcome;
 };

@@ -20,8 +20,9 @@ namespace boresight::system_test {
 namespace {
 
 const char* const kHeader =
-    "| fault | moment | alarm s | still az s | still el s | beyond travel ° | state | moved before re-arm ° | "
-    "drives then | again by | alarm |\n|---|---|---:|---:|---:|---:|---|---:|---|---|---|\n";
+    "| fault | moment | alarm s | still az s | still el s | astray ° | beyond travel ° | state | "
+    "moved before re-arm ° | drives then | again by | alarm |\n"
+    "|---|---|---:|---:|---:|---:|---:|---|---:|---|---|---|\n";
 
 std::string number(double value, int decimals)
 {
@@ -40,8 +41,10 @@ std::string line(const FaultCase& faultCase, const FaultOutcome& outcome)
     const auto drive = [&](std::size_t i) { return std::string(outcome.off[i] ? "off" : "on"); };
     const std::string alarm = outcome.alarm ? number(outcome.alarm->count(), 2) : "-";
     const bool latches = faultCase.fault.outcome == Outcome::Latches;
+    const bool stood = faultCase.moment == Moment::AtRest;
     return keyOf(faultCase) + " " + alarm + " | " + (latches ? number(outcome.still[0].count(), 2) : "-") + " | " +
            (latches ? number(outcome.still[1].count(), 2) : "-") + " | " +
+           (stood ? number(std::max(outcome.strayed[0], outcome.strayed[1]).degrees(), 3) : "-") + " | " +
            number(std::max(outcome.beyond[0], outcome.beyond[1]).degrees(), 3) + " | " + outcome.state + " | " +
            (latches ? number(std::max(outcome.moved[0], outcome.moved[1]).degrees(), 3) : "-") + " | " +
            (latches ? "az " + drive(0) + ", el " + drive(1) : "-") + " | " + outcome.again + " | " + outcome.text +
@@ -95,6 +98,12 @@ TEST_P(FaultTable, StopsTellsAndWaits)
         EXPECT_LE(*outcome.alarm, fault.alarmWithin + Seconds(1e-6));
     }
     EXPECT_LE(std::max(outcome.beyond[0], outcome.beyond[1]), fault.beyond);
+    if (GetParam().moment == Moment::AtRest) {
+        EXPECT_LE(std::max(outcome.strayed[0], outcome.strayed[1]), fault.strays);
+    }
+    if (fault.pushesOn) {
+        EXPECT_LE(outcome.torque[fault.hurt == Hurt::Azimuth ? 0 : 1], *fault.pushesOn) << "Nm";
+    }
     if (fault.outcome == Outcome::GoesOn) {
         EXPECT_NE(outcome.state, "FAULT");
         return;
