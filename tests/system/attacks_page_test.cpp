@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+
+// The page names tests; a test that was renamed or removed shows nothing any more.
+namespace boresight::system_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string textOf(const fs::path& path)
+{
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// "Suite.Name" of each match, whose first two groups are these.
+std::set<std::string> names(const std::string& text, const std::regex& pattern)
+{
+    std::set<std::string> found;
+    for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
+        found.insert((*match)[1].str() + "." + (*match)[2].str());
+    }
+    return found;
+}
+
+std::set<std::string> testsIn(const fs::path& folder)
+{
+    static const std::regex definition(R"(\nTEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\))");
+    std::set<std::string> found;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.path().extension() == ".cpp") {
+            found.merge(names(textOf(entry.path()), definition));
+        }
+    }
+    return found;
+}
+
+TEST(AttacksPage, NamesTestsThatExist)
+{
+    static const std::regex name(R"(`([A-Z]\w+)\.([A-Z]\w+)`)");
+    const std::set<std::string> named = names(textOf(fs::path(TESTS_FOLDER) / "system" / "ATTACKS.md"), name);
+    const std::set<std::string> existing = testsIn(TESTS_FOLDER);
+    EXPECT_GT(named.size(), 50U);
+    for (const std::string& test : named) {
+        EXPECT_TRUE(existing.contains(test)) << test;
+    }
+}
+
+}  // namespace
+}  // namespace boresight::system_test
