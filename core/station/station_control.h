@@ -238,7 +238,7 @@ private:
 
     void watchStall(Seconds gap);
     void resumeAfterStall();
-    [[nodiscard]] bool mayResume(Axis axis) const;
+    [[nodiscard]] bool mayResume() const;
     void finishResumption();
     void watchDrives();
     void keepStopped();

@@ -215,7 +215,7 @@ void StationControl::resumeAfterStall()
 {
     for (const Axis axis : kAxes) {
         Drive& drive = m_drives.drive(axis);
-        if (drive.loss() == DriveLoss::TimedOut && mayResume(axis)) {
+        if (drive.loss() == DriveLoss::TimedOut && mayResume()) {
             (void)drive.takeLoss();
             drive.engage();
             m_stall.resume();
@@ -230,7 +230,7 @@ void StationControl::resumeAfterStall()
     finishResumption();
 }
 
-bool StationControl::mayResume(Axis axis) const
+bool StationControl::mayResume() const
 {
     const auto isHealthy = [this](Axis which) {
         const Drive& drive = m_drives.drive(which);
@@ -239,11 +239,11 @@ bool StationControl::mayResume(Axis axis) const
     };
     const bool hindered = m_proof || m_arming.closing() || m_arming.released() || m_arming.stopLatched() ||
                           faultLatched() || !m_arming.fitness();
-    const auto place = m_drives.measured(axis);
     return m_profile.control.afterStall == profile::AfterStall::Resume && m_stall.explainsTimeOut(m_now) && !hindered &&
-           turnsKnown() && std::ranges::all_of(kAxes, isHealthy) && place && m_stall.isNear(axis, *place);
+           turnsKnown() && std::ranges::all_of(kAxes, isHealthy);
 }
 
+// Both drives are taken over and report where they stand, or it is too late.
 void StationControl::finishResumption()
 {
     if (!m_stall.resuming() || (!m_drives.engaged() && !faultLatched() && !m_stall.isLate(m_now))) {
@@ -253,7 +253,9 @@ void StationControl::finishResumption()
     m_alarms.clear(kStallCause);
     for (const Axis axis : kAxes) {
         const Drive& drive = m_drives.drive(axis);
-        if (drive.phase() != Drive::Phase::Engaged && !faultLatched()) {
+        const auto place = m_drives.measured(axis);
+        const bool isBack = drive.phase() == Drive::Phase::Engaged && place && m_stall.isNear(axis, *place);
+        if (!isBack && !faultLatched()) {
             const AlarmText text =
                 drive_alarms::lost(drive.label(), DriveLoss::TimedOut, 0, m_profile.control.watchdog);
             m_alarms.raise(toQString(drive.name()), Severity::Alarm, text);
