@@ -2,6 +2,7 @@
 #include "tests/core/station/station_promises.h"
 
 #include "core/base/overloaded.h"
+#include "core/survey/protections.h"
 
 #include <algorithm>
 #include <cmath>
@@ -371,12 +372,14 @@ void StationPromises::watchPath(Axis axis, const StationStatus& now, Seconds ste
     if (abs(*is.commandedRate).degrees() > limits.speed.degrees() * 1.001) {
         fail("a set-point is faster than the limit");
     }
+    // STOP may brake as hard as a drive that is left alone.
+    const AngularAcceleration allowed = now.stopLatched ? survey::emergencyBraking(limits) : limits.acceleration;
     const double moved = (*is.commanded - *was.commanded).degrees();
     const double mean = (is.commandedRate->degrees() + was.commandedRate->degrees()) / 2.0;
-    if (std::abs(moved - mean * time) > limits.acceleration.degrees() * time * time) {
+    if (std::abs(moved - mean * time) > allowed.degrees() * time * time) {
         fail("a step in position");
     }
-    if (std::abs((*is.commandedRate - *was.commandedRate).degrees()) > limits.acceleration.degrees() * time * 1.01) {
+    if (std::abs((*is.commandedRate - *was.commandedRate).degrees()) > allowed.degrees() * time * 1.01) {
         fail("a step in speed");
     }
 }
