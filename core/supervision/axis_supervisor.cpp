@@ -271,8 +271,8 @@ void AxisSupervisor::judgePush(const AxisObservation& seen, double share)
     const bool pushes = share >= kAllTorque && apart > kNotThere;
     m_pushes.update(seen.now, pushes ? 1.0 : 0.0, {.stop = 1.0, .release = 1.0, .after = kTorqueLasts}, [&] {
         return Text::tr("%1 does not move: %2 from its set-point with %3 Nm of the %4 Nm allowed, for %5")
-                   .arg(m_name, words(apart), words(std::abs(seen.torque), 1), words(m_limits.maxTorque, 1),
-                        words(kTorqueLasts)) +
+                   .arg(m_name, words(apart), words(std::abs(seen.torque.value_or(0.0)), 1),
+                        words(m_limits.maxTorque, 1), words(kTorqueLasts)) +
                limitText(seen.now);
     });
 }
