@@ -338,8 +338,16 @@ std::vector<Group> mechanics()
 std::vector<Group> others()
 {
     std::vector<Group> groups{
+        {.fault = {.name = "this computer stalls for 0.5 s",
+                   .stall = Seconds(0.5),
+                   .outcome = Outcome::GoesOn,
+                   .hurt = Hurt::None},
+         .moments = {Moment::AtRest, Moment::InSlew, Moment::WhileBraking, Moment::AtLowerEnd, Moment::InTrack,
+                     Moment::InJog}},
         {.fault = {.name = "this computer stalls for 0.5 s", .stall = Seconds(0.5), .alarm = "timed out"},
-         .moments = kEverywhereAndAtTheEnds},
+         .moments = {Moment::WhileEnabling}},
+        {.fault = {.name = "this computer stalls for 2.5 s", .stall = Seconds(2.5), .alarm = "timed out"},
+         .moments = {Moment::AtRest, Moment::InSlew, Moment::InTrack, Moment::InJog}},
         {.fault = {.name = "this computer stalls for 20 s", .stall = Seconds(20.0), .alarm = "timed out"},
          .moments = {Moment::AtRest, Moment::InSlew, Moment::InTrack, Moment::InJog}},
         {.fault = {.name = "this computer stalls for 20 s",
