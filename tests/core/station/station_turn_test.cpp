@@ -279,7 +279,7 @@ TEST(StationTurns, APlaceOfTheCommandLineFarOutsideTheTravelIsAnAlarmAndTheWrapS
     });
     ASSERT_NE(told, alarms.end());
     EXPECT_EQ(told->severity, Severity::Warning);
-    ASSERT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 405_deg}));
+    ASSERT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 403.2_deg}));
     rig.run(Seconds(0.5));
     const auto after = rig.control.status().alarms;
     EXPECT_TRUE(std::ranges::none_of(after, [](const Alarm& alarm) { return alarm.active; }));
