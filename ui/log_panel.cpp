@@ -72,7 +72,7 @@ ChoiceButton* LogPanel::addPage(QWidget& page, const QString& text, const QStrin
 void LogPanel::showStatus(const StationStatus& status)
 {
     m_alarms->showStatus(status);
-    m_timing->setText(tr("Control ticks: late by %1 ms (99 % of them), %2 ms at worst. %3")
+    m_timing->setText(tr("Control ticks: 99 % are late by at most %1 ms, the worst by %2 ms. %3")
                           .arg(status.timing.lateP99.count() * 1e3, 0, 'f', 1)
                           .arg(status.timing.lateWorst.count() * 1e3, 0, 'f', 1)
                           .arg(status.timing.scheduling));

@@ -52,8 +52,8 @@ void adviseOn(std::vector<Advice>& list, const std::string& table, const QString
         const double inertia = axis.maxTorque / limits.acceleration.radians();
         list.push_back(
             {key,
-             Text::tr("%1 is to reach %2°/s within %3 s: the %4 Nm allowed can do that with %5 kg·m² at most, "
-                      "without friction and wind")
+             Text::tr("%1 is to reach %2°/s within %3 s: the %4 Nm allowed are enough for a moment of inertia of "
+                      "%5 kg·m² at most, without friction and wind")
                  .arg(name, number(limits.speed.degrees(), 1), number(ramp.count(), 2), number(axis.maxTorque, 1),
                       number(inertia, 1)),
              Text::tr("Lower max_acceleration_deg_s2 (%1).").arg(acceleration)});

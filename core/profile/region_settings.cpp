@@ -136,9 +136,10 @@ void addSun(std::vector<Setting>& list)
         [](auto& p) -> auto& { return p.sun.keepAway; }));
     list.push_back(choice(
         "sun.clock", {"synchronised", "trusted"}, Applies::Now,
-        QT_TRANSLATE_NOOP("Text",
-                          "Which clock tells where the Sun is: one synchronised by NTP or GPS, or always the "
-                          "clock of this computer."),
+        QT_TRANSLATE_NOOP(
+            "Text",
+            "With \"synchronised\" Boresight computes the Sun only from a clock that NTP or GPS set in the "
+            "last 24 h. With \"trusted\" it uses the clock of this computer without that check."),
         [](auto& p) -> auto& { return p.sun.clock; }));
     list.push_back(number(
         "sun.radius_deg", "°", {0.5, 45.0}, Applies::Now,

@@ -57,7 +57,7 @@ private:
         LogEntry gap = entry;
         gap.source = QStringLiteral("log");
         gap.text =
-            Text::tr("%1 lines were lost: the disk did not take them in time").arg(entry.number - lastNumber - 1);
+            Text::tr("%1 lines were lost: the disk did not store them in time").arg(entry.number - lastNumber - 1);
         return line(gap);
     }
 

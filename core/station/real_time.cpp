@@ -130,7 +130,7 @@ QString RealTime::text() const
         return Text::tr("Real-time scheduling: not allowed. Install rtkit or raise the limit RLIMIT_RTPRIO.");
     }
     if (!isRealTime()) {
-        return Text::tr("Real-time scheduling: given back after one turn took more than 0.1 s.");
+        return Text::tr("Real-time scheduling: given back after 0.1 s of work without a pause.");
     }
     return m_locked ? Text::tr("Real-time scheduling: on. Memory: locked in RAM.")
                     : Text::tr("Real-time scheduling: on. Memory: not locked (limit RLIMIT_MEMLOCK).");

@@ -395,7 +395,7 @@ void Station::reload(const Result<profile::Profile>& read)
         read.and_then([this](const profile::Profile& profile) { return obey(request::ApplyProfile{profile}); });
     if (!taken) {
         m_log.add(Severity::Warning, source,
-                  Text::tr("the profile was not taken over, the one before stays in force: %1")
+                  Text::tr("the profile was not applied, the previous profile stays in force: %1")
                       .arg(toQString(taken.error().text)));
         return;
     }

@@ -182,8 +182,8 @@ void StationControl::tellEnteredPlace(Axis axis)
         m_alarms.raise(cause, Severity::Warning,
                        {.what = Text::tr("--standing-at was not used for the %1: %2").arg(drive.label(), problem),
                         .action = Text::tr("The cable wrap stays unknown"),
-                        .remedy = Text::tr("Enter the place in the window, or start again with the place and the "
-                                           "time of now")});
+                        .remedy = Text::tr("Enter the place in the window, or start again with the present place "
+                                           "and time")});
     }
 }
 

@@ -1847,10 +1847,6 @@ do eixo</translation>
         <translation>Largura do feixe da antena a meia potência, desenhada no gráfico polar.</translation>
     </message>
     <message>
-        <source>Whether a person has seen that each axis turns the way this file says; before, moves are short and slow.</source>
-        <translation>Se uma pessoa já viu que cada eixo gira como diz este arquivo; antes disso os movimentos são curtos e lentos.</translation>
-    </message>
-    <message>
         <source>How the drives are reached: &quot;fdcanusb:PATH&quot;, &quot;socketcan:INTERFACE&quot; or &quot;simulated&quot;.</source>
         <translation>Como se chega aos acionamentos: &quot;fdcanusb:CAMINHO&quot;, &quot;socketcan:INTERFACE&quot; ou &quot;simulated&quot;.</translation>
     </message>
@@ -5529,6 +5525,266 @@ do eixo</translation>
         <source>cable ends: turns back by %1</source>
         <translation>fim do cabo: gira %1 para trás</translation>
     </message>
+    <message>
+        <source>another program</source>
+        <translation>outro programa</translation>
+    </message>
+    <message>
+        <source>%1 is another USB device (%2:%3 %4). Known adapters are 0483:5740 and 1209:2323. Nothing was sent to it. If it is an adapter, enter it as the bus of the profile</source>
+        <translation>%1 é outro dispositivo USB (%2:%3 %4). Os adaptadores conhecidos são 0483:5740 e 1209:2323. Não lhe foi enviado nada. Se for um adaptador, indique-o como barramento no perfil</translation>
+    </message>
+    <message>
+        <source>no fdcanusb answers on this port. Choose the right port. If this is the right one, plug the adapter in again, or press &quot;Release bus&quot; and &quot;Take bus back&quot; on the Drives page</source>
+        <translation>nenhum fdcanusb responde nesta porta. Escolha a porta certa. Se a porta for esta, desconecte o adaptador e conecte-o de novo, ou clique em &quot;Liberar barramento&quot; e em &quot;Retomar barramento&quot; na página Acionamentos</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>não é um arquivo comum</translation>
+    </message>
+    <message>
+        <source>%1 controls this mount already: its journal %2 is in use</source>
+        <translation>%1 já controla esta montagem: o diário %2 desta está em uso</translation>
+    </message>
+    <message>
+        <source>no way from %1 to %2 was found in time: there are too many keep-outs</source>
+        <translation>não se achou a tempo um caminho de %1 para %2: há zonas proibidas a mais</translation>
+    </message>
+    <message>
+        <source>Sun at any time: the clock is not synchronised</source>
+        <translation>Sol a qualquer hora: o relógio não está sincronizado</translation>
+    </message>
+    <message>
+        <source>%1 needs %2 s and %3° to stop from %4°/s</source>
+        <translation>o %1 precisa de %2 s e %3° para parar a partir de %4°/s</translation>
+    </message>
+    <message>
+        <source>Raise max_acceleration_deg_s2 (%1), or lower max_speed_deg_s.</source>
+        <translation>Aumente max_acceleration_deg_s2 (%1), ou reduza max_speed_deg_s.</translation>
+    </message>
+    <message>
+        <source>Lower max_acceleration_deg_s2 (%1).</source>
+        <translation>Reduza max_acceleration_deg_s2 (%1).</translation>
+    </message>
+    <message>
+        <source>%1 is the profile of the simulated mount. Set bus.name to the bus of the mount first.</source>
+        <translation>%1 é o perfil da montagem simulada. Defina primeiro em bus.name o barramento da montagem.</translation>
+    </message>
+    <message>
+        <source>%1: the place of the key was not found. Write %2 into the table %3.</source>
+        <translation>%1: não se achou o lugar da chave. Escreva %2 na tabela %3.</translation>
+    </message>
+    <message>
+        <source>%1 holds a password, and every user of this computer can read the file. Remove that right: chmod o-r %1</source>
+        <translation>%1 contém uma senha, e qualquer usuário deste computador pode ler o arquivo. Retire essa permissão: chmod o-r %1</translation>
+    </message>
+    <message>
+        <source>%1 keep-outs are more than %2</source>
+        <translation>%1 zonas proibidas são mais que %2</translation>
+    </message>
+    <message>
+        <source>Whether a person has seen that each axis turns the way this file says; before, moves are short and slow. Without this key a real mount is unconfirmed.</source>
+        <translation>Se uma pessoa já viu que cada eixo gira como diz este arquivo; antes disso os movimentos são curtos e lentos. Sem esta chave uma montagem real está por confirmar.</translation>
+    </message>
+    <message>
+        <source>After this computer stalled for up to 2 s and the drives stopped by their watchdogs: resume the motion by itself, or wait for a re-arm.</source>
+        <translation>Depois de este computador ficar bloqueado até 2 s e de os acionamentos pararem pelos seus watchdogs: retomar o movimento por si (&quot;resume&quot;), ou esperar que se rearme (&quot;wait&quot;).</translation>
+    </message>
+    <message>
+        <source>Warn when an axis that stands needs this share of its max_torque_nm for 2 s. Set it a little above what weight and friction need.</source>
+        <translation>Um aviso quando um eixo parado precisa desta parte do seu max_torque_nm durante 2 s. Defina um pouco mais do que o peso e o atrito exigem.</translation>
+    </message>
+    <message>
+        <source>azimuth %1° is outside -3600°…3600°</source>
+        <translation>o azimute %1° está fora de -3600°…3600°</translation>
+    </message>
+    <message>
+        <source>refused: %1 clients of its host are connected</source>
+        <translation>recusado: já estão conectados %1 clientes do mesmo computador</translation>
+    </message>
+    <message>
+        <source>Another client re-armed the drives while this one kept sending. Pause it for %1 s, or send R 1.</source>
+        <translation>Outro cliente rearmou os acionamentos enquanto este continuava a enviar. Faça-o pausar %1 s, ou envie R 1.</translation>
+    </message>
+    <message>
+        <source>The %1 does not report a position that can be believed</source>
+        <translation>O %1 não relata uma posição em que se possa acreditar</translation>
+    </message>
+    <message>
+        <source>It was ordered to brake and hold; the motion of both axes ended</source>
+        <translation>Recebeu ordem de frear e manter; o movimento dos dois eixos terminou</translation>
+    </message>
+    <message>
+        <source>Check its encoder and the CAN cable, then re-arm</source>
+        <translation>Verifique o seu encoder e o cabo CAN e depois rearme</translation>
+    </message>
+    <message>
+        <source>Real-time scheduling: not allowed. Install rtkit or raise the limit RLIMIT_RTPRIO.</source>
+        <translation>Escalonamento em tempo real: não permitido. Instale rtkit ou aumente o limite RLIMIT_RTPRIO.</translation>
+    </message>
+    <message>
+        <source>Real-time scheduling: on. Memory: locked in RAM.</source>
+        <translation>Escalonamento em tempo real: ativo. Memória: fixada na RAM.</translation>
+    </message>
+    <message>
+        <source>Real-time scheduling: on. Memory: not locked (limit RLIMIT_MEMLOCK).</source>
+        <translation>Escalonamento em tempo real: ativo. Memória: não fixada (limite RLIMIT_MEMLOCK).</translation>
+    </message>
+    <message>
+        <source>Nobody has confirmed which way the axes turn. Boresight moves the mount at most 2° at 5°/s, by a jog or by M of a client. See both axes turn as the profile says. Then confirm it in the guide of the window, or run boresightctl confirm-directions PROFILE and start again.</source>
+        <translation>Ninguém confirmou para que lado giram os eixos. O Boresight move a montagem no máximo 2° a 5°/s, por movimento manual ou por M de um cliente. Veja se os dois eixos giram como diz o perfil. Depois confirme no guia da janela, ou execute boresightctl confirm-directions PERFIL e inicie de novo.</translation>
+    </message>
+    <message>
+        <source>Nothing is commanded and no client can connect</source>
+        <translation>Nada é comandado e nenhum cliente pode conectar-se</translation>
+    </message>
+    <message>
+        <source>End the other program, then press Reconnect; or give this mount another name in its profile</source>
+        <translation>Encerre o outro programa e depois clique em Reconectar; ou dê a esta montagem outro nome no seu perfil</translation>
+    </message>
+    <message>
+        <source>End that program, or give this mount another name in its profile</source>
+        <translation>Encerre esse programa, ou dê a esta montagem outro nome no seu perfil</translation>
+    </message>
+    <message>
+        <source>Nothing can be commanded. Boresight sends nothing more to this port</source>
+        <translation>Nada pode ser comandado. O Boresight não envia mais nada a esta porta</translation>
+    </message>
+    <message>
+        <source>every computer that reaches %1 can move the mount</source>
+        <translation>qualquer computador que chegue a %1 pode mover a montagem</translation>
+    </message>
+    <message>
+        <source>Boresight accepts every client</source>
+        <translation>O Boresight aceita qualquer cliente</translation>
+    </message>
+    <message>
+        <source>Enter the addresses that may connect in rotctld.allow, or listen on 127.0.0.1</source>
+        <translation>Escreva em rotctld.allow os endereços que podem conectar-se, ou escute em 127.0.0.1</translation>
+    </message>
+    <message>
+        <source>the profile was read again and is in force</source>
+        <translation>o perfil foi lido de novo e está em vigor</translation>
+    </message>
+    <message>
+        <source>the profile was read again; these settings wait for a restart: %1</source>
+        <translation>o perfil foi lido de novo; estes parâmetros esperam por um reinício: %1</translation>
+    </message>
+    <message>
+        <source>MQTT broker %1: a message of %2 kB was dropped; the limit is %3 kB</source>
+        <translation>broker MQTT %1: foi descartada uma mensagem de %2 kB; o limite é %3 kB</translation>
+    </message>
+    <message>
+        <source>The %1 stands at %2, outside its travel (%3 to %4). Jog it back slowly.</source>
+        <translation>O %1 está em %2, fora do seu curso (%3 a %4). Traga-o de volta devagar com movimento manual.</translation>
+    </message>
+    <message>
+        <source>The %1 stands outside its travel. It may only be jogged back inside.</source>
+        <translation>O %1 está fora do seu curso. Só pode ser trazido de volta para dentro com movimento manual.</translation>
+    </message>
+    <message>
+        <source>An axis stands outside its travel. Jog at %1°/s or slower.</source>
+        <translation>Um eixo está fora do seu curso. Mova a %1°/s ou menos.</translation>
+    </message>
+    <message>
+        <source>Boresight uses the profile as it is</source>
+        <translation>O Boresight usa o perfil tal como é</translation>
+    </message>
+    <message>
+        <source>the clock of this computer is not synchronised</source>
+        <translation>o relógio deste computador não está sincronizado</translation>
+    </message>
+    <message>
+        <source>the place of the Sun is known again</source>
+        <translation>o lugar do Sol voltou a ser conhecido</translation>
+    </message>
+    <message>
+        <source>the clock of this computer is not synchronised, so the Sun may be in the beam: only the operator may jog the mount out of there, at %1°/s or slower</source>
+        <translation>o relógio deste computador não está sincronizado, por isso o Sol pode estar no feixe: só o operador pode tirar dali a montagem com movimento manual, a %1°/s ou menos</translation>
+    </message>
+    <message>
+        <source>The clock of this computer is not synchronised, so the place of the Sun is unknown</source>
+        <translation>O relógio deste computador não está sincronizado, por isso o lugar do Sol é desconhecido</translation>
+    </message>
+    <message>
+        <source>Boresight refuses motions to every place that the Sun can have</source>
+        <translation>O Boresight recusa movimentos para qualquer lugar onde o Sol possa estar</translation>
+    </message>
+    <message>
+        <source>Synchronise the clock by NTP or GPS. If its time is right, set sun.clock to trusted</source>
+        <translation>Sincronize o relógio por NTP ou GPS. Se a sua hora estiver certa, ponha sun.clock em trusted</translation>
+    </message>
+    <message>
+        <source>--standing-at was not used for the %1: %2</source>
+        <translation>--standing-at não foi usado para o %1: %2</translation>
+    </message>
+    <message>
+        <source>The cable wrap stays unknown</source>
+        <translation>A volta do cabo continua desconhecida</translation>
+    </message>
+    <message>
+        <source>This computer stalled for %1 s, and the drives stopped by their watchdogs.</source>
+        <translation>Este computador ficou bloqueado %1 s, e os acionamentos pararam pelos seus watchdogs.</translation>
+    </message>
+    <message>
+        <source>Boresight takes the drives over and resumes the motion.</source>
+        <translation>O Boresight assume os acionamentos e retoma o movimento.</translation>
+    </message>
+    <message>
+        <source>An earlier start has used it. It counts once.</source>
+        <translation>Já foi usado num início anterior. Só vale uma vez.</translation>
+    </message>
+    <message>
+        <source>It is %1 min old. It counts for %2 min.</source>
+        <translation>Tem %1 min. Só vale durante %2 min.</translation>
+    </message>
+    <message>
+        <source>Its time is in the future. Check the clock of this computer.</source>
+        <translation>A sua hora está no futuro. Verifique o relógio deste computador.</translation>
+    </message>
+    <message>
+        <source>%1 is outside the travel (%2 to %3) by more than %4. Enter the angle of the axis.</source>
+        <translation>%1 está fora do curso (%2 a %3) por mais de %4. Escreva o ângulo do eixo.</translation>
+    </message>
+    <message>
+        <source>; limit %1 of the drive: %2</source>
+        <translation>; limite %1 do acionamento: %2</translation>
+    </message>
+    <message>
+        <source>a false reply reported a jump of %1 by %2 in %3, to %4: it was ignored</source>
+        <translation>uma resposta falsa relatou um salto do %1 de %2 em %3, até %4: foi ignorada</translation>
+    </message>
+    <message>
+        <source>%1 stands and needs %2 Nm, %3 % of the %4 Nm allowed: more than the %5 Nm of weight and friction</source>
+        <translation>o %1 está parado e precisa de %2 Nm, %3 % dos %4 Nm permitidos: mais do que os %5 Nm do peso e do atrito</translation>
+    </message>
+    <message>
+        <source>%1 does not move: %2 from its set-point with %3 Nm of the %4 Nm allowed, for %5</source>
+        <translation>o %1 não se move: está a %2 da sua referência com %3 Nm dos %4 Nm permitidos, há %5</translation>
+    </message>
+    <message>
+        <source>%1 is to reach %2°/s within %3 s: the %4 Nm allowed are enough for a moment of inertia of %5 kg·m² at most, without friction and wind</source>
+        <translation>o %1 deve atingir %2°/s em %3 s: os %4 Nm permitidos chegam no máximo para um momento de inércia de %5 kg·m², sem atrito nem vento</translation>
+    </message>
+    <message>
+        <source>%1 lines were lost: the disk did not store them in time</source>
+        <translation>perderam-se %1 linhas: o disco não as guardou a tempo</translation>
+    </message>
+    <message>
+        <source>Real-time scheduling: given back after 0.1 s of work without a pause.</source>
+        <translation>Escalonamento em tempo real: devolvido após 0.1 s de trabalho sem pausa.</translation>
+    </message>
+    <message>
+        <source>the profile was not applied, the previous profile stays in force: %1</source>
+        <translation>o perfil não foi aplicado, o perfil anterior continua em vigor: %1</translation>
+    </message>
+    <message>
+        <source>Enter the place in the window, or start again with the present place and time</source>
+        <translation>Escreva o lugar na janela, ou inicie de novo com o lugar e a hora atuais</translation>
+    </message>
+    <message>
+        <source>With &quot;synchronised&quot; Boresight computes the Sun only from a clock that NTP or GPS set in the last 24 h. With &quot;trusted&quot; it uses the clock of this computer without that check.</source>
+        <translation>Com &quot;synchronised&quot; o Boresight só calcula o Sol a partir de um relógio que o NTP ou o GPS acertou nas últimas 24 h. Com &quot;trusted&quot; usa o relógio deste computador sem essa verificação.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -8561,6 +8817,10 @@ emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Save diagnostics for a bug report: profile, logs, drives, the last minutes (Ctrl+B)</source>
         <translation>Gravar diagnóstico para um relato de erro: perfil, registros, acionamentos, os últimos minutos (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>Control ticks: 99 % are late by at most %1 ms, the worst by %2 ms. %3</source>
+        <translation>Ciclos de controle: 99 % atrasam no máximo %1 ms, o pior %2 ms. %3</translation>
     </message>
 </context>
 <context>

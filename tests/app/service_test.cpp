@@ -88,7 +88,7 @@ TEST_F(ServiceTest, AProfileThatCannotBeReadLeavesTheOldOneInForce)
     start();
     write("version = 1\n[jog]\nfast_deg_s = \"quick\"\n");
     send(SIGHUP);
-    EXPECT_TRUE(says("the profile was not taken over, the one before stays in force")) << errors();
+    EXPECT_TRUE(says("the profile was not applied, the previous profile stays in force")) << errors();
     EXPECT_THAT(errors(), HasSubstr("profile.toml:3: jog.fast_deg_s"));
     QFile::remove(path);
     send(SIGHUP);

@@ -42,7 +42,8 @@ TEST(Advice, TellsOfAnAccelerationThatNoTorqueGives)
     const auto advice = adviceOn(with(10.0, 300.0));
     ASSERT_EQ(advice.size(), 1U);
     EXPECT_THAT(advice.front().what.toStdString(),
-                HasSubstr("10.0°/s within 0.03 s: the 50.0 Nm allowed can do that with 9.5 kg·m² at most"));
+                HasSubstr("10.0°/s within 0.03 s: the 50.0 Nm allowed are enough for a moment of inertia of "
+                          "9.5 kg·m² at most"));
     EXPECT_THAT(advice.front().remedy.toStdString(), HasSubstr("Lower max_acceleration_deg_s2 (300.0)"));
 }
 
