@@ -316,12 +316,12 @@ void Soak::endOutage()
     }
 }
 
-// The computer does nothing for a while.
+// The computer does nothing for a while. After up to 2 s the motion is resumed.
 void Soak::stall()
 {
     const bool matters = chance(0.5);
     (matters ? m_counts.longTroubles : m_counts.shortTroubles) += 1;
-    const Seconds time{matters ? random(0.15, 2.0) : random(0.01, 0.06)};
+    const Seconds time{matters ? random(2.1, 4.0) : random(0.01, 1.9)};
     m_clock.advance(time);
     m_time += time;
     m_armedSince = m_time;
