@@ -73,16 +73,17 @@ void PlaceBelief::take(const Reply& reply)
     }
     const bool expected = m_believed && reaches(*m_believed, reply);
     const bool agrees = m_doubted && reaches(*m_doubted, reply);
-    if (expected && !(agrees && miss(*m_doubted, reply) < miss(*m_believed, reply))) {
+    // After replies without a place the axis can have gone far: then one alone is not believed.
+    if (expected && m_place && !(agrees && miss(*m_doubted, reply) < miss(*m_believed, reply))) {
         m_false = m_doubt ? m_doubt : m_false;
         believe(continued(*m_believed, reply));
         return;
     }
-    m_doubt = agrees ? m_doubt : leapTo(reply);
+    m_doubt = agrees ? m_doubt : expected ? std::nullopt : leapTo(reply);
     m_agreeing = agrees ? m_agreeing + 1 : 1;
     m_doubted = agrees ? continued(*m_doubted, reply)
                        : Course{.place = *reply.place, .rate = {}, .asked = reply.asked, .received = reply.received};
-    if (m_agreeing < (m_believed ? kJump : kAgree)) {
+    if (m_agreeing < (m_doubt ? kJump : kAgree)) {
         passWithout();
         return;
     }

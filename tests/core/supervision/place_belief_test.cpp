@@ -95,8 +95,9 @@ TEST_F(PlaceBeliefTest, PlacesThatDoNotAgreeAreNeverBelieved)
     }
     EXPECT_FALSE(place()) << "too old";
     EXPECT_FALSE(belief.takeJump());
-    reply(100.0);
+    replies(PlaceBelief::kAgree);
     EXPECT_NEAR(*place(), 100.0, 1e-9) << "it still stands there";
+    EXPECT_FALSE(belief.takeJump());
 }
 
 TEST_F(PlaceBeliefTest, EverySecondReplyMayBeFalse)
@@ -140,7 +141,9 @@ TEST_F(PlaceBeliefTest, ADriveWithoutAPlaceHasNoneAfterThreeReplies)
     EXPECT_TRUE(place());
     reply({});
     EXPECT_FALSE(place());
-    reply(100.1);
+    for (int i = 0; i < PlaceBelief::kAgree; ++i) {
+        reply(100.1);
+    }
     EXPECT_NEAR(*place(), 100.1, 1e-9);
     for (int i = 0; i < 5; ++i) {
         reply({});
