@@ -54,7 +54,11 @@ protected:
         ASSERT_TRUE(program->waitForLine(QStringLiteral("rotctld listening on"))) << errors();
         process = program->lines().constFirst().toInt();
     }
-    void send(int signal) const { ASSERT_EQ(::kill(process, signal), 0); }
+    void send(int signal) const
+    {
+        ASSERT_GT(process, 0) << "0 is everybody here";
+        ASSERT_EQ(::kill(process, signal), 0);
+    }
     [[nodiscard]] bool says(const char* text) { return program->waitForError(QString::fromUtf8(text)); }
     [[nodiscard]] std::string errors() const { return program->errors().toStdString(); }
     void expectOrderlyEnd()

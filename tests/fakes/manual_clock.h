@@ -12,6 +12,11 @@ namespace boresight::fakes {
 class ManualClock final : public Clock
 {
 public:
+    ManualClock() = default;
+    // For rigs that are returned by value.
+    ManualClock(const ManualClock& other) : m_now(other.now()), m_utc(other.utc()), m_synchronised(other.synchronised())
+    {}
+
     [[nodiscard]] SteadyTime now() const override { return m_now; }
     [[nodiscard]] UtcTime utc() const override { return m_utc; }
     [[nodiscard]] bool synchronised() const override { return m_synchronised; }
