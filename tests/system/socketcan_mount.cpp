@@ -2,6 +2,7 @@
 #include "tests/system/socketcan_mount.h"
 
 #include "core/base/numbers.h"
+#include "tests/fakes/real_mount.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QElapsedTimer>

@@ -16,8 +16,8 @@ using moteus::Register;
 constexpr int kStopTicks = 90;
 // The first steps of a motion can be smaller than a float on the wire shows.
 constexpr int kUnseenTicks = 3;
-// An axis that brakes in the midst of turning round stands for a moment.
-constexpr int kTurningTicks = 5;
+// An axis that brakes in the midst of turning round stands for a moment, at most for the averaging of 0.2 s.
+constexpr int kTurningTicks = 10;
 constexpr double kStill = 1e-9;     // turns between two set-points
 constexpr double kAtBorder = 0.05;  // degrees
 constexpr Angle kSamePlace = Angle::fromDegrees(1e-3);
@@ -25,6 +25,9 @@ constexpr double kLongestStep = 0.1;  // s: after a stall the mount is slower, i
 // A drive that slipped while it was not heard comes back as long afterwards as it may be silent.
 constexpr int kSlipTicks = 15;
 constexpr double kPlaceNoise = 0.3;  // degrees: an error of a reply as small as this is believed
+// A drive that is captured on replies that stand still while the axis brakes goes back by three ticks of full speed; an
+// ideal one at once.
+constexpr double kCaptureNoise = 0.6;  // degrees
 // So long a drive may still be told to ignore its bounds after the axis has come back inside them.
 constexpr int kBoundsTicks = 6;
 
@@ -325,7 +328,7 @@ void StationPromises::watchAxis(Axis axis, const StationStatus& now, Seconds ste
     // One that did not hear us makes up for it at once.
     const bool deaf = drive.silent || drive.deaf || drive.mode != moteus::Mode::Position;
     trace.sinceSlip = deaf ? 0 : trace.sinceSlip + 1;
-    if (trace.sinceSlip > kSlipTicks && moved > settings.limits.speed.degrees() * time * 1.001 + kPlaceNoise) {
+    if (trace.sinceSlip > kSlipTicks && moved > settings.limits.speed.degrees() * time * 1.001 + kCaptureNoise) {
         fail("an axis moves faster than the limit: by " + std::to_string(moved) + "° in a tick");
     }
     if (trace.sinceSlip > kSlipTicks && m_sinceEnd > kStopTicks && moved > kPlaceNoise) {

@@ -71,6 +71,18 @@ public:
 
     [[nodiscard]] const StationPromises& promises() const { return m_promises; }
 
+    // Of the log, to see what led to a broken promise.
+    [[nodiscard]] std::string lastLines() const
+    {
+        std::string text;
+        for (const LogEntry& line : m_rig.log.since(0, 40)) {
+            const Seconds age = m_rig.clock.utc() - line.utc;
+            text += "\n" + std::to_string(-age.count()) + " s " + line.source.toStdString() + ": " +
+                    line.text.toStdString();
+        }
+        return text;
+    }
+
 private:
     double number(double low, double high) { return std::uniform_real_distribution(low, high)(m_random); }
     Angle angle(double low, double high) { return Angle::fromDegrees(number(low, high)); }
@@ -353,7 +365,7 @@ protected:
         Walk walk(GetParam(), profile);
         for (int i = 0; i < kEvents; ++i) {
             walk.event();
-            ASSERT_EQ(walk.promises().broken(), "") << "after " << i + 1 << " events";
+            ASSERT_EQ(walk.promises().broken(), "") << "after " << i + 1 << " events" << walk.lastLines();
         }
         EXPECT_GT(walk.promises().motions(), kEvents / 50) << "the walk must not stand still";
         EXPECT_GT(walk.promises().losses(), kEvents / 400);
