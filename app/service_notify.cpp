@@ -12,7 +12,7 @@
 
 namespace boresight::app {
 
-void notifyService(std::string_view state)
+void notifyService(std::string_view state, bool wait)
 {
     const QByteArray path = qgetenv("NOTIFY_SOCKET");
     sockaddr_un address{};
@@ -29,8 +29,7 @@ void notifyService(std::string_view state)
         return;
     }
     const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + static_cast<std::size_t>(path.size()));
-    // A manager that does not listen must not hold the control tick up.
-    ::sendto(socket, state.data(), state.size(), MSG_NOSIGNAL | MSG_DONTWAIT,
+    ::sendto(socket, state.data(), state.size(), MSG_NOSIGNAL | (wait ? 0 : MSG_DONTWAIT),
              reinterpret_cast<const sockaddr*>(&address), length);
     ::close(socket);
 }
@@ -50,7 +49,7 @@ void ServiceWatchdog::feed(SteadyTime now)
 {
     if (m_period && (!m_fed || now - *m_fed >= *m_period)) {
         m_fed = now;
-        notifyService("WATCHDOG=1");
+        notifyService("WATCHDOG=1", false);
     }
 }
 

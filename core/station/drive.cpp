@@ -175,7 +175,6 @@ void Drive::excuse(Seconds stall, SteadyTime now)
     const auto excused = std::chrono::duration_cast<SteadyTime::duration>(stall);
     m_heard = std::min(m_heard + excused, now);
     m_placed = std::min(m_placed + excused, now);
-    m_belief.expectAnother();  // how it moved meanwhile is not known
 }
 
 bool Drive::activeUnordered() const
@@ -226,7 +225,9 @@ void Drive::takePlace()
 void Drive::lose(DriveLoss loss)
 {
     m_loss = loss;
-    if (loss == DriveLoss::Silent || loss == DriveLoss::Released || loss == DriveLoss::Disobeys) {
+    if (loss == DriveLoss::Silent) {
+        m_belief.expectAnother();  // the last place is one for as long as it is young
+    } else if (loss == DriveLoss::Released || loss == DriveLoss::Disobeys) {
         m_belief.forget();  // it may have been without power, or not have taken its place yet
     }
     enter(Phase::Listening);

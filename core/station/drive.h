@@ -121,6 +121,7 @@ public:
     [[nodiscard]] CanFrame frame() const;
     // We did not look at the bus for so long: this does not count as silence of the drive.
     void excuse(Seconds stall, SteadyTime now);
+    void expectAnotherPlace() { m_belief.expectAnother(); }  // how it moved meanwhile is not known
 
     // True once after the drive has become Engaged: the first set-point must be at its place(), which is of this tick.
     [[nodiscard]] bool takeEngaged() { return std::exchange(m_justEngaged, false); }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/own_stall.h"
 
+#include <utility>
+
 namespace boresight {
 namespace {
 
@@ -25,6 +27,14 @@ bool OwnStall::note(Seconds gap, Seconds watchdog, const AxisPosition& setpoints
     m_setpoints = setpoints;
     m_possible = gap <= kLongest;
     return true;
+}
+
+void OwnStall::sent(Seconds watchdog, const AxisPosition& setpoints, SteadyTime now)
+{
+    const SteadyTime before = std::exchange(m_sent, now).value_or(now);
+    if (now - m_end >= watchdog) {  // else the beginning of this tick has told
+        note(now - before, watchdog, setpoints, now);
+    }
 }
 
 bool OwnStall::explainsTimeOut(SteadyTime now) const

@@ -5,6 +5,8 @@
 #include "core/units/quantity.h"
 #include "core/units/sky.h"
 
+#include <optional>
+
 // The last stall of this computer: for how long it sent no commands, and where the set-points were. Decides whether the
 // motion may go on after the drives stopped by their watchdogs. Pure, one thread; mechanical angles.
 namespace boresight {
@@ -15,6 +17,9 @@ public:
     // Between two ticks passed `gap`; a drive stops by itself when it gets no command for `watchdog`. True if it may
     // have.
     bool note(Seconds gap, Seconds watchdog, const AxisPosition& setpoints, SteadyTime now);
+
+    // The frames of a tick are on their way. A tick that was held up in its middle sends late, too.
+    void sent(Seconds watchdog, const AxisPosition& setpoints, SteadyTime now);
 
     // A time-out that is seen now comes from the stall, and the stall was short enough to go on.
     [[nodiscard]] bool explainsTimeOut(SteadyTime now) const;
@@ -32,6 +37,7 @@ public:
 private:
     Seconds m_gap{0.0};
     SteadyTime m_end{};
+    std::optional<SteadyTime> m_sent;
     AxisPosition m_setpoints{};
     bool m_possible = false;  // that a watchdog acted, and that the motion may go on
     bool m_resuming = false;

@@ -62,6 +62,7 @@ std::array<CanFrame, 2> StationControl::tick()
     watchLimited();
     m_alarms.tick();
     shutDownFurther();
+    m_stall.sent(m_profile.control.watchdog, m_motion.place(), m_clock.now());
     return m_drives.frames();
 }
 
@@ -199,6 +200,7 @@ void StationControl::watchStall(Seconds gap)
         return;
     }
     for (const Axis axis : kAxes) {
+        m_drives.drive(axis).expectAnotherPlace();
         watchOf(axis).forgetMotion();
         if (gap > kLongStall) {
             m_turns.forget(axis);  // whatever was done to the drive meanwhile

@@ -77,7 +77,8 @@ public:
     void clientRemark(const Client&, const std::string& text) override
     {
         require(text.size() < 512, "a remark fits a line of the log");
-        require(std::ranges::all_of(text, isPrintable), "a remark for the log is printable");
+        const QString shown = QString::fromStdString(text);
+        require(std::ranges::all_of(shown, [](QChar one) { return one.isPrint(); }), "a remark is printable");
     }
 
     const Session* session = nullptr;

@@ -104,8 +104,9 @@ TEST_F(FaultTest, ADriveThatTimedOutHoldsAndIsReArmedByTheOperator)
 // remains is the 13 ms that a drive needs to enable.
 TEST(UnbalancedElevation, DoesNotFallWhenItIsReArmed)
 {
-    sim::PairSettings pair = sim::commissionedPair({.azimuth = 0_deg, .elevation = 45_deg});
-    pair.elevation.plant.gravityTorque = 15.0;  // twice what friction can hold
+    sim::PairSettings pair = sim::commissionedPair({.azimuth = 0_deg, .elevation = 0_deg});
+    pair.elevation.plant.gravityTorque = 15.0;           // twice what friction can hold
+    pair.elevation.plant.stopMax = -0.25 + 1.0 / 360.0;  // it waits for the program on a stop 1° below its travel
     SimulatedStation rig(anyPort(), pair);
     const auto client = rig.connect();
     ASSERT_EQ(client->ask("P 10 45\n"), "RPRT 0\n");

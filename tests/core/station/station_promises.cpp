@@ -25,9 +25,9 @@ constexpr double kLongestStep = 0.1;  // s: after a stall the mount is slower, i
 // A drive that slipped while it was not heard comes back as long afterwards as it may be silent.
 constexpr int kSlipTicks = 15;
 constexpr double kPlaceNoise = 0.3;  // degrees: an error of a reply as small as this is believed
-// A drive that is captured on replies that stand still while the axis brakes goes back by three ticks of full speed; an
+// A drive that is captured on replies that stand still while the axis brakes goes back by five ticks of full speed; an
 // ideal one at once.
-constexpr double kCaptureNoise = 0.6;  // degrees
+constexpr double kCaptureNoise = 1.0;  // degrees
 // So long a drive may still be told to ignore its bounds after the axis has come back inside them.
 constexpr int kBoundsTicks = 6;
 

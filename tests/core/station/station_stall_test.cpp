@@ -88,10 +88,10 @@ TEST(StationStall, WhatIsAskedMeanwhileCounts)
     rig.tick();
     rig.tick();
     ASSERT_TRUE(rig.ask(request::Stop{}));
-    const double stopped = rig.azimuthDegrees();
+    const double stopped = rig.azimuth.position;
     rig.run(Seconds(3.0));
     EXPECT_EQ(rig.state(), StationState::Stopped);
-    EXPECT_NEAR(rig.azimuthDegrees(), stopped, 0.01);
+    EXPECT_NEAR(rig.azimuth.position, stopped, 1e-5);
 }
 
 struct Doubt

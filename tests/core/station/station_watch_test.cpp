@@ -116,7 +116,10 @@ TEST(StationWatch, ABlockedDriveDropsWhatItsIntegratorHasWoundUpUntilItMovesAgai
 TEST(Drive, YieldsBeyondItsBounds)
 {
     using moteus::Register;
-    Drive drive({.id = 1, .maxTorque = 50.0}, "azimuth drive");
+    Drive drive({.id = 1,
+                 .maxTorque = 50.0,
+                 .places = {.allowance = MotorTurns::fromTurns(0.001), .speed = MotorRate::fromTurns(0.03)}},
+                "azimuth drive");
     fakes::IdealDrive ideal(1, 1.3);
     SteadyTime now{};
     const auto tick = [&] {
@@ -128,6 +131,7 @@ TEST(Drive, YieldsBeyondItsBounds)
     };
     tick();
     drive.setIgnoreBounds(true);
+    drive.setSetpoint(MotorTurns::fromTurns(ideal.position), {});
     drive.engage();
     for (int i = 0; i < 10; ++i) {
         tick();
