@@ -34,34 +34,61 @@ bool stepped(Angle from, const AxisObservation& seen, Seconds passed)
 
 }  // namespace
 
+void Progress::forget()
+{
+    m_anchor.reset();
+    m_replies = 0;
+}
+
 void Progress::look(const AxisObservation& seen)
 {
     const Seconds passed = seen.now - m_last;
-    const bool comparable = m_anchor && seen.engaged && passed <= kGap && !stepped(m_lastCommanded, seen, passed);
-    if (!comparable) {
-        anchorAt(seen);
-    } else {
-        m_asked = seen.commanded - m_anchor->commanded;
-        m_moved = seen.actual - m_anchor->actual;
-        m_underCommand += abs(seen.commandedRate) > kAtRest ? passed : Seconds(0.0);
-        const bool follows = m_asked / m_moved > 0.0 && abs(m_moved) >= std::max(kMoved, kMoves * abs(m_asked));
-        if (follows) {
-            anchorAt(seen);
-        }
+    if (!seen.engaged || passed > kGap || stepped(m_lastCommanded, seen, passed)) {
+        forget();
     }
-    lookAtRate(seen, passed);
+    if (const auto place = actual(seen)) {
+        compare({.commanded = seen.commanded, .actual = *place}, seen, passed);
+    }
+    lookAtRate(seen.actual, passed);
     m_last = seen.now;
     m_lastCommanded = seen.commanded;
 }
 
-void Progress::lookAtRate(const AxisObservation& seen, Seconds passed)
+// Empty until there are three replies: the middle one of how far the axis was from its set-point.
+std::optional<Angle> Progress::actual(const AxisObservation& seen)
+{
+    m_behind[m_replies++ % m_behind.size()] = seen.actual - seen.commanded;
+    if (m_replies < m_behind.size()) {
+        return std::nullopt;
+    }
+    std::array<Angle, 3> sorted = m_behind;
+    std::ranges::sort(sorted);
+    return seen.commanded + sorted[1];
+}
+
+void Progress::compare(const Anchor& now, const AxisObservation& seen, Seconds passed)
+{
+    if (!m_anchor) {
+        anchorAt(now);
+    } else {
+        m_asked = now.commanded - m_anchor->commanded;
+        m_moved = now.actual - m_anchor->actual;
+        m_underCommand += abs(seen.commandedRate) > kAtRest ? passed : Seconds(0.0);
+        const bool follows = m_asked / m_moved > 0.0 && abs(m_moved) >= std::max(kMoved, kMoves * abs(m_asked));
+        if (follows) {
+            anchorAt(now);
+        }
+    }
+}
+
+void Progress::lookAtRate(Angle actual, Seconds passed)
 {
     if (passed > Seconds(0.0)) {
-        const AngularRate rate = (seen.actual - m_lastActual) / passed;
+        const AngularRate rate = (actual - m_lastActual) / passed;
         const double way = m_asked < Angle{} ? -1.0 : 1.0;
         m_slowsDown = way * rate > AngularRate{} || way * rate > way * m_lastRate;
         m_lastRate = rate;
-        m_lastActual = seen.actual;
+        m_lastActual = actual;
     }
 }
 
@@ -76,9 +103,9 @@ Angle Progress::against() const
     return opposed ? abs(m_moved) : Angle{};
 }
 
-void Progress::anchorAt(const AxisObservation& seen)
+void Progress::anchorAt(const Anchor& place)
 {
-    m_anchor = Anchor{.commanded = seen.commanded, .actual = seen.actual};
+    m_anchor = place;
     m_asked = {};
     m_moved = {};
     m_underCommand = Seconds(0.0);

@@ -5,18 +5,21 @@
 #include "core/supervision/axis_observation.h"
 #include "core/units/sky.h"
 
+#include <array>
+#include <cstddef>
 #include <optional>
 
 // What the supervisor remembers of the motion of one axis, each piece for one finding. Pure; all judge by measured
 // angles, because a rate near rest is mostly noise of the encoder. Given fresh replies only.
 namespace boresight::supervision {
 
-// Command and motion since the axis last did what it was told: for "does not move" and "moves the wrong way".
+// Command and motion since the axis last did what it was told: for "does not move" and "moves the wrong way". Each
+// place is judged with the two before it, so that one that is false by too little to be doubted counts for nothing.
 class Progress
 {
 public:
     void look(const AxisObservation& seen);
-    void forget() { m_anchor.reset(); }
+    void forget();
 
     [[nodiscard]] Angle asked() const { return m_asked; }                  // signed, set-point since the anchor
     [[nodiscard]] Angle moved() const { return m_moved; }                  // signed, axis since the anchor
@@ -31,10 +34,14 @@ private:
         Angle commanded;
         Angle actual;
     };
-    void anchorAt(const AxisObservation& seen);
-    void lookAtRate(const AxisObservation& seen, Seconds passed);
+    [[nodiscard]] std::optional<Angle> actual(const AxisObservation& seen);
+    void compare(const Anchor& now, const AxisObservation& seen, Seconds passed);
+    void anchorAt(const Anchor& place);
+    void lookAtRate(Angle actual, Seconds passed);
 
     std::optional<Anchor> m_anchor;
+    std::array<Angle, 3> m_behind{};  // the axis against its set-point, in the last replies
+    std::size_t m_replies = 0;
     SteadyTime m_last{};
     Angle m_lastCommanded;
     Angle m_lastActual;

@@ -13,6 +13,8 @@ constexpr Seconds kSpeedsUpIn{0.05};
 // The rate follows half as fast, so that a reply that is false by little does not spoil it; still faster than a drive
 // brakes by its own ramp.
 constexpr double kRateFollows = 0.5;
+// Of one reply in ten that are false, three are in a row and each by less than the allowance once in hours.
+constexpr std::size_t kCourses = 4;
 
 // Where the axis is expected at the time of the reply.
 MotorTurns ahead(MotorTurns place, const std::optional<MotorRate>& rate, Seconds time)
@@ -63,48 +65,68 @@ PlaceBelief::Course PlaceBelief::continued(const Course& course, const Reply& re
 void PlaceBelief::take(const Reply& reply)
 {
     if (!reply.place) {
-        m_doubted.reset();
-        passWithout();
+        if (!skip()) {
+            m_doubted.reset();
+        }
+        passWithout(reply.received);
         return;
     }
-    // A place that was false by little was believed. The next true one seems to leap back from it, and at another rate.
-    if (m_before && miss(*m_before, reply) < std::min(m_limits.allowance, miss(*m_believed, reply))) {
-        m_believed = m_before;
-    }
-    const bool expected = m_believed && reaches(*m_believed, reply);
+    const Course* const from = courseTo(reply);
+    const bool expected = from != nullptr && reaches(*from, reply);
     const bool agrees = m_doubted && reaches(*m_doubted, reply);
     // After replies without a place the axis can have gone far: then one alone is not believed.
-    if (expected && m_place && !(agrees && miss(*m_doubted, reply) < miss(*m_believed, reply))) {
+    if (expected && m_without < kAgree && !(agrees && miss(*m_doubted, reply) < miss(*from, reply))) {
         m_false = m_doubt ? m_doubt : m_false;
-        believe(continued(*m_believed, reply));
+        believe(continued(*from, reply));
         return;
     }
+    if (!agrees && skip()) {
+        passWithout(reply.received);
+        return;
+    }
+    m_skipped = false;
     m_doubt = agrees ? m_doubt : expected ? std::nullopt : leapTo(reply);
     m_agreeing = agrees ? m_agreeing + 1 : 1;
     m_doubted = agrees ? continued(*m_doubted, reply)
                        : Course{.place = *reply.place, .rate = {}, .asked = reply.asked, .received = reply.received};
     if (m_agreeing < (m_doubt ? kJump : kAgree)) {
-        passWithout();
+        passWithout(reply.received);
         return;
     }
     m_jump = m_doubt;
-    m_believed.reset();
+    m_believed.clear();
     believe(*m_doubted);
+}
+
+// A place that was false by little was believed, or two were: the next true one seems to leap back from there, and
+// continues the course before them. Null: nothing is believed yet.
+const PlaceBelief::Course* PlaceBelief::courseTo(const Reply& reply) const
+{
+    if (m_believed.empty()) {
+        return nullptr;
+    }
+    const auto missed = [&](const Course& course) { return miss(course, reply); };
+    const auto best = std::ranges::min_element(m_believed, {}, missed);
+    return missed(*best) < m_limits.allowance ? &*best : &m_believed.back();
 }
 
 std::optional<PlaceBelief::Leap> PlaceBelief::leapTo(const Reply& reply) const
 {
-    if (!m_believed) {
+    if (m_believed.empty()) {
         return std::nullopt;
     }
-    return Leap{.from = ahead(m_believed->place, m_believed->rate, reply.asked - m_believed->asked),
+    const Course& last = m_believed.back();
+    return Leap{.from = ahead(last.place, last.rate, reply.asked - last.asked),
                 .to = *reply.place,
-                .within = reply.received - m_believed->received};
+                .within = reply.received - last.received};
 }
 
 void PlaceBelief::believe(const Course& course)
 {
-    m_before = std::exchange(m_believed, course);
+    if (m_believed.size() == kCourses) {
+        m_believed.erase(m_believed.begin());
+    }
+    m_believed.push_back(course);
     m_doubted.reset();
     m_doubt.reset();
     m_agreeing = 0;
@@ -113,10 +135,17 @@ void PlaceBelief::believe(const Course& course)
     m_place = Place{.position = course.place, .moved = course.place - before, .received = course.received};
 }
 
-void PlaceBelief::passWithout()
+// Where the axis is expected, one reply that is false or says no place does not break a row of those that agree.
+bool PlaceBelief::skip()
+{
+    const bool expected = m_doubted && !m_believed.empty() && !m_doubt;
+    return expected && !std::exchange(m_skipped, true);
+}
+
+void PlaceBelief::passWithout(SteadyTime now)
 {
     ++m_without;
-    if (m_without >= kAgree) {
+    if (m_place && m_without >= kAgree && now - m_place->received >= kForgotten) {
         m_place.reset();
     }
 }
@@ -129,8 +158,7 @@ void PlaceBelief::forget()
 
 void PlaceBelief::expectAnother()
 {
-    m_believed.reset();
-    m_before.reset();
+    m_believed.clear();
     m_doubted.reset();
     m_doubt.reset();
     m_false.reset();

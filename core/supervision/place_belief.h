@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 // Decides which of the places that a drive reports are believed. A single reply can be false: motion must not act on
 // it. A reply is believed if the axis can have got there since the last believed one, judged by how fast it moved. Any
@@ -18,6 +19,7 @@ class PlaceBelief
 {
 public:
     static constexpr int kAgree = 3;
+    static constexpr SteadyTime::duration kForgotten = std::chrono::milliseconds(200);
     static constexpr int kJump = 6;  // of one reply in ten that are false alike, six come in a row once in hours
 
     struct Limits
@@ -53,7 +55,7 @@ public:
     // Its position is set on purpose: the same, but place() stays until then.
     void expectAnother();
 
-    // The last believed place, whatever its age. Empty before the first one, and after kAgree replies in a row without.
+    // The last believed place. Empty before the first one, and when replies have come without one for kForgotten.
     [[nodiscard]] const std::optional<Place>& place() const { return m_place; }
     [[nodiscard]] bool believedLast() const { return m_place && m_without == 0; }
 
@@ -77,16 +79,18 @@ private:
     [[nodiscard]] static MotorTurns miss(const Course& course, const Reply& reply);
     [[nodiscard]] bool reaches(const Course& course, const Reply& reply) const;
     [[nodiscard]] Course continued(const Course& course, const Reply& reply) const;
+    [[nodiscard]] const Course* courseTo(const Reply& reply) const;
     [[nodiscard]] std::optional<Leap> leapTo(const Reply& reply) const;
     void believe(const Course& course);
-    void passWithout();
+    [[nodiscard]] bool skip();
+    void passWithout(SteadyTime now);
 
     Limits m_limits;
-    std::optional<Course> m_believed;  // what replies are compared with
-    std::optional<Course> m_before;    // the one before it
-    std::optional<Course> m_doubted;   // the last of those that agree with each other
+    std::vector<Course> m_believed;   // what replies are compared with, the last one at the end
+    std::optional<Course> m_doubted;  // the last of those that agree with each other
     int m_agreeing = 0;
-    int m_without = 0;  // replies in a row without a believed place
+    bool m_skipped = false;  // the reply before
+    int m_without = 0;       // replies in a row without a believed place
     std::optional<Place> m_place;
     std::optional<Leap> m_doubt;  // to the first of them
     std::optional<Leap> m_false;
