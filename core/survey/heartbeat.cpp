@@ -29,20 +29,23 @@ std::optional<std::chrono::milliseconds> uptimeIn(const moteus::Reply& reply)
     return std::chrono::milliseconds(bits - kCounterAtBoot);
 }
 
-// Whether the counter went on from one to the other as the time did, in the arithmetic of the counter.
-bool wentOn(std::chrono::milliseconds before, std::chrono::milliseconds after, std::chrono::milliseconds elapsed)
+}  // namespace
+
+// Whether the counter went on as the time did, in the arithmetic of the counter.
+bool Heartbeat::wentOn(const Observation& before, const Observation& after)
 {
-    const auto counted = static_cast<std::uint32_t>(after.count()) - static_cast<std::uint32_t>(before.count());
+    const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(after.at - before.at);
+    const auto counted =
+        static_cast<std::uint32_t>(after.uptime.count()) - static_cast<std::uint32_t>(before.uptime.count());
     const auto excess = static_cast<std::int32_t>(counted - static_cast<std::uint32_t>(elapsed.count()));
     return std::abs(std::int64_t{excess}) <= kToleranceMs + elapsed.count() / kDriftPart;
 }
-
-}  // namespace
 
 void Heartbeat::begin(const moteus::Uuid& board)
 {
     m_board = board;
     m_sent.reset();
+    m_doubted.reset();
     m_silences = 0;
 }
 
@@ -70,15 +73,21 @@ void Heartbeat::take(const moteus::Reply& reply)
     if (m_silences == 0 || reply.source != m_drive || !uptime) {
         return;
     }
-    m_silences = 0;
+    const Observation now{.board = m_board, .uptime = *uptime, .at = *m_sent};
     const bool same = m_last && m_last->board == m_board;
-    const bool running = same && wentOn(m_last->uptime, *uptime,
-                                        std::chrono::duration_cast<std::chrono::milliseconds>(*m_sent - m_last->at));
+    const bool running = same && wentOn(*m_last, now);
+    const bool confirmed = m_doubted && wentOn(*m_doubted, now);
+    if (same && !running && !confirmed) {
+        m_doubted = now;  // counts as no answer, so that it is asked again soon
+        return;
+    }
+    m_doubted.reset();
+    m_silences = 0;
     if (!running) {
         m_bootedAt = *m_sent - *uptime;
     }
     m_reboots += same && !running ? 1 : 0;
-    m_last = {.board = m_board, .uptime = *uptime, .at = *m_sent};
+    m_last = now;
 }
 
 }  // namespace boresight::survey

@@ -37,9 +37,12 @@ private:
         SteadyTime at;
     };
 
+    [[nodiscard]] static bool wentOn(const Observation& before, const Observation& after);
+
     int m_drive;
     moteus::Uuid m_board{};
     std::optional<Observation> m_last;
+    std::optional<Observation> m_doubted;  // does not continue the last one: a power-up if the next one continues it
     SteadyTime m_bootedAt{};
     std::optional<SteadyTime> m_sent;
     int m_silences = 0;
