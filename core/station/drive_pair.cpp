@@ -160,8 +160,11 @@ std::optional<AxisPosition> DrivePair::measured() const
 std::optional<std::chrono::milliseconds> DrivePair::age(Axis axis, SteadyTime now) const
 {
     const auto& report = drive(axis).report();
-    return report ? std::optional(std::chrono::duration_cast<std::chrono::milliseconds>(now - report->received))
-                  : std::nullopt;
+    const auto& place = drive(axis).place();
+    if (!report) {
+        return std::nullopt;
+    }
+    return std::chrono::duration_cast<std::chrono::milliseconds>(now - (place ? place->received : report->received));
 }
 
 }  // namespace boresight

@@ -49,6 +49,7 @@ public:
     // As last reported, whatever its age.
     [[nodiscard]] std::optional<AngularRate> measuredRate(Axis axis) const;
     [[nodiscard]] std::optional<AxisPosition> measured() const;
+    // Of measured(); of the last reply while there is no place.
     [[nodiscard]] std::optional<std::chrono::milliseconds> age(Axis axis, SteadyTime now) const;
 
 private:

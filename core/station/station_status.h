@@ -97,7 +97,7 @@ struct AxisStatus
     AxisState state = AxisState::NoData;
     std::optional<Angle> actual;                   // last measured, whatever its age
     std::optional<AngularRate> rate;               // last measured
-    std::optional<std::chrono::milliseconds> age;  // of the last reply; empty if there never was one
+    std::optional<std::chrono::milliseconds> age;  // of `actual`, else of the last reply; empty: never one
     std::optional<Angle> commanded;                // the set-point sent now
     std::optional<AngularRate> commandedRate;      // of the set-point
     std::optional<Angle> target;                   // where the set-point is heading
