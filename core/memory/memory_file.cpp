@@ -99,11 +99,22 @@ Result<MountMemory> read(const QString& path)
     return parseMemory(text);
 }
 
+bool isThere(const QString& path)
+{
+    struct stat info
+    {};
+    return ::lstat(QFile::encodeName(path).constData(), &info) == 0;
+}
+
 // Under the name that it returns, if that could be done. Never deleted: it may be all that is left of the truth.
 std::optional<QString> keepAside(const QString& path)
 {
-    const QString time = QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd'T'HHmmss.zzz'Z'"));
-    const QString aside = QStringLiteral("%1.corrupt-%2").arg(path, time);
+    QString aside;
+    QDateTime time = QDateTime::currentDateTimeUtc();
+    do {
+        aside = QStringLiteral("%1.corrupt-%2").arg(path, time.toString(QStringLiteral("yyyyMMdd'T'HHmmss.zzz'Z'")));
+        time = time.addMSecs(1);
+    } while (isThere(aside));
     return replaceByRenaming(path, aside) ? std::optional(aside) : std::nullopt;
 }
 
