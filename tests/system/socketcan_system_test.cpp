@@ -110,9 +110,9 @@ protected:
     // The words are in the log at once, and the mount rests.
     void expectStop(const char* how, const std::string& command, const std::string& words)
     {
-        const std::size_t before = mount.truths().size();
         const std::size_t logBefore = mount.log().size();
-        ASSERT_TRUE(run(command));
+        ASSERT_TRUE(run(command));  // which takes some 0.1 s, or 0.5 s on a busy machine: the mount slews meanwhile
+        const std::size_t before = mount.truths().size();
         const auto told = mount.waitForWords(words, logBefore);
         ASSERT_TRUE(told.has_value()) << mount.log();
         EXPECT_LT(*told, 300) << "after the command was done";
