@@ -57,14 +57,26 @@ std::map<std::string, std::string>& rows()
     return rows;
 }
 
-std::string textBeforeTheTable(const char* path)
+struct Page
+{
+    std::string introduction{};
+    std::string rest{};  // from the first heading after the table on
+};
+
+Page read(const char* path)
 {
     std::ifstream file(path);
-    std::string text;
-    for (std::string line; std::getline(file, line) && !line.starts_with('|');) {
-        text += line + "\n";
+    Page page;
+    std::string line;
+    while (std::getline(file, line) && !line.starts_with('|')) {
+        page.introduction += line + "\n";
     }
-    return text;
+    while (std::getline(file, line)) {
+        if (!page.rest.empty() || line.starts_with("## ")) {
+            page.rest += (page.rest.empty() ? "\n" : "") + line + "\n";
+        }
+    }
+    return page;
 }
 
 class FaultTable : public ::testing::TestWithParam<FaultCase>
@@ -76,12 +88,13 @@ public:
         if (path == nullptr) {
             return;
         }
-        const std::string introduction = textBeforeTheTable(path);
+        const Page page = read(path);
         std::ofstream file(path);
-        file << introduction << kHeader;
+        file << page.introduction << kHeader;
         for (const FaultCase& faultCase : faultCases()) {
             file << rows()[keyOf(faultCase)];
         }
+        file << page.rest;
     }
 };
 
@@ -136,7 +149,7 @@ TEST(FaultTableFile, HasTheRowsOfThisTest)
 {
     std::multiset<std::string> written;
     std::ifstream file(FAULTS_MD);
-    for (std::string row; std::getline(file, row);) {
+    for (std::string row; std::getline(file, row) && !row.starts_with("## ");) {
         if (row.starts_with("| ") && !row.starts_with("| fault |")) {
             written.insert(row.substr(0, row.find('|', row.find('|', 1) + 1) + 1));
         }
