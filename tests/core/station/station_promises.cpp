@@ -28,6 +28,7 @@ constexpr double kPlaceNoise = 0.3;  // degrees: an error of a reply as small as
 // A drive that is captured on replies that stand still while the axis brakes goes back by five ticks of full speed; an
 // ideal one at once.
 constexpr double kCaptureNoise = 1.0;  // degrees
+constexpr int kCaptureTicks = 3;
 // So long a drive may still be told to ignore its bounds after the axis has come back inside them.
 constexpr int kBoundsTicks = 6;
 
@@ -270,8 +271,10 @@ void StationPromises::watchSetpoint(Axis axis, double position, const StationSta
     if (!std::isfinite(position)) {  // "hold where you are"
         trace.position.reset();
         trace.still = AxisTrace{}.still;
+        trace.sinceHold = 0;
         return;
     }
+    ++trace.sinceHold;
     const bool moves = trace.position && std::abs(position - *trace.position) > kStill && !takesOver(axis, now);
     if (moves && trace.still > kTurningTicks) {
         ++m_motions;
@@ -328,7 +331,8 @@ void StationPromises::watchAxis(Axis axis, const StationStatus& now, Seconds ste
     // One that did not hear us makes up for it at once.
     const bool deaf = drive.silent || drive.deaf || drive.mode != moteus::Mode::Position;
     trace.sinceSlip = deaf ? 0 : trace.sinceSlip + 1;
-    if (trace.sinceSlip > kSlipTicks && moved > settings.limits.speed.degrees() * time * 1.001 + kCaptureNoise) {
+    const double noise = trace.sinceHold > kCaptureTicks ? kPlaceNoise : kCaptureNoise;
+    if (trace.sinceSlip > kSlipTicks && moved > settings.limits.speed.degrees() * time * 1.001 + noise) {
         fail("an axis moves faster than the limit: by " + std::to_string(moved) + "° in a tick");
     }
     if (trace.sinceSlip > kSlipTicks && m_sinceEnd > kStopTicks && moved > kPlaceNoise) {

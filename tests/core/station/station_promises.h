@@ -47,6 +47,7 @@ private:
         int still = 1000;                // ticks; a drive just taken over stands
         int faultyTicks = 0;
         int sinceSlip = 1000;    // ticks
+        int sinceHold = 1000;    // ticks since the drive was last told to hold where it is
         int inside = 0;          // ticks that the axis has really been inside its travel
         double travelled = 0.0;  // turns, at the end of the last tick
     };
