@@ -14,7 +14,7 @@
 namespace boresight::app {
 namespace {
 
-const std::string kBus = "bus.name";
+const std::string kProfileSaverBus = "bus.name";
 
 // Started with --simulate, a bus for later: until the end it stays the simulated mount, and nothing of that one goes
 // into the real one's file.
@@ -57,7 +57,7 @@ bool contains(const std::vector<std::string>& keys, const std::string& key)
 
 bool isOfOneMount(const std::string& key)
 {
-    return profile::isFoundOfOneMount(key) || key == "mount.directions" || key == kBus;
+    return profile::isFoundOfOneMount(key) || key == "mount.directions" || key == kProfileSaverBus;
 }
 
 // The zero of an axis is not where its profile has it.
@@ -85,7 +85,7 @@ Result<> leaveOutFound(std::vector<std::string>& keys, const profile::Profile& k
         simulatedOnes.push_back("sensor.source");
     }
     if (profile::isSimulated(wanted)) {
-        simulatedOnes.push_back(kBus);
+        simulatedOnes.push_back(kProfileSaverBus);
     }
     const auto isOfTheSimulated = [&simulatedOnes](const std::string& key) {
         return profile::isFoundOfOneMount(key) || contains(simulatedOnes, key);

@@ -20,7 +20,7 @@ namespace boresight::ui {
 namespace {
 constexpr Angle kSteps[] = {0.01_deg, 0.05_deg, 0.1_deg, 0.5_deg, 1_deg};
 constexpr int kFirstStep = 2;
-constexpr int kComboLetters = 7;  // of X: the widest is narrower
+constexpr int kBodyPageComboLetters = 7;  // of X: the widest is narrower
 }  // namespace
 
 BodyPage::BodyPage(const Clock& clock, RequestDesk& desk, QWidget* parent)
@@ -107,7 +107,7 @@ void BodyPage::fillSteps()
         sizes << tr("step %1").arg(angleText(step));
     }
     m_step->setLines(sizes);
-    m_step->setMinimumContentsLength(kComboLetters);
+    m_step->setMinimumContentsLength(kBodyPageComboLetters);
     m_step->setCurrentIndex(kFirstStep);
     m_pad->setStep(kSteps[kFirstStep]);
     connect(m_step, &QComboBox::activated, this, [this](int index) { m_pad->setStep(kSteps[index]); });

@@ -25,8 +25,8 @@ namespace {
 
 constexpr double kLimits[] = {2.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0};  // degrees
 constexpr double kNoSwing = 10.0;                                                   // degrees, up and down
-constexpr double kOtherSide = 0.25;  // of the higher side: else the figures of 0 and of the lower one overlap
-constexpr int kGap = 5;              // px, between the parts of the legend
+constexpr double kOtherSide = 0.25;   // of the higher side: else the figures of 0 and of the lower one overlap
+constexpr int kDeviationPlotGap = 5;  // px, between the parts of the legend
 
 double limitFor(double largest)
 {
@@ -34,7 +34,7 @@ double limitFor(double largest)
     return fitting == std::end(kLimits) ? 180.0 : *fitting;
 }
 
-int captionHeight()
+int captionRoom()
 {
     return QFontMetrics(fonts::label()).height() + 2;
 }
@@ -50,7 +50,7 @@ DeviationPlot::DeviationPlot(QWidget* parent)
     setAccessibleName(tr("Deviation of the compass"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     auto* const column = new QVBoxLayout(this);
-    column->setContentsMargins(0, captionHeight(), 0, 0);
+    column->setContentsMargins(0, captionRoom(), 0, 0);
     column->addWidget(m_plot);
     setUpPlot();
     setColours();
@@ -176,23 +176,23 @@ void DeviationPlot::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(fonts::label());
     const QFontMetrics metrics(painter.font());
-    const double middle = captionHeight() / 2.0;
+    const double middle = captionRoom() / 2.0;
     int x = 0;
     const auto write = [&](const QString& text, const QColor& colour) {
         painter.setPen(colour);
-        painter.drawText(QRect(x, 0, width() - x, captionHeight()), Qt::AlignLeft | Qt::AlignVCenter, text);
-        x += metrics.horizontalAdvance(text) + 2 * kGap;
+        painter.drawText(QRect(x, 0, width() - x, captionRoom()), Qt::AlignLeft | Qt::AlignVCenter, text);
+        x += metrics.horizontalAdvance(text) + 2 * kDeviationPlotGap;
     };
     write(tr("Error ° over heading"), currentTheme().text);
     for (const auto& [shape, word] :
          {std::pair(SampleShape::Clockwise, tr("clockwise")), std::pair(SampleShape::Back, tr("back")),
           std::pair(SampleShape::LeftOut, tr("left out"))}) {
-        drawSample(painter, shape, QPointF(x + kGap, middle));
-        x += 3 * kGap;
+        drawSample(painter, shape, QPointF(x + kDeviationPlotGap, middle));
+        x += 3 * kDeviationPlotGap;
         write(word, currentTheme().secondary);
     }
     painter.fillRect(QRectF(x, middle - 5.0, 12.0, 10.0), QBrush(currentTheme().secondary, Qt::BDiagPattern));
-    x += 12 + kGap;
+    x += 12 + kDeviationPlotGap;
     write(tr("unreliable"), currentTheme().secondary);
 }
 

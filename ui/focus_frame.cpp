@@ -12,7 +12,7 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr int kWidth = 2;  // px
+constexpr int kFocusFrameWidth = 2;  // px
 
 class Frame : public QWidget
 {
@@ -40,7 +40,8 @@ private:
     void fit()
     {
         setGeometry(parentWidget()->rect());
-        setMask(QRegion(rect()) - rect().adjusted(kWidth, kWidth, -kWidth, -kWidth));
+        setMask(QRegion(rect()) -
+                rect().adjusted(kFocusFrameWidth, kFocusFrameWidth, -kFocusFrameWidth, -kFocusFrameWidth));
     }
 };
 

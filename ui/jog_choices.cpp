@@ -24,8 +24,8 @@ struct StepSize
     int decimals;
 };
 
-constexpr StepSize kSteps[] = {{0.01_deg, 2}, {0.1_deg, 1}, {1_deg, 0}, {5_deg, 0}};
-constexpr Angle kFirstStep = 0.1_deg;
+constexpr StepSize kJogChoicesSteps[] = {{0.01_deg, 2}, {0.1_deg, 1}, {1_deg, 0}, {5_deg, 0}};
+constexpr Angle kJogChoicesFirstStep = 0.1_deg;
 
 QString shownRate(AngularRate rate)
 {
@@ -61,15 +61,15 @@ QWidget* JogChoices::makeSteps()
     grid->addWidget(makeCaption(tr("Step"), box), 0, 0, 1, 4);
     auto* const sizes = new QButtonGroup(box);
     int column = 0;
-    for (const StepSize& step : kSteps) {
+    for (const StepSize& step : kJogChoicesSteps) {
         const QString size = angleText(step.angle, step.decimals);
         auto* const button = new ChoiceButton(size, tr("One step is %1 (Ctrl + arrow)").arg(size), box);
         sizes->addButton(button);
-        button->setChecked(step.angle == kFirstStep);
+        button->setChecked(step.angle == kJogChoicesFirstStep);
         grid->addWidget(button, 1, column++);
         connect(button, &QToolButton::clicked, this, [this, step] { m_pad.setStep(step.angle); });
     }
-    m_pad.setStep(kFirstStep);
+    m_pad.setStep(kJogChoicesFirstStep);
     auto* const mode = new ChoiceButton(tr("Step mode"), tr("Step mode: a press moves one step only"), box);
     grid->addWidget(mode, 2, 0, 1, 4);
     connect(mode, &QToolButton::toggled, &m_pad, &JogPad::setStepMode);

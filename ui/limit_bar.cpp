@@ -10,14 +10,14 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr double kBar = 10.0;     // px
-constexpr double kPointer = 6.0;  // half its width, and its height
+constexpr double kLimitBarBar = 10.0;  // px
+constexpr double kPointer = 6.0;       // half its width, and its height
 
 }  // namespace
 
 QSize LimitBar::sizeHint() const
 {
-    return {160, static_cast<int>(kPointer + kBar) + QFontMetrics(fonts::label()).height() + 6};
+    return {160, static_cast<int>(kPointer + kLimitBarBar) + QFontMetrics(fonts::label()).height() + 6};
 }
 
 QSize LimitBar::minimumSizeHint() const
@@ -48,7 +48,7 @@ void LimitBar::setActual(const std::optional<Angle>& actual, Freshness freshness
 void LimitBar::paintEvent(QPaintEvent*)
 {
     const double cap = TravelScale::kCap;
-    const QRectF box(cap + 2.0, kPointer + 2.0, width() - 2.0 * cap - 4.0, kBar);
+    const QRectF box(cap + 2.0, kPointer + 2.0, width() - 2.0 * cap - 4.0, kLimitBarBar);
     const TravelScale scale(m_travel, box);
     if (scale.isEmpty() || box.width() < 1.0) {
         return;

@@ -12,8 +12,8 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr double kGripSize = 8.0;  // px
-constexpr Angle kTick = 10_deg;    // of an azimuth limit where the whole circle is permitted
+constexpr double kGripSize = 8.0;               // px
+constexpr Angle kPlotEditorPaintTick = 10_deg;  // of an azimuth limit where the whole circle is permitted
 
 QPen dashed()
 {
@@ -107,7 +107,9 @@ void PlotEditor::paintGrips(QPainter& painter) const
     for (const auto& [part, azimuth] : {std::pair(RegionPart::AzimuthMin, limits.azimuth.min),
                                         std::pair(RegionPart::AzimuthMax, limits.azimuth.max)}) {
         painter.setPen(QPen(currentTheme().accent, isSelected(part, 0) ? 4.0 : 2.5));
-        painter.drawPath(meridian(azimuth, level, level + (wholeCircle ? kTick : kTick * 0.5), limits.pointing, m_sky));
+        painter.drawPath(meridian(azimuth, level,
+                                  level + (wholeCircle ? kPlotEditorPaintTick : kPlotEditorPaintTick * 0.5),
+                                  limits.pointing, m_sky));
     }
     for (std::size_t i = 0; i < edited().keepOuts.size(); ++i) {
         const SkySector sector = sectorOf(edited().keepOuts[i]);

@@ -9,7 +9,7 @@
 namespace boresight::ui {
 
 namespace {
-constexpr int kGap = 4;  // px
+constexpr int kPlotToolsGap = 4;  // px
 constexpr int kButtonWidth = 64;
 constexpr int kReadoutLines = 3;
 }  // namespace
@@ -39,10 +39,10 @@ void PlotTools::resizeEvent(QResizeEvent*)
     const int left = width() - kButtonWidth;
     const int high = m_edit->minimumHeight();
     m_edit->setGeometry(left, 0, kButtonWidth, high);
-    m_zoom->setGeometry(left, high + kGap, kButtonWidth, high);
+    m_zoom->setGeometry(left, high + kPlotToolsGap, kButtonWidth, high);
     m_save->setGeometry(left, height() - high, kButtonWidth, high);
     const QSize text = m_readout->sizeHint();
-    m_readout->setGeometry(kGap, height() - text.height() - kGap, text.width(), text.height());
+    m_readout->setGeometry(kPlotToolsGap, height() - text.height() - kPlotToolsGap, text.width(), text.height());
     showMask();
 }
 

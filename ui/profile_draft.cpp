@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kHistory = 20;  // changes that can be taken back, one after the other
 
-Error refused(const QString& reason)
+Error draftRefused(const QString& reason)
 {
     return {ErrorCode::Refused, reason.toStdString()};
 }
@@ -220,7 +220,7 @@ QString ProfileDraft::whyNoReconnect() const
 void ProfileDraft::apply(QObject* asker, const RequestDesk::Reply& reply)
 {
     if (const QString reason = whyNoApply(); !reason.isEmpty()) {
-        reply(refused(reason));
+        reply(draftRefused(reason));
         return;
     }
     m_alone.reset();
@@ -245,9 +245,9 @@ void ProfileDraft::applyAlone(const std::function<void(profile::Profile&)>& chan
     leaveSimulatedMount(changed, m_applied);
     const auto problems = problemsOf(changed);
     if (m_asked) {
-        reply(refused(tr("the station has not answered yet")));
+        reply(draftRefused(tr("the station has not answered yet")));
     } else if (!problems.empty()) {
-        reply(refused(QString::fromStdString(problems.front().key + ": " + problems.front().text)));
+        reply(draftRefused(QString::fromStdString(problems.front().key + ": " + problems.front().text)));
     } else {
         m_alone = changed;
         send(changed, historyWithApplied(), asker, reply);
@@ -257,7 +257,7 @@ void ProfileDraft::applyAlone(const std::function<void(profile::Profile&)>& chan
 void ProfileDraft::undo(QObject* asker, const RequestDesk::Reply& reply)
 {
     if (const QString reason = whyNoUndo(); !reason.isEmpty()) {
-        reply(refused(reason));
+        reply(draftRefused(reason));
         return;
     }
     m_alone.reset();
@@ -267,7 +267,7 @@ void ProfileDraft::undo(QObject* asker, const RequestDesk::Reply& reply)
 void ProfileDraft::reconnect(QObject* asker, const RequestDesk::Reply& reply)
 {
     if (const QString reason = whyNoReconnect(); !reason.isEmpty()) {
-        reply(refused(reason));
+        reply(draftRefused(reason));
         return;
     }
     m_desk.send(request::Reconnect{m_applied}, asker, reply);

@@ -59,7 +59,7 @@ QString labelOf(const ProtectionLine& line)
 }
 
 // There is room for a few characters: of "-0.2583 turns (-93.0°)" the angle. The whole text is in the tooltip.
-QString shortened(const QString& text)
+QString shortText(const QString& text)
 {
     const auto open = text.indexOf(QLatin1String(" ("));
     if (open < 0 || !text.endsWith(QLatin1Char(')'))) {
@@ -70,14 +70,14 @@ QString shortened(const QString& text)
     return number && inner.contains(QStringLiteral("°")) ? inner : text;
 }
 
-struct Shown
+struct ShownLine
 {
     QString word;
     Tone tone = Tone::Normal;
     Symbol symbol = Symbol::None;
 };
 
-Shown shown(survey::Verdict verdict)
+ShownLine shown(survey::Verdict verdict)
 {
     switch (verdict) {
         case survey::Verdict::Right:
@@ -115,7 +115,7 @@ QPixmap picture(Symbol symbol, const QColor& colour)
     return pixmap;
 }
 
-QVariant decoration(const Shown& shown)
+QVariant decoration(const ShownLine& shown)
 {
     if (shown.symbol == Symbol::None) {
         return {};
@@ -219,13 +219,13 @@ QString ProtectionModel::explanation(int row) const
     for (const Axis axis : kAxes) {
         if (const auto& line = one.found[axisIndex(axis)]) {
             found << shortName(axis) + QLatin1Char(' ') +
-                         (line->found.isEmpty() ? tr("unread") : shortened(line->found));
+                         (line->found.isEmpty() ? tr("unread") : shortText(line->found));
             reasons << line->reason;
         }
     }
     reasons.removeDuplicates();
     return tr("%1: wanted %2, found %3.\n%4")
-        .arg(one.key, shortened(one.wanted), found.join(QStringLiteral(", ")), reasons.join(QStringLiteral(" / ")));
+        .arg(one.key, shortText(one.wanted), found.join(QStringLiteral(", ")), reasons.join(QStringLiteral(" / ")));
 }
 
 QStringList ProtectionModel::changes() const
@@ -300,10 +300,10 @@ QVariant ProtectionModel::data(const QModelIndex& index, int role) const
     }
     const Row& row = m_rows[static_cast<std::size_t>(index.row())];
     const auto verdict = verdictIn(row, index.column());
-    const Shown look = verdict ? shown(*verdict) : Shown{};
+    const ShownLine look = verdict ? shown(*verdict) : ShownLine{};
     switch (role) {
         case Qt::DisplayRole:
-            return index.column() == Verdict ? look.word : shortened(text(row, index.column()));
+            return index.column() == Verdict ? look.word : shortText(text(row, index.column()));
         case Qt::DecorationRole:
             return decoration(look);
         case Qt::ForegroundRole:

@@ -24,7 +24,7 @@ class RegionEdit
     Q_DECLARE_TR_FUNCTIONS(RegionEdit)
 };
 
-QString rangeText(Angle from, Angle to)
+QString fromToText(Angle from, Angle to)
 {
     return angleText(from, 1) + QStringLiteral("…") + angleText(to, 1);
 }
@@ -99,8 +99,8 @@ QString describe(const Region& region, const Travel& travel, const Grip& grip)
         case RegionPart::KeepOut: {
             const KeepOut& keepOut = region.keepOuts.at(grip.index);
             return RegionEdit::tr("%1\naz %2\nel %3")
-                .arg(QString::fromStdString(keepOut.name), rangeText(keepOut.azimuthFrom, keepOut.azimuthTo),
-                     rangeText(keepOut.elevationMin, keepOut.elevationMax));
+                .arg(QString::fromStdString(keepOut.name), fromToText(keepOut.azimuthFrom, keepOut.azimuthTo),
+                     fromToText(keepOut.elevationMin, keepOut.elevationMax));
         }
     }
     return {};

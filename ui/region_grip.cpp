@@ -9,7 +9,8 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr Angle kTick = 10_deg;  // how far up the mark of an azimuth limit reaches while the whole circle is permitted
+constexpr Angle kRegionGripTick =
+    10_deg;  // how far up the mark of an azimuth limit reaches while the whole circle is permitted
 
 double distance(QPointF a, QPointF b)
 {
@@ -87,7 +88,7 @@ private:
     {
         const auto& [min, max] = m_limits.azimuth;
         const bool wholeCircle = max - min >= 360_deg;
-        if (max <= min || (wholeCircle && axesUnder().elevation > level() + kTick)) {
+        if (max <= min || (wholeCircle && axesUnder().elevation > level() + kRegionGripTick)) {
             return std::nullopt;
         }
         const bool onMin = onLimitRay(min);

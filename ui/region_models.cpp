@@ -15,7 +15,7 @@ using pointing::KeepOut;
 using profile::SettingOf;
 using profile::SettingType;
 
-constexpr int kDecimals = 1;  // of an angle, unless it has more
+constexpr int kRegionModelsDecimals = 1;  // of an angle, unless it has more
 
 template <class Row>
 QString cellText(std::span<const SettingOf<Row>> columns, const Row& row, int column)
@@ -23,7 +23,7 @@ QString cellText(std::span<const SettingOf<Row>> columns, const Row& row, int co
     const profile::SettingValue value = columns[static_cast<std::size_t>(column)].get(row);
     if (const auto* const number = std::get_if<double>(&value)) {
         const bool round = std::abs(*number * 10.0 - std::round(*number * 10.0)) < 1e-6;
-        return QString::fromStdString(formatFixed(*number, round ? kDecimals : 3));
+        return QString::fromStdString(formatFixed(*number, round ? kRegionModelsDecimals : 3));
     }
     const auto* const text = std::get_if<std::string>(&value);
     return text != nullptr ? QString::fromStdString(*text) : QString();

@@ -15,9 +15,9 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr double kLongest = 24.0;  // px, of an arrow
-constexpr double kLeast = 0.001;   // degrees: shorter is no direction
-constexpr double kHead = 4.0;      // px
+constexpr double kLongest = 24.0;         // px, of an arrow
+constexpr double kLeast = 0.001;          // degrees: shorter is no direction
+constexpr double kResidualSkyHead = 4.0;  // px
 
 }  // namespace
 
@@ -111,8 +111,8 @@ void ResidualSky::paintArrow(QPainter& painter, const PointStatus& point, bool a
     const QPointF along = (to - from) / length;
     const QPointF beside(-along.y(), along.x());
     painter.setPen(QPen(after ? currentTheme().accent : currentTheme().secondary, 1.2));
-    painter.drawLine(to, to - kHead * along + kHead / 2.0 * beside);
-    painter.drawLine(to, to - kHead * along - kHead / 2.0 * beside);
+    painter.drawLine(to, to - kResidualSkyHead * along + kResidualSkyHead / 2.0 * beside);
+    painter.drawLine(to, to - kResidualSkyHead * along - kResidualSkyHead / 2.0 * beside);
 }
 
 void ResidualSky::paintEvent(QPaintEvent*)

@@ -10,8 +10,8 @@
 namespace boresight::ui {
 
 namespace {
-constexpr int kBarHeight = 6;  // px
-constexpr int kParts = 1000;   // of a run
+constexpr int kBarHeight = 6;        // px
+constexpr int kRunLineParts = 1000;  // of a run
 }  // namespace
 
 RunLine::RunLine(CalibrationRun run, const QString& name, QWidget* parent)
@@ -26,7 +26,7 @@ RunLine::RunLine(CalibrationRun run, const QString& name, QWidget* parent)
     m_text->setLines(2);
     m_bar->setFixedHeight(kBarHeight);
     m_bar->setTextVisible(false);
-    m_bar->setRange(0, kParts);
+    m_bar->setRange(0, kRunLineParts);
     m_bar->setAccessibleName(tr("%1: part that is done").arg(name));
     QSizePolicy keeping = m_bar->sizePolicy();
     keeping.setRetainSizeWhenHidden(true);
@@ -41,7 +41,7 @@ void RunLine::showProgress(const CalibrationProgress& progress, const QString& o
         m_isOurs = running;
     }
     m_bar->setVisible(running);
-    m_bar->setValue(static_cast<int>(progress.done * kParts));
+    m_bar->setValue(static_cast<int>(progress.done * kRunLineParts));
     if (running) {
         const bool isForeseen = progress.left > Seconds(0.0);  // a scan waits for people and receivers
         m_text->setValue(isForeseen ? tr("%1, %2 left").arg(progress.text, waitText(progress.left)) : progress.text,

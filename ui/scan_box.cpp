@@ -23,9 +23,9 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr double kUsualWidth = 2.0;  // beams
-constexpr double kNarrowest = 0.2;   // degrees, and
-constexpr double kWidest = 40.0;     // what the station scans
+constexpr double kUsualWidth = 2.0;        // beams
+constexpr double kScanBoxNarrowest = 0.2;  // degrees, and
+constexpr double kWidest = 40.0;           // what the station scans
 
 QString idleText(const CalibrationStatus& calibration, const QString& reason)
 {
@@ -78,7 +78,7 @@ ScanBox::ScanBox(RequestDesk& desk, ValueLabel& notice, QWidget* parent)
           {.name = tr("Width of the scan"),
            .help = tr("On the sky, from end to end of each line. Offered is twice the beam of the profile; from "
                       "1.5 to 3 times the peak is found"),
-           .min = kNarrowest,
+           .min = kScanBoxNarrowest,
            .max = kWidest,
            .decimals = 1,
            .unit = QStringLiteral("°")},
@@ -136,7 +136,8 @@ void ScanBox::offerWidth(const StationStatus& status)
 {
     if (!m_isTyped && status.profile) {
         const QSignalBlocker notTyped(m_width);
-        m_width->setValue(std::clamp(kUsualWidth * status.profile->mount.beamWidth.degrees(), kNarrowest, kWidest));
+        m_width->setValue(
+            std::clamp(kUsualWidth * status.profile->mount.beamWidth.degrees(), kScanBoxNarrowest, kWidest));
     }
 }
 

@@ -13,12 +13,12 @@
 namespace boresight::ui {
 
 namespace {
-constexpr double kGap = 8.0;        // px, between the two lines
-constexpr double kMargin = 4.0;     // px, of a reading from the edge
-constexpr double kDot = 2.5;        // px
-constexpr double kCurveStep = 2.0;  // px
-constexpr double kLeastSpan = 0.1;  // dB
-constexpr int kLeastHeight = 40;    // px, with the names below
+constexpr double kScanPlotGap = 8.0;  // px, between the two lines
+constexpr double kMargin = 4.0;       // px, of a reading from the edge
+constexpr double kScanPlotDot = 2.5;  // px
+constexpr double kCurveStep = 2.0;    // px
+constexpr double kLeastSpan = 0.1;    // dB
+constexpr int kLeastHeight = 40;      // px, with the names below
 }  // namespace
 
 ScanPlot::ScanPlot(QWidget* parent) : QWidget(parent)
@@ -49,8 +49,9 @@ void ScanPlot::showScan(const std::optional<calibration::CrossScan>& scan)
 QRectF ScanPlot::frame(const calibration::ScanPeak& line) const
 {
     const double text = QFontMetricsF(fonts::label()).height();
-    const double wide = (width() - kGap) / 2.0;
-    return {m_scan && &line == &m_scan->elevation ? wide + kGap : 0.0, 0.0, wide, std::max(1.0, height() - text)};
+    const double wide = (width() - kScanPlotGap) / 2.0;
+    return {m_scan && &line == &m_scan->elevation ? wide + kScanPlotGap : 0.0, 0.0, wide,
+            std::max(1.0, height() - text)};
 }
 
 QPointF ScanPlot::pixel(const calibration::ScanPeak& line, Angle offset, double decibels) const
@@ -87,7 +88,7 @@ void ScanPlot::paintLine(QPainter& painter, const calibration::ScanPeak& line, c
     painter.setPen(Qt::NoPen);
     painter.setBrush(colours.text);
     for (const calibration::ScanReading& reading : line.readings) {
-        painter.drawEllipse(pixel(line, reading.offset, reading.decibels), kDot, kDot);
+        painter.drawEllipse(pixel(line, reading.offset, reading.decibels), kScanPlotDot, kScanPlotDot);
     }
     painter.setPen(colours.secondary);
     painter.drawText(QRectF(box.left(), box.bottom(), box.width(), height() - box.bottom()), Qt::AlignCenter, name);

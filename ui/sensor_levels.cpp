@@ -22,7 +22,7 @@ struct Part
 };
 
 // As the maker of the BNO055 tells it.
-constexpr Part kParts[] = {
+constexpr Part kSensorLevelsParts[] = {
     {QT_TRANSLATE_NOOP("boresight::ui::SensorLevels", "System"),
      QT_TRANSLATE_NOOP("boresight::ui::SensorLevels", "follows the other three"), &orientation::Calibration::system},
     {QT_TRANSLATE_NOOP("boresight::ui::SensorLevels", "Gyro"),
@@ -43,7 +43,7 @@ SensorLevels::SensorLevels(QWidget* parent) : QWidget(parent)
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(2);
     for (std::size_t line = 0; line < m_rows.size(); ++line) {
-        const QString name = tr(kParts[line].name);
+        const QString name = tr(kSensorLevelsParts[line].name);
         m_rows[line] = {.bar = new LevelBar(tr("%1 calibration").arg(name), this),
                         .how = new ValueLabel(tr("%1: what raises it").arg(name), fonts::label(), {}, this)};
         m_rows[line].how->setStretching(true);
@@ -59,7 +59,7 @@ SensorLevels::SensorLevels(QWidget* parent) : QWidget(parent)
 void SensorLevels::showCalibration(const std::optional<orientation::Calibration>& calibration)
 {
     for (std::size_t line = 0; line < m_rows.size(); ++line) {
-        const Part& part = kParts[line];
+        const Part& part = kSensorLevelsParts[line];
         const auto level = calibration ? std::optional(*calibration.*part.level) : std::nullopt;
         m_rows[line].bar->setLevel(level);
         if (!level) {

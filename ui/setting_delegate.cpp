@@ -15,10 +15,10 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr double kBar = 4.0;      // px, its height
-constexpr double kGap = 5.0;      // px, between the bar and the numbers at its ends
-constexpr double kMark = 3.0;     // px, half the width of the mark at the value
-constexpr double kLeastBar = 16;  // px, below it the numbers alone say more
+constexpr double kSettingDelegateBar = 4.0;  // px, its height
+constexpr double kSettingDelegateGap = 5.0;  // px, between the bar and the numbers at its ends
+constexpr double kMark = 3.0;                // px, half the width of the mark at the value
+constexpr double kLeastBar = 16;             // px, below it the numbers alone say more
 
 // "-3600 … 3600 °": the numbers at the ends
 std::pair<QString, QString> endsOf(const QString& range)
@@ -73,9 +73,9 @@ void SettingDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
     painter->setPen(selected ? option.palette.highlightedText().color() : currentTheme().secondary);
     painter->drawText(room, Qt::AlignLeft | Qt::AlignVCenter, low);
     painter->drawText(room, Qt::AlignRight | Qt::AlignVCenter, high);
-    QRectF bar(0, room.center().y() - kBar / 2.0, 0, kBar);
-    bar.setLeft(room.left() + option.fontMetrics.horizontalAdvance(low) + kGap);
-    bar.setRight(room.right() - option.fontMetrics.horizontalAdvance(high) - kGap);
+    QRectF bar(0, room.center().y() - kSettingDelegateBar / 2.0, 0, kSettingDelegateBar);
+    bar.setLeft(room.left() + option.fontMetrics.horizontalAdvance(low) + kSettingDelegateGap);
+    bar.setRight(room.right() - option.fontMetrics.horizontalAdvance(high) - kSettingDelegateGap);
     if (bar.width() >= kLeastBar && !selected) {
         drawBar(*painter, bar, share.toDouble(), index.data(SettingTree::DefaultShareRole));
     }

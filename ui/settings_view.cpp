@@ -18,7 +18,7 @@
 namespace boresight::ui {
 
 namespace {
-constexpr int kRowRoom = 6;  // px above and below the text of a row together
+constexpr int kSettingsViewRowRoom = 6;  // px above and below the text of a row together
 }  // namespace
 
 SettingsView::SettingsView(ProfileDraft& draft, QWidget* parent)
@@ -86,7 +86,7 @@ void SettingsView::buildTree()
     m_tree->setAccessibleName(tr("Settings of the mount"));
     m_tree->setToolTip(tr("Select a line to read what it means; Enter changes its value"));
     m_tree->viewport()->installEventFilter(this);
-    m_tree->setItemDelegate(new SettingDelegate(m_tree->fontMetrics().lineSpacing() + kRowRoom, m_tree));
+    m_tree->setItemDelegate(new SettingDelegate(m_tree->fontMetrics().lineSpacing() + kSettingsViewRowRoom, m_tree));
     m_tree->setUniformRowHeights(true);
     m_tree->setAllColumnsShowFocus(true);
     m_tree->setIndentation(m_tree->fontMetrics().averageCharWidth() * 2);

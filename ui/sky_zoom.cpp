@@ -10,19 +10,19 @@ namespace boresight::ui {
 namespace {
 
 constexpr double kMostMagnified = 90.0;  // 1° from the middle to the edge
-constexpr double kStep = 1.25;
+constexpr double kSkyZoomStep = 1.25;
 constexpr double kBeamWidthsInView = 5.0;  // from the middle to the edge
 constexpr double kRingGap = 60.0;          // px between two lines of the grid, at least
-constexpr double kSteps[] = {0.5, 1.0, 2.0, 5.0, 10.0, 30.0};
+constexpr double kSkyZoomSteps[] = {0.5, 1.0, 2.0, 5.0, 10.0, 30.0};
 
 double stepFor(double pixelsPerDegree)
 {
-    for (const double step : kSteps) {
+    for (const double step : kSkyZoomSteps) {
         if (step * pixelsPerDegree >= kRingGap) {
             return step;
         }
     }
-    return kSteps[std::size(kSteps) - 1];
+    return kSkyZoomSteps[std::size(kSkyZoomSteps) - 1];
 }
 
 // Multiples of `step` from the highest at or below `max` down to `min`.
@@ -50,7 +50,7 @@ void SkyZoom::toggle(Angle beamWidth)
 void SkyZoom::step(int steps, Angle beamWidth)
 {
     const double most = std::clamp(90_deg / beamWidth, 4.0, kMostMagnified);
-    const double wanted = m_magnification * std::pow(kStep, steps);
+    const double wanted = m_magnification * std::pow(kSkyZoomStep, steps);
     m_magnification = wanted < 1.1 ? 1.0 : std::min(wanted, most);
 }
 

@@ -9,7 +9,7 @@
 namespace boresight::ui {
 
 namespace {
-constexpr int kBar = 4;  // px, under the step that is shown
+constexpr int kStepButtonBar = 4;  // px, under the step that is shown
 }
 
 StepButton::StepButton(GuideStep step, int number, QWidget* parent)
@@ -68,7 +68,7 @@ void StepButton::paintEvent(QPaintEvent* /*event*/)
     painter.drawText(top.translated(0, line), Qt::AlignCenter,
                      fontMetrics().elidedText(text(), Qt::ElideRight, width() - 4));
     if (isChecked()) {
-        painter.fillRect(QRect(4, height() - kBar, width() - 8, kBar), theme.accent);
+        painter.fillRect(QRect(4, height() - kStepButtonBar, width() - 8, kStepButtonBar), theme.accent);
     }
     if (hasFocus()) {
         painter.setPen(theme.accent);

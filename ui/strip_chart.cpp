@@ -23,8 +23,8 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr int kGap = 4;      // px, between the parts of the caption
-constexpr int kSample = 16;  // px, of line in the legend
+constexpr int kStripChartGap = 4;  // px, between the parts of the caption
+constexpr int kSample = 16;        // px, of line in the legend
 
 int captionHeight()
 {
@@ -190,7 +190,7 @@ int StripChart::paintCaption(QPainter* painter, bool words) const
             painter->setPen(colour);
             painter->drawText(QRect(x, 0, width() - x, captionHeight()), Qt::AlignLeft | Qt::AlignVCenter, text);
         }
-        x += QFontMetrics(font).horizontalAdvance(text) + kGap;
+        x += QFontMetrics(font).horizontalAdvance(text) + kStripChartGap;
     };
     QFont title = fonts::label();
     title.setBold(true);
@@ -198,9 +198,10 @@ int StripChart::paintCaption(QPainter* painter, bool words) const
     for (const Trace& trace : m_frame.traces) {
         if (painter != nullptr) {
             painter->setPen(tracePen(trace.line));
-            painter->drawLine(x + kGap, captionHeight() / 2, x + kGap + kSample, captionHeight() / 2);
+            painter->drawLine(x + kStripChartGap, captionHeight() / 2, x + kStripChartGap + kSample,
+                              captionHeight() / 2);
         }
-        x += kSample + 3 * kGap;
+        x += kSample + 3 * kStripChartGap;
         if (words && !trace.word.isEmpty()) {
             write(fonts::label(), colours.secondary, trace.word);
         }

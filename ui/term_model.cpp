@@ -9,7 +9,7 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr int kDecimals = 3;  // of a degree: six points of the Sun tell that much
+constexpr int kTermModelDecimals = 3;  // of a degree: six points of the Sun tell that much
 
 struct InForce
 {
@@ -86,11 +86,11 @@ QString TermModel::cell(const Row& row, int column)
         case Name:
             return row.name;
         case Present:
-            return angleText(row.present, kDecimals);
+            return angleText(row.present, kTermModelDecimals);
         case Proposed:
-            return row.proposed ? angleText(*row.proposed, kDecimals) : QString();
+            return row.proposed ? angleText(*row.proposed, kTermModelDecimals) : QString();
         case Sigma:
-            return row.sigma ? QStringLiteral("± ") + angleText(*row.sigma, kDecimals) : QString();
+            return row.sigma ? QStringLiteral("± ") + angleText(*row.sigma, kTermModelDecimals) : QString();
         default:
             return row.fit;
     }

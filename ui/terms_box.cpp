@@ -24,10 +24,10 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr int kDecimals = 4;  // of a degree; what nobody typed into keeps all it has
+constexpr int kTermsBoxDecimals = 4;  // of a degree; what nobody typed into keeps all it has
 constexpr double kHalfPlace = 0.5001e-4;
-constexpr int kRows = 4;             // in each of two columns
-constexpr qint64 kLargest = 100000;  // bytes: far beyond seven lines and their comments
+constexpr int kRows = 4;                     // in each of two columns
+constexpr qint64 kTermsBoxLargest = 100000;  // bytes: far beyond seven lines and their comments
 
 std::string keyOf(calibration::Term term)
 {
@@ -85,7 +85,7 @@ void TermsBox::addField(calibration::Term term)
                          .help = Text::of(setting.text),
                          .min = setting.min,
                          .max = setting.max,
-                         .decimals = kDecimals,
+                         .decimals = kTermsBoxDecimals,
                          .unit = QStringLiteral("°")},
                         this);
     connect(one.box, &QDoubleSpinBox::valueChanged, this, [&one] { one.typed = true; });
@@ -161,7 +161,7 @@ void TermsBox::import(const QString& path)
         complain(file.errorString());
         return;
     }
-    const QByteArray text = file.read(kLargest + 1);  // what is longer is refused by its reader
+    const QByteArray text = file.read(kTermsBoxLargest + 1);  // what is longer is refused by its reader
     m_import->ask(request::ImportTerms{.name = QFileInfo(path).fileName(), .text = text.toStdString()});
 }
 

@@ -12,7 +12,7 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr int kTick = 4;  // px
+constexpr int kTimeAxisTick = 4;  // px
 
 }  // namespace
 
@@ -69,14 +69,14 @@ void TimeAxis::setCursor(int x, const QString& text)
 
 QSize TimeAxis::sizeHint() const
 {
-    return {100, fontMetrics().height() + kTick + 2};
+    return {100, fontMetrics().height() + kTimeAxisTick + 2};
 }
 
 QRect TimeAxis::labelBox(double x, const QString& text) const
 {
     const QSize size(fontMetrics().horizontalAdvance(text) + 8, fontMetrics().height());
     const int left = std::clamp(static_cast<int>(x) - size.width() / 2, 0, std::max(0, width() - size.width()));
-    return {QPoint(left, kTick + 1), size};
+    return {QPoint(left, kTimeAxisTick + 1), size};
 }
 
 // What the cursor says stands before the labels of the axis.
@@ -87,7 +87,7 @@ void TimeAxis::paintEvent(QPaintEvent*)
     painter.setPen(currentTheme().secondary);
     for (std::chrono::seconds ago = m_window; ago.count() >= 0; ago -= timeStep(m_window)) {
         const double x = m_left + m_width * (1.0 - Seconds(ago) / Seconds(m_window));
-        painter.drawLine(QPointF(x, 0.0), QPointF(x, kTick));
+        painter.drawLine(QPointF(x, 0.0), QPointF(x, kTimeAxisTick));
         const QString text = ago.count() == 0 ? m_newest : QStringLiteral("−") + timeText(ago);
         if (const QRect box = labelBox(x, text); !box.intersects(cursor)) {
             painter.drawText(box, Qt::AlignCenter, text);

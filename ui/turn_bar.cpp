@@ -12,9 +12,9 @@ namespace boresight::ui {
 
 namespace {
 
-constexpr double kThickness = 14.0;   // px of the bar
-constexpr double kMark = 13.0;        // px of an open mark
-constexpr double kMinimumGap = 16.0;  // px between marks that are drawn as such
+constexpr double kTurnBarThickness = 14.0;  // px of the bar
+constexpr double kTurnBarMark = 13.0;       // px of an open mark
+constexpr double kMinimumGap = 16.0;        // px between marks that are drawn as such
 
 }  // namespace
 
@@ -28,7 +28,7 @@ TurnBar::TurnBar(QWidget* parent) : QWidget(parent)
 
 QSize TurnBar::sizeHint() const
 {
-    return {320, static_cast<int>(2 * fontMetrics().lineSpacing() + kThickness + 10)};
+    return {320, static_cast<int>(2 * fontMetrics().lineSpacing() + kTurnBarThickness + 10)};
 }
 
 void TurnBar::show(TravelRange travel, const std::vector<Angle>& candidates, std::optional<Angle> chosen)
@@ -47,7 +47,7 @@ void TurnBar::show(TravelRange travel, const std::vector<Angle>& candidates, std
 QRectF TurnBar::bar() const
 {
     const double margin = TravelScale::kCap + fontMetrics().horizontalAdvance(QStringLiteral("-000°")) / 2.0;
-    return {margin, fontMetrics().lineSpacing() + 4.0, width() - 2.0 * margin, kThickness};
+    return {margin, fontMetrics().lineSpacing() + 4.0, width() - 2.0 * margin, kTurnBarThickness};
 }
 
 TravelRange TurnBar::range() const
@@ -80,7 +80,7 @@ void TurnBar::paintEvent(QPaintEvent*)
             painter.setPen(QPen(colours.secondary, 1.0));
             painter.drawLine(QPointF(x, box.top() + 3.0), QPointF(x, box.bottom() - 3.0));
         } else if (angle != m_chosen) {
-            drawSymbol(painter, Symbol::Target, around(x, kMark), colours.text);
+            drawSymbol(painter, Symbol::Target, around(x, kTurnBarMark), colours.text);
         }
     }
     if (m_chosen) {

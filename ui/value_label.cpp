@@ -11,8 +11,8 @@
 namespace boresight::ui {
 
 namespace {
-constexpr int kMargin = 2;   // px, so that a slanted glyph is not clipped
-constexpr int kOutline = 5;  // px around the text of an outlined tag
+constexpr int kValueLabelMargin = 2;  // px, so that a slanted glyph is not clipped
+constexpr int kOutline = 5;           // px around the text of an outlined tag
 }  // namespace
 
 ValueLabel::ValueLabel(const QString& accessibleName, const QFont& font, const QString& widestText, QWidget* parent)
@@ -97,7 +97,7 @@ int ValueLabel::linesHeight() const
 
 QSize ValueLabel::sizeHint() const
 {
-    const int extra = 2 * (m_outlined ? kOutline : kMargin) + 2 +  // advances are rounded
+    const int extra = 2 * (m_outlined ? kOutline : kValueLabelMargin) + 2 +  // advances are rounded
                       (m_symbolRoom ? symbolRoom() : 0);
     return {fontMetrics().horizontalAdvance(m_widest) + extra, linesHeight() + (m_outlined ? 4 : 0)};
 }
@@ -109,7 +109,7 @@ QSize ValueLabel::minimumSizeHint() const
 
 QRect ValueLabel::textRect() const
 {
-    const int margin = m_outlined ? kOutline : kMargin;
+    const int margin = m_outlined ? kOutline : kValueLabelMargin;
     return rect().adjusted(margin + (m_symbol == Symbol::None ? 0 : symbolRoom()), 0, -margin, 0);
 }
 

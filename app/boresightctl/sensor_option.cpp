@@ -18,7 +18,7 @@ Angle degrees(double number)
     return Angle::fromDegrees(number);
 }
 
-constexpr std::array<SensorOption, 8> kOptions{{
+constexpr std::array<SensorOption, 8> kSensorOptionOptions{{
     {.name = "sensor-north",
      .values = "DEGREES",
      .text = "true azimuth of the beam less the angle of its axis; 37.4 without it",
@@ -122,8 +122,8 @@ std::vector<double> readNumbers(const SensorOption& option, std::string_view tex
 
 const SensorOption* findSensorOption(std::string_view name)
 {
-    const auto* const found = std::ranges::find(kOptions, name, &SensorOption::name);
-    return found != kOptions.end() ? found : nullptr;
+    const auto* const found = std::ranges::find(kSensorOptionOptions, name, &SensorOption::name);
+    return found != kSensorOptionOptions.end() ? found : nullptr;
 }
 
 Result<> takeSensorOption(const SensorOption& option, std::string_view text, SensorTruth& truth)
@@ -141,7 +141,7 @@ Result<> takeSensorOption(const SensorOption& option, std::string_view text, Sen
 std::string sensorHelp()
 {
     std::string text;
-    for (const SensorOption& option : kOptions) {
+    for (const SensorOption& option : kSensorOptionOptions) {
         text += help(option);
     }
     return text;

@@ -14,7 +14,7 @@
 namespace boresight::calibration {
 namespace {
 
-constexpr double kNoiseFloor = Angle::fromDegrees(0.2).radians();
+constexpr double kCompassSwingNoiseFloor = Angle::fromDegrees(0.2).radians();
 constexpr int kFull = 3;               // calibration
 constexpr double kHalfTrusted = 0.25;  // weight at twice the noise
 
@@ -28,7 +28,7 @@ public:
         if (const Result<> good = choose(); !good) {
             return tl::unexpected(good.error());
         }
-        const auto solved = fitRobustly(problem(), kNoiseFloor);
+        const auto solved = fitRobustly(problem(), kCompassSwingNoiseFloor);
         if (!solved) {
             return failure(ErrorCode::Refused,
                            Text::tr("%1 samples could be used: too few for a swing").arg(m_usable.size()));

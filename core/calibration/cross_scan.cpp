@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kFewest = 7;
 constexpr double kHalfPower = 4.0 * std::numbers::ln2;  // exp(-this × (offset / width)²): one half at half a width
-constexpr double kNoiseFloor = 0.02;                    // of the power: 0.04 dB, finer than receivers tell
+constexpr double kCrossScanNoiseFloor = 0.02;           // of the power: 0.04 dB, finer than receivers tell
 constexpr double kBeamError = 0.2;      // of the peak: further down a beam is no Gaussian, in proportion
 constexpr double kNearZenith = 0.02;    // cosine of elevation: azimuth says nothing there
 constexpr double kWorstSigma = 0.25;    // of the width: a peak less certain is none
@@ -202,7 +202,7 @@ RobustProblem linearised(const Beam& beam, const Line& line)
 std::optional<BeamFit> refined(Beam beam, const Line& line)
 {
     for (int round = 0; round < kRounds; ++round) {
-        auto fit = fitRobustly(linearised(beam, line), kNoiseFloor);
+        auto fit = fitRobustly(linearised(beam, line), kCrossScanNoiseFloor);
         if (!fit) {
             return std::nullopt;
         }
@@ -252,7 +252,7 @@ double evidence(const RobustFit& fit, const Line& line)
     }
     const auto used = static_cast<double>(fit.usedRows());
     const auto unknowns = static_cast<double>(fit.solution.size());
-    const double left = std::max(fit.rms * fit.rms, kNoiseFloor * kNoiseFloor / 12.0) * used;
+    const double left = std::max(fit.rms * fit.rms, kCrossScanNoiseFloor * kCrossScanNoiseFloor / 12.0) * used;
     return (squares - sum * sum / weights - left) / (unknowns - 1.0) / (left / (used - unknowns));
 }
 

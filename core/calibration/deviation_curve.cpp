@@ -10,10 +10,10 @@
 namespace boresight::calibration {
 namespace {
 
-constexpr int kRounds = 60;        // bisection alone would halve an error of a radian to 1e-18
-constexpr double kExact = 1e-14;   // rad
-constexpr double kSteepest = 0.9;  // of the slope -1 at which two headings give one reading
-constexpr int kSlopes = 360;       // looked at: between two of them a slope differs by less than 0.001
+constexpr int kDeviationCurveRounds = 60;  // bisection alone would halve an error of a radian to 1e-18
+constexpr double kExact = 1e-14;           // rad
+constexpr double kSteepest = 0.9;          // of the slope -1 at which two headings give one reading
+constexpr int kSlopes = 360;               // looked at: between two of them a slope differs by less than 0.001
 constexpr Angle kUnseenIron = Angle::fromDegrees(2.0);  // a first harmonic may be small by chance
 constexpr Angle kSlack = Angle::fromDegrees(1e-6);
 
@@ -57,7 +57,7 @@ Angle DeviationCurve::corrected(orientation::SensorHeading reading) const
     Angle low = target - reach;
     Angle high = target + reach;
     Angle heading = target;
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kDeviationCurveRounds; ++round) {
         const Angle excess = heading + deviation(heading) - target;
         if (std::abs(excess.radians()) < kExact) {
             break;

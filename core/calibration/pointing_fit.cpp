@@ -14,11 +14,11 @@ namespace {
 using pointing::PointingModel;
 using pointing::PointingTerms;
 
-constexpr double kDataRule = 0.5;    // of the sigma known before: below, it is the points that tell
-constexpr double kUnlikely = 3e-4;   // of a good point to be so far from where the others see it: four sigmas
-constexpr double kTooNoisy = 2.0;    // times the stated sigmas
-constexpr double kLeastLever = 0.2;  // of cos(elevation)
-constexpr double kLeastArc = 90.0;   // degrees of azimuth
+constexpr double kDataRule = 0.5;              // of the sigma known before: below, it is the points that tell
+constexpr double kUnlikely = 3e-4;             // of a good point to be so far from where the others see it: four sigmas
+constexpr double kTooNoisy = 2.0;              // times the stated sigmas
+constexpr double kLeastLever = 0.2;            // of cos(elevation)
+constexpr double kPointingFitLeastArc = 90.0;  // degrees of azimuth
 
 Angle rms(const std::vector<SkyOffset>& offsets)
 {
@@ -160,7 +160,7 @@ private:
                 Text::tr("all points are about as high: the azimuth's offset and the collimation cannot be told apart; "
                          "take one much higher or lower, or one over the top"));
         }
-        if (m_used.size() >= fewestPoints(Term::TiltNorth) && arc() < Angle::fromDegrees(kLeastArc)) {
+        if (m_used.size() >= fewestPoints(Term::TiltNorth) && arc() < Angle::fromDegrees(kPointingFitLeastArc)) {
             say(Text::tr("all points lie within %1 of azimuth: the tilt is seen from one side only")
                     .arg(inWords(arc(), 0)));
         }

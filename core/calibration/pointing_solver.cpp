@@ -14,7 +14,7 @@ namespace {
 using pointing::PointingModel;
 using pointing::PointingTerms;
 
-constexpr int kRounds = 30;
+constexpr int kPointingSolverRounds = 30;
 constexpr int kFreshDerivatives = 2;  // rounds; then they are right, for the model is nearly linear
 constexpr double kConverged = 1e-11;  // rad
 constexpr double kStep = 1e-5;        // rad, of the derivatives: their error is its square
@@ -55,7 +55,7 @@ public:
 
     Result<TermSolution> run()
     {
-        for (int round = 0; round < kRounds; ++round) {
+        for (int round = 0; round < kPointingSolverRounds; ++round) {
             linearise(round < kFreshDerivatives);
             if (round < kFreshDerivatives && !isDetermined()) {
                 return failure(ErrorCode::Refused, Text::tr("the points do not determine the azimuth's offset"));

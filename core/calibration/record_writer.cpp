@@ -15,7 +15,7 @@ using namespace boresight::calibration::record;
 
 constexpr int kDecimals = 9;  // a millionth of an arc second; they hide the rounding between degrees and radians
 
-std::string quoted(const std::string& text)
+std::string inQuotes(const std::string& text)
 {
     std::string result = "\"";
     for (const char character : printable(text)) {
@@ -62,7 +62,7 @@ class Writer
 public:
     void angle(std::string_view key, Angle value, Range) { line(key, decimal(value.degrees())); }
     void number(std::string_view key, double value, Range) { line(key, decimal(value)); }
-    void text(std::string_view key, const std::string& value) { line(key, quoted(value)); }
+    void text(std::string_view key, const std::string& value) { line(key, inQuotes(value)); }
     void flag(std::string_view key, bool value) { line(key, value ? "true" : "false"); }
     void time(std::string_view key, UtcTime value) { line(key, isoTime(value)); }
 
@@ -76,7 +76,7 @@ public:
     template <class Choice>
     void choice(std::string_view key, Choice value, std::span<const std::string_view> names)
     {
-        line(key, quoted(std::string(names[static_cast<std::size_t>(value)])));
+        line(key, inQuotes(std::string(names[static_cast<std::size_t>(value)])));
     }
 
     template <class Value>

@@ -19,8 +19,8 @@ constexpr int kHuberRounds = 15;
 constexpr int kTukeyRounds = 10;
 constexpr int kCutRounds = 10;
 constexpr double kWorstCorrelation = 0.95;
-constexpr double kFewestFree = 2.5;      // degrees of freedom; with two the variance has no end
-constexpr double kWorstCondition = 1e8;  // of the normal matrix
+constexpr double kFewestFree = 2.5;               // degrees of freedom; with two the variance has no end
+constexpr double kRobustFitWorstCondition = 1e8;  // of the normal matrix
 
 double median(std::vector<double> values)
 {
@@ -29,10 +29,10 @@ double median(std::vector<double> values)
     return *middle;
 }
 
-class Solver
+class RobustSolver
 {
 public:
-    Solver(const RobustProblem& problem, double noiseFloor)
+    RobustSolver(const RobustProblem& problem, double noiseFloor)
         : m_rows(static_cast<Eigen::Index>(problem.rows())),
           m_unknowns(static_cast<Eigen::Index>(problem.unknowns())),
           m_design(Eigen::Map<const RowMajor>(problem.coefficients().data(), m_rows, m_unknowns)),
@@ -123,7 +123,7 @@ private:
     {
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(m_normal, Eigen::EigenvaluesOnly);
         const double smallest = eigen.eigenvalues().minCoeff();
-        return std::isfinite(smallest) && smallest * kWorstCondition > eigen.eigenvalues().maxCoeff();
+        return std::isfinite(smallest) && smallest * kRobustFitWorstCondition > eigen.eigenvalues().maxCoeff();
     }
 
     std::optional<RobustFit> result()
@@ -184,7 +184,7 @@ std::optional<RobustFit> fitRobustly(const RobustProblem& problem, double noiseF
     if (problem.rows() <= problem.unknowns()) {
         return std::nullopt;
     }
-    return Solver(problem, noiseFloor).run();
+    return RobustSolver(problem, noiseFloor).run();
 }
 
 }  // namespace boresight::calibration

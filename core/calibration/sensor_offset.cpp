@@ -14,7 +14,7 @@
 namespace boresight::calibration {
 namespace {
 
-constexpr double kNoiseFloor = Angle::fromDegrees(0.1).radians();
+constexpr double kSensorOffsetNoiseFloor = Angle::fromDegrees(0.1).radians();
 constexpr double kFewestIndependent = 3.0;
 constexpr Angle kStandsStill = Angle::fromDegrees(0.3);  // how far the readings of a still mount may be apart
 
@@ -136,7 +136,7 @@ Result<SensorOffset> sensorOffset(std::span<const SensorReading> readings, const
     for (const Angle offset : offsets) {
         problem.add(std::array{1.0}, (offset - middle).wrapped180().radians());
     }
-    const auto fit = fitRobustly(problem, kNoiseFloor);
+    const auto fit = fitRobustly(problem, kSensorOffsetNoiseFloor);
     if (!fit) {
         return failure(ErrorCode::Refused,
                        Text::tr("%1 readings are too few, or do not agree: take more").arg(readings.size()));

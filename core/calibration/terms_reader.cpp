@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t kLongestText = 100000;
 constexpr std::size_t kLongestQuote = 60;
 constexpr std::size_t kMostProblems = 20;
-constexpr int kEarliest = 1970;
-constexpr int kLatest = 2200;
+constexpr int kTermsReaderEarliest = 1970;
+constexpr int kTermsReaderLatest = 2200;
 constexpr std::string_view kBlanks = " \t\r";
 
 std::string_view trimmed(std::string_view text)
@@ -117,7 +117,7 @@ private:
     {
         const QDateTime date = QDateTime::fromString(toQString(value), Qt::ISODate);
         const bool isUtc = date.isValid() && date.timeSpec() == Qt::UTC;
-        if (!isUtc || date.date().year() < kEarliest || date.date().year() > kLatest) {
+        if (!isUtc || date.date().year() < kTermsReaderEarliest || date.date().year() > kTermsReaderLatest) {
             complain(Text::tr("%1 is no date like 2026-11-21T21:34:00Z").arg(quoted(value)));
             return;
         }

@@ -7,7 +7,7 @@
 namespace boresight::calibration {
 namespace {
 
-constexpr int kDecimals = 9;  // of degrees, as in a profile
+constexpr int kTermsWriterDecimals = 9;  // of degrees, as in a profile
 constexpr std::size_t kNameWidth = 22;
 constexpr std::size_t kValueWidth = 15;
 
@@ -19,7 +19,7 @@ std::string padded(std::string text, std::size_t width)
 
 std::string degrees(Angle angle)
 {
-    return formatFixed(angle.degrees(), kDecimals);
+    return formatFixed(angle.degrees(), kTermsWriterDecimals);
 }
 
 // One that rounds to 0 would say that nothing is uncertain.

@@ -24,7 +24,7 @@ constexpr auto W = Access::Write;
 constexpr auto RW = Access::ReadWrite;
 
 // Sorted by number: looked up by bisection.
-constexpr std::array kRows{
+constexpr std::array kRegistersRows{
     Row{Register::Mode, 1, Kind::Integer, RW, "mode"},
     Row{Register::Position, 1, Kind::Position, R, "position"},
     Row{Register::Velocity, 1, Kind::Velocity, R, "velocity"},
@@ -120,12 +120,12 @@ constexpr std::array kRows{
     Row{Register::UuidMask, 4, Kind::Identity, W, "UUID mask"},
     Row{Register::UuidMaskCapable, 1, Kind::Integer, R, "UUID mask capable"},
 };
-static_assert(std::ranges::is_sorted(kRows, {}, &Row::first));
+static_assert(std::ranges::is_sorted(kRegistersRows, {}, &Row::first));
 
 const Row* findRow(Register reg)
 {
-    const auto after = std::ranges::upper_bound(kRows, reg, {}, &Row::first);
-    if (after == kRows.begin()) {
+    const auto after = std::ranges::upper_bound(kRegistersRows, reg, {}, &Row::first);
+    if (after == kRegistersRows.begin()) {
         return nullptr;
     }
     const Row& row = *std::prev(after);

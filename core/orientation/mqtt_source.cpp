@@ -12,7 +12,7 @@
 namespace boresight::orientation {
 namespace {
 
-Q_LOGGING_CATEGORY(lcSensor, "boresight.sensor.mqtt")
+Q_LOGGING_CATEGORY(lcMqttSensor, "boresight.sensor.mqtt")
 
 }  // namespace
 
@@ -106,7 +106,8 @@ void MqttSource::take(const QString& name, const QByteArray& payload, mqtt::Reta
     m_status.counts = m_reader.counts();
     if (!parsed) {
         m_refused = parsed.error();
-        qCDebug(lcSensor) << "refused:" << toText(parsed.error()).c_str() << printable(payload.toStdString()).c_str();
+        qCDebug(lcMqttSensor) << "refused:" << toText(parsed.error()).c_str()
+                              << printable(payload.toStdString()).c_str();
     } else if (*parsed) {
         m_refused.reset();
         m_denied.removeOne(m_topics.orientation);

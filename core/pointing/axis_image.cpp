@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pointing/axis_image.h"
 
+#include "core/pointing/ranges.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,9 +11,6 @@ namespace boresight::pointing {
 
 namespace {
 
-constexpr Angle kFullTurn = Angle::fromTurns(1.0);
-constexpr Angle kRounding = Angle::fromDegrees(1e-9);
-constexpr Angle kBeyond = Angle::fromDegrees(3600.0);
 constexpr std::array kSides{Side::Upright, Side::OverTheTop};
 
 // A side is looked at in this many places, and an upper or lower edge so often along its way; in between they are
@@ -28,11 +27,6 @@ constexpr double kHighest = 2.0;
 constexpr Angle kStraight = Angle::fromDegrees(0.01);
 constexpr Angle kLongest = Angle::fromDegrees(5.0);
 constexpr int kDeepest = 12;
-
-TravelRange common(const TravelRange& a, const TravelRange& b)
-{
-    return {.min = std::max(a.min, b.min), .max = std::min(a.max, b.max)};
-}
 
 void include(TravelRange& range, Angle angle)
 {

@@ -3,6 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/pointing/ranges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,11 +43,6 @@ AngularRate AxisGeometry::toAxis(MotorRate rate) const
 
 namespace {
 
-const Angle kFullTurn = Angle::fromTurns(1.0);
-
-// Rounding between degrees and radians must not put the end of a travel outside of itself.
-const Angle kRounding = Angle::fromDegrees(1e-9);
-
 // A target that jitters across an end of the travel (359.9°, 0.1° on a 0…360° mount) must not send the mount round for
 // each of its points: this much beyond the end, the end itself will do. A small beam is still several times wider.
 const Angle kEndTolerance = Angle::fromDegrees(0.25);
@@ -85,11 +81,6 @@ void addReason(Resolved& resolved, const std::string& reason)
 {
     resolved.limited = true;
     resolved.reason += (resolved.reason.empty() ? "" : ", ") + reason;
-}
-
-bool reaches(const TravelRange& travel, Angle angle)
-{
-    return angle >= travel.min - kRounding && angle <= travel.max + kRounding;
 }
 
 // Of the turns of `azimuth` inside the travel the one nearest to `now`; none if it lies in a gap.

@@ -3,6 +3,7 @@
 // keep-out or a limit, where two such edges cross, at a corner of the horizon, at the foot of the shortest way to one
 // of its lines, or where a line crosses an edge. What is farther away than the best place so far is passed over.
 #include "core/pointing/permitted_region.h"
+#include "core/pointing/ranges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,14 +13,7 @@ namespace boresight::pointing {
 
 namespace {
 
-const Angle kFullTurn = Angle::fromTurns(1.0);
-const Angle kRounding = Angle::fromDegrees(1e-9);
 constexpr TravelRange kAll{.min = Angle::fromDegrees(-1e6), .max = Angle::fromDegrees(1e6)};
-
-bool reaches(const TravelRange& range, Angle angle)
-{
-    return angle >= range.min - kRounding && angle <= range.max + kRounding;
-}
 
 Angle gap(const TravelRange& range, Angle angle)
 {

@@ -4,7 +4,9 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/pointing/axis_image.h"
+#include "core/pointing/ranges.h"
 #include "core/pointing/slits.h"
+#include "core/units/degrees_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,20 +14,6 @@
 namespace boresight::pointing {
 
 namespace {
-
-const Angle kFullTurn = Angle::fromTurns(1.0);
-const Angle kRounding = Angle::fromDegrees(1e-9);
-const Angle kBeyond = Angle::fromDegrees(3600.0);
-
-QString degrees(Angle angle)
-{
-    return toQString(formatFixed(angle.degrees(), 1)) + QStringLiteral("°");
-}
-
-TravelRange common(const TravelRange& a, const TravelRange& b)
-{
-    return {.min = std::max(a.min, b.min), .max = std::min(a.max, b.max)};
-}
 
 TravelRange shifted(const TravelRange& range, Angle by)
 {
@@ -217,7 +205,7 @@ const KeepOut* PermittedRegion::keepOutAt(const AxisPosition& place) const
 std::string PermittedRegion::reason(const AxisPosition& place) const
 {
     const auto outside = [](const QString& sentence, Angle angle, const TravelRange& range) {
-        return sentence.arg(degrees(angle), degrees(range.min), degrees(range.max)).toStdString();
+        return sentence.arg(degreesText(angle), degreesText(range.min), degreesText(range.max)).toStdString();
     };
     if (permits(place)) {
         return {};
@@ -237,12 +225,12 @@ std::string PermittedRegion::trueReason(const AxisPosition& place) const
     if (const KeepOut* const keepOut = keepOutAt(place)) {
         const SkyPointing beam = beamAt(place);
         return Text::tr("azimuth %1 elevation %2 is in the keep-out \"%3\"")
-            .arg(degrees(beam.azimuth), degrees(beam.elevation), toQString(keepOut->name))
+            .arg(degreesText(beam.azimuth), degreesText(beam.elevation), toQString(keepOut->name))
             .toStdString();
     }
     const SkyPointing beam = upright(beamAt(place));
     return Text::tr("elevation %1 below the horizon %2 at azimuth %3")
-        .arg(degrees(beam.elevation), degrees(m_horizon.at(beam.azimuth)), degrees(beam.azimuth))
+        .arg(degreesText(beam.elevation), degreesText(m_horizon.at(beam.azimuth)), degreesText(beam.azimuth))
         .toStdString();
 }
 
@@ -252,11 +240,11 @@ std::string PermittedRegion::obstacle(const AxisPosition& place) const
         return {};
     }
     if (!within(AxisBox::at(place).azimuth, m_ranges.azimuth)) {
-        return Text::tr("the azimuth limit %1").arg(degrees(m_ranges.azimuth.clamped(place.azimuth))).toStdString();
+        return Text::tr("the azimuth limit %1").arg(degreesText(m_ranges.azimuth.clamped(place.azimuth))).toStdString();
     }
     if (!within(AxisBox::at(place).elevation, m_ranges.elevation)) {
         return Text::tr("the elevation limit %1")
-            .arg(degrees(m_ranges.elevation.clamped(place.elevation)))
+            .arg(degreesText(m_ranges.elevation.clamped(place.elevation)))
             .toStdString();
     }
     const KeepOut* const keepOut = keepOutAt(place);

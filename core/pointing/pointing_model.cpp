@@ -4,6 +4,8 @@
 // by the azimuth, and leans with the mast. `forward`, `right` and `up` are the beam as the turning mount sees it.
 #include "core/pointing/pointing_model.h"
 
+#include "core/pointing/ranges.h"
+
 #include <cmath>
 
 namespace boresight::pointing {
@@ -11,7 +13,6 @@ namespace boresight::pointing {
 namespace {
 
 // A direction less than this inside the hole at the zenith is on its edge; rounding alone is 1e-14°.
-constexpr Angle kRounding = Angle::fromDegrees(1e-9);
 
 // Near the zenith of a leaning mount axis and beam may be half a turn apart. Of the two turns that are then as near,
 // one way takes the lower and the way back the upper: so the turn is kept, whatever rounding does.

@@ -6,6 +6,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/pointing/ranges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,6 @@ namespace boresight::pointing {
 
 namespace {
 
-const Angle kRounding = Angle::fromDegrees(1e-9);
 const Angle kHardly = Angle::fromDegrees(1e-6);
 
 // What a search may still cost.

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pointing/skyline.h"
 
+#include "core/pointing/ranges.h"
+
 #include <algorithm>
 
 namespace boresight::pointing {
 
 namespace {
 
-const Angle kFullTurn = Angle::fromTurns(1.0);
 const Angle kNowhere = Angle::fromDegrees(-3600.0);
 const Angle kEverywhere = Angle::fromDegrees(3600.0);
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pointing/slits.h"
 
+#include "core/pointing/ranges.h"
+
 #include <algorithm>
 
 namespace boresight::pointing {
 
 namespace {
 
-const Angle kFullTurn = Angle::fromTurns(1.0);
 const Angle kTouching = Angle::fromDegrees(1e-6);
 
 // The part of a line of the horizon that is at or above a height; min > max if none is.

@@ -13,7 +13,7 @@ constexpr Angle kFarStop = Angle::fromDegrees(10.0);
 // Full speed within five ticks: nothing on a mast is driven so hard.
 constexpr Seconds kShortRamp{0.1};
 
-QString number(double value, int decimals)
+QString decimalText(double value, int decimals)
 {
     return toQString(formatFixed(value, decimals));
 }
@@ -39,12 +39,12 @@ void adviseOn(std::vector<Advice>& list, const std::string& table, const QString
 {
     const std::string key = table + ".max_acceleration_deg_s2";
     const tracking::MotionLimits& limits = axis.limits;
-    const QString acceleration = number(limits.acceleration.degrees(), 1);
+    const QString acceleration = decimalText(limits.acceleration.degrees(), 1);
     if (const Stop stop(limits); stop.time > kLongStop && stop.way > kFarStop) {
         list.push_back({key,
                         Text::tr("%1 needs %2 s and %3° to stop from %4°/s")
-                            .arg(name, number(stop.time.count(), 1), number(stop.way.degrees(), 0),
-                                 number(limits.speed.degrees(), 1)),
+                            .arg(name, decimalText(stop.time.count(), 1), decimalText(stop.way.degrees(), 0),
+                                 decimalText(limits.speed.degrees(), 1)),
                         Text::tr("Raise max_acceleration_deg_s2 (%1), or lower max_speed_deg_s.").arg(acceleration)});
     }
     const Seconds ramp{limits.speed.radians() / limits.acceleration.radians()};
@@ -54,8 +54,8 @@ void adviseOn(std::vector<Advice>& list, const std::string& table, const QString
             {key,
              Text::tr("%1 is to reach %2°/s within %3 s: the %4 Nm allowed are enough for a moment of inertia of "
                       "%5 kg·m² at most, without friction and wind")
-                 .arg(name, number(limits.speed.degrees(), 1), number(ramp.count(), 2), number(axis.maxTorque, 1),
-                      number(inertia, 1)),
+                 .arg(name, decimalText(limits.speed.degrees(), 1), decimalText(ramp.count(), 2),
+                      decimalText(axis.maxTorque, 1), decimalText(inertia, 1)),
              Text::tr("Lower max_acceleration_deg_s2 (%1).").arg(acceleration)});
     }
 }

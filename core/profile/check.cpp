@@ -4,15 +4,11 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/profile/setting_groups.h"
+#include "core/units/degrees_text.h"
 
 namespace boresight::profile {
 
 namespace {
-
-QString degrees(Angle angle)
-{
-    return toQString(formatFixed(angle.degrees(), 2)) + QStringLiteral("°");
-}
 
 void checkAxis(std::vector<Problem>& problems, const std::string& table, const AxisSettings& axis, Angle park)
 {
@@ -23,12 +19,13 @@ void checkAxis(std::vector<Problem>& problems, const std::string& table, const A
     if (travel.min >= travel.max) {
         problems.push_back(
             {table + ".travel_min_deg", Text::tr("%1 is not below %2.travel_max_deg (%3)")
-                                            .arg(degrees(travel.min), toQString(table), degrees(travel.max))
+                                            .arg(degreesText(travel.min), toQString(table), degreesText(travel.max))
                                             .toStdString()});
     } else if (!travel.contains(park)) {
-        problems.push_back({"park." + table + "_deg", Text::tr("%1 is outside the travel %2…%3")
-                                                          .arg(degrees(park), degrees(travel.min), degrees(travel.max))
-                                                          .toStdString()});
+        problems.push_back(
+            {"park." + table + "_deg", Text::tr("%1 is outside the travel %2…%3")
+                                           .arg(degreesText(park), degreesText(travel.min), degreesText(travel.max))
+                                           .toStdString()});
     }
     // A slower build-up would make the stop distance longer than anybody standing at the mast expects.
     const Seconds filterLength{2.0 * (axis.limits.acceleration.radians() / axis.limits.jerk.radians())};

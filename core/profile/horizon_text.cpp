@@ -77,10 +77,10 @@ std::string whatIsWrong(const Numbers& numbers)
     return std::abs(numbers.elevation) > 90.0 ? Text::tr("an elevation is within -90…90").toStdString() : std::string();
 }
 
-class Reader
+class HorizonReader
 {
 public:
-    explicit Reader(std::string fileName) : m_fileName(std::move(fileName)) {}
+    explicit HorizonReader(std::string fileName) : m_fileName(std::move(fileName)) {}
 
     void readLine(std::string line)
     {
@@ -167,7 +167,7 @@ Result<HorizonText> parseHorizon(std::string_view text, const std::string& fileN
     if (text.starts_with(kByteOrderMark)) {
         text.remove_prefix(kByteOrderMark.size());
     }
-    Reader reader(fileName);
+    HorizonReader reader(fileName);
     for (std::size_t start = 0; start < text.size();) {
         const std::size_t end = std::min(text.find('\n', start), text.size());
         reader.readLine(std::string(text.substr(start, end - start)));

@@ -23,7 +23,7 @@ std::string quoted(const std::string& text)
     return result + "\"";
 }
 
-std::string number(double value)
+std::string tomlNumber(double value)
 {
     std::string text = formatFixed(value, kDecimals);
     text.erase(std::max(text.find_last_not_of('0'), text.find('.') + 1) + 1);
@@ -46,7 +46,7 @@ std::string bounds(const SettingOf<Owner>& setting)
         case SettingType::Integer:
             return formatFixed(setting.min, 0) + "…" + formatFixed(setting.max, 0);
         case SettingType::Number:
-            return number(setting.min) + "…" + number(setting.max);
+            return tomlNumber(setting.min) + "…" + tomlNumber(setting.max);
         case SettingType::Choice: {
             std::string text = "one of";
             for (const std::string& name : setting.choices) {
@@ -149,8 +149,8 @@ std::string toText(const SettingValue& value)
 {
     return std::visit(
         Overloaded{[](const std::string& text) { return quoted(text); },
-                   [](std::int64_t whole) { return std::to_string(whole); }, [](double real) { return number(real); },
-                   [](const TextList& list) { return inBrackets(list); }},
+                   [](std::int64_t whole) { return std::to_string(whole); },
+                   [](double real) { return tomlNumber(real); }, [](const TextList& list) { return inBrackets(list); }},
         value);
 }
 

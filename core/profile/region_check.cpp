@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/pointing/permitted_region.h"
 #include "core/profile/setting_groups.h"
+#include "core/units/degrees_text.h"
 
 #include <QHostAddress>
 
@@ -13,11 +14,6 @@
 namespace boresight::profile {
 
 namespace {
-
-QString degrees(Angle angle)
-{
-    return toQString(formatFixed(angle.degrees(), 2)) + QStringLiteral("°");
-}
 
 std::string rowKey(std::string_view list, std::size_t index)
 {
@@ -30,13 +26,13 @@ void checkLimits(std::vector<Problem>& problems, const std::string& axis, const 
     const std::string key = "limits." + axis + "_min_deg";
     if (limits.min >= limits.max) {
         problems.push_back({key, Text::tr("%1 is not below limits.%2_max_deg (%3)")
-                                     .arg(degrees(limits.min), toQString(axis), degrees(limits.max))
+                                     .arg(degreesText(limits.min), toQString(axis), degreesText(limits.max))
                                      .toStdString()});
     } else if (travel.min < travel.max && std::max(limits.min, travel.min) >= std::min(limits.max, travel.max)) {
-        problems.push_back(
-            {key, Text::tr("the limits %1…%2 leave nothing of the travel %3…%4")
-                      .arg(degrees(limits.min), degrees(limits.max), degrees(travel.min), degrees(travel.max))
-                      .toStdString()});
+        problems.push_back({key, Text::tr("the limits %1…%2 leave nothing of the travel %3…%4")
+                                     .arg(degreesText(limits.min), degreesText(limits.max), degreesText(travel.min),
+                                          degreesText(travel.max))
+                                     .toStdString()});
     }
 }
 
@@ -46,9 +42,10 @@ bool checkParkLimits(std::vector<Problem>& problems, const std::string& axis, co
     if (limits.contains(park)) {
         return true;
     }
-    problems.push_back({"park." + axis + "_deg", Text::tr("%1 is outside the limits of operation %2…%3")
-                                                     .arg(degrees(park), degrees(limits.min), degrees(limits.max))
-                                                     .toStdString()});
+    problems.push_back(
+        {"park." + axis + "_deg", Text::tr("%1 is outside the limits of operation %2…%3")
+                                      .arg(degreesText(park), degreesText(limits.min), degreesText(limits.max))
+                                      .toStdString()});
     return false;
 }
 
@@ -86,7 +83,7 @@ void checkHorizon(std::vector<Problem>& problems, const std::vector<pointing::Ho
         if (horizon[i].azimuth <= horizon[i - 1].azimuth) {
             problems.push_back(
                 {rowKey(kHorizonKey, i), Text::tr("the azimuth %1 does not follow %2; points ascend, each azimuth once")
-                                             .arg(degrees(horizon[i].azimuth), degrees(horizon[i - 1].azimuth))
+                                             .arg(degreesText(horizon[i].azimuth), degreesText(horizon[i - 1].azimuth))
                                              .toStdString()});
         }
     }
@@ -112,10 +109,10 @@ void checkKeepOuts(std::vector<Problem>& problems, const std::vector<pointing::K
         const pointing::KeepOut& keepOut = keepOuts[i];
         const std::string row = rowKey(kKeepOutKey, i);
         if (keepOut.elevationMin >= keepOut.elevationMax) {
-            problems.push_back(
-                {row + ".elevation_min_deg", Text::tr("%1 is not below elevation_max_deg (%2)")
-                                                 .arg(degrees(keepOut.elevationMin), degrees(keepOut.elevationMax))
-                                                 .toStdString()});
+            problems.push_back({row + ".elevation_min_deg",
+                                Text::tr("%1 is not below elevation_max_deg (%2)")
+                                    .arg(degreesText(keepOut.elevationMin), degreesText(keepOut.elevationMax))
+                                    .toStdString()});
         }
         if (keepOut.azimuthFrom == keepOut.azimuthTo) {
             problems.push_back(

@@ -29,7 +29,6 @@ Setting siteNumber(const std::string& key, const std::string& unit, Range range,
 std::vector<SettingOf<pointing::HorizonPoint>> makeHorizonSettings()
 {
     using pointing::HorizonPoint;
-    constexpr auto kNow = Applies::Now;
     return {
         number<HorizonPoint>(
             "azimuth_deg", "°", kAzimuth, kNow, QT_TRANSLATE_NOOP("Text", "Azimuth of the point, from true north."),
@@ -42,7 +41,6 @@ std::vector<SettingOf<pointing::HorizonPoint>> makeHorizonSettings()
 std::vector<SettingOf<pointing::KeepOut>> makeKeepOutSettings()
 {
     using pointing::KeepOut;
-    constexpr auto kNow = Applies::Now;
     return {
         name<KeepOut>(
             "name", kNow, QT_TRANSLATE_NOOP("Text", "What it is called."), [](auto& row) -> auto& { return row.name; }),
@@ -63,7 +61,6 @@ std::vector<SettingOf<pointing::KeepOut>> makeKeepOutSettings()
 
 std::vector<SettingOf<Preset>> makePresetSettings()
 {
-    constexpr auto kNow = Applies::Now;
     return {
         name<Preset>(
             "name", kNow, QT_TRANSLATE_NOOP("Text", "What it is called."), [](auto& row) -> auto& { return row.name; }),
@@ -79,7 +76,6 @@ std::vector<SettingOf<Preset>> makePresetSettings()
 
 void addRegion(std::vector<Setting>& list)
 {
-    constexpr auto kNow = Applies::Now;
     list.push_back(number(
         "limits.azimuth_min_deg", "°", kAxisAngle, kNow,
         QT_TRANSLATE_NOOP("Text", "Lowest azimuth of operation, as a mechanical angle; the travel counts besides."),

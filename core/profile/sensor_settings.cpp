@@ -13,12 +13,11 @@ using namespace makers;
 
 namespace {
 
-constexpr auto kNow = Applies::Now;
-constexpr std::size_t kLongest = 1000;
+constexpr std::size_t kSensorSettingsLongest = 1000;
 
 Result<> checkPath(const std::string& text)
 {
-    if (text.size() > kLongest || hasControlCharacters(text)) {
+    if (text.size() > kSensorSettingsLongest || hasControlCharacters(text)) {
         return failure(ErrorCode::InvalidInput, Text::tr("a path on one line is expected"));
     }
     return {};
@@ -27,7 +26,7 @@ Result<> checkPath(const std::string& text)
 // One that is listened to: without the patterns that mean many.
 Result<> checkTopic(const std::string& text)
 {
-    if (text.empty() || text.size() > kLongest || hasControlCharacters(text) ||
+    if (text.empty() || text.size() > kSensorSettingsLongest || hasControlCharacters(text) ||
         text.find_first_of("+#") != std::string::npos) {
         return failure(ErrorCode::InvalidInput,
                        Text::tr("a topic is expected, like \"antenna/orientation\", without + and #"));

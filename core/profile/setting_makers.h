@@ -13,6 +13,8 @@
 // one row of a list. `access` gives that field, constant or not: [](auto& p) -> auto& { return p.control.tickHz; }.
 namespace boresight::profile::makers {
 
+inline constexpr auto kNow = Applies::Now;
+
 struct Range
 {
     double min;

@@ -11,7 +11,6 @@ namespace {
 
 void addMotionSupervision(std::vector<Setting>& list)
 {
-    constexpr auto kNow = Applies::Now;
     constexpr Range kError{0.1, 90.0};
     list.push_back(number(
         "supervision.following_hint_deg", "°", kError, kNow,
@@ -70,7 +69,6 @@ void addMotionSupervision(std::vector<Setting>& list)
 
 void addDriveSupervision(std::vector<Setting>& list)
 {
-    constexpr auto kNow = Applies::Now;
     constexpr Range kVoltage{5.0, 60.0};
     constexpr Range kTemperature{30.0, 150.0};
     list.push_back(number(
@@ -119,7 +117,6 @@ void addSupervision(std::vector<Setting>& list)
 
 void addRecovery(std::vector<Setting>& list)
 {
-    constexpr auto kNow = Applies::Now;
     const std::vector<std::string> retry{"never", "once", "interval"};
     list.push_back(choice(
         "recovery.over_temperature", retry, kNow,

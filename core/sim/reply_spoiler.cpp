@@ -25,7 +25,7 @@ constexpr std::array kEdits{FaultKind::StaleReply,       FaultKind::FalsePositio
 constexpr double kSmallestRandomError = 0.01;
 constexpr double kLargestRandomError = 360.0;
 constexpr double kLongestRandomAge = 1.0;  // s
-constexpr double kLargestId = 126.0;
+constexpr double kReplySpoilerLargestId = 126.0;
 
 }  // namespace
 
@@ -70,7 +70,7 @@ ReplySpoiler::Edit ReplySpoiler::randomEdit()
     } else if (edit.kind == FaultKind::StaleReply) {
         edit.value = random(0.0, kLongestRandomAge);
     } else if (edit.kind == FaultKind::ForeignId) {
-        edit.value = std::floor(random(1.0, kLargestId));
+        edit.value = std::floor(random(1.0, kReplySpoilerLargestId));
     }
     return edit;
 }

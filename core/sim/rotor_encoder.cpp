@@ -6,9 +6,9 @@
 namespace boresight::sim {
 namespace {
 
-constexpr double kCountsPerTurn = 16384.0;  // 14 bits
-constexpr double kPositionNoise = 1.0;      // counts
-constexpr double kVelocityNoise = 0.01;     // rotor turns/s after the filter
+constexpr double kRotorEncoderCountsPerTurn = 16384.0;  // 14 bits
+constexpr double kPositionNoise = 1.0;                  // counts
+constexpr double kVelocityNoise = 0.01;                 // rotor turns/s after the filter
 
 double fraction(double turns)
 {
@@ -19,7 +19,8 @@ double fraction(double turns)
 
 void RotorEncoder::sample(double rotorTurns, double rotorVelocity, double outputTurns)
 {
-    m_raw = std::floor(rotorTurns * kCountsPerTurn + noise(kPositionNoise) + 0.5) / kCountsPerTurn;
+    m_raw =
+        std::floor(rotorTurns * kRotorEncoderCountsPerTurn + noise(kPositionNoise) + 0.5) / kRotorEncoderCountsPerTurn;
     const double velocity = rotorVelocity + noise(kVelocityNoise);
     m_velocity = velocity * m_config.motorPosition.rotorToOutputRatio * m_config.motorPosition.outputSign;
     m_output = outputTurns;

@@ -13,7 +13,7 @@ namespace {
 
 using moteus::Mode;
 
-constexpr double kPowerFactor = 1.5;       // three phases counted in peak values
+constexpr double kServoPowerFactor = 1.5;  // three phases counted in peak values
 constexpr double kBoardResistance = 0.01;  // Ω: transistors and shunts of one phase
 constexpr double kIdlePower = 1.5;         // W a board takes doing nothing
 
@@ -217,7 +217,7 @@ void Servo::driveCurrent(double amperes, const ServoInputs& inputs, bool boundsA
     }
     const double squared = m_output.qCurrent * m_output.qCurrent + m_output.dCurrent * m_output.dCurrent;
     m_output.power = motorPower(m_config, m_output.qCurrent, m_output.dCurrent, inputs.velocity);
-    m_output.loss += kPowerFactor * kBoardResistance * squared;
+    m_output.loss += kServoPowerFactor * kBoardResistance * squared;
 }
 
 void Servo::brake()

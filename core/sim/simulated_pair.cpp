@@ -9,7 +9,7 @@
 namespace boresight::sim {
 namespace {
 
-constexpr double kStep = 0.5e-3;  // s: at 12°/s a report is at most 0.006° old
+constexpr double kSimulatedPairStep = 0.5e-3;  // s: at 12°/s a report is at most 0.006° old
 // After a jump of the clock (a suspended computer) only this much is made up for.
 constexpr Seconds kLongestCatchUp{3600.0};
 
@@ -73,10 +73,10 @@ void SimulatedPair::advanceTo(Seconds now)
     if (m_now - m_stepped > kLongestCatchUp) {
         m_stepped = m_now - kLongestCatchUp;
     }
-    while (m_stepped + Seconds(kStep) <= m_now) {
+    while (m_stepped + Seconds(kSimulatedPairStep) <= m_now) {
         applyFaults();
-        step(kStep);
-        m_stepped += Seconds(kStep);
+        step(kSimulatedPairStep);
+        m_stepped += Seconds(kSimulatedPairStep);
     }
     applyFaults();
 }

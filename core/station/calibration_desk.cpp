@@ -11,7 +11,7 @@
 namespace boresight {
 namespace {
 
-const QString kSource = QStringLiteral("calibration");
+const QString kDeskSource = QStringLiteral("calibration");
 // A body that is centred by hand, by shadow or sight tube.
 constexpr Angle kCentred = Angle::fromDegrees(0.03);
 // Where north was found, nothing that is centred is this far from where the model says; nor from three sigmas of it.
@@ -157,7 +157,7 @@ void CalibrationDesk::warnOfFarPoint(const SkyPointing& truth)
         return;
     }
     if (const Angle distance = angleBetween(*beam, truth); distance > std::max(kFarPoint, 3.0 * *north)) {
-        m_log.add(Severity::Warning, kSource,
+        m_log.add(Severity::Warning, kDeskSource,
                   Text::tr("by the model in force the beam is %1° beside it: if it was not centred, drop point %2")
                       .arg(distance.degrees(), 0, 'f', 1)
                       .arg(m_book.points().size()));
@@ -182,7 +182,7 @@ Result<> CalibrationDesk::addPoint(const AxisPosition& axes, const SkyPointing& 
                                    const QString& label)
 {
     m_book.add({.axes = axes, .truth = truth, .sigma = sigma, .when = m_clock.utc(), .label = label.toStdString()});
-    m_log.add(Severity::Advisory, kSource,
+    m_log.add(Severity::Advisory, kDeskSource,
               Text::tr("point %1: %2 at azimuth %3°, elevation %4°; axes %5° %6°")
                   .arg(m_book.points().size())
                   .arg(label)
@@ -259,7 +259,7 @@ Result<> CalibrationDesk::handle(const request::StartSwing& wanted)
         m_follower.end();
         m_swingRestarts = m_restarts;
         m_swing.emplace(plan, *m_control.measured(), m_profile.azimuth.limits, m_profile.sensor, m_clock.now());
-        m_log.add(Severity::Advisory, kSource, Text::tr("swings the compass: %1").arg(plan.text));
+        m_log.add(Severity::Advisory, kDeskSource, Text::tr("swings the compass: %1").arg(plan.text));
         stepSwing();
         return {};
     });

@@ -5,6 +5,7 @@
 #include "core/calibration/words.h"
 #include "core/profile/setting.h"
 #include "core/station/sensor_curve.h"
+#include "core/units/degrees_text.h"
 
 #include <QStringList>
 
@@ -36,15 +37,10 @@ constexpr std::array kTermTexts = {
     QT_TRANSLATE_NOOP("Text", "elevation sag")};
 static_assert(kTermTexts.size() == calibration::kTerms);
 
-QString degreesText(Angle angle, int decimals = 2)
-{
-    return QString::number(angle.degrees(), 'f', decimals) + QStringLiteral("°");
-}
-
 QString northText(const calibration::Estimate& north)
 {
     return Text::tr("the azimuth axis shows 0° at a true azimuth of %1 ± %2")
-        .arg(degreesText(north.value), degreesText(north.sigma, 1));
+        .arg(degreesText(north.value, 2), degreesText(north.sigma, 1));
 }
 
 // The offset of the azimuth may be any turn of it; the one that is nearest to today's moves no other number.
@@ -104,7 +100,7 @@ bool keepsNorth(Proposal& proposal, const calibration::Estimate& north, const pr
     const Standing standing = standingOf(told, north.sigma, apart);
     if (standing == Standing::Stays) {
         setStays(proposal, Text::tr("north stays: it is known to %1, a compass to %2")
-                               .arg(degreesText(*told), degreesText(north.sigma, 1)));
+                               .arg(degreesText(*told, 2), degreesText(north.sigma, 1)));
         return true;
     }
     setNorth(proposal, north, profile);
@@ -133,21 +129,23 @@ void setTilt(Proposal& proposal, const calibration::AxisTilt& tilt, const std::o
     const Angle sigma = std::max(tilt.north.sigma, tilt.east.sigma);
     const Standing standing = standingOf(told, sigma, apart);
     if (standing == Standing::Stays) {
-        setStays(proposal,
-                 Text::tr("tilt stays: it is known to %1, a swing to %2").arg(degreesText(*told), degreesText(sigma)));
+        setStays(
+            proposal,
+            Text::tr("tilt stays: it is known to %1, a swing to %2").arg(degreesText(*told, 2), degreesText(sigma, 2)));
         return;
     }
     if (standing == Standing::Contradicted) {
         proposal.warnings.push_back(
             Text::tr("the mast leans otherwise than the tilt in force says, by %1: see that it stands firm")
-                .arg(degreesText(apart)));
+                .arg(degreesText(apart, 2)));
     }
     proposal.terms.tiltNorth = tilt.north.value;
     proposal.terms.tiltEast = tilt.east.value;
     proposal.sigmas[indexOf(Term::TiltNorth)] = tilt.north.sigma;
     proposal.sigmas[indexOf(Term::TiltEast)] = tilt.east.sigma;
-    proposal.text += Text::tr("; the azimuth axis leans by %1 ± %2 towards %3")
-                         .arg(degreesText(tilt.size), degreesText(tilt.sizeSigma), degreesText(tilt.direction, 0));
+    proposal.text +=
+        Text::tr("; the azimuth axis leans by %1 ± %2 towards %3")
+            .arg(degreesText(tilt.size, 2), degreesText(tilt.sizeSigma, 2), degreesText(tilt.direction, 0));
 }
 
 // Of the sensor's elevation against that of the beam: what a box that lies askew explains is the sensor's, and so is
@@ -176,7 +174,7 @@ void setZero(Proposal& proposal, calibration::SensorMounting& mounting, const ca
                                         .arg(degreesText(off, 1)));
     }
     proposal.text += Text::tr("; where the elevation axis shows 0° the sensor says %1 ± %2: %3")
-                         .arg(degreesText(zero.value), degreesText(zero.sigma, 1), verdict);
+                         .arg(degreesText(zero.value, 2), degreesText(zero.sigma, 1), verdict);
 }
 
 }  // namespace
@@ -269,7 +267,7 @@ Proposal proposalOf(const GivenTerms& given, const profile::Profile& profile)
     if (mountingOf(profile.sensor).curve && moved > kSameNorth) {
         proposal.warnings.push_back(Text::tr("the sensor keeps the north of its swing: sensor and axes will then "
                                              "differ by about %1")
-                                        .arg(degreesText(moved)));
+                                        .arg(degreesText(moved, 2)));
     }
     return proposal;
 }
@@ -332,7 +330,7 @@ QString changeText(const pointing::PointingTerms& before, const pointing::Pointi
         const Angle is = valueOf(after, term);
         if (was != is) {
             changes << QStringLiteral("%1 %2 → %3")
-                           .arg(Text::of(kTermTexts[indexOf(term)]), degreesText(was), degreesText(is));
+                           .arg(Text::of(kTermTexts[indexOf(term)]), degreesText(was, 2), degreesText(is, 2));
         }
     }
     if (changesSensor) {

@@ -10,7 +10,7 @@
 namespace boresight {
 namespace {
 
-const QString kSource = QStringLiteral("calibration");
+const QString kRunsSource = QStringLiteral("calibration");
 const QString kWait = QStringLiteral("swing");  // cause of the alarm
 constexpr int kCalibratedMagnetometer = 2;
 constexpr std::chrono::milliseconds kPublishPeriod{250};
@@ -255,7 +255,7 @@ void CalibrationDesk::leadSwing(const AxesThen& axes)
         tellOfWait(toQString(speaks.error().text));
     } else if (waited && !m_swing->waits()) {
         m_control.alarms().clear(kWait);
-        m_log.add(Severity::Advisory, kSource, Text::tr("the sensor is heard again: the swing goes on"));
+        m_log.add(Severity::Advisory, kRunsSource, Text::tr("the sensor is heard again: the swing goes on"));
     }
     if (!wanted) {
         return;
@@ -270,7 +270,7 @@ void CalibrationDesk::leadSwing(const AxesThen& axes)
 void CalibrationDesk::tellOfWait(const QString& why)
 {
     const QString left = QString::number(m_swing->waitLeft(m_clock.now()).count(), 'f', 0);
-    m_log.add(Severity::Warning, kSource, Text::tr("the swing stands still for %1 s at most: %2").arg(left, why));
+    m_log.add(Severity::Warning, kRunsSource, Text::tr("the swing stands still for %1 s at most: %2").arg(left, why));
     m_control.alarms().raise(
         kWait, Severity::Warning,
         {.what = Text::tr("the swing of the compass waits for its sensor"),
@@ -345,7 +345,7 @@ void CalibrationDesk::endRun(const QString& outcome, bool failed)
     m_outcome = outcome;
     m_failed = failed;
     m_changed = true;
-    m_log.add(failed ? Severity::Warning : Severity::Advisory, kSource,
+    m_log.add(failed ? Severity::Warning : Severity::Advisory, kRunsSource,
               failed ? Text::tr("ends without a result: %1").arg(outcome) : outcome);
 }
 

@@ -14,7 +14,7 @@ constexpr MotorRate kSmallestVelocity = MotorRate::fromTurns(0.0001);
 
 // An axis slower than this stands, but for the noise of the velocity (0.01 rev/s at the rotor); it is waited for no
 // longer than kBrakingTime.
-constexpr MotorRate kStanding = MotorRate::fromTurns(0.001);
+constexpr MotorRate kDriveStanding = MotorRate::fromTurns(0.001);
 constexpr Seconds kBrakingTime{0.6};
 // Nor has it moved since the last reply by more than this share of what a place is believed with.
 constexpr double kSteady = 0.2;
@@ -306,7 +306,7 @@ void Drive::judgePhase(moteus::Mode mode, Seconds inPhase)
 // An axis seized in motion brakes first: a set-point at its place of now would pull it back.
 void Drive::judgeCapture(Seconds inPhase)
 {
-    const bool slow = m_report->rate && abs(*m_report->rate) < kStanding;
+    const bool slow = m_report->rate && abs(*m_report->rate) < kDriveStanding;
     const bool stands = slow && abs(place()->moved) < m_settings.places.allowance * kSteady;
     if (stands || inPhase > kBrakingTime) {
         m_justEngaged = !m_onlyHold;

@@ -9,7 +9,7 @@ namespace {
 // After a longer one nobody expects the mount to set off.
 constexpr Seconds kLongest{2.0};
 // From the end of the stall to the end of the resumption.
-constexpr std::chrono::seconds kPatience{1};
+constexpr std::chrono::seconds kOwnStallPatience{1};
 // The drives' watchdogs run from frame to frame, the gap from tick to tick.
 constexpr double kWatchdogShare = 0.75;
 // Braking from 10°/s takes some 1.5°.
@@ -39,7 +39,7 @@ void OwnStall::sent(Seconds watchdog, const AxisPosition& setpoints, SteadyTime 
 
 bool OwnStall::explainsTimeOut(SteadyTime now) const
 {
-    return m_possible && now - m_end <= kPatience;
+    return m_possible && now - m_end <= kOwnStallPatience;
 }
 
 bool OwnStall::isNear(Axis axis, Angle measured) const
@@ -49,7 +49,7 @@ bool OwnStall::isNear(Axis axis, Angle measured) const
 
 bool OwnStall::isLate(SteadyTime now) const
 {
-    return now - m_end > kPatience;
+    return now - m_end > kOwnStallPatience;
 }
 
 }  // namespace boresight

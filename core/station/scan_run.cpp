@@ -13,7 +13,7 @@ constexpr SteadyTime::duration kRest = std::chrono::seconds(4);
 // For the receiver to settle, after a way that took longer.
 constexpr SteadyTime::duration kSettling = std::chrono::milliseconds(1500);
 constexpr Seconds kListening{1.0};
-constexpr Seconds kPatience{120.0};
+constexpr Seconds kScanRunPatience{120.0};
 // The first is from wherever the mount stood, once round on a slow one.
 constexpr Seconds kLongestWay{600.0};
 
@@ -81,7 +81,7 @@ QString ScanRun::obstacle(SteadyTime now) const
         return m_noPeak;  // the other line would be for nothing
     }
     if (rests(now)) {
-        return Seconds(now - settled()) > kPatience ? Text::tr("nobody told the power") : QString();
+        return Seconds(now - settled()) > kScanRunPatience ? Text::tr("nobody told the power") : QString();
     }
     return Seconds(now - m_came) > kLongestWay ? Text::tr("the mount does not come to rest") : QString();
 }

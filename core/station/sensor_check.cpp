@@ -10,12 +10,12 @@ namespace {
 constexpr Seconds kKept{25.0};  // the longest latency and average of the profile, and their jitter
 // How far a sentence may be early or late within the sensor's loop.
 constexpr Seconds kJitter{0.3};
-constexpr int kFewest = 2;  // values that differ, or agree again
+constexpr int kSensorCheckFewest = 2;  // values that differ, or agree again
 // Agrees again: clearly below the threshold, so that the alarm does not flicker.
 constexpr double kAgreesBelow = 0.7;
 constexpr Angle kMoved = Angle::fromDegrees(1.0);
 
-SteadyTime before(SteadyTime time, Seconds by)
+SteadyTime earlier(SteadyTime time, Seconds by)
 {
     return time - std::chrono::duration_cast<SteadyTime::duration>(by);
 }
@@ -37,7 +37,7 @@ void SensorCheck::note(SteadyTime now, const std::optional<SkyPointing>& axes)
 
 void SensorCheck::take(const SensorReading& reading)
 {
-    const auto azimuths = passed(&Place::azimuth, before(reading.arrival, m_settings.latency), m_settings.averaging);
+    const auto azimuths = passed(&Place::azimuth, earlier(reading.arrival, m_settings.latency), m_settings.averaging);
     const auto elevations = passed(&Place::elevation, reading.arrival, Seconds(0.0));
     Case& azimuth = m_cases[index(Axis::Azimuth)];
     Case& elevation = m_cases[index(Axis::Elevation)];
@@ -65,12 +65,13 @@ void SensorCheck::judge(Case& which, const std::optional<Angle>& difference, Ang
     if (which.difference.beyond) {
         if (which.differing++ == 0) {
             which.since = arrival;
-            which.difference.beganMoving = which.difference.beganMoving || moves(before(arrival, Seconds(2.0)));
+            which.difference.beganMoving = which.difference.beganMoving || moves(earlier(arrival, Seconds(2.0)));
         }
         which.agreeing = 0;
         return;
     }
-    if (!which.difference.lasts || (excess < m_settings.threshold * kAgreesBelow && ++which.agreeing >= kFewest)) {
+    if (!which.difference.lasts ||
+        (excess < m_settings.threshold * kAgreesBelow && ++which.agreeing >= kSensorCheckFewest)) {
         which = Case{.difference = {.now = difference}};
     }
 }
@@ -78,7 +79,7 @@ void SensorCheck::judge(Case& which, const std::optional<Angle>& difference, Ang
 void SensorCheck::tick(SteadyTime now)
 {
     for (Case& one : m_cases) {
-        const bool lasting = one.differing >= kFewest && one.since && now - *one.since >= m_settings.time;
+        const bool lasting = one.differing >= kSensorCheckFewest && one.since && now - *one.since >= m_settings.time;
         one.difference.lasts = one.difference.lasts || lasting;
     }
 }
@@ -90,8 +91,8 @@ void SensorCheck::forget()
 
 std::optional<SensorCheck::Passed> SensorCheck::passed(Angle Place::*angle, SteadyTime middle, Seconds width) const
 {
-    const SteadyTime from = before(middle, width / 2.0 + kJitter);
-    const SteadyTime to = before(middle, -(width / 2.0 + kJitter));
+    const SteadyTime from = earlier(middle, width / 2.0 + kJitter);
+    const SteadyTime to = earlier(middle, -(width / 2.0 + kJitter));
     if (m_places.empty() || m_places.front().time > from) {
         return std::nullopt;
     }

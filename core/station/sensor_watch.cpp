@@ -3,11 +3,12 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/units/degrees_text.h"
 
 namespace boresight {
 namespace {
 
-const QString kCause = QStringLiteral("sensor");
+const QString kSensorWatchCause = QStringLiteral("sensor");
 const QString kDisagreementCause = QStringLiteral("sensor disagreement");
 const QString kNorthCause = QStringLiteral("north");
 // The sensor waits for its WiFi and the time before it says anything.
@@ -20,11 +21,6 @@ constexpr Seconds kFrozen{5.0};
 
 // Nearer to the zenith a heading jumps to the other side of the circle.
 constexpr Angle kHighestCourse = Angle::fromDegrees(75.0);
-
-QString degreesText(Angle angle)
-{
-    return toQString(formatFixed(angle.degrees(), 1)) + QStringLiteral("°");
-}
 
 orientation::JudgeSettings judgeSettings(const profile::Profile& profile)
 {
@@ -171,7 +167,7 @@ void SensorWatch::begin(const QString& source)
     m_agreed = false;
     m_unknownTold = false;
     m_restartsTold = 0;
-    m_alarms.clear(kCause);
+    m_alarms.clear(kSensorWatchCause);
     tellDisagreement();
 }
 
@@ -226,15 +222,15 @@ QString SensorWatch::doubtOf(const orientation::Orientation& value) const
 void SensorWatch::note(const orientation::Orientation& value)
 {
     if (!std::exchange(m_heard, true)) {
-        m_log.add(Severity::Advisory, kCause, Text::tr("the orientation sensor is heard: %1").arg(m_name));
+        m_log.add(Severity::Advisory, kSensorWatchCause, Text::tr("the orientation sensor is heard: %1").arg(m_name));
     }
     if (m_judge.restarts() > m_restartsTold) {
         m_restartsTold = m_judge.restarts();
-        m_log.add(Severity::Warning, kCause,
+        m_log.add(Severity::Warning, kSensorWatchCause,
                   Text::tr("the orientation sensor has been restarted: its calibration begins anew"));
     }
     if (!value.unknown.empty() && !std::exchange(m_unknownTold, true)) {
-        m_log.add(Severity::Advisory, kCause,
+        m_log.add(Severity::Advisory, kSensorWatchCause,
                   Text::tr("its messages hold more than is known here: %1").arg(toQString(value.unknown)));
     }
 }
@@ -267,10 +263,10 @@ void SensorWatch::tellPresence()
         presence == orientation::Presence::Awaited && now - m_begun >= std::max(kFirstPatience, m_settings.lost);
     const bool absent = presence == orientation::Presence::Lost || overdue;
     if (absent || m_judge.dead()) {
-        m_alarms.raise(kCause, Severity::Warning, absence());
+        m_alarms.raise(kSensorWatchCause, Severity::Warning, absence());
         m_heard = false;
     } else if (m_heard) {
-        m_alarms.clear(kCause);
+        m_alarms.clear(kSensorWatchCause);
     }
 }
 

@@ -11,8 +11,8 @@
 namespace boresight {
 namespace {
 
-const QString kSource = QStringLiteral("mqtt");
-constexpr int kLinesPerSecond = 1;
+const QString kBrokerSource = QStringLiteral("mqtt");
+constexpr int kBrokerLinesPerSecond = 1;
 constexpr qint64 kKilobyte = 1024;
 
 // For programs, so in no other language.
@@ -77,20 +77,20 @@ StationBroker::StationBroker(EventLog& log, const Clock& clock, QObject* parent)
       m_log(log),
       m_clock(clock),
       m_ownId(QStringLiteral("boresight-") + QUuid::createUuid().toString(QUuid::Id128).left(8)),
-      m_lines(log, clock, kLinesPerSecond),
+      m_lines(log, clock, kBrokerLinesPerSecond),
       m_client(clock, this)
 {
     connect(&m_client, &mqtt::Connection::connected, this, [this] {
-        m_log.add(Severity::Advisory, kSource,
+        m_log.add(Severity::Advisory, kBrokerSource,
                   Text::tr("connected to the broker %1").arg(mqtt::toText(m_client.broker())));
     });
     connect(&m_client, &mqtt::Connection::problemChanged, this, [this](const QString& problem) {
         if (!problem.isEmpty()) {
-            m_log.add(Severity::Warning, kSource, Text::tr("%1 (tried again and again)").arg(problem));
+            m_log.add(Severity::Warning, kBrokerSource, Text::tr("%1 (tried again and again)").arg(problem));
         }
     });
     connect(&m_client, &mqtt::Connection::messageDropped, this, [this](qint64 bytes) {
-        m_lines.add(Severity::Warning, kSource,
+        m_lines.add(Severity::Warning, kBrokerSource,
                     Text::tr("MQTT broker %1: a message of %2 kB was dropped; the limit is %3 kB")
                         .arg(mqtt::toText(m_client.broker()))
                         .arg(bytes / kKilobyte)

@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/station/station_control.h"
 #include "core/tracking/cable_forecast.h"
+#include "core/units/degrees_text.h"
 
 #include <QDateTime>
 
@@ -14,7 +15,7 @@
 namespace boresight {
 namespace {
 
-const QString kCause = QStringLiteral("azimuth cable");
+const QString kCableCause = QStringLiteral("azimuth cable");
 // Whichever is earlier. Told a little longer than begun, so that a path that trembles does not come and go.
 constexpr Seconds kWarnTime{60.0};
 constexpr Angle kWarnAngle = Angle::fromDegrees(30.0);
@@ -38,11 +39,6 @@ QString timeText(Seconds time)
 {
     return time < Seconds(100.0) ? QStringLiteral("%1 s").arg(std::lround(time.count()))
                                  : QStringLiteral("%1 min").arg(std::lround(time.count() / 60.0));
-}
-
-QString degreesText(Angle angle, int decimals)
-{
-    return toQString(formatFixed(angle.degrees(), decimals)) + QStringLiteral("°");
 }
 
 QString clockText(UtcTime utc)
@@ -95,7 +91,7 @@ void StationControl::watchCable()
     if (!forecast || (forecast->in > kWarnTime * keep && forecast->left > kWarnAngle * keep)) {
         m_cableEnd.reset();
         m_cableTold.reset();
-        m_alarms.clear(kCause);
+        m_alarms.clear(kCableCause);
         return;
     }
     const Angle back = Angle::fromTurns(forecast->end == range.max ? -1.0 : 1.0);
@@ -131,14 +127,14 @@ void StationControl::tellCable(const CableEnd& end)
     const QString what =
         Text::tr("azimuth cable ends at %1, about %2").arg(degreesText(end.end, 1), clockText(now.ends));
     if (end.turningBack) {
-        m_alarms.raise(kCause, now.severity,
+        m_alarms.raise(kCableCause, now.severity,
                        {.what = what,
                         .action = Text::tr("There Boresight turns back by 360° and follows on; the target is "
                                            "lost for about %1")
                                       .arg(timeText(*end.turningBack)),
                         .remedy = Text::tr("To turn back earlier press Unwind, then give control back")});
     } else {
-        m_alarms.raise(kCause, now.severity,
+        m_alarms.raise(kCableCause, now.severity,
                        {.what = what,
                         .action = Text::tr("Boresight holds there until the target can be reached again"),
                         .remedy = Text::tr("Widen the limits if the cable allows, or let the target go")});

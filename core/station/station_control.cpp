@@ -4,6 +4,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/pointing/sun_keep_out.h"
+#include "core/units/degrees_text.h"
 
 #include <algorithm>
 
@@ -13,19 +14,14 @@ namespace {
 constexpr std::chrono::seconds kOldestPosition{1};
 constexpr int kClientLinesPerSecond = 4;
 
-QString degreesText(Angle angle)
-{
-    return QString::fromStdString(formatFixed(angle.degrees(), 2)) + QStringLiteral("°");
-}
-
 QString text(const AxisPosition& place)
 {
-    return degreesText(place.azimuth) + QStringLiteral(" ") + degreesText(place.elevation);
+    return degreesText(place.azimuth, 2) + QStringLiteral(" ") + degreesText(place.elevation, 2);
 }
 
 QString text(const SkyPointing& direction)
 {
-    return degreesText(direction.azimuth) + QStringLiteral(" ") + degreesText(direction.elevation);
+    return degreesText(direction.azimuth, 2) + QStringLiteral(" ") + degreesText(direction.elevation, 2);
 }
 
 // As far as clients ask for one.
@@ -148,8 +144,8 @@ Result<> StationControl::insideTravel() const
             const TravelRange& travel = m_model.axis(axis).travel;
             return failure(ErrorCode::Refused,
                            Text::tr("The %1 stands at %2, outside its travel (%3 to %4). Jog it back slowly.")
-                               .arg(m_drives.drive(axis).label(), degreesText(*m_drives.measured(axis)),
-                                    degreesText(travel.min), degreesText(travel.max)));
+                               .arg(m_drives.drive(axis).label(), degreesText(*m_drives.measured(axis), 2),
+                                    degreesText(travel.min, 2), degreesText(travel.max, 2)));
         }
     }
     return {};
@@ -336,9 +332,9 @@ Result<> StationControl::handle(const request::PointSky& wanted, const Source& s
         }
         if (const Angle top = std::max(90_deg, m_model.elevation().travel.max); wanted.direction.elevation > top) {
             // To a client 95° is the equal direction behind the zenith; an operator who types it has slipped.
-            return failure(
-                ErrorCode::OutOfRange,
-                Text::tr("elevation %1 above limit %2").arg(degreesText(wanted.direction.elevation), degreesText(top)));
+            return failure(ErrorCode::OutOfRange,
+                           Text::tr("elevation %1 above limit %2")
+                               .arg(degreesText(wanted.direction.elevation, 2), degreesText(top, 2)));
         }
         const AxisPosition place = turnWithAWay(resolved.position);
         const auto back = turnBackTo(place, source);

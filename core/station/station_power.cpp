@@ -4,13 +4,13 @@
 namespace boresight {
 namespace {
 
-const QString kSource = QStringLiteral("power");
-constexpr int kLinesPerSecond = 2;
+const QString kPowerSource = QStringLiteral("power");
+constexpr int kPowerLinesPerSecond = 2;
 
 }  // namespace
 
 StationPower::StationPower(const profile::PowerSettings& settings, const Clock& clock, EventLog& log, QObject* parent)
-    : QObject(parent), m_settings(settings), m_clock(clock), m_lines(log, clock, kLinesPerSecond)
+    : QObject(parent), m_settings(settings), m_clock(clock), m_lines(log, clock, kPowerLinesPerSecond)
 {}
 
 void StationPower::open()
@@ -56,7 +56,7 @@ power::LineStatus StationPower::tick()
     if (status.problem != m_problem) {
         m_problem = status.problem;
         if (!m_problem.isEmpty()) {
-            m_lines.add(Severity::Warning, kSource, m_problem);
+            m_lines.add(Severity::Warning, kPowerSource, m_problem);
         }
     }
     return status;

@@ -10,7 +10,7 @@ namespace boresight {
 namespace {
 
 // Slower than this counts as standing: below the noise of the drive's velocity, far below any jog rate.
-constexpr AngularRate kStanding = AngularRate::fromDegrees(0.02);
+constexpr AngularRate kReportStanding = AngularRate::fromDegrees(0.02);
 constexpr Angle kAtTravelEnd = Angle::fromDegrees(0.05);
 // A target within this of the measured direction counts as tracked, not as slewed to.
 constexpr Angle kOnTarget = Angle::fromDegrees(1.0);
@@ -118,7 +118,7 @@ AxisState StationControl::axisState(Axis axis) const
     if (drive.phase() != Drive::Phase::Engaged) {
         return ownState(axis);
     }
-    if (abs(m_motion.setpoint(axis).rate) > kStanding) {
+    if (abs(m_motion.setpoint(axis).rate) > kReportStanding) {
         return AxisState::Moving;
     }
     if (m_arming.stopLatched()) {

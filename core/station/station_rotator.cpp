@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/rotctld/peer_address.h"
+#include "core/units/degrees_text.h"
 
 #include <algorithm>
 
@@ -21,19 +22,14 @@ constexpr int kRemarksPerSecond = 20;
 constexpr int kRefusalsPerSecond = 4;
 constexpr int kConnectionsPerSecond = 4;
 
-QString degreesText(Angle angle)
-{
-    return toQString(formatFixed(angle.degrees(), 2)) + QStringLiteral("°");
-}
-
 // The sentences have places for the value and for the limit.
 Result<> inside(Angle value, Angle min, Angle max, const QString& below, const QString& above)
 {
     if (value < min - kLimitTolerance) {
-        return failure(ErrorCode::OutOfRange, below.arg(degreesText(value), degreesText(min)));
+        return failure(ErrorCode::OutOfRange, below.arg(degreesText(value, 2), degreesText(min, 2)));
     }
     if (value > max + kLimitTolerance) {
-        return failure(ErrorCode::OutOfRange, above.arg(degreesText(value), degreesText(max)));
+        return failure(ErrorCode::OutOfRange, above.arg(degreesText(value, 2), degreesText(max, 2)));
     }
     return {};
 }

@@ -11,7 +11,7 @@
 namespace boresight {
 namespace {
 
-const QString kSource = QStringLiteral("sensor");
+const QString kSensorSource = QStringLiteral("sensor");
 
 Site siteOf(const profile::SiteSettings& site)
 {
@@ -52,7 +52,7 @@ void StationSensor::open()
         m_watch.show(status);
         // The broker's own trouble has its line already.
         if (!status.problem.isEmpty() && status.problem != m_broker.connection().problem()) {
-            m_log.add(Severity::Warning, kSource, status.problem);
+            m_log.add(Severity::Warning, kSensorSource, status.problem);
         }
     });
     m_watch.begin(m_source->name());
@@ -137,9 +137,9 @@ void StationSensor::takeModel()
     }
     m_watch.setSiteDeclination(answer.declination, answer.model, answer.expiry);
     if (!answer.declination) {
-        m_log.add(Severity::Warning, kSource, toQString(answer.declination.error().text));
+        m_log.add(Severity::Warning, kSensorSource, toQString(answer.declination.error().text));
     } else if (!answer.expiry.isEmpty()) {
-        m_log.add(Severity::Warning, kSource, answer.expiry);
+        m_log.add(Severity::Warning, kSensorSource, answer.expiry);
     }
 }
 

@@ -11,7 +11,7 @@
 namespace boresight {
 namespace {
 
-const QString kCause = QStringLiteral("Sun");
+const QString kSunCause = QStringLiteral("Sun");
 const QString kClockCause = QStringLiteral("Sun clock");
 // A beam at the edge must not come and go with the noise of its encoder.
 constexpr Angle kClear = Angle::fromDegrees(0.05);
@@ -47,7 +47,7 @@ void StationControl::watchSun()
     if (distance && *distance < m_sun.radius()) {
         tellSun();
     } else if (!distance || *distance > m_sun.radius() + kClear) {
-        m_alarms.clear(kCause);
+        m_alarms.clear(kSunCause);
     }
 }
 
@@ -87,10 +87,10 @@ void StationControl::tellSunClock()
 
 void StationControl::tellSun()
 {
-    if (m_alarms.active(kCause)) {
+    if (m_alarms.active(kSunCause)) {
         return;
     }
-    m_alarms.raise(kCause, Severity::Warning,
+    m_alarms.raise(kSunCause, Severity::Warning,
                    {.what = Text::tr("The beam is less than %1° from the Sun")
                                 .arg(toQString(formatFixed(m_sun.radius().degrees(), 1))),
                     .action = Text::tr("Nothing moves by itself, and motions only lead out of there"),

@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/calibration/compass_swing.h"
 #include "core/station/sensor_check.h"
+#include "core/units/degrees_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +23,6 @@ constexpr Angle kCircle = Angle::fromDegrees(360.0);
 constexpr Angle kMargin = Angle::fromDegrees(1.0);
 // Lower the box tells the tilt badly, and the curve holds far from where satellites are followed.
 constexpr Angle kWellForTilt = Angle::fromDegrees(20.0);
-
-QString degreesText(Angle angle)
-{
-    return QString::number(angle.degrees(), 'f', 0) + QStringLiteral("°");
-}
 
 // One circle of what is free, as far around the present place as it goes.
 TravelRange arcAround(Angle here, const TravelRange& free)
@@ -54,7 +50,7 @@ QString obstacleOf(const SwingWish& wish, const SwingPlan& plan)
     }
     if (plan.azimuth.max - plan.azimuth.min < kLeastArc) {
         return Text::tr("only %1 of azimuth are free at this elevation, a swing needs %2: raise the boom")
-            .arg(degreesText(std::max(plan.azimuth.max - plan.azimuth.min, Angle{})), degreesText(kLeastArc));
+            .arg(degreesText(std::max(plan.azimuth.max - plan.azimuth.min, Angle{}), 0), degreesText(kLeastArc, 0));
     }
     return {};
 }
@@ -65,7 +61,7 @@ QString adviceFor(Angle elevation)
     const calibration::LevelLimits limits = levelLimits();
     if (elevation < limits.lowest || elevation > limits.highest) {
         return Text::tr("no tilt at this elevation: it is read between %1 and %2, best at 30°")
-            .arg(degreesText(limits.lowest), degreesText(limits.highest));
+            .arg(degreesText(limits.lowest, 0), degreesText(limits.highest, 0));
     }
     return elevation < kWellForTilt ? Text::tr("better raise the boom to 30° first: there it reads tilt and curve best")
                                     : QString();
@@ -75,7 +71,7 @@ QString textOf(const SwingPlan& plan)
 {
     const QString where =
         Text::tr("azimuth axis from %1 to %2 and back, elevation stays at %3")
-            .arg(degreesText(plan.azimuth.min), degreesText(plan.azimuth.max), degreesText(plan.elevation));
+            .arg(degreesText(plan.azimuth.min, 0), degreesText(plan.azimuth.max, 0), degreesText(plan.elevation, 0));
     const QString how = plan.headings == 0 ? Text::tr("at %1°/s").arg(plan.rate.degrees(), 0, 'f', 1)
                                            : Text::tr("with %1 stops each way").arg(plan.headings);
     const int seconds = static_cast<int>(std::ceil(plan.duration.count()));
@@ -119,7 +115,7 @@ QString compassObstacle(Angle elevation)
         return {};
     }
     return Text::tr("with the boom at %1 the compass says nothing: lower it to %2 or less, best to 30°")
-        .arg(degreesText(elevation), degreesText(kHighestForCompass));
+        .arg(degreesText(elevation, 0), degreesText(kHighestForCompass, 0));
 }
 
 Angle stoppingWay(AngularRate rate, const tracking::MotionLimits& limits)

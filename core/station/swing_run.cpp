@@ -10,10 +10,10 @@ namespace {
 
 using calibration::Turning;
 
-constexpr Angle kThere = Angle::fromDegrees(0.3);
-constexpr AngularRate kStanding = AngularRate::fromDegrees(0.05);
+constexpr Angle kSwingRunThere = Angle::fromDegrees(0.3);
+constexpr AngularRate kSwingRunStanding = AngularRate::fromDegrees(0.05);
 // A mount that is held, or creeps, is not waited for.
-constexpr double kPatience = 1.5;
+constexpr double kSwingRunPatience = 1.5;
 constexpr Seconds kMorePatience{15.0};
 // Ends of sweeps are turned round at, not stopped at: the next tick is one more on the way.
 constexpr Seconds kReaction{0.1};
@@ -30,7 +30,8 @@ SwingRun::SwingRun(const SwingPlan& plan, const AxisPosition& here, const tracki
       m_fit({.motorCurrent = sensor.swingCurrent}),
       m_settling(sensor.latency + sensor.averaging / 2.0),
       m_started(now),
-      m_deadline(now + std::chrono::duration_cast<SteadyTime::duration>(plan.duration * kPatience + kMorePatience))
+      m_deadline(now +
+                 std::chrono::duration_cast<SteadyTime::duration>(plan.duration * kSwingRunPatience + kMorePatience))
 {
     if (plan.headings == 0) {
         planSweep(here);
@@ -65,7 +66,7 @@ void SwingRun::planStops(const AxisPosition& here)
 bool SwingRun::reached(const Leg& leg, const AxesThen& axes) const
 {
     if (leg.rate == AngularRate{}) {
-        return abs(axes.place.azimuth - leg.to) < kThere && abs(axes.rates.azimuth) < kStanding;
+        return abs(axes.place.azimuth - leg.to) < kSwingRunThere && abs(axes.rates.azimuth) < kSwingRunStanding;
     }
     const Angle run = stoppingWay(leg.rate, m_limits) + abs(leg.rate) * kReaction;
     return leg.rate > AngularRate{} ? axes.place.azimuth >= leg.to - run : axes.place.azimuth <= leg.to + run;

@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/memory/places.h"
 #include "core/memory/power_proof.h"
+#include "core/units/degrees_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,11 +30,6 @@ constexpr std::chrono::seconds kOriginPeriod{5};
 constexpr std::chrono::minutes kClockError{1};
 // Without candidates there is no period to derive it from.
 constexpr Angle kLoneTolerance = Angle::fromDegrees(1.0);
-
-QString degreesText(Angle angle)
-{
-    return QString::fromStdString(formatFixed(angle.degrees(), 1)) + QStringLiteral("°");
-}
 
 Angle nearestOf(const std::vector<Angle>& candidates, Angle angle)
 {
@@ -94,7 +90,8 @@ bool TurnKeeper::isFresh(Axis axis, const survey::DriveFacts& facts) const
 bool TurnKeeper::needsOrigin(Axis axis, const survey::DriveFacts& facts) const
 {
     const Phase phase = state(axis).phase;
-    const bool old = !isFresh(axis, facts) || m_clock.now() - facts.origin.asked >= kOriginPeriod;
+    const bool old =
+        !isFresh(axis, facts) || state(axis).other.origin || m_clock.now() - facts.origin.asked >= kOriginPeriod;
     return (phase == Phase::Unjudged || phase == Phase::Known) && old;
 }
 

@@ -10,7 +10,7 @@ constexpr Seconds kWindow{60.0};
 constexpr Seconds kEnough{40.0};
 constexpr Seconds kMeanOver{1.0};
 // After a longer gap the drive may have been cut off: another story begins.
-constexpr Seconds kGap{10.0};
+constexpr Seconds kTrendGap{10.0};
 // The share of the variance that the line must explain. One step explains 3/4 at best, two equal steps 8/9; the warming
 // of a board, an exponential of 180 s, more than 0.99.
 constexpr double kStraight = 0.9;
@@ -49,7 +49,7 @@ std::optional<Seconds> Trend::Line::timeTo(double limit) const
 
 void Trend::add(SteadyTime at, double value)
 {
-    if (!m_points.empty() && at - m_points.back().at > kGap) {
+    if (!m_points.empty() && at - m_points.back().at > kTrendGap) {
         *this = Trend();
     }
     if (m_count == 0) {

@@ -18,7 +18,7 @@ using namespace boresight;
 using namespace boresight::calibration;
 
 constexpr int kMounts = 1000;
-constexpr unsigned long kSeed = 5;
+constexpr unsigned long kSwingStatisticsSeed = 5;
 
 struct Errors
 {
@@ -107,7 +107,7 @@ void measure(const char* title, fakes::Needle needle, const fakes::SwingPlan& pl
 int main(int argc, char** argv)
 {
     const int mounts = argc > 1 ? std::atoi(argv[1]) : kMounts;
-    const unsigned long seed = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : kSeed;
+    const unsigned long seed = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : kSwingStatisticsSeed;
     if (mounts <= 0) {
         std::fprintf(stderr, "swing_statistics [MOUNTS [SEED]]\n");
         return 2;

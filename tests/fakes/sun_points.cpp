@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fakes/sun_points.h"
 
+#include "tests/fakes/chance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,16 +17,6 @@ using pointing::PointingTerms;
 constexpr double kLowest = 10.0;
 constexpr double kHighest = 80.0;
 constexpr double kFewestHours = 60.0;  // degrees of hour angle
-
-double uniform(std::mt19937_64& random, double from, double to)
-{
-    return std::uniform_real_distribution<double>(from, to)(random);
-}
-
-double gaussian(std::mt19937_64& random, double sigma)
-{
-    return std::normal_distribution<double>(0.0, 1.0)(random) * sigma;
-}
 
 double offAt(const PointingModel& hidden, const PointingModel& fitted, const SkyPointing& direction)
 {

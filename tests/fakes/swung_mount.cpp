@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fakes/swung_mount.h"
 
+#include "tests/fakes/chance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -24,16 +26,6 @@ double radians(double degrees)
 double degrees(double radians)
 {
     return Angle::fromRadians(radians).degrees();
-}
-
-double uniform(std::mt19937_64& random, double from, double to)
-{
-    return std::uniform_real_distribution<double>(from, to)(random);
-}
-
-double gaussian(std::mt19937_64& random, double sigma)
-{
-    return std::normal_distribution<double>(0.0, 1.0)(random) * sigma;
 }
 
 double rounded(double value, double step)

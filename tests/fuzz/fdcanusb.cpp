@@ -28,7 +28,7 @@ namespace {
 
 using namespace boresight::fdcanusb;
 
-constexpr std::size_t kMaxInput = 1200;  // several lines, one of them overlong; far below what a terminal holds
+constexpr std::size_t kFdcanusbMaxInput = 1200;  // several lines, one of them overlong; far below what a terminal holds
 constexpr std::array<std::uint8_t, 3> kLastWords{0x5a, 0xa5, 0x5a};
 
 struct Lines
@@ -281,14 +281,14 @@ Grammar grammar()
                       std::string(128, '0'),
                       std::string(kMaxLineLength, 'x')};
     grammar.separators = " \r\n";
-    grammar.maxLength = kMaxInput;
+    grammar.maxLength = kFdcanusbMaxInput;
     grammar.repair = repairChecksums;
     return grammar;
 }
 
 void feed(std::span<const std::uint8_t> input)
 {
-    const std::string_view bytes = asText(input.first(std::min(input.size(), kMaxInput)));
+    const std::string_view bytes = asText(input.first(std::min(input.size(), kFdcanusbMaxInput)));
     Lines lines = checkedLines(std::string(bytes) + "\n");
     Tally tally;
     for (const std::string& line : lines.lines) {

@@ -17,7 +17,7 @@ namespace {
 
 using namespace boresight::memory;
 
-constexpr std::size_t kMaxInput = 3000;  // a full file has some 1600 bytes
+constexpr std::size_t kMemoryMaxInput = 3000;  // a full file has some 1600 bytes
 
 void checkReason(const std::string& reason)
 {
@@ -151,7 +151,7 @@ Grammar grammar()
                       std::string(1000, '['),
                       std::string(1100, '{')};
     grammar.separators = " \n:,\"{}";
-    grammar.maxLength = kMaxInput;
+    grammar.maxLength = kMemoryMaxInput;
     grammar.persistence = 30;
     grammar.repair = repairChecksum;
     return grammar;

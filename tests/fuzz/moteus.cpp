@@ -24,7 +24,7 @@ namespace {
 
 using namespace boresight::moteus;
 
-constexpr std::size_t kMaxInput = 250;           // five replies to a rotator query
+constexpr std::size_t kMoteusMaxInput = 250;     // five replies to a rotator query
 constexpr std::size_t kFrameBytes = 4 + 64;      // identifier and payload, see frameFromBytes()
 constexpr std::uint32_t kFirstDriveId = 0x100;   // the reply of drive 1 to the host's motion commands
 constexpr std::uint32_t kSecondDriveId = 0x200;  // of drive 2
@@ -302,7 +302,7 @@ Grammar grammar()
                                     "00008001", "0001011f"}) {
         grammar.tokens.emplace_back(asText(parseHex(bytes).value()));
     }
-    grammar.maxLength = kMaxInput;
+    grammar.maxLength = kMoteusMaxInput;
     grammar.persistence = 70;
     return grammar;
 }

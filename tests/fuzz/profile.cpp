@@ -14,7 +14,7 @@ namespace {
 
 using namespace boresight::profile;
 
-constexpr std::size_t kMaxInput = 2048;
+constexpr std::size_t kProfileMaxInput = 2048;
 
 bool isControl(unsigned char byte)
 {
@@ -152,7 +152,7 @@ Grammar grammar()
         grammar.tokens.push_back(token);
     }
     grammar.separators = " \n=[]\"";
-    grammar.maxLength = kMaxInput;
+    grammar.maxLength = kProfileMaxInput;
     grammar.persistence = 30;
     return grammar;
 }

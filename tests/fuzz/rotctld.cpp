@@ -21,7 +21,7 @@ namespace {
 
 using namespace boresight::rotctld;
 
-constexpr std::size_t kMaxInput = 600;
+constexpr std::size_t kRotctldMaxInput = 600;
 constexpr std::size_t kMaxReply = 4096;    // the longest are the help text and the capabilities, below 2000 bytes
 constexpr std::size_t kShownCommand = 40;  // what Session::lastCommand() shows of a command
 constexpr double kFloatRounding = 1.0 / (1 << 23);
@@ -232,7 +232,7 @@ std::vector<std::string> recorded()
                 text += chunk.toString().toLatin1().toStdString();
             }
         }
-        if (!text.empty() && text.size() < kMaxInput) {
+        if (!text.empty() && text.size() < kRotctldMaxInput) {
             inputs.push_back(text);
         }
     }
@@ -292,7 +292,7 @@ Grammar grammar()
         grammar.tokens.push_back("\\" + std::string(spec.name) + " ");
     }
     grammar.separators = " \n\r\t+;|\\";
-    grammar.maxLength = kMaxInput;
+    grammar.maxLength = kRotctldMaxInput;
     return grammar;
 }
 

@@ -20,7 +20,7 @@ constexpr Seconds kKeysHeldOn{0.5};  // until the operator has understood
 constexpr Seconds kReturn{5.0};      // for a new survey of the drives
 // More than Coulomb friction (5.5 Nm) and less than it takes to break away (7 Nm): an elevation that moves is not
 // stopped by friction alone as soon as gravity helps, and one that stands stays.
-constexpr double kUnbalance = 6.5;
+constexpr double kFaultRunUnbalance = 6.5;
 
 AxisPosition startOf(Moment moment, const SatellitePass& pass, Seconds passTime)
 {
@@ -44,7 +44,7 @@ AxisPosition startOf(Moment moment, const SatellitePass& pass, Seconds passTime)
 sim::PairSettings unbalanced(const AxisPosition& start)
 {
     sim::PairSettings pair = sim::commissionedPair(start);
-    pair.elevation.plant.gravityTorque = kUnbalance;
+    pair.elevation.plant.gravityTorque = kFaultRunUnbalance;
     return pair;
 }
 

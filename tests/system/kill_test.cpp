@@ -18,7 +18,7 @@ namespace boresight::system_test {
 namespace {
 
 // Backlash, and the 0.03° of overshoot that the drive takes back after it has stood.
-constexpr Angle kStill = Angle::fromDegrees(0.05);
+constexpr Angle kKillStill = Angle::fromDegrees(0.05);
 
 class KillTest : public ::testing::Test
 {
@@ -93,7 +93,7 @@ protected:
     {
         const auto samples = watch(duration);
         for (const Sample& sample : samples) {
-            ASSERT_LT(apart(sample.place, samples.front().place), kStill) << sample.time.count() << " s";
+            ASSERT_LT(apart(sample.place, samples.front().place), kKillStill) << sample.time.count() << " s";
         }
     }
 

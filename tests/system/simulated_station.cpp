@@ -12,7 +12,7 @@ namespace boresight::system_test {
 namespace {
 
 constexpr Seconds kReading{10.0};  // of the drives' protections, over their consoles
-constexpr AngularRate kStill = AngularRate::fromDegrees(0.01);
+constexpr AngularRate kSimulatedStationStill = AngularRate::fromDegrees(0.01);
 
 void turnEventLoop()
 {
@@ -90,7 +90,8 @@ bool SimulatedStation::settle(Seconds limit)
         [&] {
             const StationStatus now = status();
             return rests(now.azimuth) && rests(now.elevation) && now.state != StationState::Slew &&
-                   abs(link->truth(Axis::Azimuth).rate) < kStill && abs(link->truth(Axis::Elevation).rate) < kStill;
+                   abs(link->truth(Axis::Azimuth).rate) < kSimulatedStationStill &&
+                   abs(link->truth(Axis::Elevation).rate) < kSimulatedStationStill;
         },
         limit);
 }

@@ -29,7 +29,7 @@ constexpr Seconds kCalm{5.0};  // armed for so long, before there is trouble aga
 constexpr Seconds kLeadIn{90.0};
 constexpr Seconds kHour{3600.0};
 
-void turnEventLoop()
+void turnLoop()
 {
     QTest::qWait(0);
 }
@@ -150,7 +150,7 @@ void Soak::tick()
     m_bus.deliver();
     m_station->tick();
     m_bus.deliver();
-    turnEventLoop();
+    turnLoop();
     ++m_counts.ticks;
 }
 
@@ -330,7 +330,7 @@ void Soak::stall()
 void Soak::planPass()
 {
     // One connection for each pass; the peer also remembers each of its reads, which is not the station's memory.
-    m_client = std::make_unique<fakes::TcpPeer>("127.0.0.1", m_port, &turnEventLoop);
+    m_client = std::make_unique<fakes::TcpPeer>("127.0.0.1", m_port, &turnLoop);
     m_pass.emplace(SatellitePass::Shape{
         .heightKm = random(400.0, 1200.0),
         .maxElevation = Angle::fromDegrees(random(10.0, 88.0)),

@@ -23,7 +23,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kPatience = 30s;  // of a guest system on a busy machine
 // A simulated encoder's noise moves the truth less; the slowest motion that is asked for is a hundred times more.
-constexpr double kStill = 0.02;  // °
+constexpr double kSocketcanMountStill = 0.02;  // °
 
 double farthest(const Truth& a, const Truth& b)
 {
@@ -143,15 +143,15 @@ std::optional<Standstill> MountOnCan::standstillAfter(std::size_t before)
     constexpr std::size_t kLinesAtRest = 5;
     const auto rests = [this] {
         const auto& all = truths();
-        return all.size() > kLinesAtRest && farthest(all.back(), all[all.size() - kLinesAtRest]) < kStill;
+        return all.size() > kLinesAtRest && farthest(all.back(), all[all.size() - kLinesAtRest]) < kSocketcanMountStill;
     };
     if (!waitForTruths(kLinesAtRest) || !fakes::waitUntil(rests, kPatience)) {
         return std::nullopt;
     }
     const auto& all = truths();
     const auto event = all.begin() + static_cast<std::ptrdiff_t>(before) - 1;
-    const auto rest =
-        std::find_if(event, all.end(), [&all](const Truth& one) { return farthest(one, all.back()) < kStill; });
+    const auto rest = std::find_if(
+        event, all.end(), [&all](const Truth& one) { return farthest(one, all.back()) < kSocketcanMountStill; });
     return Standstill{.time = rest->time - event->time, .excursion = farthest(*event, all.back())};
 }
 

@@ -53,7 +53,7 @@ CompassSwing fitted(const SwungMount& mount, const fakes::SwingPlan& plan = {})
     return swing.value_or(CompassSwing{});
 }
 
-std::string reason(const std::vector<SwingSample>& samples)
+std::string swingReason(const std::vector<SwingSample>& samples)
 {
     const auto swing = fitCompassSwing(samples);
     return swing ? "accepted" : swing.error().text;
@@ -245,7 +245,7 @@ TEST(CompassSwing, FitsLessWhereLessOfTheCircleWasSeen)
     EXPECT_EQ(part.curve.secondAmplitude(), 0_deg);
     EXPECT_GT(part.north.sigma, whole.systematic);
     EXPECT_THAT(part.hints, Contains(HasSubstr("soft iron (twice round the circle) could not be told")));
-    EXPECT_THAT(reason(swung(mount, {.from = 0.0, .to = 120.0}).samples),
+    EXPECT_THAT(swingReason(swung(mount, {.from = 0.0, .to = 120.0}).samples),
                 HasSubstr("a swing has to see more of the circle"));
 }
 
@@ -296,22 +296,22 @@ TEST(CompassSwing, IsRefusedWithTheReason)
     for (SwingSample& sample : bad) {
         sample.magnetometerCalibration = 0;
     }
-    EXPECT_THAT(reason(bad), HasSubstr("the magnetometer's calibration is below 2"));
+    EXPECT_THAT(swingReason(bad), HasSubstr("the magnetometer's calibration is below 2"));
     bad = given.samples;
     for (SwingSample& sample : bad) {
         sample.motorCurrent = 8.0;
     }
-    EXPECT_THAT(reason(bad), HasSubstr("a motor draws more than 5.0 A (sensor.swing_current_a)"));
+    EXPECT_THAT(swingReason(bad), HasSubstr("a motor draws more than 5.0 A (sensor.swing_current_a)"));
     EXPECT_TRUE(fitCompassSwing(bad, {.motorCurrent = 9.0})) << "a limit that is set";
     bad = given.samples;
     for (SwingSample& sample : bad) {
         sample.heading = SensorHeading::folded(5.07_deg);  // a dead sensor
     }
-    EXPECT_THAT(reason(bad), HasSubstr("does not follow the mount"));
+    EXPECT_THAT(swingReason(bad), HasSubstr("does not follow the mount"));
     bad = given.samples;
     bad[3].axisAzimuth = Angle::fromDegrees(std::nan(""));
-    EXPECT_THAT(reason(bad), HasSubstr("for sample 4 is not known"));
-    EXPECT_THAT(reason({}), HasSubstr("0 of 12 sectors"));
+    EXPECT_THAT(swingReason(bad), HasSubstr("for sample 4 is not known"));
+    EXPECT_THAT(swingReason({}), HasSubstr("0 of 12 sectors"));
 }
 
 // The bench program "swing" does the same with 1000 mounts.

@@ -36,7 +36,7 @@ std::vector<ScanReading> scan(const Source& source, double reach, int count, uns
     return readings;
 }
 
-std::string reason(const std::vector<ScanReading>& readings)
+std::string scanReason(const std::vector<ScanReading>& readings)
 {
     const auto peak = fitScan(readings);
     return peak ? "accepted" : peak.error().text;
@@ -200,24 +200,24 @@ TEST(CrossScan, OneReadingFarOffIsNotThePeak)
 
 TEST(CrossScan, IsRefusedWithTheReason)
 {
-    EXPECT_EQ(reason(scan({}, 6.0, 25)), "accepted");
-    EXPECT_THAT(reason(scan({.at = 9.0}, 6.0, 25)),
+    EXPECT_EQ(scanReason(scan({}, 6.0, 25)), "accepted");
+    EXPECT_THAT(scanReason(scan({.at = 9.0}, 6.0, 25)),
                 HasSubstr("the peak is not inside this line: move its middle by +6.0° or more"));
-    EXPECT_THAT(reason(scan({.at = -9.0}, 6.0, 25)), HasSubstr("by -6.0° or more"));
-    EXPECT_THAT(reason(scan({.rise = 0.0}, 6.0, 25)), HasSubstr("dB only along this line"));
-    EXPECT_THAT(reason(scan({}, 6.0, 5)), HasSubstr("5 readings are too few"));
+    EXPECT_THAT(scanReason(scan({.at = -9.0}, 6.0, 25)), HasSubstr("by -6.0° or more"));
+    EXPECT_THAT(scanReason(scan({.rise = 0.0}, 6.0, 25)), HasSubstr("dB only along this line"));
+    EXPECT_THAT(scanReason(scan({}, 6.0, 5)), HasSubstr("5 readings are too few"));
     auto lone = scan({.rise = 0.0}, 60.0, 25);
     lone[11].decibels += 10.0;
     lone[12].decibels += 10.0;
-    EXPECT_THAT(reason(lone), HasSubstr("no peak along this line"));
+    EXPECT_THAT(scanReason(lone), HasSubstr("no peak along this line"));
     auto valley = scan({}, 6.0, 25);
     for (ScanReading& reading : valley) {
         reading.decibels = -reading.decibels;
     }
-    EXPECT_NE(reason(valley), "accepted");
+    EXPECT_NE(scanReason(valley), "accepted");
     valley[2].decibels = std::nan("");
-    EXPECT_THAT(reason(valley), HasSubstr("not a number"));
-    EXPECT_THAT(reason({}), HasSubstr("0 readings"));
+    EXPECT_THAT(scanReason(valley), HasSubstr("not a number"));
+    EXPECT_THAT(scanReason({}), HasSubstr("0 readings"));
 }
 
 TEST(CrossScan, BothLinesGiveThePlaceOfTheAxes)

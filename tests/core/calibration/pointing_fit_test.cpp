@@ -19,7 +19,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-PointingTerms hidden()
+PointingTerms hiddenModel()
 {
     PointingTerms terms;
     terms.azimuthOffset = 37.4_deg;
@@ -65,7 +65,7 @@ double off(const PointingFit& fit, const PointingTerms& truth, Term term)
     return (valueOf(fit.terms, term) - valueOf(truth, term)).wrapped180().degrees();
 }
 
-std::string reason(const std::vector<CalibrationPoint>& points)
+std::string fitReason(const std::vector<CalibrationPoint>& points)
 {
     const auto fit = fitPointing(points, {});
     return fit ? "accepted" : fit.error().text;
@@ -106,7 +106,7 @@ TEST(PointingFit, TwoPointsGiveTheOffsetOfElevationToo)
 
 TEST(PointingFit, ManyPointsGiveEveryTerm)
 {
-    auto points = allRound(hidden(), 24);
+    auto points = allRound(hiddenModel(), 24);
     for (CalibrationPoint& point : points) {
         point.sigma = 0.002_deg;
     }
@@ -114,7 +114,7 @@ TEST(PointingFit, ManyPointsGiveEveryTerm)
     ASSERT_TRUE(fit.has_value());
     EXPECT_EQ(fit->count(TermState::Fitted), 7);
     for (const Term term : kAllTerms) {
-        EXPECT_NEAR(off(*fit, hidden(), term), 0.0, 0.005) << nameOf(term);
+        EXPECT_NEAR(off(*fit, hiddenModel(), term), 0.0, 0.005) << nameOf(term);
     }
     EXPECT_LT(fit->rmsAfter, 0.001_deg);
     EXPECT_GT(fit->rmsBefore, 20_deg);
@@ -143,9 +143,9 @@ TEST(PointingFit, TermsThatThePointsDoNotAskForStayOff)
 
 TEST(PointingFit, TermsAreFittedByTheNumberOfPoints)
 {
-    const auto three = fitPointing(allRound(hidden(), 3), {});
-    const auto four = fitPointing(allRound(hidden(), 4), {});
-    const auto eight = fitPointing(allRound(hidden(), 8), {});
+    const auto three = fitPointing(allRound(hiddenModel(), 3), {});
+    const auto four = fitPointing(allRound(hiddenModel(), 4), {});
+    const auto eight = fitPointing(allRound(hiddenModel(), 8), {});
     ASSERT_TRUE(three && four && eight);
     EXPECT_EQ(three->count(TermState::Fitted), 2);
     EXPECT_EQ(four->count(TermState::Fitted), 4);
@@ -161,10 +161,10 @@ TEST(PointingFit, TheSigmasAreHonest)
     int inside = 0;
     int all = 0;
     for (unsigned seed = 1; seed <= 60; ++seed) {
-        const auto fit = fitPointing(allRound(hidden(), 10, 0.01, seed), {});
+        const auto fit = fitPointing(allRound(hiddenModel(), 10, 0.01, seed), {});
         ASSERT_TRUE(fit.has_value());
         for (const Term term : kAllTerms) {
-            inside += std::abs(off(*fit, hidden(), term)) < 2.0 * fit->of(term).estimate.sigma.degrees() ? 1 : 0;
+            inside += std::abs(off(*fit, hiddenModel(), term)) < 2.0 * fit->of(term).estimate.sigma.degrees() ? 1 : 0;
             ++all;
         }
     }
@@ -174,8 +174,8 @@ TEST(PointingFit, TheSigmasAreHonest)
 // Somebody who is three times as careless as he says gets the sigmas of a careless one.
 TEST(PointingFit, ReckonsWithTheScatterThatThereIs)
 {
-    const auto careful = fitPointing(allRound(hidden(), 20, 0.01), {});
-    const auto careless = fitPointing(allRound(hidden(), 20, 0.03), {});
+    const auto careful = fitPointing(allRound(hiddenModel(), 20, 0.01), {});
+    const auto careless = fitPointing(allRound(hiddenModel(), 20, 0.03), {});
     ASSERT_TRUE(careful && careless);
     EXPECT_LT(careful->noiseScale, 1.4);
     EXPECT_NEAR(careless->noiseScale, 3.0, 0.8);
@@ -204,7 +204,7 @@ TEST(PointingFit, ResidualsAreOnTheSky)
 // To first order, that is as good as really doing it.
 TEST(PointingFit, LeavesOutEachPointInTurn)
 {
-    const auto points = allRound(hidden(), 12, 0.01);
+    const auto points = allRound(hiddenModel(), 12, 0.01);
     const auto fit = fitPointing(points, {});
     ASSERT_TRUE(fit.has_value());
     TermSet moving{};
@@ -228,7 +228,7 @@ TEST(PointingFit, LeavesOutEachPointInTurn)
 
 TEST(PointingFit, NamesAPointThatDoesNotAgreeWithTheOthers)
 {
-    auto points = allRound(hidden(), 12, 0.01);
+    auto points = allRound(hiddenModel(), 12, 0.01);
     points[4].axes.elevation += 2_deg;
     const auto fit = fitPointing(points, {});
     ASSERT_TRUE(fit.has_value());
@@ -243,7 +243,7 @@ TEST(PointingFit, AccusesNoGoodPoint)
         int accused = 0;
         constexpr unsigned kRuns = 100;
         for (unsigned seed = 1; seed <= kRuns; ++seed) {
-            const auto fit = fitPointing(allRound(hidden(), count, 0.01, seed), {});
+            const auto fit = fitPointing(allRound(hiddenModel(), count, 0.01, seed), {});
             ASSERT_TRUE(fit.has_value());
             accused += std::any_of(fit->hints.begin(), fit->hints.end(),
                                    [](const std::string& hint) { return hint.find("should be") != std::string::npos; })
@@ -279,28 +279,29 @@ TEST(PointingFit, SaysWhatKindOfPointIsMissing)
 {
     std::vector<CalibrationPoint> low;
     for (int i = 0; i < 5; ++i) {
-        low.push_back(pointAt(hidden(), Angle::fromDegrees(100.0 + 10.0 * i), 30_deg));
+        low.push_back(pointAt(hiddenModel(), Angle::fromDegrees(100.0 + 10.0 * i), 30_deg));
     }
     const auto fit = fitPointing(low, {});
     ASSERT_TRUE(fit.has_value());
     EXPECT_THAT(fit->hints, Contains(HasSubstr("all points are about as high")));
     EXPECT_THAT(fit->hints, Contains(HasSubstr("all points lie within 40° of azimuth")));
-    low.push_back(pointAt(hidden(), 320_deg, 150_deg));  // from the other side, as high
+    low.push_back(pointAt(hiddenModel(), 320_deg, 150_deg));  // from the other side, as high
     EXPECT_THAT(fitPointing(low, {})->hints, Not(Contains(HasSubstr("all points are about as high"))));
 }
 
 TEST(PointingFit, TheZenithSaysNothingAboutAzimuth)
 {
-    EXPECT_THAT(reason({pointAt(hidden(), 10_deg, Angle::fromDegrees(89.9))}), HasSubstr("do not determine"));
-    auto points = allRound(hidden(), 10);
+    EXPECT_THAT(fitReason({pointAt(hiddenModel(), 10_deg, Angle::fromDegrees(89.9))}), HasSubstr("do not determine"));
+    auto points = allRound(hiddenModel(), 10);
     const auto without = fitPointing(points, {});
-    CalibrationPoint zenith = pointAt(hidden(), 10_deg, 88_deg);
+    CalibrationPoint zenith = pointAt(hiddenModel(), 10_deg, 88_deg);
     zenith.axes.azimuth += 3_deg;  // 0.1° on the sky
     zenith.sigma = 0.1_deg;
     points.push_back(zenith);
     const auto with = fitPointing(points, {});
     ASSERT_TRUE(with && without);
-    EXPECT_NEAR(off(*with, hidden(), Term::AzimuthOffset), off(*without, hidden(), Term::AzimuthOffset), 0.005);
+    EXPECT_NEAR(off(*with, hiddenModel(), Term::AzimuthOffset), off(*without, hiddenModel(), Term::AzimuthOffset),
+                0.005);
 }
 
 TEST(PointingFit, APointOverTheTopIsAsGood)
@@ -317,13 +318,13 @@ TEST(PointingFit, APointOverTheTopIsAsGood)
 
 TEST(PointingFit, IsRefusedWithTheReason)
 {
-    EXPECT_THAT(reason({}), HasSubstr("there is no point"));
-    auto points = allRound(hidden(), 3);
+    EXPECT_THAT(fitReason({}), HasSubstr("there is no point"));
+    auto points = allRound(hiddenModel(), 3);
     points[1].sigma = Angle{};
-    EXPECT_THAT(reason(points), HasSubstr("point 2 is not a number, or without a sigma"));
-    points = allRound(hidden(), 3);
+    EXPECT_THAT(fitReason(points), HasSubstr("point 2 is not a number, or without a sigma"));
+    points = allRound(hiddenModel(), 3);
     points[2].axes.elevation = Angle::fromDegrees(std::nan(""));
-    EXPECT_THAT(reason(points), HasSubstr("point 3 is not a number"));
+    EXPECT_THAT(fitReason(points), HasSubstr("point 3 is not a number"));
 }
 
 // Any site within 60° of latitude, any date, points spread over the day, centred to 0.02°; the tilt is known from the

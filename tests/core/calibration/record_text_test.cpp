@@ -77,7 +77,7 @@ std::string written(const CalibrationHistory& history)
     return text.value_or("");
 }
 
-std::string reason(const std::string& text)
+std::string recordReason(const std::string& text)
 {
     const auto history = parseHistory(text, "calibration.toml");
     return history ? "accepted" : history.error().text;
@@ -168,7 +168,7 @@ TEST(RecordText, TellsAllErrorsAtOnceInTheOrderOfTheirLines)
         "sigma_deg = 0\n"
         "used = 1\n";
     EXPECT_EQ(
-        reason(bad),
+        recordReason(bad),
         "calibration.toml:2: in_force: 2 is not within 0…1\n"
         "calibration.toml:3: surprise: unknown key\n"
         "calibration.toml:4: calibration[1].elevation_drive: is missing\n"
@@ -188,16 +188,19 @@ TEST(RecordText, TellsAllErrorsAtOnceInTheOrderOfTheirLines)
 TEST(RecordText, RefusesWhatIsNoHistory)
 {
     const std::string good = written(CalibrationHistory({full()}, 1));
-    EXPECT_EQ(reason(good), "accepted");
-    EXPECT_THAT(reason(""), HasSubstr("version: is missing"));
-    EXPECT_THAT(reason("version = "), StartsWith("calibration.toml:1: "));
-    EXPECT_THAT(reason(replaced(good, "version = 1", "version = 2")), HasSubstr("2: version: 2 is not within 1…1"));
-    EXPECT_THAT(reason(replaced(good, "in_force = 1", "in_force = 0.5")), HasSubstr("a whole number is expected"));
-    EXPECT_THAT(reason(replaced(good, "sense = \"clockwise\"", "sense = \"sideways\"")),
+    EXPECT_EQ(recordReason(good), "accepted");
+    EXPECT_THAT(recordReason(""), HasSubstr("version: is missing"));
+    EXPECT_THAT(recordReason("version = "), StartsWith("calibration.toml:1: "));
+    EXPECT_THAT(recordReason(replaced(good, "version = 1", "version = 2")),
+                HasSubstr("2: version: 2 is not within 1…1"));
+    EXPECT_THAT(recordReason(replaced(good, "in_force = 1", "in_force = 0.5")),
+                HasSubstr("a whole number is expected"));
+    EXPECT_THAT(recordReason(replaced(good, "sense = \"clockwise\"", "sense = \"sideways\"")),
                 HasSubstr("\"clockwise\" or \"counterclockwise\" is expected"));
-    EXPECT_THAT(reason(replaced(good, "\"Sun\"", "\"S\\nun\"")), HasSubstr("without control characters"));
-    EXPECT_THAT(reason("version = 1\nin_force = 0\ncalibration = 3\n"), HasSubstr("\"[[calibration]]\" is expected"));
-    EXPECT_THAT(reason("version = 1\nin_force = 0\ncalibration = [3]\n"),
+    EXPECT_THAT(recordReason(replaced(good, "\"Sun\"", "\"S\\nun\"")), HasSubstr("without control characters"));
+    EXPECT_THAT(recordReason("version = 1\nin_force = 0\ncalibration = 3\n"),
+                HasSubstr("\"[[calibration]]\" is expected"));
+    EXPECT_THAT(recordReason("version = 1\nin_force = 0\ncalibration = [3]\n"),
                 HasSubstr("calibration[1]: a table is expected"));
 }
 

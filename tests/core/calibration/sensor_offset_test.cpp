@@ -38,7 +38,7 @@ double offBy(const SensorOffset& offset, double truth)
     return (offset.offset.value - Angle::fromDegrees(truth)).wrapped180().degrees();
 }
 
-std::string reason(const std::vector<SensorReading>& readings)
+std::string offsetReason(const std::vector<SensorReading>& readings)
 {
     const auto offset = sensorOffset(readings);
     return offset ? "accepted" : offset.error().text;
@@ -167,43 +167,43 @@ TEST(SensorOffset, LeavesOutWhatPointsAnywhere)
 TEST(SensorOffset, IsRefusedWithTheReason)
 {
     auto still = readings(137.4, 0.5, 30);
-    EXPECT_EQ(reason(still), "accepted");
+    EXPECT_EQ(offsetReason(still), "accepted");
 
     auto bad = still;
     bad[3].magnetometerCalibration = 1;
-    EXPECT_THAT(reason(bad), HasSubstr("the magnetometer's calibration is 1 of 3, and 2 is needed"));
+    EXPECT_THAT(offsetReason(bad), HasSubstr("the magnetometer's calibration is 1 of 3, and 2 is needed"));
     bad = still;
     bad[3].systemCalibration = 0;
-    EXPECT_THAT(reason(bad), HasSubstr("system calibration is 0 of 3"));
+    EXPECT_THAT(offsetReason(bad), HasSubstr("system calibration is 0 of 3"));
     bad = still;
     bad[3].motorCurrent = 2.5;
-    EXPECT_THAT(reason(bad), HasSubstr("a motor draws 2.5 A, and above 1.0 A (sensor.still_current_a)"));
+    EXPECT_THAT(offsetReason(bad), HasSubstr("a motor draws 2.5 A, and above 1.0 A (sensor.still_current_a)"));
     EXPECT_TRUE(sensorOffset(bad, {.motorCurrent = 3.0})) << "a limit that is set";
     bad = still;
     bad[3].motorCurrent = std::nan("");
-    EXPECT_THAT(reason(bad), HasSubstr("a motor draws"));
+    EXPECT_THAT(offsetReason(bad), HasSubstr("a motor draws"));
     bad = still;
     bad[3].axisRate = 1_deg_s;
-    EXPECT_THAT(reason(bad), HasSubstr("the mount is moving"));
+    EXPECT_THAT(offsetReason(bad), HasSubstr("the mount is moving"));
     bad = still;
     bad[3].axisAzimuth = 101_deg;
-    EXPECT_THAT(reason(bad), HasSubstr("the mount is moving"));
-    EXPECT_THAT(reason(readings(137.4, 0.5, 9)), HasSubstr("there are 9 readings, and 10 are needed"));
-    EXPECT_THAT(reason({}), HasSubstr("there are 0 readings"));
+    EXPECT_THAT(offsetReason(bad), HasSubstr("the mount is moving"));
+    EXPECT_THAT(offsetReason(readings(137.4, 0.5, 9)), HasSubstr("there are 9 readings, and 10 are needed"));
+    EXPECT_THAT(offsetReason({}), HasSubstr("there are 0 readings"));
     // By MQTT no calibration comes, and a chip that hangs repeats itself.
     auto frozen = readings(137.4, 0.0, 20);
-    EXPECT_EQ(reason(frozen), "accepted");
+    EXPECT_EQ(offsetReason(frozen), "accepted");
     for (SensorReading& reading : frozen) {
         reading.magnetometerCalibration.reset();
         reading.systemCalibration.reset();
     }
-    EXPECT_THAT(reason(frozen), HasSubstr("the sensor repeats one value to the last digit"));
+    EXPECT_THAT(offsetReason(frozen), HasSubstr("the sensor repeats one value to the last digit"));
     auto drifting = readings(137.4, 0.0, 40);
     for (std::size_t i = 0; i < drifting.size(); ++i) {
         drifting[i].heading = SensorHeading::folded(Angle::fromDegrees(137.4 + 0.05 * static_cast<double>(i)));
     }
-    EXPECT_THAT(reason(drifting), HasSubstr("the readings drift together"));
-    EXPECT_THAT(reason(readings(137.4, 20.0, 40)), HasSubstr("the readings disagree"));
+    EXPECT_THAT(offsetReason(drifting), HasSubstr("the readings drift together"));
+    EXPECT_THAT(offsetReason(readings(137.4, 20.0, 40)), HasSubstr("the readings disagree"));
 }
 
 TEST(SensorOffset, AcceptsASensorThatDoesNotTellItsCalibration)

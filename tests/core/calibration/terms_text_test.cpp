@@ -11,7 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TermSheet full()
+TermSheet fullTerms()
 {
     TermSheet sheet{
         .mountName = "Roof, \"north\" é: 2",
@@ -39,7 +39,7 @@ non_perpendicularity 0 deg
 elevation_sag 0 deg
 )";
 
-std::string reason(const std::string& text)
+std::string termsReason(const std::string& text)
 {
     const auto sheet = parseTerms(text, "roof.terms");
     return sheet ? "accepted" : sheet.error().text;
@@ -55,7 +55,7 @@ std::string with(const std::string& what, const std::string& instead)
 
 TEST(TermsText, EverythingSurvives)
 {
-    const TermSheet sheet = full();
+    const TermSheet sheet = fullTerms();
     const std::string text = toText(sheet);
     const auto read = parseTerms(text, "roof.terms");
     ASSERT_TRUE(read) << read.error().text;
@@ -78,7 +78,7 @@ TEST(TermsText, EverythingSurvives)
 
 TEST(TermsText, NothingThatIsNotKnownIsInvented)
 {
-    const std::string text = toText({});
+    const std::string text = toText(TermSheet{});
     EXPECT_EQ(std::string::npos, text.find("site:"));
     EXPECT_EQ(std::string::npos, text.find("drive:"));
     const auto read = parseTerms(text, "bare.terms");
@@ -90,14 +90,14 @@ TEST(TermsText, ASigmaThatRoundsToNothingIsNotWritten)
 {
     TermSheet sheet;
     sheet.sigmas[indexOf(Term::TiltNorth)] = Angle::fromDegrees(1e-12);
-    EXPECT_EQ(toText({}), toText(sheet));
+    EXPECT_EQ(toText(TermSheet{}), toText(sheet));
 }
 
 TEST(TermsText, IsReadableToPeople)
 {
-    EXPECT_THAT(toText(full()), HasSubstr("# mount: Roof, \"north\" é: 2\n# date: 2026-11-22T01:00:00Z\n"));
-    EXPECT_THAT(toText(full()), HasSubstr("\nazimuth_offset        -337.400000000 deg  0.050000000\n"));
-    EXPECT_THAT(toText(full()), HasSubstr("\nelevation_offset      -0.126543211   deg  -\n"));
+    EXPECT_THAT(toText(fullTerms()), HasSubstr("# mount: Roof, \"north\" é: 2\n# date: 2026-11-22T01:00:00Z\n"));
+    EXPECT_THAT(toText(fullTerms()), HasSubstr("\nazimuth_offset        -337.400000000 deg  0.050000000\n"));
+    EXPECT_THAT(toText(fullTerms()), HasSubstr("\nelevation_offset      -0.126543211   deg  -\n"));
 }
 
 TEST(TermsText, ReadsWhatPeopleType)
@@ -118,30 +118,30 @@ TEST(TermsText, SaysWhatIsWrongInWhichLine)
     EXPECT_EQ(
         "roof.terms:3: unknown term \"tilt_south\"\n"
         "roof.terms:7: tilt_north is missing: every term is expected, also those of 0",
-        reason(with("tilt_north", "tilt_south")));
-    EXPECT_EQ("roof.terms:1: \"37,4\" is not a number", reason(with("37.4", "37,4")));
-    EXPECT_EQ("roof.terms:1: \"nan\" is not a number", reason(with("37.4", "nan")));
-    EXPECT_EQ("roof.terms:8: \"tilt_east\" stands in line 4 already", reason(kSmall + "tilt_east 1 deg\n"));
+        termsReason(with("tilt_north", "tilt_south")));
+    EXPECT_EQ("roof.terms:1: \"37,4\" is not a number", termsReason(with("37.4", "37,4")));
+    EXPECT_EQ("roof.terms:1: \"nan\" is not a number", termsReason(with("37.4", "nan")));
+    EXPECT_EQ("roof.terms:8: \"tilt_east\" stands in line 4 already", termsReason(kSmall + "tilt_east 1 deg\n"));
     EXPECT_EQ("roof.terms:7: the unit of \"elevation_sag\" is missing: deg, arcmin or arcsec",
-              reason(with("elevation_sag 0 deg", "elevation_sag 0")));
+              termsReason(with("elevation_sag 0 deg", "elevation_sag 0")));
     EXPECT_EQ("roof.terms:5: unknown unit \"rad\": deg, arcmin or arcsec is expected",
-              reason(with("1080 arcsec", "1080 rad")));
+              termsReason(with("1080 arcsec", "1080 rad")));
     EXPECT_EQ("roof.terms:2: the value of \"elevation_offset\" is missing",
-              reason(with("elevation_offset 0 deg", "elevation_offset")));
+              termsReason(with("elevation_offset 0 deg", "elevation_offset")));
     EXPECT_EQ("roof.terms:1: \"0\" is no sigma: a number above 0 is expected, or - where it is not known",
-              reason(with("0.05", "0")));
+              termsReason(with("0.05", "0")));
     EXPECT_EQ("roof.terms:4: \"more\" is too much: name, value, unit and sigma are expected",
-              reason(with("arcmin 0.6", "arcmin 0.6 more")));
+              termsReason(with("arcmin 0.6", "arcmin 0.6 more")));
 }
 
 TEST(TermsText, SaysWhatIsWrongInTheHeader)
 {
-    EXPECT_EQ("accepted", reason("# site: 48.2 16.37 200\n# date: 2026-11-22T01:00:00Z\n" + kSmall));
-    EXPECT_THAT(reason("# site: Vienna\n" + kSmall), HasSubstr("roof.terms:1: \"Vienna\" is no site"));
-    EXPECT_THAT(reason("# site: 98.2 16.37 200\n" + kSmall), HasSubstr("roof.terms:1: "));
-    EXPECT_THAT(reason("\n# date: yesterday\n" + kSmall), HasSubstr("roof.terms:2: \"yesterday\" is no date"));
-    EXPECT_THAT(reason("# date: 2026-11-22 01:00\n" + kSmall), HasSubstr("is no date"));  // of which zone?
-    EXPECT_THAT(reason("# date: 9999-11-22T01:00:00Z\n" + kSmall), HasSubstr("is no date"));
+    EXPECT_EQ("accepted", termsReason("# site: 48.2 16.37 200\n# date: 2026-11-22T01:00:00Z\n" + kSmall));
+    EXPECT_THAT(termsReason("# site: Vienna\n" + kSmall), HasSubstr("roof.terms:1: \"Vienna\" is no site"));
+    EXPECT_THAT(termsReason("# site: 98.2 16.37 200\n" + kSmall), HasSubstr("roof.terms:1: "));
+    EXPECT_THAT(termsReason("\n# date: yesterday\n" + kSmall), HasSubstr("roof.terms:2: \"yesterday\" is no date"));
+    EXPECT_THAT(termsReason("# date: 2026-11-22 01:00\n" + kSmall), HasSubstr("is no date"));  // of which zone?
+    EXPECT_THAT(termsReason("# date: 9999-11-22T01:00:00Z\n" + kSmall), HasSubstr("is no date"));
 }
 
 TEST(TermsText, AllIsToldAtOnceButNoFlood)
@@ -151,10 +151,10 @@ TEST(TermsText, AllIsToldAtOnceButNoFlood)
     for (int i = 0; i < 1000; ++i) {
         rubbish += "x\x1b[2J 1 deg\n";
     }
-    const std::string told = reason(rubbish);
+    const std::string told = termsReason(rubbish);
     EXPECT_EQ(19, std::count(told.begin(), told.end(), '\n'));
     EXPECT_EQ(std::string::npos, told.find('\x1b'));
-    EXPECT_EQ("roof.terms is too long for the terms of a pointing model", reason(std::string(200000, '#')));
+    EXPECT_EQ("roof.terms is too long for the terms of a pointing model", termsReason(std::string(200000, '#')));
 }
 
 }  // namespace

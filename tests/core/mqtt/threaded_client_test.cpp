@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const QString kTopic = QStringLiteral("antenna/orientation");
+const QString kThreadedClientTopic = QStringLiteral("antenna/orientation");
 
 struct ThreadedRig
 {
@@ -110,7 +110,7 @@ TEST(ThreadedClient, ServesTheBrokerWhileItsOwnerDoesNotRun)
 {
     BlockingBroker broker;
     ThreadedRig rig;
-    rig.client.subscribe(kTopic);
+    rig.client.subscribe(kThreadedClientTopic);
     rig.client.open(onLoopback(broker.port()));
     broker.takeVisitor();
     ASSERT_EQ(broker.nextPacket(), kConnect);
@@ -139,7 +139,7 @@ TEST(ThreadedClient, MayBeClosedInEveryPhase)
     EXPECT_TRUE(isClosed(1));  // where nobody listens
     ThreadedRig unused;
     unused.client.close();
-    EXPECT_FALSE(unused.client.publish({.topic = kTopic, .payload = "x"}));
+    EXPECT_FALSE(unused.client.publish({.topic = kThreadedClientTopic, .payload = "x"}));
 }
 
 using MqttThreaded = fakes::MqttTest;
@@ -155,18 +155,18 @@ TEST_F(MqttThreaded, DoesAllThatAClientDoes)
     {
         ThreadedRig rig;
         rig.client.open(onLoopback(broker->port()), will);
-        rig.client.subscribe(kTopic);
+        rig.client.subscribe(kThreadedClientTopic);
         rig.client.subscribe(QStringLiteral("elsewhere"));
         ASSERT_TRUE(rig.connected());
         EXPECT_EQ(rig.connections, 1);
         rig.client.unsubscribe(QStringLiteral("elsewhere"));
         ASSERT_TRUE(fakes::waitUntil([this] { return broker->count("Sending UNSUBACK") == 1; }));
         other.client.publish({.topic = QStringLiteral("elsewhere"), .payload = "not for us"});
-        other.client.publish({.topic = kTopic, .payload = QByteArray(2 * kLargestMessage, 'x')});
+        other.client.publish({.topic = kThreadedClientTopic, .payload = QByteArray(2 * kLargestMessage, 'x')});
         QSignalSpy dropped(&rig.client, &Connection::messageDropped);
-        other.client.publish({.topic = kTopic, .payload = "12"});
+        other.client.publish({.topic = kThreadedClientTopic, .payload = "12"});
         ASSERT_TRUE(rig.received(1));
-        EXPECT_THAT(rig.messages, ElementsAre(Message{.topic = kTopic, .payload = "12"}));
+        EXPECT_THAT(rig.messages, ElementsAre(Message{.topic = kThreadedClientTopic, .payload = "12"}));
         EXPECT_EQ(dropped.count(), 1);
         EXPECT_TRUE(rig.client.publish({.topic = QStringLiteral("boresight/state"), .payload = "1"}));
         ASSERT_TRUE(other.received(1));
@@ -222,7 +222,7 @@ TEST_F(MqttThreaded, OfAFloodTheNewestAreReportedInOneReport)
     ClientWorker worker(clock);
     std::vector<ClientReport> reports;
     QObject::connect(&worker, &ClientWorker::reported, [&](const ClientReport& report) { reports.push_back(report); });
-    worker.client().subscribe(kTopic);
+    worker.client().subscribe(kThreadedClientTopic);
     worker.open(1, onLoopback(broker->port()), std::nullopt);
     Rig other;
     other.client.open(onLoopback(broker->port()));
@@ -232,7 +232,7 @@ TEST_F(MqttThreaded, OfAFloodTheNewestAreReportedInOneReport)
     int arrived = 0;
     QObject::connect(&worker.client(), &Client::messageReceived, [&] { ++arrived; });
     for (int i = 0; i < 500; ++i) {
-        ASSERT_TRUE(other.client.publish({.topic = kTopic, .payload = QByteArray::number(i)}));
+        ASSERT_TRUE(other.client.publish({.topic = kThreadedClientTopic, .payload = QByteArray::number(i)}));
     }
     ASSERT_TRUE(fakes::waitUntil([&] { return arrived == 500; }));
     EXPECT_EQ(reports.size(), before) << "the last one was not taken yet";

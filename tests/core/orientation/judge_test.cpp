@@ -6,9 +6,9 @@
 namespace boresight::orientation {
 namespace {
 
-SteadyTime at(double seconds)
+SteadyTime at(double second)
 {
-    return SteadyTime{std::chrono::duration_cast<SteadyTime::duration>(Seconds(seconds))};
+    return SteadyTime{std::chrono::duration_cast<SteadyTime::duration>(Seconds(second))};
 }
 
 Orientation value(double second, double extended, std::int64_t revolutions = 0)

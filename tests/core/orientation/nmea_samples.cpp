@@ -43,12 +43,12 @@ NmeaSample sampleOf(const std::string& line, const std::string& where)
     std::getline(stream, bytes, '\t');
     sample.bytes = unescaped(bytes);
     if (verdict.starts_with("OK")) {
-        sample.verdict = Verdict::Accepted;
+        sample.verdict = SampleVerdict::Accepted;
         const auto count = verdict.find('x');
         sample.accepted = count == std::string::npos ? 1 : std::stoul(verdict.substr(count + 1));
     } else {
         EXPECT_TRUE(verdict == "BAD" || verdict == "IGNORE") << where << ": " << verdict;
-        sample.verdict = verdict == "BAD" ? Verdict::Refused : Verdict::Ignored;
+        sample.verdict = verdict == "BAD" ? SampleVerdict::Refused : SampleVerdict::Ignored;
     }
     return sample;
 }

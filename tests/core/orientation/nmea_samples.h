@@ -11,7 +11,7 @@
 // NMEA_SAMPLES names one: verdict, result, bytes and note, parted by tabs.
 namespace boresight::orientation {
 
-enum class Verdict
+enum class SampleVerdict
 {
     Accepted,  // `accepted` of them
     Refused,
@@ -21,7 +21,7 @@ enum class Verdict
 struct NmeaSample
 {
     std::string where;  // file and line
-    Verdict verdict = Verdict::Ignored;
+    SampleVerdict verdict = SampleVerdict::Ignored;
     std::size_t accepted = 0;
     std::string result;  // the decoded values, or the reason
     std::string bytes;

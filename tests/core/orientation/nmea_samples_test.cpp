@@ -35,9 +35,9 @@ void expectAsTold(const NmeaSample& sample, const Heard& heard)
     EXPECT_EQ(heard.values.size(), sample.accepted) << sample.where;
     EXPECT_EQ(heard.counts.accepted, sample.accepted) << sample.where;
     EXPECT_EQ(heard.counts.allRefused(), heard.reasons.size()) << sample.where;
-    if (sample.verdict == Verdict::Refused) {
+    if (sample.verdict == SampleVerdict::Refused) {
         EXPECT_GT(heard.reasons.size(), 0U) << sample.where;
-    } else if (sample.verdict == Verdict::Ignored) {
+    } else if (sample.verdict == SampleVerdict::Ignored) {
         EXPECT_EQ(heard.reasons.size(), 0U) << sample.where;
     }
     const auto groups = valueGroups(sample.result);
@@ -60,7 +60,7 @@ TEST(NmeaSamples, OursAreComplete)
     std::size_t compared = 0;
     for (const NmeaSample& sample : ownSamples()) {
         accepted += sample.accepted;
-        refused += sample.verdict == Verdict::Refused ? 1 : 0;
+        refused += sample.verdict == SampleVerdict::Refused ? 1 : 0;
         compared += valueGroups(sample.result).size();
     }
     EXPECT_EQ(accepted, 11U);
@@ -71,7 +71,7 @@ TEST(NmeaSamples, OursAreComplete)
 TEST(NmeaSamples, TheReasonsAreThoseOfTheFile)
 {
     for (const NmeaSample& sample : ownSamples()) {
-        if (sample.verdict == Verdict::Refused) {
+        if (sample.verdict == SampleVerdict::Refused) {
             EXPECT_EQ(heard({sample.bytes}).reasons, std::vector<std::string>{sample.result}) << sample.where;
         }
     }

@@ -26,7 +26,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const QByteArray kSentence = "$PATRK,1771493857399,ms,47.33,dd,19.13,dd,0,revs,29,c,0,3,1,0*34\r\n";
+const QByteArray kSerialSourceSentence = "$PATRK,1771493857399,ms,47.33,dd,19.13,dd,0,revs,29,c,0,3,1,0*34\r\n";
 
 struct SerialSourceTest : testing::Test
 {
@@ -81,15 +81,15 @@ TEST_F(SerialSourceTest, AFloodIsReadInSmallHelpings)
             most = std::max(most, values.size() - before);
             before = values.size();
         });
-    const int sentences = 3 * static_cast<int>(SerialSource::kBytesAtOnce / kSentence.size());
+    const int sentences = 3 * static_cast<int>(SerialSource::kBytesAtOnce / kSerialSourceSentence.size());
     for (int written = 0; written < sentences;) {  // as much as the terminal holds
         for (int i = 0; i < 50 && written < sentences; ++i, ++written) {
-            terminal.write(kSentence);
+            terminal.write(kSerialSourceSentence);
         }
         ASSERT_TRUE(hears(static_cast<std::size_t>(written)));
     }
     QObject::disconnect(turn);
-    EXPECT_LE(most, static_cast<std::size_t>(SerialSource::kBytesAtOnce / kSentence.size() + 1));
+    EXPECT_LE(most, static_cast<std::size_t>(SerialSource::kBytesAtOnce / kSerialSourceSentence.size() + 1));
 }
 
 TEST_F(SerialSourceTest, HearsSentencesOfAPort)
@@ -98,8 +98,8 @@ TEST_F(SerialSourceTest, HearsSentencesOfAPort)
     source.open();
     ASSERT_TRUE(becomes(true)) << qPrintable(source.status().problem);
     clock.advance(Seconds(3.0));
-    terminal.write("BNO055 initialised...\r\n" + kSentence.left(30));
-    terminal.write(kSentence.mid(30) + kSentence + "$PATRK,x*00\r\n");
+    terminal.write("BNO055 initialised...\r\n" + kSerialSourceSentence.left(30));
+    terminal.write(kSerialSourceSentence.mid(30) + kSerialSourceSentence + "$PATRK,x*00\r\n");
     ASSERT_TRUE(hears(2));
     EXPECT_EQ(values[0].arrival, clock.now());
     EXPECT_NEAR(values[0].heading.angle().degrees(), 47.33, 1e-9);
@@ -137,7 +137,7 @@ TEST_F(SerialSourceTest, ALostPortIsFoundAgain)
     QObject::connect(&linked, &Source::received, &linked, [&heard] { ++heard; });
     linked.open();
     ASSERT_TRUE(QTest::qWaitFor([&] { return linked.status().open; }));
-    terminal.write(kSentence);
+    terminal.write(kSerialSourceSentence);
     ASSERT_TRUE(QTest::qWaitFor([&] { return heard == 1; }));
     terminal.unplug();
     ASSERT_TRUE(QTest::qWaitFor([&] { return !linked.status().open; }));
@@ -146,7 +146,7 @@ TEST_F(SerialSourceTest, ALostPortIsFoundAgain)
     fakes::PseudoTerminal other;
     ASSERT_TRUE(QFile::remove(link) && QFile::link(other.path(), link));
     ASSERT_TRUE(QTest::qWaitFor([&] { return linked.status().open; })) << qPrintable(linked.status().problem);
-    other.write(kSentence);
+    other.write(kSerialSourceSentence);
     ASSERT_TRUE(QTest::qWaitFor([&] { return heard == 2; }));
     EXPECT_EQ(linked.status().problem, QString());
 }
@@ -179,7 +179,7 @@ TEST_F(SerialSourceTest, SaysWhatComesInPlaceOfSentences)
     ASSERT_TRUE(becomes(true));
     terminal.write(QByteArray("\xfe\x80\x99\r\n\xff", 6));
     EXPECT_TRUE(complains("sensor.baud (115200)"));
-    terminal.write("\r\n" + kSentence);
+    terminal.write("\r\n" + kSerialSourceSentence);
     ASSERT_TRUE(hears(1));
     EXPECT_EQ(source.status().problem, QString());
 }
@@ -216,7 +216,7 @@ TEST_F(SerialSourceTest, ClosedItHearsNothing)
     ASSERT_TRUE(becomes(true));
     source.close();
     EXPECT_FALSE(source.status().open);
-    terminal.write(kSentence);
+    terminal.write(kSerialSourceSentence);
     QTest::qWait(50);
     EXPECT_TRUE(values.empty());
 }
@@ -226,7 +226,7 @@ TEST_F(SerialSourceTest, ClosedByWhoTookAValueItTellsNoMoreOfTheSamePiece)
     QObject::connect(&source, &Source::received, &source, [this] { source.close(); });
     source.open();
     ASSERT_TRUE(becomes(true));
-    terminal.write(kSentence + kSentence + kSentence);
+    terminal.write(kSerialSourceSentence + kSerialSourceSentence + kSerialSourceSentence);
     ASSERT_TRUE(hears(1));
     QTest::qWait(20);
     EXPECT_EQ(values.size(), 1U);
@@ -262,7 +262,7 @@ TEST_F(SerialSourceTest, WhoHasThePortIsLookedUpBesideTheThread)
     EXPECT_EQ(holder.waitForEnd(), -1);
     ASSERT_TRUE(becomes(true));
     EXPECT_EQ(changes.size(), 2U) << "told once, however often it was tried";
-    terminal.write(kSentence);
+    terminal.write(kSerialSourceSentence);
     EXPECT_TRUE(hears(1));
 }
 

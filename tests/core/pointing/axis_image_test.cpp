@@ -2,6 +2,7 @@
 // Horizon and keep-outs as the axes of a mount that leans have to see them.
 #include "core/pointing/permitted_region.h"
 #include "core/pointing/route.h"
+#include "tests/core/pointing/at.h"
 #include "tests/fakes/random_pointing.h"
 #include "tests/fakes/random_region.h"
 
@@ -17,11 +18,6 @@ namespace {
 
 constexpr TravelRange kAzimuths{-200_deg, 460_deg};
 constexpr TravelRange kFlipping{0_deg, 180_deg};
-
-AxisPosition at(double azimuth, double elevation)
-{
-    return {.azimuth = Angle::fromDegrees(azimuth), .elevation = Angle::fromDegrees(elevation)};
-}
 
 KeepOut mast()
 {

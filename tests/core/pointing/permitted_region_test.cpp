@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pointing/permitted_region.h"
 
+#include "tests/core/pointing/at.h"
 #include "tests/fakes/random_region.h"
 
 #include <gtest/gtest.h>
@@ -13,24 +14,22 @@ using namespace boresight::pointing;
 
 namespace {
 
-constexpr TravelRange kAzimuths{-200_deg, 460_deg};
+constexpr TravelRange kPermittedRegionAzimuths{-200_deg, 460_deg};
 constexpr TravelRange kUpright{0_deg, 90_deg};
-constexpr TravelRange kFlipping{0_deg, 180_deg};
-
-AxisPosition at(double azimuth, double elevation)
-{
-    return {.azimuth = Angle::fromDegrees(azimuth), .elevation = Angle::fromDegrees(elevation)};
-}
+constexpr TravelRange kPermittedRegionFlipping{0_deg, 180_deg};
 
 AxisBox box(double azimuthMin, double azimuthMax, double elevationMin, double elevationMax)
 {
     return AxisBox::between(at(azimuthMin, elevationMin), at(azimuthMax, elevationMax));
 }
 
-KeepOut mast()
+KeepOut regionMast()
 {
-    return {
-        .name = "mast", .azimuthFrom = 300_deg, .azimuthTo = 330_deg, .elevationMin = 0_deg, .elevationMax = 40_deg};
+    return {.name = "regionMast",
+            .azimuthFrom = 300_deg,
+            .azimuthTo = 330_deg,
+            .elevationMin = 0_deg,
+            .elevationMax = 40_deg};
 }
 
 // 25° all round, 0° between azimuth 214° and 262°.
@@ -59,7 +58,8 @@ AxisBox widened(const AxisBox& box, double azimuth, double elevation)
 
 TEST(PermittedRegion, LimitsAndTravelHoldTogether)
 {
-    const PermittedRegion region({.azimuth = {-90_deg, 600_deg}, .elevation = {5_deg, 80_deg}}, kAzimuths, kUpright);
+    const PermittedRegion region({.azimuth = {-90_deg, 600_deg}, .elevation = {5_deg, 80_deg}},
+                                 kPermittedRegionAzimuths, kUpright);
     EXPECT_TRUE(region.permits(at(-90, 5)));
     EXPECT_TRUE(region.permits(at(460, 80)));
     EXPECT_FALSE(region.permits(at(-90.001, 5)));
@@ -73,7 +73,7 @@ TEST(PermittedRegion, LimitsAndTravelHoldTogether)
 
 TEST(PermittedRegion, LimitsWithNothingInCommonPermitNothing)
 {
-    const PermittedRegion region({.azimuth = {500_deg, 600_deg}}, kAzimuths, kUpright);
+    const PermittedRegion region({.azimuth = {500_deg, 600_deg}}, kPermittedRegionAzimuths, kUpright);
     EXPECT_FALSE(region.permits(at(460, 10)));
     EXPECT_FALSE(region.permits(at(500, 10)));
     EXPECT_FALSE(region.nearest(at(460, 10)));
@@ -81,7 +81,7 @@ TEST(PermittedRegion, LimitsWithNothingInCommonPermitNothing)
 
 TEST(PermittedRegion, AKeepOutHoldsOnEveryTurnAndOverTheTop)
 {
-    const PermittedRegion region({.keepOuts = {mast()}}, kAzimuths, kFlipping);
+    const PermittedRegion region({.keepOuts = {regionMast()}}, kPermittedRegionAzimuths, kPermittedRegionFlipping);
     for (const double azimuth : {315.0, -45.0}) {
         EXPECT_FALSE(region.permits(at(azimuth, 10)));
         EXPECT_TRUE(region.permits(at(azimuth, 40)));  // its edge
@@ -94,13 +94,14 @@ TEST(PermittedRegion, AKeepOutHoldsOnEveryTurnAndOverTheTop)
     }
     EXPECT_TRUE(region.permits(at(300, 10)));
     EXPECT_TRUE(region.permits(at(-30, 10)));
-    EXPECT_EQ(region.reason(at(315, 10)), "azimuth 315.0° elevation 10.0° is in the keep-out \"mast\"");
-    EXPECT_EQ(region.obstacle(at(135, 170)), "the keep-out \"mast\"");
+    EXPECT_EQ(region.reason(at(315, 10)), "azimuth 315.0° elevation 10.0° is in the keep-out \"regionMast\"");
+    EXPECT_EQ(region.obstacle(at(135, 170)), "the keep-out \"regionMast\"");
 }
 
 TEST(PermittedRegion, AKeepOutThroughNorth)
 {
-    const PermittedRegion region({.keepOuts = {{"chimney", 350_deg, 10_deg, 20_deg, 50_deg}}}, kAzimuths, kUpright);
+    const PermittedRegion region({.keepOuts = {{"chimney", 350_deg, 10_deg, 20_deg, 50_deg}}}, kPermittedRegionAzimuths,
+                                 kUpright);
     for (const double azimuth : {355.0, 0.0, 5.0, 360.0, 365.0, -5.0}) {
         EXPECT_FALSE(region.permits(at(azimuth, 30))) << azimuth;
     }
@@ -111,7 +112,8 @@ TEST(PermittedRegion, AKeepOutThroughNorth)
 
 TEST(PermittedRegion, AKeepOutAllRoundTheZenithHasNoEdgeInItsMiddle)
 {
-    const PermittedRegion region({.keepOuts = {{"ice", 0_deg, 360_deg, 80_deg, 90_deg}}}, kAzimuths, kFlipping);
+    const PermittedRegion region({.keepOuts = {{"ice", 0_deg, 360_deg, 80_deg, 90_deg}}}, kPermittedRegionAzimuths,
+                                 kPermittedRegionFlipping);
     EXPECT_FALSE(region.permits(at(0, 90)));
     EXPECT_FALSE(region.permits(at(460, 90)));
     EXPECT_TRUE(region.permits(at(10, 80)));
@@ -120,7 +122,7 @@ TEST(PermittedRegion, AKeepOutAllRoundTheZenithHasNoEdgeInItsMiddle)
 
 TEST(PermittedRegion, TheHorizonIsStraightBetweenItsPoints)
 {
-    const PermittedRegion region({.horizon = valley()}, kAzimuths, kFlipping);
+    const PermittedRegion region({.horizon = valley()}, kPermittedRegionAzimuths, kPermittedRegionFlipping);
     EXPECT_FALSE(region.permits(at(0, 24.9)));
     EXPECT_TRUE(region.permits(at(0, 25)));
     EXPECT_TRUE(region.permits(at(240, 0)));
@@ -137,7 +139,7 @@ TEST(PermittedRegion, TheHorizonIsStraightBetweenItsPoints)
 
 TEST(PermittedRegion, ABoxIsPermittedOnlyWithAllOfIt)
 {
-    const PermittedRegion region({.horizon = valley(), .keepOuts = {mast()}}, kAzimuths, kUpright);
+    const PermittedRegion region({.horizon = valley(), .keepOuts = {regionMast()}}, kPermittedRegionAzimuths, kUpright);
     EXPECT_TRUE(region.permits(box(220, 260, 0, 90)));
     EXPECT_FALSE(region.permits(box(213, 260, 0, 90)));
     EXPECT_TRUE(region.permits(box(213, 260, 6.25, 90)));
@@ -151,7 +153,7 @@ TEST(PermittedRegion, ThereIsNoWayBetweenWhatTouches)
     const KeepOut left{"left", 300_deg, 310_deg, 10_deg, 40_deg};
     const KeepOut right{"right", 310_deg, 330_deg, 0_deg, 30_deg};
     const KeepOut above{"above", 305_deg, 330_deg, 40_deg, 50_deg};
-    const PermittedRegion region({.keepOuts = {left, right, above}}, kAzimuths, kUpright);
+    const PermittedRegion region({.keepOuts = {left, right, above}}, kPermittedRegionAzimuths, kUpright);
     EXPECT_FALSE(region.permits(at(310, 20)));
     EXPECT_TRUE(region.permits(at(310, 35)));  // the side of `left` where nothing stands beside it
     EXPECT_FALSE(region.permits(at(307, 40)));
@@ -163,7 +165,7 @@ TEST(PermittedRegion, ThereIsNoWayBelowAKeepOutThatStandsOnTheHorizon)
 {
     const KeepOut roof{"roof", 40_deg, 80_deg, 20_deg, 30_deg};
     const PermittedRegion region({.horizon = {{0_deg, 20_deg}, {60_deg, 20_deg}, {90_deg, 5_deg}}, .keepOuts = {roof}},
-                                 kAzimuths, kUpright);
+                                 kPermittedRegionAzimuths, kUpright);
     EXPECT_FALSE(region.permits(at(50, 20)));
     EXPECT_FALSE(region.permits(at(60, 20)));
     EXPECT_TRUE(region.permits(at(70, 18)));  // there the ground falls away below it
@@ -172,7 +174,8 @@ TEST(PermittedRegion, ThereIsNoWayBelowAKeepOutThatStandsOnTheHorizon)
 
 TEST(PermittedRegion, NearestPlaces)
 {
-    const PermittedRegion region({.horizon = valley(), .keepOuts = {mast()}}, kAzimuths, kFlipping);
+    const PermittedRegion region({.horizon = valley(), .keepOuts = {regionMast()}}, kPermittedRegionAzimuths,
+                                 kPermittedRegionFlipping);
     expectPlace(region.nearest(at(100, 50)), 100, 50);
     expectPlace(region.nearest(at(100, 10)), 100, 25);
     expectPlace(region.nearest(at(315, 38)), 315, 40);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pointing/pointing_model.h"
 
+#include "tests/core/pointing/at.h"
 #include "tests/fakes/random_pointing.h"
 
 #include <gtest/gtest.h>
@@ -17,11 +18,6 @@ namespace {
 
 // Far below what any encoder resolves, and a hundred times what a double loses.
 constexpr double kExact = 1e-9;  // °
-
-AxisPosition at(double azimuth, double elevation)
-{
-    return {.azimuth = Angle::fromDegrees(azimuth), .elevation = Angle::fromDegrees(elevation)};
-}
 
 void expectSky(const PointingTerms& terms, const AxisPosition& axes, double azimuth, double elevation, double tolerance)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pointing/route.h"
 
+#include "tests/core/pointing/at.h"
 #include "tests/fakes/random_region.h"
 
 #include <queue>
@@ -15,17 +16,13 @@ using namespace boresight::pointing;
 
 namespace {
 
-constexpr TravelRange kAzimuths{-200_deg, 460_deg};
+constexpr TravelRange kRouteAzimuths{-200_deg, 460_deg};
 constexpr AxisRates kSpeed{.azimuth = 10_deg_s, .elevation = 8_deg_s};
 
-AxisPosition at(double azimuth, double elevation)
+KeepOut routeMast(Angle top = 40_deg)
 {
-    return {.azimuth = Angle::fromDegrees(azimuth), .elevation = Angle::fromDegrees(elevation)};
-}
-
-KeepOut mast(Angle top = 40_deg)
-{
-    return {.name = "mast", .azimuthFrom = 300_deg, .azimuthTo = 330_deg, .elevationMin = 0_deg, .elevationMax = top};
+    return {
+        .name = "routeMast", .azimuthFrom = 300_deg, .azimuthTo = 330_deg, .elevationMin = 0_deg, .elevationMax = top};
 }
 
 double duration(AxisPosition from, const std::vector<AxisPosition>& way)
@@ -124,7 +121,7 @@ private:
 
 TEST(Route, IsDirectWhereTheWayIsFree)
 {
-    const PermittedRegion region({.keepOuts = {mast()}}, kAzimuths, {0_deg, 90_deg});
+    const PermittedRegion region({.keepOuts = {routeMast()}}, kRouteAzimuths, {0_deg, 90_deg});
     EXPECT_EQ(*route(region, at(100, 10), at(290, 80), kSpeed), std::vector{at(290, 80)});
     EXPECT_EQ(*route(region, at(290, 40), at(340, 60), kSpeed), std::vector{at(340, 60)});
     EXPECT_EQ(*route(region, at(290, 10), at(290, 10), kSpeed), std::vector{at(290, 10)});
@@ -132,7 +129,7 @@ TEST(Route, IsDirectWhereTheWayIsFree)
 
 TEST(Route, GoesOverAKeepOut)
 {
-    const PermittedRegion region({.keepOuts = {mast()}}, kAzimuths, {0_deg, 90_deg});
+    const PermittedRegion region({.keepOuts = {routeMast()}}, kRouteAzimuths, {0_deg, 90_deg});
     const auto way = route(region, at(290, 10), at(340, 5), kSpeed);
     ASSERT_TRUE(way);
     EXPECT_EQ(*way, (std::vector{at(300, 40), at(330, 40), at(340, 5)}));
@@ -141,7 +138,7 @@ TEST(Route, GoesOverAKeepOut)
 TEST(Route, ClimbsOverTheHorizonOnTheWay)
 {
     const PermittedRegion region({.horizon = {{0_deg, 0_deg}, {100_deg, 10_deg}, {120_deg, 30_deg}, {140_deg, 0_deg}}},
-                                 kAzimuths, {0_deg, 90_deg});
+                                 kRouteAzimuths, {0_deg, 90_deg});
     const auto way = route(region, at(50, 12), at(150, 5), kSpeed);
     ASSERT_TRUE(way);
     ASSERT_EQ(way->size(), 3U);
@@ -154,7 +151,7 @@ TEST(Route, ClimbsOverTheHorizonOnTheWay)
 TEST(Route, PassesBelowWhatHangsInTheSky)
 {
     const KeepOut wires{"wires", 80_deg, 120_deg, 20_deg, 85_deg};
-    const PermittedRegion region({.keepOuts = {wires}}, kAzimuths, {0_deg, 90_deg});
+    const PermittedRegion region({.keepOuts = {wires}}, kRouteAzimuths, {0_deg, 90_deg});
     const auto way = route(region, at(70, 30), at(130, 30), kSpeed);
     ASSERT_TRUE(way);
     EXPECT_EQ(*way, (std::vector{at(80, 20), at(120, 20), at(130, 30)}));
@@ -162,19 +159,19 @@ TEST(Route, PassesBelowWhatHangsInTheSky)
 
 TEST(Route, SaysWhatIsInTheWayWhenThereIsNone)
 {
-    const PermittedRegion wall({.keepOuts = {mast(90_deg)}}, {0_deg, 360_deg}, {0_deg, 90_deg});
+    const PermittedRegion wall({.keepOuts = {routeMast(90_deg)}}, {0_deg, 360_deg}, {0_deg, 90_deg});
     const auto way = route(wall, at(290, 10), at(340, 5), kSpeed);
     ASSERT_FALSE(way);
     EXPECT_EQ(way.error().text,
-              "there is no way from 290.0° 10.0° to 340.0° 5.0°: the keep-out \"mast\" is in between");
+              "there is no way from 290.0° 10.0° to 340.0° 5.0°: the keep-out \"routeMast\" is in between");
     const auto inside = route(wall, at(290, 10), at(315, 10), kSpeed);
     ASSERT_FALSE(inside);
-    EXPECT_EQ(inside.error().text, "azimuth 315.0° elevation 10.0° is in the keep-out \"mast\"");
+    EXPECT_EQ(inside.error().text, "azimuth 315.0° elevation 10.0° is in the keep-out \"routeMast\"");
 }
 
 TEST(Route, LeadsOutOfAForbiddenPlaceFirst)
 {
-    const PermittedRegion region({.keepOuts = {mast()}}, kAzimuths, {0_deg, 90_deg});
+    const PermittedRegion region({.keepOuts = {routeMast()}}, kRouteAzimuths, {0_deg, 90_deg});
     const auto way = route(region, at(310, 38), at(340, 5), kSpeed);
     ASSERT_TRUE(way);
     ASSERT_EQ(way->size(), 3U);
@@ -228,9 +225,9 @@ TEST(Route, IsNoDetour)
     for (int round = 0; round < 300; ++round) {
         Region drawn = make.region();
         drawn.azimuth = drawn.elevation = {-3600_deg, 3600_deg};
-        const PermittedRegion region(drawn, kAzimuths, {0_deg, 90_deg});
-        const AxisPosition from = make.place(kAzimuths, {0_deg, 90_deg});
-        const AxisPosition to = make.place(kAzimuths, {0_deg, 90_deg});
+        const PermittedRegion region(drawn, kRouteAzimuths, {0_deg, 90_deg});
+        const AxisPosition from = make.place(kRouteAzimuths, {0_deg, 90_deg});
+        const AxisPosition to = make.place(kRouteAzimuths, {0_deg, 90_deg});
         for (double level = 0.0; level <= 90.0; level += 1.0) {
             const std::vector over{AxisPosition{from.azimuth, Angle::fromDegrees(level)},
                                    AxisPosition{to.azimuth, Angle::fromDegrees(level)}, to};
@@ -254,7 +251,7 @@ TEST(Route, IsNoDetour)
 // Story: 60 keep-outs around a target held the control tick up for 0.15 s.
 TEST(Route, GivesUpAfterSoManySteps)
 {
-    const PermittedRegion region({.keepOuts = {mast()}}, kAzimuths, {0_deg, 90_deg});
+    const PermittedRegion region({.keepOuts = {routeMast()}}, kRouteAzimuths, {0_deg, 90_deg});
     const auto none = route(region, at(290, 10), at(340, 5), kSpeed, Seconds(0.5), 10);
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().text,
@@ -281,10 +278,10 @@ TEST(Route, FindsItsWayAmongAsManyKeepOutsAsThereMayBe)
                                       .elevationMin = Angle::fromDegrees(bottom),
                                       .elevationMax = Angle::fromDegrees(bottom + make.uniform(2, 15))});
         }
-        const PermittedRegion region(drawn, kAzimuths, {0_deg, 180_deg}, leaning);
+        const PermittedRegion region(drawn, kRouteAzimuths, {0_deg, 180_deg}, leaning);
         for (int i = 0; i < 10; ++i) {
-            const AxisPosition from = *region.nearest(make.place(kAzimuths, {0_deg, 180_deg}));
-            const AxisPosition to = *region.nearest(make.place(kAzimuths, {0_deg, 180_deg}));
+            const AxisPosition from = *region.nearest(make.place(kRouteAzimuths, {0_deg, 180_deg}));
+            const AxisPosition to = *region.nearest(make.place(kRouteAzimuths, {0_deg, 180_deg}));
             const auto way = route(region, from, to, kSpeed);
             if (way) {
                 expectPermitted(region, from, *way);

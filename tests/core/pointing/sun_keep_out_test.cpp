@@ -16,13 +16,14 @@ using namespace boresight::pointing;
 
 namespace {
 
-constexpr TravelRange kAzimuths{-90_deg, 450_deg};
-constexpr TravelRange kFlipping{-5_deg, 180_deg};
+constexpr TravelRange kSunKeepOutAzimuths{-90_deg, 450_deg};
+constexpr TravelRange kSunKeepOutFlipping{-5_deg, 180_deg};
 
 PermittedRegion regionAround(const SkyPointing& sun, Angle radius)
 {
     const auto keepOut = sunKeepOut(sun, radius);
-    return PermittedRegion(withSun({}, keepOut ? std::vector{*keepOut} : std::vector<KeepOut>{}), kAzimuths, kFlipping);
+    return PermittedRegion(withSun({}, keepOut ? std::vector{*keepOut} : std::vector<KeepOut>{}), kSunKeepOutAzimuths,
+                           kSunKeepOutFlipping);
 }
 
 // The direction at this distance from the Sun, at an angle from straight up around it.
@@ -50,7 +51,7 @@ TEST(SunKeepOut, NoPlaceLooksIntoTheCircle)
         const Angle radius = Angle::fromDegrees(0.5 + 30.0 * unit(random));
         const SkyPointing looked = beside(sun, 0.999 * std::sqrt(unit(random)) * radius, 6.3 * unit(random));
         ASSERT_LT(angleBetween(sun, looked), radius);
-        if (looked.elevation < kFlipping.min) {
+        if (looked.elevation < kSunKeepOutFlipping.min) {
             continue;
         }
         const PermittedRegion region = regionAround(sun, radius);
@@ -137,8 +138,8 @@ TEST(SunBand, NoPlaceLooksIntoTheCircleAtAnyTime)
     for (const double latitude : {-67.0, -33.5, 0.0, 12.0, 38.757, 52.0, 78.0, 90.0}) {
         const double north = latitude * std::numbers::pi / 180.0;
         const Region drawn = withSun({}, sunBand(Angle::fromDegrees(latitude), kRadius));
-        const PermittedRegion region(drawn, kAzimuths, kFlipping);
-        const PermittedRegion leant(drawn, kAzimuths, kFlipping, leaning);
+        const PermittedRegion region(drawn, kSunKeepOutAzimuths, kSunKeepOutFlipping);
+        const PermittedRegion leant(drawn, kSunKeepOutAzimuths, kSunKeepOutFlipping, leaning);
         for (int i = 0; i < 3000; ++i) {
             const double declination = (2.0 * unit(random) - 1.0) * 23.44 * std::numbers::pi / 180.0;
             const double hour = 2.0 * std::numbers::pi * unit(random);
@@ -166,7 +167,7 @@ TEST(SunBand, NoPlaceLooksIntoTheCircleAtAnyTime)
 // Not the whole sky: in the middle north what the Sun never reaches stays free.
 TEST(SunBand, LeavesFreeWhereTheSunNeverIs)
 {
-    const PermittedRegion region(withSun({}, sunBand(50_deg, 10_deg)), kAzimuths, {0_deg, 90_deg});
+    const PermittedRegion region(withSun({}, sunBand(50_deg, 10_deg)), kSunKeepOutAzimuths, {0_deg, 90_deg});
     for (const AxisPosition& free :
          {AxisPosition{0_deg, 10_deg}, AxisPosition{320_deg, 20_deg}, AxisPosition{90_deg, 60_deg},
           AxisPosition{180_deg, 80_deg}, AxisPosition{180_deg, 2_deg}}) {

@@ -2,6 +2,7 @@
 // Real sockets on loopback; the clock is turned by hand.
 #include "core/power/power_line.h"
 
+#include "tests/core/power/free_port.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/program.h"
 #include "tests/fakes/wait_until.h"
@@ -18,14 +19,6 @@ namespace boresight::power {
 namespace {
 
 using fakes::waitUntil;
-
-// One that nobody uses now.
-std::uint16_t freePort()
-{
-    QUdpSocket udp;
-    EXPECT_TRUE(udp.bind(QHostAddress::LocalHost, 0));
-    return udp.localPort();
-}
 
 struct Ear
 {

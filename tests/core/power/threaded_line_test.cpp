@@ -3,6 +3,7 @@
 
 #include "core/base/file_descriptor.h"
 #include "core/power/line_worker.h"
+#include "tests/core/power/free_port.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/wait_until.h"
 
@@ -25,13 +26,6 @@ LineSettings settingsOf(Transport transport, std::uint16_t port)
             .port = port,
             .firstRetry = std::chrono::milliseconds(5),
             .longestRetry = std::chrono::milliseconds(20)};
-}
-
-std::uint16_t freePort()
-{
-    QUdpSocket udp;
-    EXPECT_TRUE(udp.bind(QHostAddress::LocalHost, 0));
-    return udp.localPort();
 }
 
 // The receiver's program is served without an event loop of this thread.

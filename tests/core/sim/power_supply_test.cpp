@@ -6,12 +6,12 @@
 namespace boresight::sim {
 namespace {
 
-constexpr double kStep = 1e-3;
+constexpr double kPowerSupplyStep = 1e-3;
 
 double settled(PowerSupply& supply, double power, double seconds)
 {
-    for (int i = 0; i < static_cast<int>(seconds / kStep); ++i) {
-        supply.step(kStep, power);
+    for (int i = 0; i < static_cast<int>(seconds / kPowerSupplyStep); ++i) {
+        supply.step(kPowerSupplyStep, power);
     }
     return supply.voltage();
 }

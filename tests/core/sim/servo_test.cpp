@@ -13,7 +13,7 @@ namespace {
 
 using moteus::Mode;
 
-constexpr double kStep = 1e-3;
+constexpr double kServoStep = 1e-3;
 
 // One drive and its axis, without noise, fed from a stiff 24 V.
 class ServoOnPlant : public testing::Test
@@ -26,13 +26,13 @@ protected:
 
     void run(double seconds)
     {
-        for (int i = 0; i < static_cast<int>(std::lround(seconds / kStep)); ++i) {
+        for (int i = 0; i < static_cast<int>(std::lround(seconds / kServoStep)); ++i) {
             inputs.position = plant.position();
             inputs.velocity = plant.velocity();
-            const ServoOutput& out = servo.step(kStep, inputs);
-            plant.step(kStep, {.driveTorque = out.torque,
-                               .brakeDamping = out.braking ? brakeDamping(config) : 0.0,
-                               .windTorque = wind});
+            const ServoOutput& out = servo.step(kServoStep, inputs);
+            plant.step(kServoStep, {.driveTorque = out.torque,
+                                    .brakeDamping = out.braking ? brakeDamping(config) : 0.0,
+                                    .windTorque = wind});
             lowestPower = std::min(lowestPower, out.power);
         }
     }
@@ -216,7 +216,7 @@ TEST_F(ServoOnPlant, AnAxisPushedFarFromWhereItHoldsAfterATimeoutFaults)
     const double held = servo.control().position;
     wind = 120.0;  // the drive has 83 Nm
     for (int i = 0; i < 3000 && degrees(std::abs(plant.position() - held)) < 9.9; ++i) {
-        run(kStep);
+        run(kServoStep);
     }
     EXPECT_EQ(servo.mode(), Mode::PositionTimeout);
     run(0.1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/arming.h"
 
+#include "tests/core/station/station_rig.h"
 #include "tests/fakes/ideal_drive.h"
 #include "tests/fakes/manual_clock.h"
 
@@ -13,8 +14,6 @@ namespace {
 
 using supervision::LossClass;
 
-const Source kOperator{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
-const Source kClient{.kind = SourceKind::Client, .clientId = 1, .name = QStringLiteral("client")};
 constexpr Seconds kTick{0.02};
 
 profile::Profile retryingHeat()

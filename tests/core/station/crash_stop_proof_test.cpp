@@ -12,7 +12,7 @@ using Action = CrashStopProof::Action;
 
 constexpr TravelRange kAzimuthTravel{-90_deg, 450_deg};
 constexpr TravelRange kElevationTravel{0_deg, 90_deg};
-constexpr Seconds kTick{0.02};
+constexpr Seconds kCrashStopProofTick{0.02};
 
 // Both axes run when told, and, starved, go on for `watchdog` and then brake at `deceleration`.
 class Mount
@@ -40,7 +40,7 @@ public:
 private:
     void obey(CrashStopProof& proof, std::vector<CrashStopProof::Stop>& stops)
     {
-        m_now += std::chrono::duration_cast<SteadyTime::duration>(kTick);
+        m_now += std::chrono::duration_cast<SteadyTime::duration>(kCrashStopProofTick);
         const Action action = proof.step(m_now, {.received = m_now, .angle = m_angle, .settled = m_starved < 0.0});
         if (action == Action::Run) {
             m_rate = proof.rate();
@@ -60,13 +60,13 @@ private:
     void move()
     {
         if (m_starved >= 0.0) {
-            m_starved += kTick.count();
+            m_starved += kCrashStopProofTick.count();
             if (m_starved > m_watchdog) {
-                const double slower = abs(m_rate).degrees() - m_deceleration * kTick.count();
+                const double slower = abs(m_rate).degrees() - m_deceleration * kCrashStopProofTick.count();
                 m_rate = AngularRate::fromDegrees(std::copysign(std::max(slower, 0.0), m_rate.degrees()));
             }
         }
-        m_angle += m_rate * kTick;
+        m_angle += m_rate * kCrashStopProofTick;
     }
 
     double m_watchdog;

@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr std::chrono::milliseconds kTick{20};
+constexpr std::chrono::milliseconds kMotionRegionTick{20};
 
 AxisPosition at(double azimuth, double elevation)
 {
@@ -53,8 +53,8 @@ public:
 
     void tick()
     {
-        now += kTick;
-        motion.advance(now, kTick);
+        now += kMotionRegionTick;
+        motion.advance(now, kMotionRegionTick);
         const AxisPosition place = motion.place();
         const bool permitted = motion.region().permits(place);
         if (!permitted && m_wasPermitted && !m_edited) {
@@ -247,8 +247,8 @@ TEST(MotionRegion, LowerLimitsOfMotionDoNotCarryItOverTheEdge)
     gentle.azimuth.limits.acceleration = AngularAcceleration::fromDegrees(2);
     run.motion.setLimits(Axis::Azimuth, gentle.azimuth.limits);
     for (int i = 0; i < 1000; ++i) {
-        run.now += kTick;
-        run.motion.advance(run.now, kTick);  // it may brake harder than the new limit: the region wins
+        run.now += kMotionRegionTick;
+        run.motion.advance(run.now, kMotionRegionTick);  // it may brake harder than the new limit: the region wins
         ASSERT_TRUE(run.motion.region().permits(run.motion.place()));
     }
 }
@@ -259,18 +259,18 @@ TEST(MotionRegion, WhileTheTurnIsNotKnownOnlyTheTravelCounts)
     run.motion.enforceRegion(false);
     run.motion.run(rates(2, 0));
     for (int i = 0; i < 800; ++i) {
-        run.now += kTick;
-        run.motion.advance(run.now, kTick);
+        run.now += kMotionRegionTick;
+        run.motion.advance(run.now, kMotionRegionTick);
     }
     EXPECT_GT(run.motion.place().azimuth, 301_deg);
 }
 
 namespace {
 
-class Walk
+class RegionWalk
 {
 public:
-    explicit Walk(unsigned seed)
+    explicit RegionWalk(unsigned seed)
         : m_random(seed),
           m_make(m_random),
           m_azimuth(m_make.azimuthTravel()),
@@ -368,7 +368,7 @@ TEST(MotionRegion, HoldsWhateverIsAskedAndDrawn)
     int bent = 0;
     for (unsigned seed = 1; seed <= 150 && !HasFailure(); ++seed) {
         SCOPED_TRACE(seed);
-        Walk walk(seed);
+        RegionWalk walk(seed);
         walk.go(60);
         moved += walk.m_moved;
         limited += walk.m_limited;
@@ -419,8 +419,8 @@ TEST(MotionRegion, OutsideTheTravelItOnlyMovesBackInside)
             Angle last = outside();
             for (int i = 0; i < 200; ++i) {
                 run.motion.run(rates(i / 15 % 2 == 0 ? rate : -rate, 3));
-                run.now += kTick;
-                run.motion.advance(run.now, kTick);
+                run.now += kMotionRegionTick;
+                run.motion.advance(run.now, kMotionRegionTick);
                 EXPECT_LE(outside(), std::max(last, 0_deg) + Angle::fromDegrees(1e-9))
                     << azimuth << " " << rate << " " << i;
                 last = outside();

@@ -10,7 +10,7 @@ namespace {
 
 constexpr SteadyTime kStart{std::chrono::hours(1)};
 
-SteadyTime at(double seconds)
+SteadyTime scanTime(double seconds)
 {
     return kStart + std::chrono::duration_cast<SteadyTime::duration>(Seconds(seconds));
 }
@@ -18,50 +18,50 @@ SteadyTime at(double seconds)
 TEST(ScanRun, WhatCameBeforeItHadSettledIsNeverUsed)
 {
     ScanRun scan(8_deg, kStart);
-    scan.hear(-10.0, at(0.5));
-    scan.hear(-10.0, at(3.9));
-    EXPECT_FALSE(scan.heard(at(60.0)));
-    scan.hear(-60.0, at(4.1));
-    EXPECT_FALSE(scan.heard(at(5.0))) << "more may come";
-    EXPECT_EQ(scan.heard(at(5.2)), -60.0);
-    scan.give(-60.0, at(5.2));
-    EXPECT_FALSE(scan.heard(at(60.0))) << "of the place before";
-    scan.hear(-10.0, at(9.0));
-    EXPECT_FALSE(scan.heard(at(60.0)));
+    scan.hear(-10.0, scanTime(0.5));
+    scan.hear(-10.0, scanTime(3.9));
+    EXPECT_FALSE(scan.heard(scanTime(60.0)));
+    scan.hear(-60.0, scanTime(4.1));
+    EXPECT_FALSE(scan.heard(scanTime(5.0))) << "more may come";
+    EXPECT_EQ(scan.heard(scanTime(5.2)), -60.0);
+    scan.give(-60.0, scanTime(5.2));
+    EXPECT_FALSE(scan.heard(scanTime(60.0))) << "of the place before";
+    scan.hear(-10.0, scanTime(9.0));
+    EXPECT_FALSE(scan.heard(scanTime(60.0)));
 }
 
 TEST(ScanRun, AMountThatStillMovesHasNotSettled)
 {
     ScanRun scan(8_deg, kStart);
-    scan.moves(at(6.0));
-    EXPECT_FALSE(scan.wantsPower(at(7.0)));
-    scan.hear(-10.0, at(7.0));
-    EXPECT_FALSE(scan.heard(at(9.0)));
-    EXPECT_TRUE(scan.wantsPower(at(7.5)));
-    scan.hear(-60.0, at(7.6));
-    EXPECT_EQ(scan.heard(at(8.7)), -60.0);
-    scan.moves(at(8.8));  // a gust
-    EXPECT_FALSE(scan.heard(at(9.0)));
+    scan.moves(scanTime(6.0));
+    EXPECT_FALSE(scan.wantsPower(scanTime(7.0)));
+    scan.hear(-10.0, scanTime(7.0));
+    EXPECT_FALSE(scan.heard(scanTime(9.0)));
+    EXPECT_TRUE(scan.wantsPower(scanTime(7.5)));
+    scan.hear(-60.0, scanTime(7.6));
+    EXPECT_EQ(scan.heard(scanTime(8.7)), -60.0);
+    scan.moves(scanTime(8.8));  // a gust
+    EXPECT_FALSE(scan.heard(scanTime(9.0)));
 }
 
 TEST(ScanRun, ASlipOfTheReceiverDoesNoHarm)
 {
     ScanRun scan(8_deg, kStart);
     for (const double power : {-60.1, -60.0, -12.0, -59.9, -60.05}) {
-        scan.hear(power, at(5.0));
+        scan.hear(power, scanTime(5.0));
     }
-    EXPECT_EQ(scan.heard(at(6.1)), -60.0);
+    EXPECT_EQ(scan.heard(scanTime(6.1)), -60.0);
 }
 
 TEST(ScanRun, ItSaysWhatItWaitsFor)
 {
     ScanRun scan(8_deg, kStart);
-    EXPECT_TRUE(scan.obstacle(at(123.0)).isEmpty());
-    EXPECT_EQ(QStringLiteral("nobody told the power"), scan.obstacle(at(125.0)));
-    scan.moves(at(124.5));
-    EXPECT_TRUE(scan.obstacle(at(125.0)).isEmpty()) << "a slow mount may come from the other side of the sky";
-    scan.moves(at(600.5));
-    EXPECT_EQ(QStringLiteral("the mount does not come to rest"), scan.obstacle(at(601.0)));
+    EXPECT_TRUE(scan.obstacle(scanTime(123.0)).isEmpty());
+    EXPECT_EQ(QStringLiteral("nobody told the power"), scan.obstacle(scanTime(125.0)));
+    scan.moves(scanTime(124.5));
+    EXPECT_TRUE(scan.obstacle(scanTime(125.0)).isEmpty()) << "a slow mount may come from the other side of the sky";
+    scan.moves(scanTime(600.5));
+    EXPECT_EQ(QStringLiteral("the mount does not come to rest"), scan.obstacle(scanTime(601.0)));
 }
 
 // Of a weak source half a beam beside the other line half the power is seen, and then nothing is found.
@@ -73,21 +73,21 @@ TEST(ScanRun, TheSecondLineGoesThroughThePeakOfTheFirst)
         now += 5.0;
         EXPECT_EQ(Angle{}, scan.offset().elevation);
         const double off = scan.offset().across.degrees() - 1.0;
-        scan.give(-60.0 - 0.3 * off * off, at(now));
+        scan.give(-60.0 - 0.3 * off * off, scanTime(now));
     }
     EXPECT_NEAR(1.0, scan.offset().across.degrees(), 0.01);
     EXPECT_EQ(-4_deg, scan.offset().elevation);
-    EXPECT_TRUE(scan.obstacle(at(now)).isEmpty());
+    EXPECT_TRUE(scan.obstacle(scanTime(now)).isEmpty());
 }
 
 TEST(ScanRun, EndsAfterTheFirstLineIfThatHasNoPeak)
 {
     ScanRun scan(8_deg, kStart);
     for (int place = 0; place < ScanRun::kPlaces; ++place) {
-        EXPECT_TRUE(scan.obstacle(at(5.0 * place)).isEmpty());
-        scan.give(-60.0, at(5.0 * (place + 1)));
+        EXPECT_TRUE(scan.obstacle(scanTime(5.0 * place)).isEmpty());
+        scan.give(-60.0, scanTime(5.0 * (place + 1)));
     }
-    EXPECT_TRUE(scan.obstacle(at(45.0)).startsWith(QStringLiteral("across: the power changes by 0.00 dB only")));
+    EXPECT_TRUE(scan.obstacle(scanTime(45.0)).startsWith(QStringLiteral("across: the power changes by 0.00 dB only")));
 }
 
 TEST(ScanRun, OnTheWayBackNothingIsListenedTo)
@@ -96,14 +96,14 @@ TEST(ScanRun, OnTheWayBackNothingIsListenedTo)
     double now = 0.0;
     for (int place = 0; place < 2 * ScanRun::kPlaces; ++place) {
         now += 5.0;
-        ASSERT_TRUE(scan.wantsPower(at(now)));
+        ASSERT_TRUE(scan.wantsPower(scanTime(now)));
         const calibration::SkyOffset offset = scan.offset();
         const double off = std::hypot(offset.across.degrees() - 1.0, offset.elevation.degrees() + 0.5);
-        scan.give(-60.0 - 0.3 * off * off, at(now));
+        scan.give(-60.0 - 0.3 * off * off, scanTime(now));
     }
-    scan.hear(0.0, at(now + 5.0));
-    EXPECT_FALSE(scan.heard(at(now + 10.0)));
-    EXPECT_TRUE(scan.done(at(now + 5.0)));
+    scan.hear(0.0, scanTime(now + 5.0));
+    EXPECT_FALSE(scan.heard(scanTime(now + 10.0)));
+    EXPECT_TRUE(scan.done(scanTime(now + 5.0)));
     const auto peak = scan.outcome({.azimuth = 100_deg, .elevation = 0_deg});
     ASSERT_TRUE(peak) << peak.error().text;
     EXPECT_NEAR(101.0, peak->peak.azimuth.degrees(), 0.01);

@@ -15,7 +15,7 @@ using Degrees = std::function<double(double second)>;
 const SensorCheckSettings kSettings{
     .threshold = 10_deg, .time = Seconds(1.5), .latency = Seconds(0.6), .averaging = Seconds(1.0)};
 
-SteadyTime at(double second)
+SteadyTime sensorTime(double second)
 {
     return SteadyTime{std::chrono::duration_cast<SteadyTime::duration>(Seconds(second))};
 }
@@ -36,19 +36,19 @@ struct CheckRig
         }
         return {.direction = {.azimuth = Angle::fromDegrees(sum / 11.0 + error).wrapped360(),
                               .elevation = Angle::fromDegrees(elevation(second - 0.1) + elevationError)},
-                .arrival = at(second)};
+                .arrival = sensorTime(second)};
     }
 
     void run(double seconds)
     {
         for (const double end = second + seconds; second < end; second += 0.02) {
-            check.note(at(second), SkyPointing{.azimuth = Angle::fromDegrees(azimuth(second)).wrapped360(),
-                                               .elevation = Angle::fromDegrees(elevation(second))});
+            check.note(sensorTime(second), SkyPointing{.azimuth = Angle::fromDegrees(azimuth(second)).wrapped360(),
+                                                       .elevation = Angle::fromDegrees(elevation(second))});
             if (second >= due) {
                 due += 1.03;
                 check.take(reading());
             }
-            check.tick(at(second));
+            check.tick(sensorTime(second));
             everDisagreed = everDisagreed || check.disagrees();
             if (check.disagrees() && !told) {
                 told = second;
@@ -169,7 +169,7 @@ TEST(SensorCheck, WhereTheAxesAreNotKnownNothingIsCompared)
     rig.error = 90.0;
     rig.run(5.0);
     ASSERT_TRUE(rig.check.disagrees());
-    rig.check.note(at(rig.second), std::nullopt);
+    rig.check.note(sensorTime(rig.second), std::nullopt);
     rig.check.take(rig.reading());
     EXPECT_FALSE(rig.check.disagrees());
     EXPECT_FALSE(rig.check.difference(Axis::Azimuth).now);

@@ -7,16 +7,20 @@
 namespace boresight {
 namespace {
 
-pointing::KeepOut mast(Angle top = 40_deg)
+pointing::KeepOut stationMast(Angle top = 40_deg)
 {
-    return {.name = "mast", .azimuthFrom = 300_deg, .azimuthTo = 330_deg, .elevationMin = 0_deg, .elevationMax = top};
+    return {.name = "stationMast",
+            .azimuthFrom = 300_deg,
+            .azimuthTo = 330_deg,
+            .elevationMin = 0_deg,
+            .elevationMax = top};
 }
 
 // The case of scenario S15: 25° all round but for a valley, and a box in the north-west.
 pointing::Region roof()
 {
     return {.horizon = {{210_deg, 25_deg}, {214_deg, 0_deg}, {262_deg, 0_deg}, {266_deg, 25_deg}},
-            .keepOuts = {mast()}};
+            .keepOuts = {stationMast()}};
 }
 
 profile::Profile profileWith(const pointing::Region& region)
@@ -59,30 +63,30 @@ struct RegionRig : StationRig
 
 TEST(StationRegion, TheOperatorIsRefusedAForbiddenPlaceAndToldTheNearest)
 {
-    RegionRig rig({.keepOuts = {mast()}});
+    RegionRig rig({.keepOuts = {stationMast()}});
     const auto answer = rig.point(315, 35, kOperator);
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error().code, ErrorCode::OutOfRange);
     EXPECT_EQ(answer.error().text,
-              "azimuth -45.0° elevation 35.0° is in the keep-out \"mast\"; permitted nearest to it: "
+              "azimuth -45.0° elevation 35.0° is in the keep-out \"stationMast\"; permitted nearest to it: "
               "-45.00° 40.00°");
     EXPECT_EQ(rig.commands(), 0U);
 }
 
 TEST(StationRegion, ParkingInAKeepOutIsRefused)
 {
-    profile::Profile profile = profileWith({.keepOuts = {mast()}});
+    profile::Profile profile = profileWith({.keepOuts = {stationMast()}});
     profile.park = {.azimuth = 315_deg, .elevation = 10_deg};
     StationRig rig(profile);
     rig.run(Seconds(0.1));
     const auto answer = rig.ask(request::Park{});
     ASSERT_FALSE(answer);
-    EXPECT_NE(answer.error().text.find("keep-out \"mast\""), std::string::npos);
+    EXPECT_NE(answer.error().text.find("keep-out \"stationMast\""), std::string::npos);
 }
 
 TEST(StationRegion, AGoToIsDrivenAroundAndShowsItsRoute)
 {
-    RegionRig rig({.keepOuts = {mast()}});
+    RegionRig rig({.keepOuts = {stationMast()}});
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 290_deg, .elevation = 5_deg}}));
     rig.settlePermitted();
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 340_deg, .elevation = 5_deg}}));
@@ -96,7 +100,7 @@ TEST(StationRegion, AGoToIsDrivenAroundAndShowsItsRoute)
 
 TEST(StationRegion, ADirectionBehindAWallIsReachedByAnotherTurn)
 {
-    RegionRig rig({.keepOuts = {mast(90_deg)}});
+    RegionRig rig({.keepOuts = {stationMast(90_deg)}});
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 290_deg, .elevation = 5_deg}}));
     rig.settlePermitted();
     ASSERT_TRUE(rig.point(340, 5, kOperator));
@@ -104,7 +108,7 @@ TEST(StationRegion, ADirectionBehindAWallIsReachedByAnotherTurn)
     EXPECT_NEAR(rig.azimuthDegrees(), -20, 0.001);
     const auto answer = rig.ask(request::PointAxes{{.azimuth = 340_deg, .elevation = 5_deg}});
     ASSERT_FALSE(answer);
-    EXPECT_NE(answer.error().text.find("the keep-out \"mast\" is in between"), std::string::npos);
+    EXPECT_NE(answer.error().text.find("the keep-out \"stationMast\" is in between"), std::string::npos);
 }
 
 TEST(StationRegion, AClientGetsTheNearestPermittedPlace)
@@ -138,7 +142,7 @@ TEST(StationRegion, AClientIsRefusedWhereTheProfileSaysSo)
 
 TEST(StationRegion, AHeldJogStopsAtTheEdgeSaysSoAndIsLetBack)
 {
-    RegionRig rig({.keepOuts = {mast()}});
+    RegionRig rig({.keepOuts = {stationMast()}});
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 295_deg, .elevation = 5_deg}}));
     rig.settlePermitted();
     const auto jog = [&rig](AngularRate rate) {
@@ -151,8 +155,8 @@ TEST(StationRegion, AHeldJogStopsAtTheEdgeSaysSoAndIsLetBack)
     EXPECT_NEAR(rig.azimuthDegrees(), 300, 0.001);
     const StationStatus status = rig.control.status();
     EXPECT_EQ(status.azimuth.state, AxisState::Limit);
-    EXPECT_EQ(status.azimuth.stateText, QStringLiteral("at the keep-out \"mast\""));
-    EXPECT_TRUE(rig.logged(QStringLiteral("held at the keep-out \"mast\"")));
+    EXPECT_EQ(status.azimuth.stateText, QStringLiteral("at the keep-out \"stationMast\""));
+    EXPECT_TRUE(rig.logged(QStringLiteral("held at the keep-out \"stationMast\"")));
     jog(-1_deg_s);
     EXPECT_LT(rig.azimuthDegrees(), 297);
 }
@@ -190,7 +194,7 @@ TEST(StationRegion, DrawnOntoTheMountItHoldsAndOnlyLetsOut)
     RegionRig rig({});
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 310_deg, .elevation = 38_deg}}));
     rig.settle();
-    rig.draw({.keepOuts = {mast()}});
+    rig.draw({.keepOuts = {stationMast()}});
     rig.run(Seconds(2.0));
     EXPECT_NEAR(rig.elevationDegrees(), 38, 0.001) << "it does not move by itself";
     for (int i = 0; i < 10; ++i) {
@@ -211,7 +215,7 @@ TEST(StationRegion, AnEdgeDrawnAcrossAGoToEndsItWithTheReason)
     rig.settle();
     ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 400_deg, .elevation = 5_deg}}));
     rig.tick();
-    rig.draw({.keepOuts = {mast(90_deg)}});
+    rig.draw({.keepOuts = {stationMast(90_deg)}});
     rig.run(Seconds(3.0));
     EXPECT_EQ(rig.state(), StationState::Hold);
     EXPECT_LT(rig.azimuthDegrees(), 300.001);

@@ -11,7 +11,7 @@
 namespace boresight {
 namespace {
 
-const rotctld::Client kGpredict{.id = 1, .address = "127.0.0.1:50000"};
+const rotctld::Client kRotatorGpredict{.id = 1, .address = "127.0.0.1:50000"};
 
 struct RotatorRig : StationRig
 {
@@ -19,8 +19,8 @@ struct RotatorRig : StationRig
 
     Result<> pointTo(double azimuthDegrees_, double elevationDegrees_)
     {
-        return rotator.pointTo(kGpredict, {.azimuth = Angle::fromDegrees(azimuthDegrees_),
-                                           .elevation = Angle::fromDegrees(elevationDegrees_)});
+        return rotator.pointTo(kRotatorGpredict, {.azimuth = Angle::fromDegrees(azimuthDegrees_),
+                                                  .elevation = Angle::fromDegrees(elevationDegrees_)});
     }
 
     StationRotator rotator{control, profile, log, clock};
@@ -51,11 +51,11 @@ TEST(StationRotator, ReportsTheMeasuredAzimuthInTheConventionOfTheProfile)
                                             std::pair{profile::AzimuthConvention::Continuous, 365.0}}) {
         RotatorRig rig(withConvention(convention));
         turnByHand(rig, 365.0);
-        EXPECT_NEAR(rig.rotator.position(kGpredict)->azimuth.degrees(), shown, 1e-4);
+        EXPECT_NEAR(rig.rotator.position(kRotatorGpredict)->azimuth.degrees(), shown, 1e-4);
     }
     RotatorRig rig(withConvention(profile::AzimuthConvention::PlusMinus180));
     turnByHand(rig, 270.0);
-    EXPECT_NEAR(rig.rotator.position(kGpredict)->azimuth.degrees(), -90.0, 1e-4);
+    EXPECT_NEAR(rig.rotator.position(kRotatorGpredict)->azimuth.degrees(), -90.0, 1e-4);
 }
 
 TEST(StationRotator, AdvertisesTheTravelAndTheWholeCircleOfTheConvention)
@@ -81,11 +81,11 @@ TEST(StationRotator, RefuseMeansTheAdvertisedNumbers)
 TEST(StationRotator, MoveRunsAtAShareOfTheFastestJogRate)
 {
     RotatorRig rig;
-    ASSERT_TRUE(rig.rotator.move(kGpredict, rotctld::MoveDirection::Right, 50));
+    ASSERT_TRUE(rig.rotator.move(kRotatorGpredict, rotctld::MoveDirection::Right, 50));
     rig.run(Seconds(5.0));
     EXPECT_NEAR(rig.control.status().azimuth.commandedRate->degrees(), rig.profile.jog.fast.degrees() / 2.0, 1e-6);
     EXPECT_TRUE(rig.rotator.motion().movingRight);
-    ASSERT_TRUE(rig.rotator.stop(kGpredict));
+    ASSERT_TRUE(rig.rotator.stop(kRotatorGpredict));
     rig.run(Seconds(5.0));
     EXPECT_FALSE(rig.rotator.motion().movingRight);
 }
@@ -95,19 +95,19 @@ TEST(StationRotator, OnlyWhoMayMoveSetsTheSpeed)
 {
     RotatorRig rig;
     const rotctld::Client other{.id = 2, .address = "10.0.0.9:50000"};
-    rig.rotator.clientConnected(kGpredict);
+    rig.rotator.clientConnected(kRotatorGpredict);
     rig.rotator.clientConnected(other);
-    EXPECT_TRUE(rig.rotator.setSpeedLevel(kGpredict, 4));
+    EXPECT_TRUE(rig.rotator.setSpeedLevel(kRotatorGpredict, 4));
     ASSERT_TRUE(rig.pointTo(20.0, 20.0));
     const Result<> refused = rig.rotator.setSpeedLevel(other, 1);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::Refused);
     EXPECT_EQ(rig.lastLog().substr(0, 16), "V SPEED refused:");
-    ASSERT_TRUE(rig.rotator.move(kGpredict, rotctld::MoveDirection::Right, 0));
+    ASSERT_TRUE(rig.rotator.move(kRotatorGpredict, rotctld::MoveDirection::Right, 0));
     rig.run(Seconds(5.0));
     EXPECT_NEAR(rig.control.status().azimuth.commandedRate->degrees(), rig.profile.jog.fast.degrees(), 1e-6);
     ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
-    EXPECT_FALSE(rig.rotator.setSpeedLevel(kGpredict, 1));
+    EXPECT_FALSE(rig.rotator.setSpeedLevel(kRotatorGpredict, 1));
 }
 
 TEST(StationRotator, TheLogTellsWhatAClientSentButNotEveryRepetition)
@@ -127,7 +127,7 @@ TEST(StationRotator, TheLogTellsWhatAClientSentButNotEveryRepetition)
 TEST(StationRotator, ResetRearmsAfterAFaultAndIsHarmlessElse)
 {
     RotatorRig rig;
-    EXPECT_TRUE(rig.rotator.reset(kGpredict, 1));
+    EXPECT_TRUE(rig.rotator.reset(kRotatorGpredict, 1));
     EXPECT_EQ(rig.commands(), 0U);
     ASSERT_TRUE(rig.pointTo(20.0, 20.0));
     rig.run(Seconds(0.5));
@@ -135,7 +135,7 @@ TEST(StationRotator, ResetRearmsAfterAFaultAndIsHarmlessElse)
     rig.elevation.fault = 33;
     rig.run(Seconds(0.5));
     EXPECT_EQ(rig.state(), StationState::Fault);
-    EXPECT_TRUE(rig.rotator.reset(kGpredict, 1));
+    EXPECT_TRUE(rig.rotator.reset(kRotatorGpredict, 1));
     rig.run(Seconds(0.5));
     EXPECT_EQ(rig.state(), StationState::Standby);
 }
@@ -149,7 +149,7 @@ TEST(StationRotator, ComingAndGoingDoesNotHideWhyAClientWasDropped)
         rig.rotator.clientConnected(passer);
         rig.rotator.clientGone(passer, "closed the connection");
     }
-    rig.rotator.clientRemark(kGpredict, "dropped: sent 4096 bytes without a line end");
+    rig.rotator.clientRemark(kRotatorGpredict, "dropped: sent 4096 bytes without a line end");
     EXPECT_EQ(rig.lastLog(), "dropped: sent 4096 bytes without a line end");
 }
 
@@ -168,7 +168,7 @@ TEST(StationRotator, ResetWithoutDrivesIsAnError)
     RotatorRig rig;
     rig.azimuth.silent = rig.elevation.silent = true;
     rig.run(Seconds(2.0));
-    EXPECT_EQ(rig.rotator.reset(kGpredict, 1).error().code, ErrorCode::NoAnswer);
+    EXPECT_EQ(rig.rotator.reset(kRotatorGpredict, 1).error().code, ErrorCode::NoAnswer);
 }
 
 TEST(StationRotator, ResetSaysSoWhenItCannotRearm)
@@ -178,7 +178,7 @@ TEST(StationRotator, ResetSaysSoWhenItCannotRearm)
     rig.run(Seconds(0.5));
     rig.elevation.silent = true;
     rig.run(Seconds(0.5));
-    EXPECT_EQ(rig.rotator.reset(kGpredict, 1).error().code, ErrorCode::NoAnswer);
+    EXPECT_EQ(rig.rotator.reset(kRotatorGpredict, 1).error().code, ErrorCode::NoAnswer);
 }
 
 TEST(StationRotator, AContinuousAzimuthOutsideTheTravelIsADirection)
@@ -197,8 +197,8 @@ TEST(StationRotator, StopOfTheOperatorRefusesTheClient)
     RotatorRig rig;
     ASSERT_TRUE(rig.ask(request::Stop{}));
     EXPECT_EQ(rig.pointTo(10.0, 10.0).error().code, ErrorCode::Refused);
-    EXPECT_TRUE(rig.rotator.stop(kGpredict));
-    EXPECT_TRUE(rig.rotator.position(kGpredict));
+    EXPECT_TRUE(rig.rotator.stop(kRotatorGpredict));
+    EXPECT_TRUE(rig.rotator.position(kRotatorGpredict));
 }
 
 // A stream that rises by 0.5 °/s and ceases, while some client goes on reading the position every 0.8 s.
@@ -218,9 +218,9 @@ StationState afterSilence(RotatorRig& rig, const rotctld::Client& reader)
 TEST(StationRotator, AClientThatReadsOnIsContentWithThePathOfItsStream)
 {
     RotatorRig rig;
-    EXPECT_EQ(afterSilence(rig, kGpredict), StationState::Track);
+    EXPECT_EQ(afterSilence(rig, kRotatorGpredict), StationState::Track);
     EXPECT_NEAR(rig.elevationDegrees(), 10.0 + 0.5 * (10.0 + 4.8), 0.1);
-    rig.rotator.clientGone(kGpredict, "closed");
+    rig.rotator.clientGone(kRotatorGpredict, "closed");
     rig.settle();
     EXPECT_NEAR(rig.elevationDegrees(), 14.5, 0.001);
 }

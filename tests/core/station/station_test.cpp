@@ -101,7 +101,7 @@ struct SurveyedRig
     std::vector<StationUpdate> updates;
 };
 
-constexpr int kSurvey = 200;  // ticks; it takes 2.4 s
+constexpr int kStationSurvey = 200;  // ticks; it takes 2.4 s
 
 const request::PointSky kFarAway{{.azimuth = 200_deg, .elevation = 60_deg}};
 
@@ -125,7 +125,7 @@ TEST(Station, EveryTickIsSampledOnceWithTheAnswerToIt)
 {
     SurveyedRig rig;
     rig.station->openAll();
-    rig.run(kSurvey);
+    rig.run(kStationSurvey);
     rig.station->request({.id = 1, .request = kFarAway});
     rig.run(100);
     rig.station->publish();
@@ -198,7 +198,7 @@ TEST(Station, AnswersFindTheControlThatAsked)
 {
     SurveyedRig rig;
     rig.station->openAll();
-    rig.run(kSurvey);
+    rig.run(kStationSurvey);
     rig.station->request({.id = 7, .request = kFarAway});
     rig.station->request({.id = 8, .request = request::PointSky{{.azimuth = 0_deg, .elevation = -20_deg}}});
     rig.station->publish();
@@ -346,7 +346,7 @@ TEST(Station, SaysThatItHasStartedWhenThereIsAPositionOrNoneToExpect)
     SurveyedRig surveyed;
     QSignalSpy ready(surveyed.station.get(), &Station::started);
     surveyed.station->openAll();
-    surveyed.run(kSurvey);
+    surveyed.run(kStationSurvey);
     ASSERT_EQ(ready.size(), 1);
     EXPECT_EQ(ready[0][0].toString(), surveyed.station->status().listening);
 
@@ -364,7 +364,7 @@ TEST(Station, FinishesAfterTheMountStandsStill)
 {
     SurveyedRig rig;
     rig.station->openAll();
-    rig.run(kSurvey);
+    rig.run(kStationSurvey);
     rig.station->request({.id = 1, .request = kFarAway});
     rig.run(100);
     QSignalSpy finished(rig.station.get(), &Station::finished);
@@ -380,7 +380,7 @@ TEST(Station, AppliedSettingsAreInForceAndShownAsTheObjectThatIsObeyed)
 {
     SurveyedRig rig;
     rig.station->openAll();
-    rig.run(kSurvey);
+    rig.run(kStationSurvey);
     QSignalSpy applied(rig.station.get(), &Station::profileApplied);
     profile::Profile wanted = anyPort();
     wanted.limits.keepOuts = {
@@ -407,7 +407,7 @@ TEST(Station, ReconnectEndsInTheOrderlyWayAndAsksForTheNextStation)
 {
     SurveyedRig rig;
     rig.station->openAll();
-    rig.run(kSurvey);
+    rig.run(kStationSurvey);
     QSignalSpy finished(rig.station.get(), &Station::finished);
     QSignalSpy wanted(rig.station.get(), &Station::reconnectWanted);
     rig.station->request({.id = 1, .request = kFarAway});

@@ -19,7 +19,7 @@ using namespace boresight::tracking;
 
 namespace {
 
-constexpr Seconds kTick{0.02};
+constexpr Seconds kClosedLoopTick{0.02};
 
 double rounded(double degrees)
 {
@@ -63,7 +63,7 @@ public:
     template <class Read, class Send>
     void act(int tick, Read read, Send send)
     {
-        const double now = kTick.count() * tick;
+        const double now = kClosedLoopTick.count() * tick;
         if (tick % 25 == 0 && m_read && apart(m_satellite.at(now), *m_read)) {
             m_due = leading(now);
         }
@@ -130,13 +130,13 @@ public:
                 m_following == Following::Path ? m_stream.add(now, point) : m_stream.restart(now, point);
             });
         if (const auto target = m_stream.target(now)) {
-            m_azimuth.follow(kTick, target->position.azimuth, target->rates.azimuth);
-            m_elevation.follow(kTick, target->position.elevation, target->rates.elevation);
+            m_azimuth.follow(kClosedLoopTick, target->position.azimuth, target->rates.azimuth);
+            m_elevation.follow(kClosedLoopTick, target->position.elevation, target->rates.elevation);
         }
         ++m_tick;
     }
 
-    [[nodiscard]] double time() const { return kTick.count() * m_tick; }
+    [[nodiscard]] double time() const { return kClosedLoopTick.count() * m_tick; }
     [[nodiscard]] const Satellite& satellite() const { return m_satellite; }
     [[nodiscard]] const TargetStream& stream() const { return m_stream; }
     [[nodiscard]] AxisPosition antenna() const

@@ -18,7 +18,7 @@ using namespace boresight::tracking;
 
 namespace {
 
-struct Score
+struct StreamScore
 {
     double rms = 0.0;
     double peak = 0.0;
@@ -27,13 +27,13 @@ struct Score
 
 // Both axes driven along a recorded stream, scored as track_truth.csv asks: sky angle, elevation above 5°, 30 s after
 // rise. Azimuth is as fast as an 85° pass needs; 10 °/s would be keyhole, not stream.
-Score drive(const std::vector<Timed>& stream, const std::vector<Timed>& truth)
+StreamScore drive(const std::vector<Timed>& stream, const std::vector<Timed>& truth)
 {
     const MotionLimits limits{15_deg_s, 10_deg_s2, AngularJerk::fromDegrees(100)};
     AxisProfile azimuth(limits, {-90_deg, 450_deg}, stream.front().position.azimuth);
     AxisProfile elevation(limits, {0_deg, 90_deg}, 0_deg);
     TargetStream points;
-    Score score;
+    StreamScore score;
     auto next = stream.begin();
     int count = 0;
     for (std::size_t tick = 0; tick / 10 < truth.size(); ++tick) {
@@ -80,12 +80,12 @@ TEST(TargetStream, FollowsRecordedStreamsCloserThanTheirPoints)
     const auto truth = table("track_truth.csv", 1);
     // What the operator is promised for Gpredict's finest threshold is 0.35° rms and 1.6° peak; the points taken one by
     // one give 0.53° and 2.1°.
-    const std::map<std::string, Score> bounds{{"A45,gp_0.1", {0.12, 0.40}},     {"A85,gp_0.1", {0.13, 0.55}},
-                                              {"A45,ideal_0.1", {0.045, 0.10}}, {"A85,ideal_0.1", {0.06, 0.15}},
-                                              {"A45,ideal_0.01", {0.03, 0.06}}, {"A85,ideal_0.01", {0.045, 0.11}},
-                                              {"A45,gp_5", {3.4, 6.9}},         {"A85,gp_5", {3.0, 6.2}}};
+    const std::map<std::string, StreamScore> bounds{{"A45,gp_0.1", {0.12, 0.40}},     {"A85,gp_0.1", {0.13, 0.55}},
+                                                    {"A45,ideal_0.1", {0.045, 0.10}}, {"A85,ideal_0.1", {0.06, 0.15}},
+                                                    {"A45,ideal_0.01", {0.03, 0.06}}, {"A85,ideal_0.01", {0.045, 0.11}},
+                                                    {"A45,gp_5", {3.4, 6.9}},         {"A85,gp_5", {3.0, 6.2}}};
     for (const auto& [name, bound] : bounds) {
-        const Score score = drive(streams.at(name), truth.at(name.substr(0, 3)));
+        const StreamScore score = drive(streams.at(name), truth.at(name.substr(0, 3)));
         RecordProperty(name, formatFixed(score.rms, 3) + " rms, " + formatFixed(score.peak, 2) + " peak");
         EXPECT_LE(score.rms, bound.rms) << name;
         EXPECT_LE(score.peak, bound.peak) << name;
