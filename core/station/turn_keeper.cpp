@@ -95,19 +95,28 @@ bool TurnKeeper::needsOrigin(Axis axis, const survey::DriveFacts& facts) const
     return (phase == Phase::Unjudged || phase == Phase::Known) && old;
 }
 
-// A small step of what the drive reports, or one while this computer stood still, is not seen otherwise.
+// A small step of what the drive reports, or one while this computer stood still, is not seen otherwise. One reading
+// can be false: a second one must say the same.
 void TurnKeeper::watchOrigin(Axis axis, const survey::DriveFacts& facts)
 {
-    auto& mine = state(axis).origin;
-    const auto& read = facts.origin.origin;
-    if (!read || !isFresh(axis, facts)) {
+    State& mine = state(axis);
+    const survey::OriginReading& read = facts.origin;
+    if (!read.origin || !isFresh(axis, facts)) {
         return;
     }
-    if (mine && !memory::isSameOrigin(*mine, *read, period(axis, facts), m_profile.axis(axis).geometry)) {
+    if (!mine.origin || isSameOrigin(axis, facts, *mine.origin)) {
+        mine.origin = mine.origin ? mine.origin : read.origin;
+        mine.other = {};
+    } else if (read.asked != mine.other.asked && mine.other.origin && isSameOrigin(axis, facts, *mine.other.origin)) {
         forget(axis, Text::tr("The drive's position was set by another tool"));
-        return;
+    } else {
+        mine.other = read;
     }
-    mine = mine ? mine : read;
+}
+
+bool TurnKeeper::isSameOrigin(Axis axis, const survey::DriveFacts& facts, const moteus::CountOrigin& one) const
+{
+    return memory::isSameOrigin(one, *facts.origin.origin, period(axis, facts), m_profile.axis(axis).geometry);
 }
 
 Angle TurnKeeper::period(Axis axis, const survey::DriveFacts& facts) const

@@ -90,6 +90,7 @@ private:
         SteadyTime notBefore{};                                     // when the next judgement may be made
         moteus::HomeState homeState = moteus::HomeState::Relative;  // while the turn is known
         std::optional<moteus::CountOrigin> origin{};                // while the turn is known; nothing: not read yet
+        survey::OriginReading other{};                              // the last one, if it was not the same
     };
 
     [[nodiscard]] State& state(Axis axis) { return m_states[index(axis)]; }
@@ -107,6 +108,7 @@ private:
     void countFromTheMiddle(Axis axis, Drive& drive);
     void watchJog(Axis axis, const Drive& drive);
     void watchOrigin(Axis axis, const survey::DriveFacts& facts);
+    [[nodiscard]] bool isSameOrigin(Axis axis, const survey::DriveFacts& facts, const moteus::CountOrigin& one) const;
     [[nodiscard]] Angle period(Axis axis, const survey::DriveFacts& facts) const;
     void becomeKnown(Axis axis, const Drive& drive);
     void settle(Axis axis, Angle angle, Angle period, Drive& drive, const QString& source, const QString& why);
