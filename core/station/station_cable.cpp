@@ -28,6 +28,7 @@ constexpr Seconds kToldAnewAfter{10.0};
 // A stream's next target is no farther away than this; what is farther is another target.
 constexpr Angle kNextOfStream = Angle::fromDegrees(10.0);
 constexpr Angle kTurnedBack = Angle::fromDegrees(1.0);
+constexpr Angle kSameWay = Angle::fromDegrees(1e-6);
 
 // Ramps included; the jerk adds a part of a second.
 Seconds turnTime(const tracking::MotionLimits& limits)
@@ -148,7 +149,8 @@ std::optional<StationControl::TurnBack> StationControl::turnBackTo(const AxisPos
     const TravelRange& range = m_motion.region().ranges().azimuth;
     const auto leadsBeyond = [&](Angle from) {
         const Angle near = place.azimuth.nearestTo(from);
-        return abs(near - place.azimuth) > 180_deg && !range.contains(near);
+        const bool bothAsNear = abs(abs(near - from) - 180_deg) < kSameWay;
+        return !bothAsNear && abs(near - place.azimuth) > 180_deg && !range.contains(near);
     };
     const Angle here = standing().azimuth;
     if (!leadsBeyond(heading().azimuth) || !leadsBeyond(here)) {

@@ -118,6 +118,16 @@ TEST_F(StationCable, TheOtherEndTurnsItBackTheOtherWay)
     EXPECT_NEAR(rig.azimuthDegrees(), 266.0, 1.0);
 }
 
+// Story: from 90° to 270° was logged as "turns back by 180°: the cable ends at -90.0°".
+TEST_F(StationCable, HalfATurnIsNoTurnBack)
+{
+    standAt(90_deg);
+    ASSERT_TRUE(rig.point(270.0, 30.0, kOperator));
+    EXPECT_TRUE(turnBacks().empty());
+    rig.settle();
+    EXPECT_NEAR(std::abs(rig.azimuthDegrees() - 90.0), 180.0, 0.01);
+}
+
 TEST_F(StationCable, WhatEndsTheTurnBackEndsItsWords)
 {
     standAt(440_deg);
