@@ -55,7 +55,7 @@ std::string ClientLead::hostOf(std::uint64_t clientId) const
 
 bool ClientLead::leadHeld(const Rules& rules, SteadyTime now) const
 {
-    return rules.lead != profile::Lead::Last && m_leader && now - m_leader->since < kRelease &&
+    return rules.lead != profile::Lead::Last && m_leader && now - m_leader->seen < kRelease &&
            !lockedOut(rules, m_leader->host);
 }
 
@@ -144,7 +144,15 @@ void ClientLead::moved(const Source& client, SteadyTime now)
 {
     const bool same = m_leader && m_leader->client.clientId == client.clientId;
     const int motions = same ? m_leader->motions : 0;
-    m_leader = Leader{.client = client, .host = hostOf(client.clientId), .since = now, .motions = motions + 1};
+    m_leader =
+        Leader{.client = client, .host = hostOf(client.clientId), .since = now, .seen = now, .motions = motions + 1};
+}
+
+void ClientLead::followed(std::uint64_t clientId, SteadyTime now)
+{
+    if (m_leader && m_leader->client.clientId == clientId && now - m_leader->seen < kRelease) {
+        m_leader->seen = now;
+    }
 }
 
 Result<> ClientLead::give(const Rules& rules, std::uint64_t clientId, SteadyTime now)
@@ -159,7 +167,8 @@ Result<> ClientLead::give(const Rules& rules, std::uint64_t clientId, SteadyTime
     }
     found->second.readOnly = false;
     found->second.waits = false;
-    m_leader = Leader{.client = found->second.client, .host = found->second.host, .since = now, .given = true};
+    m_leader =
+        Leader{.client = found->second.client, .host = found->second.host, .since = now, .seen = now, .given = true};
     return {};
 }
 
@@ -184,6 +193,7 @@ void ClientLead::resume(SteadyTime now)
     m_passers.clear();
     if (m_leader && !m_leader->left) {
         m_leader->since = now;
+        m_leader->seen = now;
     }
 }
 

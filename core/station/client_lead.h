@@ -36,6 +36,8 @@ public:
     void asked(const Source& client, SteadyTime now);
     // It has moved the mount.
     void moved(const Source& client, SteadyTime now);
+    // It reads where the mount is, which follows it: it is there, though its target stands still for a while.
+    void followed(std::uint64_t clientId, SteadyTime now);
 
     // This client has re-armed the drives, which is an act of its own. Every other client that keeps asking for motions
     // waits: the mount must not set off because a stream went on through the fault. The wait ends when the client asks
@@ -79,6 +81,7 @@ private:
         Source client;
         std::string host;
         SteadyTime since{};  // its last motion command, or the operator's word
+        SteadyTime seen{};   // the same, or that it was followed
         int motions = 0;
         bool given = false;  // and has not moved the mount yet
         bool left = false;   // after a single command: its host may come again

@@ -111,6 +111,7 @@ void StationControl::positionRead(std::uint64_t clientId)
 {
     if (m_activity == Activity::Streaming && followsClient() && m_commander.clientId == clientId) {
         m_motion.confirmStream(m_now);
+        m_lead.followed(clientId, m_now);
     }
 }
 

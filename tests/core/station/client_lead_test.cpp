@@ -46,6 +46,23 @@ protected:
     ClientLead lead;
 };
 
+// Story: Gpredict with a threshold of 0.1° says nothing for 12 to 16 s while a satellite moves slowly, and lost the
+// mount in mid-pass to a program that asked just then.
+TEST_F(ClientLeadTest, WhoIsFollowedAndReadsKeepsTheLead)
+{
+    EXPECT_EQ(moves(1), "");
+    for (int second = 0; second < 60; ++second) {
+        pass(1.0);
+        lead.followed(1, clock.now());
+        lead.followed(2, clock.now());
+    }
+    EXPECT_EQ(moves(2), "rotctld client 1 has the lead: it sent its last command 60 s ago");
+    pass(10.0);
+    EXPECT_EQ(moves(2), "");
+    lead.followed(1, clock.now());
+    EXPECT_TRUE(leads(2));
+}
+
 TEST_F(ClientLeadTest, TheFirstKeepsTheLeadWhileItSends)
 {
     EXPECT_FALSE(leads(1));
