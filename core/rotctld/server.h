@@ -66,6 +66,8 @@ public:
 
     // Who may connect from now on, by address; who is connected and may not is hung up on.
     void setAllowed(const std::vector<std::string>& entries);
+    // From now on; who is connected stays.
+    void setMaxClients(std::size_t count) { m_settings.maxClients = count; }
     // Hangs up on one client; its program may connect anew. False when there is none of this number.
     bool disconnect(std::uint64_t id, const std::string& reason);
 

@@ -22,6 +22,7 @@ public:
 
     void take(const CanFrame& frame) { m_survey.take(frame); }
     // After the tick of StationControl; the frames to send beside its own.
+    void setProfile(const profile::Profile& profile) { m_survey.setProfile(profile); }
     [[nodiscard]] std::vector<CanFrame> tick(SteadyTime now);
     // While settings are being written, nothing else is done to the drives.
     [[nodiscard]] Result<> admits(const Request& request) const;

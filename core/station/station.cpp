@@ -458,8 +458,10 @@ void Station::apply(const profile::Profile& wanted)
                 .arg(toQString(change.key), toQString(change.before), toQString(change.after)));
     }
     m_control.setProfile(*m_profile.inForce());
+    m_care.setProfile(*m_profile.inForce());
     m_rotator.setProfile(*m_profile.inForce());
     m_server.setAllowed(m_profile.inForce()->rotctld.allow);
+    m_server.setMaxClients(serverSettings(m_profile.inForce()->rotctld).maxClients);
     tellOpenPort();
     m_broker.apply(m_profile.inForce()->mqtt);
     m_sensor.apply(*m_profile.inForce());

@@ -36,6 +36,23 @@ AxisSurvey::AxisSurvey(const profile::Profile& profile, Axis axis)
     forget();
 }
 
+void AxisSurvey::setProfile(const profile::Profile& profile)
+{
+    m_next = protectionsOf(profile, m_axis);
+    if (m_step != Step::Setting && m_step != Step::Storing) {
+        takeNext();
+    }
+}
+
+// The keys are the same for every profile: only what is wanted of them changes.
+void AxisSurvey::takeNext()
+{
+    if (m_next) {
+        m_protections = *std::exchange(m_next, std::nullopt);
+        judge();
+    }
+}
+
 void AxisSurvey::forget()
 {
     m_readings.assign(m_protections.size(), {});
@@ -59,6 +76,7 @@ void AxisSurvey::read(const moteus::Uuid& board)
 
 void AxisSurvey::startReading()
 {
+    takeNext();
     std::vector<std::string> commands{"tel stop"};
     std::ranges::transform(m_protections, std::back_inserter(commands), getCommand);
     commands.insert(commands.end(), {kOriginFormat, kGetOrigin});

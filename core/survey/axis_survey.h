@@ -35,6 +35,8 @@ class AxisSurvey
 {
 public:
     AxisSurvey(const profile::Profile& profile, Axis axis);
+    // What the settings should be from now on; what is being written is written first. What was read of them stays.
+    void setProfile(const profile::Profile& profile);
 
     void read(const moteus::Uuid& board);
     // Sets what differs, reads back, and stores only if all of it was taken; then reads everything again.
@@ -75,6 +77,7 @@ private:
         std::vector<Reading> readings;
     };
 
+    void takeNext();
     void startReading();
     void startOrigin();
     void finishRun();
@@ -91,6 +94,7 @@ private:
     Axis m_axis;
     int m_id;
     std::vector<Protection> m_protections;
+    std::optional<std::vector<Protection>> m_next;  // instead, as soon as nothing is being written
     std::vector<Reading> m_readings;
     std::vector<ProtectionLine> m_lines;
     moteus::Uuid m_board{};

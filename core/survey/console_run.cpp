@@ -9,7 +9,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kReplyTime = 50ms;
-constexpr int kMaxTries = 3;
+constexpr int kConsoleRunMaxTries = 3;
 // Polls without text, one a tick. The command itself is not acknowledged: this is how its loss is noticed.
 constexpr int kEmptyWhenReading = 8;
 constexpr int kEmptyWhenStoring = 100;
@@ -68,7 +68,7 @@ void ConsoleRun::collect()
     if (answer || (refused && !confused)) {
         m_answers.push_back(std::move(answer));
         m_tries = 0;
-    } else if (m_tries >= kMaxTries) {
+    } else if (m_tries >= kConsoleRunMaxTries) {
         m_trouble = answer.error().text;
     }
 }

@@ -48,6 +48,17 @@ DriveSurvey::DriveSurvey(const profile::Profile& profile, const KnownBoards& kno
               Side{Axis::Elevation, profile.elevation.id, AxisSurvey(profile, Axis::Elevation)}}
 {}
 
+void DriveSurvey::setProfile(const profile::Profile& profile)
+{
+    m_profile = profile;
+    for (Side& side : m_sides) {
+        side.drive.setProfile(profile);
+    }
+    if (m_state == SurveyState::Done) {
+        collectFindings();
+    }
+}
+
 void DriveSurvey::begin(SteadyTime now)
 {
     m_retrying = false;

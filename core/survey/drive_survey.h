@@ -34,6 +34,8 @@ class DriveSurvey
 public:
     DriveSurvey(const profile::Profile& profile, const KnownBoards& known);
 
+    // In force from now on: what was found is judged anew.
+    void setProfile(const profile::Profile& profile);
     // From the beginning; also after other tools had the bus.
     void begin(SteadyTime now);
     // The bus or a drive was lost: nothing is known until begin().

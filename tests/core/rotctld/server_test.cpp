@@ -326,6 +326,20 @@ TEST(RotctldServer, TurnsAwayWhoMayNotConnect)
     EXPECT_EQ(fixture.connect()->ask("p\n", 2), "0.00\n0.00\n");
 }
 
+TEST(RotctldServer, TheNumberOfClientsCanBeChangedWhileItRuns)
+{
+    ServerFixture fixture({.maxClients = 8});
+    const auto one = fixture.connect();
+    const auto two = fixture.connect();
+    EXPECT_EQ(one->ask("p\n", 2), "0.00\n0.00\n");
+    EXPECT_EQ(two->ask("p\n", 2), "0.00\n0.00\n");
+    fixture.server->setMaxClients(1);
+    EXPECT_EQ(fixture.connect()->receiveUntilClosed(), "");
+    EXPECT_EQ(two->ask("p\n", 2), "0.00\n0.00\n") << "who is connected stays";
+    fixture.server->setMaxClients(8);
+    EXPECT_EQ(fixture.connect()->ask("p\n", 2), "0.00\n0.00\n");
+}
+
 TEST(RotctldServer, AnIpv4ClientOfADualListenerIsAnIpv4Client)
 {
     ServerFixture fixture({.host = "::", .allow = {"127.0.0.0/8"}});

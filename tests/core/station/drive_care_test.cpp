@@ -3,6 +3,7 @@
 #include "core/station/drive_care.h"
 
 #include "core/sim/simulated_pair.h"
+#include "tests/core/station/station_rig.h"
 #include "tests/fakes/manual_clock.h"
 
 #include <gmock/gmock.h>
@@ -19,8 +20,7 @@ using survey::Verdict;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const Source kOperator{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
-constexpr Seconds kTick{0.02};
+constexpr Seconds kDriveCareTick{0.02};
 
 struct CareRig
 {
@@ -39,8 +39,8 @@ struct CareRig
             }
         }
         surveyed = surveyed || frames.size() > motion.size();
-        clock.advance(kTick);
-        elapsed += kTick;
+        clock.advance(kDriveCareTick);
+        elapsed += kDriveCareTick;
         pair.advanceTo(elapsed);
         deliver();
     }
@@ -187,6 +187,27 @@ TEST(DriveCare, FixingMakesTheDrivesFitAndEndsTheAlarm)
     EXPECT_TRUE(rig.logSays("written: elevation: servo.timeout_mode was 12 (damp), is 10 (hold)"));
     EXPECT_FALSE(rig.logSays("changed meanwhile")) << "nobody else has touched it";
     EXPECT_EQ(rig.ask(kGo), "");
+}
+
+// Story: with a new speed in force, the drives' limits were judged, shown and written by Fix for the speed of the
+// start.
+TEST(DriveCare, TheProtectionsAreThoseOfTheProfileInForce)
+{
+    CareRig rig;
+    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_FALSE(rig.drives().fixable);
+    profile::Profile faster = rig.profile;
+    faster.azimuth.limits.speed = 2.0 * faster.azimuth.limits.speed;
+    rig.care.setProfile(faster);
+    ASSERT_TRUE(rig.drives().fixable);
+    ASSERT_EQ(rig.ask(request::FixDrives{}), "");
+    rig.care.setProfile(rig.profile);
+    ASSERT_TRUE(rig.endsItsSurvey());
+    EXPECT_TRUE(rig.logSays("written: azimuth: servo.default_velocity_limit was"));
+    EXPECT_TRUE(rig.drives().fixable) << "changed back meanwhile";
+    ASSERT_EQ(rig.ask(request::FixDrives{}), "");
+    ASSERT_TRUE(rig.endsItsSurvey());
+    EXPECT_FALSE(rig.drives().fixable);
 }
 
 // A drive that is written while it is active lets its axis go (fault 41).
