@@ -79,7 +79,7 @@ void GuideDirections::addAxis(QGridLayout& grid, Axis axis, RequestDesk& desk)
     const bool azimuth = axis == Axis::Azimuth;
     Row& row = m_rows[axisIndex(axis)];
     row.arrow = new DirectionArrow(axis, this);
-    row.hold = new HoldButtons(desk, *m_notice, tr("Test move"), kRate, this);
+    row.hold = new HoldButtons(desk, *m_notice, tr("Test move"), this);
     const QString rate = rateText(kRate);
     if (azimuth) {
         row.hold->addButton(JogDirection::Left, tr("AZ ↺\n(hold)"), tr("Turn azimuth back at %1 while held").arg(rate));

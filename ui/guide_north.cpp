@@ -76,7 +76,7 @@ GuideNorth::GuideNorth(ProfileChange& change, RequestDesk& desk, QWidget* parent
                          .unit = QStringLiteral("°")},
                         this)),
       m_replace(new QCheckBox(tr("Replace the known north"), this)),
-      m_hold(new HoldButtons(desk, *m_notice, tr("Move"), {}, this)),
+      m_hold(new HoldButtons(desk, *m_notice, tr("Move"), this)),
       m_set(new CommandButton(tr("Set north"), tr("Sets the azimuth offset of the pointing model; nothing moves"), desk,
                               *m_notice, this)),
       m_panel(makePushButton({.text = tr("Sensor, Sun, Moon (Ctrl+9)"),

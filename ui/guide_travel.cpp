@@ -74,7 +74,7 @@ QWidget* GuideTravel::makeAxis(Axis axis, RequestDesk& desk)
     row.maxHere = makeHere(axis, *row.max, tr("upper"), box);
     row.bar = new LimitBar(box);
     row.bar->setToolTip(tr("Travel of the %1 in force; the pointer is where it is now").arg(name(axis)));
-    row.hold = new HoldButtons(desk, *m_notice, tr("Move"), {}, box);
+    row.hold = new HoldButtons(desk, *m_notice, tr("Move"), box);
     row.hold->addAxis(axis, tr("Towards the lower end of %1 while held").arg(name(axis)),
                       tr("Towards the upper end of %1 while held").arg(name(axis)));
     grid->addWidget(makeCaption(shortName(axis), box), 0, 0);

@@ -21,7 +21,7 @@ namespace {
 
 constexpr Axis kAxis = Axis::Elevation;
 
-QString rangeText(const TravelRange& range)
+QString travelText(const TravelRange& range)
 {
     return angleText(range.min, 1) + QStringLiteral("…") + angleText(range.max, 1);
 }
@@ -37,7 +37,7 @@ GuideZero::GuideZero(ProfileChange& change, RequestDesk& desk, QWidget* parent)
       m_effect(new ValueLabel(tr("What the change does"), fonts::label(), {}, this)),
       m_truth(nullptr),
       m_endsStay(new QCheckBox(tr("Cable and stops are where they were: their numbers change"), this)),
-      m_hold(new HoldButtons(desk, *m_notice, tr("Move"), {}, this)),
+      m_hold(new HoldButtons(desk, *m_notice, tr("Move"), this)),
       m_set(new CommandButton(tr("Set it"), tr("Takes the new zero into the profile and connects anew; nothing moves"),
                               desk, *m_notice, this))
 {
@@ -129,8 +129,8 @@ void GuideZero::showEffect()
     edit()(then);
     const QString by = signedAngleText(truth() - *now.actual);
     const QString ends = tr("travel %1, now %2")
-                             .arg(rangeText(then.axis(kAxis).geometry.travel),
-                                  rangeText(m_change.applied().axis(kAxis).geometry.travel));
+                             .arg(travelText(then.axis(kAxis).geometry.travel),
+                                  travelText(m_change.applied().axis(kAxis).geometry.travel));
     const QString bounds = m_endsStay->isChecked()
                                ? tr("The drives' own bounds stay right.")
                                : tr("The drives' own bounds are to be fixed afterwards (step Protect).");

@@ -9,13 +9,12 @@
 
 namespace boresight::ui {
 
-HoldButtons::HoldButtons(RequestDesk& desk, ValueLabel& notice, const QString& what, AngularRate rate, QWidget* parent)
+HoldButtons::HoldButtons(RequestDesk& desk, ValueLabel& notice, const QString& what, QWidget* parent)
     : QWidget(parent), m_desk(desk), m_notice(notice), m_what(what)
 {
     auto* const row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
-    setRate(rate);
     connect(&m_deadMan, &DeadMan::jog, this, &HoldButtons::send);
 }
 

@@ -21,9 +21,8 @@ class HoldButtons : public QWidget
     Q_OBJECT
 
 public:
-    // `what` begins the line that says why it was refused: "Unwind".
-    HoldButtons(RequestDesk& desk, ValueLabel& notice, const QString& what, AngularRate rate,
-                QWidget* parent = nullptr);
+    // `what` begins the line that says why it was refused: "Unwind". Nothing moves before setRate().
+    HoldButtons(RequestDesk& desk, ValueLabel& notice, const QString& what, QWidget* parent = nullptr);
 
     // Both ways of an axis, by key as well.
     void addAxis(Axis axis, const QString& lowerHelp, const QString& upperHelp);

@@ -33,11 +33,25 @@ void JogButton::setKeyHeld(bool on)
     setFocusPolicy(on ? Qt::StrongFocus : Qt::NoFocus);
 }
 
+void JogButton::setHelp(const QString& help)
+{
+    if (help != m_help) {
+        m_help = help;
+        setAccessibleName(help);
+        showHelp();
+    }
+}
+
+void JogButton::showHelp()
+{
+    setToolTip(m_reason.isEmpty() ? m_help : tr("%1: %2").arg(m_help, m_reason));
+}
+
 void JogButton::setBlocked(const QString& reason)
 {
     if (reason != m_reason) {
         m_reason = reason;
-        setToolTip(reason.isEmpty() ? m_help : tr("%1: %2").arg(m_help, reason));
+        showHelp();
         setAccessibleDescription(reason);
         setEnabled(reason.isEmpty());
     }

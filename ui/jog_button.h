@@ -17,6 +17,7 @@ public:
     JogButton(const QString& text, const QString& help, QWidget* parent = nullptr);
 
     void setKeyHeld(bool on);
+    void setHelp(const QString& help);
     void setBlocked(const QString& reason);  // empty: can act
     void letGo();
 
@@ -37,6 +38,7 @@ protected:
 
 private:
     void hold();
+    void showHelp();
 
     QString m_help;
     QString m_reason;

@@ -35,7 +35,7 @@ PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft,
       m_protection(new ProtectionPanel(desk, this)),
       m_profile(new ProfilePage(draft, desk, settings.configDir, this)),
       m_north(new CalibrationPanel(clock, desk, draft, this)),
-      m_turn(new TurnPage(desk, settings.unwind, this))
+      m_turn(new TurnPage(desk, this))
 {
     setFont(fonts::label());
     setAccessibleName(tr("Panels"));

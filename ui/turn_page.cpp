@@ -26,7 +26,7 @@ constexpr int kPlacesInRow = 4;
 
 }  // namespace
 
-TurnPage::TurnPage(RequestDesk& desk, AngularRate unwind, QWidget* parent)
+TurnPage::TurnPage(RequestDesk& desk, QWidget* parent)
     : QWidget(parent),
       m_title(new QLabel(this)),
       m_bar(new TurnBar(this)),
@@ -40,7 +40,7 @@ TurnPage::TurnPage(RequestDesk& desk, AngularRate unwind, QWidget* parent)
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_answer(
           new CommandButton(tr("It stands there"), tr("Take the selected place for the truth"), desk, *m_notice, this)),
-      m_unwind(new UnwindButtons(desk, *m_notice, unwind, this))
+      m_unwind(new UnwindButtons(desk, *m_notice, this))
 {
     m_fresh.setSingleShot(true);
     m_fresh.setInterval(kFresh);

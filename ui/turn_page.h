@@ -34,7 +34,7 @@ class TurnPage : public QWidget
 public:
     static constexpr std::size_t kFew = 7;  // candidates that get a button each
 
-    TurnPage(RequestDesk& desk, AngularRate unwind, QWidget* parent = nullptr);
+    explicit TurnPage(RequestDesk& desk, QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);
 

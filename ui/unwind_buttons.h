@@ -4,7 +4,7 @@
 #include "ui/hold_buttons.h"
 
 // Two buttons that turn one axis slowly back and forth while they are held: to unwind a cable by eye when nobody knows
-// which turn it is on.
+// which turn it is on. The rate is the profile's, as it is now.
 namespace boresight::ui {
 
 class UnwindButtons : public HoldButtons
@@ -12,9 +12,15 @@ class UnwindButtons : public HoldButtons
     Q_OBJECT
 
 public:
-    UnwindButtons(RequestDesk& desk, ValueLabel& notice, AngularRate rate, QWidget* parent = nullptr);
+    UnwindButtons(RequestDesk& desk, ValueLabel& notice, QWidget* parent = nullptr);
 
+    void showStatus(const StationStatus& status);
     void setAxis(Axis axis);
+
+private:
+    void showRate(AngularRate rate);
+
+    AngularRate m_rate;
 };
 
 }  // namespace boresight::ui

@@ -27,7 +27,6 @@ namespace boresight::ui {
 
 struct WindowSettings
 {
-    AngularRate unwind = 2_deg_s;  // while it is not known on which turn an axis stands
     ThemeKind theme = ThemeKind::Day;
     QString language;  // what was chosen (ui/language.h); the texts have it already
     GuideProgress guide;

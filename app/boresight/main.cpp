@@ -73,8 +73,7 @@ ui::GuideProgress guideProgress(const app::Options& options, const QSettings& la
 
 ui::WindowSettings windowSettings(const app::Options& options, const QSettings& layout)
 {
-    return {.unwind = options.profile.jog.unwind,
-            .theme = static_cast<ui::ThemeKind>(layout.value(kThemeKey, 0).toInt()),
+    return {.theme = static_cast<ui::ThemeKind>(layout.value(kThemeKey, 0).toInt()),
             .language = layout.value(kLanguageKey).toString(),
             .guide = guideProgress(options, layout),
             .alarmSound = layout.value(kSoundKey, true).toBool(),

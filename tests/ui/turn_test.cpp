@@ -23,7 +23,7 @@ StationStatus fewPlaces(bool proposed = true)
     return samples::asking(Axis::Azimuth, 3, 180_deg, proposed);
 }
 
-StationStatus manyPlaces()
+StationStatus manyTurns()
 {
     return samples::asking(Axis::Azimuth, 150, 3.6_deg, false);
 }
@@ -132,7 +132,7 @@ TEST_F(TurnTest, ArrowKeysChooseAmongTheFewPlaces)
 
 TEST_F(TurnTest, AmongManyPlacesAnAngleSelectsTheNearest)
 {
-    give(samples::update(manyPlaces()));
+    give(samples::update(manyTurns()));
     EXPECT_EQ(text("Selected place"), QStringLiteral("nothing selected"));
     field().setFocus();
     QTest::keyClicks(&field(), QStringLiteral("-30"));
@@ -149,7 +149,7 @@ TEST_F(TurnTest, AmongManyPlacesAnAngleSelectsTheNearest)
 // Story: -30° was entered, -14.2° was sent, and nobody was told.
 TEST_F(TurnTest, AnAngleFarFromAllPlacesSelectsNone)
 {
-    give(samples::update(manyPlaces()));
+    give(samples::update(manyTurns()));
     field().setFocus();
     QTest::keyClicks(&field(), QStringLiteral("-120"));
     EXPECT_EQ(text("Selected place"), QStringLiteral("nothing selected"));
@@ -203,25 +203,42 @@ TEST_F(TurnTest, ARefusalStandsBelowTheButton)
 TEST_F(TurnTest, UnwindingIsADeadManAtItsOwnRate)
 {
     give(samples::update(fewPlaces()));
-    auto* const back = named<QPushButton>("Turn counter-clockwise at 1.0°/s while held");
+    auto* const back = named<QPushButton>("Turn counter-clockwise at 2.0°/s while held");
     QTest::mousePress(back, Qt::LeftButton);
     ASSERT_TRUE(QTest::qWaitFor([this] { return asked<request::Jog>().size() >= 4; }));
-    EXPECT_EQ(asked<request::Jog>().back().rates, (AxisRates{-1_deg_s, 0_deg_s}));
+    EXPECT_EQ(asked<request::Jog>().back().rates, (AxisRates{-2_deg_s, 0_deg_s}));
     QTest::mouseRelease(back, Qt::LeftButton);
     EXPECT_EQ(asked<request::Jog>().back().rates, AxisRates{});
-    EXPECT_FALSE(named<QPushButton>("Raise at 1.0°/s while held")->isVisible());
+    EXPECT_FALSE(named<QPushButton>("Raise at 2.0°/s while held")->isVisible());
 
     give(samples::update(samples::asking(Axis::Elevation, 3, 30_deg, false)));
-    QTest::mousePress(named<QPushButton>("Raise at 1.0°/s while held"), Qt::LeftButton);
-    EXPECT_EQ(asked<request::Jog>().back().rates, (AxisRates{0_deg_s, 1_deg_s}));
+    QTest::mousePress(named<QPushButton>("Raise at 2.0°/s while held"), Qt::LeftButton);
+    EXPECT_EQ(asked<request::Jog>().back().rates, (AxisRates{0_deg_s, 2_deg_s}));
     openPanel('1');
     EXPECT_EQ(asked<request::Jog>().back().rates, AxisRates{}) << "leaving the page lets go";
+}
+
+// Story: lowered while the program ran, the rate of these buttons stayed that of the start, and every press was
+// refused.
+TEST_F(TurnTest, UnwindingIsAsFastAsTheProfileSaysNow)
+{
+    give(samples::update(fewPlaces()));
+    StationStatus slower = fewPlaces();
+    profile::Profile changed = *slower.profile;
+    changed.jog.unwind = 0.5_deg_s;
+    slower.profile = std::make_shared<const profile::Profile>(changed);
+    give(samples::update(slower));
+    auto* const back = named<QPushButton>("Turn counter-clockwise at 0.5°/s while held");
+    ASSERT_NE(back, nullptr);
+    QTest::mousePress(back, Qt::LeftButton);
+    EXPECT_EQ(asked<request::Jog>().back().rates, (AxisRates{-0.5_deg_s, 0_deg_s}));
+    QTest::mouseRelease(back, Qt::LeftButton);
 }
 
 TEST_F(TurnTest, UnwindingEndsWithThePermissionAndWithARefusal)
 {
     give(samples::update(fewPlaces()));
-    auto* const forth = named<QPushButton>("Turn clockwise at 1.0°/s while held");
+    auto* const forth = named<QPushButton>("Turn clockwise at 2.0°/s while held");
     QTest::mousePress(forth, Qt::LeftButton);
     StationStatus stopped = fewPlaces();
     stopped.state = StationState::Stopped;
@@ -329,7 +346,7 @@ TEST_F(TurnTest, ALimitOfAnUnknownTurnBlocksNoWay)
     StationStatus status = fewPlaces();
     status.azimuth.actual = status.azimuth.travel.max;
     give(samples::update(status));
-    EXPECT_TRUE(named<QPushButton>("Turn clockwise at 1.0°/s while held")->isEnabled());
+    EXPECT_TRUE(named<QPushButton>("Turn clockwise at 2.0°/s while held")->isEnabled());
 }
 
 memory::TurnQuestion question(std::vector<Angle> candidates, std::optional<Angle> proposed = {})

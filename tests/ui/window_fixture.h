@@ -32,12 +32,7 @@ protected:
         give(samples::update(samples::idle()));
     }
 
-    static WindowSettings settings()
-    {
-        WindowSettings settings;
-        settings.unwind = 1_deg_s;
-        return settings;
-    }
+    static WindowSettings settings() { return {}; }
 
     // By its key, Ctrl+digit.
     void openPanel(char digit) { QTest::keyClick(&window, digit, Qt::ControlModifier); }
