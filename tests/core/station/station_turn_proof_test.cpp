@@ -194,6 +194,21 @@ TEST(StationTurns, APositionSetWhileTheTurnIsKnownIsFoundOutBySeconds)
     }
 }
 
+// Story: a piece of the console's answer came twice. What it said was taken for a setting by another tool.
+TEST(StationTurns, OneFalseReadingOfTheOriginIsNoSetting)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
+    rig.settle();
+    survey::DriveFacts read = rig.facts[0];
+    read.origin.origin->offset += MotorTurns::fromTurns(0.5);
+    read.origin.asked = rig.clock.now();
+    rig.control.learn(Axis::Azimuth, read);
+    rig.run(Seconds(6.0));
+    EXPECT_TRUE(rig.control.status().drives.azimuth.turnKnown);
+}
+
 // Story: the axis stood where the drive counted from while it was asked; the setting to there was taken for another
 // tool's, some seconds after the answer.
 TEST(StationTurns, AnAnswerThatNeedsNoSettingIsKept)
