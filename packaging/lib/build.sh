@@ -13,15 +13,16 @@ parallel_jobs() {
 
 # Ninja decides what there is to do, and runs CMake again by itself when a CMakeLists.txt has changed.
 build_preset() {  # PRESET [TARGET…]
-    local preset=$1 folder=$BORESIGHT_TOP/build/$1
+    local preset=$1 folder=$BORESIGHT_TOP/build/$1 wanted
     shift
     mkdir -p "$folder"
-    if [[ ! -f $folder/build.ninja || $(cat "$folder/configured-with" 2>/dev/null) != "${QWT_ARGUMENTS[*]}" ]]; then
+    wanted="${QWT_ARGUMENTS[*]} $(cksum <"$BORESIGHT_TOP/CMakePresets.json")"
+    if [[ ! -f $folder/build.ninja || $(cat "$folder/configured-with" 2>/dev/null) != "$wanted" ]]; then
         say "configuring build/$preset"
         (cd "$BORESIGHT_TOP" &&
             quietly "$folder/configure.log" cmake --preset "$preset" -U 'Qwt_*' "${QWT_ARGUMENTS[@]}") ||
             fail "could not configure the preset $preset (build/$preset/configure.log)"
-        printf '%s\n' "${QWT_ARGUMENTS[*]}" >"$folder/configured-with"
+        printf '%s\n' "$wanted" >"$folder/configured-with"
     fi
     say "building build/$preset"
     (cd "$BORESIGHT_TOP" && cmake --build --preset "$preset" --parallel "$(parallel_jobs)" ${1:+--target "$@"}) >&2 ||

@@ -8,7 +8,7 @@
 # Compiler, build tools and every library that is linked. Google Test and Benchmark are here because one configured
 # folder serves both packaging/run and packaging/test.
 readonly build_packages=(
-    g++ cmake ninja-build 'pkgconf|pkg-config' ca-certificates
+    g++ cmake ninja-build mold 'pkgconf|pkg-config' ca-certificates
     qt6-base-dev 'qt6-svg-dev|libqt6svg6-dev' 'qt6-serialport-dev|libqt6serialport6-dev'
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools
     libgl-dev libexpected-dev libtomlplusplus-dev libarchive-dev libeigen3-dev liberfa-dev libmosquitto-dev libssl-dev
