@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mqtt/inlet.h"
 
+#include <linux/tcp.h>
+#include <netinet/in.h>
 #include <poll.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
@@ -23,10 +25,25 @@ void wakeAt(int socket, std::size_t bytes)
     setsockopt(socket, SOL_SOCKET, SO_RCVLOWAT, &wanted, sizeof wanted);
 }
 
-std::size_t waiting(int socket)
+// Bytes of the connection that were read from the socket: what has arrived, less what waits. Asked anew if something
+// came between the two questions.
+std::uint64_t consumed(int socket)
 {
-    int bytes = 0;
-    return ioctl(socket, FIONREAD, &bytes) == 0 ? static_cast<std::size_t>(bytes) : 0;
+    const auto arrived = [socket] {
+        tcp_info info{};
+        socklen_t size = sizeof info;
+        return getsockopt(socket, IPPROTO_TCP, TCP_INFO, &info, &size) == 0 ? std::uint64_t{info.tcpi_bytes_received}
+                                                                            : 0;
+    };
+    std::uint64_t before = 0;
+    std::uint64_t after = arrived();
+    int waiting = 0;
+    do {
+        before = after;
+        ioctl(socket, FIONREAD, &waiting);
+        after = arrived();
+    } while (after != before);
+    return after - static_cast<std::uint64_t>(waiting);
 }
 
 bool isEmptyForNow(ssize_t received)
@@ -62,6 +79,10 @@ bool Inlet::mayRead(int socket)
     if (m_toDrop > 0) {
         return drop(socket);
     }
+    if (m_end && consumed(socket) < *m_end) {
+        return true;
+    }
+    m_end.reset();
     std::array<std::uint8_t, kLongestHeader> ahead{};
     const ssize_t received = recv(socket, ahead.data(), ahead.size(), MSG_PEEK | MSG_DONTWAIT);
     if (received <= 0) {
@@ -79,10 +100,13 @@ bool Inlet::judge(int socket, std::span<const std::uint8_t> ahead)
         wakeAt(socket, 1);
         return drop(socket);
     }
-    const std::size_t needed = length.value_or(ahead.size() + 1);
-    const bool isHere = waiting(socket) >= needed || hungUp(socket);
-    wakeAt(socket, isHere ? 1 : needed);
-    return isHere;
+    if (!length) {
+        wakeAt(socket, ahead.size() + 1);
+        return hungUp(socket);
+    }
+    wakeAt(socket, 1);
+    m_end = consumed(socket) + *length;
+    return true;
 }
 
 bool Inlet::drop(int socket)

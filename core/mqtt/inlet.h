@@ -9,9 +9,9 @@
 #include <span>
 
 // What a broker sends without encryption, before libmosquitto reads it. libmosquitto keeps a packet of up to 256 MB in
-// memory and reads as long as bytes come. So it may only read a packet that is here as a whole and not too large; a
-// larger one is thrown away, a piece at each turn of the event loop, and the connection goes on. Not for TLS, where
-// only libmosquitto sees the bytes.
+// memory and reads as long as bytes come. So it may only read a packet that is not too large; a larger one is thrown
+// away, a piece at each turn of the event loop, and the connection goes on. A packet is never waited for in the kernel:
+// its buffer may be full of what was read before. Not for TLS, where only libmosquitto sees the bytes.
 namespace boresight::mqtt {
 
 class Inlet
@@ -20,8 +20,9 @@ public:
     static constexpr std::size_t kLargestPacket = kLargestMessage + 4096;  // bytes: with its topic
     static constexpr std::size_t kDroppedAtOnce = 64 * 1024;               // bytes
 
-    // True: libmosquitto may read one packet, or find out that the connection is at its end. False: nothing more to do
-    // until the socket is readable again. `socket` is a connected TCP socket at the beginning of a packet.
+    // True: libmosquitto may read on in one packet, or find out that the connection is at its end. False: nothing more
+    // to do until the socket is readable again. `socket` is a connected TCP socket, at first at the beginning of a
+    // packet.
     [[nodiscard]] bool mayRead(int socket);
 
     // The size of a packet that is being thrown away, once for each.
@@ -31,7 +32,8 @@ private:
     [[nodiscard]] bool judge(int socket, std::span<const std::uint8_t> ahead);
     [[nodiscard]] bool drop(int socket);
 
-    std::size_t m_toDrop = 0;  // bytes of a packet that is too large
+    std::optional<std::uint64_t> m_end;  // of the packet that libmosquitto reads, in bytes of the connection
+    std::size_t m_toDrop = 0;            // bytes of a packet that is too large
     std::optional<qint64> m_dropped;
 };
 

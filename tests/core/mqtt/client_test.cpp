@@ -55,7 +55,7 @@ TEST_F(MqttClient, LosesNothingOfABurst)
     for (int i = 0; i < 500; ++i) {
         ASSERT_TRUE(rig.client.publish({.topic = kTopic, .payload = QByteArray::number(i).repeated(100)}));
     }
-    ASSERT_TRUE(rig.received(500));
+    ASSERT_TRUE(rig.received(500)) << rig.messages.size();
     for (int i = 0; i < 500; ++i) {
         EXPECT_EQ(rig.messages[static_cast<std::size_t>(i)].payload, QByteArray::number(i).repeated(100));
     }
