@@ -17,15 +17,15 @@ void checkAxis(std::vector<Problem>& problems, const std::string& table, const A
         problems.push_back({table + ".sign", Text::tr("1 or -1 is expected").toStdString()});
     }
     if (travel.min >= travel.max) {
-        problems.push_back(
-            {table + ".travel_min_deg", Text::tr("%1 is not below %2.travel_max_deg (%3)")
-                                            .arg(degreesText(travel.min), toQString(table), degreesText(travel.max))
-                                            .toStdString()});
+        problems.push_back({table + ".travel_min_deg",
+                            Text::tr("%1 is not below %2.travel_max_deg (%3)")
+                                .arg(degreesText(travel.min, 2), toQString(table), degreesText(travel.max, 2))
+                                .toStdString()});
     } else if (!travel.contains(park)) {
-        problems.push_back(
-            {"park." + table + "_deg", Text::tr("%1 is outside the travel %2…%3")
-                                           .arg(degreesText(park), degreesText(travel.min), degreesText(travel.max))
-                                           .toStdString()});
+        problems.push_back({"park." + table + "_deg",
+                            Text::tr("%1 is outside the travel %2…%3")
+                                .arg(degreesText(park, 2), degreesText(travel.min, 2), degreesText(travel.max, 2))
+                                .toStdString()});
     }
     // A slower build-up would make the stop distance longer than anybody standing at the mast expects.
     const Seconds filterLength{2.0 * (axis.limits.acceleration.radians() / axis.limits.jerk.radians())};

@@ -26,12 +26,12 @@ void checkLimits(std::vector<Problem>& problems, const std::string& axis, const 
     const std::string key = "limits." + axis + "_min_deg";
     if (limits.min >= limits.max) {
         problems.push_back({key, Text::tr("%1 is not below limits.%2_max_deg (%3)")
-                                     .arg(degreesText(limits.min), toQString(axis), degreesText(limits.max))
+                                     .arg(degreesText(limits.min, 2), toQString(axis), degreesText(limits.max, 2))
                                      .toStdString()});
     } else if (travel.min < travel.max && std::max(limits.min, travel.min) >= std::min(limits.max, travel.max)) {
         problems.push_back({key, Text::tr("the limits %1…%2 leave nothing of the travel %3…%4")
-                                     .arg(degreesText(limits.min), degreesText(limits.max), degreesText(travel.min),
-                                          degreesText(travel.max))
+                                     .arg(degreesText(limits.min, 2), degreesText(limits.max, 2),
+                                          degreesText(travel.min, 2), degreesText(travel.max, 2))
                                      .toStdString()});
     }
 }
@@ -44,7 +44,7 @@ bool checkParkLimits(std::vector<Problem>& problems, const std::string& axis, co
     }
     problems.push_back(
         {"park." + axis + "_deg", Text::tr("%1 is outside the limits of operation %2…%3")
-                                      .arg(degreesText(park), degreesText(limits.min), degreesText(limits.max))
+                                      .arg(degreesText(park, 2), degreesText(limits.min, 2), degreesText(limits.max, 2))
                                       .toStdString()});
     return false;
 }
@@ -81,10 +81,10 @@ void checkHorizon(std::vector<Problem>& problems, const std::vector<pointing::Ho
     checkCount(problems, kHorizonKey, horizon.size(), kMaxHorizonPoints, Text::tr("%1 points are more than %2"));
     for (std::size_t i = 1; i < horizon.size(); ++i) {
         if (horizon[i].azimuth <= horizon[i - 1].azimuth) {
-            problems.push_back(
-                {rowKey(kHorizonKey, i), Text::tr("the azimuth %1 does not follow %2; points ascend, each azimuth once")
-                                             .arg(degreesText(horizon[i].azimuth), degreesText(horizon[i - 1].azimuth))
-                                             .toStdString()});
+            problems.push_back({rowKey(kHorizonKey, i),
+                                Text::tr("the azimuth %1 does not follow %2; points ascend, each azimuth once")
+                                    .arg(degreesText(horizon[i].azimuth, 2), degreesText(horizon[i - 1].azimuth, 2))
+                                    .toStdString()});
         }
     }
 }
@@ -111,7 +111,7 @@ void checkKeepOuts(std::vector<Problem>& problems, const std::vector<pointing::K
         if (keepOut.elevationMin >= keepOut.elevationMax) {
             problems.push_back({row + ".elevation_min_deg",
                                 Text::tr("%1 is not below elevation_max_deg (%2)")
-                                    .arg(degreesText(keepOut.elevationMin), degreesText(keepOut.elevationMax))
+                                    .arg(degreesText(keepOut.elevationMin, 2), degreesText(keepOut.elevationMax, 2))
                                     .toStdString()});
         }
         if (keepOut.azimuthFrom == keepOut.azimuthTo) {

@@ -39,7 +39,7 @@ AxisSurvey::AxisSurvey(const profile::Profile& profile, Axis axis)
 void AxisSurvey::setProfile(const profile::Profile& profile)
 {
     m_next = protectionsOf(profile, m_axis);
-    if (m_step != Step::Setting && m_step != Step::Storing) {
+    if (m_step != Step::Reading && m_step != Step::Setting && m_step != Step::Storing) {
         takeNext();
     }
 }
@@ -76,7 +76,6 @@ void AxisSurvey::read(const moteus::Uuid& board)
 
 void AxisSurvey::startReading()
 {
-    takeNext();
     std::vector<std::string> commands{"tel stop"};
     std::ranges::transform(m_protections, std::back_inserter(commands), getCommand);
     commands.insert(commands.end(), {kOriginFormat, kGetOrigin});
@@ -198,6 +197,7 @@ void AxisSurvey::finishReading()
     m_complete = true;
     judge();
     noteChanges();
+    takeNext();
 }
 
 // What the drive made of the texts, not what it said to them: it takes garbage for 0 without an error.

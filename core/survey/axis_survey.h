@@ -35,7 +35,7 @@ class AxisSurvey
 {
 public:
     AxisSurvey(const profile::Profile& profile, Axis axis);
-    // What the settings should be from now on; what is being written is written first. What was read of them stays.
+    // What the settings should be from now on; what is being written is written and read first.
     void setProfile(const profile::Profile& profile);
 
     void read(const moteus::Uuid& board);

@@ -76,7 +76,8 @@ void Heartbeat::take(const moteus::Reply& reply)
     const Observation now{.board = m_board, .uptime = *uptime, .at = *m_sent};
     const bool same = m_last && m_last->board == m_board;
     const bool running = same && wentOn(*m_last, now);
-    const bool confirmed = m_doubted && wentOn(*m_doubted, now);
+    // One old reply may come twice.
+    const bool confirmed = m_doubted && m_doubted->uptime != now.uptime && wentOn(*m_doubted, now);
     if (same && !running && !confirmed) {
         m_doubted = now;  // counts as no answer, so that it is asked again soon
         return;
