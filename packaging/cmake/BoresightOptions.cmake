@@ -30,8 +30,9 @@ if(BORESIGHT_SANITIZE)
 endif()
 
 # Some 70 programs are linked: mold takes a tenth of the time for it.
-find_program(MOLD_PROGRAM mold)
-if(MOLD_PROGRAM)
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=mold BORESIGHT_HAS_MOLD)
+if(BORESIGHT_HAS_MOLD)
   add_link_options(-fuse-ld=mold)
 endif()
 
@@ -58,7 +59,8 @@ function(boresight_precompile target)
   target_precompile_headers(${target} PRIVATE ${ARGN})
 endfunction()
 
-option(BORESIGHT_UNITY "Compile several sources of a folder at once: a build from nothing takes a third of the time" OFF)
+# Not finished: with -O2 a moved tl::expected is freed twice (survey_test as a whole shows it), with -O1 and ASan not.
+option(BORESIGHT_UNITY "Compile several sources of a folder at once" OFF)
 
 # boresight_unite(TARGET [SIZE])
 # Call after all sources were added. Sources of different folders are never compiled together, so that a name in an
