@@ -104,7 +104,7 @@ void Almanac::followEarthAxis(UtcTime utc)
     const std::int64_t number = minute.time_since_epoch().count();
     if (!m_earthAxis || m_earthAxis->minute != number) {
         const JulianDate middle = terrestrialTime(julianDate(minute + std::chrono::seconds(30)));
-        m_earthAxis.emplace().minute = number;
+        m_earthAxis = EarthAxis{.minute = number};
         eraPnm06a(middle.day, middle.fraction, m_earthAxis->toDate);
     }
 }

@@ -1,42 +1,70 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-include(GoogleTest)
 
-# boresight_add_test(NAME LABEL unit|ui|system SOURCES … LIBRARIES …)
-# One GoogleTest executable per module. LIBRARIES is what is tested (boresight_core or boresight_ui); NO_MAIN leaves
-# out GTest's main for tests that bring their own (a QCoreApplication or QApplication). SERIAL is for tests that measure
-# real time: nothing else runs beside them. ONE_THREAD is for tests in which ThreadSanitizer has nothing to find, or
-# nothing that a test beside them does not show: its build leaves them out. All share one precompiled header; HEADERS
-# gives an executable one of its own, with these besides the usual.
-#
-# Tests are not optimised: what they test is, and half of the time of a build from nothing goes into them.
+# Unit tests find more under the sanitizers and need no second run; tests/README.md.
+option(BORESIGHT_UNIT_TESTS "Build the tests of single classes, not only those of whole programs and of the window" ON)
+
+set(BORESIGHT_TEST_RESULTS "${CMAKE_BINARY_DIR}/test-results")  # one XML file of GoogleTest for each test of ctest
+
+# boresight_add_test(NAME LABEL unit|ui|system SOURCES … [LIBRARIES …])
+# A GoogleTest program, which is one test of ctest: it runs from its first to its last case. LIBRARIES is what is tested,
+# boresight_core if it is not said.
+#   QT_MAIN     its main() has a QCoreApplication; OWN_MAIN: it brings a main() of its own
+#   SERIAL      it measures real time: nothing else runs beside it
+#   ONE_THREAD  ThreadSanitizer has nothing to find in it, or nothing that another test does not show: left out there
+#   SHARDS n    a long one, run as n tests of ctest beside each other
+#   TIMEOUT s   of each; 600 s if it is not said
+#   HEADERS …   precompiled for this program besides the usual ones, which all other programs share
+#   OPTIMISED   for a long one; tests are not, for what they test is, and half of a build from nothing goes into them
 function(boresight_add_test name)
-  cmake_parse_arguments(T "NO_MAIN;SERIAL;ONE_THREAD" "LABEL;TIMEOUT" "SOURCES;LIBRARIES;HEADERS" ${ARGN})
-  if(T_ONE_THREAD AND BORESIGHT_SANITIZE MATCHES "thread")
+  cmake_parse_arguments(T "QT_MAIN;OWN_MAIN;SERIAL;ONE_THREAD;OPTIMISED" "LABEL;TIMEOUT;SHARDS" "SOURCES;LIBRARIES;HEADERS" ${ARGN})
+  if((T_ONE_THREAD AND BORESIGHT_SANITIZE MATCHES "thread") OR (T_LABEL STREQUAL "unit" AND NOT BORESIGHT_UNIT_TESTS))
     return()
   endif()
-  if(T_SERIAL)
-    set(serial TRUE)
-  else()
-    set(serial FALSE)
+  if(NOT T_LIBRARIES)
+    set(T_LIBRARIES boresight_core)
   endif()
-  if(NOT T_TIMEOUT)
-    set(T_TIMEOUT 120)
+  set(main GTest::gmock_main)
+  if(T_QT_MAIN)
+    set(main boresight_qt_main)
+  elseif(T_OWN_MAIN)
+    set(main "")
   endif()
   add_executable(${name} ${T_SOURCES})
   set_target_properties(${name} PROPERTIES AUTOMOC OFF)
-  if(T_NO_MAIN)
-    target_link_libraries(${name} PRIVATE ${T_LIBRARIES} GTest::gmock)
-  else()
-    target_link_libraries(${name} PRIVATE ${T_LIBRARIES} GTest::gmock_main)
-  endif()
-  target_compile_options(${name} PRIVATE -O0)
+  target_link_libraries(${name} PRIVATE boresight_fakes ${T_LIBRARIES} Qt6::Test ${main} GTest::gmock)
   boresight_unite(${name})
-  if(T_HEADERS)
+  if(T_OPTIMISED)
+    target_compile_options(${name} PRIVATE -O1)
+    boresight_precompile(${name} ${test_headers})
+  elseif(T_HEADERS)
+    target_compile_options(${name} PRIVATE -O0)
     boresight_precompile(${name} ${test_headers} ${T_HEADERS})
   else()
+    target_compile_options(${name} PRIVATE -O0)
     target_precompile_headers(${name} REUSE_FROM boresight_test_headers)
   endif()
   target_compile_definitions(${name} PRIVATE BORESIGHT_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data")
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${T_LABEL}" TIMEOUT ${T_TIMEOUT}
-    RUN_SERIAL ${serial})
+  boresight_add_runs(${name} "${T_LABEL}" "${T_SHARDS}" "${T_TIMEOUT}" "${T_SERIAL}")
+endfunction()
+
+function(boresight_add_runs name label shards timeout serial)
+  if(NOT shards)
+    set(shards 1)
+  endif()
+  if(NOT timeout)
+    set(timeout 600)
+  endif()
+  foreach(i RANGE 1 ${shards})
+    set(run ${name})
+    if(shards GREATER 1)
+      set(run ${name}.${i})
+    endif()
+    math(EXPR index "${i} - 1")
+    add_test(NAME ${run} COMMAND ${name} "--gtest_output=xml:${BORESIGHT_TEST_RESULTS}/${run}.xml")
+    set_tests_properties(${run} PROPERTIES LABELS "${label}" TIMEOUT ${timeout} RUN_SERIAL "${serial}"
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
+    if(shards GREATER 1)
+      set_tests_properties(${run} PROPERTIES COST 1000)  # first, or the last core is alone with them
+    endif()
+  endforeach()
 endfunction()

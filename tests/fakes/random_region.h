@@ -41,8 +41,8 @@ public:
     {
         pointing::Region region;
         if (dice(3) == 0) {
-            region.azimuth = range(uniform(-150, 20), uniform(200, 420));
-            region.elevation = range(uniform(-10, 20), uniform(60, 170));
+            region.azimuth = {angle(-150, 20), angle(200, 420)};
+            region.elevation = {angle(-10, 20), angle(60, 170)};
         }
         if (dice(3) > 0) {
             const int count = 1 + dice(20);
@@ -72,11 +72,12 @@ public:
 
     AxisPosition place(const TravelRange& azimuths, const TravelRange& elevations)
     {
-        return {.azimuth = Angle::fromDegrees(uniform(azimuths.min.degrees(), azimuths.max.degrees())),
-                .elevation = Angle::fromDegrees(uniform(elevations.min.degrees(), elevations.max.degrees()))};
+        return {.azimuth = angle(azimuths.min.degrees(), azimuths.max.degrees()),
+                .elevation = angle(elevations.min.degrees(), elevations.max.degrees())};
     }
 
 private:
+    Angle angle(double from, double to) { return Angle::fromDegrees(uniform(from, to)); }
     static TravelRange range(double min, double max) { return {Angle::fromDegrees(min), Angle::fromDegrees(max)}; }
 
     std::mt19937& m_random;

@@ -20,7 +20,7 @@
 namespace boresight::system_test {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef BORESIGHT_SANITIZED
 constexpr double kUsualMinutes = 10.0;
 #else
 constexpr double kUsualMinutes = 60.0;

@@ -13,7 +13,7 @@
 namespace boresight::system_test {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef BORESIGHT_SANITIZED
 constexpr double kUsualHours = 0.15;
 constexpr bool kMemoryIsOurs = false;  // the sanitizers keep what was freed
 #else

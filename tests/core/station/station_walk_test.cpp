@@ -13,7 +13,7 @@
 namespace boresight {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef BORESIGHT_SANITIZED
 constexpr int kEvents = 1000;
 #else
 constexpr int kEvents = 10000;
