@@ -6,9 +6,10 @@
 // each queued call between two threads is reported as a race: 54 reports in a clean program of two threads and 1000
 // queued signals. Here each event is ordered on its own address: Qt releases it when it is allocated by the sender and
 // acquires it when it is delivered by, or freed in, the receiver; and what a thread did before it ended is ordered
-// before the return of QThread::wait(). Nothing else is, so a value shared outside of events is still reported.
-// Arguments of queued signals are copied after the allocation: tsan.supp names those. Painting is kept on the thread
-// that asks for it: what Qt Gui's pool of threads does is ordered by semaphores that nobody sees either.
+// before the return of QThread::wait(); and what a thread did before it gave work to a QThreadPool is ordered before
+// that work. Nothing else is, so a value shared outside of events is still reported. Arguments of queued signals are
+// copied after the allocation: tsan.supp names those. Painting is kept on the thread that asks for it: what Qt Gui's
+// pool of threads does is ordered by semaphores that nobody sees either.
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QDeadlineTimer>
@@ -25,7 +26,9 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <functional>
 #include <new>
+#include <utility>
 
 namespace {
 
@@ -127,6 +130,47 @@ extern "C" bool __wrap__ZN7QThread4waitE14QDeadlineTimer(QThread* thread, QDeadl
         __tsan_acquire(&ThreadEnd::s_order);
     }
     return ended;
+}
+
+// Likewise work for a pool: a thread of the pool that is there already takes it by a mutex of Qt's own.
+extern "C" void __real__ZN11QThreadPool5startESt8functionIFvvEEi(QThreadPool* pool, std::function<void()> work,
+                                                                 int priority);
+extern "C" void __wrap__ZN11QThreadPool5startESt8functionIFvvEEi(QThreadPool* pool, std::function<void()> work,
+                                                                 int priority)
+{
+    static char s_order = 0;
+    __tsan_release(&s_order);
+    __real__ZN11QThreadPool5startESt8functionIFvvEEi(
+        pool,
+        [work = std::move(work)] {
+            __tsan_acquire(&s_order);
+            work();
+        },
+        priority);
+}
+
+// A call that is posted is freed by whoever is last, the thread that posts it or the one that carries it out; Qt counts
+// that where nobody sees it. Posting writes nothing else.
+extern "C" void AnnotateIgnoreWritesBegin(const char* file, int line);
+extern "C" void AnnotateIgnoreWritesEnd(const char* file, int line);
+extern "C" bool
+__real__ZN11QMetaObject16invokeMethodImplEP7QObjectPN9QtPrivate15QSlotObjectBaseEN2Qt14ConnectionTypeEPv(
+    QObject* object, QtPrivate::QSlotObjectBase* slot, Qt::ConnectionType type, void* result);
+extern "C" bool
+__wrap__ZN11QMetaObject16invokeMethodImplEP7QObjectPN9QtPrivate15QSlotObjectBaseEN2Qt14ConnectionTypeEPv(
+    QObject* object, QtPrivate::QSlotObjectBase* slot, Qt::ConnectionType type, void* result)
+{
+    const bool posted = type == Qt::QueuedConnection;
+    if (posted) {
+        AnnotateIgnoreWritesBegin(__FILE__, __LINE__);
+    }
+    const bool done =
+        __real__ZN11QMetaObject16invokeMethodImplEP7QObjectPN9QtPrivate15QSlotObjectBaseEN2Qt14ConnectionTypeEPv(
+            object, slot, type, result);
+    if (posted) {
+        AnnotateIgnoreWritesEnd(__FILE__, __LINE__);
+    }
+    return done;
 }
 
 // Qt Gui asks this before it shares out the painting of a large area, and paints by itself on a thread of the pool. No
