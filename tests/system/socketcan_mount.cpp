@@ -5,7 +5,9 @@
 #include "tests/fakes/real_mount.h"
 #include "tests/fakes/wait_until.h"
 
+#include <QDir>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QRegularExpression>
 #include <QTest>
 
@@ -82,6 +84,19 @@ bool MountOnCan::startPrograms()
     }
     m_client = m_boresightd->connect();
     return true;
+}
+
+bool MountOnCan::notesProof()
+{
+    constexpr int kDrives = 2;
+    const QDir folder(m_boresightd->stateFolder());
+    return fakes::waitUntil(
+        [&folder] {
+            const QStringList journals = folder.entryList({QStringLiteral("*.memory.json")});
+            QFile journal(journals.isEmpty() ? QString() : folder.filePath(journals.constFirst()));
+            return journal.open(QIODevice::ReadOnly) && journal.readAll().count("origin_beginning") == kDrives;
+        },
+        kPatience);
 }
 
 bool MountOnCan::accepts(const std::string& command)

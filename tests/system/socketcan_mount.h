@@ -48,6 +48,8 @@ public:
 
     // False (with a failure of the test) if one of the programs does not start.
     [[nodiscard]] bool starts();
+    // Waits until the journal says since when each drive's position is counted, which tells the turn after an outage.
+    [[nodiscard]] bool notesProof();
     // One command of the client and the first line of its reply.
     [[nodiscard]] std::string ask(const std::string& command) { return m_client->ask(command + "\n"); }
     // Asks again and again: drives are looked for, read and checked before anything may move.

@@ -103,6 +103,7 @@ protected:
             GTEST_SKIP() << "no CAN gateway here (kernel module can-gw, program cangw of can-utils)";
         }
         ASSERT_TRUE(mount.starts());
+        ASSERT_TRUE(mount.notesProof()) << mount.log();
         ASSERT_TRUE(mount.slews("P 90 40")) << mount.log();
     }
     void TearDown() override { static_cast<void>(run("cangw -F 2>/dev/null")); }
