@@ -188,8 +188,8 @@ TEST(Route, FindsAWayWhereThereIsOne)
     int direct = 0;
     int bent = 0;
     int none = 0;
-    for (int round = 0; round < 150; ++round) {
-        const PermittedRegion region(make.region(), make.azimuthTravel(), make.elevationTravel());
+    for (int round = 0; round < 250; ++round) {
+        const PermittedRegion region{make.region(), make.azimuthTravel(), make.elevationTravel()};
         if (region.ranges().azimuth.max - region.ranges().azimuth.min < 10_deg) {
             continue;
         }
