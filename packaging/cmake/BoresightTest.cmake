@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Unit tests find more under the sanitizers and need no second run; tests/README.md.
+# Unit tests find more under the sanitizers and need no second run (README.md, Tests).
 option(BORESIGHT_UNIT_TESTS "Build the tests of single classes, not only those of whole programs and of the window" ON)
 
 set(BORESIGHT_TEST_RESULTS "${CMAKE_BINARY_DIR}/test-results")  # one XML file of GoogleTest for each test of ctest
