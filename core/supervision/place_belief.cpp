@@ -80,7 +80,7 @@ void PlaceBelief::take(const Reply& reply)
         believe(continued(*from, reply));
         return;
     }
-    if (!agrees && skip()) {
+    if (!agrees && skip() && !(expected && rivals(reply))) {
         passWithout(reply.received);
         return;
     }
@@ -129,6 +129,7 @@ void PlaceBelief::believe(const Course& course)
     m_believed.push_back(course);
     m_doubted.reset();
     m_doubt.reset();
+    m_rival.reset();
     m_agreeing = 0;
     m_without = 0;
     const MotorTurns before = m_place ? m_place->position : course.place;
@@ -140,6 +141,15 @@ bool PlaceBelief::skip()
 {
     const bool expected = m_doubted && !m_believed.empty() && !m_doubt;
     return expected && !std::exchange(m_skipped, true);
+}
+
+// Two rows of places alternate, and the axis can have gone to either: which is true, nobody knows. Each breaks the
+// other.
+bool PlaceBelief::rivals(const Reply& reply)
+{
+    const bool rivals = m_rival && reaches(*m_rival, reply);
+    m_rival = Course{.place = *reply.place, .rate = {}, .asked = reply.asked, .received = reply.received};
+    return rivals;
 }
 
 void PlaceBelief::passWithout(SteadyTime now)
@@ -161,6 +171,7 @@ void PlaceBelief::expectAnother()
     m_believed.clear();
     m_doubted.reset();
     m_doubt.reset();
+    m_rival.reset();
     m_false.reset();
     m_jump.reset();
     m_agreeing = 0;

@@ -83,14 +83,16 @@ private:
     [[nodiscard]] std::optional<Leap> leapTo(const Reply& reply) const;
     void believe(const Course& course);
     [[nodiscard]] bool skip();
+    [[nodiscard]] bool rivals(const Reply& reply);
     void passWithout(SteadyTime now);
 
     Limits m_limits;
     std::vector<Course> m_believed;   // what replies are compared with, the last one at the end
     std::optional<Course> m_doubted;  // the last of those that agree with each other
     int m_agreeing = 0;
-    bool m_skipped = false;  // the reply before
-    int m_without = 0;       // replies in a row without a believed place
+    bool m_skipped = false;         // the reply before
+    std::optional<Course> m_rival;  // the last of those that were skipped where the axis could be just as well
+    int m_without = 0;              // replies in a row without a believed place
     std::optional<Place> m_place;
     std::optional<Leap> m_doubt;  // to the first of them
     std::optional<Leap> m_false;

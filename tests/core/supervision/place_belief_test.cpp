@@ -240,6 +240,27 @@ TEST_F(PlaceBeliefTest, AfterThreeRepliesWithoutAPlaceOneMoreDoesNotBreakTheRow)
     }
 }
 
+// After replies without a place the axis can have gone two degrees; every second reply says that it has.
+TEST_F(PlaceBeliefTest, AFalsePlaceThatAlternatesWithTheTrueOneIsNotBelieved)
+{
+    for (const bool falseFirst : {true, false}) {
+        belief.forget();
+        replies(10);
+        for (int i = 0; i < 8; ++i) {
+            reply({});
+        }
+        for (int i = 0; i < 100; ++i) {
+            reply((i % 2 == 0) == falseFirst ? at + 2.0 : at);
+            EXPECT_FALSE(belief.believedLast()) << falseFirst << " " << i;
+        }
+        EXPECT_FALSE(place());
+        replies(PlaceBelief::kAgree + 1);  // the first may be skipped
+        ASSERT_TRUE(place());
+        EXPECT_NEAR(*place(), at, 1e-9);
+        EXPECT_FALSE(belief.takeJump());
+    }
+}
+
 TEST_F(PlaceBeliefTest, WhatIsForgottenIsNoJump)
 {
     replies(10);
