@@ -13,9 +13,8 @@
 // confirmed the directions, and where the mount stands.
 namespace boresight::fakes {
 
-inline QStringList confirmedMount(const QString& folder, const QString& bus)
+inline QStringList confirmedMount(const QString& folder, const QString& bus, profile::Profile profile = {})
 {
-    profile::Profile profile;
     profile.bus = bus.toStdString();
     const QString path = folder + QStringLiteral("/mount.toml");
     EXPECT_TRUE(profile::saveProfile(profile, path));

@@ -104,7 +104,7 @@ std::string TcpPeer::receive(const Enough& enough, std::chrono::milliseconds qui
 std::string TcpPeer::receiveLines(int count)
 {
     return receive([count](const std::string& bytes) { return std::ranges::count(bytes, '\n') >= count; },
-                   std::chrono::milliseconds(0), std::chrono::seconds(5));
+                   std::chrono::milliseconds(0), std::chrono::seconds(30));
 }
 
 std::string TcpPeer::ask(std::string_view command, int lines)

@@ -25,7 +25,7 @@ public:
 
     [[nodiscard]] bool connected() const { return m_fd >= 0; }
     // Sends all of it unless the server closes; gives up when nothing moves for `patience`.
-    bool send(std::string_view bytes, std::chrono::milliseconds patience = std::chrono::seconds(5));
+    bool send(std::string_view bytes, std::chrono::milliseconds patience = std::chrono::seconds(30));
     void endSending();
     void reset();  // closes with RST
     // Reads until `enough` likes what has come and then nothing for `quiet`; at most `patience` for the first part.

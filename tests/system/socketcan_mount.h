@@ -3,6 +3,7 @@
 
 #include "tests/fakes/program.h"
 #include "tests/system/boresightd_process.h"
+#include "tests/system/starved_time.h"
 
 #include <QString>
 #include <QTemporaryDir>
@@ -52,14 +53,14 @@ public:
     [[nodiscard]] bool notesProof();
     // One command of the client and the first line of its reply.
     [[nodiscard]] std::string ask(const std::string& command) { return m_client->ask(command + "\n"); }
-    // Asks again and again: drives are looked for, read and checked before anything may move.
-    [[nodiscard]] bool accepts(const std::string& command);
+    [[nodiscard]] bool reArms();  // asked again and again
 
     [[nodiscard]] const std::vector<Truth>& truths();
     [[nodiscard]] Truth truth() { return truths().empty() ? Truth{} : truths().back(); }
     [[nodiscard]] bool waitForTruths(std::size_t more);  // that many lines, a tenth of a second each
-    // Sends the mount off and waits until it is fast, or until it is there. Where a busy machine starves it so that its
-    // drives stop themselves, it is re-armed and sent again.
+    // Sends the mount off and waits until it is fast (so far away that a slow machine sees it), or until it is there.
+    // Where a busy machine starves it so that its drives stop themselves, it is re-armed and sent again, as often as
+    // needed.
     [[nodiscard]] bool slews(const std::string& command);
     [[nodiscard]] bool comesTo(double azimuth, double elevation);
     // `before` is the number of lines when the event came.
@@ -70,10 +71,13 @@ public:
     [[nodiscard]] const std::string& log();
     [[nodiscard]] std::optional<qint64> waitForWords(const std::string& words, std::size_t after = 0);
 
+    [[nodiscard]] std::chrono::milliseconds starved() const { return m_starved.total(); }
     [[nodiscard]] bool endsWell();
 
 private:
     [[nodiscard]] bool startPrograms();
+    [[nodiscard]] bool reArm();
+    [[nodiscard]] bool wantsReArm() { return log().find("re-arm.", m_armed) != std::string::npos; }
     [[nodiscard]] bool commandUntil(const std::string& command, const std::function<bool()>& reached);
 
     QString m_drivesInterface;
@@ -85,6 +89,8 @@ private:
     std::vector<Truth> m_truths;
     qsizetype m_linesRead = 0;
     std::string m_log;
+    std::size_t m_armed = 0;  // what of the log is older than the last re-arm
+    StarvedTime m_starved;
 };
 
 }  // namespace boresight::system_test

@@ -104,7 +104,7 @@ protected:
         }
         ASSERT_TRUE(mount.starts());
         ASSERT_TRUE(mount.notesProof()) << mount.log();
-        ASSERT_TRUE(mount.slews("P 90 40")) << mount.log();
+        ASSERT_TRUE(mount.slews("P 400 40")) << mount.log();
     }
     void TearDown() override { static_cast<void>(run("cangw -F 2>/dev/null")); }
 
@@ -114,16 +114,18 @@ protected:
         const std::size_t logBefore = mount.log().size();
         ASSERT_TRUE(run(command));  // which takes some 0.1 s, or 0.5 s on a busy machine: the mount slews meanwhile
         const std::size_t before = mount.truths().size();
+        const auto starvedBefore = mount.starved();
         const auto told = mount.waitForWords(words, logBefore);
         ASSERT_TRUE(told.has_value()) << mount.log();
-        EXPECT_LT(*told, 300) << "after the command was done";
         const auto stop = mount.standstillAfter(before);
         ASSERT_TRUE(stop.has_value());
-        std::printf("%s in a slew: said after %lld ms, at rest within %.2f s and %.2f degrees\n", how, *told,
-                    stop->time, stop->excursion);
-        // 0.1 s watchdog and the braking of 10 °/s, seen through lines a tenth of a second apart, on a busy machine.
-        EXPECT_LT(stop->time, 1.0);
-        EXPECT_LT(stop->excursion, 6.0);
+        const Seconds starved = mount.starved() - starvedBefore;  // nobody could say or stop anything
+        std::printf("%s in a slew: said after %lld ms, at rest within %.2f s and %.2f degrees; starved for %.2f s\n",
+                    how, *told, stop->time, stop->excursion, starved.count());
+        EXPECT_LT(Seconds(std::chrono::milliseconds(*told)), Seconds(0.3) + starved) << "after the command was done";
+        // 0.2 s watchdog and the braking of 10 °/s, seen through lines a tenth of a second apart, on a busy machine.
+        EXPECT_LT(Seconds(stop->time), Seconds(1.0) + starved);
+        EXPECT_LT(stop->excursion, 6.0 + 10.0 * starved.count());
         // "No reply" or "timed out", as the guest's processor had time to notice.
         EXPECT_TRUE(mount.waitForWords("azimuth drive", logBefore).has_value()) << mount.log();
         EXPECT_TRUE(mount.waitForWords("re-arm.", logBefore).has_value()) << mount.log();
@@ -141,7 +143,7 @@ protected:
         ASSERT_TRUE(mount.waitForTruths(10));
         std::printf("4 s after its return the mount has moved %.3f degrees\n", mount.largestMotion(before));
         EXPECT_LT(mount.largestMotion(before), 0.05);
-        EXPECT_TRUE(mount.accepts("R 1")) << mount.log();
+        ASSERT_TRUE(mount.reArms()) << mount.log();
         EXPECT_TRUE(mount.comesTo(50.0, 20.0)) << mount.log();
     }
 
@@ -177,7 +179,7 @@ TEST_P(SocketCanFlood, MountStaysUnderControlOrStopsAndSaysSo)
 {
     MountOnCan mount(QStringLiteral("vcan0"), QStringLiteral("vcan0"));
     ASSERT_TRUE(mount.starts());
-    ASSERT_TRUE(mount.slews("P 60 30")) << mount.log();
+    ASSERT_TRUE(mount.slews("P 400 30")) << mount.log();
 
     const std::size_t logBefore = mount.log().size();
     const std::size_t before = mount.truths().size();
@@ -204,7 +206,7 @@ TEST_P(SocketCanFlood, MountStaysUnderControlOrStopsAndSaysSo)
         EXPECT_NE(mount.log().find("another program floods it", logBefore), std::string::npos);
     }
     for (const Truth& truth : mount.truths()) {  // never beyond where it was sent
-        EXPECT_LT(truth.azimuth, 60.5);
+        EXPECT_LT(truth.azimuth, 400.5);
         EXPECT_LT(truth.elevation, 30.5);
     }
     if (stopped) {
@@ -212,9 +214,9 @@ TEST_P(SocketCanFlood, MountStaysUnderControlOrStopsAndSaysSo)
         const std::size_t atRest = mount.truths().size() - 1;
         ASSERT_TRUE(mount.waitForTruths(20));
         EXPECT_LT(mount.largestMotion(atRest), 0.05);
-        EXPECT_TRUE(mount.accepts("R 1")) << mount.log();
+        EXPECT_TRUE(mount.reArms()) << mount.log();
     }
-    EXPECT_TRUE(mount.comesTo(62.0, 30.0)) << mount.log();
+    EXPECT_TRUE(mount.comesTo(20.0, 30.0)) << mount.log();
 }
 
 INSTANTIATE_TEST_SUITE_P(
