@@ -79,7 +79,7 @@ Result<ProgramLock> ProgramLock::take(const QString& path)
     FileDescriptor file(::open(QFile::encodeName(path).constData(),
                                O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, kReadableByAll));
     if (!file.isOpen()) {
-        return failure(ErrorCode::Io, std::string(std::strerror(errno)));
+        return failure(errno == EACCES ? ErrorCode::Denied : ErrorCode::Io, std::string(std::strerror(errno)));
     }
     if (const Result<> locked = lockDescriptor(file.number()); !locked) {
         return locked.error().code == ErrorCode::Busy ? failure(ErrorCode::Busy, writtenName(file.number()))

@@ -16,8 +16,8 @@ public:
     ProgramLock() = default;
 
     // Makes the file if it is not there and leaves it there afterwards: it holds nothing but the name of the program.
-    // Busy: another program has the lock, and the text is its name, as "boresightd (process 1234)". Io: there can be no
-    // lock in this place.
+    // Busy: another program has the lock, and the text is its name, as "boresightd (process 1234)". Denied: this user
+    // may not. Io: there can be no lock in this place.
     [[nodiscard]] static Result<ProgramLock> take(const QString& path);
 
 private:

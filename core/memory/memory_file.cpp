@@ -164,12 +164,19 @@ MemoryFile::~MemoryFile()
 
 Result<> MemoryFile::claim()
 {
-    Result<ProgramLock> lock = ProgramLock::take(m_path + QStringLiteral(".lock"));
+    const QString path = m_path + QStringLiteral(".lock");
+    Result<ProgramLock> lock = ProgramLock::take(path);
     if (lock) {
         m_lock = *std::move(lock);
     } else if (lock.error().code == ErrorCode::Busy) {
         return failure(ErrorCode::Busy, Text::tr("%1 controls this mount already: its journal %2 is in use")
                                             .arg(toQString(lock.error().text), m_path));
+    } else if (lock.error().code == ErrorCode::Denied && QFileInfo::exists(path)) {
+        return failure(
+            ErrorCode::Denied,
+            Text::tr("%1 belongs to another user (%2), who may control this mount already: start Boresight as "
+                     "that user, or with another --state-dir")
+                .arg(path, toQString(lock.error().text)));
     }
     return {};
 }

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] const QString& path() const { return m_path; }
 
     // Keeps other programs from this journal until the end of this object. Before load(). Busy: another program uses
-    // it. A place where nothing can be written needs no lock.
+    // it. Denied: another user's program may. A place where nothing can be written needs no lock.
     [[nodiscard]] Result<> claim();
 
     // Blocks: once, before the station's loop runs. A file that cannot be read is kept under another name, and the

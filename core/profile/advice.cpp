@@ -12,6 +12,8 @@ constexpr Seconds kLongStop{3.0};
 constexpr Angle kFarStop = Angle::fromDegrees(10.0);
 // Full speed within five ticks: nothing on a mast is driven so hard.
 constexpr Seconds kShortRamp{0.1};
+// kg·m²: a Yagi of two metres and three kilograms. What turns lighter things is a rotator for a desk.
+constexpr double kLightAntenna = 2.0;
 
 QString decimalText(double value, int decimals)
 {
@@ -48,15 +50,15 @@ void adviseOn(std::vector<Advice>& list, const std::string& table, const QString
                         Text::tr("Raise max_acceleration_deg_s2 (%1), or lower max_speed_deg_s.").arg(acceleration)});
     }
     const Seconds ramp{limits.speed.radians() / limits.acceleration.radians()};
-    if (ramp < kShortRamp) {
-        const double inertia = axis.maxTorque / limits.acceleration.radians();
+    const double inertia = axis.maxTorque / limits.acceleration.radians();
+    if (ramp < kShortRamp || inertia < kLightAntenna) {
         list.push_back(
             {key,
              Text::tr("%1 is to reach %2°/s within %3 s: the %4 Nm allowed are enough for a moment of inertia of "
                       "%5 kg·m² at most, without friction and wind")
                  .arg(name, decimalText(limits.speed.degrees(), 1), decimalText(ramp.count(), 2),
                       decimalText(axis.maxTorque, 1), decimalText(inertia, 1)),
-             Text::tr("Lower max_acceleration_deg_s2 (%1).").arg(acceleration)});
+             Text::tr("Lower max_acceleration_deg_s2 (%1), or raise max_torque_nm.").arg(acceleration)});
     }
 }
 

@@ -83,6 +83,9 @@ Result<> Arming::resetStop()
 bool Arming::losesConnection(SteadyTime now)
 {
     m_now = now;
+    for (const Axis axis : kAxes) {
+        noteConditions(axis);
+    }
     const bool connected = m_drives.answering(now) && !m_released;
     if (connected == m_connected) {
         return false;
@@ -103,7 +106,7 @@ void Arming::lost(Axis axis, supervision::LossClass kind, const QString& reason)
 {
     const auto same = [&](const Loss& loss) { return loss.axis == axis && loss.kind == kind; };
     if (std::ranges::none_of(m_losses, same)) {
-        m_losses.push_back({.axis = axis, .kind = kind, .reason = reason, .conditions = conditions(axis)});
+        m_losses.push_back({.axis = axis, .kind = kind, .reason = reason, .conditions = m_told[index(axis)]});
     }
     m_retry.lost(kind, m_now);
     m_rearming = false;
@@ -120,9 +123,19 @@ supervision::DriveConditions Arming::conditions(Axis axis) const
     if (!report) {
         return {};
     }
-    return {.voltage = report->voltage.value_or(0.0),
-            .boardTemperature = report->boardTemperature.value_or(0.0),
+    return {.voltage = report->voltage,
+            .boardTemperature = report->boardTemperature,
             .motorTemperature = report->motorTemperature};
+}
+
+// The reply in which a drive is lost may be the one that does not say it.
+void Arming::noteConditions(Axis axis)
+{
+    const supervision::DriveConditions now = conditions(axis);
+    supervision::DriveConditions& told = m_told[index(axis)];
+    told = {.voltage = now.voltage ? now.voltage : told.voltage,
+            .boardTemperature = now.boardTemperature ? now.boardTemperature : told.boardTemperature,
+            .motorTemperature = now.motorTemperature ? now.motorTemperature : told.motorTemperature};
 }
 
 // The heat or the supply that led to a fault is still there, or would lead to the next one.

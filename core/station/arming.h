@@ -12,6 +12,7 @@
 
 #include <QString>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -79,6 +80,7 @@ private:
 
     [[nodiscard]] QString rearmObstacle() const;
     [[nodiscard]] supervision::DriveConditions conditions(Axis axis) const;
+    void noteConditions(Axis axis);
     void beginRearm();
     void retry();
 
@@ -93,8 +95,9 @@ private:
     bool m_closing = false;
     bool m_connected = false;
     bool m_wasConnected = false;
-    SteadyTime m_quietUntil{};   // no motion right after a connection came back
-    std::vector<Loss> m_losses;  // since the last re-arm; any of them latches the fault
+    SteadyTime m_quietUntil{};                             // no motion right after a connection came back
+    std::vector<Loss> m_losses;                            // since the last re-arm; any of them latches the fault
+    std::array<supervision::DriveConditions, 2> m_told{};  // what each drive has told last
     bool m_rearming = false;
     SteadyTime m_now{};  // of the running or last tick
 };

@@ -175,6 +175,9 @@ void Drive::excuse(Seconds stall, SteadyTime now)
     const auto excused = std::chrono::duration_cast<SteadyTime::duration>(stall);
     m_heard = std::min(m_heard + excused, now);
     m_placed = std::min(m_placed + excused, now);
+    if (m_phaseSince) {
+        m_phaseSince = std::min(*m_phaseSince + excused, now);
+    }
 }
 
 bool Drive::activeUnordered() const

@@ -119,7 +119,7 @@ public:
     // Once per tick: draws the conclusions from the replies (see takeLoss() and takeEngaged()), then the frame to send.
     void judge(SteadyTime now);
     [[nodiscard]] CanFrame frame() const;
-    // We did not look at the bus for so long: this does not count as silence of the drive.
+    // We did not look at the bus for so long: this does not count as silence or disobedience of the drive.
     void excuse(Seconds stall, SteadyTime now);
     void expectAnotherPlace() { m_belief.expectAnother(); }  // how it moved meanwhile is not known
 

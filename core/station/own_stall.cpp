@@ -24,7 +24,7 @@ bool OwnStall::note(Seconds gap, Seconds watchdog, const AxisPosition& setpoints
     }
     m_gap = gap;
     m_end = now;
-    m_setpoints = setpoints;
+    m_setpoints = m_resuming ? m_setpoints : setpoints;
     m_possible = gap <= kLongest;
     return true;
 }

@@ -7,8 +7,9 @@
 
 #include <optional>
 
-// The last stall of this computer: for how long it sent no commands, and where the set-points were. Decides whether the
-// motion may go on after the drives stopped by their watchdogs. Pure, one thread; mechanical angles.
+// The last stall of this computer: for how long it sent no commands, and where the axes were to be. Decides whether the
+// motion may go on after the drives stopped by their watchdogs. Of stalls in a row, the one that stopped them tells
+// where they stand. Pure, one thread; mechanical angles.
 namespace boresight {
 
 class OwnStall

@@ -27,11 +27,12 @@ constexpr rlim_t kRtkitsLongest = 200'000;  // µs
 
 std::atomic<pid_t> theThread{0};
 
-// A program that runs wild must not take the computer with it. Only calls that are safe in a signal handler.
+// A program that runs wild must not take the computer with it. Only calls that are safe in a signal handler. An
+// ordinary user may not take SCHED_RESET_ON_FORK back.
 void giveBack(int)
 {
     const sched_param ordinary{};
-    (void)sched_setscheduler(theThread.load(), SCHED_OTHER, &ordinary);
+    (void)sched_setscheduler(theThread.load(), SCHED_OTHER | SCHED_RESET_ON_FORK, &ordinary);
 }
 
 rlimit limitOf(int resource)
@@ -118,7 +119,8 @@ void RealTime::lockMemory()
 
 bool RealTime::isRealTime() const
 {
-    return (sched_getscheduler(theThread) & ~SCHED_RESET_ON_FORK) == SCHED_FIFO;
+    const int policy = sched_getscheduler(theThread) & ~SCHED_RESET_ON_FORK;
+    return policy == SCHED_FIFO || policy == SCHED_RR;  // rtkit gives the second
 }
 
 QString RealTime::text() const

@@ -4,7 +4,7 @@
 #include <QObject>
 #include <QString>
 
-// Asks the system that the control ticks come before other work: real-time scheduling (SCHED_FIFO) for the thread that
+// Asks the system that the control ticks come before other work: real-time scheduling for the thread that
 // calls ask(), from the kernel where the resource limits allow it, else from the service rtkit; and that the program's
 // memory stays in RAM. The thread gives real-time scheduling back when it computes for 0.1 s without a pause.
 // Lives on the thread that it asks for. At most one in a program.

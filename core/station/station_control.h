@@ -236,6 +236,7 @@ private:
     [[nodiscard]] AxisPosition standing() const;  // where the set-points are, or the axes if nobody moves them
     [[nodiscard]] AxisPosition heading() const;   // where the axes are going, else where they stand
 
+    [[nodiscard]] AxisPosition heldPlace() const;
     void watchStall(Seconds gap);
     void resumeAfterStall();
     [[nodiscard]] bool mayResume() const;

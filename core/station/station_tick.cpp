@@ -62,7 +62,7 @@ std::array<CanFrame, 2> StationControl::tick()
     watchLimited();
     m_alarms.tick();
     shutDownFurther();
-    m_stall.sent(m_profile.control.watchdog, m_motion.place(), m_clock.now());
+    m_stall.sent(m_profile.control.watchdog, heldPlace(), m_clock.now());
     return m_drives.frames();
 }
 
@@ -188,9 +188,20 @@ void StationControl::tellEnteredPlace(Axis axis)
     }
 }
 
+// Where the drives were told to be; one that is still taken over has no set-point.
+AxisPosition StationControl::heldPlace() const
+{
+    const auto of = [this](Axis axis, Angle setpoint) {
+        const bool engaged = m_drives.drive(axis).phase() == Drive::Phase::Engaged;
+        return engaged ? setpoint : m_drives.measured(axis).value_or(setpoint);
+    };
+    const AxisPosition told = m_motion.place();
+    return {.azimuth = of(Axis::Azimuth, told.azimuth), .elevation = of(Axis::Elevation, told.elevation)};
+}
+
 void StationControl::watchStall(Seconds gap)
 {
-    if (m_tick == 0 || !m_stall.note(gap, m_profile.control.watchdog, m_motion.place(), m_clock.now())) {
+    if (m_tick == 0 || !m_stall.note(gap, m_profile.control.watchdog, heldPlace(), m_clock.now())) {
         return;
     }
     m_drives.excuse(gap, m_now + std::chrono::duration_cast<SteadyTime::duration>(gap));

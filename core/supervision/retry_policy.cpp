@@ -36,17 +36,26 @@ QString boardTooHot(double now, double needed)
     return tooHot(Text::tr("the drive board is still at %1 °C; it must cool down to %2 °C"), now, needed);
 }
 
-// A drive without any supply does not answer: 0 is what it did not tell.
-bool isTold(double voltage)
-{
-    return voltage > 0.0;
-}
-
 QString supplyTooLow(double now, double needed)
 {
-    return isTold(now) && now < needed
-               ? Text::tr("the supply is still at %1 V; %2 V are needed").arg(words(now, 1), words(needed, 1))
-               : QString();
+    return now < needed ? Text::tr("the supply is still at %1 V; %2 V are needed").arg(words(now, 1), words(needed, 1))
+                        : QString();
+}
+
+QString supplyTooHigh(double now, double allowed)
+{
+    return now > allowed ? Text::tr("the supply is still at %1 V; at most %2 V are permitted")
+                               .arg(words(now, 1), words(allowed, 1))
+                         : QString();
+}
+
+QString supplyRefusal(const profile::SupervisionSettings& settings, const std::optional<double>& now)
+{
+    if (!now) {
+        return Text::tr("the drive does not tell its supply voltage");
+    }
+    const QString low = supplyTooLow(*now, settings.supplyLow);
+    return low.isEmpty() ? supplyTooHigh(*now, settings.supplyHigh) : low;
 }
 
 // Fault 38 does not say whether the board or the motor was too hot: the motor, if the board was far from its limit.
@@ -54,15 +63,19 @@ QString supplyTooLow(double now, double needed)
 // switched off.
 QString heatRefusal(double boardLimit, double motorHot, const DriveConditions& atLoss, const DriveConditions& now)
 {
-    const bool boardWasFar = atLoss.boardTemperature < boardLimit - kCoolDown;
+    if (!now.boardTemperature || (atLoss.motorTemperature && !now.motorTemperature)) {
+        return Text::tr("the drive does not tell its temperature");
+    }
+    const double boardThen = atLoss.boardTemperature.value_or(boardLimit);
+    const bool boardWasFar = boardThen < boardLimit - kCoolDown;
     const double motorThen = atLoss.motorTemperature.value_or(0.0);
     const bool motorWasHot = boardWasFar && motorThen > motorHot - kCool;
     const double motorNeeded = motorWasHot ? std::min(motorHot, motorThen - kCoolDown) : motorHot;
     const QString motor = now.motorTemperature ? motorTooHot(*now.motorTemperature, motorNeeded) : QString();
-    if (!motor.isEmpty() || motorWasHot || atLoss.boardTemperature < boardLimit - kCool) {
+    if (!motor.isEmpty() || motorWasHot || boardThen < boardLimit - kCool) {
         return motor;
     }
-    return boardTooHot(now.boardTemperature, std::min(atLoss.boardTemperature, boardLimit) - kCoolDown);
+    return boardTooHot(*now.boardTemperature, std::min(boardThen, boardLimit) - kCoolDown);
 }
 
 }  // namespace
@@ -162,24 +175,19 @@ QString clearRefusal(const profile::SupervisionSettings& settings, LossClass los
     if (loss == LossClass::OverTemperature) {
         return heatRefusal(settings.boardLimit, settings.motorHot, atLoss, now);
     }
-    if (loss == LossClass::Supply || (isTold(atLoss.voltage) && atLoss.voltage <= settings.supplyStop)) {
-        if (const QString low = supplyTooLow(now.voltage, settings.supplyLow); !low.isEmpty()) {
-            return low;
-        }
+    if (loss == LossClass::Supply) {
+        return supplyRefusal(settings, now.voltage);
     }
-    if (loss == LossClass::Supply && now.voltage > settings.supplyHigh) {
-        return Text::tr("the supply is still at %1 V; at most %2 V are permitted")
-            .arg(words(now.voltage, 1), words(settings.supplyHigh, 1));
-    }
-    return {};
+    const bool wasLow = atLoss.voltage && *atLoss.voltage <= settings.supplyStop;
+    return wasLow && now.voltage ? supplyTooLow(*now.voltage, settings.supplyLow) : QString();
 }
 
 QString standingRefusal(const profile::SupervisionSettings& settings, const DriveConditions& now)
 {
-    const QString hot = now.boardTemperature >= settings.boardLimit
-                            ? boardTooHot(now.boardTemperature, settings.boardLimit - kCoolDown)
-                            : QString();
-    return hot.isEmpty() ? supplyTooLow(now.voltage, settings.supplyStop) : hot;
+    if (now.boardTemperature && *now.boardTemperature >= settings.boardLimit) {
+        return boardTooHot(*now.boardTemperature, settings.boardLimit - kCoolDown);
+    }
+    return now.voltage ? supplyTooLow(*now.voltage, settings.supplyStop) : QString();
 }
 
 }  // namespace boresight::supervision

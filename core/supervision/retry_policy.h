@@ -56,15 +56,16 @@ private:
     std::optional<SteadyTime> m_healthySince;
 };
 
-// What matters for a re-arm, of one drive.
+// What matters for a re-arm, of one drive. Empty: it does not say it, or says no number.
 struct DriveConditions
 {
-    double voltage = 0.0;           // V
-    double boardTemperature = 0.0;  // °C
-    std::optional<double> motorTemperature;
+    std::optional<double> voltage;           // V
+    std::optional<double> boardTemperature;  // °C
+    std::optional<double> motorTemperature;  // °C; empty also without a sensor
 };
 
-// Why a re-arm would be pointless now: the heat or the supply that led to the fault is still there. Empty: go ahead.
+// Why a re-arm would be pointless now: the heat or the supply that led to the fault is still there, or is not told any
+// more. `atLoss` is what was told last. Empty: go ahead.
 [[nodiscard]] QString clearRefusal(const profile::SupervisionSettings& settings, LossClass loss,
                                    const DriveConditions& atLoss, const DriveConditions& now);
 // The same of a drive whatever it was lost by, or was not: what it measures now would stop the mount again at once.

@@ -5562,10 +5562,6 @@ do eixo</translation>
         <translation>Aumente max_acceleration_deg_s2 (%1), ou reduza max_speed_deg_s.</translation>
     </message>
     <message>
-        <source>Lower max_acceleration_deg_s2 (%1).</source>
-        <translation>Reduza max_acceleration_deg_s2 (%1).</translation>
-    </message>
-    <message>
         <source>%1 is the profile of the simulated mount. Set bus.name to the bus of the mount first.</source>
         <translation>%1 é o perfil da montagem simulada. Defina primeiro em bus.name o barramento da montagem.</translation>
     </message>
@@ -5784,6 +5780,22 @@ do eixo</translation>
     <message>
         <source>With &quot;synchronised&quot; Boresight computes the Sun only from a clock that NTP or GPS set in the last 24 h. With &quot;trusted&quot; it uses the clock of this computer without that check.</source>
         <translation>Com &quot;synchronised&quot; o Boresight só calcula o Sol a partir de um relógio que o NTP ou o GPS acertou nas últimas 24 h. Com &quot;trusted&quot; usa o relógio deste computador sem essa verificação.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to another user (%2), who may control this mount already: start Boresight as that user, or with another --state-dir</source>
+        <translation>%1 pertence a outro utilizador (%2), que talvez já controle esta montagem: inicie o Boresight como esse utilizador, ou com outro --state-dir</translation>
+    </message>
+    <message>
+        <source>Lower max_acceleration_deg_s2 (%1), or raise max_torque_nm.</source>
+        <translation>Reduza max_acceleration_deg_s2 (%1) ou aumente max_torque_nm.</translation>
+    </message>
+    <message>
+        <source>the drive does not tell its supply voltage</source>
+        <translation>o drive não informa a tensão de alimentação</translation>
+    </message>
+    <message>
+        <source>the drive does not tell its temperature</source>
+        <translation>o drive não informa a temperatura</translation>
     </message>
 </context>
 <context>

@@ -2,10 +2,12 @@
 // boresightd as systemd runs it: signals, limits, the watchdog of the service, the rights of its files.
 #include "core/base/file_descriptor.h"
 #include "tests/fakes/program.h"
+#include "tests/fakes/tcp_peer.h"
 #include "tests/fakes/wait_until.h"
 
 #include <QFile>
 #include <QTemporaryDir>
+#include <QTest>
 
 #include <gmock/gmock.h>
 #include <sys/socket.h>
@@ -61,6 +63,11 @@ protected:
         ASSERT_GT(process, 0) << "0 is everybody here";
         ASSERT_EQ(::kill(process, signal), 0);
     }
+    [[nodiscard]] std::unique_ptr<fakes::TcpPeer> connect() const
+    {
+        const int port = program->lines().constLast().section(QLatin1Char(':'), -1).toInt();
+        return std::make_unique<fakes::TcpPeer>("127.0.0.1", std::uint16_t(port), [] { QTest::qWait(1); });
+    }
     [[nodiscard]] bool says(const char* text) { return program->waitForError(QString::fromUtf8(text)); }
     [[nodiscard]] std::string errors() const { return program->errors().toStdString(); }
     void expectOrderlyEnd()
@@ -86,6 +93,19 @@ TEST_F(ServiceTest, HangUpReadsTheProfileAgain)
     write(kProfile + "[jog]\nfast_deg_s = 5\n[azimuth]\nid = 7\n");
     send(SIGHUP);
     EXPECT_TRUE(says("these settings wait for a restart: azimuth.id")) << errors();
+    expectOrderlyEnd();
+}
+
+TEST_F(ServiceTest, HangUpDoesNotEndTheMotion)
+{
+    start();
+    const auto client = connect();
+    ASSERT_TRUE(fakes::waitUntil([&client] { return client->ask("P 15 15\n") == "RPRT 0\n"; }));
+    write(kProfile + "[jog]\nfast_deg_s = 5\n");
+    send(SIGHUP);
+    EXPECT_TRUE(says("the profile was read again and is in force")) << errors();
+    EXPECT_TRUE(fakes::waitUntil([&client] { return client->ask("p\n", 2) == "15.00\n15.00\n"; })) << errors();
+    EXPECT_EQ(errors().find("ends the motion"), std::string::npos) << errors();
     expectOrderlyEnd();
 }
 

@@ -170,14 +170,14 @@ std::vector<Group> falsePositions()
                           .moments = kEverywhere});
         groups.push_back({.fault = goesOn(answers("one reply of the # drive has no position",
                                                   {.kind = FaultKind::PositionNaN, .duration = kOneReply})),
-                          .moments = kFast});
+                          .moments = kEverywhere});
         groups.push_back({.fault = latches(answers("# position NaN", {.kind = FaultKind::PositionNaN})),
                           .moments = kEverywhereAndAtTheEnds});
         groups.push_back({.fault = latches(answers("# position infinite", {.kind = FaultKind::PositionInfinite})),
-                          .moments = kFast});
+                          .moments = kEverywhere});
         groups.push_back(
             {.fault = latches(answers("# replies end before the position", {.kind = FaultKind::PositionMissing})),
-             .moments = kFast});
+             .moments = kEverywhere});
     }
     return groups;
 }
@@ -193,7 +193,7 @@ std::vector<Group> strangeReplies()
     std::vector<Group> groups{
         {.fault = ofAzimuth("azimuth drive answers under the unknown id 7",
                             {.kind = FaultKind::ForeignId, .axis = Axis::Azimuth, .value = 7.0}),
-         .moments = kFast},
+         .moments = kEverywhere},
         {.fault = goesOn("replies of both drives exchanged once",
                          {.kind = FaultKind::ExchangedReplies, .duration = kOneReply}),
          .moments = kEverywhere},
@@ -342,16 +342,16 @@ std::vector<Group> others()
                    .stall = Seconds(0.5),
                    .outcome = Outcome::GoesOn,
                    .hurt = Hurt::None},
-         .moments = {Moment::AtRest, Moment::InSlew, Moment::WhileBraking, Moment::AtLowerEnd, Moment::InTrack,
-                     Moment::InJog}},
+         .moments = kEverywhereAndAtTheEnds},
+        {.fault = {.name = "this computer stalls for 1.5 s",
+                   .stall = Seconds(1.5),
+                   .outcome = Outcome::GoesOn,
+                   .hurt = Hurt::None},
+         .moments = kEverywhereAndAtTheEnds},
         {.fault = {.name = "this computer stalls for 2.5 s", .stall = Seconds(2.5), .alarm = "timed out"},
-         .moments = {Moment::AtRest, Moment::InSlew, Moment::InTrack, Moment::InJog}},
+         .moments = kEverywhere},
         {.fault = {.name = "this computer stalls for 20 s", .stall = Seconds(20.0), .alarm = "timed out"},
-         .moments = {Moment::AtRest, Moment::InSlew, Moment::InTrack, Moment::InJog}},
-        {.fault = {.name = "this computer stalls for 20 s",
-                   .stall = Seconds(20.0),
-                   .alarm = "does not do what it is told"},
-         .moments = {Moment::WhileEnabling}},
+         .moments = kEverywhere},
         {.fault = {.name = "azimuth drive answers as the elevation drive",
                    .injections = {{.kind = FaultKind::DuplicateId, .axis = Axis::Azimuth}},
                    .alarm = "azimuth"},
@@ -391,7 +391,7 @@ std::vector<Group> others()
                                 .hurt = Hurt::Azimuth,
                                 .alarm = "azimuth drive",
                                 .stillWithin = kCoasting},
-                      .moments = kFast});
+                      .moments = kEverywhere});
     return groups;
 }
 

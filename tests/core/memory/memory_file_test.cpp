@@ -145,6 +145,23 @@ TEST_F(MemoryFileTest, AKilledProgramKeepsNobodyOut)
     EXPECT_TRUE(next.claim());
 }
 
+// Story: whoever could not open another user's lock went on without one.
+TEST_F(MemoryFileTest, ALockOfAnotherUserKeepsOthersOut)
+{
+    ASSERT_EQ(chmod(m_dir.path().toLocal8Bit().constData(), 0777), 0);
+    MemoryFile first(m_dir.path(), QStringLiteral("mast"));
+    ASSERT_TRUE(first.claim());
+    ASSERT_EQ(chmod((path() + QStringLiteral(".lock")).toLocal8Bit().constData(), 0), 0);
+    const bool root = geteuid() == 0;
+    constexpr uid_t kNobody = 65534;
+    ASSERT_TRUE(!root || seteuid(kNobody) == 0);  // root may open anything
+    const Result<> refused = MemoryFile(m_dir.path(), QStringLiteral("mast")).claim();
+    ASSERT_TRUE(!root || seteuid(0) == 0);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::Denied);
+    EXPECT_THAT(refused.error().text, HasSubstr("belongs to another user (Permission denied)"));
+}
+
 // Without a place for a journal there is nothing to be kept apart; saving tells it.
 TEST_F(MemoryFileTest, AFolderThatIsNotThereNeedsNoLock)
 {

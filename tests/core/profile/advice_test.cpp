@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace boresight::profile {
 namespace {
 
@@ -45,6 +47,19 @@ TEST(Advice, TellsOfAnAccelerationThatNoTorqueGives)
                 HasSubstr("10.0°/s within 0.03 s: the 50.0 Nm allowed are enough for a moment of inertia of "
                           "9.5 kg·m² at most"));
     EXPECT_THAT(advice.front().remedy.toStdString(), HasSubstr("Lower max_acceleration_deg_s2 (300.0)"));
+}
+
+// Story: 300°/s² with 5 Nm and 30°/s passed, since full speed took just a tenth of a second.
+TEST(Advice, TellsOfATorqueThatTurnsNothing)
+{
+    for (const auto& [speed, acceleration, torque] : {std::tuple(30.0, 299.0, 5.0), std::tuple(10.0, 90.0, 2.0)}) {
+        const auto advice = adviceOn(with(speed, acceleration, torque));
+        ASSERT_EQ(advice.size(), 1U) << torque;
+        EXPECT_THAT(advice.front().remedy.toStdString(), HasSubstr("or raise max_torque_nm"));
+    }
+    EXPECT_THAT(adviceOn(with(10.0, 90.0, 2.0)).front().what.toStdString(),
+                HasSubstr("the 2.0 Nm allowed are enough for a moment of inertia of 1.3 kg·m² at most"));
+    EXPECT_TRUE(adviceOn(with(10.0, 30.0, 2.0)).empty()) << "3.8 kg·m²";
 }
 
 TEST(Advice, LooksAtBothAxes)

@@ -226,6 +226,19 @@ TEST_F(ClearRefusal, TheSupplyMustBeBack)
     EXPECT_EQ(refusal(LossClass::Supply, cut, {.voltage = 24.0}), "");
 }
 
+// Story: a temperature that was no number counted as 0 °C, and the hot motor was re-armed.
+TEST_F(ClearRefusal, WhatIsNotToldIsNotCool)
+{
+    const DriveConditions hot{.voltage = 24.0, .boardTemperature = 76.0, .motorTemperature = 90.0};
+    const std::string untold = "the drive does not tell its temperature";
+    EXPECT_EQ(refusal(LossClass::OverTemperature, hot, {.voltage = 24.0}), untold);
+    EXPECT_EQ(refusal(LossClass::OverTemperature, hot, {.voltage = 24.0, .boardTemperature = 40.0}), untold);
+    const DriveConditions cool{.voltage = 24.0, .boardTemperature = 40.0, .motorTemperature = 40.0};
+    EXPECT_EQ(refusal(LossClass::OverTemperature, hot, cool), "");
+    EXPECT_NE(refusal(LossClass::OverTemperature, {}, {.boardTemperature = 74.0}), "") << "nor was it told at the loss";
+    EXPECT_EQ(refusal(LossClass::Supply, {.voltage = 3.0}, {}), "the drive does not tell its supply voltage");
+}
+
 TEST_F(ClearRefusal, OtherLossesHaveNothingToWaitFor)
 {
     const DriveConditions odd{.voltage = 13.0, .boardTemperature = 90.0};
