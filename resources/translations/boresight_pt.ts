@@ -5783,7 +5783,7 @@ do eixo</translation>
     </message>
     <message>
         <source>%1 belongs to another user (%2), who may control this mount already: start Boresight as that user, or with another --state-dir</source>
-        <translation>%1 pertence a outro utilizador (%2), que talvez já controle esta montagem: inicie o Boresight como esse utilizador, ou com outro --state-dir</translation>
+        <translation>%1 pertence a outro usuário (%2), que talvez já controle esta montagem: inicie o Boresight como esse usuário, ou com outro --state-dir</translation>
     </message>
     <message>
         <source>Lower max_acceleration_deg_s2 (%1), or raise max_torque_nm.</source>
@@ -5791,11 +5791,11 @@ do eixo</translation>
     </message>
     <message>
         <source>the drive does not tell its supply voltage</source>
-        <translation>o drive não informa a tensão de alimentação</translation>
+        <translation>o acionamento não informa a tensão de alimentação</translation>
     </message>
     <message>
         <source>the drive does not tell its temperature</source>
-        <translation>o drive não informa a temperatura</translation>
+        <translation>o acionamento não informa a temperatura</translation>
     </message>
 </context>
 <context>
