@@ -8,10 +8,10 @@
 #include "app/unix_signals.h"
 #include "core/base/version.h"
 #include "core/station/link_factory.h"
-#include "ui/gamepad.h"
-#include "ui/language.h"
-#include "ui/main_window.h"
-#include "ui/start_problem.h"
+#include "ui/jog/gamepad.h"
+#include "ui/kit/language.h"
+#include "ui/window/main_window.h"
+#include "ui/window/start_problem.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

@@ -10,8 +10,8 @@
 #include "core/base/clock.h"
 #include "core/base/numbers.h"
 #include "tests/ui/sample_status.h"
-#include "ui/main_window.h"
-#include "ui/strip_charts.h"
+#include "ui/charts/strip_charts.h"
+#include "ui/window/main_window.h"
 
 #include <QAbstractButton>
 #include <QApplication>

@@ -10,7 +10,7 @@
 #include "app/profile_saver.h"
 #include "app/station_thread.h"
 #include "core/sim/simulated_link.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

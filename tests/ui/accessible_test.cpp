@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
-#include "ui/guide_page.h"
-#include "ui/help_page.h"
-#include "ui/polar_plot.h"
-#include "ui/step_button.h"
+#include "ui/guide/guide_page.h"
+#include "ui/guide/step_button.h"
+#include "ui/sky/polar_plot.h"
+#include "ui/window/help_page.h"
 
 #include <QAccessible>
 #include <QApplication>

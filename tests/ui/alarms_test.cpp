@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
-#include "ui/alarm_model.h"
-#include "ui/choice_button.h"
-#include "ui/command_button.h"
-#include "ui/log_panel.h"
+#include "ui/kit/choice_button.h"
+#include "ui/kit/command_button.h"
+#include "ui/log/alarm_model.h"
+#include "ui/log/log_panel.h"
 
 #include <QCheckBox>
 #include <QPlainTextEdit>

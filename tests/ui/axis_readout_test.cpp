@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/axis_readout.h"
+#include "ui/window/axis_readout.h"
 
 #include "tests/ui/find_widget.h"
 #include "tests/ui/sample_status.h"
-#include "ui/value_label.h"
+#include "ui/kit/value_label.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/north_fixture.h"
-#include "ui/calibration_permission.h"
-#include "ui/calibration_words.h"
-#include "ui/format.h"
-#include "ui/jog_button.h"
-#include "ui/scan_plot.h"
-#include "ui/touch_combo.h"
+#include "ui/hold/jog_button.h"
+#include "ui/kit/format.h"
+#include "ui/kit/touch_combo.h"
+#include "ui/north/calibration_permission.h"
+#include "ui/north/calibration_words.h"
+#include "ui/north/scan_plot.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>

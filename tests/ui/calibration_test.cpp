@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/north_fixture.h"
-#include "ui/stop_button.h"
+#include "ui/window/stop_button.h"
 
 #include <QApplication>
 #include <QPlainTextEdit>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/picture_book.h"
-#include "ui/strip_chart.h"
-#include "ui/strip_charts.h"
+#include "ui/charts/strip_chart.h"
+#include "ui/charts/strip_charts.h"
 
 #include <QAbstractButton>
 

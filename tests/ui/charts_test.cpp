@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
-#include "ui/choice_button.h"
-#include "ui/polar_plot.h"
-#include "ui/stop_button.h"
-#include "ui/strip_chart.h"
-#include "ui/strip_charts.h"
-#include "ui/time_axis.h"
+#include "ui/charts/strip_chart.h"
+#include "ui/charts/strip_charts.h"
+#include "ui/charts/time_axis.h"
+#include "ui/kit/choice_button.h"
+#include "ui/sky/polar_plot.h"
+#include "ui/window/stop_button.h"
 
 #include <QComboBox>
 #include <QPushButton>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
-#include "ui/choice_button.h"
-#include "ui/client_model.h"
-#include "ui/lead_prompt.h"
+#include "ui/clients/client_model.h"
+#include "ui/clients/lead_prompt.h"
+#include "ui/kit/choice_button.h"
 
 #include <QApplication>
 #include <QClipboard>

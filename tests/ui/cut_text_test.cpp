@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/asking_panel.h"
-#include "ui/client_model.h"
-#include "ui/close_prompt.h"
-#include "ui/language.h"
-#include "ui/lead_prompt.h"
-#include "ui/polar_plot.h"
+#include "ui/clients/client_model.h"
+#include "ui/clients/lead_prompt.h"
+#include "ui/kit/asking_panel.h"
+#include "ui/kit/language.h"
+#include "ui/sky/polar_plot.h"
+#include "ui/window/close_prompt.h"
 
 #include <QHeaderView>
 #include <QLabel>

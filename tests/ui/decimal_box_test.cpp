@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/decimal_box.h"
+#include "ui/kit/decimal_box.h"
 
 #include <QLineEdit>
 #include <QTest>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/system/simulated_station.h"
 #include "tests/ui/find_widget.h"
-#include "ui/command_button.h"
-#include "ui/jog_button.h"
-#include "ui/jog_panel.h"
-#include "ui/main_window.h"
-#include "ui/plot_editor.h"
-#include "ui/polar_plot.h"
-#include "ui/rate_slider.h"
-#include "ui/value_label.h"
+#include "ui/hold/jog_button.h"
+#include "ui/jog/jog_panel.h"
+#include "ui/jog/rate_slider.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/value_label.h"
+#include "ui/sky/plot_editor.h"
+#include "ui/sky/polar_plot.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QLineEdit>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
-#include "ui/telemetry_excerpt.h"
+#include "ui/charts/telemetry_excerpt.h"
 
 #include <QElapsedTimer>
 #include <QFile>

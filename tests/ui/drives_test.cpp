@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
-#include "ui/calibration_panel.h"
-#include "ui/command_button.h"
-#include "ui/drives_panel.h"
-#include "ui/jog_panel.h"
-#include "ui/log_panel.h"
-#include "ui/panel_tabs.h"
-#include "ui/protection_model.h"
-#include "ui/protection_panel.h"
-#include "ui/turn_page.h"
+#include "ui/drives/drives_panel.h"
+#include "ui/drives/protection_model.h"
+#include "ui/drives/protection_panel.h"
+#include "ui/drives/turn_page.h"
+#include "ui/jog/jog_panel.h"
+#include "ui/kit/command_button.h"
+#include "ui/log/log_panel.h"
+#include "ui/north/calibration_panel.h"
+#include "ui/window/panel_tabs.h"
 
 #include <QDoubleSpinBox>
 #include <QPlainTextEdit>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/picture_book.h"
-#include "ui/choice_button.h"
-#include "ui/command_button.h"
-#include "ui/polar_plot.h"
+#include "ui/kit/choice_button.h"
+#include "ui/kit/command_button.h"
+#include "ui/sky/polar_plot.h"
 
 #include <QDoubleSpinBox>
 #include <QLineEdit>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/value_label.h"
+#include "ui/kit/value_label.h"
 
 #include <QFileDialog>
 #include <QLineEdit>

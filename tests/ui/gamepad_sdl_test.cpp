@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/gamepad.h"
+#include "ui/jog/gamepad.h"
 
 #include <QElapsedTimer>
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
-#include "ui/gamepad_pilot.h"
-#include "ui/jog_panel.h"
+#include "ui/jog/gamepad_pilot.h"
+#include "ui/jog/jog_panel.h"
 
 #include <QLineEdit>
 

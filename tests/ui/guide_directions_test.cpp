@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/guide_directions.h"
+#include "ui/guide/guide_directions.h"
 
 #include "tests/ui/guide_fixture.h"
-#include "ui/direction_arrow.h"
+#include "ui/guide/direction_arrow.h"
 
 // Test moves: which motor is which, and which way it turns.
 namespace boresight::ui {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "tests/ui/window_fixture.h"
-#include "ui/guide_page.h"
-#include "ui/jog_button.h"
-#include "ui/jog_panel.h"
-#include "ui/step_button.h"
+#include "ui/guide/guide_page.h"
+#include "ui/guide/step_button.h"
+#include "ui/hold/jog_button.h"
+#include "ui/jog/jog_panel.h"
 
 #include <QPushButton>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
-#include "ui/guide_page.h"
-#include "ui/step_button.h"
+#include "ui/guide/guide_page.h"
+#include "ui/guide/step_button.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

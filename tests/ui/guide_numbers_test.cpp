@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/guide_fixture.h"
-#include "ui/calibration_panel.h"
-#include "ui/guide_north.h"
-#include "ui/guide_site.h"
-#include "ui/guide_travel.h"
-#include "ui/guide_zero.h"
+#include "ui/guide/guide_north.h"
+#include "ui/guide/guide_site.h"
+#include "ui/guide/guide_travel.h"
+#include "ui/guide/guide_zero.h"
+#include "ui/north/calibration_panel.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>

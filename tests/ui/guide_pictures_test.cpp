@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/picture_book.h"
 #include "tests/ui/sample_calibration.h"
-#include "ui/guide_north.h"
-#include "ui/step_button.h"
+#include "ui/guide/guide_north.h"
+#include "ui/guide/step_button.h"
 
 #include <QDoubleSpinBox>
 

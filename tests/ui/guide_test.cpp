@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/guide_fixture.h"
-#include "ui/guide_client.h"
-#include "ui/guide_connect.h"
-#include "ui/guide_directions.h"
-#include "ui/guide_north.h"
-#include "ui/protection_panel.h"
-#include "ui/stop_button.h"
+#include "ui/drives/protection_panel.h"
+#include "ui/guide/guide_client.h"
+#include "ui/guide/guide_connect.h"
+#include "ui/guide/guide_directions.h"
+#include "ui/guide/guide_north.h"
+#include "ui/window/stop_button.h"
 
 #include <QAbstractButton>
 #include <QApplication>

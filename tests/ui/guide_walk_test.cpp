@@ -6,12 +6,12 @@
 #include "core/station/station.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/ui/find_widget.h"
-#include "ui/command_button.h"
-#include "ui/guide_page.h"
-#include "ui/jog_button.h"
-#include "ui/main_window.h"
-#include "ui/step_button.h"
-#include "ui/stop_button.h"
+#include "ui/guide/guide_page.h"
+#include "ui/guide/step_button.h"
+#include "ui/hold/jog_button.h"
+#include "ui/kit/command_button.h"
+#include "ui/window/main_window.h"
+#include "ui/window/stop_button.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
-#include "ui/choice_button.h"
-#include "ui/command_button.h"
-#include "ui/jog_button.h"
-#include "ui/jog_pad.h"
-#include "ui/jog_panel.h"
-#include "ui/rate_slider.h"
+#include "ui/hold/jog_button.h"
+#include "ui/hold/jog_pad.h"
+#include "ui/jog/jog_panel.h"
+#include "ui/jog/rate_slider.h"
+#include "ui/kit/choice_button.h"
+#include "ui/kit/command_button.h"
 
 #include <QApplication>
 #include <QLineEdit>

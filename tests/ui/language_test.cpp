@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/language.h"
+#include "ui/kit/language.h"
 
 #include "core/base/text.h"
 #include "core/profile/setting.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/help_page.h"
-#include "ui/stop_button.h"
+#include "ui/window/help_page.h"
+#include "ui/window/stop_button.h"
 
 #include <QComboBox>
 #include <QFile>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
-#include "ui/command_button.h"
-#include "ui/limits_panel.h"
-#include "ui/panel_tabs.h"
-#include "ui/plot_editor.h"
-#include "ui/polar_plot.h"
+#include "ui/kit/command_button.h"
+#include "ui/limits/limits_panel.h"
+#include "ui/sky/plot_editor.h"
+#include "ui/sky/polar_plot.h"
+#include "ui/window/panel_tabs.h"
 
 #include <QDoubleSpinBox>
 #include <QFile>

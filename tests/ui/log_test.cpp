@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/find_widget.h"
 #include "tests/ui/sample_status.h"
-#include "ui/choice_button.h"
-#include "ui/log_page.h"
-#include "ui/log_panel.h"
-#include "ui/request_desk.h"
-#include "ui/value_label.h"
+#include "ui/kit/choice_button.h"
+#include "ui/kit/request_desk.h"
+#include "ui/kit/value_label.h"
+#include "ui/log/log_page.h"
+#include "ui/log/log_panel.h"
 
 #include <QApplication>
 #include <QCheckBox>

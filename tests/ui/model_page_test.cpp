@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/north_fixture.h"
-#include "ui/residual_sky.h"
-#include "ui/sky_projection.h"
+#include "ui/north/residual_sky.h"
+#include "ui/sky/sky_projection.h"
 
 #include <QDoubleSpinBox>
 #include <QFile>

@@ -3,10 +3,10 @@
 
 #include "tests/ui/sample_calibration.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/calibration_panel.h"
-#include "ui/choice_button.h"
-#include "ui/command_button.h"
-#include "ui/jog_pad.h"
+#include "ui/hold/jog_pad.h"
+#include "ui/kit/choice_button.h"
+#include "ui/kit/command_button.h"
+#include "ui/north/calibration_panel.h"
 
 #include <QTabBar>
 #include <QTabWidget>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/picture_book.h"
 #include "tests/ui/sample_calibration.h"
-#include "ui/body_page.h"
-#include "ui/calibration_panel.h"
-#include "ui/choice_button.h"
+#include "ui/kit/choice_button.h"
+#include "ui/north/body_page.h"
+#include "ui/north/calibration_panel.h"
 
 #include <QTabWidget>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/profile_store.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/asking_panel.h"
-#include "ui/command_button.h"
+#include "ui/kit/asking_panel.h"
+#include "ui/kit/command_button.h"
 
 #include <QComboBox>
 #include <QListWidget>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/picture_book.h"
 
-#include "ui/axis_readout.h"
-#include "ui/header_bar.h"
+#include "ui/window/axis_readout.h"
+#include "ui/window/header_bar.h"
 
 #include <QDir>
 #include <QImage>

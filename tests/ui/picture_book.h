@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tests/ui/window_fixture.h"
-#include "ui/language.h"
+#include "ui/kit/language.h"
 
 #include <QList>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pointing/sun_keep_out.h"
 #include "tests/ui/sample_status.h"
-#include "ui/plot_tools.h"
-#include "ui/polar_plot.h"
-#include "ui/sky_limits.h"
-#include "ui/sky_zoom.h"
-#include "ui/theme.h"
-#include "ui/value_label.h"
+#include "ui/kit/theme.h"
+#include "ui/kit/value_label.h"
+#include "ui/sky/plot_tools.h"
+#include "ui/sky/polar_plot.h"
+#include "ui/sky/sky_limits.h"
+#include "ui/sky/sky_zoom.h"
 
 #include <QApplication>
 #include <QPainter>

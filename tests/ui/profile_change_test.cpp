@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/profile_change.h"
+#include "ui/link/profile_change.h"
 
 #include "core/profile/commissioning.h"
-#include "ui/command_button.h"
-#include "ui/value_label.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/value_label.h"
 
 #include <gtest/gtest.h>
 

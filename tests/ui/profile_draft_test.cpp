@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/profile_draft.h"
+#include "ui/link/profile_draft.h"
 
 #include <QSignalSpy>
 

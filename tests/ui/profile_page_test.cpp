@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/profile_page.h"
+#include "ui/profile/profile_page.h"
 
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_history.h"
 #include "core/profile/profile_store.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/command_button.h"
-#include "ui/setting_tree.h"
+#include "ui/kit/command_button.h"
+#include "ui/profile/setting_tree.h"
 
 #include <QAbstractItemModel>
 #include <QComboBox>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/region_edit.h"
+#include "ui/sky/region_edit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/north_fixture.h"
-#include "ui/compass_dial.h"
-#include "ui/deviation_plot.h"
-#include "ui/sensor_levels.h"
+#include "ui/north/compass_dial.h"
+#include "ui/north/deviation_plot.h"
+#include "ui/north/sensor_levels.h"
 
 #include <QDoubleSpinBox>
 #include <QPlainTextEdit>

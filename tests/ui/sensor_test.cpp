@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The orientation sensor on the screen: its readout, its calibration bars, its link in the header, its marker.
 #include "tests/ui/find_widget.h"
-#include "ui/calibration_bars.h"
-#include "ui/header_bar.h"
-#include "ui/sensor_readout.h"
-#include "ui/sky_markers.h"
-#include "ui/value_label.h"
+#include "ui/kit/value_label.h"
+#include "ui/sky/sky_markers.h"
+#include "ui/window/calibration_bars.h"
+#include "ui/window/header_bar.h"
+#include "ui/window/sensor_readout.h"
 
 #include <QPainter>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/setting_words.h"
+#include "ui/link/setting_words.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/start_problem.h"
+#include "ui/window/start_problem.h"
 
 #include <QLabel>
 #include <QPushButton>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
-#include "ui/axis_readout.h"
-#include "ui/command_button.h"
-#include "ui/help_page.h"
-#include "ui/sky_markers.h"
-#include "ui/stop_button.h"
+#include "ui/kit/command_button.h"
+#include "ui/sky/sky_markers.h"
+#include "ui/window/axis_readout.h"
+#include "ui/window/help_page.h"
+#include "ui/window/stop_button.h"
 
 #include <QAbstractButton>
 #include <QApplication>

@@ -3,8 +3,8 @@
 // well.
 #include "tests/ui/sample_calibration.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/calibration_panel.h"
-#include "ui/deviation_plot.h"
+#include "ui/north/calibration_panel.h"
+#include "ui/north/deviation_plot.h"
 
 #include <QLineEdit>
 #include <QPlainTextEdit>

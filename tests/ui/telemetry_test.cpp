@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/strip_scale.h"
-#include "ui/telemetry_store.h"
+#include "ui/charts/strip_scale.h"
+#include "ui/charts/telemetry_store.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
-#include "ui/cable_bar.h"
-#include "ui/command_button.h"
-#include "ui/format.h"
-#include "ui/jog_pad.h"
-#include "ui/sky_markers.h"
-#include "ui/stop_button.h"
-#include "ui/turn_choice.h"
-#include "ui/turn_page.h"
+#include "ui/drives/turn_choice.h"
+#include "ui/drives/turn_page.h"
+#include "ui/hold/jog_pad.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/format.h"
+#include "ui/sky/sky_markers.h"
+#include "ui/window/cable_bar.h"
+#include "ui/window/stop_button.h"
 
 #include <QAbstractSlider>
 #include <QLineEdit>

@@ -4,8 +4,8 @@
 #include "tests/fakes/manual_clock.h"
 #include "tests/ui/find_widget.h"
 #include "tests/ui/sample_status.h"
-#include "ui/main_window.h"
-#include "ui/value_label.h"
+#include "ui/kit/value_label.h"
+#include "ui/window/main_window.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window_fixture.h"
-#include "ui/cable_bar.h"
-#include "ui/close_prompt.h"
-#include "ui/command_button.h"
-#include "ui/jog_button.h"
-#include "ui/panel_tabs.h"
-#include "ui/polar_plot.h"
+#include "ui/hold/jog_button.h"
+#include "ui/kit/command_button.h"
+#include "ui/sky/polar_plot.h"
+#include "ui/window/cable_bar.h"
+#include "ui/window/close_prompt.h"
+#include "ui/window/panel_tabs.h"
 
 #include <QAbstractButton>
 #include <QComboBox>

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/station/station_status.h"
+#include "ui/charts/strip_frame.h"
+#include "ui/charts/telemetry_store.h"
+
+#include <QWidget>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+class QButtonGroup;
+class QComboBox;
+class QGridLayout;
+
+// The charts of one axis, one above the other: position, error, and a quantity of its drive; with the buttons that
+// choose what is shown. Now is at the right end; paused, the picture stands still and the data are collected on.
+// Where nothing came from the drives, nothing is drawn. It can stand in its panel or, larger, in the place of the sky.
+namespace boresight::ui {
+
+class ChoiceButton;
+class StripChart;
+class TimeAxis;
+class ValueLabel;
+
+class StripCharts : public QWidget
+{
+    Q_OBJECT
+
+public:
+    // The clock outlives the charts; the samples' times are its times.
+    explicit StripCharts(const Clock& clock, QWidget* parent = nullptr);
+
+    void add(const std::vector<TickSample>& samples);
+    void showStatus(const StationStatus& status);
+    void setLarge(bool large);
+
+    [[nodiscard]] StripChart& strip(Strip strip) { return *m_strips[static_cast<std::size_t>(strip)]; }
+    [[nodiscard]] const ChartChoice& choice() const { return m_choice; }
+    void choose(const ChartChoice& choice);  // what is not offered is passed over
+    [[nodiscard]] const TelemetryStore& store() const { return *m_store; }
+
+Q_SIGNALS:
+    void largeWanted(bool large);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+private:
+    QWidget* makeStrips();
+    QWidget* makeControls();
+    void addWindowButtons(QGridLayout& grid);
+    void addAxisButtons(QGridLayout& grid);
+    void addQuantityBox(QGridLayout& grid);
+    void addViewButtons(QGridLayout& grid);
+    void chooseWindow(std::chrono::seconds window);
+    void chooseAxis(Axis axis);
+    void chooseQuantity(DriveQuantity quantity);
+    void pause(bool on);
+    void moveCursor(std::optional<int> column);
+    void refresh();
+    void showTime(const ChartSpan& span);
+    void showNotice();
+    void describeOnceASecond();
+    [[nodiscard]] SteadyTime newest() const;
+    [[nodiscard]] UtcTime utcOf(SteadyTime time) const;
+
+    const Clock& m_clock;
+    std::unique_ptr<TelemetryStore> m_store = std::make_unique<TelemetryStore>();
+    ChartChoice m_choice;
+    QButtonGroup* m_windows;
+    QButtonGroup* m_axes;
+    QComboBox* m_quantity;
+    std::shared_ptr<const profile::Profile> m_profile = std::make_shared<const profile::Profile>();
+    std::array<bool, 2> m_turnKnown{true, true};  // by Axis
+    std::optional<SteadyTime> m_pausedAt;
+    std::optional<int> m_cursor;
+    SteadyTime m_described{};
+    std::array<StripChart*, 3> m_strips{};  // by Strip
+    TimeAxis* m_time;
+    ValueLabel* m_notice;
+    ChoiceButton* m_pause;
+    ChoiceButton* m_large;
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/profile/profile.h"
+#include "ui/charts/strip_scale.h"
+#include "ui/charts/telemetry_store.h"
+
+#include <QString>
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+// What a strip shows now, as plain values: cut from the store for the chosen axis and time, to be painted by
+// StripChart. Pure. A column is one pixel of the screen, counted from the beginning of time; the last one is now.
+namespace boresight::ui {
+
+enum class Strip
+{
+    Position,
+    Error,
+    Drive
+};
+
+// What the strip of the drive shows.
+enum class DriveQuantity
+{
+    Torque,
+    Current,
+    Voltage,
+    Temperature
+};
+
+enum class TraceLine
+{
+    Line,
+    Band  // broad and pale, lies under the line
+};
+
+struct Trace
+{
+    QString word;
+    TraceLine line = TraceLine::Line;
+    std::vector<PeakColumn> columns;
+    std::optional<PeakRange> value;  // under the cursor, else the newest
+};
+
+// A level that means something: a limit, a share of the beam.
+struct ReferenceLine
+{
+    double value = 0.0;
+    QString text;
+};
+
+struct StripFrame
+{
+    std::int64_t firstColumn = 0;
+    std::int64_t columns = 1;
+    std::vector<Trace> traces;
+    std::vector<ReferenceLine> references;
+    std::optional<int> cursor;  // columns from the left
+};
+
+// What does not change while the same thing is shown.
+struct StripForm
+{
+    QString title;
+    QString unit;
+    int decimals = 2;
+    double leastSpan = 1.0;
+    ScaleForm scale = ScaleForm::Free;
+};
+
+struct ChartChoice
+{
+    Axis axis = Axis::Azimuth;
+    std::chrono::seconds window{60};
+    DriveQuantity quantity = DriveQuantity::Torque;
+};
+
+// The part of the time that is shown: `columns` wide, the newest at the right end.
+struct ChartSpan
+{
+    PeakGrid grid;
+    std::int64_t newestBin = 0;
+    std::optional<int> cursor;  // columns from the left
+
+    [[nodiscard]] std::int64_t firstColumn() const { return grid.columnOf(newestBin) + 1 - grid.columns; }
+    // In the middle of the column under the cursor.
+    [[nodiscard]] std::optional<SteadyTime> cursorTime() const;
+};
+
+[[nodiscard]] ChartSpan spanOf(std::chrono::seconds window, int columns, SteadyTime newest, std::optional<int> cursor);
+[[nodiscard]] StripForm formOf(Strip strip, DriveQuantity quantity);
+[[nodiscard]] StripFrame frameOf(const TelemetryStore& store, Strip strip, const ChartChoice& choice,
+                                 const ChartSpan& span, const profile::Profile& profile);
+[[nodiscard]] QString name(DriveQuantity quantity);
+// "12.30" or, of a column that holds more than can be told apart, "12.10…12.50"; "–" without a value.
+[[nodiscard]] QString valueText(const std::optional<PeakRange>& value, int decimals);
+// In words, for screen readers: "Position: commanded 12.30°, in between 10.00…12.30°; actual …".
+[[nodiscard]] QString describe(const StripForm& form, const StripFrame& frame);
+
+}  // namespace boresight::ui

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/clients/client_model.h"
+
+#include "ui/kit/theme.h"
+
+#include <algorithm>
+
+namespace boresight::ui {
+
+namespace {
+
+QString cell(const ClientStatus& client, int column)
+{
+    switch (column) {
+        case ClientModel::Address:
+            return client.address;
+        case ClientModel::Program:
+            return client.program.isEmpty() ? ClientModel::tr("unknown") : client.program;
+        case ClientModel::Rate:
+            return QString::number(client.commandsPerSecond, 'f', 1);
+        case ClientModel::LastCommand:
+            return client.lastCommand;
+        default:
+            return roleWord(client);
+    }
+}
+
+QString help(const ClientStatus& client)
+{
+    QString text = ClientModel::tr("%1, %2: %3 commands a second, last %4")
+                       .arg(client.address, cell(client, ClientModel::Program), cell(client, ClientModel::Rate),
+                            client.lastCommand.isEmpty() ? ClientModel::tr("none") : client.lastCommand);
+    if (!client.advice.isEmpty()) {
+        text += QLatin1Char('\n') + client.advice;
+    }
+    return text;
+}
+
+}  // namespace
+
+QStringList roleWords()
+{
+    QStringList words;
+    for (const ClientStatus& one : {ClientStatus{.readOnly = true}, ClientStatus{.driving = true},
+                                    ClientStatus{.leading = true}, ClientStatus{.wanting = true}, ClientStatus{}}) {
+        ClientStatus locked = one;
+        locked.locked = true;
+        words << roleWord(one) << roleWord(locked);
+    }
+    return words;
+}
+
+QString roleWord(const ClientStatus& client)
+{
+    QString word = client.readOnly  ? ClientModel::tr("read-only")
+                   : client.driving ? ClientModel::tr("● drives")
+                   : client.leading ? ClientModel::tr("leads")
+                   : client.wanting ? ClientModel::tr("▲ wants to")
+                                    : QString();
+    if (client.locked) {
+        word += (word.isEmpty() ? QString() : QStringLiteral(", ")) + ClientModel::tr("locked");
+    }
+    return word;
+}
+
+ClientModel::ClientModel(QObject* parent)
+    : TableModel({tr("Address"), tr("Program"), tr("1/s"), tr("Last"), tr("Control")}, parent)
+{}
+
+void ClientModel::show(const std::vector<ClientStatus>& clients)
+{
+    if (std::ranges::equal(clients, m_clients, {}, &ClientStatus::id, &ClientStatus::id)) {
+        m_clients = clients;
+        changeCells();
+        return;
+    }
+    beginResetModel();
+    m_clients = clients;
+    endResetModel();
+}
+
+std::optional<int> ClientModel::rowOf(std::uint64_t id) const
+{
+    const auto found = std::ranges::find(m_clients, id, &ClientStatus::id);
+    return found == m_clients.end() ? std::nullopt : std::optional(static_cast<int>(found - m_clients.begin()));
+}
+
+QVariant ClientModel::data(const QModelIndex& index, int role) const
+{
+    const ClientStatus& one = client(index.row());
+    switch (role) {
+        case Qt::DisplayRole:
+            return cell(one, index.column());
+        case Qt::ToolTipRole:
+            return help(one);
+        case Qt::TextAlignmentRole:
+            return index.column() == Rate ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
+        case Qt::ForegroundRole:
+            return one.wanting && index.column() == Role ? QVariant(currentTheme().warning) : QVariant();
+        default:
+            return {};
+    }
+}
+
+}  // namespace boresight::ui

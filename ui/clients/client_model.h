@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+#include "ui/kit/table_model.h"
+
+#include <optional>
+#include <vector>
+
+// The connections of the rotctld server as a table, in the order in which they came. What a client may do is a word,
+// and what wants to be looked at has a shape.
+namespace boresight::ui {
+
+class ClientModel : public TableModel
+{
+    Q_OBJECT
+
+public:
+    enum Column
+    {
+        Address,
+        Program,
+        Rate,
+        LastCommand,
+        Role
+    };
+
+    explicit ClientModel(QObject* parent = nullptr);
+
+    void show(const std::vector<ClientStatus>& clients);
+
+    [[nodiscard]] const ClientStatus& client(int row) const { return m_clients.at(static_cast<std::size_t>(row)); }
+    [[nodiscard]] std::optional<int> rowOf(std::uint64_t id) const;
+
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+
+protected:
+    [[nodiscard]] std::size_t rows() const override { return m_clients.size(); }
+
+private:
+    std::vector<ClientStatus> m_clients;
+};
+
+[[nodiscard]] QString roleWord(const ClientStatus& client);
+[[nodiscard]] QStringList roleWords();  // all there are
+
+}  // namespace boresight::ui

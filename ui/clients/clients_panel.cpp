@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/clients/clients_panel.h"
+
+#include "core/rotctld/peer_address.h"
+#include "ui/clients/client_model.h"
+#include "ui/clients/clients_permission.h"
+#include "ui/clients/gpredict_settings.h"
+#include "ui/kit/caption.h"
+#include "ui/kit/choice_button.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/push_button.h"
+#include "ui/kit/read_table.h"
+#include "ui/kit/value_label.h"
+#include "ui/kit/widest.h"
+
+#include <QApplication>
+#include <QButtonGroup>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight::ui {
+
+namespace {
+constexpr int kCellMargins = 10;  // px beside the text of a cell, both together
+}  // namespace
+
+ClientsPanel::ClientsPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      m_draft(draft),
+      m_model(new ClientModel(this)),
+      m_table(makeTable()),
+      m_access(new ValueLabel(tr("Who may connect"), fonts::label(), {}, this)),
+      m_broker(new ValueLabel(tr("MQTT broker"), fonts::label(), {}, this)),
+      m_detail(new ValueLabel(tr("About the selected client"), fonts::label(), {}, this)),
+      m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_gpredict(new ValueLabel(tr("Settings for Gpredict"), fonts::label(), {}, this)),
+      m_first(new ChoiceButton(
+          tr("First"), tr("The first client moves the mount until it has asked for no motion for 10 s, or left"),
+          this)),
+      m_last(new ChoiceButton(tr("Last"), tr("Whoever sent the last target moves the mount, as with Hamlib"), this)),
+      m_locked(new ChoiceButton(tr("Locked"), tr("Only the host of one client: select it first"), this)),
+      m_give(new CommandButton(tr("Give control"), tr("The selected client moves the mount from now on"), desk,
+                               *m_notice, this)),
+      m_readOnly(
+          new CommandButton(tr("Read-only"), tr("The selected client may only read and stop"), desk, *m_notice, this)),
+      m_disconnect(
+          new CommandButton(tr("Disconnect"), tr("Hang up; its program may connect again"), desk, *m_notice, this)),
+      m_lock(new CommandButton(tr("Lock"), tr("Only programs on the host of the selected client move the mount"), desk,
+                               *m_notice, this))
+{
+    build();
+    connectButtons();
+}
+
+void ClientsPanel::build()
+{
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(6, 6, 6, 6);
+    column->setSpacing(4);
+    auto* const buttons = new QHBoxLayout;
+    buttons->setSpacing(4);
+    for (CommandButton* const button : {m_give, m_readOnly, m_disconnect, m_lock}) {
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        buttons->addWidget(button);
+    }
+    for (ValueLabel* const line : {m_access, m_broker, m_detail, m_notice, m_gpredict}) {
+        line->setStretching(true);
+    }
+    m_detail->setLines(2);
+    m_gpredict->setLines(2);
+    m_notice->setCollapsing(true);
+    m_broker->setCollapsing(true);
+    column->addWidget(makeRules());
+    column->addWidget(m_access);
+    column->addWidget(m_broker);
+    column->addWidget(m_table, 1);
+    column->addWidget(m_detail);
+    column->addLayout(buttons);
+    column->addWidget(m_notice);
+    column->addWidget(makeGpredict());
+    setTabOrder(m_locked, m_table);
+    setTabOrder(m_table, m_give);
+}
+
+QWidget* ClientsPanel::makeRules()
+{
+    auto* const box = new QWidget(this);
+    auto* const row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    row->addWidget(makeCaption(tr("Who moves:"), box));
+    auto* const group = new QButtonGroup(box);
+    for (ChoiceButton* const button : {m_first, m_last, m_locked}) {
+        group->addButton(button);
+        row->addWidget(button);
+    }
+    return box;
+}
+
+QTableView* ClientsPanel::makeTable()
+{
+    QTableView* const table = makeReadTable(tr("Clients"), *m_model, this);
+    table->setObjectName(QStringLiteral("clients"));
+    const QFontMetrics metrics = table->fontMetrics();
+    table->verticalHeader()->setDefaultSectionSize(metrics.lineSpacing() + 8);
+    QHeaderView* const header = table->horizontalHeader();
+    header->setSectionResizeMode(QHeaderView::Stretch);
+    header->setSectionResizeMode(ClientModel::Address, QHeaderView::ResizeToContents);
+    // A header measures its contents when rows come and go, not when their words change: these have room for any.
+    const auto reserve = [&](ClientModel::Column column, QStringList texts) {
+        texts << m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        header->setSectionResizeMode(column, QHeaderView::Fixed);
+        header->resizeSection(column, metrics.horizontalAdvance(widest(table->font(), texts)) + kCellMargins);
+    };
+    reserve(ClientModel::Rate, {QStringLiteral("000.0")});
+    reserve(ClientModel::Role, roleWords());
+    return table;
+}
+
+QWidget* ClientsPanel::makeGpredict()
+{
+    auto* const box = new QWidget(this);
+    auto* const row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    QPushButton* const copy = makePushButton({.text = tr("Copy"),
+                                              .name = tr("Copy the settings for Gpredict"),
+                                              .help = tr("All that Gpredict must be told, for its dialogs")},
+                                             box);
+    copy->setMinimumWidth(kTouchSize);
+    connect(copy, &QPushButton::clicked, this, &ClientsPanel::copySettings);
+    row->addWidget(m_gpredict, 1);
+    row->addWidget(copy);
+    return box;
+}
+
+void ClientsPanel::connectButtons()
+{
+    connect(m_first, &ChoiceButton::clicked, this, [this] { choose(profile::Lead::First, {}); });
+    connect(m_last, &ChoiceButton::clicked, this, [this] { choose(profile::Lead::Last, {}); });
+    connect(m_locked, &ChoiceButton::clicked, this, &ClientsPanel::lock);
+    connect(m_lock, &QPushButton::clicked, this, &ClientsPanel::lock);
+    connect(m_give, &QPushButton::clicked, this, [this] {
+        if (const ClientStatus* const client = selected()) {
+            m_give->ask(request::GiveLead{.clientId = client->id});
+        }
+    });
+    connect(m_readOnly, &QPushButton::clicked, this, [this] {
+        if (const ClientStatus* const client = selected()) {
+            m_readOnly->ask(request::SetReadOnly{.clientId = client->id, .readOnly = !client->readOnly});
+        }
+    });
+    connect(m_disconnect, &QPushButton::clicked, this, [this] {
+        if (const ClientStatus* const client = selected()) {
+            m_disconnect->ask(request::Disconnect{.clientId = client->id});
+        }
+    });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& now) {
+        if (now.isValid()) {
+            m_selected = m_model->client(now.row()).id;
+        }
+        showSelected();
+    });
+}
+
+const ClientStatus* ClientsPanel::selected() const
+{
+    const auto row = m_selected ? m_model->rowOf(*m_selected) : std::nullopt;
+    return row ? &m_model->client(*row) : nullptr;
+}
+
+void ClientsPanel::showStatus(const StationStatus& status)
+{
+    m_status = status;
+    m_model->show(status.clients);
+    const int row = m_selected ? m_model->rowOf(*m_selected).value_or(-1) : -1;
+    if (row >= 0 && row != m_table->currentIndex().row()) {
+        m_table->selectRow(row);  // who came or left has moved the rows
+    }
+    m_gpredict->setValue(gpredictInBrief(status), Tone::Secondary);
+    showRules();
+    showAccess();
+    showBroker();
+    showSelected();
+}
+
+void ClientsPanel::showRules()
+{
+    const profile::RotctldSettings& rules = m_status.profile->rotctld;
+    m_first->setChecked(rules.lead == profile::Lead::First);
+    m_last->setChecked(rules.lead == profile::Lead::Last);
+    m_locked->setChecked(rules.lead == profile::Lead::Locked);
+    const QString locked = QString::fromStdString(rules.lockedTo);
+    m_locked->setText(rules.lead == profile::Lead::Locked ? tr("Locked to\n%1").arg(locked) : tr("Locked"));
+    const QString reason = whyNoChange();
+    for (ChoiceButton* const button : {m_first, m_last}) {
+        button->setEnabled(reason.isEmpty());
+    }
+    m_locked->setEnabled(reason.isEmpty() && (selected() != nullptr || rules.lead == profile::Lead::Locked));
+}
+
+void ClientsPanel::showAccess()
+{
+    if (m_status.listening.isEmpty()) {
+        m_access->setValue(tr("rotctld does not listen: no program can connect"), Tone::Warning, Symbol::Warning);
+        return;
+    }
+    const bool here =
+        m_status.listening.startsWith(QLatin1String("127.")) || m_status.listening.startsWith(QLatin1String("[::1]"));
+    QStringList allowed;
+    for (const std::string& entry : m_status.profile->rotctld.allow) {
+        allowed << QString::fromStdString(entry);
+    }
+    const QString text = !allowed.isEmpty()
+                             ? tr("May connect to %1: %2").arg(m_status.listening, allowed.join(QStringLiteral(", ")))
+                         : here ? tr("Any program on this computer may connect (%1)").arg(m_status.listening)
+                                : tr("Whoever can reach %1 may connect").arg(m_status.listening);
+    m_access->setValue(text, Tone::Secondary);
+}
+
+// Nothing of it while nobody needs one.
+void ClientsPanel::showBroker()
+{
+    const BrokerStatus& broker = m_status.broker;
+    if (!broker.wanted) {
+        m_broker->setValue({});
+    } else if (broker.connected) {
+        m_broker->setValue(tr("Connected to the MQTT broker %1").arg(broker.name), Tone::Secondary);
+    } else if (broker.problem.isEmpty()) {
+        m_broker->setValue(tr("Connecting to the MQTT broker %1").arg(broker.name), Tone::Secondary);
+    } else {
+        const QString again = broker.retryIn
+                                  ? tr(" (tried again in %1 s)").arg(std::ceil(broker.retryIn->count()), 0, 'f', 0)
+                                  : QString();
+        m_broker->setValue(broker.problem + again, Tone::Warning, Symbol::Warning);
+    }
+}
+
+// The advice of a client that needs one stands there also while nothing is selected.
+void ClientsPanel::showSelected()
+{
+    const ClientStatus* const client = selected();
+    m_give->setBlocked(whyNoGiving(m_status, client));
+    m_disconnect->setBlocked(whyNoClient(client));
+    m_readOnly->setBlocked(whyNoClient(client));
+    const bool readOnly = client != nullptr && client->readOnly;
+    m_readOnly->setCommand(readOnly ? tr("May move") : tr("Read-only"),
+                           readOnly ? tr("The selected client may move the mount again")
+                                    : tr("The selected client may only read and stop"));
+    const QString reason = whyNoChange();
+    m_lock->setBlocked(reason.isEmpty() ? whyNoClient(client) : reason);
+
+    const auto advised = std::ranges::find_if(m_status.clients, [](const auto& one) { return !one.advice.isEmpty(); });
+    if (client != nullptr && client->advice.isEmpty()) {
+        m_detail->setValue(tr("%1: last command %2").arg(client->address, client->lastCommand));
+    } else if (client != nullptr || advised != m_status.clients.end()) {
+        const ClientStatus& shown = client != nullptr ? *client : *advised;
+        m_detail->setValue(tr("%1: %2").arg(shown.address, shown.advice), Tone::Advisory, Symbol::Advisory);
+    } else if (m_status.authority == Authority::Operator) {
+        m_detail->setValue(tr("You have the control: clients' motions are refused until you give it back"));
+    } else {
+        m_detail->setValue(
+            m_status.clients.empty()
+                ? tr("No program is connected. Gpredict leaves when it is refused: press Engage there again")
+                : tr("Select a client to give it the control, or to keep it out"),
+            Tone::Secondary);
+    }
+}
+
+// What others are about to change in the profile is not applied along with the rule.
+QString ClientsPanel::whyNoChange() const
+{
+    const auto ours = [](const std::string& key) { return key == "rotctld.lead" || key == "rotctld.locked_to"; };
+    return std::ranges::all_of(m_draft.editedKeys(), ours)
+               ? QString()
+               : tr("apply or revert the edits of the profile first (Ctrl+3)");
+}
+
+void ClientsPanel::lock()
+{
+    if (const ClientStatus* const client = selected()) {
+        choose(profile::Lead::Locked, rotctld::hostOf(client->address.toStdString()));
+    }
+}
+
+void ClientsPanel::choose(profile::Lead lead, const std::string& lockedTo)
+{
+    m_draft.edit([&](profile::Profile& profile) {
+        profile.rotctld.lead = lead;
+        profile.rotctld.lockedTo = lockedTo;
+    });
+    if (m_draft.hasEdits()) {
+        m_draft.apply(this, [this](const std::optional<Error>& error) {
+            if (error) {
+                m_draft.revert();
+            }
+            m_notice->setValue(error ? tr("Who moves: %1").arg(QString::fromStdString(error->text)) : QString(),
+                               Tone::Warning, error ? Symbol::Warning : Symbol::None);
+        });
+    }
+    showRules();  // as the station has it until it answers
+}
+
+void ClientsPanel::copySettings() const
+{
+    QApplication::clipboard()->setText(gpredictSettings(m_status));
+}
+
+}  // namespace boresight::ui

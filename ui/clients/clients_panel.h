@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+#include "ui/link/profile_draft.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QTableView;
+
+// The rotctld clients: who is connected, who of them moves the mount and by which rule, and what the operator can do
+// about each; below, the MQTT broker, if there is to be one. The rule is a setting of the profile and applied at once.
+namespace boresight::ui {
+
+class ChoiceButton;
+class ClientModel;
+class CommandButton;
+class RequestDesk;
+class ValueLabel;
+
+class ClientsPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    ClientsPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+private:
+    void build();
+    void connectButtons();
+    QTableView* makeTable();
+    QWidget* makeRules();
+    QWidget* makeGpredict();
+    void showRules();
+    void showAccess();
+    void showBroker();
+    void showSelected();
+    void choose(profile::Lead lead, const std::string& lockedTo);
+    void lock();
+    void copySettings() const;
+    [[nodiscard]] const ClientStatus* selected() const;
+    [[nodiscard]] QString whyNoChange() const;
+
+    ProfileDraft& m_draft;
+    StationStatus m_status;
+    ClientModel* m_model;
+    QTableView* m_table;
+    ValueLabel* m_access;
+    ValueLabel* m_broker;
+    ValueLabel* m_detail;
+    ValueLabel* m_notice;
+    ValueLabel* m_gpredict;
+    ChoiceButton* m_first;
+    ChoiceButton* m_last;
+    ChoiceButton* m_locked;
+    CommandButton* m_give;
+    CommandButton* m_readOnly;
+    CommandButton* m_disconnect;
+    CommandButton* m_lock;
+    std::optional<std::uint64_t> m_selected;  // id; the row may change
+};
+
+}  // namespace boresight::ui

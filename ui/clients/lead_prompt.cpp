@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/clients/lead_prompt.h"
+
+#include "ui/kit/command_button.h"
+#include "ui/kit/value_label.h"
+
+#include <algorithm>
+
+namespace boresight::ui {
+
+namespace {
+
+QString hostOf(const ClientStatus& client)
+{
+    return client.address.section(QLatin1Char(':'), 0, -2);
+}
+
+// The host, or what tells it from another client there.
+QString shortName(const StationStatus& status, const ClientStatus& client)
+{
+    const auto sameHost = [&](const ClientStatus& one) { return hostOf(one) == hostOf(client); };
+    return std::ranges::count_if(status.clients, sameHost) > 1
+               ? LeadPrompt::tr("Port %1").arg(client.address.section(QLatin1Char(':'), -1))
+               : hostOf(client);
+}
+
+QString question(const QString& name)
+{
+    return LeadPrompt::tr("%1 wants to drive").arg(name);
+}
+
+}  // namespace
+
+LeadPrompt::LeadPrompt(RequestDesk& desk, QWidget* parent)
+    // The host above what it wants, so that little of the sky is covered.
+    : PromptBar(tr("A client wants to drive"), {question(QStringLiteral("192.168.100.100"))}, 2, parent),
+      m_give(new CommandButton(tr("Give"), tr("This client moves the mount from now on (panel Clients, Ctrl+4)"), desk,
+                               notice(), this))
+{
+    addButton(*m_give);
+    QPushButton* const ignoring = addButton(tr("Ignore"));
+    ignoring->setToolTip(tr("Not asked again while it stays connected"));
+    connect(m_give, &QPushButton::clicked, this, [this] { m_give->ask(request::GiveLead{.clientId = m_asking}); });
+    connect(ignoring, &QPushButton::clicked, this, &LeadPrompt::ignore);
+}
+
+void LeadPrompt::ignore()
+{
+    m_ignored.insert(m_asking);
+    hide();
+}
+
+void LeadPrompt::showStatus(const StationStatus& status)
+{
+    const auto asks = [this](const ClientStatus& client) { return client.wanting && !m_ignored.contains(client.id); };
+    // Who is asked about stays in the text, whoever else comes: nobody shall press Give for another one.
+    auto found = std::ranges::find_if(status.clients, [&](const auto& one) { return one.id == m_asking && asks(one); });
+    if (found == status.clients.end()) {
+        found = std::ranges::find_if(status.clients, asks);
+    }
+    std::erase_if(m_ignored, [&](std::uint64_t id) {
+        return std::ranges::find(status.clients, id, &ClientStatus::id) == status.clients.end();
+    });
+    if (found == status.clients.end()) {
+        hide();
+        return;
+    }
+    if (m_asking != found->id || isHidden()) {
+        notice().setValue({});
+    }
+    m_asking = found->id;
+    setText(question(shortName(status, *found)));
+    show();
+}
+
+}  // namespace boresight::ui

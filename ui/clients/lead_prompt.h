@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+#include "ui/kit/prompt_bar.h"
+
+#include <set>
+
+// Over the plot, whichever panel is open: a client that goes on asking for motions while another one leads. Give makes
+// it the leader; Ignore is remembered for as long as it stays connected.
+namespace boresight::ui {
+
+class CommandButton;
+class RequestDesk;
+
+class LeadPrompt : public PromptBar
+{
+    Q_OBJECT
+
+public:
+    LeadPrompt(RequestDesk& desk, QWidget* parent);
+
+    void showStatus(const StationStatus& status);
+
+private:
+    void ignore();
+
+    CommandButton* m_give;
+    std::uint64_t m_asking = 0;  // the client in the text
+    std::set<std::uint64_t> m_ignored;
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/kit/asking_panel.h"
+
+#include <array>
+
+class QDoubleSpinBox;
+
+// The drives themselves: who they are, whether they are fit to move the mount, leaving the bus to other tools, and the
+// proof of how each axis stops when nobody feeds it.
+namespace boresight::ui {
+
+class DrivesPanel : public AskingPanel
+{
+    Q_OBJECT
+
+public:
+    explicit DrivesPanel(RequestDesk& desk, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+private:
+    struct Identity  // of one drive
+    {
+        ValueLabel* id = nullptr;
+        ValueLabel* uuid = nullptr;
+        ValueLabel* firmware = nullptr;
+        ValueLabel* registerMap = nullptr;
+        ValueLabel* turn = nullptr;
+    };
+
+    void build();
+    QWidget* makeIdentities();
+    QWidget* makeProof();
+    void showDrive(Axis axis);
+    void showProof();
+    void release();
+    void prove();
+
+    StationStatus m_status;
+    std::array<Identity, 2> m_identities;       // by axis
+    std::array<ValueLabel*, 2> m_crashStops{};  // by axis
+    ValueLabel* m_strangers;
+    ValueLabel* m_survey;
+    ValueLabel* m_arming;
+    ValueLabel* m_proof;
+    ValueLabel* m_notice;
+    QDoubleSpinBox* m_rate;
+    CommandButton* m_release;
+    CommandButton* m_run;
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/drives/protection_model.h"
+
+#include "core/base/numbers.h"
+#include "ui/kit/axes.h"
+#include "ui/kit/symbol.h"
+#include "ui/link/drives_permission.h"
+
+#include <QCoreApplication>
+#include <QIcon>
+#include <QPainter>
+#include <QPixmap>
+
+#include <algorithm>
+
+namespace boresight::ui {
+
+namespace {
+
+using survey::ProtectionLine;
+
+struct Label
+{
+    const char* key;
+    const char* text;
+};
+
+// What the drives' settings are called by people; the keys are those of the moteus firmware.
+constexpr Label kLabels[] = {
+    {"id.id", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Bus address")},
+    {"servopos.position_min", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Lower limit")},
+    {"servopos.position_max", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Upper limit")},
+    {"servo.default_timeout_s", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Watchdog time")},
+    {"servo.timeout_mode", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "When not fed")},
+    {"servo.timeout_max_torque_Nm", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Torque not fed")},
+    {"servo.flux_brake_margin_voltage", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Braking margin")},
+    {"motor_position.output.sign", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Direction")},
+    {"motor_position.output.reference_source", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Axis encoder")},
+    {"servo.max_current_A", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Max. current")},
+    {"servo.max_power_W", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Max. power")},
+    {"servo.max_voltage", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Max. supply")},
+    {"servo.max_velocity", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Max. speed")},
+    {"servo.default_velocity_limit", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Speed limit")},
+    {"servo.default_accel_limit", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Accel. limit")},
+    {"servo.fault_position_error", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Max. error")},
+    {"servo.max_position_slip", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Max. slip")},
+    {"motor_position.rotor_to_output_ratio", QT_TRANSLATE_NOOP("boresight::ui::ProtectionModel", "Gear ratio")},
+};
+
+// The operator's way round: what the lower bound of a reversed drive guards is the upper end of the axis.
+QString labelOf(const ProtectionLine& line)
+{
+    const QString lower = QStringLiteral("servopos.position_min");
+    const QString upper = QStringLiteral("servopos.position_max");
+    const QString key = !line.reversed ? line.key : line.key == lower ? upper : lower;
+    const auto* const label = std::find_if(std::begin(kLabels), std::end(kLabels),
+                                           [&key](const Label& one) { return key == QLatin1String(one.key); });
+    return label == std::end(kLabels) ? key : ProtectionModel::tr(label->text);
+}
+
+// There is room for a few characters: of "-0.2583 turns (-93.0°)" the angle. The whole text is in the tooltip.
+QString shortText(const QString& text)
+{
+    const auto open = text.indexOf(QLatin1String(" ("));
+    if (open < 0 || !text.endsWith(QLatin1Char(')'))) {
+        return text;
+    }
+    const QString inner = text.mid(open + 2).chopped(1);
+    const bool number = parseFinite(text.section(QLatin1Char(' '), 0, 0).toStdString()).has_value();
+    return number && inner.contains(QStringLiteral("°")) ? inner : text;
+}
+
+struct ShownLine
+{
+    QString word;
+    Tone tone = Tone::Normal;
+    Symbol symbol = Symbol::None;
+};
+
+ShownLine shown(survey::Verdict verdict)
+{
+    switch (verdict) {
+        case survey::Verdict::Right:
+            return {ProtectionModel::tr("right")};
+        case survey::Verdict::Advised:
+            return {ProtectionModel::tr("advised"), Tone::Advisory, Symbol::Advisory};
+        case survey::Verdict::Dangerous:
+            return {ProtectionModel::tr("dangerous"), Tone::Alarm, Symbol::Alarm};
+        case survey::Verdict::Unread:
+            break;
+    }
+    return {ProtectionModel::tr("unread"), Tone::Secondary};
+}
+
+// A setting that is not read yet may be anything: it weighs more than one that is right.
+int weight(survey::Verdict verdict)
+{
+    return verdict == survey::Verdict::Right ? -1 : static_cast<int>(verdict);
+}
+
+survey::Verdict worse(survey::Verdict a, survey::Verdict b)
+{
+    return weight(a) > weight(b) ? a : b;
+}
+
+QPixmap picture(Symbol symbol, const QColor& colour)
+{
+    constexpr int kSize = 12;    // px
+    constexpr int kDensity = 2;  // sharp at 200 %
+    QPixmap pixmap(kSize * kDensity, kSize * kDensity);
+    pixmap.setDevicePixelRatio(kDensity);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    drawSymbol(painter, symbol, QRectF(1, 1, kSize - 2, kSize - 2), colour);
+    return pixmap;
+}
+
+QVariant decoration(const ShownLine& shown)
+{
+    if (shown.symbol == Symbol::None) {
+        return {};
+    }
+    QIcon icon(picture(shown.symbol, currentTheme().colour(shown.tone)));
+    icon.addPixmap(picture(shown.symbol, currentTheme().plotGround), QIcon::Selected);
+    return icon;
+}
+
+}  // namespace
+
+ProtectionModel::ProtectionModel(QObject* parent)
+    : TableModel({tr("Setting"), tr("Wanted"), tr("Found AZ"), tr("Found EL"), tr("Verdict")}, parent)
+{}
+
+void ProtectionModel::show(const DrivesStatus& drives)
+{
+    if (m_lines[0] == drives.azimuth.protections && m_lines[1] == drives.elevation.protections) {
+        return;
+    }
+    m_lines = {drives.azimuth.protections, drives.elevation.protections};
+    std::vector<Row> rows = arranged();
+    if (rows.size() == m_rows.size()) {
+        reorder(std::move(rows));
+    } else {
+        beginResetModel();
+        m_rows = std::move(rows);
+        endResetModel();
+    }
+}
+
+// Values come one by one while the drives are read, and lines rise and sink with them: the selection goes along.
+void ProtectionModel::reorder(std::vector<Row> rows)
+{
+    Q_EMIT layoutAboutToBeChanged();
+    const QModelIndexList before = persistentIndexList();
+    QModelIndexList after;
+    for (const QModelIndex& old : before) {
+        const Row& wanted = m_rows[static_cast<std::size_t>(old.row())];
+        const auto found = std::find_if(rows.begin(), rows.end(), [&wanted](const Row& row) {
+            return row.key == wanted.key && row.wanted == wanted.wanted;
+        });
+        after << (found == rows.end() ? QModelIndex() : index(static_cast<int>(found - rows.begin()), old.column()));
+    }
+    m_rows = std::move(rows);
+    changePersistentIndexList(before, after);
+    Q_EMIT layoutChanged();
+}
+
+std::vector<ProtectionModel::Row> ProtectionModel::arranged() const
+{
+    std::vector<Row> rows;
+    for (const Axis axis : kAxes) {
+        for (const ProtectionLine& line : m_lines[axisIndex(axis)]) {
+            rowFor(axis, line, rows).found[axisIndex(axis)] = line;
+        }
+    }
+    for (Row& row : rows) {
+        for (const Axis axis : kAxes) {
+            const bool alone = !row.found[1 - axisIndex(axis)];
+            row.label += alone ? QLatin1Char(' ') + shortName(axis) : QString();
+        }
+    }
+    // What must be mended stands above what is right.
+    std::stable_sort(rows.begin(), rows.end(),
+                     [](const Row& a, const Row& b) { return weight(verdictOf(a)) > weight(verdictOf(b)); });
+    return rows;
+}
+
+// The axes share a row where they want the same; else the second stands below the first.
+ProtectionModel::Row& ProtectionModel::rowFor(Axis axis, const ProtectionLine& line, std::vector<Row>& rows)
+{
+    const QString label = labelOf(line);
+    const auto sameLabel = [&label](const Row& row) { return row.label == label; };
+    const auto same = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
+        return sameLabel(row) && row.key == line.key && row.wanted == line.wanted && !row.found[axisIndex(axis)];
+    });
+    if (same != rows.end()) {
+        return *same;
+    }
+    const auto first = std::find_if(rows.begin(), rows.end(), sameLabel);
+    return *rows.insert(first == rows.end() ? first : std::next(first),
+                        Row{.label = label, .key = line.key, .wanted = line.wanted, .found = {}});
+}
+
+int ProtectionModel::count(survey::Verdict verdict) const
+{
+    std::ptrdiff_t count = 0;
+    for (const auto& lines : m_lines) {
+        count += std::count_if(lines.begin(), lines.end(),
+                               [verdict](const ProtectionLine& line) { return line.verdict == verdict; });
+    }
+    return static_cast<int>(count);
+}
+
+QString ProtectionModel::explanation(int row) const
+{
+    const Row& one = m_rows[static_cast<std::size_t>(row)];
+    QStringList found;
+    QStringList reasons;
+    for (const Axis axis : kAxes) {
+        if (const auto& line = one.found[axisIndex(axis)]) {
+            found << shortName(axis) + QLatin1Char(' ') +
+                         (line->found.isEmpty() ? tr("unread") : shortText(line->found));
+            reasons << line->reason;
+        }
+    }
+    reasons.removeDuplicates();
+    return tr("%1: wanted %2, found %3.\n%4")
+        .arg(one.key, shortText(one.wanted), found.join(QStringLiteral(", ")), reasons.join(QStringLiteral(" / ")));
+}
+
+QStringList ProtectionModel::changes() const
+{
+    QStringList lines;
+    for (const Axis axis : kAxes) {
+        for (const ProtectionLine& line : m_lines[axisIndex(axis)]) {
+            if (!line.fix.isEmpty()) {
+                lines << tr("%1  %2: %3 → %4").arg(shortName(axis), line.key, line.found, line.fix);
+            }
+        }
+    }
+    return lines;
+}
+
+QStringList ProtectionModel::leftAlone() const
+{
+    QStringList lines;
+    for (const Axis axis : kAxes) {
+        for (const ProtectionLine& line : m_lines[axisIndex(axis)]) {
+            if (differs(line) && line.fix.isEmpty()) {
+                lines << tr("%1  %2: %3, wanted %4").arg(shortName(axis), line.key, line.found, line.wanted);
+            }
+        }
+    }
+    return lines;
+}
+
+QString ProtectionModel::text(const Row& row, int column) const
+{
+    switch (column) {
+        case Setting:
+            return row.label;
+        case Wanted:
+            return row.wanted;
+        case FoundAzimuth:
+            return row.found[0] ? row.found[0]->found : QString();
+        case FoundElevation:
+            return row.found[1] ? row.found[1]->found : QString();
+        default:
+            return {};
+    }
+}
+
+survey::Verdict ProtectionModel::verdictOf(const Row& row)
+{
+    const auto& [azimuth, elevation] = row.found;
+    return azimuth && elevation ? worse(azimuth->verdict, elevation->verdict)
+                                : (azimuth ? azimuth : elevation)->verdict;
+}
+
+// The verdict a cell shows, if it shows one.
+std::optional<survey::Verdict> ProtectionModel::verdictIn(const Row& row, int column) const
+{
+    const auto of = [](const auto& line) { return line ? std::optional(line->verdict) : std::nullopt; };
+    switch (column) {
+        case FoundAzimuth:
+            return of(row.found[0]);
+        case FoundElevation:
+            return of(row.found[1]);
+        case Verdict:
+            return verdictOf(row);
+        default:
+            return std::nullopt;
+    }
+}
+
+QVariant ProtectionModel::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid()) {
+        return {};
+    }
+    const Row& row = m_rows[static_cast<std::size_t>(index.row())];
+    const auto verdict = verdictIn(row, index.column());
+    const ShownLine look = verdict ? shown(*verdict) : ShownLine{};
+    switch (role) {
+        case Qt::DisplayRole:
+            return index.column() == Verdict ? look.word : shortText(text(row, index.column()));
+        case Qt::DecorationRole:
+            return decoration(look);
+        case Qt::ForegroundRole:
+            return currentTheme().colour(look.tone);
+        case Qt::ToolTipRole:
+            return index.column() == Setting ? row.key : text(row, index.column());
+        default:
+            return {};
+    }
+}
+
+}  // namespace boresight::ui

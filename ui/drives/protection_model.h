@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/drives_status.h"
+#include "core/units/sky.h"
+#include "ui/kit/table_model.h"
+
+#include <QStringList>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+// The protections of both drives as one table: a row per setting, or one for each axis where the axes want different
+// values; what must be mended stands on top. A verdict is a shape and a word, and the shape also marks the value it
+// speaks of.
+namespace boresight::ui {
+
+class ProtectionModel : public TableModel
+{
+    Q_OBJECT
+
+public:
+    enum Column
+    {
+        Setting,
+        Wanted,
+        FoundAzimuth,
+        FoundElevation,
+        Verdict
+    };
+
+    explicit ProtectionModel(QObject* parent = nullptr);
+
+    void show(const DrivesStatus& drives);
+
+    [[nodiscard]] QString explanation(int row) const;  // the values, and why the setting matters
+    [[nodiscard]] int count(survey::Verdict verdict) const;
+    [[nodiscard]] QStringList changes() const;    // what Fix would write, one line each
+    [[nodiscard]] QStringList leftAlone() const;  // what differs and only a person may change
+
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+
+protected:
+    [[nodiscard]] std::size_t rows() const override { return m_rows.size(); }
+
+private:
+    using Lines = std::array<std::vector<survey::ProtectionLine>, 2>;
+
+    struct Row
+    {
+        QString label;
+        QString key;
+        QString wanted;
+        std::array<std::optional<survey::ProtectionLine>, 2> found;  // by axis
+    };
+
+    [[nodiscard]] std::vector<Row> arranged() const;
+    void reorder(std::vector<Row> rows);
+    [[nodiscard]] static survey::Verdict verdictOf(const Row& row);
+    [[nodiscard]] static Row& rowFor(Axis axis, const survey::ProtectionLine& line, std::vector<Row>& rows);
+    [[nodiscard]] QString text(const Row& row, int column) const;
+    [[nodiscard]] std::optional<survey::Verdict> verdictIn(const Row& row, int column) const;
+
+    Lines m_lines;
+    std::vector<Row> m_rows;
+};
+
+}  // namespace boresight::ui

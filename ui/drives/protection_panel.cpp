@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/drives/protection_panel.h"
+
+#include "ui/drives/protection_model.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/read_table.h"
+#include "ui/kit/value_label.h"
+#include "ui/link/drives_permission.h"
+#include "ui/link/survey_words.h"
+
+#include <QHeaderView>
+#include <QTableView>
+#include <QVBoxLayout>
+
+namespace boresight::ui {
+
+ProtectionPanel::ProtectionPanel(RequestDesk& desk, QWidget* parent)
+    : AskingPanel(desk, parent),
+      m_model(new ProtectionModel(this)),
+      m_table(makeTable()),
+      m_survey(new ValueLabel(tr("Survey of the drives"), fonts::label(), {}, this)),
+      m_reason(new ValueLabel(tr("Why the selected setting matters"), fonts::label(), {}, this)),
+      m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_read(new CommandButton(tr("Read again"), tr("Look who is on the bus and read all settings anew"), desk,
+                               *m_notice, this)),
+      m_fix(new CommandButton(tr("Fix …"), tr("Write the settings that differ; asks first"), desk, *m_notice, this)),
+      m_switchOff(
+          new CommandButton(tr("Switch drives off …"), tr("Release both axes; asks first"), desk, *m_notice, this))
+{
+    build();
+    connect(m_read, &QPushButton::clicked, this, [this] { m_read->ask(request::ReadDrives{}); });
+    connect(m_fix, &QPushButton::clicked, this, &ProtectionPanel::fix);
+    connect(m_switchOff, &QPushButton::clicked, this, &ProtectionPanel::switchOff);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &ProtectionPanel::showReason);
+    connect(m_model, &QAbstractItemModel::layoutChanged, this, &ProtectionPanel::showReason);
+    connect(m_model, &QAbstractItemModel::modelReset, this, &ProtectionPanel::showReason);
+    showReason();
+}
+
+void ProtectionPanel::build()
+{
+    auto* const column = new QVBoxLayout(&controls());
+    column->setContentsMargins(6, 6, 6, 6);
+    column->setSpacing(6);
+    auto* const buttons = new QHBoxLayout;
+    buttons->setSpacing(4);
+    for (CommandButton* const button : {m_read, m_fix, m_switchOff}) {
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        buttons->addWidget(button);
+    }
+    for (ValueLabel* const line : {m_survey, m_reason, m_notice}) {
+        line->setStretching(true);
+    }
+    m_survey->setLines(2);
+    m_reason->setLines(4);
+    m_notice->setCollapsing(true);
+    column->addWidget(m_survey);
+    column->addWidget(m_table, 1);
+    column->addWidget(m_reason);
+    column->addLayout(buttons);
+    column->addWidget(m_notice);
+}
+
+QTableView* ProtectionPanel::makeTable()
+{
+    QTableView* const table = makeReadTable(tr("Protection"), *m_model, this);
+    table->setIconSize({12, 12});
+    table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().lineSpacing() + 4);
+    QHeaderView* const header = table->horizontalHeader();
+    header->setSectionResizeMode(ProtectionModel::Wanted, QHeaderView::Stretch);
+    const int found = table->fontMetrics().horizontalAdvance(QStringLiteral("00000°/s²")) + 28;  // shape, gaps
+    for (const int column : {ProtectionModel::FoundAzimuth, ProtectionModel::FoundElevation}) {
+        header->setSectionResizeMode(column, QHeaderView::Fixed);
+        header->resizeSection(column, found);
+    }
+    return table;
+}
+
+void ProtectionPanel::showStatus(const StationStatus& status)
+{
+    m_status = status;
+    m_model->show(status.drives);
+    showSurvey(status.drives);
+    m_read->setBlocked(whyNoReading(status));
+    m_fix->setBlocked(whyNoFix(status));
+    m_switchOff->setBlocked(whyNoSwitchOff(status));
+    showWhetherPossible(status);
+}
+
+// What stops the mount goes before how far the reading is; both fit nowhere else when the table is long.
+void ProtectionPanel::showSurvey(const DrivesStatus& drives)
+{
+    const bool resting = whyNoReading(m_status).isEmpty();
+    const Sentence line = resting && !drives.armingObstacle.isEmpty() ? armingSentence(drives) : surveySentence(drives);
+    m_survey->setValue(line.text, line.tone, line.symbol);
+}
+
+void ProtectionPanel::showReason()
+{
+    const QModelIndex current = m_table->currentIndex();
+    if (current.isValid()) {
+        m_reason->setValue(m_model->explanation(current.row()));
+        return;
+    }
+    const int dangerous = m_model->count(survey::Verdict::Dangerous);
+    const int advised = m_model->count(survey::Verdict::Advised);
+    m_reason->setValue(
+        dangerous + advised == 0
+            ? tr("Select a line to read why it matters")
+            : tr("%1 dangerous, %2 advised. Select a line to read why it matters").arg(dangerous).arg(advised),
+        Tone::Secondary);
+}
+
+void ProtectionPanel::fix()
+{
+    const QStringList changes = m_model->changes();
+    QString text = changes.isEmpty() ? tr("What is in force already is kept in the drives' memory. Nothing moves.")
+                                     : changes.join(QLatin1Char('\n')) +
+                                           tr("\n\nWritten, read back, and kept in the drives' memory. Nothing moves.");
+    if (const QStringList left = m_model->leftAlone(); !left.isEmpty()) {
+        text +=
+            tr("\n\nLeft for you, because only the builder of the mount can know it:\n") + left.join(QLatin1Char('\n'));
+    }
+    askFirst({.title = tr("Write these settings into the drives?"),
+              .text = text,
+              .act = tr("Write"),
+              .request = request::FixDrives{},
+              .whyNot = whyNoFix},
+             m_status);
+}
+
+void ProtectionPanel::switchOff()
+{
+    askFirst({.title = tr("Switch both drives off?"),
+              .text = tr("Both axes are let go at once. An unbalanced elevation falls, and wind may turn the azimuth. "
+                         "Keep people away from the antenna, or support it first."),
+              .act = tr("Switch off"),
+              .request = request::SwitchOff{},
+              .whyNot = whyNoSwitchOff},
+             m_status);
+}
+
+}  // namespace boresight::ui

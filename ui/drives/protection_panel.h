@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/kit/asking_panel.h"
+
+class QTableView;
+
+// The settings by which the drives protect the mount: wanted against found, with the reason of the selected line; read
+// them again, write what differs, and switch the drives off, without which nothing can be written.
+namespace boresight::ui {
+
+class ProtectionModel;
+
+class ProtectionPanel : public AskingPanel
+{
+    Q_OBJECT
+
+public:
+    explicit ProtectionPanel(RequestDesk& desk, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+private:
+    void build();
+    QTableView* makeTable();
+    void showSurvey(const DrivesStatus& drives);
+    void showReason();
+    void fix();
+    void switchOff();
+
+    StationStatus m_status;
+    ProtectionModel* m_model;
+    QTableView* m_table;
+    ValueLabel* m_survey;
+    ValueLabel* m_reason;
+    ValueLabel* m_notice;
+    CommandButton* m_read;
+    CommandButton* m_fix;
+    CommandButton* m_switchOff;
+};
+
+}  // namespace boresight::ui

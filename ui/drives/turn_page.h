@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+#include "ui/drives/turn_choice.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <array>
+#include <optional>
+
+class QButtonGroup;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+
+// The question which turn an axis is on: a picture of its travel with the places it may be at, what speaks for each,
+// and the answer: one of a few, or an angle read off the mount that selects the nearest of many. Nothing is selected
+// unless the evidence proposes it, and nothing is sent without a press. One axis at a time, azimuth first.
+namespace boresight::ui {
+
+class CommandButton;
+class PlaceButton;
+class RequestDesk;
+class TurnBar;
+class UnwindButtons;
+class ValueLabel;
+
+class TurnPage : public QWidget
+{
+    Q_OBJECT
+
+public:
+    static constexpr std::size_t kFew = 7;  // candidates that get a button each
+
+    explicit TurnPage(RequestDesk& desk, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+private:
+    void build();
+    void makeFew();
+    void makeMany();
+    void begin(Axis axis, const memory::TurnQuestion& question);
+    void showQuestion(const memory::TurnQuestion& question);
+    void showAnswer();
+    void readField();
+    void answer();
+
+    StationStatus m_status;
+    std::optional<Axis> m_axis;  // the question shown; empty while none is open
+    TurnChoice m_choice;
+    QTimer m_fresh;  // runs while the question is too new to be answered
+    QLabel* m_title;
+    TurnBar* m_bar;
+    QPlainTextEdit* m_evidence;
+    QWidget* m_few;
+    QWidget* m_many;
+    std::array<PlaceButton*, kFew> m_places{};
+    QButtonGroup* m_group;
+    QLineEdit* m_field;
+    ValueLabel* m_selected;
+    ValueLabel* m_moved;
+    ValueLabel* m_notice;
+    CommandButton* m_answer;
+    UnwindButtons* m_unwind;
+};
+
+}  // namespace boresight::ui

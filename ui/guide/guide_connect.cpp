@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/guide/guide_connect.h"
+
+#include "core/profile/commissioning.h"
+#include "ui/kit/axes.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/format.h"
+#include "ui/kit/push_button.h"
+#include "ui/kit/value_label.h"
+#include "ui/link/drives_permission.h"
+#include "ui/link/host_desk.h"
+#include "ui/link/survey_words.h"
+
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace boresight::ui {
+
+namespace {
+
+QString quantity(const std::optional<double>& value, const QString& unit)
+{
+    return value ? QStringLiteral("%1 %2").arg(*value, 0, 'f', 1).arg(unit) : QStringLiteral("---");
+}
+
+QString line(const survey::ScannedDrive& drive)
+{
+    return GuideConnect::tr("id %1: %2, %3, firmware %4")
+        .arg(drive.id)
+        .arg(quantity(drive.voltage, QStringLiteral("V")), quantity(drive.temperature, QStringLiteral("°C")),
+             drive.firmware.isEmpty() ? QStringLiteral("---") : drive.firmware);
+}
+
+QString line(const StationStatus& status, Axis axis)
+{
+    const AxisStatus& one = axisOf(status, axis);
+    const int id = status.profile->axis(axis).id;
+    if (freshness(one.age) == Freshness::NoData) {
+        return GuideConnect::tr("%1, id %2: no answer").arg(name(axis)).arg(id);
+    }
+    return GuideConnect::tr("%1, id %2: %3, %4")
+        .arg(name(axis))
+        .arg(id)
+        .arg(quantity(one.busVoltage, QStringLiteral("V")), quantity(one.boardTemperature, QStringLiteral("°C")));
+}
+
+}  // namespace
+
+GuideConnect::GuideConnect(ProfileChange& change, RequestDesk& desk, HostDesk& host, QWidget* parent)
+    : QWidget(parent),
+      m_change(change),
+      m_host(host),
+      m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_list(new QListWidget(this)),
+      m_found(new QPlainTextEdit(this)),
+      m_refresh(makePushButton(
+          {.text = tr("Look again"), .help = tr("List the adapters anew, after one was plugged in")}, this)),
+      m_scan(new CommandButton(tr("Scan"), tr("Ask who is on the selected bus; nothing moves"), desk, *m_notice, this)),
+      m_use(
+          new CommandButton(tr("Use this"), tr("Connect to the mount by the selected adapter"), desk, *m_notice, this))
+{
+    build();
+    connect(m_refresh, &QPushButton::clicked, &m_host, &HostDesk::adaptersWanted);
+    connect(m_scan, &QPushButton::clicked, this, &GuideConnect::scan);
+    connect(m_use, &QPushButton::clicked, this, &GuideConnect::use);
+    connect(m_list, &QListWidget::currentRowChanged, this, &GuideConnect::showButtons);
+    connect(&m_host, &HostDesk::adaptersFound, this, &GuideConnect::showAdapters);
+    connect(&m_host, &HostDesk::scanned, this, &GuideConnect::showResult);
+}
+
+void GuideConnect::build()
+{
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    m_list->setFont(fonts::label());
+    m_list->setAccessibleName(tr("Adapters of this computer"));
+    m_list->setMinimumHeight(3 * m_list->fontMetrics().lineSpacing() + 8);
+    m_found->setFont(fonts::label());
+    m_found->setReadOnly(true);
+    m_found->setTabChangesFocus(true);
+    m_found->setAccessibleName(tr("Who answers"));
+    m_found->setMinimumHeight(3 * m_found->fontMetrics().lineSpacing() + 8);
+    m_refresh->setMinimumSize(m_scan->minimumSizeHint());
+    m_notice->setStretching(true);
+    m_notice->setCollapsing(true);
+    auto* const row = new QHBoxLayout;
+    row->setSpacing(4);
+    for (QPushButton* const button : {m_refresh, static_cast<QPushButton*>(m_scan), static_cast<QPushButton*>(m_use)}) {
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        row->addWidget(button);
+    }
+    column->addWidget(m_list, 2);
+    column->addWidget(m_found, 1);
+    column->addLayout(row);
+    column->addWidget(m_notice);
+}
+
+void GuideConnect::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (m_adapters.empty()) {
+        Q_EMIT m_host.adaptersWanted();
+    }
+}
+
+void GuideConnect::showAdapters(const std::vector<Adapter>& adapters)
+{
+    const QString selected = m_adapters.empty() ? busInUse() : selectedBus();
+    m_adapters = adapters;
+    m_list->clear();
+    for (const Adapter& adapter : m_adapters) {
+        QString text = adapter.recognised ? adapter.name : tr("%1 (unknown to Boresight)").arg(adapter.name);
+        text += QStringLiteral("  ·  ") + adapter.detail;
+        auto* const item = new QListWidgetItem(text, m_list);
+        item->setToolTip(adapter.bus);
+    }
+    auto at = std::ranges::find(m_adapters, selected, &Adapter::bus);
+    if (at == m_adapters.end()) {
+        at = std::ranges::find(m_adapters, true, &Adapter::recognised);  // another device is the operator's choice
+    }
+    m_list->setCurrentRow(at == m_adapters.end() ? -1 : static_cast<int>(at - m_adapters.begin()));
+    showButtons();
+}
+
+QString GuideConnect::selectedBus() const
+{
+    const int row = m_list->currentRow();
+    return row >= 0 && row < static_cast<int>(m_adapters.size()) ? m_adapters[static_cast<std::size_t>(row)].bus
+                                                                 : QString();
+}
+
+QString GuideConnect::busInUse() const
+{
+    return QString::fromStdString(m_status.profile->bus);
+}
+
+void GuideConnect::showStatus(const StationStatus& status)
+{
+    const bool another = status.profile->bus != m_status.profile->bus;
+    m_status = status;
+    for (int row = 0; row < m_list->count(); ++row) {
+        QFont font = fonts::label();
+        font.setBold(m_adapters[static_cast<std::size_t>(row)].bus == busInUse());
+        if (m_list->item(row)->font() != font) {
+            m_list->item(row)->setFont(font);
+        }
+    }
+    if (another) {
+        m_result.reset();  // it belongs to what was before
+    }
+    showButtons();
+}
+
+void GuideConnect::showButtons()
+{
+    const QString bus = selectedBus();
+    const bool inUse = bus == busInUse();
+    const QString none = bus.isEmpty() ? tr("select an adapter first") : QString();
+    m_scan->setBlocked(!none.isEmpty()         ? none
+                       : !m_scanning.isEmpty() ? tr("%1 is being looked at").arg(m_scanning)
+                       : inUse                 ? whyNoReading(m_status)
+                                               : QString());
+    const auto take = [bus = bus.toStdString(), ids = idsFound()](profile::Profile& profile) {
+        profile::useBus(profile, bus, ids);
+    };
+    m_use->setBlocked(!none.isEmpty()            ? none
+                      : m_change.isAlready(take) ? tr("it is in use")
+                                                 : m_change.whyNot(m_status, take));
+    showFound();
+}
+
+// By what the last look at the selected bus has found; which is which is seen when they move.
+std::vector<int> GuideConnect::idsFound() const
+{
+    std::vector<int> ids;
+    const bool ownSilent = std::ranges::all_of(
+        kAxes, [this](Axis axis) { return freshness(axisOf(m_status, axis).age) == Freshness::NoData; });
+    if (selectedBus() == busInUse() && ownSilent) {
+        std::ranges::transform(m_status.drives.strangers, std::back_inserter(ids), &survey::Stranger::id);
+    } else if (m_result && m_result->bus == selectedBus()) {
+        std::ranges::transform(m_result->drives, std::back_inserter(ids), &survey::ScannedDrive::id);
+    }
+    return ids;
+}
+
+void GuideConnect::showFound()
+{
+    QStringList lines;
+    if (selectedBus() == busInUse()) {
+        lines << tr("In use. %1.").arg(surveySentence(m_status.drives).text);
+        for (const Axis axis : kAxes) {
+            lines << line(m_status, axis);
+        }
+        for (const survey::Stranger& one : m_status.drives.strangers) {
+            lines << tr("id %1: not in the profile").arg(one.id);
+        }
+    } else if (selectedBus() == m_scanning) {
+        lines << tr("Asking who is there …");
+    } else if (m_result && m_result->bus == selectedBus()) {
+        for (const survey::ScannedDrive& one : m_result->drives) {
+            lines << line(one);
+        }
+        lines << m_result->problems;
+    } else {
+        lines << tr("Press Scan to see who answers there. Scanning moves nothing.");
+    }
+    const QString text = lines.join(QLatin1Char('\n'));
+    if (text != m_found->toPlainText()) {
+        m_found->setPlainText(text);
+    }
+}
+
+void GuideConnect::scan()
+{
+    if (selectedBus() == busInUse()) {
+        m_scan->ask(request::ReadDrives{});
+        return;
+    }
+    m_scanning = selectedBus();
+    m_result.reset();
+    showButtons();
+    Q_EMIT m_host.scanWanted(m_scanning);
+}
+
+void GuideConnect::showResult(const survey::ScanResult& result)
+{
+    m_scanning.clear();
+    m_result = result;
+    showButtons();
+}
+
+void GuideConnect::use()
+{
+    m_change.ask(*m_use, [bus = selectedBus().toStdString(), ids = idsFound()](profile::Profile& profile) {
+        profile::useBus(profile, bus, ids);
+    });
+}
+
+}  // namespace boresight::ui

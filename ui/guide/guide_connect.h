@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/can/adapters.h"
+#include "core/station/station_status.h"
+#include "core/survey/scan_result.h"
+#include "ui/link/profile_change.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QListWidget;
+class QPlainTextEdit;
+class QPushButton;
+
+// The guide's first step: the adapters of this computer by the names they call themselves, who answers on the selected
+// one, and taking it for the mount. On the bus that the station works on, the station itself says who is there.
+namespace boresight::ui {
+
+class CommandButton;
+class HostDesk;
+class ValueLabel;
+
+class GuideConnect : public QWidget
+{
+    Q_OBJECT
+
+public:
+    GuideConnect(ProfileChange& change, RequestDesk& desk, HostDesk& host, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void build();
+    void showAdapters(const std::vector<Adapter>& adapters);
+    void showResult(const survey::ScanResult& result);
+    void showButtons();
+    void scan();
+    void use();
+    void showFound();
+    [[nodiscard]] QString selectedBus() const;
+    [[nodiscard]] QString busInUse() const;
+    [[nodiscard]] std::vector<int> idsFound() const;
+
+    ProfileChange& m_change;
+    HostDesk& m_host;
+    StationStatus m_status;
+    std::vector<Adapter> m_adapters;
+    std::optional<survey::ScanResult> m_result;
+    QString m_scanning;  // the bus that is being looked at
+    ValueLabel* m_notice;
+    QListWidget* m_list;
+    QPlainTextEdit* m_found;
+    QPushButton* m_refresh;
+    CommandButton* m_scan;
+    CommandButton* m_use;
+};
+
+}  // namespace boresight::ui

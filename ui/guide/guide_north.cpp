@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/guide/guide_north.h"
+
+#include "core/pointing/pointing_model.h"
+#include "core/profile/commissioning.h"
+#include "ui/hold/hold_buttons.h"
+#include "ui/kit/axes.h"
+#include "ui/kit/caption.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/format.h"
+#include "ui/kit/guide_fields.h"
+#include "ui/kit/push_button.h"
+#include "ui/kit/value_label.h"
+#include "ui/link/motion_permission.h"
+#include "ui/north/calibration_words.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLineEdit>
+#include <QShowEvent>
+#include <QSignalBlocker>
+
+#include <algorithm>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr Angle kNearZenith = 5_deg;  // so near to it an azimuth says little
+
+// What the history of the North panel says that is in force; null: nothing.
+const CalibrationHistoryEntry* inForce(const StationStatus& status)
+{
+    const auto& history = calibrationOf(status).history;
+    const auto found = std::ranges::find_if(history, &CalibrationHistoryEntry::inForce);
+    return found == history.end() ? nullptr : &*found;
+}
+
+// Empty: nobody has told this mount where north is, or it was told of other drives or another place.
+QString knownText(const StationStatus& status, Angle offset)
+{
+    if (offset == Angle{} || !calibrationOf(status).otherMount.isEmpty()) {
+        return {};
+    }
+    const CalibrationHistoryEntry* const entry = inForce(status);
+    return entry == nullptr ? GuideNorth::tr("North is known: azimuth offset %1, set by hand.").arg(angleText(offset))
+                            : GuideNorth::tr("North is known: azimuth offset %1, from \"%2\" of %3.")
+                                  .arg(angleText(offset), entry->title, minuteText(entry->when));
+}
+
+QString explanation(const QString& known)
+{
+    return known.isEmpty()
+               ? GuideNorth::tr(
+                     "Point the antenna at a landmark whose bearing is known, and type the bearing. Or ask "
+                     "the sensor, the Sun or the Moon. Without any press Skip: north can wait, everything "
+                     "else works.")
+               : known + QLatin1Char(' ') +
+                     GuideNorth::tr("Press Next to keep it. To replace it, type where the antenna really points.");
+}
+
+}  // namespace
+
+GuideNorth::GuideNorth(ProfileChange& change, RequestDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      m_change(change),
+      m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_explanation(new ValueLabel(tr("What to do"), fonts::label(), {}, this)),
+      m_pointing(new ValueLabel(tr("Where the antenna points now"), fonts::text(), {}, this)),
+      m_effect(new ValueLabel(tr("What the change does"), fonts::label(), {}, this)),
+      m_truth(makeField({.name = tr("True azimuth of the antenna"),
+                         .help = tr("The direction the antenna points to, from true north"),
+                         .min = -360.0,
+                         .max = 360.0,
+                         .unit = QStringLiteral("°")},
+                        this)),
+      m_replace(new QCheckBox(tr("Replace the known north"), this)),
+      m_hold(new HoldButtons(desk, *m_notice, tr("Move"), this)),
+      m_set(new CommandButton(tr("Set north"), tr("Sets the azimuth offset of the pointing model; nothing moves"), desk,
+                              *m_notice, this)),
+      m_panel(makePushButton({.text = tr("Sensor, Sun, Moon (Ctrl+9)"),
+                              .help = tr("To the panel North, which finds it by them; F3 comes back")},
+                             this))
+{
+    const QString help = tr("Moves the %1 slowly while held").arg(name(Axis::Azimuth));
+    m_hold->addAxis(Axis::Azimuth, help, help);
+    build();
+    connect(m_truth, &QDoubleSpinBox::valueChanged, this, &GuideNorth::type);
+    connect(m_truth->findChild<QLineEdit*>(), &QLineEdit::textEdited, this, &GuideNorth::type);  // emptied, too
+    connect(m_replace, &QCheckBox::toggled, this, &GuideNorth::showEffect);
+    connect(m_set, &QPushButton::clicked, this, [this] { m_change.ask(*m_set, edit()); });
+    connect(m_set, &CommandButton::accepted, this, &GuideNorth::taken);
+    connect(m_panel, &QPushButton::clicked, this, &GuideNorth::panelWanted);
+}
+
+void GuideNorth::build()
+{
+    for (ValueLabel* const label : {m_explanation, m_pointing, m_effect, m_notice}) {
+        label->setStretching(true);
+    }
+    m_explanation->setLines(3);
+    m_effect->setLines(3);
+    m_notice->setCollapsing(true);
+    m_replace->setFont(fonts::label());
+    m_replace->setAccessibleName(m_replace->text());
+    m_replace->setVisible(false);
+    auto* const grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(6);
+    grid->addWidget(m_explanation, 0, 0, 1, 3);
+    grid->addWidget(m_pointing, 1, 0, 1, 2);
+    grid->addWidget(m_hold, 1, 2);
+    grid->addWidget(makeCaption(tr("It really points to"), *m_truth), 2, 0);
+    grid->addWidget(m_truth, 2, 1);
+    grid->addWidget(m_set, 2, 2);
+    grid->addWidget(m_effect, 3, 0, 1, 3);
+    grid->addWidget(m_panel, 4, 0, 1, 2, Qt::AlignLeft);
+    grid->addWidget(m_replace, 4, 2, Qt::AlignLeft);  // in a row that is there: 700 px hold no more
+    grid->addWidget(m_notice, 6, 0, 1, 3);
+    grid->setColumnStretch(1, 1);
+    grid->setRowStretch(5, 1);
+}
+
+void GuideNorth::showStatus(const StationStatus& status)
+{
+    const bool another =
+        status.profile->bus != m_status.profile->bus || status.profile->mount.name != m_status.profile->mount.name;
+    m_status = status;
+    if (another) {
+        forget();  // it was typed for the other mount
+    }
+    m_hold->setRate(status.profile->jog.slow);
+    m_hold->showStatus(status);
+    showKnown();
+    showEffect();
+}
+
+// The mount may have moved meanwhile, or north been found elsewhere. A window that was only out of sight keeps it.
+void GuideNorth::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (!event->spontaneous()) {
+        forget();
+        showEffect();
+    }
+}
+
+// Emptied, or with no more than a sign in it, the field still has the number from before.
+void GuideNorth::type()
+{
+    m_typed = m_truth->hasAcceptableInput();
+    showEffect();
+}
+
+// Once is not for ever: the next one is typed, and meant, anew.
+void GuideNorth::forget()
+{
+    m_typed = false;
+    m_replace->setChecked(false);
+}
+
+void GuideNorth::taken()
+{
+    forget();
+    Q_EMIT done();
+}
+
+void GuideNorth::showKnown()
+{
+    const QString known = knownText(m_status, m_change.applied().pointing.azimuthOffset);
+    m_known = !known.isEmpty();
+    m_explanation->setValue(explanation(known));
+    m_replace->setVisible(m_known);
+}
+
+bool GuideNorth::isBeamKnown() const
+{
+    return m_status.actual && areTurnsKnown(m_status) && freshness(m_status.azimuth.age) != Freshness::NoData;
+}
+
+AxisPosition GuideNorth::axes() const
+{
+    return {.azimuth = m_status.azimuth.actual.value_or(Angle{}),
+            .elevation = m_status.elevation.actual.value_or(Angle{})};
+}
+
+QString GuideNorth::whyNot() const
+{
+    for (const Axis axis : kAxes) {
+        if (const QString reason = whyNoPlace(m_status, axis); !reason.isEmpty()) {
+            return reason;
+        }
+    }
+    if (abs(axes().elevation - 90_deg) < kNearZenith) {
+        return tr("the antenna looks up: lower it first");
+    }
+    if (!m_typed) {
+        return tr("type where it really points first");
+    }
+    if (m_known && !m_replace->isChecked()) {
+        return tr("north is known: tick that it shall be replaced first");
+    }
+    return m_change.whyNot(m_status, edit());
+}
+
+ProfileChange::Edit GuideNorth::edit() const
+{
+    return [axes = axes(), truth = Angle::fromDegrees(m_truth->value())](profile::Profile& profile) {
+        profile::setNorth(profile, axes, truth);
+    };
+}
+
+void GuideNorth::showEffect()
+{
+    const profile::Profile& now = m_change.applied();
+    const bool known = isBeamKnown();
+    const SkyPointing beam = pointing::upright(pointing::PointingModel(now.pointing).toSky(axes()));
+    if (known && !m_typed && m_truth->hasAcceptableInput()) {  // else somebody is typing
+        const QSignalBlocker silent(m_truth);
+        m_truth->setValue(beam.azimuth.degrees());
+    }
+    m_pointing->setValue(tr("It says it points to %1").arg(known ? angleText(beam.azimuth) : noValue()));
+    m_set->setBlocked(whyNot());
+    if (!known || !m_typed) {
+        m_effect->setValue({});
+        return;
+    }
+    profile::Profile then = now;
+    edit()(then);
+    m_effect->setValue(tr("Azimuth offset %1 → %2, at once; the way back: tab Mount, Profile, Undo. Nothing moves; "
+                          "travel, cable and park keep their numbers, horizon and keep-outs their true directions.")
+                           .arg(angleText(now.pointing.azimuthOffset), angleText(then.pointing.azimuthOffset)),
+                       Tone::Secondary);
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/guide/guide_page.h"
+
+#include "core/profile/commissioning.h"
+#include "ui/drives/protection_panel.h"
+#include "ui/guide/guide_client.h"
+#include "ui/guide/guide_connect.h"
+#include "ui/guide/guide_directions.h"
+#include "ui/guide/guide_north.h"
+#include "ui/guide/guide_site.h"
+#include "ui/guide/guide_travel.h"
+#include "ui/guide/guide_zero.h"
+#include "ui/guide/step_button.h"
+#include "ui/kit/axes.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/push_button.h"
+#include "ui/kit/value_label.h"
+#include "ui/link/motion_permission.h"
+
+#include <QButtonGroup>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace boresight::ui {
+
+namespace {
+
+auto placeOf(GuideStep step)
+{
+    return std::ranges::find(kGuideSteps, step);
+}
+
+// Whose progress it is. The simulated mount and a real one share the profile, and what was seen of the one says nothing
+// of the other.
+QString mountOf(const StationStatus& status)
+{
+    const QString name = QString::fromStdString(status.profile->mount.name);
+    return profile::isSimulated(*status.profile) ? name + QStringLiteral(" (simulated)") : name;
+}
+
+// Steps whose page moves the mount by hand.
+bool moves(GuideStep step)
+{
+    return step == GuideStep::Directions || step == GuideStep::Travel || step == GuideStep::Level ||
+           step == GuideStep::North;
+}
+
+}  // namespace
+
+GuidePage::GuidePage(ProfileDraft& draft, RequestDesk& desk, HostDesk& host, const GuideProgress& progress,
+                     QWidget* parent)
+    : QWidget(parent),
+      m_change(draft, desk),
+      m_progress(progress),
+      m_pages(new QStackedWidget(this)),
+      m_title(new ValueLabel(tr("Step of the guide"), fonts::text(), {}, this)),
+      m_hint(new ValueLabel(tr("What is in the way"), fonts::label(), {}, this))
+{
+    setAccessibleName(tr("Commissioning guide"));
+    // Tab goes in the order in which they are made.
+    makeSteps();
+    makePages(desk, host);
+    m_back = makeButton(tr("Back"), tr("To the step before (Alt+Left)"), &GuidePage::back);
+    m_next = makeButton(tr("Next"), {}, &GuidePage::next);
+    m_skip = makeButton(tr("Skip"), tr("Leave this step for later and go on"), &GuidePage::skip);
+    m_finish = makeButton(tr("Finish later"), tr("To the panels; F3 comes back to this step"), &GuidePage::finishLater);
+    build();
+    const auto addKey = [this](const QKeySequence& key, void (GuidePage::*act)()) {
+        auto* const shortcut = new QShortcut(key, this);
+        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+        shortcut->setAutoRepeat(false);
+        connect(shortcut, &QShortcut::activated, this, act);
+    };
+    addKey(Qt::ALT | Qt::Key_Left, &GuidePage::back);
+    addKey(Qt::ALT | Qt::Key_Right, &GuidePage::next);
+    showPage();
+}
+
+void GuidePage::makePages(RequestDesk& desk, HostDesk& host)
+{
+    auto* const connectPage = new GuideConnect(m_change, desk, host, m_pages);
+    auto* const protection = new ProtectionPanel(desk, m_pages);
+    auto* const directions = new GuideDirections(m_change, desk, m_pages);
+    auto* const travel = new GuideTravel(m_change, desk, m_pages);
+    auto* const level = new GuideZero(m_change, desk, m_pages);
+    auto* const north = new GuideNorth(m_change, desk, m_pages);
+    auto* const site = new GuideSite(m_change, desk, host, m_pages);
+    auto* const client = new GuideClient(m_pages);
+    const auto add = [this](GuideStep step, auto* page) {
+        m_pages->addWidget(page);
+        m_show[step] = [page](const StationStatus& status) { page->showStatus(status); };
+    };
+    add(GuideStep::Connect, connectPage);
+    add(GuideStep::Protection, protection);
+    add(GuideStep::Directions, directions);
+    add(GuideStep::Travel, travel);
+    add(GuideStep::Level, level);
+    add(GuideStep::North, north);
+    add(GuideStep::Site, site);
+    add(GuideStep::Client, client);
+    connect(travel, &GuideTravel::done, this, [this] { pass(GuideStep::Travel); });
+    connect(level, &GuideZero::done, this, [this] { pass(GuideStep::Level); });
+    connect(north, &GuideNorth::panelWanted, this, &GuidePage::northWanted);
+    connect(north, &GuideNorth::done, this, [this] { pass(GuideStep::North); });
+}
+
+void GuidePage::makeSteps()
+{
+    int number = 0;
+    for (const GuideStep step : kGuideSteps) {
+        auto* const button = new StepButton(step, ++number, this);
+        m_buttons[step] = button;
+        connect(button, &QAbstractButton::clicked, this, [this, step] { go(step); });
+    }
+}
+
+void GuidePage::build()
+{
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    auto* const steps = new QHBoxLayout;
+    steps->setSpacing(2);
+    auto* const group = new QButtonGroup(this);
+    for (const GuideStep step : kGuideSteps) {
+        steps->addWidget(m_buttons.at(step));
+        group->addButton(m_buttons.at(step));
+    }
+    auto* const row = new QHBoxLayout;
+    row->setSpacing(4);
+    for (QPushButton* const button : {m_back, m_next, m_skip, m_finish}) {
+        row->addWidget(button);
+    }
+    m_title->setStretching(true);
+    m_hint->setStretching(true);
+    m_hint->setLines(2);
+    column->addLayout(steps);
+    column->addWidget(m_title);
+    column->addWidget(m_hint);  // in the place of the title
+    column->addWidget(m_pages, 1);
+    column->addLayout(row);
+}
+
+QPushButton* GuidePage::makeButton(const QString& text, const QString& help, void (GuidePage::*act)())
+{
+    QPushButton* const button = makePushButton({.text = text, .help = help}, this);
+    connect(button, &QPushButton::clicked, this, act);
+    return button;
+}
+
+void GuidePage::showStatus(const StationStatus& status)
+{
+    m_status = status;
+    const QString mount = mountOf(status);
+    if (mount != m_progress.mount) {  // another mount: what was said of the one says nothing of the other
+        const bool first = m_progress.mount.isEmpty();
+        m_progress.mount = mount;
+        if (!first) {
+            m_progress.passed.clear();
+            m_progress.later.clear();
+            m_progress.current = GuideStep::Connect;
+            showPage();
+        }
+        Q_EMIT progressChanged(m_progress);
+    }
+    if (isVisible()) {
+        m_show.at(m_progress.current)(m_status);
+        showSteps();
+    }
+}
+
+void GuidePage::setOpen(bool on)
+{
+    if (on != m_progress.open) {
+        m_progress.open = on;
+        Q_EMIT progressChanged(m_progress);
+    }
+}
+
+void GuidePage::focusStep()
+{
+    m_show.at(m_progress.current)(m_status);
+    showSteps();
+    m_buttons.at(m_progress.current)->setFocus();
+}
+
+void GuidePage::go(GuideStep step)
+{
+    m_progress.current = step;
+    showPage();
+    Q_EMIT progressChanged(m_progress);
+}
+
+void GuidePage::back()
+{
+    if (const auto at = placeOf(m_progress.current); at != kGuideSteps.begin()) {
+        go(*(at - 1));
+    }
+}
+
+void GuidePage::next()
+{
+    if (!whyNotDone(m_progress.current, m_status).isEmpty()) {
+        return;  // by its key
+    }
+    pass(m_progress.current);
+    goOn();
+}
+
+void GuidePage::skip()
+{
+    m_progress.later.insert(m_progress.current);
+    m_progress.passed.erase(m_progress.current);
+    goOn();
+}
+
+void GuidePage::pass(GuideStep step)
+{
+    m_progress.passed.insert(step);
+    m_progress.later.erase(step);
+    showSteps();
+    Q_EMIT progressChanged(m_progress);
+}
+
+void GuidePage::goOn()
+{
+    const auto at = placeOf(m_progress.current);
+    if (at + 1 == kGuideSteps.end()) {
+        finishLater();
+    } else {
+        go(*(at + 1));
+    }
+}
+
+void GuidePage::finishLater()
+{
+    Q_EMIT progressChanged(m_progress);
+    Q_EMIT closeWanted();
+}
+
+void GuidePage::showPage()
+{
+    const GuideStep step = m_progress.current;
+    const auto at = placeOf(step);
+    m_title->hide();  // until the page has its room: a page that comes is laid out at once, and would widen the window
+    m_hint->hide();
+    const int index = static_cast<int>(at - kGuideSteps.begin());
+    for (int page = 0; page < m_pages->count(); ++page) {  // only the one that is shown asks for room
+        m_pages->widget(page)->setSizePolicy(QSizePolicy::Preferred,
+                                             page == index ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+    }
+    m_pages->setCurrentIndex(index);
+    m_title->setValue(title(step));
+    m_buttons.at(step)->setChecked(true);
+    m_back->setEnabled(at != kGuideSteps.begin());
+    const bool last = at + 1 == kGuideSteps.end();
+    m_next->setText(last ? tr("Finish") : tr("Next"));
+    m_next->setAccessibleName(m_next->text());
+    if (isVisible()) {
+        m_show.at(step)(m_status);
+    }
+    showSteps();
+}
+
+void GuidePage::showSteps()
+{
+    for (const auto& [step, button] : m_buttons) {
+        button->setState(stateOf(step, m_status, m_progress));
+    }
+    const QString reason = whyNotDone(m_progress.current, m_status);
+    m_next->setEnabled(reason.isEmpty());
+    m_next->setToolTip(reason.isEmpty() ? tr("This step is right; to the next one (Alt+Right)")
+                                        : tr("Not yet: %1. Skip leaves it for later.").arg(reason));
+    showHint();
+}
+
+// What stands in the way of the page's motions, and where it is mended.
+void GuidePage::showHint()
+{
+    const GuideStep step = m_progress.current;
+    // This page is as high as the smallest window allows, and says itself what is wrong.
+    const bool full = step == GuideStep::Protection;
+    QString hint;
+    if (const auto axis = askingAxis(m_status); axis && !full) {
+        hint = tr("Boresight asks which turn the %1 is on: press Ctrl+9 to answer, F3 to come back").arg(name(*axis));
+    } else if (moves(step) && !m_status.drives.armingObstacle.isEmpty() &&
+               m_status.drives.survey == survey::SurveyState::Done) {
+        hint = tr("Nothing may move before step 2, Protect, is done: %1").arg(m_status.drives.armingObstacle);
+    } else if (moves(step)) {
+        hint = whyNoMotion(m_status);
+    }
+    m_hint->setValue(hint, Tone::Warning, hint.isEmpty() ? Symbol::None : Symbol::Warning);
+    m_hint->setVisible(!hint.isEmpty());
+    m_title->setVisible(hint.isEmpty() && !full);
+}
+
+}  // namespace boresight::ui

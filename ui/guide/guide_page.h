@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+#include "ui/guide/guide_progress.h"
+#include "ui/link/profile_change.h"
+
+#include <QWidget>
+
+#include <functional>
+#include <map>
+
+class QPushButton;
+class QStackedWidget;
+
+// Commissioning of a mount, step by step: a row of the steps with their state, the page of the current one, and Back,
+// Next, Skip, Finish later. It takes the place of the panels and covers nothing else; any panel's key leads back to
+// them, and the guide goes on where it was. It asks what the panels could ask, and nothing else.
+namespace boresight::ui {
+
+class HostDesk;
+class StepButton;
+class ValueLabel;
+
+class GuidePage : public QWidget
+{
+    Q_OBJECT
+
+public:
+    GuidePage(ProfileDraft& draft, RequestDesk& desk, HostDesk& host, const GuideProgress& progress,
+              QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+    void setOpen(bool on);  // to be kept: the guide is on the screen
+    void focusStep();       // the keyboard is at the current step
+
+    [[nodiscard]] const GuideProgress& progress() const { return m_progress; }
+
+Q_SIGNALS:
+    void closeWanted();
+    void northWanted();  // the panel with the other ways to find north
+    void progressChanged(const boresight::ui::GuideProgress& progress);
+
+private:
+    void makePages(RequestDesk& desk, HostDesk& host);
+    void makeSteps();
+    void build();
+    QPushButton* makeButton(const QString& text, const QString& help, void (GuidePage::*act)());
+    void go(GuideStep step);
+    void back();
+    void next();
+    void skip();
+    void pass(GuideStep step);
+    void goOn();
+    void finishLater();
+    void showSteps();
+    void showPage();
+    void showHint();
+
+    ProfileChange m_change;
+    GuideProgress m_progress;
+    StationStatus m_status;
+    std::map<GuideStep, StepButton*> m_buttons;
+    std::map<GuideStep, std::function<void(const StationStatus&)>> m_show;  // the status on the page of a step
+    QStackedWidget* m_pages;
+    ValueLabel* m_title;
+    ValueLabel* m_hint;
+    QPushButton* m_back = nullptr;
+    QPushButton* m_next = nullptr;
+    QPushButton* m_skip = nullptr;
+    QPushButton* m_finish = nullptr;
+};
+
+}  // namespace boresight::ui

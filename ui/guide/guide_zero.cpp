@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/guide/guide_zero.h"
+
+#include "core/profile/commissioning.h"
+#include "ui/hold/hold_buttons.h"
+#include "ui/kit/axes.h"
+#include "ui/kit/caption.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/format.h"
+#include "ui/kit/guide_fields.h"
+#include "ui/kit/value_label.h"
+#include "ui/link/motion_permission.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr Axis kAxis = Axis::Elevation;
+
+QString travelText(const TravelRange& range)
+{
+    return angleText(range.min, 1) + QStringLiteral("…") + angleText(range.max, 1);
+}
+
+}  // namespace
+
+GuideZero::GuideZero(ProfileChange& change, RequestDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      m_change(change),
+      m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_explanation(new ValueLabel(tr("What to do"), fonts::label(), {}, this)),
+      m_reading(new ValueLabel(tr("What the %1 reads now").arg(name(kAxis)), fonts::text(), {}, this)),
+      m_effect(new ValueLabel(tr("What the change does"), fonts::label(), {}, this)),
+      m_truth(nullptr),
+      m_endsStay(new QCheckBox(tr("Cable and stops are where they were: their numbers change"), this)),
+      m_hold(new HoldButtons(desk, *m_notice, tr("Move"), this)),
+      m_set(new CommandButton(tr("Set it"), tr("Takes the new zero into the profile and connects anew; nothing moves"),
+                              desk, *m_notice, this))
+{
+    m_truth = makeField({.name = tr("True elevation of the antenna"),
+                         .help = tr("By a spirit level on the antenna: 0° is level"),
+                         .min = -90.0,
+                         .max = 180.0,
+                         .unit = QStringLiteral("°")},
+                        this);
+    m_explanation->setValue(
+        tr("Bring the antenna level, by a spirit level on it, and set 0° here. Or type what an inclinometer shows."));
+    const QString help = tr("Moves the %1 slowly while held").arg(name(kAxis));
+    m_hold->addAxis(kAxis, help, help);
+    m_endsStay->setChecked(true);
+    build();
+    connect(m_truth, &QDoubleSpinBox::valueChanged, this, &GuideZero::showEffect);
+    connect(m_endsStay, &QCheckBox::toggled, this, &GuideZero::showEffect);
+    connect(m_set, &QPushButton::clicked, this, &GuideZero::set);
+    connect(m_set, &CommandButton::accepted, this, &GuideZero::done);
+}
+
+void GuideZero::build()
+{
+    for (ValueLabel* const label : {m_explanation, m_reading, m_effect, m_notice}) {
+        label->setStretching(true);
+    }
+    m_explanation->setLines(2);
+    m_effect->setLines(3);
+    m_notice->setCollapsing(true);
+    m_endsStay->setFont(fonts::label());
+    m_endsStay->setAccessibleName(m_endsStay->text());
+    m_endsStay->setToolTip(tr("Off: the ends keep their numbers, and lie elsewhere on the mount"));
+    auto* const grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(6);
+    grid->addWidget(m_explanation, 0, 0, 1, 3);
+    grid->addWidget(m_reading, 1, 0, 1, 2);
+    grid->addWidget(m_hold, 1, 2);
+    grid->addWidget(makeCaption(tr("It really is"), *m_truth), 2, 0);
+    grid->addWidget(m_truth, 2, 1);
+    grid->addWidget(m_set, 2, 2);
+    grid->addWidget(m_endsStay, 3, 0, 1, 3);
+    grid->addWidget(m_effect, 4, 0, 1, 3);
+    grid->addWidget(m_notice, 6, 0, 1, 3);
+    grid->setColumnStretch(1, 1);
+    grid->setRowStretch(5, 1);
+}
+
+void GuideZero::showStatus(const StationStatus& status)
+{
+    m_status = status;
+    m_hold->setRate(status.profile->jog.slow);
+    m_hold->showStatus(status);
+    showEffect();
+}
+
+Angle GuideZero::truth() const
+{
+    return Angle::fromDegrees(m_truth->value());
+}
+
+QString GuideZero::whyNot() const
+{
+    // The zero is read from a standing axis, also where its limits would allow the change in motion.
+    const QString reason = whyNoPlace(m_status, kAxis);
+    return reason.isEmpty() ? m_change.whyNot(m_status, edit()) : reason;
+}
+
+ProfileChange::Edit GuideZero::edit() const
+{
+    const Angle reading = axisOf(m_status, kAxis).actual.value_or(Angle{});
+    const auto ends = m_endsStay->isChecked() ? profile::Ends::StayOnTheMount : profile::Ends::KeepTheirNumbers;
+    return [reading, truth = truth(), ends](profile::Profile& profile) {
+        profile::setReading(profile, kAxis, reading, truth, ends);
+    };
+}
+
+void GuideZero::showEffect()
+{
+    const AxisStatus& now = axisOf(m_status, kAxis);
+    const bool known = now.actual && isTurnKnown(m_status, kAxis) && freshness(now.age) != Freshness::NoData;
+    m_reading->setValue(tr("It reads %1").arg(known ? angleText(*now.actual) : noValue()));
+    m_set->setBlocked(whyNot());
+    if (!known) {
+        m_effect->setValue({});
+        return;
+    }
+    profile::Profile then = m_change.applied();
+    edit()(then);
+    const QString by = signedAngleText(truth() - *now.actual);
+    const QString ends = tr("travel %1, now %2")
+                             .arg(travelText(then.axis(kAxis).geometry.travel),
+                                  travelText(m_change.applied().axis(kAxis).geometry.travel));
+    const QString bounds = m_endsStay->isChecked()
+                               ? tr("The drives' own bounds stay right.")
+                               : tr("The drives' own bounds are to be fixed afterwards (step Protect).");
+    m_effect->setValue(tr("Every angle changes by %1: %2. %3").arg(by, ends, bounds), Tone::Secondary);
+}
+
+void GuideZero::set()
+{
+    m_change.ask(*m_set, edit());
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/hold/jog_pad.h"
+
+#include "ui/hold/jog_button.h"
+#include "ui/kit/axes.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/request_desk.h"
+#include "ui/kit/value_label.h"
+
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr std::chrono::minutes kArmedFor{1};
+constexpr QSize kLargestButton{260, 180};  // of a direction: a larger target is no better, and no button any more
+
+std::optional<JogDirection> directionOf(int key)
+{
+    switch (key) {
+        case Qt::Key_Up:
+            return JogDirection::Up;
+        case Qt::Key_Down:
+            return JogDirection::Down;
+        case Qt::Key_Left:
+            return JogDirection::Left;
+        case Qt::Key_Right:
+            return JogDirection::Right;
+        default:
+            return std::nullopt;
+    }
+}
+
+}  // namespace
+
+JogPad::JogPad(const Clock& clock, RequestDesk& desk, ValueLabel& notice, QWidget* parent)
+    : QWidget(parent),
+      m_clock(clock),
+      m_desk(desk),
+      m_notice(notice),
+      m_buttons{{JogDirection::Up, new JogButton(tr("EL +"), tr("Elevation up while held"), this)},
+                {JogDirection::Down, new JogButton(tr("EL -"), tr("Elevation down while held"), this)},
+                {JogDirection::Left, new JogButton(tr("AZ -"), tr("Azimuth counter-clockwise while held"), this)},
+                {JogDirection::Right, new JogButton(tr("AZ +"), tr("Azimuth clockwise while held"), this)}},
+      m_hold(new CommandButton(tr("Hold"), tr("Slow down and hold the position (Ctrl+H)"), desk, notice, this)),
+      m_caption(new ValueLabel(tr("Arrow keys"), fonts::label(), {}, this))
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Jog pad"));
+    setAccessibleDescription(tr("Enter arms the arrow keys; then they move the mount while held"));
+    build();
+    for (const auto& [direction, button] : m_buttons) {
+        connectButton(direction);
+    }
+    connect(&m_deadMan, &DeadMan::jog, this, &JogPad::sendJog);
+    connect(m_hold, &QPushButton::clicked, this, &JogPad::hold);
+    applyRate();
+    disarm();
+}
+
+void JogPad::build()
+{
+    auto* const grid = new QGridLayout(this);
+    grid->setContentsMargins(8, 8, 8, 6);
+    grid->setSpacing(6);
+    grid->addWidget(m_buttons.at(JogDirection::Up), 1, 2);
+    grid->addWidget(m_buttons.at(JogDirection::Left), 2, 1);
+    grid->addWidget(m_hold, 2, 2);
+    grid->addWidget(m_buttons.at(JogDirection::Right), 2, 3);
+    grid->addWidget(m_buttons.at(JogDirection::Down), 3, 2);
+    grid->addWidget(m_caption, 5, 0, 1, 5);
+    m_hold->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    m_hold->setMaximumSize(kLargestButton);
+    for (const auto& [direction, button] : m_buttons) {
+        button->setMaximumSize(kLargestButton);
+    }
+    for (const int middle : {1, 2, 3}) {  // what these leave of a large pad is around them
+        grid->setRowStretch(middle, 1000);
+        grid->setColumnStretch(middle, 1000);
+    }
+    for (const int rim : {0, 4}) {
+        grid->setRowStretch(rim, 1);
+        grid->setColumnStretch(rim, 1);
+    }
+    m_hold->setFocusPolicy(Qt::TabFocus);  // a click does not disarm the pad
+    m_caption->setStretching(true);
+    m_caption->setAlignment(Qt::AlignCenter);
+    m_caption->setAttribute(Qt::WA_TransparentForMouseEvents);  // it is part of the pad that a click arms
+}
+
+void JogPad::connectButton(JogDirection direction)
+{
+    JogButton* const button = m_buttons.at(direction);
+    connect(button, &JogButton::holdBegan, this, [this, direction] { press(direction, m_stepMode); });
+    connect(button, &JogButton::holdEnded, this, [this, direction] { m_deadMan.letGo(direction); });
+}
+
+void JogPad::press(JogDirection direction, bool oneStep)
+{
+    const QString reason = oneStep ? whyNoStep(m_status, direction) : whyNoJog(m_status, direction);
+    if (!reason.isEmpty()) {
+        if (oneStep) {  // the button does not look as if it could not: it would jog
+            m_notice.setValue(tr("Step: %1").arg(reason), Tone::Warning, Symbol::Warning);
+        }
+        return;
+    }
+    m_notice.setValue({});
+    if (oneStep) {
+        sendStep(direction);
+    } else {
+        m_deadMan.hold(direction);
+    }
+}
+
+void JogPad::sendJog(const AxisRates& rates)
+{
+    const bool ends = rates == AxisRates{};
+    m_desk.send(request::Jog{rates}, this, [this, ends](const std::optional<Error>& error) {
+        if (!ends) {  // after STOP even the wish to end a jog is refused: nothing the operator needs to know
+            refused(error);
+        }
+    });
+}
+
+void JogPad::sendStep(JogDirection direction)
+{
+    request::Nudge step{};
+    switch (direction) {
+        case JogDirection::Up:
+            step.elevation = m_step;
+            break;
+        case JogDirection::Down:
+            step.elevation = -m_step;
+            break;
+        case JogDirection::Right:
+            step.azimuth = m_step;
+            break;
+        case JogDirection::Left:
+            step.azimuth = -m_step;
+            break;
+    }
+    m_desk.send(step, this, [this](const std::optional<Error>& error) { refused(error); });
+}
+
+void JogPad::refused(const std::optional<Error>& error)
+{
+    if (error) {
+        letGoAll();
+        m_notice.setValue(tr("Jog: %1").arg(QString::fromStdString(error->text)), Tone::Warning, Symbol::Warning);
+    }
+}
+
+void JogPad::hold()
+{
+    if (m_hold->isEnabled()) {
+        letGoAll();
+        m_hold->ask(request::Hold{});
+    }
+}
+
+void JogPad::letGoAll()
+{
+    for (const auto& [direction, button] : m_buttons) {
+        button->letGo();
+    }
+    m_deadMan.letGoAll();
+    Q_EMIT interrupted();
+}
+
+void JogPad::showStatus(const StationStatus& status)
+{
+    m_status = status;
+    for (const auto& [direction, button] : m_buttons) {
+        const QString reason = m_stepMode ? whyNoStep(status, direction) : whyNoJog(status, direction);
+        button->setBlocked(reason);
+        if (!reason.isEmpty()) {
+            m_deadMan.letGo(direction);
+        }
+    }
+    m_hold->setBlocked(whyNoMotion(status));
+    applyRate();
+    showCaption();
+}
+
+void JogPad::steer(double azimuth, double elevation)
+{
+    const auto permitted = [this](double part, JogDirection plus, JogDirection minus) {
+        return part != 0.0 && whyNoJog(m_status, part > 0.0 ? plus : minus).isEmpty() ? part : 0.0;
+    };
+    const bool held = m_deadMan.isHeld();
+    m_deadMan.steer(permitted(azimuth, JogDirection::Right, JogDirection::Left),
+                    permitted(elevation, JogDirection::Up, JogDirection::Down));
+    if (!held && m_deadMan.isHeld()) {
+        m_notice.setValue({});
+    }
+}
+
+void JogPad::setGamepad(const QString& name)
+{
+    m_gamepad = name;
+    showCaption();
+}
+
+void JogPad::setRate(AngularRate rate)
+{
+    m_rate = rate;
+    applyRate();
+}
+
+void JogPad::setStep(Angle step)
+{
+    m_step = step;
+}
+
+void JogPad::setStepMode(bool on)
+{
+    m_stepMode = on;
+    letGoAll();
+    showStatus(m_status);
+}
+
+void JogPad::setNarrow()
+{
+    for (const auto& [direction, button] : m_buttons) {
+        button->setMinimumWidth(kTouchSize);  // narrower than a button that says "requested"
+    }
+    m_hold->setMinimumWidth(3 * kTouchSize / 2);
+    m_caption->setLines(2);
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // takes what is left
+}
+
+void JogPad::applyRate()
+{
+    const AngularRate wanted = m_shift ? m_status.profile->jog.fast : m_rate;
+    m_deadMan.setRate(std::min(wanted, fastestJog(m_status)));
+}
+
+void JogPad::showCaption()
+{
+    if (isArmed()) {
+        m_caption->setValue(
+            m_stepMode ? tr("ARMED: an arrow key moves one step") : tr("ARMED: arrow keys move the mount"),
+            Tone::Accent);
+    } else if (followsAClient(m_status)) {
+        m_caption->setValue(tr("Steps trim the target (Ctrl + arrow)"), Tone::Secondary);
+    } else if (!m_gamepad.isEmpty()) {
+        m_caption->setValue(tr("Arm by a click; gamepad: hold LB or RB"), Tone::Secondary);
+    } else {
+        m_caption->setValue(tr("Click here to arm the arrow keys"), Tone::Secondary);
+    }
+    m_caption->setToolTip(m_gamepad.isEmpty()
+                              ? QString()
+                              : tr("%1: hold LB or RB and move the left stick to jog; B is STOP").arg(m_gamepad));
+}
+
+void JogPad::arm()
+{
+    m_armedUntil = m_clock.now() + kArmedFor;
+    showCaption();
+    update();
+}
+
+void JogPad::disarm()
+{
+    m_armedUntil.reset();
+    m_shift = false;
+    applyRate();
+    letGoAll();
+    showCaption();
+    update();
+}
+
+void JogPad::disarmWhenUnused()
+{
+    if (!isArmed()) {
+        return;
+    }
+    if (m_deadMan.isHeld()) {
+        m_armedUntil = m_clock.now() + kArmedFor;
+    } else if (m_clock.now() >= *m_armedUntil) {
+        disarm();
+    }
+}
+
+bool JogPad::event(QEvent* event)
+{
+    if (event->type() == QEvent::WindowDeactivate) {
+        disarm();
+    }
+    if (event->type() == QEvent::ShortcutOverride && isArmed() &&
+        directionOf(static_cast<QKeyEvent*>(event)->key()).has_value()) {
+        event->accept();  // an armed arrow key is ours, not a shortcut's
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void JogPad::mousePressEvent(QMouseEvent*)
+{
+    setFocus(Qt::MouseFocusReason);
+    arm();
+}
+
+void JogPad::keyPressEvent(QKeyEvent* event)
+{
+    const auto direction = directionOf(event->key());
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_Space) {
+        if (!event->isAutoRepeat()) {
+            isArmed() ? disarm() : arm();
+        }
+    } else if (event->key() == Qt::Key_Shift) {
+        m_shift = true;
+        applyRate();
+    } else if (isArmed() && direction) {
+        if (!event->isAutoRepeat()) {
+            m_shift = event->modifiers().testFlag(Qt::ShiftModifier);
+            applyRate();
+            arm();
+            press(*direction, m_stepMode || event->modifiers().testFlag(Qt::ControlModifier));
+        }
+    } else {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void JogPad::keyReleaseEvent(QKeyEvent* event)
+{
+    if (event->isAutoRepeat()) {
+        return;
+    }
+    if (event->key() == Qt::Key_Shift) {
+        m_shift = false;
+        applyRate();
+    }
+    if (const auto direction = directionOf(event->key())) {
+        m_deadMan.letGoSoon(*direction);
+    }
+    QWidget::keyReleaseEvent(event);
+}
+
+void JogPad::focusOutEvent(QFocusEvent* event)
+{
+    disarm();
+    QWidget::focusOutEvent(event);
+    update();
+}
+
+void JogPad::hideEvent(QHideEvent* event)
+{
+    disarm();
+    QWidget::hideEvent(event);
+}
+
+void JogPad::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Theme& colours = currentTheme();
+    const double width = isArmed() ? 3.0 : 1.0;
+    painter.setPen(isArmed()    ? QPen(colours.accent, width)
+                   : hasFocus() ? QPen(colours.accent, width, Qt::DashLine)
+                                : QPen(colours.secondary, width));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1.5, 1.5, -1.5, -1.5), 4.0, 4.0);
+}
+
+}  // namespace boresight::ui

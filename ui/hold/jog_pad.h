@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/station/station_status.h"
+#include "ui/hold/dead_man.h"
+
+#include <QWidget>
+
+#include <map>
+#include <optional>
+
+// Four jog buttons around Hold. The arrow keys do the same once the pad is armed by a click on it (or Enter while it
+// has the focus); the armed pad is framed, and it disarms when the focus leaves it or after a minute without use.
+// Shift jogs fast; Ctrl, or the step mode, moves one step instead; a step while a client's target is followed trims it
+// and leaves the client the mount. The pad keeps asking while a button or key is held,
+// and ends the motion on release, loss of focus, window switch, refusal, or when motion is no longer permitted.
+namespace boresight::ui {
+
+class CommandButton;
+class JogButton;
+class RequestDesk;
+class ValueLabel;
+
+class JogPad : public QWidget
+{
+    Q_OBJECT
+
+public:
+    JogPad(const Clock& clock, RequestDesk& desk, ValueLabel& notice, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+    void setRate(AngularRate rate);  // while held, without Shift
+    void setStep(Angle step);
+    void setStepMode(bool on);
+    void setNarrow();  // beside other controls: buttons no wider than a finger, caption in two lines
+    // A stick whose dead-man is held: how much of the rate each axis shall have, -1 … 1; both 0 let go.
+    void steer(double azimuth, double elevation);
+    void setGamepad(const QString& name);  // plugged in; empty: none
+    void disarmWhenUnused();               // called a few times a second
+
+    void hold();  // request::Hold
+
+    [[nodiscard]] bool isArmed() const { return m_armedUntil.has_value(); }
+    [[nodiscard]] JogButton& button(JogDirection direction) { return *m_buttons.at(direction); }
+
+Q_SIGNALS:
+    void interrupted();  // what was held counts no more: a fresh press is needed
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    void build();
+    void connectButton(JogDirection direction);
+    void press(JogDirection direction, bool oneStep);
+    void arm();
+    void disarm();
+    void letGoAll();
+    void sendJog(const AxisRates& rates);
+    void sendStep(JogDirection direction);
+    void refused(const std::optional<Error>& error);
+    void applyRate();
+    void showCaption();
+
+    const Clock& m_clock;
+    RequestDesk& m_desk;
+    ValueLabel& m_notice;
+    std::map<JogDirection, JogButton*> m_buttons;
+    CommandButton* m_hold;
+    ValueLabel* m_caption;
+    DeadMan m_deadMan;
+    StationStatus m_status;
+    AngularRate m_rate;
+    Angle m_step;
+    QString m_gamepad;
+    bool m_stepMode = false;
+    bool m_shift = false;
+    std::optional<SteadyTime> m_armedUntil;
+};
+
+}  // namespace boresight::ui

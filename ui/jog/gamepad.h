@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/jog/gamepad_pilot.h"
+
+#include <QObject>
+
+#include <memory>
+
+// A gamepad, by SDL where the program is built with it: the first one that is plugged in, read every 20 ms while it is
+// there; looked for once a second else. Gui thread, never blocks.
+namespace boresight::ui {
+
+class Gamepad : public QObject
+{
+    Q_OBJECT
+
+public:
+    // Null: this program is built without SDL.
+    [[nodiscard]] static std::unique_ptr<Gamepad> create();
+
+Q_SIGNALS:
+    void plugged(const QString& name);  // empty: it is gone
+    void sampled(const boresight::ui::GamepadSample& sample);
+
+protected:
+    Gamepad() = default;
+};
+
+}  // namespace boresight::ui

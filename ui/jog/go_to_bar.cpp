@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/jog/go_to_bar.h"
+
+#include "core/base/numbers.h"
+#include "ui/kit/caption.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/touch_combo.h"
+#include "ui/kit/value_label.h"
+
+#include <QHBoxLayout>
+#include <QLineEdit>
+
+#include <algorithm>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr qsizetype kRecent = 10;
+
+QLineEdit* angleField(const QString& name, QWidget* parent)
+{
+    auto* const field = new QLineEdit(parent);
+    field->setFont(fonts::text());
+    field->setAccessibleName(name);
+    field->setToolTip(GoToBar::tr("%1 in degrees, e.g. 113.5 (Ctrl+G; Enter = Go)").arg(name));
+    field->setAlignment(Qt::AlignRight);
+    field->setMaxLength(12);
+    field->setMinimumHeight(kTouchSize);
+    field->setFixedWidth(field->fontMetrics().horizontalAdvance(QStringLiteral("-000.00")) + 14);
+    return field;
+}
+
+QString fixed(Angle angle)
+{
+    return QString::fromStdString(formatFixed(angle.degrees(), 2));
+}
+
+// A file that was edited by hand may hold anything.
+QStringList readable(const QStringList& lines)
+{
+    QStringList kept;
+    std::ranges::copy_if(lines, std::back_inserter(kept), [](const QString& line) {
+        const QStringList numbers = line.split(QLatin1Char(' '));
+        return numbers.size() == 2 && std::ranges::all_of(numbers, [](const QString& number) {
+                   return parseFinite(number.toStdString()).has_value();
+               });
+    });
+    return kept.mid(0, kRecent);
+}
+
+}  // namespace
+
+GoToBar::GoToBar(RequestDesk& desk, ValueLabel& notice, const QStringList& recent, QWidget* parent)
+    : QWidget(parent),
+      m_notice(notice),
+      m_azimuth(angleField(tr("Azimuth"), this)),
+      m_elevation(angleField(tr("Elevation"), this)),
+      m_go(new CommandButton(tr("Go"), tr("Go to this direction by the nearest turn (Enter)"), desk, notice, this)),
+      m_recentBox(new TouchCombo(tr("Recent directions"),
+                                 tr("Put one of the last directions into the fields; Go then goes there"), this)),
+      m_recent(readable(recent))
+{
+    build();
+    showRecent();
+    connect(m_go, &QPushButton::clicked, this, &GoToBar::go);
+    connect(m_go, &CommandButton::accepted, this, &GoToBar::remember);
+    connect(m_azimuth, &QLineEdit::returnPressed, this, &GoToBar::go);
+    connect(m_elevation, &QLineEdit::returnPressed, this, &GoToBar::go);
+    connect(m_recentBox, &QComboBox::activated, this, &GoToBar::fillIn);
+}
+
+void GoToBar::build()
+{
+    auto* const row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    for (const auto& [text, field] : {std::pair(tr("Az"), m_azimuth), std::pair(tr("El"), m_elevation)}) {
+        row->addWidget(makeCaption(text, *field));
+        row->addWidget(field);
+        row->addWidget(makeCaption(QStringLiteral("°"), this));
+    }
+    row->addWidget(m_go);
+    row->addWidget(m_recentBox, 1);
+    m_recentBox->setPlaceholderText(tr("Recent"));
+    m_recentBox->setMinimumContentsLength(6);
+}
+
+void GoToBar::setBlocked(const QString& reason)
+{
+    m_go->setBlocked(reason);
+}
+
+void GoToBar::focusFields()
+{
+    m_azimuth->setFocus(Qt::ShortcutFocusReason);
+    m_azimuth->selectAll();
+}
+
+void GoToBar::complain(QLineEdit& field, const QString& text)
+{
+    m_notice.setValue(text, Tone::Warning, Symbol::Warning);
+    field.setFocus();
+    field.selectAll();
+}
+
+void GoToBar::go()
+{
+    if (!m_go->isEnabled()) {
+        m_notice.setValue(m_go->toolTip(), Tone::Warning, Symbol::Warning);
+        return;
+    }
+    const auto azimuth = parseFinite(m_azimuth->text().trimmed().toStdString());
+    if (!azimuth) {
+        complain(*m_azimuth, tr("Go: the azimuth is not a number (decimal point, e.g. 113.5)"));
+        return;
+    }
+    const auto elevation = parseFinite(m_elevation->text().trimmed().toStdString());
+    if (!elevation) {
+        complain(*m_elevation, tr("Go: the elevation is not a number (decimal point, e.g. 10.5)"));
+        return;
+    }
+    m_asked = {Angle::fromDegrees(*azimuth), Angle::fromDegrees(*elevation)};
+    m_go->ask(request::PointSky{m_asked});
+}
+
+void GoToBar::remember()
+{
+    const QString line = fixed(m_asked.azimuth) + QLatin1Char(' ') + fixed(m_asked.elevation);
+    m_recent.removeAll(line);
+    m_recent.prepend(line);
+    m_recent = m_recent.mid(0, kRecent);
+    showRecent();
+    Q_EMIT recentChanged(m_recent);
+}
+
+void GoToBar::showRecent()
+{
+    QStringList lines;
+    for (const QString& one : m_recent) {
+        lines += tr("az %1°  el %2°").arg(one.section(QLatin1Char(' '), 0, 0), one.section(QLatin1Char(' '), 1, 1));
+    }
+    m_recentBox->setLines(lines);
+    m_recentBox->setEnabled(!lines.isEmpty());
+}
+
+void GoToBar::fillIn(int recent)
+{
+    const QString line = m_recent.value(recent);
+    m_azimuth->setText(line.section(QLatin1Char(' '), 0, 0));
+    m_elevation->setText(line.section(QLatin1Char(' '), 1, 1));
+    m_recentBox->setCurrentIndex(-1);  // it says "Recent" again
+    m_go->setFocus();
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/kit/axes.h"
+
+#include <QCoreApplication>
+
+namespace boresight::ui {
+
+QString name(Axis axis)
+{
+    return axis == Axis::Azimuth ? QCoreApplication::translate("Axes", "azimuth")
+                                 : QCoreApplication::translate("Axes", "elevation");
+}
+
+QString shortName(Axis axis)
+{
+    return axis == Axis::Azimuth ? QCoreApplication::translate("Axes", "AZ")
+                                 : QCoreApplication::translate("Axes", "EL");
+}
+
+std::size_t axisIndex(Axis axis)
+{
+    return axis == Axis::Azimuth ? 0 : 1;
+}
+
+const AxisStatus& axisOf(const StationStatus& status, Axis axis)
+{
+    return axis == Axis::Azimuth ? status.azimuth : status.elevation;
+}
+
+const DriveStatus& driveOf(const StationStatus& status, Axis axis)
+{
+    return axis == Axis::Azimuth ? status.drives.azimuth : status.drives.elevation;
+}
+
+bool isTurnKnown(const StationStatus& status, Axis axis)
+{
+    return driveOf(status, axis).turnKnown;
+}
+
+bool isTurnAwaited(const StationStatus& status, Axis axis)
+{
+    const bool reading = status.drives.survey == survey::SurveyState::Running;
+    return reading && !isTurnKnown(status, axis) && !driveOf(status, axis).turnQuestion;
+}
+
+bool areTurnsKnown(const StationStatus& status)
+{
+    return isTurnKnown(status, Axis::Azimuth) && isTurnKnown(status, Axis::Elevation);
+}
+
+std::optional<Axis> askingAxis(const StationStatus& status)
+{
+    for (const Axis axis : kAxes) {
+        if (driveOf(status, axis).turnQuestion) {
+            return axis;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace boresight::ui

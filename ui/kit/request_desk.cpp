@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/kit/request_desk.h"
+
+namespace boresight::ui {
+
+namespace {
+// A held jog key asks 20 times a second; a station that answers nothing for ten seconds will not answer the eldest.
+constexpr std::size_t kMaxWaiting = 200;
+}  // namespace
+
+void RequestDesk::send(const Request& request, QObject* asker, Reply reply)
+{
+    if (m_waiting.size() >= kMaxWaiting) {
+        answer(m_waiting.begin(), Error{ErrorCode::NoAnswer, tr("the station does not answer").toStdString()});
+    }
+    const std::uint64_t id = ++m_last;
+    m_waiting.emplace(id, Waiting{asker, std::move(reply)});
+    Q_EMIT requested(NumberedRequest{.id = id, .request = request});
+}
+
+void RequestDesk::take(const std::vector<Answer>& answers)
+{
+    for (const Answer& one : answers) {
+        const auto waiting = m_waiting.find(one.requestId);
+        if (waiting != m_waiting.end()) {
+            answer(waiting, one.error);
+        }
+    }
+}
+
+void RequestDesk::answer(std::map<std::uint64_t, Waiting>::iterator waiting, const std::optional<Error>& error)
+{
+    const Waiting asked = std::move(waiting->second);
+    m_waiting.erase(waiting);  // before the reply: it may send again
+    if (asked.asker) {
+        asked.reply(error);
+    }
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/kit/text_file.h"
+
+#include <QSaveFile>
+
+namespace boresight::ui {
+
+Result<> saveText(const QString& path, const QString& text)
+{
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(text.toUtf8()) < 0 || !file.commit()) {
+        return failure(ErrorCode::Io, file.errorString().toStdString());
+    }
+    return {};
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/kit/theme.h"
+
+#include <QApplication>
+#include <QFontDatabase>
+
+namespace boresight::ui {
+
+namespace {
+
+// The table of colours of the screen's law; the day alarm is a shade darker than STOP, which would have 4.49:1.
+const Theme kDay{.kind = ThemeKind::Day,
+                 .window = QColor(0xe4e6e8),
+                 .plotGround = QColor(0xf4f5f6),
+                 .band = QColor(0xd3d7db),
+                 .button = QColor(0xe4e6e8),
+                 .text = QColor(0x1c2126),
+                 .secondary = QColor(0x5b646d),
+                 .grid = QColor(0xc3c9ce),
+                 .accent = QColor(0x1f4e79),
+                 .sensor = QColor(0x7a3e8e),
+                 .advisory = QColor(0x00677a),
+                 .warning = QColor(0x8f5200),
+                 .alarm = QColor(0xc42727),
+                 .stop = QColor(0xc62828),
+                 .stopText = QColor(0xffffff)};
+
+const Theme kNight{.kind = ThemeKind::Night,
+                   .window = QColor(0x1e2226),
+                   .plotGround = QColor(0x14171a),
+                   .band = QColor(0x2a3036),
+                   .button = QColor(0x242a2f),
+                   .text = QColor(0xd6dade),
+                   .secondary = QColor(0x8f99a3),
+                   .grid = QColor(0x343b42),
+                   .accent = QColor(0x9cc9f2),
+                   .sensor = QColor(0xd7a6e8),
+                   .advisory = QColor(0x5cc6d8),
+                   .warning = QColor(0xffb84d),
+                   .alarm = QColor(0xff5449),
+                   .stop = QColor(0xc62828),
+                   .stopText = QColor(0xffffff)};
+
+const Theme kRed{.kind = ThemeKind::Red,
+                 .window = QColor(0x0a0000),
+                 .plotGround = QColor(Qt::black),
+                 .band = QColor(0x260503),
+                 .button = QColor(0x180302),
+                 .text = QColor(0xff6a5a),
+                 .secondary = QColor(0xd9513f),
+                 .grid = QColor(0x4a1510),
+                 .accent = QColor(0xff6a5a),
+                 .sensor = QColor(0xff6a5a),
+                 .advisory = QColor(0xff6a5a),
+                 .warning = QColor(0xff6a5a),
+                 .alarm = QColor(0xff6a5a),
+                 .stop = QColor(0xff6a5a),
+                 .stopText = QColor(0x0a0000)};
+
+ThemeKind g_current = ThemeKind::Day;
+
+QFont sized(QFont font, int points)
+{
+    font.setPointSize(points);
+    return font;
+}
+
+QFont fixed(int points)
+{
+    return sized(QFontDatabase::systemFont(QFontDatabase::FixedFont), points);
+}
+
+}  // namespace
+
+QColor Theme::colour(Tone tone) const
+{
+    switch (tone) {
+        case Tone::Normal:
+            return text;
+        case Tone::Secondary:
+            return secondary;
+        case Tone::Accent:
+            return accent;
+        case Tone::Sensor:
+            return sensor;
+        case Tone::Advisory:
+            return advisory;
+        case Tone::Warning:
+            return warning;
+        case Tone::Alarm:
+            return alarm;
+    }
+    return text;
+}
+
+QPalette Theme::palette() const
+{
+    QPalette palette(button, window);  // fills in Fusion's light, mid and dark shades
+    palette.setColor(QPalette::WindowText, text);
+    palette.setColor(QPalette::Base, plotGround);
+    palette.setColor(QPalette::AlternateBase, window);
+    palette.setColor(QPalette::Text, text);
+    palette.setColor(QPalette::ButtonText, text);
+    palette.setColor(QPalette::BrightText, text);
+    palette.setColor(QPalette::PlaceholderText, secondary);
+    palette.setColor(QPalette::Highlight, accent);
+    palette.setColor(QPalette::HighlightedText, plotGround);
+    palette.setColor(QPalette::ToolTipBase, plotGround);
+    palette.setColor(QPalette::ToolTipText, text);
+    palette.setColor(QPalette::Link, accent);
+    const auto fade = [](int of, int into) { return (3 * of + 2 * into) / 5; };
+    const QColor faded(fade(text.red(), window.red()), fade(text.green(), window.green()),
+                       fade(text.blue(), window.blue()));
+    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+        palette.setColor(QPalette::Disabled, role, faded);
+    }
+    return palette;
+}
+
+const Theme& theme(ThemeKind kind)
+{
+    switch (kind) {
+        case ThemeKind::Night:
+            return kNight;
+        case ThemeKind::Red:
+            return kRed;
+        case ThemeKind::Day:
+            break;
+    }
+    return kDay;
+}
+
+const Theme& currentTheme()
+{
+    return theme(g_current);
+}
+
+ThemeKind next(ThemeKind kind)
+{
+    switch (kind) {
+        case ThemeKind::Day:
+            return ThemeKind::Night;
+        case ThemeKind::Night:
+            return ThemeKind::Red;
+        case ThemeKind::Red:
+            break;
+    }
+    return ThemeKind::Day;
+}
+
+QString name(ThemeKind kind)
+{
+    switch (kind) {
+        case ThemeKind::Night:
+            return QApplication::translate("Theme", "Night");
+        case ThemeKind::Red:
+            return QApplication::translate("Theme", "Red");
+        case ThemeKind::Day:
+            break;
+    }
+    return QApplication::translate("Theme", "Day");
+}
+
+void applyTheme(ThemeKind kind)
+{
+    g_current = kind;
+    QApplication::setPalette(currentTheme().palette());
+}
+
+namespace fonts {
+
+QFont label()
+{
+    return sized(QApplication::font(), 10);
+}
+
+QFont text()
+{
+    return sized(QApplication::font(), 12);
+}
+
+QFont state()
+{
+    return sized(QApplication::font(), 22);
+}
+
+QFont actual()
+{
+    return fixed(28);
+}
+
+QFont value()
+{
+    return fixed(16);
+}
+
+QFont clock()
+{
+    return fixed(14);
+}
+
+QFont small()
+{
+    return fixed(10);
+}
+
+}  // namespace fonts
+
+}  // namespace boresight::ui

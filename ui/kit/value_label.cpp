@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/kit/value_label.h"
+
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight::ui {
+
+namespace {
+constexpr int kValueLabelMargin = 2;  // px, so that a slanted glyph is not clipped
+constexpr int kOutline = 5;           // px around the text of an outlined tag
+}  // namespace
+
+ValueLabel::ValueLabel(const QString& accessibleName, const QFont& font, const QString& widestText, QWidget* parent)
+    : QWidget(parent), m_widest(widestText)
+{
+    setAccessibleName(accessibleName);
+    setFont(font);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+void ValueLabel::setAlignment(Qt::Alignment alignment)
+{
+    m_alignment = alignment;
+}
+
+void ValueLabel::setLines(int lines)
+{
+    m_lines = lines;
+}
+
+void ValueLabel::setStretching(bool on)
+{
+    m_stretching = on;
+    setSizePolicy(on ? QSizePolicy::Expanding : QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+void ValueLabel::setOutlined(bool on)
+{
+    m_outlined = on;
+}
+
+void ValueLabel::setSymbolRoom(bool on)
+{
+    m_symbolRoom = on;
+}
+
+void ValueLabel::setCollapsing(bool on)
+{
+    m_collapsing = on;
+    setVisible(!on || !m_text.isEmpty());
+}
+
+void ValueLabel::setValue(const QString& text, Tone tone, Symbol symbol)
+{
+    if (text == m_text && tone == m_tone && symbol == m_symbol) {
+        return;
+    }
+    m_text = text;
+    m_tone = tone;
+    m_symbol = symbol;
+    setAccessibleDescription(text);
+    if (m_collapsing) {
+        setVisible(!text.isEmpty());
+    }
+    update();
+}
+
+void ValueLabel::setSymbolShown(bool on)
+{
+    if (on != m_symbolShown) {
+        m_symbolShown = on;
+        update();
+    }
+}
+
+double ValueLabel::symbolSize() const
+{
+    return fontMetrics().ascent() * 0.8;
+}
+
+int ValueLabel::symbolRoom() const
+{
+    return static_cast<int>(std::ceil(symbolSize() * 1.5));
+}
+
+// Wrapped lines stand a fraction of a pixel further apart than lineSpacing() says.
+int ValueLabel::linesHeight() const
+{
+    const QString lines = QStringLiteral("X\n").repeated(m_lines - 1) + QLatin1Char('X');
+    return fontMetrics().boundingRect(QRect(0, 0, QWIDGETSIZE_MAX, QWIDGETSIZE_MAX), Qt::TextWordWrap, lines).height();
+}
+
+QSize ValueLabel::sizeHint() const
+{
+    const int extra = 2 * (m_outlined ? kOutline : kValueLabelMargin) + 2 +  // advances are rounded
+                      (m_symbolRoom ? symbolRoom() : 0);
+    return {fontMetrics().horizontalAdvance(m_widest) + extra, linesHeight() + (m_outlined ? 4 : 0)};
+}
+
+QSize ValueLabel::minimumSizeHint() const
+{
+    return {m_stretching ? 0 : sizeHint().width(), sizeHint().height()};
+}
+
+QRect ValueLabel::textRect() const
+{
+    const int margin = m_outlined ? kOutline : kValueLabelMargin;
+    return rect().adjusted(margin + (m_symbol == Symbol::None ? 0 : symbolRoom()), 0, -margin, 0);
+}
+
+// What there is room for; the whole is in the tooltip.
+QString ValueLabel::fitted(QSize room) const
+{
+    if (m_lines == 1) {
+        return fontMetrics().elidedText(m_text, Qt::ElideRight, room.width());
+    }
+    const auto fits = [&](const QString& text) {
+        // Without the alignment: in the middle of so high a rectangle the height is rounded up.
+        const QRect endless(0, 0, room.width(), QWIDGETSIZE_MAX);
+        return fontMetrics().boundingRect(endless, Qt::TextWordWrap, text).height() <=
+               std::max(room.height(), linesHeight());
+    };
+    if (fits(m_text)) {
+        return m_text;
+    }
+    qsizetype least = 0;
+    for (qsizetype most = m_text.size(); most - least > 1;) {
+        const qsizetype middle = (least + most) / 2;
+        (fits(m_text.left(middle) + QStringLiteral("…")) ? least : most) = middle;
+    }
+    return m_text.left(least) + QStringLiteral("…");
+}
+
+void ValueLabel::paintEvent(QPaintEvent*)
+{
+    if (m_text.isEmpty()) {
+        return;
+    }
+    QPainter painter(this);
+    const QColor colour = currentTheme().colour(m_tone);
+    const QRect room = textRect();
+    const int flags = int(m_alignment) | (m_lines > 1 ? int(Qt::TextWordWrap) : int(Qt::TextSingleLine));
+    const QString shown = fitted(room.size());
+    if (m_symbol != Symbol::None && m_symbolShown) {
+        const QRect used = fontMetrics().boundingRect(room, flags, shown);
+        const double size = symbolSize();
+        const double top =
+            m_lines > 1 ? used.top() + 0.5 * (fontMetrics().height() - size) : room.center().y() + 0.5 - 0.5 * size;
+        drawSymbol(painter, m_symbol, QRectF(used.left() - symbolRoom(), top, size, size), colour);
+    }
+    painter.setPen(colour);
+    painter.drawText(room, flags, shown);
+    if (m_outlined) {
+        painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
+}
+
+bool ValueLabel::isElided() const
+{
+    if (m_lines == 1) {
+        return fontMetrics().horizontalAdvance(m_text) > textRect().width();
+    }
+    const QRect room(0, 0, textRect().width(), QWIDGETSIZE_MAX);
+    return fontMetrics().boundingRect(room, Qt::TextWordWrap, m_text).height() > height();
+}
+
+bool ValueLabel::event(QEvent* event)
+{
+    if (event->type() == QEvent::ToolTip && toolTip().isEmpty() && isElided()) {
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), m_text, this);
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/kit/symbol.h"
+#include "ui/kit/theme.h"
+
+#include <QWidget>
+
+// A text that changes twenty times a second: it has the size of its template once and for all, so that a new text
+// repaints this widget and nothing else (a QLabel would lay out the whole window anew), and the layout never moves.
+// An optional symbol stands before the text. A text that does not fit is elided and shown whole in the tooltip.
+namespace boresight::ui {
+
+class ValueLabel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    ValueLabel(const QString& accessibleName, const QFont& font, const QString& widestText, QWidget* parent = nullptr);
+
+    void setAlignment(Qt::Alignment alignment);
+    void setLines(int lines);     // more than one: words wrap
+    void setStretching(bool on);  // takes the width it is given instead of the template's
+    void setOutlined(bool on);
+    void setSymbolRoom(bool on);  // the template's width gets room for a symbol
+    void setCollapsing(bool on);  // takes no room while it is empty
+
+    void setValue(const QString& text, Tone tone = Tone::Normal, Symbol symbol = Symbol::None);
+    void setSymbolShown(bool on);  // the flashing of an alarm
+
+    [[nodiscard]] const QString& text() const { return m_text; }
+    [[nodiscard]] bool isElided() const;  // the text does not fit
+    [[nodiscard]] Tone tone() const { return m_tone; }
+    [[nodiscard]] Symbol symbol() const { return m_symbol; }
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    [[nodiscard]] QRect textRect() const;
+    [[nodiscard]] QString fitted(QSize room) const;
+    [[nodiscard]] double symbolSize() const;
+    [[nodiscard]] int linesHeight() const;
+    [[nodiscard]] int symbolRoom() const;  // symbol and the gap behind it
+
+    QString m_text;
+    QString m_widest;
+    Tone m_tone = Tone::Normal;
+    Symbol m_symbol = Symbol::None;
+    Qt::Alignment m_alignment = Qt::AlignLeft | Qt::AlignVCenter;
+    int m_lines = 1;
+    bool m_stretching = false;
+    bool m_outlined = false;
+    bool m_collapsing = false;
+    bool m_symbolRoom = false;
+    bool m_symbolShown = true;
+};
+
+}  // namespace boresight::ui

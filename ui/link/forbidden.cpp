@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/link/forbidden.h"
+
+#include "core/pointing/mount_model.h"
+#include "core/pointing/permitted_region.h"
+#include "core/pointing/sun_keep_out.h"
+
+#include <QCoreApplication>
+
+namespace boresight::ui {
+
+namespace {
+
+pointing::PermittedRegion regionOf(const StationStatus& status)
+{
+    const profile::Profile& profile = *status.profile;
+    return {pointing::withSun(profile.limits, status.sunKeepOuts), profile.azimuth.geometry.travel,
+            profile.elevation.geometry.travel, pointing::PointingModel(profile.pointing)};
+}
+
+QString forbidden(const std::string& reason)
+{
+    return reason.empty()
+               ? QString()
+               : QCoreApplication::translate("Forbidden", "forbidden: %1").arg(QString::fromStdString(reason));
+}
+
+}  // namespace
+
+QString whyForbidden(const StationStatus& status, const SkyPointing& direction)
+{
+    const profile::Profile& profile = *status.profile;
+    const pointing::PermittedRegion region = regionOf(status);
+    pointing::MountModel model(profile.azimuth.geometry, profile.elevation.geometry,
+                               pointing::PointingModel(profile.pointing));
+    model.limitTo(region.ranges().azimuth, region.ranges().elevation);
+    const AxisPosition now{status.azimuth.actual.value_or(0_deg), status.elevation.actual.value_or(0_deg)};
+    const pointing::Resolved resolved = model.resolve(direction, now);
+    return forbidden(resolved.limited ? resolved.reason : region.obstacle(resolved.position));
+}
+
+QString whyHomeForbidden(const StationStatus& status)
+{
+    const pointing::PermittedRegion region = regionOf(status);
+    return forbidden(region.reason(
+        {.azimuth = region.ranges().azimuth.clamped(0_deg), .elevation = region.ranges().elevation.clamped(0_deg)}));
+}
+
+}  // namespace boresight::ui

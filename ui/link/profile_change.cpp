@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/link/profile_change.h"
+
+#include "core/profile/profile_diff.h"
+#include "ui/kit/command_button.h"
+#include "ui/link/motion_permission.h"
+
+namespace boresight::ui {
+
+namespace {
+
+Error refused(const QString& reason)
+{
+    return {ErrorCode::Refused, reason.toStdString()};
+}
+
+}  // namespace
+
+void ProfileChange::ask(CommandButton& button, const Edit& edit)
+{
+    button.await([&](QObject* asker, const RequestDesk::Reply& reply) { send(edit, asker, reply); });
+}
+
+profile::Profile ProfileChange::changed(const Edit& edit) const
+{
+    profile::Profile profile = m_draft.applied();
+    edit(profile);
+    return profile;
+}
+
+bool ProfileChange::isAlready(const Edit& edit) const
+{
+    return changed(edit) == m_draft.applied();
+}
+
+QString ProfileChange::whyNot(const StationStatus& status, const Edit& edit) const
+{
+    if (m_draft.hasEdits()) {
+        return tr("another panel has changes that are not applied: apply or revert them first");
+    }
+    const profile::Profile wanted = changed(edit);
+    if (const QString reason = whyNotBus(wanted.bus); !reason.isEmpty()) {
+        return reason;
+    }
+    if (const auto problems = m_draft.problemsOf(wanted); !problems.empty()) {
+        return QString::fromStdString(problems.front().key + ": " + problems.front().text);
+    }
+    return needsReconnect(wanted) && isMoving(status) ? tr("the mount moves: stop it first") : QString();
+}
+
+// With --simulate another bus is one for later, and what else is changed meanwhile is the simulated mount's.
+QString ProfileChange::whyNotBus(const std::string& wanted) const
+{
+    if (wanted == m_draft.inForce().bus) {
+        return {};
+    }
+    const bool waits = wanted == m_draft.applied().bus;
+    if (m_draft.keepsSimulated()) {
+        return waits ? QString()
+                     : tr("Boresight was started with --simulate and stays so: start it with --bus %1 for this one")
+                           .arg(QString::fromStdString(wanted));
+    }
+    return waits ? tr("the mount at %1 waits for Reconnect: press that first (tab Mount, Profile)")
+                       .arg(QString::fromStdString(wanted))
+                 : QString();
+}
+
+bool ProfileChange::needsReconnect(profile::Profile wanted) const
+{
+    if (m_draft.keepsSimulated()) {
+        wanted.bus = m_draft.inForce().bus;
+    }
+    return !profile::applied(m_draft.inForce(), wanted).waitingKeys.empty();
+}
+
+void ProfileChange::send(const Edit& edit, QObject* asker, const RequestDesk::Reply& reply)
+{
+    if (m_draft.hasEdits()) {
+        reply(refused(tr("another panel has changes that are not applied: apply or revert them first")));
+        return;
+    }
+    m_draft.edit(edit);
+    if (!m_draft.hasEdits()) {
+        reply({});  // it is so already
+        return;
+    }
+    if (const QString reason = m_draft.whyNoApply(); !reason.isEmpty()) {
+        m_draft.revert();
+        reply(refused(reason));
+        return;
+    }
+    const profile::Profile wanted = m_draft.edited();
+    const bool anew = needsReconnect(wanted);
+    m_draft.apply(asker, [this, wanted, anew, asker, reply](const std::optional<Error>& error) {
+        if (error) {
+            m_draft.revert();
+        }
+        if (error || !anew) {
+            reply(error);
+        } else {
+            m_desk.send(request::Reconnect{wanted}, asker, reply);
+        }
+    });
+}
+
+}  // namespace boresight::ui

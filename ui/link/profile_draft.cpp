@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/link/profile_draft.h"
+
+#include "core/profile/commissioning.h"
+#include "core/profile/profile_diff.h"
+
+#include <QPointer>
+
+#include <algorithm>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr std::size_t kHistory = 20;  // changes that can be taken back, one after the other
+
+Error draftRefused(const QString& reason)
+{
+    return {ErrorCode::Refused, reason.toStdString()};
+}
+
+}  // namespace
+
+ProfileDraft::ProfileDraft(RequestDesk& desk, QObject* parent)
+    : QObject(parent), m_desk(desk), m_inForce(std::make_shared<const profile::Profile>())
+{}
+
+void ProfileDraft::showStatus(const StationStatus& status)
+{
+    if (status.profile == m_inForce && status.waitingKeys == m_waitingKeys) {
+        return;
+    }
+    const bool same = *status.profile == *m_inForce && status.waitingKeys == m_waitingKeys;
+    m_inForce = status.profile;
+    m_waitingKeys = status.waitingKeys;
+    if (same) {
+        return;
+    }
+    profile::Profile applied = *m_inForce;
+    profile::takeOver(applied, latestAsked(), m_waitingKeys);
+    takeApplied(applied);
+    Q_EMIT changed();
+}
+
+// The newest profile this window has put before the station; it holds the values that wait for a reconnect.
+const profile::Profile& ProfileDraft::latestAsked() const
+{
+    return m_asked ? *m_asked : m_accepted ? *m_accepted : *m_inForce;
+}
+
+void ProfileDraft::takeApplied(const profile::Profile& applied)
+{
+    if (applied == m_applied) {
+        return;
+    }
+    const bool ours = applied == latestAsked() && (m_asked || m_accepted);
+    if (!ours) {
+        m_history.clear();  // undoing would take back what somebody else has applied since
+    }
+    const bool hadEdits = hasEdits();
+    m_applied = applied;
+    if (!hadEdits) {
+        m_base = applied;
+        setEdited(applied);
+    } else if (ours && m_alone == applied) {
+        mergeEdits();
+    } else if (ours || m_edited == applied) {
+        m_base = applied;  // edits made while the answer was under way stay edits
+    }
+    m_problems = problemsOf(m_edited);  // some speak only against what is applied now
+}
+
+// What is edited, upon what is applied now.
+void ProfileDraft::mergeEdits()
+{
+    profile::Profile merged = m_applied;
+    profile::takeOver(merged, m_edited, editedKeys());
+    leaveSimulatedMount(merged, m_applied);
+    m_base = m_applied;
+    setEdited(merged);
+}
+
+void ProfileDraft::setEdited(const profile::Profile& profile)
+{
+    m_edited = profile;
+    m_problems = problemsOf(m_edited);
+}
+
+// What was found of a real mount would be taken for the simulated one's, and set back when its own bus is chosen again.
+std::vector<profile::Problem> ProfileDraft::problemsOf(const profile::Profile& wanted) const
+{
+    auto problems = profile::problemsOf(wanted);
+    const bool simulates = !profile::isSimulated(m_applied) && profile::isSimulated(wanted);
+    if (simulates && !m_keepsSimulated && profile::isAnythingFound(m_applied)) {
+        problems.push_back({"bus.name", tr("this profile holds what was found of a real mount (zeros, north, pointing "
+                                           "model or sensor mounting): to try the simulated one start Boresight with "
+                                           "--simulate")
+                                            .toStdString()});
+    }
+    return problems;
+}
+
+void ProfileDraft::edit(const std::function<void(profile::Profile&)>& change)
+{
+    profile::Profile profile = m_edited;
+    change(profile);
+    if (profile::isSimulated(m_edited)) {
+        leaveSimulatedMount(profile, m_base);  // what was typed since stays
+    } else if (profile::isSimulated(profile)) {
+        profile::takeOver(profile, m_base, leftKeys());  // it is not left after all
+    }
+    put(profile);
+}
+
+void ProfileDraft::takeOver(const profile::Profile& from, const std::vector<std::string>& keys)
+{
+    profile::Profile profile = m_edited;
+    profile::takeOverMount(profile, from, keys);
+    put(profile);
+}
+
+// With --simulate another bus is one for later: the mount stays the simulated one.
+void ProfileDraft::leaveSimulatedMount(profile::Profile& changed, const profile::Profile& from) const
+{
+    if (!m_keepsSimulated) {
+        profile::leaveSimulatedMount(changed, from);
+    }
+}
+
+void ProfileDraft::put(const profile::Profile& edited)
+{
+    if (edited == m_edited) {
+        return;
+    }
+    setEdited(edited);
+    if (!hasEdits()) {
+        m_base = m_applied;  // all edits taken back by hand: nothing is left to be overtaken
+        setEdited(m_applied);
+    }
+    Q_EMIT changed();
+}
+
+std::vector<std::string> ProfileDraft::editedKeys() const
+{
+    return profile::changedKeys(m_base, m_edited);
+}
+
+std::vector<std::string> ProfileDraft::leftKeys() const
+{
+    return m_keepsSimulated ? std::vector<std::string>() : profile::leftWithSimulatedMount(m_base, m_edited);
+}
+
+QString ProfileDraft::problem(const std::string& key) const
+{
+    const auto found = std::ranges::find_if(m_problems, [&key](const profile::Problem& one) {
+        return one.key == key || one.key.starts_with(key + '.') || one.key.starts_with(key + '[');
+    });
+    return found == m_problems.end() ? QString() : QString::fromStdString(found->text);
+}
+
+std::vector<std::string> ProfileDraft::overtakenKeys() const
+{
+    return profile::changedKeys(m_base, m_applied);
+}
+
+void ProfileDraft::keepEdits()
+{
+    mergeEdits();
+    Q_EMIT changed();
+}
+
+void ProfileDraft::revert()
+{
+    m_base = m_applied;
+    setEdited(m_applied);
+    Q_EMIT changed();
+}
+
+QString ProfileDraft::whyNoApply() const
+{
+    if (m_asked) {
+        return tr("the station has not answered yet");
+    }
+    if (!hasEdits()) {
+        return tr("nothing has been changed");
+    }
+    if (m_base != m_applied) {
+        return tr("the profile was changed from elsewhere meanwhile: keep these edits or revert first");
+    }
+    if (!m_problems.empty()) {
+        return QString::fromStdString(m_problems.front().key + ": " + m_problems.front().text);
+    }
+    return {};
+}
+
+QString ProfileDraft::whyNoRevert() const
+{
+    return hasEdits() ? QString() : tr("nothing has been changed");
+}
+
+QString ProfileDraft::whyNoUndo() const
+{
+    if (m_asked) {
+        return tr("the station has not answered yet");
+    }
+    if (hasEdits()) {
+        return tr("apply or revert the edits first");
+    }
+    return m_history.empty() ? tr("no change has been applied here") : QString();
+}
+
+QString ProfileDraft::whyNoReconnect() const
+{
+    if (m_asked) {
+        return tr("the station has not answered yet");
+    }
+    return m_waitingKeys.empty() ? tr("nothing waits for a reconnect") : QString();
+}
+
+void ProfileDraft::apply(QObject* asker, const RequestDesk::Reply& reply)
+{
+    if (const QString reason = whyNoApply(); !reason.isEmpty()) {
+        reply(draftRefused(reason));
+        return;
+    }
+    m_alone.reset();
+    send(m_edited, historyWithApplied(), asker, reply);
+}
+
+ProfileDraft::Profiles ProfileDraft::historyWithApplied() const
+{
+    Profiles history = m_history;
+    if (history.size() >= kHistory) {
+        history.erase(history.begin());
+    }
+    history.push_back(m_applied);
+    return history;
+}
+
+void ProfileDraft::applyAlone(const std::function<void(profile::Profile&)>& change, QObject* asker,
+                              const RequestDesk::Reply& reply)
+{
+    profile::Profile changed = m_applied;
+    change(changed);
+    leaveSimulatedMount(changed, m_applied);
+    const auto problems = problemsOf(changed);
+    if (m_asked) {
+        reply(draftRefused(tr("the station has not answered yet")));
+    } else if (!problems.empty()) {
+        reply(draftRefused(QString::fromStdString(problems.front().key + ": " + problems.front().text)));
+    } else {
+        m_alone = changed;
+        send(changed, historyWithApplied(), asker, reply);
+    }
+}
+
+void ProfileDraft::undo(QObject* asker, const RequestDesk::Reply& reply)
+{
+    if (const QString reason = whyNoUndo(); !reason.isEmpty()) {
+        reply(draftRefused(reason));
+        return;
+    }
+    m_alone.reset();
+    send(m_history.back(), Profiles(m_history.begin(), m_history.end() - 1), asker, reply);
+}
+
+void ProfileDraft::reconnect(QObject* asker, const RequestDesk::Reply& reply)
+{
+    if (const QString reason = whyNoReconnect(); !reason.isEmpty()) {
+        reply(draftRefused(reason));
+        return;
+    }
+    m_desk.send(request::Reconnect{m_applied}, asker, reply);
+}
+
+void ProfileDraft::send(const profile::Profile& profile, Profiles historyThen, QObject* asker,
+                        const RequestDesk::Reply& reply)
+{
+    m_asked = profile;
+    Q_EMIT changed();
+    const auto answered = [this, historyThen = std::move(historyThen), reply,
+                           to = QPointer<QObject>(asker)](const std::optional<Error>& error) {
+        if (!error) {
+            m_accepted = m_asked;
+            m_history = historyThen;
+        }
+        m_asked.reset();
+        Q_EMIT changed();
+        if (to) {
+            reply(error);
+        }
+    };
+    m_desk.send(request::ApplyProfile{profile}, this, answered);  // known here also when the asker is gone
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/profile/profile.h"
+#include "core/profile/setting.h"
+#include "core/station/station_status.h"
+#include "ui/kit/request_desk.h"
+
+#include <QObject>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+// The profile as the operator is about to change it, one for the whole window: plot, tables and guide edit it together.
+// Three profiles are told apart: in force (what the station obeys), applied (the same, with what waits for a
+// reconnect), and edited (applied, with the edits nobody has applied yet). The station decides: what is in force is
+// only ever read from its status. When that changes under unapplied edits, both stay, and the operator says which
+// counts. Gui thread.
+namespace boresight::ui {
+
+class ProfileDraft : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit ProfileDraft(RequestDesk& desk, QObject* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+    // The program was started for the simulated mount: no bus that a profile names is used until it ends.
+    void keepSimulated() { m_keepsSimulated = true; }
+    [[nodiscard]] bool keepsSimulated() const { return m_keepsSimulated; }
+
+    [[nodiscard]] const profile::Profile& inForce() const { return *m_inForce; }
+    [[nodiscard]] const profile::Profile& applied() const { return m_applied; }
+    [[nodiscard]] const profile::Profile& edited() const { return m_edited; }
+    [[nodiscard]] const std::vector<std::string>& waitingKeys() const { return m_waitingKeys; }
+
+    // Where the bus leaves the simulated mount, what was found of that one is left too, and comes back with its bus.
+    void edit(const std::function<void(profile::Profile&)>& change);
+    // From a whole profile, with what was found of its mount.
+    void takeOver(const profile::Profile& from, const std::vector<std::string>& keys);
+    [[nodiscard]] bool hasEdits() const { return m_edited != m_base; }
+    [[nodiscard]] std::vector<std::string> editedKeys() const;
+    // Of those, what is set back because it was the simulated mount's.
+    [[nodiscard]] std::vector<std::string> leftKeys() const;
+
+    // The live check of the edited profile.
+    [[nodiscard]] const std::vector<profile::Problem>& problems() const { return m_problems; }
+    // What speaks against this one in the place of the applied one.
+    [[nodiscard]] std::vector<profile::Problem> problemsOf(const profile::Profile& wanted) const;
+    // Of this setting, or of a part of it: "keep_out[2]" also finds "keep_out[2].name". Empty: none.
+    [[nodiscard]] QString problem(const std::string& key) const;
+
+    // What was applied from elsewhere since the first edit; empty mostly. Then keepEdits() puts the edits upon it
+    // (where both changed the same setting, the edit counts), revert() drops them.
+    [[nodiscard]] std::vector<std::string> overtakenKeys() const;
+    void keepEdits();
+    void revert();
+
+    // Why it can not be done now, for the operator; empty: it can.
+    [[nodiscard]] QString whyNoApply() const;
+    [[nodiscard]] QString whyNoRevert() const;
+    [[nodiscard]] QString whyNoUndo() const;
+    [[nodiscard]] QString whyNoReconnect() const;
+
+    // Each asks the station and brings its answer to the asker, or why it was not asked.
+    void apply(QObject* asker, const RequestDesk::Reply& reply);
+    // Applies this change alone; edits that are not applied yet stay edits.
+    void applyAlone(const std::function<void(profile::Profile&)>& change, QObject* asker,
+                    const RequestDesk::Reply& reply);
+    void undo(QObject* asker, const RequestDesk::Reply& reply);       // applies what was applied before the last change
+    void reconnect(QObject* asker, const RequestDesk::Reply& reply);  // begins anew with what is applied
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    using Profiles = std::vector<profile::Profile>;
+
+    void leaveSimulatedMount(profile::Profile& changed, const profile::Profile& from) const;
+    void put(const profile::Profile& edited);
+    void setEdited(const profile::Profile& profile);
+    void takeApplied(const profile::Profile& applied);
+    void mergeEdits();
+    [[nodiscard]] Profiles historyWithApplied() const;
+    [[nodiscard]] const profile::Profile& latestAsked() const;
+    void send(const profile::Profile& profile, Profiles historyThen, QObject* asker, const RequestDesk::Reply& reply);
+
+    RequestDesk& m_desk;
+    bool m_keepsSimulated = false;
+    std::shared_ptr<const profile::Profile> m_inForce;
+    profile::Profile m_applied;
+    profile::Profile m_base;  // what the edits were made upon
+    profile::Profile m_edited;
+    std::vector<profile::Problem> m_problems;
+    std::vector<std::string> m_waitingKeys;
+    std::optional<profile::Profile> m_asked;     // sent, not answered
+    std::optional<profile::Profile> m_alone;     // sent by applyAlone(), and not seen in force yet
+    std::optional<profile::Profile> m_accepted;  // the last one that the station took
+    Profiles m_history;                          // applied before, the newest last
+};
+
+}  // namespace boresight::ui

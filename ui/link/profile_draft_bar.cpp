@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/link/profile_draft_bar.h"
+
+#include "ui/kit/command_button.h"
+#include "ui/kit/value_label.h"
+#include "ui/link/setting_words.h"
+
+#include <QVBoxLayout>
+
+namespace boresight::ui {
+
+namespace {
+
+QString listed(const std::vector<std::string>& keys)
+{
+    QStringList names;
+    for (const std::string& key : keys) {
+        names << settingName(key);
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+ProfileDraftBar::ProfileDraftBar(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      m_draft(draft),
+      m_line(new ValueLabel(tr("Changes of the profile"), fonts::label(), {}, this)),
+      m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_apply(new CommandButton(tr("Apply"), tr("Put the changes in force"), desk, *m_notice, this)),
+      m_revert(new CommandButton(tr("Revert"), tr("Drop the changes that are not applied"), desk, *m_notice, this)),
+      m_undo(new CommandButton(tr("Undo"), tr("Apply again what was in force before the last change"), desk, *m_notice,
+                               this)),
+      m_keep(new CommandButton(tr("Keep edits"), tr("Put these changes upon what was changed from elsewhere"), desk,
+                               *m_notice, this)),
+      m_reconnect(new CommandButton(tr("Reconnect"), tr("Begin anew with the drives; the mount must be at rest"), desk,
+                                    *m_notice, this))
+{
+    auto* const column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(m_line);
+    auto* const row = new QHBoxLayout;
+    row->setSpacing(4);
+    for (CommandButton* const button : {m_apply, m_revert, m_undo, m_keep, m_reconnect}) {
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        row->addWidget(button);
+    }
+    column->addLayout(row);
+    column->addWidget(m_notice);
+    m_line->setStretching(true);
+    m_notice->setStretching(true);
+    m_notice->setCollapsing(true);
+    connect(m_apply, &QPushButton::clicked, this,
+            [this] { m_apply->await([this](auto* asker, const auto& reply) { m_draft.apply(asker, reply); }); });
+    connect(m_undo, &QPushButton::clicked, this,
+            [this] { m_undo->await([this](auto* asker, const auto& reply) { m_draft.undo(asker, reply); }); });
+    connect(m_reconnect, &QPushButton::clicked, this, [this] {
+        m_reconnect->await([this](auto* asker, const auto& reply) { m_draft.reconnect(asker, reply); });
+    });
+    connect(m_revert, &QPushButton::clicked, &m_draft, &ProfileDraft::revert);
+    connect(m_keep, &QPushButton::clicked, &m_draft, &ProfileDraft::keepEdits);
+    connect(&m_draft, &ProfileDraft::changed, this, &ProfileDraftBar::showDraft);
+    showDraft();
+}
+
+void ProfileDraftBar::showDraft()
+{
+    m_apply->setBlocked(m_draft.whyNoApply());
+    m_revert->setBlocked(m_draft.whyNoRevert());
+    m_undo->setBlocked(m_draft.whyNoUndo());
+    m_reconnect->setBlocked(m_draft.whyNoReconnect());
+    const bool overtaken = !m_draft.overtakenKeys().empty();
+    m_keep->setVisible(overtaken);
+    m_undo->setVisible(!overtaken);
+    m_reconnect->setVisible(!m_draft.waitingKeys().empty());
+    showLine();
+    showOrCollapse();
+}
+
+void ProfileDraftBar::setCollapsing(bool on)
+{
+    m_collapsing = on;
+    showOrCollapse();
+}
+
+void ProfileDraftBar::showOrCollapse()
+{
+    const bool idle = !m_draft.hasEdits() && m_draft.waitingKeys().empty() && m_draft.overtakenKeys().empty() &&
+                      m_draft.problems().empty() && !m_draft.whyNoUndo().isEmpty();
+    setVisible(!m_collapsing || !idle);
+}
+
+// The worst of it: one line that needs no scrolling. The whole text is in its tooltip.
+void ProfileDraftBar::showLine()
+{
+    if (const auto overtaken = m_draft.overtakenKeys(); !overtaken.empty()) {
+        m_line->setValue(tr("Changed from elsewhere meanwhile: %1").arg(listed(overtaken)), Tone::Warning,
+                         Symbol::Warning);
+    } else if (!m_draft.problems().empty()) {
+        const profile::Problem& first = m_draft.problems().front();
+        m_line->setValue(QString::fromStdString(first.key + ": " + first.text), Tone::Warning, Symbol::Warning);
+    } else if (const auto left = m_draft.leftKeys(); !left.empty()) {
+        m_line->setValue(tr("Set back, because it was the simulated mount's: %1. Not applied: %2")
+                             .arg(listed(left), listed(m_draft.editedKeys())),
+                         Tone::Advisory, Symbol::Advisory);
+    } else if (m_draft.hasEdits()) {
+        m_line->setValue(tr("Not applied: %1").arg(listed(m_draft.editedKeys())), Tone::Accent);
+    } else if (!m_draft.waitingKeys().empty()) {
+        m_line->setValue(tr("Waits for a reconnect: %1").arg(listed(m_draft.waitingKeys())), Tone::Advisory,
+                         Symbol::Advisory);
+    } else {
+        m_line->setValue(tr("All changes are applied"), Tone::Secondary);
+    }
+}
+
+}  // namespace boresight::ui

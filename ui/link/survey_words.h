@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/drives_status.h"
+#include "ui/kit/symbol.h"
+
+#include <QString>
+
+// Where the survey of the drives is, and whether it lets the mount move: one line each, with its colour and shape.
+namespace boresight::ui {
+
+struct Sentence
+{
+    QString text;
+    Tone tone = Tone::Secondary;
+    Symbol symbol = Symbol::None;
+};
+
+[[nodiscard]] Sentence surveySentence(const DrivesStatus& drives);
+[[nodiscard]] Sentence armingSentence(const DrivesStatus& drives);
+
+}  // namespace boresight::ui

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+#include "ui/kit/table_model.h"
+
+#include <QSortFilterProxyModel>
+
+#include <optional>
+#include <vector>
+
+// Every alarm that was seen since the window opened: those that the station still lists, and the history of those that
+// ended; bounded. An alarm is known by its number and its beginning, because a new station counts from 1 again; those
+// that the window itself raises have no number, and are known by what they tell was done. Gui thread.
+namespace boresight::ui {
+
+struct SeenAlarm
+{
+    Alarm alarm;
+    std::optional<UtcTime> ended;
+    std::optional<std::size_t> place;  // in the station's list, while it is active or waits to be acknowledged
+};
+
+class AlarmModel : public TableModel
+{
+    Q_OBJECT
+
+public:
+    enum Column
+    {
+        Time,
+        State,
+        Acknowledged,
+        What
+    };
+
+    explicit AlarmModel(QObject* parent = nullptr);
+
+    // True if an active one has come that is worse than an advisory.
+    bool take(const StationStatus& status);
+
+    [[nodiscard]] const SeenAlarm& seen(int row) const { return m_seen[static_cast<std::size_t>(row)]; }
+
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+
+protected:
+    [[nodiscard]] std::size_t rows() const override { return m_seen.size(); }
+
+private:
+    [[nodiscard]] QString cell(const SeenAlarm& seen, int column) const;
+    void follow(const StationStatus& status, bool newStation);
+    bool add(const StationStatus& status);
+    void change(std::size_t row, const SeenAlarm& now);
+    void dropEldest();
+
+    std::vector<SeenAlarm> m_seen;  // in the order in which they came
+    std::uint64_t m_tick = 0;
+};
+
+// What still wants attention first, in the order of the station; then the history, the newest first.
+class AlarmOrder : public QSortFilterProxyModel
+{
+    Q_OBJECT
+
+public:
+    using QSortFilterProxyModel::QSortFilterProxyModel;
+
+protected:
+    [[nodiscard]] bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/log/log_model.h"
+
+#include <QWidget>
+
+// Lines of the log with their filters: by source, by severity, by text. One page shows all of them, another only who
+// moved the mount, and why.
+namespace boresight::ui {
+
+class LinesView;
+
+class LogPage : public QWidget
+{
+    Q_OBJECT
+
+public:
+    enum class Lines
+    {
+        All,
+        MotionStarts
+    };
+
+    LogPage(LogModel& model, Lines lines, QWidget* parent = nullptr);
+
+    [[nodiscard]] const LogFilter& shown() const { return *m_filter; }
+
+private:
+    void addSources();
+    void addSeverity();
+    void addText();
+
+    LogFilter* m_filter;
+    LinesView* m_view;
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/north/calibration_bar.h"
+
+#include "ui/kit/command_button.h"
+#include "ui/kit/value_label.h"
+#include "ui/north/calibration_permission.h"
+#include "ui/north/calibration_words.h"
+
+#include <QHBoxLayout>
+
+namespace boresight::ui {
+
+CalibrationBar::CalibrationBar(RequestDesk& desk, QWidget* parent)
+    : QWidget(parent),
+      m_title(new ValueLabel(tr("Proposed calibration"), fonts::label(), {}, this)),
+      m_change(new ValueLabel(tr("What Apply changes"), fonts::label(), {}, this)),
+      m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_apply(new CommandButton(tr("Apply north"), {}, desk, *m_notice, this)),
+      m_discard(new CommandButton(tr("Discard"), tr("What is proposed goes; nothing changes, and the points stay"),
+                                  desk, *m_notice, this)),
+      m_undo(new CommandButton(tr("Undo"), tr("Back to the calibration before; nothing moves"), desk, *m_notice, this))
+{
+    m_discard->setAccessibleName(tr("Discard what is proposed"));
+    m_undo->setAccessibleName(tr("Undo the calibration"));
+    build();
+    for (const CommandButton* const button : {m_apply, m_discard}) {
+        connect(button, &QPushButton::pressed, this, [this] { m_pressed = m_shown; });
+    }
+    connect(m_apply, &QPushButton::clicked, this, [this] { m_apply->ask(request::ApplyCalibration{m_pressed}); });
+    connect(m_discard, &QPushButton::clicked, this, [this] { m_discard->ask(request::DiscardCalibration{m_pressed}); });
+    connect(m_undo, &QPushButton::clicked, this, [this] { m_undo->ask(request::UndoCalibration{}); });
+}
+
+void CalibrationBar::build()
+{
+    auto* const row = new QHBoxLayout(this);
+    row->setContentsMargins(6, 0, 6, 2);
+    row->setSpacing(4);
+    auto* const lines = new QVBoxLayout;
+    lines->setSpacing(0);
+    for (ValueLabel* const line : {m_title, m_change, m_notice}) {
+        line->setStretching(true);
+        lines->addWidget(line);
+    }
+    m_change->setLines(2);
+    m_notice->setLines(2);  // in the place of what would change, until the next press
+    m_notice->setCollapsing(true);
+    row->addLayout(lines, 1);
+    row->addWidget(m_apply);
+    row->addWidget(m_discard);
+    row->addWidget(m_undo);
+}
+
+void CalibrationBar::showStatus(const StationStatus& status)
+{
+    const CalibrationStatus& calibration = calibrationOf(status);
+    const Sentence title = proposalSentence(calibration);
+    m_title->setValue(title.text, title.tone, title.symbol);
+    showChange(calibration.proposal);
+    m_change->setVisible(m_notice->text().isEmpty());
+    m_shown = calibration.proposal ? calibration.proposal->number : 0;
+    m_apply->setCommand(
+        calibration.proposal && keepsNorth(*calibration.proposal) ? tr("Apply to sensor") : tr("Apply north"),
+        calibration.proposal ? tr("Into force at once, nothing moves: %1").arg(changeText(*calibration.proposal))
+                             : QString());
+    m_apply->setBlocked(whyNoApply(status));
+    m_discard->setBlocked(whyNoDiscard(status));
+    m_undo->setBlocked(whyNoUndo(status));
+}
+
+// A warning comes first: there is not room for all of it.
+void CalibrationBar::showChange(const std::optional<CalibrationProposal>& proposal)
+{
+    if (!proposal) {
+        m_change->setValue(tr("Steps 1 to 3 find north"), Tone::Secondary);
+    } else if (proposal->warnings.empty()) {
+        m_change->setValue(changeText(*proposal), Tone::Secondary);
+    } else {
+        m_change->setValue(QStringLiteral("%1; %2").arg(proposal->warnings.front(), changeText(*proposal)),
+                           Tone::Warning);
+    }
+}
+
+}  // namespace boresight::ui

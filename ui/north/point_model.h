@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/calibration_status.h"
+#include "ui/kit/table_model.h"
+
+#include <vector>
+
+// The calibration points as a table, with what the model in force and the fit leave of each. On the sky, in degrees.
+namespace boresight::ui {
+
+class PointModel : public TableModel
+{
+    Q_OBJECT
+
+public:
+    enum Column
+    {
+        Label,
+        Time,
+        Sigma,   // of how well it was centred
+        Before,  // with the model in force
+        After,   // with the fit
+        LeftOut
+    };
+
+    explicit PointModel(QObject* parent = nullptr);
+
+    void show(const std::vector<PointStatus>& points);
+
+    [[nodiscard]] const PointStatus& point(int row) const { return m_points.at(static_cast<std::size_t>(row)); }
+
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+
+protected:
+    [[nodiscard]] std::size_t rows() const override { return m_points.size(); }
+
+private:
+    std::vector<PointStatus> m_points;
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/north/sensor_page.h"
+
+#include "ui/kit/caption.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/format.h"
+#include "ui/kit/push_button.h"
+#include "ui/kit/value_label.h"
+#include "ui/north/calibration_permission.h"
+#include "ui/north/calibration_words.h"
+#include "ui/north/compass_dial.h"
+#include "ui/north/run_line.h"
+#include "ui/north/sensor_levels.h"
+
+#include <QGridLayout>
+
+#include <tuple>
+
+namespace boresight::ui {
+
+namespace {
+
+void nameSimulatedSensor(profile::Profile& profile)
+{
+    profile.sensor.source = profile::SensorSource::Simulated;
+}
+
+// What it said then stays to be read beside what has come into force since.
+QString averageText(const CalibrationStatus& calibration)
+{
+    if (!calibration.sensorOffset) {
+        return {};
+    }
+    const Angle inForce = calibration.present.azimuthOffset;
+    const auto& sigma = calibration.sheet.sigmas[calibration::indexOf(calibration::Term::AzimuthOffset)];
+    const QString now = sigma ? offsetText({inForce, *sigma}) : signedAngleText(inForce.wrapped180());
+    return SensorPage::tr("Last average: axis %1; in force: %2").arg(offsetText(calibration.sensorOffset->offset), now);
+}
+
+}  // namespace
+
+SensorPage::SensorPage(RequestDesk& desk, ProfileDraft& draft, QWidget* parent)
+    : QWidget(parent),
+      m_profileChange(draft, desk),
+      m_dial(new CompassDial(this)),
+      m_levels(new SensorLevels(this)),
+      m_sensor(new ValueLabel(tr("Heading of the sensor, as sent"), fonts::small(), QStringLiteral("-000.00°"), this)),
+      m_axis(new ValueLabel(tr("Azimuth of the axis"), fonts::small(), QStringLiteral("-000.00°"), this)),
+      m_difference(new ValueLabel(tr("Sensor less axis"), fonts::small(), QStringLiteral("-000.00°"), this)),
+      m_truth(new ValueLabel(tr("True azimuth by the sensor, and how well it is known"), fonts::small(),
+                             QStringLiteral("000.0° ± 00.0°"), this)),
+      m_declination(new ValueLabel(tr("Who adds the declination"), fonts::label(), {}, this)),
+      m_change(makePushButton(
+          {.text = tr("Change…"),
+           .name = tr("Change the declination"),
+           .help = tr("Who adds the declination, its value or its model: opens these settings on the page Profile")},
+          this)),
+      m_offset(new ValueLabel(tr("North from the sensor"), fonts::text(), {}, this)),
+      m_run(new RunLine(CalibrationRun::SensorOffset, tr("Average of the sensor"), this)),
+      m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
+      m_measure(new CommandButton(tr("Average"), {}, desk, *m_notice, this))
+{
+    build();
+    connect(m_measure, &QPushButton::clicked, this, &SensorPage::press);
+}
+
+void SensorPage::build()
+{
+    auto* const values = new QGridLayout;
+    values->setVerticalSpacing(0);
+    const std::tuple<QString, ValueLabel*, int, int> places[] = {{tr("△ Sensor"), m_sensor, 0, 0},
+                                                                 {tr("● Axis"), m_axis, 0, 2},
+                                                                 {tr("Between them"), m_difference, 1, 0},
+                                                                 {tr("True"), m_truth, 1, 2}};
+    for (const auto& [text, value, row, column] : places) {
+        values->addWidget(makeCaption(text, this), row, column);
+        values->addWidget(value, row, column + 1);
+    }
+    values->setColumnStretch(4, 1);
+    auto* const right = new QVBoxLayout;
+    right->setSpacing(6);
+    right->addLayout(values);
+    right->addWidget(m_levels);
+    right->addStretch(1);
+    for (ValueLabel* const line : {m_declination, m_offset, m_notice}) {
+        line->setStretching(true);
+    }
+    m_declination->setLines(3);
+    m_notice->setCollapsing(true);  // in the place of the offset, until the next press
+    auto* const grid = new QGridLayout(this);
+    grid->setContentsMargins(6, 4, 6, 0);
+    grid->setSpacing(4);
+    grid->addWidget(m_dial, 0, 0);
+    grid->addLayout(right, 0, 1);
+    grid->addWidget(makeDeclinationRow(), 1, 0, 1, 2);
+    grid->addWidget(m_measure, 2, 0);
+    grid->addWidget(m_run, 2, 1);
+    grid->addWidget(m_offset, 3, 0, 1, 2);
+    grid->addWidget(m_notice, 4, 0, 1, 2);
+    grid->setRowStretch(0, 1);
+    grid->setColumnStretch(1, 1);
+}
+
+QWidget* SensorPage::makeDeclinationRow()
+{
+    auto* const box = new QWidget(this);
+    auto* const row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    row->addWidget(m_declination, 1);
+    row->addWidget(m_change);
+    connect(m_change, &QPushButton::clicked, this, [this] { Q_EMIT settingsWanted(QStringLiteral("declination")); });
+    return box;
+}
+
+// Whose it is with its value, the model that reckons it, and what is wrong with that.
+void SensorPage::showDeclination(const SensorStatus& sensor)
+{
+    QString text = sensor.declinationText;
+    if (!sensor.declinationModel.isEmpty()) {
+        text += QStringLiteral(" (%1)").arg(sensor.declinationModel);
+    }
+    if (sensor.declinationDoubt.isEmpty()) {
+        m_declination->setValue(text, Tone::Secondary);
+    } else {
+        m_declination->setValue(QStringLiteral("%1; %2").arg(text, sensor.declinationDoubt), Tone::Warning,
+                                Symbol::Warning);
+    }
+}
+
+void SensorPage::showStatus(const StationStatus& status)
+{
+    const CalibrationStatus& calibration = calibrationOf(status);
+    m_running = calibration.progress.run == CalibrationRun::SensorOffset;
+    showNeedles(status);
+    showDeclination(status.sensor);
+    m_offset->setValue(averageText(calibration));
+    m_offset->setVisible(m_notice->text().isEmpty());
+    m_offers = status.simulated && !status.sensor.configured() && !calibration.sensorObstacle.isEmpty();
+    if (m_offers) {
+        showOffer(status);
+    } else {
+        showAverage(status);
+    }
+}
+
+void SensorPage::showOffer(const StationStatus& status)
+{
+    m_run->showProgress(calibrationOf(status).progress,
+                        tr("No sensor is set: the simulated mount has one on its boom"));
+    m_measure->setCommand(tr("Use the sensor"), tr("Sets sensor.source in the profile; nothing moves"));
+    m_measure->setBlocked(m_profileChange.whyNot(status, nameSimulatedSensor));
+}
+
+void SensorPage::showAverage(const StationStatus& status)
+{
+    const CalibrationStatus& calibration = calibrationOf(status);
+    const QString reason = m_running ? QString() : whyNoSensorAverage(status);
+    m_run->showProgress(calibration.progress,
+                        reason.isEmpty()
+                            ? tr("The mount stands still, motors at rest; the sensor is averaged for some 20 s")
+                            : tr("Not now: %1").arg(reason));
+    m_measure->setCommand(m_running ? tr("End average") : tr("Average"),
+                          m_running ? tr("No result; nothing moves anyway") : tr("Nothing moves"));
+    m_measure->setBlocked(reason);
+}
+
+void SensorPage::showNeedles(const StationStatus& status)
+{
+    const bool known = freshness(status.azimuth.age) != Freshness::NoData;
+    const std::optional<Angle> axis = known ? status.azimuth.actual : std::nullopt;
+    const bool lost = status.sensor.presence == orientation::Presence::Lost;
+    const std::optional<orientation::Orientation> last = lost ? std::nullopt : status.sensor.last;
+    m_dial->showNeedles(axis, last ? std::optional(last->heading) : std::nullopt);
+    m_levels->showCalibration(last ? last->calibration : std::nullopt);
+    m_sensor->setValue(last ? angleText(last->heading.angle()) : noValue());
+    m_axis->setValue(axis ? angleText(*axis) : noValue());
+    m_truth->setValue(trueAzimuthText(status.sensor));
+    m_difference->setValue(last && axis ? signedAngleText((last->heading.angle() - *axis).wrapped180()) : noValue());
+}
+
+void SensorPage::press()
+{
+    if (m_offers) {
+        m_profileChange.ask(*m_measure, nameSimulatedSensor);
+        return;
+    }
+    m_measure->ask(m_running ? Request(request::EndCalibration{}) : Request(request::MeasureSensorOffset{}));
+}
+
+}  // namespace boresight::ui

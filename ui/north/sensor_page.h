@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+#include "ui/link/profile_change.h"
+
+#include <QWidget>
+
+class QPushButton;
+
+// Step 1 of finding north: the sensor's own opinion, from an average while the mount stands still. Good to some
+// degrees; what the needle's own deviation does is only seen by a swing.
+namespace boresight::ui {
+
+class CommandButton;
+class CompassDial;
+class RequestDesk;
+class RunLine;
+class SensorLevels;
+class ValueLabel;
+
+class SensorPage : public QWidget
+{
+    Q_OBJECT
+
+public:
+    SensorPage(RequestDesk& desk, ProfileDraft& draft, QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+
+Q_SIGNALS:
+    void settingsWanted(const QString& words);  // of the profile, that have these in their name or meaning
+
+private:
+    void build();
+    [[nodiscard]] QWidget* makeDeclinationRow();
+    void showDeclination(const SensorStatus& sensor);
+    void showNeedles(const StationStatus& status);
+    void showAverage(const StationStatus& status);
+    void showOffer(const StationStatus& status);
+    void press();
+
+    ProfileChange m_profileChange;
+    bool m_running = false;
+    bool m_offers = false;  // the simulated sensor: the mount has it, and the profile does not name it
+    CompassDial* m_dial;
+    SensorLevels* m_levels;
+    ValueLabel* m_sensor;
+    ValueLabel* m_axis;
+    ValueLabel* m_difference;
+    ValueLabel* m_truth;
+    ValueLabel* m_declination;
+    QPushButton* m_change;
+    ValueLabel* m_offset;
+    RunLine* m_run;
+    ValueLabel* m_notice;
+    CommandButton* m_measure;
+};
+
+}  // namespace boresight::ui

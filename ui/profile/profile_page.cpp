@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/profile/profile_page.h"
+
+#include "ui/kit/command_button.h"
+#include "ui/kit/push_button.h"
+#include "ui/kit/value_label.h"
+#include "ui/link/motion_permission.h"
+#include "ui/link/profile_draft_bar.h"
+#include "ui/profile/settings_view.h"
+
+#include <QComboBox>
+#include <QMenu>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace boresight::ui {
+
+ProfilePage::ProfilePage(ProfileDraft& draft, RequestDesk& desk, const QString& configDir, QWidget* parent)
+    : AskingPanel(desk, parent),
+      m_draft(draft),
+      m_hasStore(!configDir.isEmpty()),
+      m_store(configDir),
+      m_choice(new QComboBox(this)),
+      m_menuButton(makePushButton({.text = tr("Mounts"),
+                                   .name = tr("Duplicate, rename, import, export the chosen mount"),
+                                   .help = tr("Duplicate, rename, remove, import, export; take back the last change")},
+                                  this)),
+      m_menu(new QMenu(m_menuButton)),
+      m_settings(new SettingsView(draft, this)),
+      m_notice(new ValueLabel(tr("Outcome"), fonts::label(), {}, this)),
+      m_switch(new CommandButton(tr("Switch …"), tr("Connect to the chosen mount; asks first"), desk, *m_notice, this)),
+      m_bar(new ProfileDraftBar(draft, desk, this))
+{
+    build();
+    connect(m_switch, &QPushButton::clicked, this, &ProfilePage::switchTo);
+    connect(m_choice, &QComboBox::currentIndexChanged, this, &ProfilePage::showChoice);
+    connect(&m_draft, &ProfileDraft::changed, this, &ProfilePage::showChoice);
+    showMounts({});
+}
+
+void ProfilePage::build()
+{
+    auto* const column = new QVBoxLayout(&controls());
+    column->setContentsMargins(6, 6, 6, 6);
+    column->setSpacing(4);
+    column->addWidget(makeMountRow());
+    column->addWidget(m_notice);
+    column->addWidget(m_settings, 1);
+    column->addWidget(m_bar);
+    m_bar->setCollapsing(true);  // the settings get its room
+    m_notice->setStretching(true);
+    m_notice->setCollapsing(true);
+}
+
+QWidget* ProfilePage::makeMountRow()
+{
+    auto* const row = new QWidget(this);
+    auto* const line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(4);
+    m_choice->setFont(fonts::label());
+    m_choice->setMinimumHeight(kTouchSize);
+    m_choice->setMinimumContentsLength(12);
+    m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_choice->setAccessibleName(tr("Mounts that are kept"));
+    m_choice->setToolTip(tr("The mounts of this computer; choosing one does nothing yet"));
+    m_menuButton->setMinimumSize(m_switch->minimumSizeHint());
+    m_menuButton->setMenu(m_menu);
+    addAction(tr("Duplicate …"), &ProfilePage::duplicate);
+    addAction(tr("Rename …"), &ProfilePage::rename);
+    addAction(tr("Take back the last saved change …"), &ProfilePage::takeBack);
+    m_menu->addSeparator();
+    addAction(tr("Import …"), &ProfilePage::chooseImport);
+    addAction(tr("Export …"), &ProfilePage::chooseExport);
+    m_menu->addSeparator();
+    addAction(tr("Remove …"), &ProfilePage::remove);
+    line->addWidget(m_choice, 1);
+    line->addWidget(m_switch);
+    line->addWidget(m_menuButton);
+    return row;
+}
+
+void ProfilePage::addAction(const QString& text, void (ProfilePage::*act)())
+{
+    m_menu->addAction(text, this, [this, act] {
+        tell({});
+        (this->*act)();
+    });
+}
+
+void ProfilePage::seek(const QString& words)
+{
+    m_settings->seek(words);
+}
+
+void ProfilePage::showStatus(const StationStatus& status)
+{
+    const bool otherMount = status.profile->mount.name != m_status.profile->mount.name;
+    m_status = status;
+    if (otherMount) {
+        m_choice->setCurrentIndex(-1);  // it is the one to look at now
+        showMounts(m_mounts);
+        refresh();  // the station's mount may have got its file by now
+    }
+    m_switch->setBlocked(whyNoSwitch());
+    showWhetherPossible(status);
+}
+
+void ProfilePage::showEvent(QShowEvent* event)
+{
+    refresh();  // another program may have changed the folder
+    AskingPanel::showEvent(event);
+}
+
+void ProfilePage::refresh()
+{
+    if (m_hasStore) {
+        m_files.run(
+            this, [store = m_store] { return store.list(); },
+            [this](const std::vector<profile::StoredProfile>& mounts) { showMounts(mounts); });
+    }
+}
+
+// The mount in force is in the list also before it has a file. What was chosen stays chosen.
+void ProfilePage::showMounts(const std::vector<profile::StoredProfile>& mounts)
+{
+    const QString before = chosen().mountName;
+    m_mounts = mounts;
+    std::erase_if(m_mounts, [](const profile::StoredProfile& one) { return one.path.isEmpty(); });
+    if (std::ranges::none_of(m_mounts, [this](const auto& one) { return isInForce(one); })) {
+        m_mounts.insert(m_mounts.begin(),
+                        {.path = {}, .mountName = QString::fromStdString(m_status.profile->mount.name)});
+    }
+    const QSignalBlocker quiet(m_choice);
+    m_choice->clear();
+    for (const profile::StoredProfile& mount : m_mounts) {
+        m_choice->addItem(isInForce(mount)           ? tr("%1 (in force)").arg(mount.mountName)
+                          : !mount.problem.isEmpty() ? tr("▲ %1").arg(mount.mountName)
+                                                     : mount.mountName);
+    }
+    auto found = std::ranges::find(m_mounts, before, &profile::StoredProfile::mountName);
+    if (found == m_mounts.end()) {
+        found = std::ranges::find_if(m_mounts, [this](const auto& one) { return isInForce(one); });
+    }
+    m_choice->setCurrentIndex(static_cast<int>(found - m_mounts.begin()));
+    showChoice();
+}
+
+void ProfilePage::showChoice()
+{
+    m_switch->setBlocked(whyNoSwitch());
+    if (const QString problem = chosen().problem; !problem.isEmpty()) {
+        warn(problem);
+    }
+}
+
+profile::StoredProfile ProfilePage::chosen() const
+{
+    const int index = m_choice->currentIndex();
+    return index < 0 ? profile::StoredProfile() : m_mounts[static_cast<std::size_t>(index)];
+}
+
+bool ProfilePage::isInForce(const profile::StoredProfile& mount) const
+{
+    return mount.problem.isEmpty() && mount.mountName.toStdString() == m_status.profile->mount.name;
+}
+
+const profile::StoredProfile* ProfilePage::stored(const QString& mountName) const
+{
+    const auto found = std::ranges::find_if(m_mounts, [&mountName](const profile::StoredProfile& one) {
+        return one.problem.isEmpty() && one.mountName == mountName;
+    });
+    return found == m_mounts.end() ? nullptr : &*found;
+}
+
+QString ProfilePage::whyNoSwitch() const
+{
+    const profile::StoredProfile mount = chosen();
+    if (isInForce(mount)) {
+        return tr("this mount is in force");
+    }
+    if (!mount.problem.isEmpty()) {
+        return tr("its file cannot be read");
+    }
+    if (m_draft.hasEdits()) {
+        return tr("apply or revert the edits first");
+    }
+    return isMoving(m_status) ? tr("the mount moves, press \"Hold\" first") : QString();
+}
+
+void ProfilePage::tell(const QString& text)
+{
+    m_notice->setValue(text, Tone::Secondary);
+}
+
+void ProfilePage::warn(const QString& reason)
+{
+    m_notice->setValue(reason, Tone::Warning, Symbol::Warning);
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/link/profile_draft.h"
+
+#include <QAbstractItemModel>
+
+#include <vector>
+
+// Every setting of the draft, in the groups of the file: value with its unit, range, and when it applies. Values are
+// edited in place: a text that is no value is refused with the reason and changes nothing; what the live check finds
+// marks its line. The lists of the profile have a line each, which says where they are edited.
+namespace boresight::ui {
+
+class SettingTree : public QAbstractItemModel
+{
+    Q_OBJECT
+
+public:
+    enum Column
+    {
+        Name,
+        Value,
+        Range,
+        AppliesWhen,
+        ColumnCount
+    };
+    enum Role
+    {
+        SearchRole = Qt::UserRole,  // all that a search looks through
+        ChangedRole,                // not applied yet, waiting for a reconnect, or wrong
+        ChoicesRole,                // QStringList; empty unless one of them must be chosen
+        ShareRole,                  // double: of the range, see shareOfRange()
+        DefaultShareRole,           // the same of the default
+        SecretRole,                 // not to be seen while it is typed
+        ExplanationRole             // some sentences about the line
+    };
+
+    SettingTree(ProfileDraft& draft, QObject* parent);
+
+    [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QModelIndex parent(const QModelIndex& child) const override;
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+Q_SIGNALS:
+    void refused(const QString& reason);  // empty: the last text was taken
+
+private:
+    struct Line
+    {
+        std::string key;                            // as the file calls it
+        std::string comparedAs;                     // as profile_diff calls it: "site" for its three
+        const profile::Setting* setting = nullptr;  // null: a list
+    };
+    struct Group
+    {
+        QString title;
+        std::vector<Line> lines;
+    };
+    struct State  // of a line, or how many lines of a group
+    {
+        int wrong = 0;
+        int edited = 0;
+        int waiting = 0;
+    };
+
+    void addLine(const QString& table, const Line& line);
+    void followDraft();
+    [[nodiscard]] const Line* lineOf(const QModelIndex& index) const;
+    [[nodiscard]] State stateOf(const Line& line) const;
+    [[nodiscard]] State stateOf(const Group& group) const;
+    [[nodiscard]] QVariant groupData(const QModelIndex& index, int role) const;
+    [[nodiscard]] QVariant lineData(const Line& line, int column, int role) const;
+    [[nodiscard]] QString text(const Line& line, int column) const;
+    [[nodiscard]] QString heldText(const Line& line, const profile::Profile& profile) const;
+    [[nodiscard]] QString valueColumn(const Line& line) const;
+    [[nodiscard]] QString explanation(const Line& line) const;
+
+    ProfileDraft& m_draft;
+    std::vector<Group> m_groups;
+    std::vector<std::string> m_editedKeys;
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/link/profile_draft.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLineEdit;
+class QModelIndex;
+class QTreeView;
+
+// The settings of the draft to look through and to edit: a search, a choice of what is shown, the groups, and what the
+// selected line means. Enter edits the selected value; a choice opens its list.
+namespace boresight::ui {
+
+class SettingFilter;
+class SettingTree;
+class ValueLabel;
+
+class SettingsView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit SettingsView(ProfileDraft& draft, QWidget* parent = nullptr);
+
+    void seek(const QString& words);  // as if typed into the search
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void buildTree();
+    QWidget* makeSearch();
+    void search(const QString& text);
+    void showChangedOnly(bool on);
+    void spanSections();
+    void expandIfSought();
+    void openEditor(const QModelIndex& index);
+    void explain();
+
+    SettingTree* m_model;
+    SettingFilter* m_filter;
+    QLineEdit* m_search;
+    QComboBox* m_shown;
+    QTreeView* m_tree;
+    ValueLabel* m_explanation;
+    QString m_refusal;
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/link/profile_draft.h"
+#include "ui/sky/region_edit.h"
+#include "ui/sky/sky_limits.h"
+#include "ui/sky/sky_projection.h"
+
+#include <QWidget>
+
+#include <optional>
+
+// The layer of the polar plot for the limits being changed. It draws what differs from what is in force, dashed, until
+// it is applied. While editing is on it takes mouse and keys and changes the draft: drag an edge, a corner, a point or
+// a whole keep-out; double click or + adds a point of the horizon; Del removes. While editing is off it lets every
+// click through. Nothing here moves the mount or changes what is in force. Pixels are the widget's own.
+namespace boresight::ui {
+
+class PlotEditor : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit PlotEditor(ProfileDraft& draft, QWidget* parent = nullptr);
+
+    void setEditing(bool on);
+    void setSky(const SkyProjection& sky);
+    void setTravel(const Travel& travel);
+    bool cancelDrag();  // true if something was being dragged: it is back where it was
+
+    [[nodiscard]] bool isEditing() const { return m_editing; }
+    [[nodiscard]] bool isDragging() const { return m_drag.has_value(); }
+    [[nodiscard]] const std::optional<Grip>& selected() const { return m_selected; }
+    void paint(QPainter& painter) const;
+
+Q_SIGNALS:
+    void readout(const QString& text);  // the numbers under the cursor, empty when it has left
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    [[nodiscard]] const pointing::Region& edited() const { return m_draft.edited().limits; }
+    [[nodiscard]] std::optional<Grip> under(QPointF pixel) const;
+    void followDraft();
+    void change(const std::function<void(pointing::Region&)>& change);
+    void select(const std::optional<Grip>& grip);
+    void addPoint(const SkyPointing& at);
+    void addSector(const SkyPointing& centre);
+    void removeSelected();
+    void showReadout();
+
+    void paintChanges(QPainter& painter) const;
+    void paintKeepOuts(QPainter& painter) const;
+    void paintGrips(QPainter& painter) const;
+
+    ProfileDraft& m_draft;
+    SkyProjection m_sky;
+    Travel m_travel;
+    bool m_editing = false;
+    QPointF m_cursor;
+    std::optional<RegionDrag> m_drag;
+    std::optional<Grip> m_selected;
+};
+
+}  // namespace boresight::ui

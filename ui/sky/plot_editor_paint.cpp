@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the limits being changed look on the plot.
+#include "ui/kit/theme.h"
+#include "ui/sky/plot_editor.h"
+
+#include <QPaintEvent>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr double kGripSize = 8.0;               // px
+constexpr Angle kPlotEditorPaintTick = 10_deg;  // of an azimuth limit where the whole circle is permitted
+
+QPen dashed()
+{
+    return QPen(currentTheme().accent, 2.0, Qt::DashLine);
+}
+
+void drawGrip(QPainter& painter, QPointF at, bool selected)
+{
+    const QRectF box(at.x() - kGripSize / 2.0, at.y() - kGripSize / 2.0, kGripSize, kGripSize);
+    painter.setPen(QPen(currentTheme().accent, 1.5));
+    painter.setBrush(selected ? currentTheme().accent : currentTheme().plotGround);
+    painter.drawRect(selected ? box.adjusted(-2, -2, 2, 2) : box);
+}
+
+// Where the axes look to the horizon.
+Angle levelOf(const Travel& travel)
+{
+    return -travel.pointing.terms().elevationOffset;
+}
+
+}  // namespace
+
+void PlotEditor::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    paint(painter);
+}
+
+void PlotEditor::paint(QPainter& painter) const
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(dashed());
+    paintChanges(painter);
+    paintKeepOuts(painter);
+    if (m_editing) {
+        paintGrips(painter);
+    }
+}
+
+void PlotEditor::paintChanges(QPainter& painter) const
+{
+    const pointing::Region& inForce = m_draft.inForce().limits;
+    const Travel before = permitted(inForce, m_travel);
+    const Travel after = permitted(edited(), m_travel);
+    const Angle level = levelOf(m_travel);
+    if (edited().horizon != inForce.horizon) {
+        painter.drawPath(horizonLine(edited().horizon, m_sky));
+    }
+    for (const auto& [was, is] :
+         {std::pair(before.azimuth.min, after.azimuth.min), std::pair(before.azimuth.max, after.azimuth.max)}) {
+        if (was != is) {
+            painter.drawPath(meridian(is, level, level + 90_deg, m_travel.pointing, m_sky));
+        }
+    }
+    for (const auto& [was, is] :
+         {std::pair(before.elevation.min, after.elevation.min), std::pair(before.elevation.max, after.elevation.max)}) {
+        if (was != is && is <= level + 90_deg) {
+            painter.drawPath(ring(is, m_travel.pointing, m_sky));
+        }
+    }
+}
+
+// New and moved ones dashed; one that is to go is crossed out.
+void PlotEditor::paintKeepOuts(QPainter& painter) const
+{
+    const std::vector<pointing::KeepOut>& inForce = m_draft.inForce().limits.keepOuts;
+    for (const pointing::KeepOut& keepOut : edited().keepOuts) {
+        if (std::ranges::find(inForce, keepOut) == inForce.end()) {
+            painter.drawPath(outline(sectorOf(keepOut), m_sky));
+        }
+    }
+    for (const pointing::KeepOut& keepOut : inForce) {
+        if (std::ranges::find(edited().keepOuts, keepOut.name, &pointing::KeepOut::name) == edited().keepOuts.end()) {
+            painter.drawLine(m_sky.toPixel({keepOut.azimuthFrom, keepOut.elevationMin}),
+                             m_sky.toPixel({keepOut.azimuthTo, keepOut.elevationMax}));
+            painter.drawLine(m_sky.toPixel({keepOut.azimuthFrom, keepOut.elevationMax}),
+                             m_sky.toPixel({keepOut.azimuthTo, keepOut.elevationMin}));
+        }
+    }
+}
+
+void PlotEditor::paintGrips(QPainter& painter) const
+{
+    const auto isSelected = [this](RegionPart part, std::size_t index) {
+        return m_selected && m_selected->part == part && m_selected->index == index;
+    };
+    const Travel limits = permitted(edited(), m_travel);
+    const bool wholeCircle = limits.azimuth.max - limits.azimuth.min >= 360_deg;
+    const Angle level = levelOf(limits);
+    for (const auto& [part, azimuth] : {std::pair(RegionPart::AzimuthMin, limits.azimuth.min),
+                                        std::pair(RegionPart::AzimuthMax, limits.azimuth.max)}) {
+        painter.setPen(QPen(currentTheme().accent, isSelected(part, 0) ? 4.0 : 2.5));
+        painter.drawPath(meridian(azimuth, level,
+                                  level + (wholeCircle ? kPlotEditorPaintTick : kPlotEditorPaintTick * 0.5),
+                                  limits.pointing, m_sky));
+    }
+    for (std::size_t i = 0; i < edited().keepOuts.size(); ++i) {
+        const SkySector sector = sectorOf(edited().keepOuts[i]);
+        for (const Angle azimuth : {sector.fromAzimuth, sector.toAzimuth}) {
+            for (const Angle elevation : {sector.fromElevation, sector.toElevation}) {
+                drawGrip(painter, m_sky.toPixel({azimuth, elevation}), isSelected(RegionPart::KeepOut, i));
+            }
+        }
+    }
+    for (std::size_t i = 0; i < edited().horizon.size(); ++i) {
+        const pointing::HorizonPoint& point = edited().horizon[i];
+        drawGrip(painter, m_sky.toPixel({point.azimuth, point.elevation}), isSelected(RegionPart::HorizonPoint, i));
+    }
+    const auto southOf = [&](Angle elevation) {
+        const Angle south = 180_deg - limits.pointing.terms().azimuthOffset;
+        return m_sky.toPixel(limits.pointing.toSky({south, elevation}));
+    };
+    if (limits.elevation.max <= level + 90_deg) {
+        drawGrip(painter, southOf(limits.elevation.max), isSelected(RegionPart::ElevationMax, 0));
+    }
+    drawGrip(painter, southOf(limits.elevation.min), isSelected(RegionPart::ElevationMin, 0));
+}
+
+}  // namespace boresight::ui

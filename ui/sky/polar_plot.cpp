@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/sky/polar_plot.h"
+
+#include "core/pointing/sun_keep_out.h"
+#include "ui/kit/axes.h"
+#include "ui/kit/format.h"
+#include "ui/kit/theme.h"
+#include "ui/sky/plot_tools.h"
+#include "ui/sky/sky_items.h"
+
+#include <QEvent>
+#include <QPainter>
+#include <QWheelEvent>
+#include <qwt_point_polar.h>
+#include <qwt_polar_grid.h>
+#include <qwt_polar_plot.h>
+#include <qwt_scale_div.h>
+#include <qwt_scale_map.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr int kWheelStep = 120;  // eighths of a degree of a mouse wheel's notch
+
+// Off target means that the beam no longer covers the target: half a beam width on the sky.
+bool isOffTarget(const StationStatus& status, Angle beamWidth)
+{
+    if (!status.actual || !status.target) {
+        return false;
+    }
+    const SkyPointing a = unflipped(*status.actual);
+    const SkyPointing b = unflipped(*status.target);
+    const double cosine =
+        std::sin(a.elevation.radians()) * std::sin(b.elevation.radians()) +
+        std::cos(a.elevation.radians()) * std::cos(b.elevation.radians()) * std::cos((a.azimuth - b.azimuth).radians());
+    return Angle::fromRadians(std::acos(std::clamp(cosine, -1.0, 1.0))) > 0.5 * beamWidth;
+}
+
+Freshness worseFreshness(const StationStatus& status)
+{
+    return std::max(freshness(status.azimuth.age), freshness(status.elevation.age));
+}
+
+QString targetLabel(const StationStatus& status)
+{
+    if (!status.target) {
+        return {};
+    }
+    const QString text = directionText(*status.target);
+    return status.target->elevation > 90_deg ? PolarPlot::tr("FLIP %1").arg(text) : text;
+}
+
+QString placeText(const QString& what, const std::optional<SkyPointing>& place)
+{
+    return place ? what + QLatin1Char(' ') + directionText(*place) + QStringLiteral(". ") : QString();
+}
+
+// From the set-point to the end of the route: straight in both axes between its points.
+std::vector<AxisPosition> wayAhead(const StationStatus& status)
+{
+    std::vector<AxisPosition> way;
+    if (!status.route.empty() && status.azimuth.commanded && status.elevation.commanded) {
+        way.push_back({*status.azimuth.commanded, *status.elevation.commanded});
+        way.insert(way.end(), status.route.begin(), status.route.end());
+    }
+    return way;
+}
+
+QwtScaleDiv scaleDiv(double from, double to, const std::vector<double>& lines)
+{
+    return QwtScaleDiv(from, to, {}, {}, QList<double>(lines.begin(), lines.end()));
+}
+
+}  // namespace
+
+PolarPlot::PolarPlot(ProfileDraft& draft, QWidget* parent)
+    : QWidget(parent),
+      m_grid(std::make_unique<QwtPolarGrid>()),
+      m_regionItem(std::make_unique<RegionItem>()),
+      m_labels(std::make_unique<LabelsItem>()),
+      m_plot(new QwtPolarPlot(this)),
+      m_markers(new SkyMarkers(this)),
+      m_editor(new PlotEditor(draft, this)),
+      m_tools(new PlotTools(this))
+{
+    setAccessibleName(tr("Sky plot"));
+    setToolTipDuration(5000);
+    m_markers->setToolTip(tr("North is up, east is right, the zenith in the centre. A click reads a direction."));
+    m_plot->setAutoDelete(false);  // the items are ours
+    m_plot->setFrameStyle(QFrame::NoFrame);
+    m_plot->hide();  // a draughtsman only: SkyMarkers shows what it draws
+    setUpScales();
+    m_regionItem->setZ(1.0);
+    m_grid->setZ(2.0);
+    m_labels->setZ(3.0);
+    m_regionItem->attach(m_plot);
+    m_grid->attach(m_plot);
+    m_labels->attach(m_plot);
+    setColours();
+    setUpTools();
+    connect(m_markers, &SkyMarkers::clicked, this, &PolarPlot::clicked);
+}
+
+PolarPlot::~PolarPlot() = default;
+
+void PolarPlot::setUpScales()
+{
+    m_plot->setAzimuthOrigin(std::numbers::pi / 2.0);
+    m_grid->setGridAttribute(QwtPolarGrid::AutoScaling, false);  // else it chooses its own rings
+    m_grid->setRenderHint(QwtPolarItem::RenderAntialiased);
+    for (int axis = 0; axis < QwtPolar::AxesCount; ++axis) {
+        m_grid->showAxis(axis, false);  // LabelsItem: Qwt would label north 360
+    }
+    for (const int scale : {QwtPolar::Azimuth, QwtPolar::Radius}) {
+        m_grid->showGrid(scale, true);
+        m_grid->showMinorGrid(scale, false);
+    }
+    setGrid(wholeSkyGrid());
+}
+
+void PolarPlot::setUpTools()
+{
+    m_tools->setPainter([this](QPainter& painter) { paintPicture(painter); });
+    connect(m_tools, &PlotTools::editToggled, this, &PolarPlot::setEditing);
+    connect(m_tools, &PlotTools::zoomToggled, this, &PolarPlot::toggleZoom);
+    connect(m_editor, &PlotEditor::readout, m_tools, &PlotTools::setReadout);
+}
+
+void PolarPlot::setGrid(const SkyGrid& grid)
+{
+    m_labels->setGrid(grid);
+    m_plot->setScaleDiv(QwtPolar::Azimuth, scaleDiv(360.0, 0.0, grid.azimuths));
+    m_plot->setScaleDiv(QwtPolar::Radius, scaleDiv(90.0, 0.0, grid.elevations));
+}
+
+void PolarPlot::setColours()
+{
+    m_grid->setMajorGridPen(QPen(currentTheme().grid, 1.0));
+    m_plot->setPlotBackground(currentTheme().plotGround);
+}
+
+// Qwt puts the circle at the top of what it is given; this is the largest square in the middle.
+QRectF PolarPlot::square() const
+{
+    const double side = std::min(width(), height());
+    return {(width() - side) / 2.0, (height() - side) / 2.0, side, side};
+}
+
+// What Qwt draws into: the square, or one so large that the magnified part of it fills the widget.
+QRectF PolarPlot::canvas() const
+{
+    if (!m_zoom.isOn()) {
+        return square();
+    }
+    const SkyProjection zoomed = sky();
+    const double half = zoomed.radius + m_labels->marginHint();
+    return {zoomed.zenith.x() - half, zoomed.zenith.y() - half, 2.0 * half, 2.0 * half};
+}
+
+SkyProjection PolarPlot::sky() const
+{
+    const QRectF circle = m_plot->plotRect(square());
+    return m_zoom.projection({circle.center(), circle.width() / 2.0});
+}
+
+void PolarPlot::changeView()
+{
+    const SkyGrid grid = m_zoom.isOn() ? gridOf(sky(), rect()) : wholeSkyGrid();
+    setGrid(grid);
+    m_labels->setView(rect(), m_zoom.isOn());
+    m_regionItem->setView(rect());
+    m_tools->showZoom(m_zoom.isOn());
+    drawGround();
+}
+
+void PolarPlot::paintGround(QPainter& painter) const
+{
+    painter.fillRect(rect(), currentTheme().window);
+    m_plot->drawCanvas(&painter, canvas());
+    painter.setRenderHint(QPainter::Antialiasing);
+    const SkyProjection shown = sky();
+    painter.setPen(QPen(currentTheme().secondary, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(shown.zenith, shown.radius, shown.radius);
+    drawLegend(painter, QPointF(2.0, 2.0), m_hasSensor);
+    if (m_zoom.isOn()) {
+        drawZoomMark(painter, rect(), m_tools->readoutHeight(), shown, m_zoom.magnification());
+    }
+}
+
+void PolarPlot::drawGround()
+{
+    if (width() < 2 || height() < 2) {
+        return;
+    }
+    QPixmap ground(size() * devicePixelRatio());
+    ground.setDevicePixelRatio(devicePixelRatio());
+    QPainter painter(&ground);
+    paintGround(painter);
+    m_markers->setGround(ground, sky());
+    m_editor->setSky(sky());
+}
+
+void PolarPlot::paintPicture(QPainter& painter) const
+{
+    painter.setClipRect(rect());
+    paintGround(painter);
+    m_markers->paint(painter);
+    painter.setFont(fonts::label());
+    painter.setPen(currentTheme().text);
+    painter.drawText(rect().adjusted(4, 0, -4, -2), Qt::AlignRight | Qt::AlignBottom, m_caption);
+}
+
+void PolarPlot::resizeEvent(QResizeEvent*)
+{
+    m_plot->resize(size());
+    for (QWidget* const layer : std::initializer_list<QWidget*>{m_markers, m_editor, m_tools}) {
+        layer->resize(size());
+    }
+    changeView();
+}
+
+void PolarPlot::wheelEvent(QWheelEvent* event)
+{
+    m_wheel += event->angleDelta().y();
+    const int steps = m_wheel / kWheelStep;
+    m_wheel -= steps * kWheelStep;
+    if (steps != 0) {
+        zoomBy(steps);
+    }
+    event->accept();
+}
+
+void PolarPlot::toggleZoom()
+{
+    m_zoom.centreOn(m_focus);
+    m_zoom.toggle(m_beamWidth);
+    changeView();
+}
+
+void PolarPlot::zoomBy(int steps)
+{
+    if (!m_zoom.isOn()) {
+        m_zoom.centreOn(m_focus);
+    }
+    m_zoom.step(steps, m_beamWidth);
+    changeView();
+}
+
+void PolarPlot::setEditing(bool on)
+{
+    if (on != m_editor->isEditing()) {
+        m_editor->setEditing(on);
+        m_tools->showEditing(on);
+        Q_EMIT editingChanged(on);
+    }
+}
+
+void PolarPlot::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange) {
+        setColours();
+        drawGround();
+    }
+    QWidget::changeEvent(event);
+}
+
+void PolarPlot::showStatus(const StationStatus& status)
+{
+    showRegion(status);
+    showMarkers(status);
+}
+
+void PolarPlot::showRegion(const StationStatus& status)
+{
+    const Travel travel{status.azimuth.travel, status.elevation.travel,
+                        pointing::PointingModel(status.profile->pointing)};
+    m_beamWidth = status.profile->mount.beamWidth;
+    m_focus = status.target ? *status.target : status.actual.value_or(m_focus);
+    const bool moved = !m_editor->isDragging() && m_zoom.follow(m_focus);
+    const pointing::Region region = pointing::withSun(status.profile->limits, status.sunKeepOuts);
+    const bool changed = m_region != region || travel != m_travel;
+    if (changed) {
+        m_region = region;
+        m_travel = travel;
+        m_regionItem->setRegion(*m_region, travel);
+        m_editor->setTravel(travel);
+    }
+    if (changed || moved) {
+        changeView();
+    }
+}
+
+void PolarPlot::showMarkers(const StationStatus& status)
+{
+    const Freshness age = worseFreshness(status);
+    MarkerData markers = m_markers->markers();
+    markers.actual = status.actual;
+    const bool known = areTurnsKnown(status);
+    markers.commanded = age == Freshness::NoData || !known ? std::nullopt : status.commanded;
+    markers.target = status.target;
+    markers.sensor = status.sensor.direction;
+    if (m_hasSensor != markers.sensor.has_value()) {
+        m_hasSensor = !m_hasSensor;
+        drawGround();
+    }
+    markers.pointing = m_travel.pointing;
+    markers.way = markers.commanded ? wayAhead(status) : std::vector<AxisPosition>();
+    markers.targetLabel = targetLabel(status);
+    markers.beamWidth = m_beamWidth;
+    markers.live = age == Freshness::Live && known;
+    markers.offTarget = markers.live && isOffTarget(status, m_beamWidth);
+    m_markers->setMarkers(markers, status.utc);
+    m_caption = QString::fromStdString(status.profile->mount.name) + QStringLiteral("  ") + minuteText(status.utc);
+}
+
+void PolarPlot::setPicked(const std::optional<SkyPointing>& direction)
+{
+    m_markers->setPicked(direction);
+}
+
+void PolarPlot::describe(const StationStatus& status)
+{
+    const bool live = worseFreshness(status) == Freshness::Live;
+    const QString actual = !live ? tr("Last seen at") : areTurnsKnown(status) ? tr("Actual") : tr("Perhaps at");
+    setAccessibleDescription((placeText(actual, status.actual) + placeText(tr("Commanded"), status.commanded) +
+                              placeText(tr("Target"), status.target) + placeText(tr("Sensor"), status.sensor.direction))
+                                 .trimmed());
+}
+
+QPointF PolarPlot::qwtPixel(const SkyPointing& direction) const
+{
+    const QRectF circle = m_plot->plotRect(canvas());
+    const double radius = circle.width() / 2.0;
+    return qwtPolar2Pos(circle.center(),
+                        m_plot->scaleMap(QwtPolar::Radius, radius).transform(direction.elevation.degrees()),
+                        m_plot->scaleMap(QwtPolar::Azimuth, radius).transform(direction.azimuth.degrees()));
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/station/station_status.h"
+#include "ui/sky/plot_editor.h"
+#include "ui/sky/sky_markers.h"
+#include "ui/sky/sky_zoom.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+class QwtPolarGrid;
+class QwtPolarPlot;
+
+// The sky as the mount sees it, and beside the strip charts the only place that touches Qwt. Three layers: Qwt draws
+// what stands still (region of the profile in force, grid, labels) into a picture, again only when size, theme, region
+// or magnification change; SkyMarkers paints what moves over it; PlotEditor the limits being changed. A click picks a
+// direction; it moves nothing, and while editing is on it picks none.
+namespace boresight::ui {
+
+class LabelsItem;
+class PlotTools;
+class RegionItem;
+
+class PolarPlot : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit PolarPlot(ProfileDraft& draft, QWidget* parent = nullptr);
+    ~PolarPlot() override;
+
+    void showStatus(const StationStatus& status);
+    void setPicked(const std::optional<SkyPointing>& direction);
+    void describe(const StationStatus& status);  // in words, for screen readers; once a second is enough
+    void setEditing(bool on);
+    void toggleZoom();
+    void zoomBy(int steps);
+    void paintPicture(QPainter& painter) const;  // in the widget's size, without buttons and unapplied edits
+
+    [[nodiscard]] PlotEditor& editor() { return *m_editor; }
+    [[nodiscard]] PlotTools& tools() { return *m_tools; }
+    [[nodiscard]] const SkyMarkers& markers() const { return *m_markers; }
+    [[nodiscard]] const SkyZoom& zoom() const { return m_zoom; }
+    // Where Qwt itself puts a direction: the test holds it against SkyProjection.
+    [[nodiscard]] QPointF qwtPixel(const SkyPointing& direction) const;
+
+    [[nodiscard]] QSize minimumSizeHint() const override { return {320, 320}; }
+
+Q_SIGNALS:
+    void clicked(const boresight::SkyPointing& direction);
+    void editingChanged(bool on);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+
+private:
+    void setUpScales();
+    void setUpTools();
+    void setColours();
+    void setGrid(const SkyGrid& grid);
+    void showRegion(const StationStatus& status);
+    void showMarkers(const StationStatus& status);
+    void changeView();
+    void drawGround();
+    void paintGround(QPainter& painter) const;
+    [[nodiscard]] QRectF square() const;
+    [[nodiscard]] QRectF canvas() const;
+    [[nodiscard]] SkyProjection sky() const;
+
+    std::unique_ptr<QwtPolarGrid> m_grid;
+    std::unique_ptr<RegionItem> m_regionItem;
+    std::unique_ptr<LabelsItem> m_labels;
+    QwtPolarPlot* m_plot;
+    SkyMarkers* m_markers;
+    PlotEditor* m_editor;
+    PlotTools* m_tools;
+    SkyZoom m_zoom;
+    std::optional<pointing::Region> m_region;  // what is drawn
+    Travel m_travel;
+    bool m_hasSensor = false;  // the legend tells of it
+    Angle m_beamWidth;
+    SkyPointing m_focus{0_deg, 90_deg};  // what the magnified part shows: target, else actual
+    QString m_caption;                   // of a picture
+    int m_wheel = 0;                     // turned, not yet a whole step
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/sky/sky_items.h"
+
+#include "ui/kit/format.h"
+#include "ui/kit/symbol.h"
+#include "ui/sky/sky_projection.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <cmath>
+#include <vector>
+
+namespace boresight::ui {
+
+namespace {
+
+class SkyItems
+{
+    Q_DECLARE_TR_FUNCTIONS(SkyItems)
+};
+
+QString azimuthLabel(int degrees)
+{
+    switch (degrees) {
+        case 0:
+            return SkyItems::tr("N");
+        case 90:
+            return SkyItems::tr("E");
+        case 180:
+            return SkyItems::tr("S");
+        case 270:
+            return SkyItems::tr("W");
+        default:
+            return QString::number(degrees);
+    }
+}
+
+}  // namespace
+
+void RegionItem::setRegion(const pointing::Region& region, const Travel& travel)
+{
+    m_sectors = sectorsOf(region, travel);
+    m_horizon = region.horizon;
+}
+
+void RegionItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap&, const QPointF& pole, double radius,
+                      const QRectF&) const
+{
+    const SkyProjection sky{pole, radius};
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setFont(fonts::label());
+    for (const SkySector& sector : m_sectors) {
+        const QPainterPath path = outline(sector, sky);
+        painter->fillPath(path, currentTheme().band);
+        if (sector.kind != SectorKind::Band) {
+            const bool keepOut = sector.kind == SectorKind::KeepOut;
+            painter->fillPath(path, QBrush(currentTheme().secondary, keepOut ? Qt::FDiagPattern : Qt::BDiagPattern));
+        }
+        painter->setPen(currentTheme().secondary);
+        painter->setBrush(Qt::NoBrush);
+        painter->drawPath(path);
+    }
+    drawHorizon(*painter, sky);
+    for (const SkySector& sector : m_sectors) {
+        drawName(*painter, sector, sky);
+    }
+    painter->restore();
+}
+
+void RegionItem::drawHorizon(QPainter& painter, const SkyProjection& sky) const
+{
+    const QPainterPath line = horizonLine(m_horizon, sky);
+    if (line.isEmpty()) {
+        return;
+    }
+    QPainterPath below;  // between the rim and the line: odd-even fill
+    below.addEllipse(sky.zenith, sky.radius, sky.radius);
+    below.addPath(line);
+    painter.fillPath(below, currentTheme().band);
+    painter.setPen(QPen(currentTheme().text, 1.5));
+    painter.drawPath(line);
+}
+
+void RegionItem::drawName(QPainter& painter, const SkySector& sector, const SkyProjection& sky) const
+{
+    const bool ring = sector.toAzimuth - sector.fromAzimuth >= 360_deg;
+    const Angle elevation = (sector.fromElevation + sector.toElevation) * 0.5;
+    const Angle azimuth = ring ? 15_deg : (sector.fromAzimuth + sector.toAzimuth) * 0.5;
+    QPointF centre = sky.toPixel(sector.beam(azimuth, elevation));
+    if (!m_view.contains(centre)) {
+        centre = ring ? sky.toPixel({sky.toSky(m_view.center()).azimuth, elevation})
+                      : (outline(sector, sky).boundingRect() & m_view).center();
+    }
+    QRectF box = painter.fontMetrics().boundingRect(sector.name);
+    const double thickness = (sector.toElevation - sector.fromElevation) / 90_deg * sky.radius;
+    if (ring && thickness < 2.0 * box.height()) {
+        return;  // the word would be cut off by the rim, or hide more than it tells
+    }
+    box.moveCenter(centre);
+    painter.fillRect(box.adjusted(-3, -1, 3, 1), currentTheme().band);
+    painter.setPen(currentTheme().text);
+    painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, sector.name);
+}
+
+void LabelsItem::setView(const QRectF& view, bool magnified)
+{
+    m_view = view;
+    m_magnified = magnified;
+}
+
+int LabelsItem::marginHint() const
+{
+    const QFontMetrics metrics(fonts::label());
+    return std::max(metrics.height(), metrics.horizontalAdvance(QStringLiteral("000"))) + 4;
+}
+
+void LabelsItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap&, const QPointF& pole, double radius,
+                      const QRectF&) const
+{
+    painter->save();
+    painter->setFont(fonts::label());
+    if (m_magnified) {
+        drawInside(*painter, {pole, radius});
+    } else {
+        drawRim(*painter, {pole, radius + marginHint() / 2.0 + 1.0});
+        painter->setPen(currentTheme().secondary);
+        for (const double elevation : m_grid.elevations) {
+            painter->drawText(
+                SkyProjection{pole, radius}.toPixel({0_deg, Angle::fromDegrees(elevation)}) + QPointF(4.0, -3.0),
+                angleText(Angle::fromDegrees(elevation), 0));
+        }
+    }
+    painter->restore();
+}
+
+void LabelsItem::drawRim(QPainter& painter, const SkyProjection& rim) const
+{
+    for (const double azimuth : m_grid.azimuths) {
+        const int degrees = static_cast<int>(std::lround(azimuth));
+        QRectF box(0, 0, 40, painter.fontMetrics().height());
+        box.moveCenter(rim.toPixel({Angle::fromDegrees(degrees), 0_deg}));
+        painter.setPen(degrees % 90 == 0 ? currentTheme().text : currentTheme().secondary);
+        painter.drawText(box, Qt::AlignCenter, azimuthLabel(degrees));
+    }
+}
+
+void LabelsItem::drawInside(QPainter& painter, const SkyProjection& sky) const
+{
+    // Away from the middle, where the markers are.
+    const SkyPointing anchor = sky.toSky(m_view.center() + QPointF(-m_view.width(), m_view.height()) * 0.25);
+    const auto nearest = [](const std::vector<double>& lines, Angle to, bool circle) {
+        Angle best = to;
+        Angle gap = 360_deg;
+        for (const double line : lines) {
+            const Angle away = Angle::fromDegrees(line) - to;
+            if (const Angle distance = abs(circle ? away.wrapped180() : away); distance < gap) {
+                gap = distance;
+                best = Angle::fromDegrees(line);
+            }
+        }
+        return best;
+    };
+    const Angle ray = nearest(m_grid.azimuths, anchor.azimuth, true);
+    const Angle ring = nearest(m_grid.elevations, anchor.elevation, false);
+    painter.setPen(currentTheme().secondary);
+    for (const double elevation : m_grid.elevations) {
+        const Angle angle = Angle::fromDegrees(elevation);
+        painter.drawText(sky.toPixel({ray, angle}) + QPointF(4.0, -3.0), angleText(angle, m_grid.decimals));
+    }
+    painter.setPen(currentTheme().text);
+    for (const double azimuth : m_grid.azimuths) {
+        const Angle angle = Angle::fromDegrees(azimuth);
+        painter.drawText(sky.toPixel({angle, ring}) + QPointF(4.0, painter.fontMetrics().ascent()),
+                         SkyItems::tr("az %1").arg(angleText(angle, m_grid.decimals)));
+    }
+}
+
+void drawLegend(QPainter& painter, QPointF corner, bool hasSensor)
+{
+    struct Line
+    {
+        Symbol symbol;
+        QString text;
+        Tone tone;
+    };
+    std::vector<Line> lines{{Symbol::Actual, SkyItems::tr("actual"), Tone::Normal},
+                            {Symbol::Commanded, SkyItems::tr("commanded"), Tone::Normal},
+                            {Symbol::Target, SkyItems::tr("target"), Tone::Accent}};
+    if (hasSensor) {
+        lines.push_back({Symbol::Sensor, SkyItems::tr("sensor"), Tone::Sensor});
+    }
+    painter.setFont(fonts::label());
+    const QFontMetricsF metrics(painter.font());
+    const QRectF ground(corner, QSizeF(metrics.horizontalAdvance(lines[1].text) + 2.0 * metrics.ascent(),
+                                       static_cast<double>(lines.size()) * metrics.lineSpacing()));
+    painter.fillRect(ground, currentTheme().window);
+    double y = corner.y();
+    for (const Line& line : lines) {
+        const double size = metrics.ascent();
+        drawSymbol(painter, line.symbol, QRectF(corner.x(), y + 1.0, size, size), currentTheme().colour(line.tone));
+        painter.setPen(currentTheme().secondary);
+        painter.drawText(QPointF(corner.x() + size * 1.5, y + metrics.ascent()), line.text);
+        y += metrics.lineSpacing();
+    }
+}
+
+void drawZoomMark(QPainter& painter, const QRectF& view, double above, const SkyProjection& sky, double magnification)
+{
+    const double perDegree = sky.radius / 90.0;
+    double length = 0.1;  // of the scale, in degrees: the longest round one that takes a quarter of the view
+    for (const double one : {0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0}) {
+        length = one * perDegree <= view.width() / 4.0 ? one : length;
+    }
+    painter.save();
+    painter.setFont(fonts::label());
+    const QFontMetricsF metrics(painter.font());
+    const QString text = SkyItems::tr("MAGNIFIED ×%1").arg(magnification, 0, 'f', magnification < 10.0 ? 1 : 0);
+    const QString scale = angleText(Angle::fromDegrees(length), length < 1.0 ? 1 : 0);
+    const double width = std::max(metrics.horizontalAdvance(text), length * perDegree);
+    const QRectF box(view.left() + 4.0, view.bottom() - above - 2.0 * metrics.lineSpacing() - 22.0, width + 12.0,
+                     2.0 * metrics.lineSpacing() + 14.0);
+    painter.fillRect(box, currentTheme().window);
+    painter.setPen(QPen(currentTheme().accent, 2.0));
+    painter.drawRect(view.adjusted(1.0, 1.0, -1.0, -1.0));
+    painter.drawText(box.topLeft() + QPointF(6.0, metrics.ascent() + 2.0), text);
+    const QPointF from = box.topLeft() + QPointF(6.0, metrics.lineSpacing() + 8.0);
+    const QPointF to = from + QPointF(length * perDegree, 0.0);
+    painter.drawLine(from, to);
+    for (const QPointF& end : {from, to}) {
+        painter.drawLine(end - QPointF(0.0, 3.0), end + QPointF(0.0, 3.0));
+    }
+    painter.drawText(from + QPointF(0.0, metrics.ascent() + 2.0), scale);
+    painter.restore();
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/pointing/region.h"
+#include "ui/sky/sky_limits.h"
+#include "ui/sky/sky_zoom.h"
+
+#include <qwt_polar_item.h>
+
+// What stands still in the polar plot, as Qwt items: the parts of the sky that are out of reach, limits or bounds, and
+// the labels. Included by polar_plot.cpp only, so that Qwt stays in one place.
+namespace boresight::ui {
+
+class RegionItem final : public QwtPolarItem
+{
+public:
+    void setRegion(const pointing::Region& region, const Travel& travel);
+    void setView(const QRectF& view) { m_view = view; }  // what is seen of the canvas
+
+    void draw(QPainter* painter, const QwtScaleMap& azimuthMap, const QwtScaleMap& radialMap, const QPointF& pole,
+              double radius, const QRectF& canvasRect) const override;
+
+private:
+    void drawHorizon(QPainter& painter, const SkyProjection& sky) const;
+    void drawName(QPainter& painter, const SkySector& sector, const SkyProjection& sky) const;
+
+    std::vector<SkySector> m_sectors;
+    std::vector<pointing::HorizonPoint> m_horizon;
+    QRectF m_view;
+};
+
+// The whole sky: azimuths around the rim (letters for the cardinal points), elevations beside the north line. A
+// magnified part: both along the lines through the middle of the view.
+class LabelsItem final : public QwtPolarItem
+{
+public:
+    void setGrid(const SkyGrid& grid) { m_grid = grid; }
+    void setView(const QRectF& view, bool magnified);
+
+    void draw(QPainter* painter, const QwtScaleMap& azimuthMap, const QwtScaleMap& radialMap, const QPointF& pole,
+              double radius, const QRectF& canvasRect) const override;
+    [[nodiscard]] int marginHint() const override;
+
+private:
+    void drawRim(QPainter& painter, const SkyProjection& rim) const;
+    void drawInside(QPainter& painter, const SkyProjection& sky) const;
+
+    SkyGrid m_grid;
+    QRectF m_view;
+    bool m_magnified = false;
+};
+
+// What the markers mean, for a corner outside the circle (Qwt clips its items to the circle).
+void drawLegend(QPainter& painter, QPointF corner, bool hasSensor);
+
+// That this is a part of the sky only, and its scale: a frame, and a box so far above the lower left corner.
+void drawZoomMark(QPainter& painter, const QRectF& view, double above, const SkyProjection& sky, double magnification);
+
+}  // namespace boresight::ui

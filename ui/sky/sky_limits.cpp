@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/sky/sky_limits.h"
+
+#include "ui/kit/format.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight::ui {
+
+namespace {
+
+QString named(const char* text, Angle angle)
+{
+    return QCoreApplication::translate("SkyLimits", text).arg(angleText(angle, 0));
+}
+
+TravelRange overlap(const TravelRange& a, const TravelRange& b)
+{
+    return {.min = std::max(a.min, b.min), .max = std::min(a.max, b.max)};
+}
+
+// Steps of about a degree, which no eye tells from an arc.
+int stepsOf(Angle width)
+{
+    return std::max(1, static_cast<int>(std::ceil(width.degrees())));
+}
+
+// The way clockwise from `from` to `to` at one elevation after the other, straight in between.
+void addArc(QPolygonF& line, const AxisPosition& from, const AxisPosition& to, const pointing::PointingModel& pointing,
+            const SkyProjection& sky)
+{
+    const int steps = stepsOf(abs(to.azimuth - from.azimuth));
+    for (int step = 0; step <= steps; ++step) {
+        const double part = double(step) / steps;
+        line << sky.toPixel(pointing.toSky({from.azimuth + (to.azimuth - from.azimuth) * part,
+                                            from.elevation + (to.elevation - from.elevation) * part}));
+    }
+}
+
+}  // namespace
+
+Travel permitted(const pointing::Region& region, const Travel& travel)
+{
+    return {.azimuth = overlap(region.azimuth, travel.azimuth),
+            .elevation = overlap(region.elevation, travel.elevation),
+            .pointing = travel.pointing};
+}
+
+std::vector<SkySector> unreachable(const Travel& permitted)
+{
+    const auto& [azimuth, elevation, pointing] = permitted;
+    std::vector<SkySector> sectors;
+    if (azimuth.max <= azimuth.min || elevation.max <= elevation.min) {
+        return sectors;  // no profile heard of yet
+    }
+    // Where the axes look to the horizon and to their zenith.
+    const Angle level = -pointing.terms().elevationOffset;
+    const Angle zenith = 90_deg + level;
+    const auto add = [&](Angle from, Angle to, Angle low, Angle high, const QString& name, SectorKind kind) {
+        sectors.push_back({from, to, low, high, name, kind, pointing});
+    };
+    if (elevation.min > level) {
+        add(0_deg, 360_deg, level, elevation.min, named(QT_TRANSLATE_NOOP("SkyLimits", "below %1"), elevation.min),
+            SectorKind::Band);
+    }
+    if (elevation.max < zenith) {
+        add(0_deg, 360_deg, elevation.max, zenith, named(QT_TRANSLATE_NOOP("SkyLimits", "above %1"), elevation.max),
+            SectorKind::Sector);
+    }
+    const Angle top = std::clamp(2.0 * zenith - elevation.max, level, std::min(elevation.max, zenith));
+    if (azimuth.max - azimuth.min < 360_deg && top > level) {
+        add(azimuth.max, azimuth.min + 360_deg, std::max(elevation.min, level), top,
+            QCoreApplication::translate("SkyLimits", "out of limits"), SectorKind::Sector);
+    }
+    return sectors;
+}
+
+SkySector sectorOf(const pointing::KeepOut& keepOut)
+{
+    const Angle width = keepOut.azimuthTo - keepOut.azimuthFrom;
+    return {.fromAzimuth = keepOut.azimuthFrom,
+            .toAzimuth = keepOut.azimuthFrom + (width < 360_deg ? width.wrapped360() : width),
+            .fromElevation = keepOut.elevationMin,
+            .toElevation = keepOut.elevationMax,
+            .name = QString::fromStdString(keepOut.name),
+            .kind = SectorKind::KeepOut};
+}
+
+std::vector<SkySector> sectorsOf(const pointing::Region& region, const Travel& travel)
+{
+    std::vector<SkySector> sectors = unreachable(permitted(region, travel));
+    for (const pointing::KeepOut& keepOut : region.keepOuts) {
+        sectors.push_back(sectorOf(keepOut));
+    }
+    return sectors;
+}
+
+QPainterPath outline(const SkySector& sector, const SkyProjection& sky)
+{
+    QPolygonF rim;
+    addArc(rim, {sector.fromAzimuth, sector.fromElevation}, {sector.toAzimuth, sector.fromElevation}, sector.pointing,
+           sky);
+    QPolygonF inner;
+    addArc(inner, {sector.toAzimuth, sector.toElevation}, {sector.fromAzimuth, sector.toElevation}, sector.pointing,
+           sky);
+    QPainterPath path;
+    if (sector.toAzimuth - sector.fromAzimuth >= 360_deg) {
+        path.addPolygon(rim);
+        path.addPolygon(inner);  // a ring: odd-even fill leaves the middle open
+    } else {
+        path.addPolygon(rim + inner);
+        path.closeSubpath();
+    }
+    return path;
+}
+
+QPainterPath ring(Angle elevation, const pointing::PointingModel& pointing, const SkyProjection& sky)
+{
+    QPolygonF line;
+    addArc(line, {0_deg, elevation}, {360_deg, elevation}, pointing, sky);
+    QPainterPath path;
+    path.addPolygon(line);
+    path.closeSubpath();
+    return path;
+}
+
+QPainterPath meridian(Angle azimuth, Angle from, Angle to, const pointing::PointingModel& pointing,
+                      const SkyProjection& sky)
+{
+    QPolygonF line;
+    const int steps = pointing.isSkewed() ? stepsOf(to - from) : 1;
+    for (int step = 0; step <= steps; ++step) {
+        line << sky.toPixel(pointing.toSky({azimuth, from + (to - from) * (double(step) / steps)}));
+    }
+    QPainterPath path;
+    path.addPolygon(line);
+    return path;
+}
+
+QPainterPath horizonLine(const std::vector<pointing::HorizonPoint>& horizon, const SkyProjection& sky)
+{
+    QPainterPath path;
+    if (horizon.empty()) {
+        return path;
+    }
+    QPolygonF line;
+    for (std::size_t i = 0; i < horizon.size(); ++i) {
+        const pointing::HorizonPoint& next = horizon[(i + 1) % horizon.size()];
+        const Angle wrapped = i + 1 < horizon.size() ? next.azimuth : next.azimuth + 360_deg;
+        addArc(line, {horizon[i].azimuth, horizon[i].elevation}, {wrapped, next.elevation}, {}, sky);
+    }
+    path.addPolygon(line);
+    path.closeSubpath();
+    return path;
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/kit/prompt_bar.h"
+
+// Asks whether to close the window while the mount moves, and then says that it is being done.
+namespace boresight::ui {
+
+class ClosePrompt : public PromptBar
+{
+    Q_OBJECT
+
+public:
+    explicit ClosePrompt(QWidget* parent);
+
+    void ask();
+    void confirm();   // also without having asked
+    void withdraw();  // the mount stands: there is nothing to ask any more
+
+Q_SIGNALS:
+    void confirmed();
+
+private:
+    bool m_confirmed = false;
+};
+
+}  // namespace boresight::ui

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/header_bar.h"
+
+#include "ui/kit/format.h"
+#include "ui/kit/value_label.h"
+#include "ui/kit/widest.h"
+#include "ui/window/stop_button.h"
+
+#include <QGridLayout>
+
+namespace boresight::ui {
+
+namespace {
+
+struct Shown
+{
+    QString text;
+    Tone tone = Tone::Secondary;
+    Symbol symbol = Symbol::Healthy;
+};
+
+Shown busShown(const StationStatus& status)
+{
+    if (status.drives.released) {
+        return {HeaderBar::tr("CAN off"), Tone::Advisory, Symbol::Advisory};
+    }
+    switch (status.bus.state) {
+        case LinkState::Up:
+            return {HeaderBar::tr("CAN")};
+        case LinkState::Down:
+            return {HeaderBar::tr("CAN down"), Tone::Alarm, Symbol::Alarm};
+        case LinkState::Lost:
+            return {HeaderBar::tr("CAN lost"), Tone::Alarm, Symbol::Alarm};
+        case LinkState::Closed:
+            break;
+    }
+    return {HeaderBar::tr("CAN off"), Tone::Warning, Symbol::Warning};
+}
+
+Shown driveShown(const QString& name, const AxisStatus& axis, bool released)
+{
+    if (freshness(axis.age) == Freshness::NoData && released) {
+        return {name, Tone::Secondary, Symbol::Lost};
+    }
+    if (freshness(axis.age) == Freshness::NoData) {
+        return {HeaderBar::tr("%1 silent").arg(name), Tone::Alarm, Symbol::Alarm};
+    }
+    if (axis.state == AxisState::Fault) {
+        return {HeaderBar::tr("%1 fault").arg(name), Tone::Alarm, Symbol::Alarm};
+    }
+    if (freshness(axis.age) == Freshness::Late) {
+        return {HeaderBar::tr("%1 late").arg(name), Tone::Warning, Symbol::Warning};
+    }
+    return {name};
+}
+
+// Empty without a sensor: then the label takes no room.
+Shown sensorShown(const SensorStatus& sensor)
+{
+    if (!sensor.configured()) {
+        return {QString(), Tone::Secondary, Symbol::None};
+    }
+    if (sensor.dead || sensor.presence == orientation::Presence::Lost) {
+        return {HeaderBar::tr("Sensor lost"), Tone::Warning, Symbol::Warning};
+    }
+    if (sensor.disagrees) {
+        return {HeaderBar::tr("Sensor differs"), Tone::Warning, Symbol::Warning};
+    }
+    if (sensor.presence == orientation::Presence::Late) {
+        return {HeaderBar::tr("Sensor late"), Tone::Warning, Symbol::Warning};
+    }
+    return sensor.presence == orientation::Presence::Awaited
+               ? Shown{HeaderBar::tr("Sensor awaited"), Tone::Secondary, Symbol::Lost}
+               : Shown{HeaderBar::tr("Sensor")};
+}
+
+QString sensorHelp(const SensorStatus& sensor)
+{
+    QString text = HeaderBar::tr("%1: %2 values, %3 refused, %4 outliers")
+                       .arg(sensor.source)
+                       .arg(sensor.counts.accepted)
+                       .arg(sensor.counts.allRefused())
+                       .arg(sensor.outliers);
+    for (const QString& more : {sensor.problem, sensor.doubt}) {
+        text += more.isEmpty() ? QString() : QLatin1Char('\n') + more;
+    }
+    return text;
+}
+
+QString busHelp(const StationStatus& status)
+{
+    const LinkStatus& bus = status.bus;
+    QString text = HeaderBar::tr("%1: %2 frames sent, %3 received, %4 dropped, %5 bus errors")
+                       .arg(status.busName)
+                       .arg(bus.sent)
+                       .arg(bus.received)
+                       .arg(bus.dropped)
+                       .arg(bus.busErrors);
+    return bus.text.isEmpty() ? text : bus.text + QLatin1Char('\n') + text;
+}
+
+QString clientsHelp(const StationStatus& status)
+{
+    QString text = status.listening.isEmpty() ? HeaderBar::tr("rotctld does not listen")
+                                              : HeaderBar::tr("rotctld listens on %1").arg(status.listening);
+    for (const ClientStatus& client : status.clients) {
+        text += QLatin1Char('\n') + client.address;
+        if (!client.program.isEmpty()) {
+            text += QLatin1Char(' ') + client.program;
+        }
+        if (client.driving) {
+            text += HeaderBar::tr(", driving");
+        }
+        if (!client.lastCommand.isEmpty()) {
+            text += HeaderBar::tr(", last command %1").arg(client.lastCommand);
+        }
+    }
+    return text;
+}
+
+Tone stateTone(const StationStatus& status)
+{
+    switch (status.state) {
+        case StationState::Disconnected:
+            return status.drives.released ? Tone::Warning : Tone::Alarm;  // released is what the operator wanted
+        case StationState::Fault:
+            return Tone::Alarm;
+        case StationState::Stopped:
+            return Tone::Warning;
+        default:
+            return Tone::Normal;
+    }
+}
+
+Symbol stateSymbol(Tone tone)
+{
+    return tone == Tone::Alarm ? Symbol::Alarm : tone == Tone::Warning ? Symbol::Warning : Symbol::None;
+}
+
+QString widestDrive(const QString& name)
+{
+    return widest(fonts::label(), {HeaderBar::tr("%1 silent").arg(name), HeaderBar::tr("%1 fault").arg(name),
+                                   HeaderBar::tr("%1 late").arg(name)});
+}
+
+void setShown(ValueLabel& label, const Shown& shown)
+{
+    label.setValue(shown.text, shown.tone, shown.symbol);
+}
+
+}  // namespace
+
+HeaderBar::HeaderBar(QWidget* parent)
+    : QWidget(parent),
+      m_state(new ValueLabel(tr("Station state"), fonts::state(), widestStationState(fonts::state()), this)),
+      m_reason(new ValueLabel(tr("Reason of the state"), fonts::label(), {}, this)),
+      m_limited(new ValueLabel(tr("Target limited"), fonts::text(), tr("LIMITED"), this)),
+      m_target(new ValueLabel(tr("Target and who gave it"), fonts::text(), {}, this)),
+      m_bus(new ValueLabel(tr("CAN bus"), fonts::label(),
+                           widest(fonts::label(), {tr("CAN off"), tr("CAN down"), tr("CAN lost")}), this)),
+      m_azimuth(new ValueLabel(tr("Azimuth drive"), fonts::label(), widestDrive(tr("AZ")), this)),
+      m_elevation(new ValueLabel(tr("Elevation drive"), fonts::label(), widestDrive(tr("EL")), this)),
+      m_sensor(new ValueLabel(tr("Orientation sensor"), fonts::label(), tr("Sensor awaited"), this)),
+      m_clients(new ValueLabel(tr("rotctld clients"), fonts::label(), tr("rotctld off"), this)),
+      m_control(new ValueLabel(tr("Who may move the mount"), fonts::label(), {}, this)),
+      m_utc(new ValueLabel(tr("UTC"), fonts::clock(), QStringLiteral("00:00:00Z"), this)),
+      m_simulated(new ValueLabel(tr("Simulated mount"), fonts::label(), tr("SIMULATED"), this)),
+      m_stop(new StopButton(this))
+{
+    build();
+    connect(m_stop, &StopButton::pressed, this, &HeaderBar::stopPressed);
+}
+
+void HeaderBar::build()
+{
+    for (ValueLabel* const wide : {m_reason, m_target, m_control}) {
+        wide->setStretching(true);
+    }
+    for (ValueLabel* const marked : {m_state, m_limited, m_bus, m_azimuth, m_elevation, m_sensor, m_clients}) {
+        marked->setSymbolRoom(true);
+    }
+    m_sensor->setCollapsing(true);
+    m_simulated->setOutlined(true);
+    m_simulated->setAlignment(Qt::AlignCenter);
+    m_utc->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_control->setToolTip(
+        tr("Who may move the mount. While the operator has the control, motion commands of rotctld "
+           "clients are refused."));
+
+    auto* const grid = new QGridLayout(this);
+    auto* const targetRow = new QHBoxLayout;
+    grid->addLayout(targetRow, 0, 1);
+    targetRow->setSpacing(4);
+    targetRow->addWidget(m_limited);
+    targetRow->addWidget(m_target, 1);
+    targetRow->addWidget(m_sensor);  // in the row below there is no room for it at 1024 px
+    auto* const linkRow = new QHBoxLayout;
+    grid->addLayout(linkRow, 1, 1);
+    linkRow->setSpacing(1);
+    for (ValueLabel* const link : {m_bus, m_azimuth, m_elevation, m_clients}) {
+        linkRow->addWidget(link);
+    }
+    linkRow->addWidget(m_control, 1);
+
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(6);
+    grid->setVerticalSpacing(2);
+    grid->addWidget(m_state, 0, 0);
+    grid->addWidget(m_reason, 1, 0);
+    grid->addWidget(m_utc, 0, 2, Qt::AlignRight | Qt::AlignVCenter);
+    grid->addWidget(m_simulated, 1, 2, Qt::AlignRight | Qt::AlignVCenter);
+    grid->addWidget(m_stop, 0, 3, 2, 1, Qt::AlignCenter);
+    grid->setColumnStretch(1, 1);
+}
+
+void HeaderBar::showStatus(const StationStatus& status)
+{
+    showState(status);
+    showTarget(status);
+    showLinks(status);
+    m_utc->setValue(clockText(status.utc) + QLatin1Char('Z'));
+    m_simulated->setValue(status.simulated ? tr("SIMULATED") : QString(), Tone::Advisory);
+}
+
+void HeaderBar::showState(const StationStatus& status)
+{
+    const Tone tone = stateTone(status);
+    m_state->setValue(word(status.state), tone, stateSymbol(tone));
+    m_reason->setValue(status.drives.released ? tr("bus released to other tools") : status.stateReason,
+                       Tone::Secondary);
+    const bool latched = status.stopLatched;
+    m_stopRequested = m_stopRequested && !latched;
+    m_stop->setPhase(latched           ? StopButton::Phase::Latched
+                     : m_stopRequested ? StopButton::Phase::Requested
+                                       : StopButton::Phase::Ready);
+}
+
+void HeaderBar::showTarget(const StationStatus& status)
+{
+    m_limited->setVisible(status.limited);
+    m_limited->setValue(status.limited ? tr("LIMITED") : QString(), Tone::Warning, Symbol::Warning);
+    m_limited->setToolTip(tr("The target is outside the limits: the mount goes to the nearest permitted point.\n%1")
+                              .arg(status.limitedReason));
+    if (status.targetText.isEmpty()) {
+        m_target->setValue(tr("no target"), Tone::Secondary);
+        return;
+    }
+    m_target->setValue(status.commander.name.isEmpty()
+                           ? status.targetText
+                           : tr("%1  by %2").arg(status.targetText, sourceText(status.commander.name)));
+}
+
+void HeaderBar::showLinks(const StationStatus& status)
+{
+    setShown(*m_bus, busShown(status));
+    setShown(*m_azimuth, driveShown(tr("AZ"), status.azimuth, status.drives.released));
+    setShown(*m_elevation, driveShown(tr("EL"), status.elevation, status.drives.released));
+    setShown(*m_clients, status.listening.isEmpty() ? Shown{tr("rotctld off"), Tone::Warning, Symbol::Warning}
+                                                    : Shown{tr("rotctld %1").arg(status.clients.size())});
+    setShown(*m_sensor, sensorShown(status.sensor));
+    m_sensor->setToolTip(status.sensor.configured() ? sensorHelp(status.sensor) : QString());
+    m_bus->setToolTip(busHelp(status));
+    m_azimuth->setToolTip(status.azimuth.stateText);
+    m_elevation->setToolTip(status.elevation.stateText);
+    m_clients->setToolTip(clientsHelp(status));
+    m_control->setValue(status.authority == Authority::Operator ? tr("Control: operator") : tr("Control: clients"),
+                        status.authority == Authority::Operator ? Tone::Normal : Tone::Secondary);
+}
+
+void HeaderBar::setOnlySimulated()
+{
+    m_simulated->setToolTip(
+        tr("Started with --simulate: no real drive is connected, whatever mount is chosen, until the program ends"));
+}
+
+void HeaderBar::setStopRequested()
+{
+    m_stopRequested = true;
+    if (m_stop->phase() != StopButton::Phase::Latched) {
+        m_stop->setPhase(StopButton::Phase::Requested);
+    }
+}
+
+void HeaderBar::setStopRefused()
+{
+    m_stopRequested = false;
+    if (m_stop->phase() == StopButton::Phase::Requested) {
+        m_stop->setPhase(StopButton::Phase::Ready);
+    }
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,495 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/main_window.h"
+
+#include "ui/charts/charts_panel.h"
+#include "ui/charts/strip_charts.h"
+#include "ui/clients/lead_prompt.h"
+#include "ui/guide/guide_page.h"
+#include "ui/jog/gamepad.h"
+#include "ui/jog/jog_panel.h"
+#include "ui/kit/accessibility.h"
+#include "ui/kit/command_button.h"
+#include "ui/kit/focus_frame.h"
+#include "ui/kit/format.h"
+#include "ui/kit/prompt_bar.h"
+#include "ui/kit/value_label.h"
+#include "ui/limits/limits_panel.h"
+#include "ui/link/forbidden.h"
+#include "ui/link/motion_permission.h"
+#include "ui/log/log_panel.h"
+#include "ui/north/calibration_panel.h"
+#include "ui/sky/polar_plot.h"
+#include "ui/window/alarm_line.h"
+#include "ui/window/axis_readout.h"
+#include "ui/window/cable_bar.h"
+#include "ui/window/close_prompt.h"
+#include "ui/window/diagnostics_saver.h"
+#include "ui/window/header_bar.h"
+#include "ui/window/help_page.h"
+#include "ui/window/panel_tabs.h"
+#include "ui/window/sensor_readout.h"
+#include "ui/window/stop_keys.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QGridLayout>
+#include <QIcon>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include <memory>
+
+namespace boresight::ui {
+
+namespace {
+
+constexpr std::chrono::milliseconds kBeat{100};
+constexpr int kBeatsPerSecond = 10;
+constexpr std::chrono::seconds kStopUnanswered{1};
+
+}  // namespace
+
+// Before the first of its widgets is made: what a screen reader is told of a widget is settled with it.
+MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidget* parent)
+    : QMainWindow((describeOwnWidgets(), parent)),
+      m_clock(clock),
+      m_draft(m_desk),
+      m_lastUpdate(clock.now()),
+      m_header(new HeaderBar(this)),
+      m_alarms(new AlarmLine(m_desk, this)),
+      m_plot(new PolarPlot(m_draft, this)),
+      m_plotCell(new QGridLayout),
+      m_readout(new AxisReadout(this)),
+      m_sensor(new SensorReadout(this)),
+      m_cable(new CableBar(this)),
+      m_side(new QStackedWidget(this)),
+      m_panels(new PanelTabs(clock, m_desk, m_draft, settings, this)),
+      m_guideProgress(settings.guide),
+      m_lastCommand(new ValueLabel(tr("Last line of the log"), fonts::label(), {}, this)),
+      m_leadBar(new LeadPrompt(m_desk, this)),
+      m_pickBar(new PromptBar(tr("Direction under the cursor"), {directionText({359.99_deg, -89.99_deg})}, 1, this)),
+      m_closeBar(new ClosePrompt(this)),
+      m_goHere(new CommandButton(tr("Go here"), tr("Go to this direction by the nearest turn"), m_desk,
+                                 m_pickBar->notice(), m_pickBar)),
+      m_help(new HelpPage(settings.language, this)),
+      m_stopKeys(new StopKeys(*this)),
+      m_diagnostics(new DiagnosticsSaver(this)),
+      m_stateDir(settings.stateDir)
+{
+    if (settings.onlySimulated) {
+        m_draft.keepSimulated();
+        m_header->setOnlySimulated();
+    }
+    new FocusFrame(this);
+    applyTheme(settings.theme);
+    setWindowTitle(tr("Boresight"));
+    setWindowIcon(QIcon(QStringLiteral(":/boresight/icons/boresight.svg")));
+    build();
+    addKeys();
+    connect(&m_desk, &RequestDesk::requested, this, &MainWindow::requested);
+    connect(m_header, &HeaderBar::stopPressed, this, &MainWindow::stop);
+    connect(m_stopKeys, &StopKeys::stopPressed, this, &MainWindow::stop);
+    connect(m_plot, &PolarPlot::clicked, this, &MainWindow::pick);
+    connect(&m_panels->charts().charts(), &StripCharts::largeWanted, this, &MainWindow::placeCharts);
+    connect(&m_panels->log(), &LogPanel::beepWanted, this, &QApplication::beep);
+    connect(&m_panels->log(), &LogPanel::soundChanged, this, &MainWindow::alarmSoundChanged);
+    connect(m_help, &HelpPage::languageChosen, this, &MainWindow::languageChanged);
+    connect(&m_panels->jog(), &JogPanel::stopPressed, this, &MainWindow::stop);
+    connect(&m_panels->jog(), &JogPanel::recentGoTosChanged, this, &MainWindow::recentGoTosChanged);
+    connect(m_plot, &PolarPlot::editingChanged, this, &MainWindow::showEditing);
+    connect(&m_panels->log(), &LogPanel::diagnosticsWanted, this, &MainWindow::saveDiagnostics);
+    connect(m_diagnostics, &DiagnosticsSaver::saved, this, [this](const QString& path) {
+        m_alarms->sayForAWhile(tr("Diagnostics saved: %1").arg(path), m_clock.now());
+    });
+    connect(m_diagnostics, &DiagnosticsSaver::failed, this,
+            [this](const QString& reason) { warn(tr("Diagnostics not saved: %1").arg(reason)); });
+    m_panels->arrange(settings.layout);
+    m_stopKeys->setFirstUse([this] { return m_plot->editor().cancelDrag(); });
+    connect(&m_beat, &QTimer::timeout, this, &MainWindow::beat);
+    connect(m_panels, &PanelTabs::broughtUp, this, &MainWindow::closeGuide);
+    connect(m_panels, &PanelTabs::guideWanted, this, &MainWindow::openGuide);
+    m_beat.start(kBeat);
+    showStatus(m_status);
+    resize(1280, 800);
+}
+
+MainWindow::~MainWindow()
+{
+    // The panels end what is still held with a last request, and that needs the desk: they go first.
+    const std::unique_ptr<QWidget> panels(takeCentralWidget());
+}
+
+void MainWindow::useGamepad(Gamepad& gamepad)
+{
+    connect(&gamepad, &Gamepad::plugged, &m_panels->jog(), &JogPanel::showGamepad);
+    connect(&gamepad, &Gamepad::sampled, &m_panels->jog(), &JogPanel::takeGamepad);
+}
+
+void MainWindow::build()
+{
+    auto* const ground = new QWidget(this);
+    auto* const grid = new QGridLayout(ground);
+    grid->setContentsMargins(8, 8, 8, 6);
+    grid->setSpacing(8);
+    auto* const side = new QWidget(ground);  // as wide as it must be, in a wide window a third of it
+    auto* const right = new QVBoxLayout(side);
+    grid->addWidget(m_header, 0, 0, 1, 2);
+    grid->addWidget(m_alarms, 1, 0, 1, 2);
+    grid->addLayout(m_plotCell, 2, 0);
+    grid->addWidget(side, 2, 1);
+    grid->addWidget(m_cable, 3, 0);
+    grid->addWidget(m_lastCommand, 3, 1);
+    grid->setRowStretch(2, 1);
+    grid->setColumnStretch(0, 2);
+    grid->setColumnStretch(1, 1);
+
+    m_plotCell->addWidget(m_plot, 0, 0);
+    m_plotCell->addWidget(m_sensor, 1, 0);  // below the sky, which is round: there is room in every size
+    m_plotCell->setRowStretch(0, 1);
+    addPrompts();
+    side->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Preferred);
+    right->setContentsMargins(0, 0, 0, 0);
+    right->addWidget(m_readout);
+    m_side->addWidget(m_panels);
+    right->addWidget(m_side, 1);
+    m_lastCommand->setStretching(true);
+    m_lastCommand->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    setCentralWidget(ground);
+}
+
+void MainWindow::addPrompts()
+{
+    m_plotCell->addWidget(m_pickBar, 0, 0, Qt::AlignHCenter | Qt::AlignBottom);
+    m_plotCell->addWidget(m_leadBar, 0, 0, Qt::AlignLeft | Qt::AlignBottom);
+    m_plotCell->addWidget(m_closeBar, 0, 0, Qt::AlignHCenter | Qt::AlignTop);
+    m_pickBar->addButton(*m_goHere);
+    connect(m_pickBar->addButton(tr("Dismiss")), &QPushButton::clicked, this, &MainWindow::unpick);
+    connect(m_goHere, &QPushButton::clicked, this, &MainWindow::goToPicked);
+    connect(m_goHere, &CommandButton::accepted, this, &MainWindow::unpick);
+    connect(m_closeBar, &ClosePrompt::confirmed, this, &MainWindow::closeRequested);
+}
+
+void MainWindow::addKeys()
+{
+    addKey(Qt::CTRL | Qt::Key_G, &MainWindow::goTo);
+    addKey(Qt::CTRL | Qt::Key_H, &MainWindow::hold);
+    addKey(Qt::CTRL | Qt::Key_P, &MainWindow::park);
+    addKey(Qt::CTRL | Qt::Key_D, &MainWindow::nextTheme);
+    addKey(Qt::CTRL | Qt::Key_E, &MainWindow::toggleEditing);
+    addKey(Qt::CTRL | Qt::Key_0, &MainWindow::toggleZoom);
+    addKey(Qt::CTRL | Qt::Key_Plus, &MainWindow::zoomIn);
+    addKey(Qt::CTRL | Qt::Key_Equal, &MainWindow::zoomIn);  // the same key without Shift
+    addKey(Qt::CTRL | Qt::Key_Minus, &MainWindow::zoomOut);
+    addKey(Qt::CTRL | Qt::Key_B, &MainWindow::saveDiagnostics);
+    addKey(Qt::Key_F8, &MainWindow::acknowledge);
+    addKey(Qt::Key_F11, &MainWindow::toggleFullScreen);
+    addKey(Qt::Key_F1, &MainWindow::showHelp);
+    addKey(Qt::Key_F3, &MainWindow::toggleGuide);
+}
+
+void MainWindow::addKey(const QKeySequence& key, void (MainWindow::*act)())
+{
+    auto* const shortcut = new QShortcut(key, this);
+    shortcut->setAutoRepeat(false);
+    connect(shortcut, &QShortcut::activated, this, act);
+}
+
+void MainWindow::showUpdate(const StationUpdate& update)
+{
+    const bool newProfile = update.status.profile != m_status.profile;
+    m_status = update.status;
+    m_lastUpdate = m_clock.now();
+    m_panels->log().append(update.log);
+    m_panels->charts().charts().add(update.samples);
+    if (!update.log.empty()) {
+        const LogEntry& last = update.log.back();
+        m_lastCommand->setValue(
+            clockText(last.utc) + QStringLiteral("  ") + sourceText(last.source) + QStringLiteral("  ") + last.text,
+            Tone::Secondary);
+    }
+    if (m_status.stopLatched) {
+        m_stopSince.reset();
+    }
+    m_desk.take(update.answers);
+    m_draft.showStatus(update.status);
+    if (newProfile && m_picked) {
+        pick(*m_picked);  // what is forbidden may have changed
+    }
+    showStatus(aged());
+    if (m_guideProgress.open && m_guide == nullptr) {
+        openGuide();  // not before it is known which mount it is about
+    }
+    Q_EMIT updateShown();
+}
+
+void MainWindow::showStatus(const StationStatus& status)
+{
+    m_header->showStatus(status);
+    m_alarms->showStatus(status);
+    m_plot->showStatus(status);
+    m_readout->showStatus(status);
+    m_sensor->showStatus(status.sensor);
+    m_cable->showStatus(status);
+    m_panels->showStatus(status);
+    if (m_guide != nullptr) {
+        m_guide->showStatus(status);
+    }
+    m_leadBar->showStatus(status);
+    if (!isMoving(status)) {
+        m_closeBar->withdraw();
+    }
+    blockGoHere(status);
+}
+
+void MainWindow::blockGoHere(const StationStatus& status)
+{
+    const QString reason = whyNoPointing(status);
+    m_goHere->setBlocked(reason.isEmpty() ? m_forbidden : reason);
+}
+
+// Ten times a second, whether the station speaks or not: old numbers age, alarms flash, the pad disarms.
+void MainWindow::beat()
+{
+    ++m_beats;
+    if (m_clock.now() - m_lastUpdate >= kLateAfter || m_stopSince) {
+        showStatus(aged());
+    }
+    m_alarms->beat(m_clock.now(), m_beats % kBeatsPerSecond < kBeatsPerSecond / 2);
+    m_panels->jog().beat();
+    m_panels->north().beat();
+    if (m_beats % kBeatsPerSecond == 0) {
+        m_plot->describe(m_status);
+    }
+}
+
+// The last status as it looks now, when the station has been silent since.
+StationStatus MainWindow::aged() const
+{
+    StationStatus status = m_status;
+    const auto silent = std::chrono::duration_cast<std::chrono::milliseconds>(m_clock.now() - m_lastUpdate);
+    for (AxisStatus* const axis : {&status.azimuth, &status.elevation}) {
+        if (axis->age) {
+            *axis->age += silent;
+        }
+    }
+    status.utc += silent;
+    const auto complain = [&status](const QString& what, const QString& action) {
+        Alarm alarm;
+        alarm.severity = Severity::Alarm;
+        alarm.what = what;
+        alarm.action = action;
+        alarm.remedy = tr("Use the hard-wired emergency stop if the mount moves");
+        alarm.since = status.utc;
+        alarm.acknowledged = true;  // it goes by itself; there is nothing to acknowledge at the station
+        status.alarms.insert(status.alarms.begin(), alarm);
+    };
+    if (silent >= kNoDataAfter) {
+        complain(tr("No word from the station for %1").arg(ageText(silent)), tr("Old numbers are not shown"));
+    }
+    if (m_stopSince && m_clock.now() - *m_stopSince >= kStopUnanswered) {
+        complain(tr("STOP is not confirmed"), tr("It was sent, but the status does not show it"));
+    }
+    return status;
+}
+
+void MainWindow::stop()
+{
+    m_header->setStopRequested();
+    if (!m_status.stopLatched && !m_stopSince) {
+        m_stopSince = m_clock.now();
+    }
+    m_desk.send(request::Stop{}, this, [this](const std::optional<Error>& error) {
+        if (error) {
+            m_stopSince.reset();
+            m_header->setStopRefused();
+            m_alarms->notice().setValue(tr("STOP: %1").arg(QString::fromStdString(error->text)), Tone::Alarm,
+                                        Symbol::Alarm);
+        }
+    });
+}
+
+void MainWindow::warn(const QString& what)
+{
+    m_alarms->notice().setValue(what, Tone::Warning, what.isEmpty() ? Symbol::None : Symbol::Warning);
+}
+
+void MainWindow::pick(const SkyPointing& direction)
+{
+    m_picked = direction;
+    m_plot->setPicked(direction);
+    m_pickBar->setText(directionText(direction));
+    m_forbidden = whyForbidden(m_status, direction);
+    m_pickBar->notice().setValue(m_forbidden, Tone::Warning, m_forbidden.isEmpty() ? Symbol::None : Symbol::Warning);
+    blockGoHere(aged());
+    m_pickBar->show();
+}
+
+void MainWindow::unpick()
+{
+    m_picked.reset();
+    m_forbidden.clear();
+    m_plot->setPicked(std::nullopt);
+    m_pickBar->hide();
+}
+
+// The one takes the other's room, so that nothing else moves and nothing is covered.
+void MainWindow::placeCharts(bool inPlaceOfTheSky)
+{
+    StripCharts& charts = m_panels->charts().charts();
+    if (inPlaceOfTheSky) {
+        unpick();
+        m_plotCell->addWidget(&charts, 0, 0);
+        charts.setLarge(true);
+        charts.show();
+        m_leadBar->raise();
+        m_closeBar->raise();
+    } else {
+        m_panels->charts().takeBack();
+    }
+    m_plot->setVisible(!inPlaceOfTheSky);
+}
+
+void MainWindow::goToPicked()
+{
+    if (m_picked) {
+        m_goHere->ask(request::PointSky{*m_picked});
+    }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (m_mayClose) {
+        event->accept();
+        return;
+    }
+    event->ignore();
+    if (isMoving(m_status)) {
+        m_closeBar->ask();
+    } else {
+        m_closeBar->confirm();
+    }
+}
+
+void MainWindow::closeNow()
+{
+    m_mayClose = true;
+    m_help->close();
+    close();
+}
+
+void MainWindow::nextTheme()
+{
+    applyTheme(next(currentTheme().kind));
+    Q_EMIT themeChanged(currentTheme().kind);
+}
+
+void MainWindow::showEditing(bool on)
+{
+    unpick();
+    if (on) {
+        m_panels->bringUp(m_panels->limits());
+    }
+}
+
+void MainWindow::toggleEditing()
+{
+    m_plot->setEditing(!m_plot->editor().isEditing());
+}
+
+void MainWindow::toggleZoom()
+{
+    m_plot->toggleZoom();
+}
+
+void MainWindow::zoomIn()
+{
+    m_plot->zoomBy(1);
+}
+
+void MainWindow::zoomOut()
+{
+    m_plot->zoomBy(-1);
+}
+
+void MainWindow::toggleFullScreen()
+{
+    setWindowState(windowState() ^ Qt::WindowFullScreen);
+}
+
+void MainWindow::showHelp()
+{
+    // Never over STOP, the state, the alarm or the numbers.
+    m_help->move(mapToGlobal(QPoint(0, m_readout->mapTo(this, m_readout->rect().bottomLeft()).y())));
+    m_help->show();
+    m_help->raise();
+    m_help->activateWindow();
+}
+
+void MainWindow::saveDiagnostics()
+{
+    m_diagnostics->askWhere(*this, m_clock.utc(), [this] {
+        return std::pair(
+            diagnostics::Snapshot{
+                .status = m_status, .applied = m_draft.applied(), .stateDir = m_stateDir, .when = m_clock.utc()},
+            takeExcerpt(m_panels->charts().charts().store(), DiagnosticsSaver::kTelemetry, m_clock.now(),
+                        m_clock.utc()));
+    });
+}
+
+WindowLayout MainWindow::arrangement() const
+{
+    return m_panels->arrangement();
+}
+
+// Beside the plot, in the place of the panels.
+void MainWindow::openGuide()
+{
+    if (m_guide == nullptr) {
+        m_guide = new GuidePage(m_draft, m_desk, m_host, m_guideProgress, m_side);
+        connect(m_guide, &GuidePage::northWanted, this, [this] { m_panels->bringUp(m_panels->north()); });
+        m_side->addWidget(m_guide);
+        connect(m_guide, &GuidePage::closeWanted, this, &MainWindow::closeGuide);
+        connect(m_guide, &GuidePage::progressChanged, this, &MainWindow::guideProgressed);
+        m_guide->showStatus(aged());
+    }
+    m_side->setCurrentWidget(m_guide);
+    m_guide->setOpen(true);
+    m_guide->focusStep();
+}
+
+void MainWindow::closeGuide()
+{
+    m_side->setCurrentWidget(m_panels);
+    if (m_guide != nullptr) {
+        m_guide->setOpen(false);
+    }
+}
+
+void MainWindow::toggleGuide()
+{
+    m_side->currentWidget() == m_panels ? openGuide() : closeGuide();
+}
+
+void MainWindow::goTo()
+{
+    m_panels->bringUp(m_panels->jog());
+    m_panels->jog().focusGoTo();
+}
+
+void MainWindow::hold()
+{
+    m_panels->jog().hold();
+}
+
+void MainWindow::park()
+{
+    m_panels->jog().park();
+}
+
+void MainWindow::acknowledge()
+{
+    m_alarms->acknowledge();
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/station/request.h"
+#include "core/station/station_status.h"
+#include "ui/kit/request_desk.h"
+#include "ui/link/host_desk.h"
+#include "ui/link/profile_draft.h"
+#include "ui/window/window_settings.h"
+
+#include <QMainWindow>
+#include <QTimer>
+
+#include <optional>
+
+class QGridLayout;
+class QStackedWidget;
+
+// The desktop window: it composes the panels and connects their signals, nothing else. It knows the station by two
+// values only: StationUpdate comes in, NumberedRequest goes out. Gui thread.
+namespace boresight::ui {
+
+class AlarmLine;
+class AxisReadout;
+class CableBar;
+class ClosePrompt;
+class CommandButton;
+class DiagnosticsSaver;
+class Gamepad;
+class GuidePage;
+class HeaderBar;
+class HelpPage;
+class LeadPrompt;
+class PanelTabs;
+class PolarPlot;
+class PromptBar;
+class SensorReadout;
+class StopKeys;
+class ValueLabel;
+
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    // The clock outlives the window.
+    MainWindow(const Clock& clock, const WindowSettings& settings, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    void useGamepad(Gamepad& gamepad);
+
+    // What the owner calls when the station has ended: closes without a question.
+    void closeNow();
+
+    [[nodiscard]] WindowLayout arrangement() const;
+
+    // What its pages ask of this computer.
+    [[nodiscard]] HostDesk& host() { return m_host; }
+
+public Q_SLOTS:
+    void showUpdate(const boresight::StationUpdate& update);
+    // What went wrong outside of the station, beside the alarm line; empty clears it.
+    void warn(const QString& what);
+
+Q_SIGNALS:
+    void requested(const boresight::NumberedRequest& request);
+    void updateShown();  // the station may send the next update
+    // The operator closes the window (and, asked because the mount was moving, said yes): stop, then closeNow().
+    void closeRequested();
+    void themeChanged(boresight::ui::ThemeKind theme);
+    void alarmSoundChanged(bool on);
+    void languageChanged(const QString& language);  // for the next start
+    void recentGoTosChanged(const QStringList& recent);
+    void guideProgressed(const boresight::ui::GuideProgress& progress);  // to be kept for the next start
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void build();
+    void addPrompts();
+    void placeCharts(bool inPlaceOfTheSky);
+    void addKeys();
+    void addKey(const QKeySequence& key, void (MainWindow::*act)());
+    void stop();
+    void showStatus(const StationStatus& status);
+    void beat();
+    [[nodiscard]] StationStatus aged() const;
+    void pick(const SkyPointing& direction);
+    void unpick();
+    void blockGoHere(const StationStatus& status);
+    void goToPicked();
+    void nextTheme();
+    void showEditing(bool on);  // of the limits on the plot
+    void toggleEditing();
+    void toggleZoom();
+    void zoomIn();
+    void zoomOut();
+    void toggleFullScreen();
+    void showHelp();
+    void saveDiagnostics();
+    void openGuide();
+    void closeGuide();
+    void toggleGuide();
+    void goTo();
+    void hold();
+    void park();
+    void acknowledge();
+
+    const Clock& m_clock;
+    RequestDesk m_desk;
+    HostDesk m_host;
+    ProfileDraft m_draft;
+    StationStatus m_status;
+    SteadyTime m_lastUpdate;
+    std::optional<SteadyTime> m_stopSince;  // a STOP the status does not show yet
+    HeaderBar* m_header;
+    AlarmLine* m_alarms;
+    PolarPlot* m_plot;
+    QGridLayout* m_plotCell;  // the plot, or the charts in its place, and prompts over it
+    AxisReadout* m_readout;
+    SensorReadout* m_sensor;
+    CableBar* m_cable;
+    QStackedWidget* m_side;  // the panels, or the guide in their place
+    PanelTabs* m_panels;
+    GuideProgress m_guideProgress;
+    GuidePage* m_guide = nullptr;  // made when it is first opened
+    ValueLabel* m_lastCommand;
+    LeadPrompt* m_leadBar;
+    PromptBar* m_pickBar;
+    ClosePrompt* m_closeBar;
+    CommandButton* m_goHere;
+    HelpPage* m_help;
+    StopKeys* m_stopKeys;
+    DiagnosticsSaver* m_diagnostics;
+    QString m_stateDir;
+    std::optional<SkyPointing> m_picked;
+    QString m_forbidden;  // why the mount may not point there
+    QTimer m_beat;
+    int m_beats = 0;
+    bool m_mayClose = false;
+};
+
+}  // namespace boresight::ui

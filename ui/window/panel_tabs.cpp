@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/panel_tabs.h"
+
+#include "ui/charts/charts_panel.h"
+#include "ui/charts/strip_charts.h"
+#include "ui/clients/clients_panel.h"
+#include "ui/drives/drives_panel.h"
+#include "ui/drives/protection_panel.h"
+#include "ui/drives/turn_page.h"
+#include "ui/jog/jog_panel.h"
+#include "ui/kit/axes.h"
+#include "ui/limits/limits_panel.h"
+#include "ui/log/log_panel.h"
+#include "ui/north/calibration_panel.h"
+#include "ui/profile/profile_page.h"
+
+#include <QEvent>
+#include <QShortcut>
+#include <QTabBar>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace boresight::ui {
+
+PanelTabs::PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft, const WindowSettings& settings,
+                     QWidget* parent)
+    : QTabWidget(parent),
+      m_jog(new JogPanel(clock, draft, desk, settings, this)),
+      m_charts(new ChartsPanel(clock, this)),
+      m_limits(new LimitsPanel(draft, desk, this)),
+      m_clients(new ClientsPanel(draft, desk, this)),
+      m_log(new LogPanel(desk, settings.alarmSound, this)),
+      m_drives(new DrivesPanel(desk, this)),
+      m_protection(new ProtectionPanel(desk, this)),
+      m_profile(new ProfilePage(draft, desk, settings.configDir, this)),
+      m_north(new CalibrationPanel(clock, desk, draft, this)),
+      m_turn(new TurnPage(desk, this))
+{
+    setFont(fonts::label());
+    setAccessibleName(tr("Panels"));
+    tabBar()->setAccessibleName(tr("Panels"));
+    addPanel(*this, *m_jog, tr("Jog"), tr("Jog panel (Ctrl+1)"), Qt::Key_1);
+    addPanel(*this, *m_charts, tr("Charts"), tr("Position, error and drive over the time (Ctrl+2)"), Qt::Key_2);
+    addPanel(*this, *m_limits, tr("Limits"), tr("Limits, horizon and keep-outs (Ctrl+3)"), Qt::Key_3);
+    addPanel(*this, *m_clients, tr("Clients"), tr("rotctld clients, and who of them moves the mount (Ctrl+4)"),
+             Qt::Key_4);
+    addPanel(*this, *m_log, tr("Log"), tr("Log panel (Ctrl+5)"), Qt::Key_5);
+    m_mountTabs = makeMountTabs();
+    addTab(m_mountTabs, tr("Mount"));
+    addPanel(*this, *m_north, tr("North"), tr("Finding north: sensor, swing, Sun and Moon (Ctrl+9)"), Qt::Key_9);
+    addTurnPage();
+    addGuideButton();
+    connect(m_north, &CalibrationPanel::settingsWanted, this, [this](const QString& words) {
+        bringUp(*m_profile);
+        m_profile->seek(words);
+    });
+}
+
+void PanelTabs::addTurnPage()
+{
+    const int tab = addTab(m_turn, tr("▲ Turn?"));
+    setTabToolTip(tab, tr("Which turn is the axis on? (Ctrl+9)"));
+    setTabVisible(tab, false);
+    tabBar()->setTabTextColor(tab, currentTheme().warning);
+}
+
+void PanelTabs::addGuideButton()
+{
+    auto* const button = new QToolButton(this);
+    button->setText(tr("Guide"));
+    button->setFont(fonts::label());
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAccessibleName(tr("Commissioning guide"));
+    button->setToolTip(tr("Commissioning guide: from a new mount to the first pass, step by step (F3)"));
+    connect(button, &QToolButton::clicked, this, &PanelTabs::guideWanted);
+    setCornerWidget(button);
+}
+
+QTabWidget* PanelTabs::makeMountTabs()
+{
+    auto* const tabs = new QTabWidget(this);
+    tabs->setFont(fonts::label());
+    tabs->setAccessibleName(tr("The mount itself"));
+    tabs->tabBar()->setAccessibleName(tr("The mount itself"));
+    tabs->setDocumentMode(true);
+    addPanel(*tabs, *m_drives, tr("Drives"), tr("Drives, bus and crash-stop proof (Ctrl+6)"), Qt::Key_6);
+    addPanel(*tabs, *m_protection, tr("Protection"), tr("The drives' own protections (Ctrl+7)"), Qt::Key_7);
+    addPanel(*tabs, *m_profile, tr("Profile"), tr("All settings, and the mounts that are kept (Ctrl+8)"), Qt::Key_8);
+    return tabs;
+}
+
+void PanelTabs::addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, const QString& help, Qt::Key key)
+{
+    tabs.setTabToolTip(tabs.addTab(&panel, text), help);
+    m_keys[key - Qt::Key_0] = &panel;
+    auto* const shortcut = new QShortcut(Qt::CTRL | key, window());  // also while the guide stands in our place
+    shortcut->setContext(Qt::WindowShortcut);
+    shortcut->setAutoRepeat(false);
+    connect(shortcut, &QShortcut::activated, this, [this, &panel] { bringUpByKey(panel); });
+}
+
+void PanelTabs::bringUpByKey(QWidget& panel)
+{
+    const bool isAsked = &panel == m_north && m_asking;
+    bringUp(isAsked ? static_cast<QWidget&>(*m_turn) : panel);
+}
+
+void PanelTabs::bringUp(QWidget& panel)
+{
+    for (int page = 0; page < count(); ++page) {
+        auto* const group = qobject_cast<QTabWidget*>(widget(page));
+        if (isTabVisible(page) && (widget(page) == &panel || (group != nullptr && group->indexOf(&panel) >= 0))) {
+            setCurrentIndex(page);
+            if (group != nullptr) {
+                group->setCurrentWidget(&panel);
+            }
+            Q_EMIT broughtUp();
+        }
+    }
+}
+
+int PanelTabs::keyOf(const QWidget* panel) const
+{
+    const auto found = std::ranges::find_if(m_keys, [panel](const auto& one) { return one.second == panel; });
+    return found == m_keys.end() ? 0 : found->first;
+}
+
+void PanelTabs::bringUp(int key)
+{
+    if (const auto found = m_keys.find(key); found != m_keys.end()) {
+        bringUp(*found->second);
+    }
+}
+
+WindowLayout PanelTabs::arrangement() const
+{
+    const int mountPanel = keyOf(m_mountTabs->currentWidget());
+    const bool inMount = currentWidget() == m_mountTabs;
+    return {.panel = inMount ? mountPanel : keyOf(currentWidget()),
+            .mountPanel = mountPanel,
+            .charts = m_charts->charts().choice()};
+}
+
+void PanelTabs::arrange(const WindowLayout& layout)
+{
+    bringUp(layout.mountPanel);
+    bringUp(layout.panel);
+    m_charts->charts().choose(layout.charts);
+}
+
+// The waiting question stands out among the tabs, by its shape in every theme.
+void PanelTabs::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange) {
+        tabBar()->setTabTextColor(indexOf(m_turn), currentTheme().warning);
+    }
+    QTabWidget::changeEvent(event);
+}
+
+void PanelTabs::showStatus(const StationStatus& status)
+{
+    m_jog->showStatus(status);
+    m_charts->charts().showStatus(status);
+    m_limits->showStatus(status);
+    m_clients->showStatus(status);
+    m_log->showStatus(status);
+    m_drives->showStatus(status);
+    m_protection->showStatus(status);
+    m_profile->showStatus(status);
+    m_north->showStatus(status);
+    m_turn->showStatus(status);
+    showQuestion(status);
+}
+
+void PanelTabs::showQuestion(const StationStatus& status)
+{
+    const std::optional<Axis> asking = askingAxis(status);
+    if (asking == m_asking) {
+        return;
+    }
+    m_asking = asking;
+    cornerWidget()->setVisible(!asking);  // the tabs need its room; F3 remains
+    if (asking) {
+        setTabVisible(indexOf(m_north), false);
+        setTabVisible(indexOf(m_turn), true);
+        setCurrentWidget(m_turn);
+    } else {
+        if (currentWidget() == m_turn) {
+            setCurrentWidget(m_jog);
+        }
+        setTabVisible(indexOf(m_turn), false);
+        setTabVisible(indexOf(m_north), true);
+    }
+}
+
+}  // namespace boresight::ui

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/station/station_status.h"
+#include "ui/window/window_settings.h"
+
+#include <QTabWidget>
+
+#include <map>
+#include <optional>
+
+// The panels, one at a time: those for the night's work side by side, those about the mount itself behind one tab of
+// their own; each has its key. The question about a turn is one of them, there only while it is open, in the place and
+// with the key of the North panel, which needs the answer: it comes to the front by itself once, covers nothing but the
+// other panels, and waits behind its tab when the operator leaves it.
+namespace boresight::ui {
+
+class CalibrationPanel;
+class ChartsPanel;
+class ClientsPanel;
+class DrivesPanel;
+class JogPanel;
+class LimitsPanel;
+class LogPanel;
+class ProfileDraft;
+class ProfilePage;
+class ProtectionPanel;
+class RequestDesk;
+class TurnPage;
+
+class PanelTabs : public QTabWidget
+{
+    Q_OBJECT
+
+public:
+    PanelTabs(const Clock& clock, RequestDesk& desk, ProfileDraft& draft, const WindowSettings& settings,
+              QWidget* parent = nullptr);
+
+    void showStatus(const StationStatus& status);
+    [[nodiscard]] WindowLayout arrangement() const;
+    void arrange(const WindowLayout& layout);
+    void bringUp(QWidget& panel);  // to the front, also from behind "Mount"
+
+    [[nodiscard]] JogPanel& jog() { return *m_jog; }
+    [[nodiscard]] CalibrationPanel& north() { return *m_north; }
+    [[nodiscard]] ChartsPanel& charts() { return *m_charts; }
+    [[nodiscard]] LimitsPanel& limits() { return *m_limits; }
+    [[nodiscard]] LogPanel& log() { return *m_log; }
+
+Q_SIGNALS:
+    void broughtUp();  // a panel is wanted, whatever stands in the panels' place
+    void guideWanted();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void addPanel(QTabWidget& tabs, QWidget& panel, const QString& text, const QString& help, Qt::Key key);
+    void bringUpByKey(QWidget& panel);
+    [[nodiscard]] QTabWidget* makeMountTabs();
+    void addGuideButton();
+    void addTurnPage();
+    void showQuestion(const StationStatus& status);
+    [[nodiscard]] int keyOf(const QWidget* panel) const;  // its digit; 0: none
+    void bringUp(int key);
+
+    std::map<int, QWidget*> m_keys;  // panels by the digit of their key
+    JogPanel* m_jog;
+    ChartsPanel* m_charts;
+    LimitsPanel* m_limits;
+    ClientsPanel* m_clients;
+    LogPanel* m_log;
+    DrivesPanel* m_drives;
+    ProtectionPanel* m_protection;
+    ProfilePage* m_profile;
+    CalibrationPanel* m_north;
+    TurnPage* m_turn;
+    QTabWidget* m_mountTabs = nullptr;
+    std::optional<Axis> m_asking;  // the question that was brought to the front
+};
+
+}  // namespace boresight::ui

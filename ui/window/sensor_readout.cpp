@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/sensor_readout.h"
+
+#include "ui/kit/format.h"
+#include "ui/kit/value_label.h"
+#include "ui/window/calibration_bars.h"
+
+#include <QGridLayout>
+
+namespace boresight::ui {
+
+namespace {
+
+// Tenths: more is not in a compass.
+QString directionText(const SensorStatus& sensor)
+{
+    return sensor.direction
+               ? SensorReadout::tr("SNS %1 %2")
+                     .arg(angleText(sensor.direction->azimuth, 1), angleText(sensor.direction->elevation, 1))
+               : SensorReadout::tr("SNS %1").arg(noValue());
+}
+
+QString difference(const QString& name, const std::optional<Angle>& angle)
+{
+    return angle ? name + QLatin1Char(' ') + signedAngleText(*angle) : QString();
+}
+
+// The worst first; all well: how far it is from the axes.
+QString detailText(const SensorStatus& sensor)
+{
+    for (const QString& trouble : {sensor.problem, sensor.doubt}) {
+        if (!trouble.isEmpty()) {
+            return trouble;
+        }
+    }
+    QStringList parts{difference(SensorReadout::tr("AZ"), sensor.azimuthDifference),
+                      difference(SensorReadout::tr("EL"), sensor.elevationDifference)};
+    parts.removeAll(QString());
+    return parts.isEmpty() ? QString() : SensorReadout::tr("against the axes: %1").arg(parts.join(QLatin1String(", ")));
+}
+
+bool isWell(const SensorStatus& sensor)
+{
+    return sensor.presence == orientation::Presence::Present && !sensor.dead && !sensor.disagrees;
+}
+
+}  // namespace
+
+SensorReadout::SensorReadout(QWidget* parent)
+    : QWidget(parent),
+      m_direction(new ValueLabel(tr("Direction by the sensor"), fonts::text(),
+                                 tr("SNS %1 %2").arg(QStringLiteral("000.0°"), QStringLiteral("-000.0°")), this)),
+      m_age(new ValueLabel(tr("Age of the sensor's value"), fonts::label(), tr("age %1").arg(QStringLiteral("000.0 s")),
+                           this)),
+      m_detail(new ValueLabel(tr("Sensor against the axes"), fonts::label(), {}, this)),
+      m_bars(new CalibrationBars(this))
+{
+    auto* const grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(0);
+    m_direction->setSymbolRoom(true);
+    m_detail->setStretching(true);
+    grid->addWidget(m_direction, 0, 0);
+    grid->addWidget(m_age, 0, 1);
+    grid->addWidget(m_bars, 1, 0, 1, 2, Qt::AlignLeft);
+    grid->addWidget(m_detail, 2, 0, 1, 3);
+    grid->setColumnStretch(2, 1);
+    hide();
+}
+
+void SensorReadout::showStatus(const SensorStatus& sensor)
+{
+    setVisible(sensor.configured());
+    if (!sensor.configured()) {
+        return;
+    }
+    const bool well = isWell(sensor);
+    m_direction->setValue(directionText(sensor), sensor.direction ? Tone::Sensor : Tone::Secondary,
+                          sensor.direction ? Symbol::Sensor : Symbol::Lost);
+    m_age->setValue(sensor.age ? tr("age %1").arg(ageText(*sensor.age)) : QString(),
+                    well ? Tone::Secondary : Tone::Warning);
+    m_detail->setValue(detailText(sensor), well && sensor.problem.isEmpty() ? Tone::Secondary : Tone::Warning);
+    m_bars->showCalibration(sensor.direction && sensor.last ? sensor.last->calibration : std::nullopt);
+}
+
+}  // namespace boresight::ui
