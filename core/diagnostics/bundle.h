@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/diagnostics/archive.h"
-#include "core/station/station_status.h"
+#include "core/messages/station_status.h"
 
 // One archive for a bug report: what the program, the mount and its last minutes were like. It holds no passwords.
 // Blocking, and some 10 MB of logs at most: not on the gui thread, nor the station's.

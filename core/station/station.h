@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/alarms/event_file.h"
+#include "core/alarms/event_log.h"
 #include "core/base/clock.h"
 #include "core/can/can_link.h"
+#include "core/control/drive_care.h"
+#include "core/control/station_control.h"
 #include "core/memory/entered_place.h"
 #include "core/memory/memory_file.h"
+#include "core/messages/request.h"
+#include "core/messages/station_status.h"
+#include "core/north/calibration_desk.h"
 #include "core/profile/profile.h"
 #include "core/rotctld/server.h"
-#include "core/station/calibration_desk.h"
-#include "core/station/drive_care.h"
-#include "core/station/event_file.h"
-#include "core/station/event_log.h"
 #include "core/station/live_profile.h"
 #include "core/station/real_time.h"
-#include "core/station/request.h"
 #include "core/station/station_broker.h"
-#include "core/station/station_control.h"
 #include "core/station/station_power.h"
 #include "core/station/station_rotator.h"
 #include "core/station/station_sensor.h"
-#include "core/station/station_status.h"
 #include "core/station/tick_lateness.h"
 
 #include <QObject>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/alarms/event_log.h"
+#include "core/alarms/log_throttle.h"
+#include "core/messages/station_status.h"
 #include "core/mqtt/state_publisher.h"
 #include "core/mqtt/threaded_client.h"
 #include "core/profile/profile.h"
-#include "core/station/event_log.h"
-#include "core/station/log_throttle.h"
-#include "core/station/station_status.h"
 
 #include <QObject>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/alarms/log_throttle.h"
 #include "core/power/threaded_line.h"
 #include "core/profile/power_settings.h"
-#include "core/station/log_throttle.h"
 
 #include <QObject>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/alarms/log_throttle.h"
+#include "core/control/station_control.h"
 #include "core/profile/profile.h"
 #include "core/rotctld/rotator.h"
-#include "core/station/log_throttle.h"
-#include "core/station/station_control.h"
 
 #include <optional>
 

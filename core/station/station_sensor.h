@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/station/sensor_factory.h"
-#include "core/station/sensor_watch.h"
 #include "core/station/station_broker.h"
+#include "core/witness/sensor_watch.h"
 
 #include <QObject>
 #include <QThreadPool>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/messages/calibration_status.h"
 #include "core/mqtt/client.h"
 #include "core/sim/simulated_sensor.h"
-#include "core/station/calibration_status.h"
 #include "tests/fakes/mqtt_test.h"
 #include "tests/fakes/wait_until.h"
 #include "tests/system/simulated_station.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/station/station_status.h"
+#include "core/messages/station_status.h"
 
 // Statuses of a mount whose north is being found: hidden truth is an axis that shows 0° where true north + 37.4° is, a
 // sensor with ±8° of hard and ±3° of soft iron, and a mast that leans by 0.6°.

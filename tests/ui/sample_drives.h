@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/station/station_status.h"
+#include "core/messages/station_status.h"
 
 // What the samples of the station's statuses are put together from.
 namespace boresight::samples {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/station/station_status.h"
+#include "core/messages/station_status.h"
 
 // Statuses as a station would send them, for the tests of the window and for ui_demo.
 namespace boresight::samples {

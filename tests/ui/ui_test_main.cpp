@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/request.h"
+#include "core/messages/request.h"
 
 #include <QApplication>
 #include <QFont>

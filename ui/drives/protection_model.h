@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/station/drives_status.h"
+#include "core/messages/drives_status.h"
 #include "core/units/sky.h"
 #include "ui/kit/table_model.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/can/adapters.h"
-#include "core/station/station_status.h"
+#include "core/messages/station_status.h"
 #include "core/survey/scan_result.h"
 #include "ui/link/profile_change.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/station/station_status.h"
+#include "core/messages/station_status.h"
 #include "ui/hold/dead_man.h"
 
 #include <QWidget>

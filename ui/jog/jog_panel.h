@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/station/station_status.h"
+#include "core/messages/station_status.h"
 #include "ui/hold/jog_pad.h"
 #include "ui/jog/gamepad_pilot.h"
 #include "ui/window/window_settings.h"

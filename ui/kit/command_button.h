@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/station/request.h"
+#include "core/messages/request.h"
 #include "ui/kit/request_desk.h"
 
 #include <QPushButton>

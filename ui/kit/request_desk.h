@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/station/request.h"
-#include "core/station/station_status.h"
+#include "core/messages/request.h"
+#include "core/messages/station_status.h"
 
 #include <QObject>
 #include <QPointer>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/link/motion_permission.h"
 
-#include "core/station/first_moves.h"
+#include "core/axes/first_moves.h"
 #include "ui/kit/axes.h"
 #include "ui/kit/format.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/messages/station_status.h"
 #include "core/profile/profile.h"
 #include "core/profile/setting.h"
-#include "core/station/station_status.h"
 #include "ui/kit/request_desk.h"
 
 #include <QObject>

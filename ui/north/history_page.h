@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/station/station_status.h"
+#include "core/messages/station_status.h"
 
 #include <QWidget>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/station/request.h"
-#include "core/station/station_status.h"
+#include "core/messages/request.h"
+#include "core/messages/station_status.h"
 #include "ui/kit/request_desk.h"
 #include "ui/link/host_desk.h"
 #include "ui/link/profile_draft.h"

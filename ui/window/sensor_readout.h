@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/station/sensor_status.h"
+#include "core/messages/sensor_status.h"
 
 #include <QWidget>
 

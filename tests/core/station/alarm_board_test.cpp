@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/alarm_board.h"
+#include "core/alarms/alarm_board.h"
 
 #include "tests/fakes/manual_clock.h"
 

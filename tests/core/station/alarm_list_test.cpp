@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/alarm_list.h"
+#include "core/alarms/alarm_list.h"
 
 #include <gtest/gtest.h>
 

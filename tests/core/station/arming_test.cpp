@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/arming.h"
+#include "core/control/arming.h"
 
 #include "tests/core/station/station_rig.h"
 #include "tests/fakes/ideal_drive.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/axis_trace.h"
+#include "core/north/axis_trace.h"
 
 #include <gtest/gtest.h>
 

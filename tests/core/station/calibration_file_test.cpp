@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/calibration_file.h"
+#include "core/north/calibration_file.h"
 
 #include "tests/fakes/wait_until.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/station/calibration_desk.h"
+#include "core/north/calibration_desk.h"
 #include "tests/core/station/station_rig.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // The swing of the compass, on a mount whose north is hidden: what it finds, what it shows on the way, what it refuses.
 #include "tests/core/station/calibration_swing.h"
 
-#include "core/station/sensor_curve.h"
+#include "core/witness/sensor_curve.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a swing says of the zero of elevation, and of a north and a tilt that points have told.
-#include "core/station/sensor_curve.h"
+#include "core/witness/sensor_curve.h"
 #include "tests/core/station/calibration_swing.h"
 
 namespace boresight {

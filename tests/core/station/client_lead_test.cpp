@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/client_lead.h"
+#include "core/control/client_lead.h"
 
 #include "tests/fakes/manual_clock.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/current_link.h"
+#include "core/witness/current_link.h"
 
 #include "tests/fakes/manual_clock.h"
 

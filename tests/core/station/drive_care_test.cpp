@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The survey of the drives and the control of motion together, on drives with consoles of their own.
-#include "core/station/drive_care.h"
+#include "core/control/drive_care.h"
 
 #include "core/sim/simulated_pair.h"
 #include "tests/core/station/station_rig.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/event_file.h"
+#include "core/alarms/event_file.h"
 
 #include "tests/fakes/manual_clock.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/log_throttle.h"
+#include "core/alarms/log_throttle.h"
 
 #include "tests/fakes/manual_clock.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/scan_run.h"
+#include "core/north/scan_run.h"
 
 #include <gtest/gtest.h>
 

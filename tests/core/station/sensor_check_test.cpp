@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/sensor_check.h"
+#include "core/witness/sensor_check.h"
 
 #include <gtest/gtest.h>
 

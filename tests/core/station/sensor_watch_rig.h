@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/station/sensor_watch.h"
+#include "core/witness/sensor_watch.h"
 #include "tests/fakes/manual_clock.h"
 
 #include <gmock/gmock.h>

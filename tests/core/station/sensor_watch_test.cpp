@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/sensor_curve.h"
+#include "core/witness/sensor_curve.h"
 #include "tests/core/station/sensor_watch_rig.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/sky_bodies.h"
+#include "core/north/sky_bodies.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/station/station_control.h"
+#include "core/control/station_control.h"
 #include "tests/fakes/ideal_drive.h"
 #include "tests/fakes/manual_clock.h"
 

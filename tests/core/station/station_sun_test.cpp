@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The beam stays away from the Sun, whoever moves it; a mount that stands while the Sun comes over it stays there.
+#include "core/control/clock_trust.h"
+#include "core/control/sun_watch.h"
 #include "core/ephemeris/almanac.h"
 #include "core/ephemeris/refraction.h"
-#include "core/station/clock_trust.h"
-#include "core/station/sun_watch.h"
 #include "core/units/angle_between.h"
 #include "tests/core/station/station_rig.h"
 

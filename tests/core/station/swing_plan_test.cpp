@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/station/swing_plan.h"
+#include "core/north/swing_plan.h"
 
 #include "core/profile/profile.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a swing proposes of the zero of elevation, which a box that lies askew spoils as well; and of a north and a tilt
 // that points have told better.
-#include "core/station/calibration_proposal.h"
+#include "core/north/calibration_proposal.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/messages/station_status.h"
+
+#include <QString>
+
+#include <deque>
+#include <vector>
+
+// The station's own diary: who asked for what, why something moved, what went wrong. Keeps the newest kCapacity
+// entries in memory; each also goes to Qt's log category "boresight.station", so the headless service prints it.
+// Station thread only.
+namespace boresight {
+
+class EventLog
+{
+public:
+    static constexpr std::size_t kCapacity = 2000;
+
+    explicit EventLog(const Clock& clock) : m_clock(clock) {}
+
+    void add(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event);
+
+    // Entries numbered above `number`, oldest first, at most `limit` of the newest.
+    [[nodiscard]] std::vector<LogEntry> since(std::uint64_t number, std::size_t limit) const;
+    [[nodiscard]] std::uint64_t lastNumber() const { return m_lastNumber; }
+
+private:
+    const Clock& m_clock;
+    std::deque<LogEntry> m_entries;
+    std::uint64_t m_lastNumber = 0;
+};
+
+}  // namespace boresight

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/axes/crash_stop_proof.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace boresight {
+namespace {
+
+constexpr Seconds kRunUp{1.5};  // long enough for a low speed to be steady
+// Room for run-up, watchdog and a long way to stop.
+constexpr Seconds kRoomTime{4.0};
+constexpr Angle kRoomMargin = Angle::fromDegrees(2.0);
+// A drive that brakes or holds stands long before; one that does neither shall not run on for longer.
+constexpr Seconds kPatience{2.0};
+// Standing: within this for so long. Well above the noise of an encoder behind a gear.
+constexpr Seconds kStandingTime{0.12};
+constexpr Angle kStandingBand = Angle::fromDegrees(0.03);
+// It is said to stand from here on; with more noise than this the time comes out too long, never too short.
+constexpr Angle kStoodBand = Angle::fromDegrees(0.005);
+
+// Away from the nearer end of the travel; 0 if there is not the room.
+AngularRate direction(AngularRate rate, Angle from, const TravelRange& travel)
+{
+    const Angle up = travel.max - from;
+    const Angle down = from - travel.min;
+    const Angle room = abs(rate) * kRoomTime + kRoomMargin;
+    return std::max(up, down) < room ? AngularRate{} : up > down ? rate : -rate;
+}
+
+QString nameOf(Axis axis)
+{
+    return axis == Axis::Azimuth ? Text::tr("azimuth") : Text::tr("elevation");
+}
+
+}  // namespace
+
+Result<CrashStopProof> CrashStopProof::prepare(AngularRate rate, const AxisPosition& from, const TravelRange& azimuth,
+                                               const TravelRange& elevation)
+{
+    const AngularRate azimuthRate = direction(rate, from.azimuth, azimuth);
+    const AngularRate elevationRate = direction(rate, from.elevation, elevation);
+    for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
+        if ((axis == Axis::Azimuth ? azimuthRate : elevationRate) == AngularRate{}) {
+            return boresight::failure(
+                ErrorCode::Refused,
+                Text::tr(
+                    "not enough room for a crash stop of the %1 at %2°/s: move it away from both ends of its travel")
+                    .arg(nameOf(axis), toQString(formatFixed(rate.degrees(), 1))));
+        }
+    }
+    return CrashStopProof(azimuthRate, elevationRate);
+}
+
+CrashStopProof::CrashStopProof(AngularRate azimuthRate, AngularRate elevationRate)
+    : m_azimuthRate(azimuthRate), m_elevationRate(elevationRate)
+{}
+
+void CrashStopProof::enter(Phase phase, SteadyTime now)
+{
+    m_phase = phase;
+    m_phaseSince = now;
+    m_samples.clear();
+}
+
+CrashStopProof::Action CrashStopProof::step(SteadyTime now, const Measured& measured)
+{
+    if (!m_phaseSince) {
+        m_phaseSince = now;
+    }
+    if (m_samples.empty() || m_samples.back().time != measured.received) {
+        m_samples.push_back({measured.received, measured.angle});
+    }
+    switch (m_phase) {
+        case Phase::RunningUp:
+            return runUp(now, measured);
+        case Phase::Starving:
+            return watchStop(now);
+        case Phase::Recovering:
+            return recover(now, measured);
+        case Phase::Over:
+            break;
+    }
+    return Action::Finish;
+}
+
+CrashStopProof::Action CrashStopProof::runUp(SteadyTime now, const Measured& measured)
+{
+    if (now - *m_phaseSince < kRunUp) {
+        return Action::Run;
+    }
+    const Angle moved = measured.angle - m_samples.front().angle;
+    if (abs(moved) < abs(rate()) * kRunUp * 0.5) {
+        return fail(Text::tr("the axis did not reach the speed"));
+    }
+    enter(Phase::Starving, now);
+    m_samples.push_back({measured.received, measured.angle});
+    return Action::Starve;
+}
+
+// The first sample of those up to now that lie within `band` of the last one.
+SteadyTime CrashStopProof::within(Angle band) const
+{
+    const Angle last = m_samples.back().angle;
+    SteadyTime since = m_samples.back().time;
+    for (auto sample = m_samples.rbegin(); sample != m_samples.rend() && abs(sample->angle - last) <= band; ++sample) {
+        since = sample->time;
+    }
+    return since;
+}
+
+CrashStopProof::Action CrashStopProof::watchStop(SteadyTime now)
+{
+    if (m_samples.back().time - within(kStandingBand) >= kStandingTime) {
+        m_stop =
+            Stop{.rate = abs(rate()),
+                 .angle = abs(m_samples.back().angle - m_samples.front().angle),
+                 .time = std::chrono::round<std::chrono::milliseconds>(within(kStoodBand) - m_samples.front().time)};
+        enter(Phase::Recovering, now);
+        return Action::Recover;
+    }
+    if (now - *m_phaseSince > kPatience) {
+        m_failure = Text::tr("the %1 did not stop within %2 s without orders: look at its time-out mode")
+                        .arg(nameOf(m_axis))
+                        .arg(kPatience.count());
+        enter(Phase::Recovering, now);
+        return Action::Recover;
+    }
+    return Action::Wait;
+}
+
+CrashStopProof::Action CrashStopProof::recover(SteadyTime now, const Measured& measured)
+{
+    if (!measured.settled) {
+        return now - *m_phaseSince > kPatience ? fail(Text::tr("its drive did not come back")) : Action::Wait;
+    }
+    if (!m_failure.isEmpty() || m_axis == Axis::Elevation) {
+        m_phase = Phase::Over;
+        return Action::Finish;
+    }
+    m_axis = Axis::Elevation;
+    enter(Phase::RunningUp, now);
+    return Action::Wait;
+}
+
+CrashStopProof::Action CrashStopProof::fail(const QString& why)
+{
+    m_failure = QStringLiteral("%1: %2").arg(nameOf(m_axis), why);
+    m_phase = Phase::Over;
+    return Action::Finish;
+}
+
+std::optional<CrashStopProof::Stop> CrashStopProof::takeStop()
+{
+    return std::exchange(m_stop, std::nullopt);
+}
+
+QString CrashStopProof::progress() const
+{
+    const QString axis = nameOf(m_axis);
+    switch (m_phase) {
+        case Phase::RunningUp:
+            return Text::tr("moving the %1 up to speed").arg(axis);
+        case Phase::Starving:
+            return Text::tr("the %1 gets no orders: watching it stop").arg(axis);
+        case Phase::Recovering:
+            return Text::tr("holding the %1 again").arg(axis);
+        case Phase::Over:
+            break;
+    }
+    return {};
+}
+
+}  // namespace boresight

@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/axes/drive.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace boresight {
+namespace {
+
+// Slower than this the drive does not turn by velocity (moteus manual); a fresh position each tick moves it instead.
+constexpr MotorRate kSmallestVelocity = MotorRate::fromTurns(0.0001);
+
+// An axis slower than this stands, but for the noise of the velocity (0.01 rev/s at the rotor); it is waited for no
+// longer than kBrakingTime.
+constexpr MotorRate kDriveStanding = MotorRate::fromTurns(0.001);
+constexpr Seconds kBrakingTime{0.6};
+// Nor has it moved since the last reply by more than this share of what a place is believed with.
+constexpr double kSteady = 0.2;
+
+const moteus::Field kIgnoreBounds{1.0, moteus::Resolution::Int8};
+const moteus::Field kNoIntegral{0.0, moteus::Resolution::Int8};
+
+// The position register wraps there; beyond it is no position.
+constexpr double kPositionRange = 32768.0;  // turns
+
+// A reply shows the state before the command in the same exchange, so the first one of a phase says nothing about it.
+constexpr int kFirstTellingReply = 2;
+
+// `home`: for a reply that does not say it.
+DriveReport toReport(const moteus::Reply& reply, SteadyTime received, moteus::HomeState home)
+{
+    using moteus::Register;
+    const auto number = [&](Register reg) {
+        const auto value = reply.value(reg);
+        return value && std::isfinite(*value) ? value : std::nullopt;
+    };
+    const auto turns = number(Register::Position);
+    const bool possible = turns && std::abs(*turns) <= kPositionRange;
+    const auto rate = number(Register::Velocity);
+    const auto motorTemperature = number(Register::MotorTemperature);
+    return {.received = received,
+            .mode = *reply.mode(),
+            .fault = reply.fault().value_or(0),
+            .homeState = reply.homeState().value_or(home),
+            .position = possible ? std::optional(MotorTurns::fromTurns(*turns)) : std::nullopt,
+            .rate = rate ? std::optional(MotorRate::fromTurns(*rate)) : std::nullopt,
+            .torque = number(Register::Torque),
+            .current = number(Register::QCurrent),
+            .voltage = number(Register::Voltage),
+            .boardTemperature = number(Register::Temperature),
+            // Reads 0 without a sensor.
+            .motorTemperature = motorTemperature == 0.0 ? std::nullopt : motorTemperature};
+}
+
+}  // namespace
+
+Drive::Drive(const DriveSettings& settings, std::string name)
+    : m_settings(settings), m_name(std::move(name)), m_belief(settings.places)
+{}
+
+void Drive::setSettings(const DriveSettings& settings)
+{
+    m_settings = settings;
+    m_belief.setLimits(settings.places);
+}
+
+void Drive::enter(Phase phase)
+{
+    m_phase = phase;
+    m_repliesInPhase = 0;
+    m_phaseSince.reset();
+}
+
+void Drive::engage()
+{
+    m_onlyHold = false;
+    if (m_phase == Phase::Capturing || m_phase == Phase::Engaged || m_phase == Phase::Unseen) {
+        return;
+    }
+    if (m_phase == Phase::Referencing) {
+        m_heldWhenReferenced = true;  // its place first
+        return;
+    }
+    m_captureAfterRecovery = true;
+    m_yielding = false;
+    if (m_phase != Phase::Recovering) {
+        enter(latched() ? Phase::Recovering : Phase::Capturing);
+    }
+}
+
+void Drive::hold()
+{
+    if (m_phase == Phase::Engaged || m_phase == Phase::Unseen) {
+        enter(Phase::Held);
+    }
+    m_onlyHold = true;
+}
+
+void Drive::listen()
+{
+    enter(Phase::Listening);
+}
+
+void Drive::seize()
+{
+    if (activeUnordered()) {
+        engage();
+    }
+}
+
+void Drive::recover()
+{
+    if (m_report && m_report->mode == moteus::Mode::Fault && !m_faultTold) {
+        return;  // it came with the last reply: first it is told
+    }
+    m_captureAfterRecovery = m_report && m_report->mode == moteus::Mode::PositionTimeout;
+    enter(Phase::Recovering);
+}
+
+void Drive::reference(MotorTurns place, MotorTurns tolerance)
+{
+    m_justReferenced = false;
+    m_reference = place;
+    m_referenceTolerance = tolerance;
+    m_heldWhenReferenced = m_phase == Phase::Engaged || m_phase == Phase::Capturing || m_phase == Phase::Held;
+    m_belief.expectAnother();
+    enter(Phase::Referencing);
+}
+
+bool Drive::canBeReferenced() const
+{
+    return m_report && (m_phase == Phase::Listening || m_phase == Phase::Engaged || m_phase == Phase::Held);
+}
+
+void Drive::yield()
+{
+    if (m_phase == Phase::Engaged) {
+        m_yielding = true;
+        enter(Phase::Capturing);
+    }
+}
+
+void Drive::starve()
+{
+    enter(Phase::Starving);
+}
+
+void Drive::brake()
+{
+    enter(Phase::Braking);
+}
+
+void Drive::release()
+{
+    enter(Phase::Releasing);
+}
+
+void Drive::setSetpoint(MotorTurns position, MotorRate rate)
+{
+    m_setpoint = position;
+    m_setpointRate = rate;
+    m_yielding = m_yielding && (m_phase != Phase::Engaged || rate == MotorRate{});
+}
+
+bool Drive::answering(SteadyTime now) const
+{
+    return m_report && now - m_heard < kSilence;
+}
+
+// Replies that waited meanwhile are stamped when they are read, so that the excuse must not reach beyond now.
+void Drive::excuse(Seconds stall, SteadyTime now)
+{
+    const auto excused = std::chrono::duration_cast<SteadyTime::duration>(stall);
+    m_heard = std::min(m_heard + excused, now);
+    m_placed = std::min(m_placed + excused, now);
+    if (m_phaseSince) {
+        m_phaseSince = std::min(*m_phaseSince + excused, now);
+    }
+}
+
+bool Drive::activeUnordered() const
+{
+    using moteus::Mode;
+    if (m_phase != Phase::Listening || !m_report) {
+        return false;
+    }
+    const Mode mode = m_report->mode;
+    return (mode >= Mode::Pwm && mode <= Mode::Position) || mode == Mode::ZeroVelocity || mode == Mode::StayWithin;
+}
+
+bool Drive::latched() const
+{
+    return m_report && (m_report->mode == moteus::Mode::Fault || m_report->mode == moteus::Mode::PositionTimeout);
+}
+
+bool Drive::take(const CanFrame& frame)
+{
+    const auto reply = moteus::decodeReply(frame);
+    if (!reply || reply->prefix != 0 || reply->source != m_settings.id || reply->destination != moteus::kHostId) {
+        return false;
+    }
+    if (reply->mode()) {
+        m_report = toReport(*reply, frame.received, m_report ? m_report->homeState : moteus::HomeState::Relative);
+        m_heard = frame.received;
+        m_replied = true;
+        ++m_repliesInPhase;
+        takePlace();
+    }
+    return true;
+}
+
+void Drive::takePlace()
+{
+    m_belief.take(
+        {.asked = m_asked.value_or(m_report->received), .received = m_report->received, .place = m_report->position});
+    if (m_phase == Phase::Referencing) {
+        static_cast<void>(takeFalsePlace());  // its place is set on purpose
+        static_cast<void>(takeJump());
+    }
+    if (m_belief.believedLast()) {
+        m_saidPlace = true;
+        m_placed = m_report->received;
+    }
+}
+
+void Drive::lose(DriveLoss loss)
+{
+    m_loss = loss;
+    if (loss == DriveLoss::Silent) {
+        m_belief.expectAnother();  // the last place is one for as long as it is young
+    } else if (loss == DriveLoss::Released || loss == DriveLoss::Disobeys) {
+        m_belief.forget();  // it may have been without power, or not have taken its place yet
+    }
+    enter(Phase::Listening);
+}
+
+void Drive::judge(SteadyTime now)
+{
+    if (std::exchange(m_replied, false) || !m_asked) {
+        m_asked = now;
+    }
+    m_unanswered = std::exchange(m_saidPlace, false) ? 0 : m_unanswered + 1;
+    judgeFault();
+    if (m_phase == Phase::Listening || m_phase == Phase::Braking) {
+        return;
+    }
+    if (m_phase == Phase::Engaged && unseen()) {
+        enter(Phase::Unseen);
+    }
+    m_holdNext = !m_holdNext;
+    if (!m_phaseSince) {
+        m_phaseSince = now;
+    }
+    if (!answering(now)) {
+        lose(DriveLoss::Silent);
+    } else if (m_phase == Phase::Unseen && now - m_placed >= kSilence) {
+        lose(DriveLoss::Blind);
+    } else if (mustObey() && now - *m_phaseSince > kObedience) {
+        lose(DriveLoss::Disobeys);
+    } else if (m_repliesInPhase >= (m_phase == Phase::Unseen ? 1 : kFirstTellingReply)) {
+        judgePhase(m_report->mode, now - *m_phaseSince);
+    }
+}
+
+// Phases that end as soon as the drive has done what it was told.
+bool Drive::mustObey() const
+{
+    return m_phase == Phase::Capturing || m_phase == Phase::Recovering || m_phase == Phase::Referencing ||
+           m_phase == Phase::Releasing;
+}
+
+// A fault is told once, whatever we were doing; while recovering it is what we are clearing.
+void Drive::judgeFault()
+{
+    const bool inFault = m_report && m_report->mode == moteus::Mode::Fault;
+    if (inFault && !m_faultTold && m_phase != Phase::Recovering) {
+        lose(DriveLoss::Fault);
+    }
+    m_faultTold = inFault;
+}
+
+void Drive::judgePhase(moteus::Mode mode, Seconds inPhase)
+{
+    if (m_phase == Phase::Starving) {
+        return;
+    }
+    if (m_phase == Phase::Releasing || m_phase == Phase::Recovering) {
+        if (mode == moteus::Mode::Stopped) {
+            const bool capture = m_phase == Phase::Recovering && m_captureAfterRecovery;
+            enter(capture ? Phase::Capturing : Phase::Listening);
+        }
+    } else if (m_phase == Phase::Referencing) {
+        judgeReference();
+    } else if (mode == moteus::Mode::PositionTimeout) {
+        lose(DriveLoss::TimedOut);
+    } else if (m_phase == Phase::Capturing) {
+        if (mode == moteus::Mode::Position && m_belief.believedLast()) {
+            judgeCapture(inPhase);
+        }
+    } else if (mode != moteus::Mode::Position) {
+        lose(DriveLoss::Released);
+    } else if (m_phase == Phase::Unseen && !unseen()) {
+        enter(Phase::Capturing);
+    }
+}
+
+// An axis seized in motion brakes first: a set-point at its place of now would pull it back.
+void Drive::judgeCapture(Seconds inPhase)
+{
+    const bool slow = m_report->rate && abs(*m_report->rate) < kDriveStanding;
+    const bool stands = slow && abs(place()->moved) < m_settings.places.allowance * kSteady;
+    if (stands || inPhase > kBrakingTime) {
+        m_justEngaged = !m_onlyHold;
+        enter(m_onlyHold ? Phase::Held : Phase::Engaged);
+    }
+}
+
+void Drive::judgeReference()
+{
+    const bool taken = m_report->homeState == moteus::HomeState::Output && m_belief.believedLast() &&
+                       abs(place()->position - m_reference) < m_referenceTolerance;
+    if (taken) {
+        enter(m_heldWhenReferenced ? Phase::Capturing : Phase::Listening);
+        m_justReferenced = true;
+    }
+}
+
+moteus::PositionCommand Drive::positionCommand(double position, double velocity) const
+{
+    return {.position = position,
+            .velocity = velocity,
+            .maximumTorque = m_settings.maxTorque,
+            .watchdogTimeout = m_settings.watchdog.count(),
+            .velocityLimit = m_settings.velocityLimit.turns(),
+            .accelerationLimit = (m_hardBraking ? m_settings.emergencyBraking : m_settings.accelerationLimit).turns(),
+            .integralLimitScale = m_yielding ? std::optional(kNoIntegral) : std::nullopt,
+            .ignorePositionBounds = m_ignoreBounds ? std::optional(kIgnoreBounds) : std::nullopt};
+}
+
+// Brakes an axis that moves, as hard as its drive does that is left alone: nobody sees it, or it is not ours yet.
+moteus::PositionCommand Drive::holdCommand() const
+{
+    moteus::PositionCommand command = positionCommand(moteus::kKeepControlPosition, 0.0);
+    command.accelerationLimit = m_settings.emergencyBraking.turns();
+    command.recapture = m_yielding && m_phase == Phase::Capturing && m_repliesInPhase < kFirstTellingReply;
+    return command;
+}
+
+// No command, so it does not feed the watchdog: a held drive gets "hold" in every second tick.
+moteus::Command Drive::referenceCommand() const
+{
+    if (m_heldWhenReferenced && m_holdNext) {
+        return holdCommand();
+    }
+    if (m_report && m_report->homeState == moteus::HomeState::Relative) {
+        return moteus::SetOutputExact{m_reference.turns()};
+    }
+    return moteus::SetOutputNearest{m_reference.turns()};
+}
+
+std::optional<moteus::Command> Drive::command() const
+{
+    switch (m_phase) {
+        case Phase::Listening:
+        case Phase::Starving:
+            return std::nullopt;
+        case Phase::Referencing:
+            return referenceCommand();
+        case Phase::Capturing:
+        case Phase::Unseen:
+        case Phase::Held:
+            return holdCommand();
+        case Phase::Engaged: {
+            const bool tooSlow = abs(m_setpointRate) < kSmallestVelocity;
+            return positionCommand(m_setpoint.turns(), tooSlow ? 0.0 : m_setpointRate.turns());
+        }
+        case Phase::Recovering:
+        case Phase::Releasing:
+            return moteus::Stop{};
+        case Phase::Braking:
+            return moteus::Brake{};
+    }
+    return std::nullopt;
+}
+
+CanFrame Drive::frame() const
+{
+    const moteus::Request request{
+        .destination = static_cast<std::uint8_t>(m_settings.id), .command = command(), .query = moteus::rotatorQuery()};
+    const auto frame = moteus::encode(request);
+    assert(frame);  // a fixed set of fields and a fixed query: tests prove that it fits
+    return *frame;
+}
+
+}  // namespace boresight

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/axes/drive.h"
+#include "core/profile/profile.h"
+#include "core/units/sky.h"
+
+#include <array>
+
+// The two drives of the mount in the units of the axes: mechanical angles go in and come out, the geometry of the
+// profile lies between. Pure, like Drive.
+namespace boresight {
+
+inline constexpr std::array<Axis, 2> kAxes{Axis::Azimuth, Axis::Elevation};
+
+// Of an axis in what is kept for both.
+[[nodiscard]] constexpr std::size_t index(Axis axis)
+{
+    return axis == Axis::Azimuth ? 0 : 1;
+}
+
+class DrivePair
+{
+public:
+    explicit DrivePair(const profile::Profile& profile);
+    void setProfile(const profile::Profile& profile);  // torque, and the guards of speed and acceleration
+
+    [[nodiscard]] Drive& drive(Axis axis) { return axis == Axis::Azimuth ? m_azimuth : m_elevation; }
+    [[nodiscard]] const Drive& drive(Axis axis) const { return axis == Axis::Azimuth ? m_azimuth : m_elevation; }
+
+    void take(const CanFrame& frame);
+    void judge(SteadyTime now);
+    [[nodiscard]] std::array<CanFrame, 2> frames() const;  // azimuth, elevation
+
+    void engage();
+    void seize(SteadyTime now);  // stop what a drive that answers does without our orders
+    void excuse(Seconds stall, SteadyTime now);
+    [[nodiscard]] bool engaged() const;  // both take set-points
+    [[nodiscard]] bool seen() const { return !m_azimuth.unseen() && !m_elevation.unseen(); }
+    [[nodiscard]] bool changingHands() const;   // one is being captured, recovered, switched off or told its place
+    [[nodiscard]] bool anyUnderOrders() const;  // at least one is not only listened to
+    [[nodiscard]] bool answering(SteadyTime now) const;
+    void leave(profile::OnExit how);  // drives that were never engaged stay as they are
+    void setSetpoint(Axis axis, Angle angle, AngularRate rate);
+    void setHardBraking(bool hard);
+
+    // The place that is believed, whatever its age. See Drive::place().
+    [[nodiscard]] std::optional<Angle> measured(Axis axis) const;
+    // As last reported, whatever its age.
+    [[nodiscard]] std::optional<AngularRate> measuredRate(Axis axis) const;
+    [[nodiscard]] std::optional<AxisPosition> measured() const;
+    // Of measured(); of the last reply while there is no place.
+    [[nodiscard]] std::optional<std::chrono::milliseconds> age(Axis axis, SteadyTime now) const;
+
+private:
+    [[nodiscard]] const pointing::AxisGeometry& geometry(Axis axis) const;
+
+    pointing::AxisGeometry m_azimuthGeometry;
+    pointing::AxisGeometry m_elevationGeometry;
+    Drive m_azimuth;
+    Drive m_elevation;
+};
+
+}  // namespace boresight

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/axes/drive_watch.h"
+
+#include "core/axes/drive_alarms.h"
+#include "core/base/text.h"
+#include "core/moteus/faults.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace boresight {
+namespace {
+
+using supervision::Finding;
+using supervision::LossClass;
+using supervision::Weight;
+
+constexpr std::chrono::seconds kLimitLinger{2};
+// A drive that was lost goes on with our last order until its watchdog expires.
+constexpr std::chrono::milliseconds kLastOrderFades{500};
+// A drive that boots, or a bus that comes up, is not yet a reason for an alarm.
+constexpr Seconds kPatienceAtStart{1.0};
+
+LossClass classOf(DriveLoss loss, int faultCode)
+{
+    switch (loss) {
+        case DriveLoss::Fault:
+            return supervision::classOfFault(faultCode);
+        case DriveLoss::Silent:
+        case DriveLoss::TimedOut:
+            return LossClass::Bus;
+        case DriveLoss::Disobeys:
+            return LossClass::Motion;
+        case DriveLoss::Blind:
+            return LossClass::Encoder;
+        case DriveLoss::Released:
+            break;
+    }
+    return LossClass::Released;
+}
+
+// What passes by itself and leaves nothing to do is not kept for acknowledgement.
+Severity severityOf(const supervision::Observed& observed)
+{
+    if (observed.weight == Weight::Stop) {
+        return Severity::Alarm;
+    }
+    return observed.finding == Finding::RepliesLate ? Severity::Advisory : Severity::Warning;
+}
+
+// Something pushes the axis or is in its way: a set-point elsewhere would go on pulling, and its drive on pushing.
+bool isGivingWay(Finding finding)
+{
+    return finding == Finding::FollowingError || finding == Finding::Stalled || finding == Finding::WrongWay ||
+           finding == Finding::MovesUncommanded || finding == Finding::OutsideTravel || finding == Finding::TorqueGuard;
+}
+
+}  // namespace
+
+DriveWatch::DriveWatch(Axis axis, const profile::Profile& profile, AlarmBoard& alarms)
+    : m_which(axis),
+      m_axis(axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation")),
+      m_silence(m_axis + QStringLiteral(" drive silence")),
+      m_settings(profile.axis(axis)),
+      m_watchdog(profile.control.watchdog),
+      m_alarms(alarms),
+      m_supervisor(axis, m_settings, profile.supervision)
+{}
+
+void DriveWatch::setProfile(const profile::Profile& profile)
+{
+    m_settings = profile.axis(m_which);
+    m_supervisor.setSettings(m_settings, profile.supervision);
+}
+
+std::optional<DriveWatch::Trouble> DriveWatch::watch(Drive& drive, const tracking::Setpoint& setpoint,
+                                                     const Context& context)
+{
+    const auto lost = watchLoss(drive);
+    if (!lost) {
+        watchSilence(drive, context);
+    }
+    watchUnordered(drive, context);
+    watchActiveLimit(drive, context.now);
+    auto seen = supervise(drive, setpoint, context);
+    if (lost) {
+        const bool doubtful = lost->turnDoubtful || (seen && seen->turnDoubtful);
+        seen = lost;
+        seen->turnDoubtful = doubtful;
+    }
+    return seen;
+}
+
+std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive)
+{
+    const auto loss = drive.takeLoss();
+    if (!loss) {
+        return std::nullopt;
+    }
+    const int code = drive.report() ? drive.report()->fault : 0;
+    const AlarmText text = drive_alarms::lost(drive.label(), *loss, code, m_watchdog);
+    m_supervisor.forgetMotion();
+    if (*loss == DriveLoss::Silent) {
+        tellSilence(text, true);
+        // The reason of a latch outlasts the silence itself.
+        return Trouble{.what = Text::tr("the %1 fell silent").arg(drive.label()), .loss = classOf(*loss, code)};
+    }
+    m_alarms.raise(toQString(drive.name()), Severity::Alarm, text);
+    return Trouble{.what = text.what, .loss = classOf(*loss, code)};
+}
+
+void DriveWatch::tellSilence(AlarmText text, bool needsRearm)
+{
+    if (!m_silenceAdvice.isEmpty()) {
+        text.remedy = needsRearm ? Text::tr("%1 Then re-arm").arg(m_silenceAdvice) : m_silenceAdvice;
+    }
+    m_silenceTold = true;
+    m_alarms.raise(m_silence, Severity::Alarm, text);
+}
+
+// A drive can come and go many times before somebody re-arms it: what stands is always what it does now.
+void DriveWatch::watchSilence(const Drive& drive, const Context& context)
+{
+    if (drive.answering(context.now) || context.silenceExpected) {
+        if (!context.faultLatched) {
+            endSilence();
+        } else if (!context.silenceExpected && std::exchange(m_silenceTold, false)) {
+            m_alarms.raise(m_silence, Severity::Alarm, drive_alarms::answersAgain(drive.label()));
+        }
+    } else if (context.running > kPatienceAtStart && !m_silenceTold) {
+        tellSilence(drive_alarms::silent(drive.label()), context.faultLatched);
+    }
+}
+
+void DriveWatch::endSilence()
+{
+    m_silenceTold = false;
+    m_alarms.clear(m_silence);
+}
+
+void DriveWatch::watchUnordered(const Drive& drive, const Context& context)
+{
+    const QString name = toQString(drive.name());
+    const QString cause = name + QStringLiteral(" active");
+    if (!drive.activeUnordered() || !drive.answering(context.now) || context.ownOrders) {
+        m_activeSince.reset();
+    } else if (!m_activeSince) {
+        m_activeSince = context.now;
+    }
+    if (m_activeSince && context.now - *m_activeSince >= kLastOrderFades) {
+        m_alarms.raise(cause, Severity::Warning, drive_alarms::unordered(drive.label(), drive.report()->mode));
+    } else {
+        m_alarms.clear(cause);
+    }
+}
+
+void DriveWatch::watchActiveLimit(const Drive& drive, SteadyTime now)
+{
+    const QString name = toQString(drive.name());
+    const QString cause = name + QStringLiteral(" limit");
+    const auto& report = drive.report();
+    if (report && report->mode == moteus::Mode::Position && moteus::isLimit(report->fault)) {
+        m_limitSeen = now;
+        m_alarms.raise(cause, Severity::Warning, drive_alarms::activeLimit(drive.label(), report->fault));
+    } else if (m_limitSeen && now - *m_limitSeen > kLimitLinger) {
+        m_limitSeen.reset();
+        m_alarms.clear(cause);
+    }
+}
+
+supervision::AxisObservation DriveWatch::observation(Drive& drive, const tracking::Setpoint& setpoint,
+                                                     const Context& context) const
+{
+    using Phase = Drive::Phase;
+    const DriveReport& report = *drive.report();
+    const auto& place = drive.place();
+    const pointing::AxisGeometry& geometry = m_settings.geometry;
+    const auto leap = [&](const std::optional<supervision::PlaceBelief::Leap>& one) {
+        return one ? std::optional(supervision::AngleLeap{.by = geometry.toAxis(one->to) - geometry.toAxis(one->from),
+                                                          .to = geometry.toAxis(one->to),
+                                                          .within = one->within})
+                   : std::nullopt;
+    };
+    return {
+        .now = context.now,
+        .received = drive.heard(),
+        .fresh = report.received != m_observed,
+        .placed = place && place->received != m_placed,
+        .actual = place ? geometry.toAxis(place->position) : Angle{},
+        .falsePlace = leap(drive.takeFalsePlace()),
+        .jumped = leap(drive.takeJump()),
+        .engaging = drive.phase() == Phase::Capturing || drive.phase() == Phase::Unseen || drive.phase() == Phase::Held,
+        .engaged = drive.phase() == Phase::Engaged,
+        .commanded = setpoint.position,
+        .commandedRate = setpoint.rate,
+        .torque = report.torque,
+        .voltage = report.voltage,
+        .boardTemperature = report.boardTemperature,
+        .motorTemperature = report.motorTemperature,
+        .activeLimit = moteus::isLimit(report.fault) ? report.fault : 0,
+        .turnKnown = context.turnKnown};
+}
+
+std::optional<DriveWatch::Trouble> DriveWatch::supervise(Drive& drive, const tracking::Setpoint& setpoint,
+                                                         const Context& context)
+{
+    const bool referencing = drive.phase() == Drive::Phase::Referencing;
+    if (!drive.answering(context.now) || referencing) {
+        m_supervisor.forgetReplies();  // a silence has its own alarm
+        if (referencing) {
+            m_supervisor.forgetMotion();  // the reported angle is changed on purpose
+        }
+        endHints({});
+        return std::nullopt;
+    }
+    const supervision::AxisObservation now = observation(drive, setpoint, context);
+    const auto seen = m_supervisor.observe(now);
+    m_observed = drive.report()->received;
+    m_placed = drive.place() ? drive.place()->received : m_placed;
+    // Danger is reported each time that it begins, also behind a fault that waits for its re-arm: the axis must then be
+    // held where it is now, not where it was.
+    std::optional<Trouble> trouble;
+    std::set<Finding> stops;
+    for (const supervision::Observed& observed : seen) {
+        tell(observed);
+        const bool jump = observed.finding == Finding::EncoderJump && now.jumped;
+        const bool stop = observed.weight == Weight::Stop;
+        const bool begins = stop && !m_stops.contains(observed.finding);
+        if (stop) {
+            stops.insert(observed.finding);
+        }
+        if (jump || (begins && !trouble)) {
+            trouble = Trouble{.what = observed.what,
+                              .stops = stop || (trouble && trouble->stops),
+                              .turnDoubtful = jump,
+                              .gaveWay = stop && isGivingWay(observed.finding)};
+        }
+    }
+    m_stops = std::move(stops);
+    endHints(seen);
+    return trouble;
+}
+
+// Once, and again when it has become worse.
+void DriveWatch::tell(const supervision::Observed& observed)
+{
+    std::optional<Weight>& told = m_told[observed.finding];
+    if (!told || (told == Weight::Hint && observed.weight == Weight::Stop)) {
+        told = observed.weight;
+        m_alarms.raise(cause(observed.finding), severityOf(observed), drive_alarms::supervised(observed));
+    }
+}
+
+// What stopped the mount stays on the screen until it is re-armed; a hint ends with its cause.
+void DriveWatch::endHints(const std::vector<supervision::Observed>& seen)
+{
+    std::erase_if(m_told, [&](const auto& told) {
+        const bool lasts = std::ranges::any_of(seen, [&](const auto& one) { return one.finding == told.first; });
+        if (lasts || told.second == Weight::Stop) {
+            return false;
+        }
+        m_alarms.clear(cause(told.first));
+        return true;
+    });
+}
+
+QString DriveWatch::cause(Finding finding) const
+{
+    return m_axis + QLatin1Char(' ') + key(finding).replace(QLatin1Char('_'), QLatin1Char(' '));
+}
+
+void DriveWatch::forgetMotion()
+{
+    m_supervisor.forgetMotion();
+    m_supervisor.forgetReplies();
+}
+
+void DriveWatch::engaged()
+{
+    m_supervisor.forgetCommand();
+}
+
+// An alarm whose cause lasts is not over: it is told anew with the next reply, or ends with it.
+void DriveWatch::rearmed()
+{
+    m_supervisor.rearmed();
+    m_stops.clear();
+    endSilence();
+    for (auto& [finding, told] : m_told) {
+        told.reset();
+    }
+}
+
+}  // namespace boresight

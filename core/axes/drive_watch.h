@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/alarm_board.h"
+#include "core/axes/drive_pair.h"
+#include "core/supervision/axis_supervisor.h"
+#include "core/supervision/retry_policy.h"
+#include "core/tracking/axis_profile.h"
+
+#include <map>
+#include <optional>
+#include <set>
+
+// Watches one axis and its drive once per tick: raises and ends its alarms, and says when the mount must stop. Decides
+// nothing about motion itself. Station thread only.
+namespace boresight {
+
+class DriveWatch
+{
+public:
+    // What the station knows and the drive does not tell.
+    struct Context
+    {
+        SteadyTime now{};
+        Seconds running{0.0};  // since the start of the program, or since the bus was taken back
+        bool turnKnown = false;
+        bool faultLatched = false;
+        bool ownOrders = false;        // an active drive may still carry out what was ours
+        bool silenceExpected = false;  // the bus is left to other tools
+    };
+    struct Trouble
+    {
+        QString what;
+        bool stops = true;  // the mount must come to rest and be re-armed
+        supervision::LossClass loss = supervision::LossClass::Motion;
+        bool turnDoubtful = false;  // the reported angle is not to be believed without a look
+        bool gaveWay = false;       // the axis can not follow: it is to be held where it is now
+    };
+
+    DriveWatch(Axis axis, const profile::Profile& profile, AlarmBoard& alarms);
+
+    [[nodiscard]] std::optional<Trouble> watch(Drive& drive, const tracking::Setpoint& setpoint,
+                                               const Context& context);
+    void setProfile(const profile::Profile& profile);
+    // What to do about a silent bus, when its kind is known.
+    void setSilenceAdvice(const QString& advice) { m_silenceAdvice = advice; }
+    // The axis was re-armed, its turn was set, its drive restarted, or this computer stalled: what it did before says
+    // nothing any more.
+    void forgetMotion();
+    void forgetReplies() { m_supervisor.forgetReplies(); }  // this computer was late
+    void engaged();                                         // its set-point was put where it stands
+    void rearmed();
+
+private:
+    [[nodiscard]] std::optional<Trouble> watchLoss(Drive& drive);
+    void watchSilence(const Drive& drive, const Context& context);
+    void tellSilence(AlarmText text, bool needsRearm);
+    void endSilence();
+    void watchUnordered(const Drive& drive, const Context& context);
+    void watchActiveLimit(const Drive& drive, SteadyTime now);
+    [[nodiscard]] std::optional<Trouble> supervise(Drive& drive, const tracking::Setpoint& setpoint,
+                                                   const Context& context);
+    [[nodiscard]] supervision::AxisObservation observation(Drive& drive, const tracking::Setpoint& setpoint,
+                                                           const Context& context) const;
+    void tell(const supervision::Observed& observed);
+    [[nodiscard]] QString cause(supervision::Finding finding) const;
+    void endHints(const std::vector<supervision::Observed>& seen);
+
+    Axis m_which;
+    QString m_axis;     // "azimuth"
+    QString m_silence;  // the cause of that alarm: apart from what else the drive was lost by
+    profile::AxisSettings m_settings;
+    Seconds m_watchdog;
+    AlarmBoard& m_alarms;
+    supervision::AxisSupervisor m_supervisor;
+    QString m_silenceAdvice;
+    bool m_silenceTold = false;  // and not that it is over
+    // What has an alarm now, and how it was told; empty: before a re-arm.
+    std::map<supervision::Finding, std::optional<supervision::Weight>> m_told;
+    std::set<supervision::Finding> m_stops;   // what is dangerous now
+    SteadyTime m_observed{};                  // the reply last shown to the supervisor
+    SteadyTime m_placed{};                    // and its place
+    std::optional<SteadyTime> m_activeSince;  // without our orders
+    std::optional<SteadyTime> m_limitSeen;    // when the drive last reported an active limit
+};
+
+}  // namespace boresight

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/axes/first_moves.h"
+
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight {
+
+namespace {
+
+bool outwards(Angle offset, AngularRate rate)
+{
+    return (offset > FirstMoves::kFarthest && rate > AngularRate{}) ||
+           (offset < -FirstMoves::kFarthest && rate < AngularRate{});
+}
+
+}  // namespace
+
+Result<> FirstMoves::admits(const AxisRates& rates, const AxisPosition& place, const AxisPosition& rest)
+{
+    if (std::max(abs(rates.azimuth), abs(rates.elevation)) > kFastest) {
+        return failure(
+            ErrorCode::Refused,
+            Text::tr("it is not confirmed yet which way the axes turn: jog at 5°/s or slower, or confirm it"));
+    }
+    if (!m_origin) {
+        m_origin = place;
+    }
+    if (outwards(rest.azimuth - m_origin->azimuth, rates.azimuth) ||
+        outwards(rest.elevation - m_origin->elevation, rates.elevation)) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("it is not confirmed yet which way the axes turn: no farther than 2° until it is"));
+    }
+    return {};
+}
+
+bool FirstMoves::exceeded(const AxisRates& rates, const AxisPosition& rest) const
+{
+    return m_origin && (outwards(rest.azimuth - m_origin->azimuth, rates.azimuth) ||
+                        outwards(rest.elevation - m_origin->elevation, rates.elevation));
+}
+
+Angle restingPlace(const tracking::Setpoint& now, const tracking::MotionLimits& limits)
+{
+    // The set-point is the average over twice this time of a motion that is so much ahead of it.
+    const double lead = limits.acceleration.radians() / limits.jerk.radians();
+    const double speed = now.rate.radians() + now.acceleration.radians() * lead;
+    const double way = 0.5 * (now.rate.radians() + speed) * lead;
+    return now.position + Angle::fromRadians(way + speed * std::abs(speed) / (2.0 * limits.acceleration.radians()));
+}
+
+}  // namespace boresight

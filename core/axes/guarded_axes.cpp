@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/axes/guarded_axes.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace boresight {
+namespace {
+
+using pointing::AxisBox;
+using tracking::AxisProfile;
+
+// As near as this an axis counts as standing at an edge; a target this near counts as reached.
+constexpr Angle kAtEdge = Angle::fromDegrees(0.05);
+// How far beyond an edge to look for what it is the edge of.
+constexpr Angle kBeyondEdge = Angle::fromDegrees(0.1);
+constexpr Angle kRounding = Angle::fromDegrees(1e-9);
+
+AxisProfile profileOf(const profile::AxisSettings& axis)
+{
+    return {axis.limits, axis.geometry.travel, axis.geometry.travel.clamped(Angle{})};
+}
+
+void obey(AxisProfile& axis, Seconds duration, const AxisWish& wish)
+{
+    if (wish.braking) {
+        axis.brake(duration, *wish.braking);
+    } else if (wish.target) {
+        axis.follow(duration, *wish.target, wish.rate);
+    } else {
+        axis.run(duration, wish.rate);
+    }
+}
+
+// All that an axis passes from where it was before a step until it would rest after it.
+TravelRange passed(Angle before, const AxisProfile& axis)
+{
+    const TravelRange rest = axis.untilRest();
+    return {.min = std::min(before, rest.min), .max = std::max(before, rest.max)};
+}
+
+bool within(const TravelRange& inner, const TravelRange& outer)
+{
+    return inner.min >= outer.min - kRounding && inner.max <= outer.max + kRounding;
+}
+
+int wayOf(const AxisWish& wish, Angle place)
+{
+    const double way = wish.target ? (*wish.target - place) / kAtEdge : wish.rate.degrees();
+    const double least = wish.target ? 1.0 : 0.0;
+    return way > least ? 1 : way < -least ? -1 : 0;
+}
+
+// Which way the axis wants to go and can not, for the end of the room it has.
+int heldWay(const AxisWish& wish, Angle place, const TravelRange& room)
+{
+    const int way = wayOf(wish, place);
+    const Angle left = way > 0 ? room.max - place : place - room.min;
+    return left < kAtEdge ? way : 0;
+}
+
+}  // namespace
+
+GuardedAxes::GuardedAxes(const profile::Profile& profile)
+    : m_travel{.azimuth = profile.azimuth.geometry.travel, .elevation = profile.elevation.geometry.travel},
+      m_region(profile.limits, m_travel.azimuth, m_travel.elevation, pointing::PointingModel(profile.pointing)),
+      m_azimuth(profileOf(profile.azimuth)),
+      m_elevation(profileOf(profile.elevation))
+{}
+
+void GuardedAxes::start(Axis axis, Angle measured)
+{
+    (axis == Axis::Azimuth ? m_azimuth : m_elevation).reset(measured);
+    m_swept.reset();
+}
+
+void GuardedAxes::setRegion(const pointing::Region& region, const pointing::PointingModel& pointing)
+{
+    m_region = pointing::PermittedRegion(region, m_travel.azimuth, m_travel.elevation, pointing);
+    m_swept.reset();
+}
+
+void GuardedAxes::setLimits(Axis axis, const tracking::MotionLimits& limits)
+{
+    (axis == Axis::Azimuth ? m_azimuth : m_elevation).setLimits(limits);
+}
+
+void GuardedAxes::enforce(bool enforced)
+{
+    m_enforced = enforced;
+}
+
+AxisBox GuardedAxes::untilRest() const
+{
+    return {.azimuth = m_azimuth.untilRest(), .elevation = m_elevation.untilRest()};
+}
+
+void GuardedAxes::step(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
+{
+    if (!m_enforced) {
+        stepFree(duration, azimuth, elevation);
+    } else if (m_region.permits(untilRest())) {
+        stepInside(duration, azimuth, elevation);
+    } else if (m_swept || m_region.permits(place())) {
+        // An edge was moved into the way, or limits of motion were lowered: with those, what was left to pass holds.
+        m_held = {wayOf(azimuth, place().azimuth), wayOf(elevation, place().elevation)};
+        brake(duration, m_swept.value_or(m_travel), azimuth, elevation);
+    } else {
+        stepOut(duration, azimuth, elevation);
+    }
+}
+
+void GuardedAxes::stepFree(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
+{
+    m_swept.reset();
+    m_azimuth.setTravel(m_travel.azimuth);
+    m_elevation.setTravel(m_travel.elevation);
+    obey(m_azimuth, duration, azimuth);
+    obey(m_elevation, duration, elevation);
+    m_held = {heldWay(azimuth, place().azimuth, m_travel.azimuth),
+              heldWay(elevation, place().elevation, m_travel.elevation)};
+}
+
+// First the azimuth moves in what is free for all elevations until rest, then the elevation in what is free for all
+// azimuths until the azimuth's new rest. Both on trial: what they would pass has to be permitted as a whole.
+void GuardedAxes::stepInside(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
+{
+    const AxisPosition before = place();
+    AxisBox box = untilRest();
+    AxisProfile nextAzimuth = m_azimuth;
+    AxisProfile nextElevation = m_elevation;
+    const TravelRange azimuths = m_region.azimuthsAround(box);
+    nextAzimuth.setTravel(azimuths);
+    obey(nextAzimuth, duration, azimuth);
+    const AxisBox still = std::exchange(box, {passed(before.azimuth, nextAzimuth), box.elevation});
+    const TravelRange elevations = m_region.elevationsAround(box);
+    nextElevation.setTravel(elevations);
+    obey(nextElevation, duration, elevation);
+    box.elevation = passed(before.elevation, nextElevation);
+    if (!m_region.permits(box)) {
+        m_swept = still;
+        m_held = {wayOf(azimuth, before.azimuth), wayOf(elevation, before.elevation)};
+        brake(duration, still, azimuth, elevation);
+        return;
+    }
+    m_azimuth = std::move(nextAzimuth);
+    m_elevation = std::move(nextElevation);
+    m_swept = untilRest();
+    m_held = {heldWay(azimuth, place().azimuth, azimuths), heldWay(elevation, place().elevation, elevations)};
+}
+
+// Each axis moves only from where it would come to rest towards the nearest permitted place; one that is on its way to
+// anywhere else brakes first.
+void GuardedAxes::stepOut(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
+{
+    const AxisPosition out = m_region.nearest(place()).value_or(place());
+    const AxisBox room = AxisBox::between(place(), out);
+    const auto move = [duration](AxisProfile& axis, const TravelRange& free, Angle end, const TravelRange& travel,
+                                 const AxisWish& wish) {
+        const TravelRange rest = axis.untilRest();
+        const bool inside = within(rest, free);
+        axis.setTravel(!inside ? travel : end == free.max ? TravelRange{rest.max, end} : TravelRange{end, rest.min});
+        obey(axis, duration, inside ? wish : AxisWish{.braking = wish.braking});
+    };
+    move(m_azimuth, room.azimuth, out.azimuth, m_travel.azimuth, azimuth);
+    move(m_elevation, room.elevation, out.elevation, m_travel.elevation, elevation);
+    m_held = {heldWay(azimuth, place().azimuth, room.azimuth), heldWay(elevation, place().elevation, room.elevation)};
+}
+
+void GuardedAxes::brake(Seconds duration, const AxisBox& within, const AxisWish& azimuth, const AxisWish& elevation)
+{
+    m_azimuth.setTravel(within.azimuth);
+    m_elevation.setTravel(within.elevation);
+    obey(m_azimuth, duration, {.braking = azimuth.braking});
+    obey(m_elevation, duration, {.braking = elevation.braking});
+}
+
+const tracking::Setpoint& GuardedAxes::setpoint(Axis axis) const
+{
+    return (axis == Axis::Azimuth ? m_azimuth : m_elevation).setpoint();
+}
+
+AxisPosition GuardedAxes::place() const
+{
+    return {.azimuth = m_azimuth.setpoint().position, .elevation = m_elevation.setpoint().position};
+}
+
+bool GuardedAxes::atRest() const
+{
+    return m_azimuth.atRest() && m_elevation.atRest();
+}
+
+std::string GuardedAxes::obstacle() const
+{
+    const AxisPosition here = place();
+    const Angle azimuth = m_held[0] * kBeyondEdge;
+    const Angle elevation = m_held[1] * kBeyondEdge;
+    for (const AxisPosition& beyond : {here, AxisPosition{here.azimuth + azimuth, here.elevation},
+                                       AxisPosition{here.azimuth, here.elevation + elevation},
+                                       AxisPosition{here.azimuth + azimuth, here.elevation + elevation}}) {
+        if (const std::string what = m_region.obstacle(beyond); !what.empty()) {
+            return what;
+        }
+    }
+    return {};
+}
+
+}  // namespace boresight

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/axes/motion.h"
+
+#include "core/pointing/route.h"
+#include "core/survey/protections.h"
+
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+using pointing::AxisBox;
+
+// A way is not planned anew more often than this, nor for a target that has hardly moved.
+constexpr std::chrono::milliseconds kPlanPause{250};
+constexpr Angle kSameEnd = Angle::fromDegrees(0.5);
+
+// Behind a keep-out both of its sides can be equally near: the other one must be better by this much to be worth the
+// way.
+constexpr Angle kSidePreference = Angle::fromDegrees(1.0);
+
+Angle distance(const AxisPosition& a, const AxisPosition& b)
+{
+    const double width = std::cos(a.elevation.radians());
+    return Angle::fromRadians(
+        std::hypot(width * (b.azimuth - a.azimuth).radians(), (b.elevation - a.elevation).radians()));
+}
+
+bool same(const AxisPosition& a, const AxisPosition& b)
+{
+    return abs(a.azimuth - b.azimuth) < kSameEnd && abs(a.elevation - b.elevation) < kSameEnd;
+}
+
+}  // namespace
+
+Motion::Motion(const profile::Profile& profile)
+    : m_axes(profile),
+      m_speed{.azimuth = profile.azimuth.limits.speed, .elevation = profile.elevation.limits.speed},
+      m_hardest{survey::emergencyBraking(profile.azimuth.limits), survey::emergencyBraking(profile.elevation.limits)}
+{}
+
+void Motion::start(Axis axis, Angle measured)
+{
+    m_axes.start(axis, measured);
+    m_way = {};
+}
+
+void Motion::rest()
+{
+    m_wanted = Resting{};
+    forgetWay();
+}
+
+void Motion::goTo(const AxisPosition& place)
+{
+    m_wanted = place;
+    forgetWay();
+}
+
+void Motion::follow(const AxisPosition& point, SteadyTime now)
+{
+    if (auto* const stream = std::get_if<tracking::TargetStream>(&m_wanted)) {
+        stream->add(now, point);
+        return;
+    }
+    m_wanted.emplace<tracking::TargetStream>().restart(now, point);
+    forgetWay();
+}
+
+void Motion::confirmStream(SteadyTime now)
+{
+    if (auto* const stream = std::get_if<tracking::TargetStream>(&m_wanted)) {
+        stream->confirm(now);
+    }
+}
+
+void Motion::settleStream()
+{
+    if (const auto* const stream = std::get_if<tracking::TargetStream>(&m_wanted)) {
+        if (const auto last = stream->lastPoint()) {
+            m_wanted = AxisPosition{last->azimuth + m_trim.azimuth, last->elevation + m_trim.elevation};
+        }
+    }
+}
+
+void Motion::run(const AxisRates& rates)
+{
+    m_wanted = rates;
+    forgetWay();
+}
+
+void Motion::setRegion(const pointing::Region& region, const pointing::PointingModel& pointing)
+{
+    m_axes.setRegion(region, pointing);
+    forgetWay();
+}
+
+void Motion::setLimits(Axis axis, const tracking::MotionLimits& limits)
+{
+    m_axes.setLimits(axis, limits);
+    (axis == Axis::Azimuth ? m_speed.azimuth : m_speed.elevation) = limits.speed;
+    m_hardest[axis == Axis::Azimuth ? 0 : 1] = survey::emergencyBraking(limits);
+}
+
+void Motion::forgetWay()
+{
+    m_way = {};
+    m_limited.reset();
+}
+
+std::optional<tracking::MovingTarget> Motion::movingTarget(SteadyTime now) const
+{
+    if (const auto* const place = std::get_if<AxisPosition>(&m_wanted)) {
+        return tracking::MovingTarget{.position = *place, .rates = {}, .streaming = false};
+    }
+    if (const auto* const stream = std::get_if<tracking::TargetStream>(&m_wanted)) {
+        auto target = stream->target(now);
+        if (target) {
+            target->position = {target->position.azimuth + m_trim.azimuth,
+                                target->position.elevation + m_trim.elevation};
+        }
+        return target;
+    }
+    return std::nullopt;
+}
+
+void Motion::advance(SteadyTime now, Seconds step)
+{
+    if (const auto target = movingTarget(now)) {
+        driveTo(*target, now, step);
+    } else if (const auto* const rates = std::get_if<AxisRates>(&m_wanted)) {
+        m_axes.step(step, {.rate = rates->azimuth}, {.rate = rates->elevation});
+    } else {
+        brake(step);
+    }
+}
+
+// Behind a keep-out the nearest place leaps from one side to the other; it stays on one until that is clearly farther.
+std::optional<tracking::MovingTarget> Motion::permitted(const tracking::MovingTarget& target)
+{
+    if (!m_axes.enforced() || region().permits(target.position)) {
+        m_limited.reset();
+        return target;
+    }
+    auto nearest = region().nearest(target.position);
+    if (nearest && m_limited && !region().permits(AxisBox::between(*nearest, m_limited->nearest)) &&
+        distance(target.position, m_limited->nearest) < distance(target.position, *nearest) + kSidePreference) {
+        nearest = m_limited->nearest;
+    }
+    if (!nearest) {
+        m_limited.reset();
+        return std::nullopt;
+    }
+    m_limited = {.target = target.position, .nearest = *nearest};
+    return tracking::MovingTarget{.position = *nearest, .rates = {}, .streaming = target.streaming};
+}
+
+void Motion::driveTo(const tracking::MovingTarget& target, SteadyTime now, Seconds step)
+{
+    const auto goal = permitted(target);
+    if (!goal) {
+        m_way.obstacle = region().reason(target.position);
+        brake(step);
+        return;
+    }
+    if (!m_axes.enforced() || region().permits(AxisBox::between(place(), goal->position))) {
+        m_way = {};
+        m_axes.step(step, {goal->position.azimuth, goal->rates.azimuth},
+                    {goal->position.elevation, goal->rates.elevation});
+        return;
+    }
+    planTo(goal->position, now);
+    if (m_way.legs.empty()) {
+        brake(step);
+        return;
+    }
+    while (m_way.legs.size() > 1 && region().permits(AxisBox::between(place(), m_way.legs[1]))) {
+        m_way.legs.erase(m_way.legs.begin());
+    }
+    m_axes.step(step, {.target = m_way.legs.front().azimuth}, {.target = m_way.legs.front().elevation});
+}
+
+// The old way holds as long as its end does and its next leg is free; in between, what guards the axes has the last
+// word.
+void Motion::planTo(const AxisPosition& end, SteadyTime now)
+{
+    const bool holds = m_way.end && same(*m_way.end, end) && !m_way.legs.empty() &&
+                       region().permits(AxisBox::between(place(), m_way.legs.front()));
+    if (holds || (m_way.end && now - m_way.planned < kPlanPause)) {
+        return;
+    }
+    m_way = {.end = end, .planned = now};
+    if (auto legs = route(place(), end)) {
+        m_way.legs = std::move(*legs);
+    } else {
+        m_way.obstacle = legs.error().text;
+    }
+}
+
+Result<std::vector<AxisPosition>> Motion::route(const AxisPosition& from, const AxisPosition& to) const
+{
+    if (!m_axes.enforced()) {
+        return std::vector{to};
+    }
+    return pointing::route(region(), from, to, m_speed);
+}
+
+void Motion::brake(Seconds step)
+{
+    const auto braking = [this](std::size_t axis) {
+        return AxisWish{.braking = m_hardBraking ? std::optional(m_hardest[axis]) : std::nullopt};
+    };
+    m_axes.step(step, braking(0), braking(1));
+}
+
+std::optional<AxisPosition> Motion::target(SteadyTime now) const
+{
+    if (m_limited) {
+        return m_limited->nearest;
+    }
+    const auto target = movingTarget(now);
+    return target ? std::optional(target->position) : std::nullopt;
+}
+
+bool Motion::streaming(SteadyTime now) const
+{
+    const auto target = movingTarget(now);
+    return target && target->streaming;
+}
+
+std::optional<tracking::MovingTarget> Motion::path(SteadyTime now) const
+{
+    const auto target = movingTarget(now);
+    return target && target->streaming ? target : std::nullopt;
+}
+
+bool Motion::limited(Axis axis) const
+{
+    if (!m_limited) {
+        return false;
+    }
+    const auto& [target, nearest] = *m_limited;
+    return axis == Axis::Azimuth ? target.azimuth != nearest.azimuth : target.elevation != nearest.elevation;
+}
+
+std::string Motion::obstacle() const
+{
+    return m_limited ? region().obstacle(m_limited->target) : m_axes.obstacle();
+}
+
+}  // namespace boresight

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/axes/guarded_axes.h"
+#include "core/base/clock.h"
+#include "core/base/result.h"
+#include "core/profile/profile.h"
+#include "core/tracking/target_stream.h"
+#include "core/units/sky.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+// Both axes on their way: keeps what is wanted (rest, a place, a stream of places, a rate) and makes the next set-point
+// of each axis from it, within speed, acceleration, jerk, travel and the permitted region. A target that can not be
+// reached directly is reached by a route around what is forbidden; for one that is forbidden itself the nearest
+// permitted place is driven. Knows nothing of drives, clients or states. Pure: time is passed in. Angles are
+// mechanical.
+namespace boresight {
+
+class Motion
+{
+public:
+    explicit Motion(const profile::Profile& profile);
+
+    // Takes over an axis that stands at a measured angle, at rest there. What is wanted stays.
+    void start(Axis axis, Angle measured);
+
+    void rest();  // decelerate, then stay
+    void goTo(const AxisPosition& place);
+    void follow(const AxisPosition& point, SteadyTime now);  // one point of a stream
+    void confirmStream(SteadyTime now);                      // its client has read the position
+    void settleStream();                                     // no more points: come to rest at the last one
+    void run(const AxisRates& rates);
+    void setTrim(const AxisPosition& trim) { m_trim = trim; }  // is added to the points of streams
+
+    // Settings of the profile that apply at once, also in the middle of a motion.
+    void setRegion(const pointing::Region& region, const pointing::PointingModel& pointing);
+    void setLimits(Axis axis, const tracking::MotionLimits& limits);
+    // While nobody knows on which turn an axis stands, nobody knows what is forbidden: only the travel counts.
+    void enforceRegion(bool enforced) { m_axes.enforce(enforced); }
+
+    // Braking is as hard as that of a drive that is left alone, still with bounded jerk; else as the limits say.
+    void setHardBraking(bool hard) { m_hardBraking = hard; }
+    // One step of braking; what is wanted stays, for when both axes can move again.
+    void brake(Seconds step);
+    // Moves the set-points on to `now`, `step` after the previous call.
+    void advance(SteadyTime now, Seconds step);
+
+    [[nodiscard]] const tracking::Setpoint& setpoint(Axis axis) const { return m_axes.setpoint(axis); }
+    [[nodiscard]] AxisPosition place() const { return m_axes.place(); }      // of the set-points
+    [[nodiscard]] std::optional<AxisPosition> target(SteadyTime now) const;  // empty while resting or running
+    [[nodiscard]] bool streaming(SteadyTime now) const;                      // the points look like a path in the sky
+    [[nodiscard]] std::optional<tracking::MovingTarget> path(SteadyTime now) const;  // then this is where it is
+    [[nodiscard]] bool atRest() const { return m_axes.atRest(); }                    // both set-points stand still
+
+    [[nodiscard]] const pointing::PermittedRegion& region() const { return m_axes.region(); }
+    // The way from one place to another; an error with the reason when there is none.
+    [[nodiscard]] Result<std::vector<AxisPosition>> route(const AxisPosition& from, const AxisPosition& to) const;
+    // What is still to be gone of a route around what is forbidden, its end included; empty on a direct way.
+    [[nodiscard]] const std::vector<AxisPosition>& route() const { return m_way.legs; }
+    // The target is forbidden: not it is driven but the nearest permitted place.
+    [[nodiscard]] bool limited() const { return m_limited.has_value(); }
+    [[nodiscard]] bool limited(Axis axis) const;  // this axis is elsewhere because of it
+    // Why the target can not be reached and the axes brake; empty while they can.
+    [[nodiscard]] const std::string& noWay() const { return m_way.obstacle; }
+    // The axis stands at, or brakes for, an edge that what is wanted lies beyond.
+    [[nodiscard]] bool held(Axis axis) const { return m_axes.held(axis); }
+    // What holds an axis or forbids the target: `the keep-out "mast"`. Empty if nothing does.
+    [[nodiscard]] std::string obstacle() const;
+
+private:
+    struct Resting
+    {};
+    using Wanted = std::variant<Resting, AxisPosition, tracking::TargetStream, AxisRates>;
+
+    // How the target is reached, as planned last.
+    struct Way
+    {
+        std::vector<AxisPosition> legs;
+        std::string obstacle;  // why there is none
+        std::optional<AxisPosition> end;
+        SteadyTime planned{};
+    };
+
+    [[nodiscard]] std::optional<tracking::MovingTarget> movingTarget(SteadyTime now) const;
+    [[nodiscard]] std::optional<tracking::MovingTarget> permitted(const tracking::MovingTarget& target);
+    void driveTo(const tracking::MovingTarget& target, SteadyTime now, Seconds step);
+    void planTo(const AxisPosition& end, SteadyTime now);
+    void forgetWay();
+
+    Wanted m_wanted;
+    AxisPosition m_trim{};
+    GuardedAxes m_axes;
+    AxisRates m_speed;
+    std::array<AngularAcceleration, 2> m_hardest;
+    bool m_hardBraking = false;
+    Way m_way;
+    struct Limited
+    {
+        AxisPosition target;   // forbidden
+        AxisPosition nearest;  // driven in its place
+    };
+    std::optional<Limited> m_limited;
+};
+
+}  // namespace boresight

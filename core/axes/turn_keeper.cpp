@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/axes/turn_keeper.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/memory/places.h"
+#include "core/memory/power_proof.h"
+#include "core/units/degrees_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+// While it moves an axis is written down this often; a crash-safe write takes some milliseconds on a disk.
+constexpr std::chrono::seconds kMovingPeriod{1};
+// At rest only what has changed, and now and then the time: the younger the record, the better the proof.
+constexpr std::chrono::minutes kRestingPeriod{5};
+constexpr Angle kWorthNoting = Angle::fromDegrees(0.1);
+// An eye at the mast is this good.
+constexpr Angle kEyeSight = Angle::fromDegrees(20.0);
+// The drive's millisecond counter begins anew.
+constexpr Seconds kCounterSpan{4294967.296};
+// What is known about the drive may be of before its restart; the survey's heartbeat tells within a second.
+constexpr std::chrono::milliseconds kHeartbeat{1500};
+// Half a dozen frames each.
+constexpr std::chrono::seconds kOriginPeriod{5};
+// Between the clock by which somebody looked and this computer's.
+constexpr std::chrono::minutes kClockError{1};
+// Without candidates there is no period to derive it from.
+constexpr Angle kLoneTolerance = Angle::fromDegrees(1.0);
+
+Angle nearestOf(const std::vector<Angle>& candidates, Angle angle)
+{
+    return *std::ranges::min_element(candidates, {}, [angle](Angle one) { return abs(one - angle).radians(); });
+}
+
+// A drive that is on and told a place there pulls the axis to the nearer bound without a ramp, or lets it go in fault.
+// Its bounds may lie at half their margin (survey/protections.cpp).
+bool beyondBounds(Angle place, const TravelRange& travel, const profile::Profile& profile)
+{
+    const Angle margin = profile.control.driveLimitMargin * 0.5;
+    return place < travel.min - margin || place > travel.max + margin;
+}
+
+// The one that `angle` is but for the noise of a report; nothing if it has left the stops.
+std::optional<Angle> sameAmong(const std::vector<Angle>& candidates, Angle angle, Angle period)
+{
+    if (candidates.empty()) {
+        return std::nullopt;
+    }
+    const Angle same = nearestOf(candidates, angle);
+    return abs(same - angle) < period * 0.25 ? std::optional(same) : std::nullopt;
+}
+
+}  // namespace
+
+TurnKeeper::TurnKeeper(const profile::Profile& profile, const Clock& clock, EventLog& log, Start start)
+    : m_profile(profile),
+      m_clock(clock),
+      m_log(log),
+      m_start(std::move(start)),
+      m_placeUsedBefore(m_start.memory.placeUsed && m_start.looked <= *m_start.memory.placeUsed)
+{}
+
+std::optional<memory::TurnRecord>& TurnKeeper::record(Axis axis)
+{
+    return m_start.memory.turns[index(axis)];
+}
+
+void TurnKeeper::forget(Axis axis, const std::optional<QString>& doubt)
+{
+    State& mine = state(axis);
+    mine = {.doubt = doubt ? doubt : mine.doubt, .since = m_clock.now()};
+    if (doubt && axis == Axis::Azimuth) {
+        m_anchor.reset();  // it was perhaps not there any more
+    }
+    if (auto& last = record(axis); doubt && last) {
+        last->proveNothing();  // also after a restart of the program; it still tells where the axis may be
+        m_changed = true;
+    }
+}
+
+bool TurnKeeper::isFresh(Axis axis, const survey::DriveFacts& facts) const
+{
+    return facts.origin.asked > state(axis).since;
+}
+
+bool TurnKeeper::needsOrigin(Axis axis, const survey::DriveFacts& facts) const
+{
+    const Phase phase = state(axis).phase;
+    const bool old =
+        !isFresh(axis, facts) || state(axis).other.origin || m_clock.now() - facts.origin.asked >= kOriginPeriod;
+    return (phase == Phase::Unjudged || phase == Phase::Known) && old;
+}
+
+// A small step of what the drive reports, or one while this computer stood still, is not seen otherwise. One reading
+// can be false: a second one must say the same.
+void TurnKeeper::watchOrigin(Axis axis, const survey::DriveFacts& facts)
+{
+    State& mine = state(axis);
+    const survey::OriginReading& read = facts.origin;
+    if (!read.origin || !isFresh(axis, facts)) {
+        return;
+    }
+    if (!mine.origin || isSameOrigin(axis, facts, *mine.origin)) {
+        mine.origin = mine.origin ? mine.origin : read.origin;
+        mine.other = {};
+    } else if (read.asked != mine.other.asked && mine.other.origin && isSameOrigin(axis, facts, *mine.other.origin)) {
+        forget(axis, Text::tr("The drive's position was set by another tool"));
+    } else {
+        mine.other = read;
+    }
+}
+
+bool TurnKeeper::isSameOrigin(Axis axis, const survey::DriveFacts& facts, const moteus::CountOrigin& one) const
+{
+    return memory::isSameOrigin(one, *facts.origin.origin, period(axis, facts), m_profile.axis(axis).geometry);
+}
+
+Angle TurnKeeper::period(Axis axis, const survey::DriveFacts& facts) const
+{
+    return memory::ambiguity(m_profile.axis(axis).geometry, facts.rotorToOutputRatio, facts.outputEncoder);
+}
+
+// The boards are interchanged: what is known of one says nothing of the other axis.
+bool TurnKeeper::ofTheOtherAxis(Axis axis, const survey::DriveFacts& facts) const
+{
+    const auto& other = m_start.memory.turns[1 - index(axis)];
+    return other && other->drive == facts.uuid;
+}
+
+void TurnKeeper::judge(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now)
+{
+    State& mine = state(axis);
+    if (!drive.report() || !drive.place() || !drive.answering(now) || ofTheOtherAxis(axis, facts)) {
+        return;
+    }
+    switch (mine.phase) {
+        case Phase::Unjudged:
+            if (drive.canBeReferenced() && now >= mine.notBefore && isFresh(axis, facts)) {
+                judgeAnew(axis, facts, drive, now);
+            }
+            break;
+        case Phase::Asked:
+            watchJog(axis, drive);
+            break;
+        case Phase::Writing:
+            if (drive.takeReferenced()) {
+                becomeKnown(axis, drive);
+            } else if (drive.phase() != Drive::Phase::Referencing) {
+                forget(axis);  // it was lost in the middle of it
+            }
+            break;
+        case Phase::Known:
+            if (drive.report()->homeState != mine.homeState) {
+                forget(axis);  // restarted, or told another place
+                state(axis).notBefore = now + kHeartbeat;
+            } else {
+                watchOrigin(axis, facts);
+            }
+            break;
+    }
+}
+
+void TurnKeeper::becomeKnown(Axis axis, const Drive& drive)
+{
+    // While it was asked about, the drive counted from the middle; and its place was written.
+    const SteadyTime since = state(axis).phase == Phase::Unjudged ? state(axis).since : m_clock.now();
+    state(axis) = {.phase = Phase::Known, .since = since, .homeState = drive.report()->homeState};
+    m_log.add(Severity::Advisory, toQString(drive.name()), Text::tr("the turn of its axis is known"));
+}
+
+// Jogged, the axis is not where the journal says.
+void TurnKeeper::watchJog(Axis axis, const Drive& drive)
+{
+    if (record(axis) && drive.phase() != Drive::Phase::Referencing && abs(movedSince(axis, drive)) > kWorthNoting) {
+        record(axis).reset();
+        m_changed = true;
+    }
+}
+
+memory::DriveFrame TurnKeeper::frame(Axis axis, const survey::DriveFacts& facts, const Drive& drive,
+                                     SteadyTime now) const
+{
+    return {.drive = facts.uuid,
+            .reported = drive.place()->position,
+            .homeState = drive.report()->homeState,
+            .uptime = Seconds(std::fmod(Seconds(now - facts.bootedAt).count(), kCounterSpan.count())),
+            .origin = known(axis) ? state(axis).origin : facts.origin.origin,
+            .outputEncoder = facts.outputEncoder,
+            .period = period(axis, facts)};
+}
+
+void TurnKeeper::judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now)
+{
+    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
+    const memory::DriveFrame met = frame(axis, facts, drive, now);
+    const bool trusted = m_profile.axis(axis).powerUpPosition == profile::PowerUpPosition::Trusted ||
+                         (m_start.trustFirstContact && !record(axis));
+    const auto doubt = state(axis).doubt;
+    const memory::Evidence evidence{.record = record(axis),
+                                    .recordProblem = record(axis) ? QString() : m_start.problem,
+                                    .sensorHeading = m_sensor[index(axis)],
+                                    .now = m_clock.utc(),
+                                    .host = memory::hostTime(m_clock),
+                                    .trusted = trusted,
+                                    .doubt = doubt};
+    const memory::Judgement judgement = memory::reconcile(met, evidence, geometry);
+    const auto entered = takeEnteredPlace(axis);
+    if (const auto* const certain = std::get_if<memory::Certain>(&judgement)) {
+        settle(axis, certain->angle, met.period, drive, QStringLiteral("station"), certain->why);
+        return;
+    }
+    ask(axis, std::get<memory::TurnQuestion>(judgement), drive);
+    if (!entered || doubt || !chooseAsEntered(axis, *entered, drive)) {
+        countFromTheMiddle(axis, drive);
+    }
+}
+
+// It is used up by the first judgement, also by one that needs no help: the mount moves from there on.
+std::optional<Angle> TurnKeeper::takeEnteredPlace(Axis axis)
+{
+    const auto place = std::exchange(m_start.standingAt[index(axis)], std::nullopt);
+    if (place && enteredPlaceCounts()) {
+        m_start.memory.placeUsed = m_start.looked;
+        m_changed = true;
+    }
+    return place;
+}
+
+Result<> TurnKeeper::enteredPlaceCounts() const
+{
+    const auto age = std::chrono::floor<std::chrono::minutes>(m_clock.utc() - m_start.looked);
+    if (m_placeUsedBefore) {
+        return failure(ErrorCode::Refused, Text::tr("An earlier start has used it. It counts once."));
+    }
+    if (age >= kPlaceAge) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("It is %1 min old. It counts for %2 min.").arg(age.count()).arg(kPlaceAge.count()));
+    }
+    if (age < -kClockError) {
+        return failure(ErrorCode::Refused, Text::tr("Its time is in the future. Check the clock of this computer."));
+    }
+    return {};
+}
+
+bool TurnKeeper::chooseAsEntered(Axis axis, Angle place, Drive& drive)
+{
+    const QString source = QStringLiteral("command line");
+    const Result<> chosen = enteredPlaceCounts().and_then([&] { return choose(axis, place, drive, source); });
+    if (!chosen) {
+        m_placeProblems[index(axis)] = QString::fromStdString(chosen.error().text);
+    }
+    return chosen.has_value();
+}
+
+void TurnKeeper::ask(Axis axis, const memory::TurnQuestion& question, const Drive& drive)
+{
+    state(axis).phase = Phase::Asked;
+    state(axis).question = question;
+    state(axis).reportedWhenAsked = drive.place()->position;
+    QString text = Text::tr("the turn of the axis is not known: no pointing until the operator has told it");
+    memory::TurnQuestion told = question;
+    addTurning(axis, told);
+    for (const QString& line : told.evidence) {
+        text += QStringLiteral(". ") + line;
+    }
+    m_log.add(Severity::Warning, toQString(drive.name()), text);
+}
+
+// Outside its own bounds a drive refuses to move, and its time-out mode would pull the axis to the nearer bound.
+void TurnKeeper::countFromTheMiddle(Axis axis, Drive& drive)
+{
+    State& mine = state(axis);
+    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
+    const Angle middle = (geometry.travel.min + geometry.travel.max) * 0.5;
+    const Angle reported = geometry.toAxis(drive.place()->position);
+    const Angle period = mine.question.period;
+    const bool phaseKnown = drive.report()->homeState != moteus::HomeState::Relative && period > Angle{};
+    const Angle place = phaseKnown ? reported + period * std::round((middle - reported) / period) : middle;
+    mine.reportedWhenAsked = geometry.toMotor(place);
+    drive.reference(geometry.toMotor(place), tolerance(axis, period));
+}
+
+// Of a place in the drive's own turns: less than half of what it cannot tell apart.
+MotorTurns TurnKeeper::tolerance(Axis axis, Angle period) const
+{
+    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
+    const Angle quarter = period > Angle{} ? period * 0.25 : kLoneTolerance;
+    return abs(geometry.toMotor(geometry.travel.min + quarter) - geometry.toMotor(geometry.travel.min));
+}
+
+Angle TurnKeeper::movedSince(Axis axis, const Drive& drive) const
+{
+    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
+    return geometry.toAxis(drive.place()->position) - geometry.toAxis(state(axis).reportedWhenAsked);
+}
+
+std::optional<memory::TurnQuestion> TurnKeeper::question(Axis axis, const Drive& drive) const
+{
+    const State& mine = state(axis);
+    if (mine.phase != Phase::Asked || !drive.report() || !drive.place()) {
+        return std::nullopt;
+    }
+    memory::TurnQuestion question = mine.question;
+    question.evidence.back() = memory::sensorSentence(m_sensor[index(axis)]);  // it may have come, or moved, since
+    question.movedSince = drive.phase() == Drive::Phase::Referencing ? Angle{} : movedSince(axis, drive);
+    if (question.candidates.empty()) {
+        addTurning(axis, question);
+        return question;
+    }
+    // Those of now: one that lay beyond the stops may have come inside by jogging, and others gone out.
+    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
+    question.candidates =
+        memory::placesAround(geometry.toAxis(drive.place()->position), question.period, geometry.travel);
+    if (question.proposed) {
+        const Angle wandered = *question.proposed + question.movedSince;
+        question.proposed = sameAmong(question.candidates, wandered, question.period);
+    }
+    addTurning(axis, question);
+    return question;
+}
+
+void TurnKeeper::addTurning(Axis axis, memory::TurnQuestion& question) const
+{
+    const auto place = axis == Axis::Azimuth ? memory::placeBySensor(m_anchor, m_course) : std::nullopt;
+    if (place) {
+        memory::addSensorTurning(question, *place);
+    }
+}
+
+Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString& source)
+{
+    const auto asked = question(axis, drive);
+    if (!asked) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("nobody has asked where the axis of the %1 stands").arg(drive.label()));
+    }
+    if (!drive.canBeReferenced()) {
+        return failure(ErrorCode::Refused, Text::tr("the drive is busy: try again in a second"));
+    }
+    Angle place = angle;
+    if (!asked->candidates.empty()) {
+        place = nearestOf(asked->candidates, angle);
+        if (abs(place - angle) > std::min(kEyeSight, asked->period * 0.5)) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("the drive's direction contradicts %1: the nearest it can be at is %2 (if that is "
+                                    "wrong, another tool has set its position: switch its power off and on)")
+                               .arg(degreesText(angle), degreesText(place)));
+        }
+    }
+    const TravelRange& travel = m_profile.axis(axis).geometry.travel;
+    if (place < travel.min - memory::kBeyondTravel || place > travel.max + memory::kBeyondTravel) {
+        return failure(ErrorCode::OutOfRange,
+                       Text::tr("%1 is outside the travel (%2 to %3) by more than %4. Enter the angle of the axis.")
+                           .arg(degreesText(place), degreesText(travel.min), degreesText(travel.max),
+                                degreesText(memory::kBeyondTravel)));
+    }
+    if (drive.report()->mode != moteus::Mode::Stopped && beyondBounds(place, travel, m_profile)) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("%1 is beyond the drive's own bounds, and it would pull the axis to them at once: "
+                                "switch the drives off first (support the elevation)")
+                           .arg(degreesText(place)));
+    }
+    settle(axis, place, asked->period, drive, source, Text::tr("chosen"));
+    return {};
+}
+
+void TurnKeeper::settle(Axis axis, Angle angle, Angle period, Drive& drive, const QString& source, const QString& why)
+{
+    m_log.add(Severity::Advisory, source, Text::tr("%1 stands at %2: %3").arg(drive.label(), degreesText(angle), why));
+    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
+    const MotorTurns place = geometry.toMotor(angle);
+    const MotorTurns near = tolerance(axis, period);
+    const bool there = abs(drive.place()->position - place) < near;
+    const bool trusted = m_profile.axis(axis).powerUpPosition == profile::PowerUpPosition::Trusted;
+    if (there && (trusted || drive.report()->homeState == moteus::HomeState::Output)) {
+        becomeKnown(axis, drive);
+        return;
+    }
+    state(axis) = {.phase = Phase::Writing};
+    drive.reference(place, near);
+}
+
+void TurnKeeper::note(Axis axis, const survey::DriveFacts& facts, const Drive& drive, bool moving, SteadyTime now)
+{
+    State& mine = state(axis);
+    if (mine.phase != Phase::Known || !drive.place() || !drive.answering(now)) {
+        return;
+    }
+    const Angle angle = m_profile.axis(axis).geometry.toAxis(drive.place()->position);
+    if (axis == Axis::Azimuth) {
+        m_anchor = m_course ? std::optional(memory::CourseAnchor{.axis = angle, .course = *m_course}) : m_anchor;
+    }
+    const memory::DriveFrame here = frame(axis, facts, drive, now);
+    auto& last = record(axis);
+    const bool turned = !last || last->drive != facts.uuid || last->moving != moving || last->origin != here.origin;
+    const SteadyTime::duration sinceNoted = mine.noted ? now - *mine.noted : SteadyTime::duration::max();
+    const bool elsewhere = last && abs(last->angle - angle) > kWorthNoting && sinceNoted >= kMovingPeriod;
+    if (turned || !mine.noted || elsewhere || sinceNoted >= kRestingPeriod) {
+        last = memory::recordOf(here, angle, m_profile.axis(axis).geometry, moving, m_clock.utc(),
+                                memory::hostTime(m_clock));
+        mine.noted = now;
+        m_changed = true;
+    }
+}
+
+void TurnKeeper::keep(Axis axis, const memory::CrashStop& stop)
+{
+    m_start.memory.crashStops[index(axis)] = stop;
+    m_changed = true;
+}
+
+}  // namespace boresight

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/control/arming.h"
+
+#include "core/axes/drive_alarms.h"
+#include "core/base/text.h"
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+// After a connection came back somebody may stand at the mast with a cable in the hand.
+constexpr std::chrono::seconds kQuietAfterReturn{1};
+
+}  // namespace
+
+Result<> operatorOnly(const Source& source)
+{
+    if (source.kind != SourceKind::Operator) {
+        return failure(ErrorCode::Refused, Text::tr("only the operator does this"));
+    }
+    return {};
+}
+
+Arming::Arming(const profile::Profile& profile, DrivePair& drives, EventLog& log)
+    : m_drives(drives), m_log(log), m_supervision(profile.supervision), m_retry(profile.recovery)
+{}
+
+void Arming::setProfile(const profile::Profile& profile)
+{
+    m_supervision = profile.supervision;
+    m_retry.setSettings(profile.recovery);
+}
+
+Result<> Arming::admits(const Source& source) const
+{
+    if (m_released) {
+        return failure(ErrorCode::NoAnswer, Text::tr("the bus is left to other tools: take it back first"));
+    }
+    if (!m_connected) {
+        const Axis silent = m_drives.drive(Axis::Azimuth).answering(m_now) ? Axis::Elevation : Axis::Azimuth;
+        return failure(ErrorCode::NoAnswer, Text::tr("no reply from the %1").arg(m_drives.drive(silent).label()));
+    }
+    if (m_closing) {
+        return failure(ErrorCode::Refused, Text::tr("Boresight is closing"));
+    }
+    if (m_now < m_quietUntil) {
+        return failure(ErrorCode::Refused, Text::tr("the drives have only just come back: wait a second"));
+    }
+    if (m_stopLatched) {
+        return failure(ErrorCode::Refused, Text::tr("STOP is latched: reset STOP first"));
+    }
+    if (const auto reason = fault()) {
+        return failure(ErrorCode::Refused, Text::tr("%1: re-arm first").arg(*reason));
+    }
+    return mayCommand(source).and_then([this] { return m_fitness; });
+}
+
+Result<> Arming::mayCommand(const Source& source) const
+{
+    if (source.kind == SourceKind::Client && m_authority == Authority::Operator) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("the operator has taken over: give control back to the clients first"));
+    }
+    return {};
+}
+
+void Arming::latchStop()
+{
+    m_stopLatched = true;
+    m_authority = Authority::Operator;
+}
+
+Result<> Arming::resetStop()
+{
+    if (!m_stopLatched) {
+        return failure(ErrorCode::Refused, Text::tr("STOP is not latched"));
+    }
+    m_stopLatched = false;
+    return {};
+}
+
+bool Arming::losesConnection(SteadyTime now)
+{
+    m_now = now;
+    for (const Axis axis : kAxes) {
+        noteConditions(axis);
+    }
+    const bool connected = m_drives.answering(now) && !m_released;
+    if (connected == m_connected) {
+        return false;
+    }
+    m_connected = connected;
+    if (connected) {
+        m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("both drives answer; nothing moves"));
+        m_quietUntil = m_wasConnected ? now + kQuietAfterReturn : now;
+        m_wasConnected = true;
+        return false;
+    }
+    m_log.add(Severity::Warning, QStringLiteral("station"),
+              m_released ? Text::tr("the bus is left to other tools") : Text::tr("a drive has stopped answering"));
+    return true;
+}
+
+void Arming::lost(Axis axis, supervision::LossClass kind, const QString& reason)
+{
+    const auto same = [&](const Loss& loss) { return loss.axis == axis && loss.kind == kind; };
+    if (std::ranges::none_of(m_losses, same)) {
+        m_losses.push_back({.axis = axis, .kind = kind, .reason = reason, .conditions = m_told[index(axis)]});
+    }
+    m_retry.lost(kind, m_now);
+    m_rearming = false;
+}
+
+std::optional<QString> Arming::fault() const
+{
+    return m_losses.empty() ? std::nullopt : std::optional(m_losses.front().reason);
+}
+
+supervision::DriveConditions Arming::conditions(Axis axis) const
+{
+    const auto& report = m_drives.drive(axis).report();
+    if (!report) {
+        return {};
+    }
+    return {.voltage = report->voltage,
+            .boardTemperature = report->boardTemperature,
+            .motorTemperature = report->motorTemperature};
+}
+
+// The reply in which a drive is lost may be the one that does not say it.
+void Arming::noteConditions(Axis axis)
+{
+    const supervision::DriveConditions now = conditions(axis);
+    supervision::DriveConditions& told = m_told[index(axis)];
+    told = {.voltage = now.voltage ? now.voltage : told.voltage,
+            .boardTemperature = now.boardTemperature ? now.boardTemperature : told.boardTemperature,
+            .motorTemperature = now.motorTemperature ? now.motorTemperature : told.motorTemperature};
+}
+
+// The heat or the supply that led to a fault is still there, or would lead to the next one.
+QString Arming::rearmObstacle() const
+{
+    const auto of = [this](Axis axis, const QString& why) {
+        return why.isEmpty() ? QString() : QStringLiteral("%1: %2").arg(m_drives.drive(axis).label(), why);
+    };
+    QString obstacle;
+    for (const Loss& loss : m_losses) {
+        obstacle =
+            of(loss.axis, supervision::clearRefusal(m_supervision, loss.kind, loss.conditions, conditions(loss.axis)));
+        if (!obstacle.isEmpty()) {
+            return obstacle;
+        }
+    }
+    for (const Axis axis : kAxes) {
+        obstacle =
+            obstacle.isEmpty() ? of(axis, supervision::standingRefusal(m_supervision, conditions(axis))) : obstacle;
+    }
+    return obstacle;
+}
+
+Result<> Arming::rearm(const Source& source)
+{
+    if (source.kind == SourceKind::Client && m_authority == Authority::Operator) {
+        return failure(ErrorCode::Refused, Text::tr("the operator has taken over: re-arming is up to the operator"));
+    }
+    if (m_losses.empty()) {
+        return failure(ErrorCode::Refused, Text::tr("there is no fault to re-arm from"));
+    }
+    if (m_closing) {
+        return failure(ErrorCode::Refused, Text::tr("Boresight is closing"));
+    }
+    if (!m_connected) {
+        return failure(ErrorCode::NoAnswer, Text::tr("both drives must answer before re-arming"));
+    }
+    if (const QString why = rearmObstacle(); !why.isEmpty()) {
+        return failure(ErrorCode::Refused, why.toStdString());
+    }
+    m_log.add(Severity::Advisory, source.name, Text::tr("re-arms: drives in fault or time-out are stopped first"));
+    if (source.kind == SourceKind::Operator) {
+        m_authority = Authority::Operator;  // clients still sending must not move the mount at once
+    }
+    m_retry.rearmed();
+    beginRearm();
+    return {};
+}
+
+void Arming::beginRearm()
+{
+    for (const Axis axis : kAxes) {
+        if (m_drives.drive(axis).latched()) {
+            m_drives.drive(axis).recover();
+        }
+    }
+    m_rearming = true;
+}
+
+// The profile's written policy for a station without an operator: a re-arm, never a motion.
+void Arming::retry()
+{
+    const auto due = m_retry.nextTry();
+    if (!due || m_now < *due || m_rearming || m_losses.empty() || m_stopLatched || !m_connected || m_closing ||
+        m_now < m_quietUntil || !rearmObstacle().isEmpty()) {
+        return;
+    }
+    m_retry.tried(m_now);
+    m_log.add(Severity::Warning, QStringLiteral("station"),
+              Text::tr("re-arms by the profile's recovery policy; nothing moves by itself"));
+    beginRearm();
+}
+
+bool Arming::completesRearm()
+{
+    if (m_losses.empty()) {
+        m_retry.healthy(m_now);
+    }
+    retry();
+    if (!m_rearming || m_drives.changingHands()) {
+        return false;
+    }
+    m_rearming = false;
+    m_losses.clear();
+    return true;
+}
+
+}  // namespace boresight

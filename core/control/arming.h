@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/event_log.h"
+#include "core/axes/drive_pair.h"
+#include "core/base/clock.h"
+#include "core/base/result.h"
+#include "core/base/text.h"
+#include "core/messages/station_status.h"
+#include "core/profile/profile.h"
+#include "core/supervision/retry_policy.h"
+
+#include <QString>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+// May the mount move at all, and if not, why, and how does it come back? Keeps what can stand in the way: the bus left
+// to others, drives that are silent, have only just come back or are not fit, the STOP latch, lost drives, and who has
+// the authority. A lost drive latches a fault, and the way out is a re-arm: by a person, or by the profile's recovery
+// policy. Starts no motion and ends none. Station thread only.
+namespace boresight {
+
+// What no client may ask.
+[[nodiscard]] Result<> operatorOnly(const Source& source);
+
+class Arming
+{
+public:
+    Arming(const profile::Profile& profile, DrivePair& drives, EventLog& log);
+
+    // May this source start a motion? The error says what stands in the way and what to do.
+    [[nodiscard]] Result<> admits(const Source& source) const;
+    // Has this source the control authority, whatever else stands in the way?
+    [[nodiscard]] Result<> mayCommand(const Source& source) const;
+
+    // Nothing moves until reset; a STOP also takes the authority from the clients.
+    void latchStop();
+    Result<> resetStop();
+    [[nodiscard]] bool stopLatched() const { return m_stopLatched; }
+
+    void setAuthority(Authority authority) { m_authority = authority; }
+    [[nodiscard]] Authority authority() const { return m_authority; }
+
+    // Whether the drives are fit to move the mount, by the survey of their protections.
+    void setFitness(const Result<>& fitness) { m_fitness = fitness; }
+    [[nodiscard]] const Result<>& fitness() const { return m_fitness; }
+
+    // The bus is left to other tools, or taken back.
+    void setReleased(bool released) { m_released = released; }
+    [[nodiscard]] bool released() const { return m_released; }
+
+    // The program ends: no start and no re-arm from now on.
+    void close() { m_closing = true; }
+    [[nodiscard]] bool closing() const { return m_closing; }
+
+    // First in a tick, after the replies were judged. True once when the connection to a drive was lost.
+    [[nodiscard]] bool losesConnection(SteadyTime now);
+    [[nodiscard]] bool connected() const { return m_connected; }
+
+    void setProfile(const profile::Profile& profile);
+
+    // Latches the fault. `reason` in words: "azimuth drive: over temperature (38)"; the first one of a series stays.
+    void lost(Axis axis, supervision::LossClass kind, const QString& reason);
+    [[nodiscard]] std::optional<QString> fault() const;
+    // Clears faults and time-outs of the drives; done when completesRearm() says so.
+    Result<> rearm(const Source& source);
+    // Once in a tick, after its losses: re-arms by the policy when it is time. True once when a re-arm is done.
+    [[nodiscard]] bool completesRearm();
+
+private:
+    struct Loss
+    {
+        Axis axis = Axis::Azimuth;
+        supervision::LossClass kind = supervision::LossClass::Motion;
+        QString reason;
+        supervision::DriveConditions conditions;
+    };
+
+    [[nodiscard]] QString rearmObstacle() const;
+    [[nodiscard]] supervision::DriveConditions conditions(Axis axis) const;
+    void noteConditions(Axis axis);
+    void beginRearm();
+    void retry();
+
+    DrivePair& m_drives;
+    EventLog& m_log;
+    profile::SupervisionSettings m_supervision;
+    supervision::RetryPolicy m_retry;
+    Result<> m_fitness = failure(ErrorCode::Refused, Text::tr("the drives have not been looked at yet"));
+    Authority m_authority = Authority::Clients;
+    bool m_stopLatched = false;
+    bool m_released = false;
+    bool m_closing = false;
+    bool m_connected = false;
+    bool m_wasConnected = false;
+    SteadyTime m_quietUntil{};                             // no motion right after a connection came back
+    std::vector<Loss> m_losses;                            // since the last re-arm; any of them latches the fault
+    std::array<supervision::DriveConditions, 2> m_told{};  // what each drive has told last
+    bool m_rearming = false;
+    SteadyTime m_now{};  // of the running or last tick
+};
+
+}  // namespace boresight

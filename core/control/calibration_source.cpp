@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/control/calibration_source.h"
+
+#include <limits>
+
+namespace boresight {
+
+const Source& calibrationSource()
+{
+    // Clients are counted from 1 on, and the operator's hand has no number.
+    static const Source kSource{.kind = SourceKind::Operator,
+                                .clientId = std::numeric_limits<std::uint64_t>::max(),
+                                .name = QStringLiteral("operator")};
+    return kSource;
+}
+
+}  // namespace boresight

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/messages/station_status.h"
+
+// Who asks for the motions of calibrations: the operator, but not the operator's own hand, which ends them. Such a
+// motion is asked for again and again by what leads it. Station thread.
+namespace boresight {
+
+[[nodiscard]] const Source& calibrationSource();
+
+}  // namespace boresight

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/control/client_lead.h"
+
+#include "core/base/text.h"
+#include "core/rotctld/peer_address.h"
+
+namespace boresight {
+namespace {
+
+bool lockedOut(const ClientLead::Rules& rules, const std::string& host)
+{
+    return rules.lead == profile::Lead::Locked && !rotctld::sameHost(host, rules.lockedTo);
+}
+
+QString ago(SteadyTime::duration age)
+{
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(age).count();
+    return seconds < 1 ? Text::tr("a moment ago") : Text::tr("%1 s ago").arg(seconds);
+}
+
+}  // namespace
+
+void ClientLead::came(const Source& client, const std::string& host)
+{
+    Connected& one = m_clients[client.clientId] = {.client = client, .host = host};
+    if (const auto passer = m_passers.find(host); passer != m_passers.end()) {
+        one.asked = passer->second.asked;
+        one.waits = passer->second.waits;
+        m_passers.erase(passer);
+    }
+}
+
+// Some programs connect for each command. They would lose the lead between any two, so a client that leaves after a
+// single motion command leaves it to a later connection of its host until kRelease is over.
+void ClientLead::gone(const Source& client)
+{
+    if (const auto left = m_clients.extract(client.clientId); left && left.mapped().asked && left.mapped().asks <= 1) {
+        m_passers[left.mapped().host] = {.asked = *left.mapped().asked, .waits = left.mapped().waits};
+    }
+    if (!m_leader || m_leader->client.clientId != client.clientId) {
+        return;
+    }
+    if (m_leader->motions == 1 && !m_leader->host.empty()) {
+        m_leader->left = true;
+    } else {
+        m_leader.reset();
+    }
+}
+
+std::string ClientLead::hostOf(std::uint64_t clientId) const
+{
+    const auto found = m_clients.find(clientId);
+    return found == m_clients.end() ? std::string() : found->second.host;
+}
+
+bool ClientLead::leadHeld(const Rules& rules, SteadyTime now) const
+{
+    return rules.lead != profile::Lead::Last && m_leader && now - m_leader->seen < kRelease &&
+           !lockedOut(rules, m_leader->host);
+}
+
+bool ClientLead::continues(const Source& client) const
+{
+    const bool later = client.clientId > m_leader->client.clientId;
+    return client.clientId == m_leader->client.clientId ||
+           (m_leader->left && later && rotctld::sameHost(hostOf(client.clientId), m_leader->host));
+}
+
+QString ClientLead::leaderText(SteadyTime now) const
+{
+    const QString when = ago(now - m_leader->since);
+    if (m_leader->left) {
+        return Text::tr("%1 has the lead: it connects for each command and sent its last %2")
+            .arg(toQString(m_leader->host), when);
+    }
+    return (m_leader->given ? Text::tr("%1 was given the lead %2")
+                            : Text::tr("%1 has the lead: it sent its last command %2"))
+        .arg(m_leader->client.name, when);
+}
+
+Result<> ClientLead::mayAct(const Rules& rules, const Source& client, SteadyTime now) const
+{
+    if (readOnly(client.clientId)) {
+        return failure(ErrorCode::Refused, Text::tr("the operator has made this client read-only"));
+    }
+    if (lockedOut(rules, hostOf(client.clientId))) {
+        return failure(ErrorCode::Refused, Text::tr("the mount is locked to %1").arg(toQString(rules.lockedTo)));
+    }
+    if (leadHeld(rules, now) && !continues(client)) {
+        return failure(ErrorCode::Refused, leaderText(now));
+    }
+    return {};
+}
+
+Result<> ClientLead::admits(const Rules& rules, const Source& client, SteadyTime now) const
+{
+    return mayAct(rules, client, now).and_then([&]() -> Result<> {
+        if (waits(client.clientId)) {
+            return failure(ErrorCode::Refused, Text::tr("Another client re-armed the drives while this one kept "
+                                                        "sending. Pause it for %1 s, or send R 1.")
+                                                   .arg(kRelease.count()));
+        }
+        return {};
+    });
+}
+
+void ClientLead::asked(const Source& client, SteadyTime now)
+{
+    std::erase_if(m_passers, [now](const auto& passer) { return now - passer.second.asked >= kRelease; });
+    const auto found = m_clients.find(client.clientId);
+    if (found == m_clients.end()) {
+        return;
+    }
+    Connected& one = found->second;
+    one.waits = one.waits && now - *one.asked < kRelease;
+    one.asked = now;
+    ++one.asks;
+}
+
+void ClientLead::rearmed(const Source& client, SteadyTime now)
+{
+    for (auto& [id, one] : m_clients) {
+        one.waits = id != client.clientId && one.asked && now - *one.asked < kRelease;
+    }
+    for (auto& [host, passer] : m_passers) {
+        passer.waits = !rotctld::sameHost(host, hostOf(client.clientId));
+    }
+}
+
+bool ClientLead::waits(std::uint64_t clientId) const
+{
+    const auto found = m_clients.find(clientId);
+    return found != m_clients.end() && found->second.waits;
+}
+
+void ClientLead::acted(const Source& client)
+{
+    if (const auto found = m_clients.find(client.clientId); found != m_clients.end()) {
+        found->second.waits = false;
+    }
+}
+
+void ClientLead::moved(const Source& client, SteadyTime now)
+{
+    const bool same = m_leader && m_leader->client.clientId == client.clientId;
+    const int motions = same ? m_leader->motions : 0;
+    m_leader =
+        Leader{.client = client, .host = hostOf(client.clientId), .since = now, .seen = now, .motions = motions + 1};
+}
+
+void ClientLead::followed(std::uint64_t clientId, SteadyTime now)
+{
+    if (m_leader && m_leader->client.clientId == clientId && now - m_leader->seen < kRelease) {
+        m_leader->seen = now;
+    }
+}
+
+Result<> ClientLead::give(const Rules& rules, std::uint64_t clientId, SteadyTime now)
+{
+    const auto found = m_clients.find(clientId);
+    if (found == m_clients.end()) {
+        return failure(ErrorCode::NotAvailable, Text::tr("this client has left"));
+    }
+    if (lockedOut(rules, found->second.host)) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("the mount is locked to %1: unlock it first").arg(toQString(rules.lockedTo)));
+    }
+    found->second.readOnly = false;
+    found->second.waits = false;
+    m_leader =
+        Leader{.client = found->second.client, .host = found->second.host, .since = now, .seen = now, .given = true};
+    return {};
+}
+
+Result<> ClientLead::setReadOnly(std::uint64_t clientId, bool readOnly)
+{
+    const auto found = m_clients.find(clientId);
+    if (found == m_clients.end()) {
+        return failure(ErrorCode::NotAvailable, Text::tr("this client has left"));
+    }
+    found->second.readOnly = readOnly;
+    if (readOnly && m_leader && m_leader->client.clientId == clientId) {
+        m_leader.reset();
+    }
+    return {};
+}
+
+void ClientLead::resume(SteadyTime now)
+{
+    for (auto& [id, one] : m_clients) {
+        one.waits = false;
+    }
+    m_passers.clear();
+    if (m_leader && !m_leader->left) {
+        m_leader->since = now;
+        m_leader->seen = now;
+    }
+}
+
+bool ClientLead::leads(const Rules& rules, std::uint64_t clientId, SteadyTime now) const
+{
+    return leadHeld(rules, now) && !m_leader->left && m_leader->client.clientId == clientId;
+}
+
+bool ClientLead::readOnly(std::uint64_t clientId) const
+{
+    const auto found = m_clients.find(clientId);
+    return found != m_clients.end() && found->second.readOnly;
+}
+
+bool ClientLead::locked(const Rules& rules, std::uint64_t clientId) const
+{
+    return rules.lead == profile::Lead::Locked && rotctld::sameHost(hostOf(clientId), rules.lockedTo);
+}
+
+QString ClientLead::name(std::uint64_t clientId) const
+{
+    const auto found = m_clients.find(clientId);
+    return found == m_clients.end() ? QString() : found->second.client.name;
+}
+
+}  // namespace boresight

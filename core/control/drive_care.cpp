@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/control/drive_care.h"
+
+#include "core/base/overloaded.h"
+#include "core/base/text.h"
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+// Then the drives' silence is told too.
+constexpr std::chrono::seconds kSilencePatience{1};
+
+survey::KnownBoards knownBoards(const memory::MountMemory& memory)
+{
+    survey::KnownBoards known;
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        known[i] = memory.turns[i] ? memory.turns[i]->drive : QString();
+    }
+    return known;
+}
+
+Severity severityOf(survey::FindingWeight weight)
+{
+    switch (weight) {
+        case survey::FindingWeight::Advice:
+            return Severity::Advisory;
+        case survey::FindingWeight::Warning:
+            return Severity::Warning;
+        case survey::FindingWeight::Blocking:
+            break;
+    }
+    return Severity::Alarm;
+}
+
+}  // namespace
+
+DriveCare::DriveCare(const profile::Profile& profile, StationControl& control, EventLog& log)
+    : m_control(control), m_log(log), m_survey(profile, knownBoards(control.memory()))
+{}
+
+std::vector<CanFrame> DriveCare::tick(SteadyTime now)
+{
+    watchConnection(now);
+    if (m_control.busReleased()) {
+        return {};
+    }
+    auto frames = m_survey.frames(now);
+    tellControl();
+    tellFindings();
+    tellChanges();
+    return frames;
+}
+
+// A drive that was silent may be another one, or have lost its power, when it answers again.
+void DriveCare::watchConnection(SteadyTime now)
+{
+    bool came = false;
+    bool went = false;
+    for (const Axis axis : kAxes) {
+        const bool answers = m_control.answering(axis);
+        came |= answers && !m_answering[index(axis)];
+        went |= !answers && m_answering[index(axis)];
+        m_answering[index(axis)] = answers;
+    }
+    if (went) {
+        m_survey.forget();
+    }
+    if (came) {
+        m_survey.begin(now);
+    }
+    watchSilence(now);
+}
+
+// Two boards with one id destroy each other's answers to all but the survey's own question: where nobody answers, it is
+// asked all the same.
+void DriveCare::watchSilence(SteadyTime now)
+{
+    if (m_control.busReleased() || m_answering[0] || m_answering[1]) {
+        m_silentSince.reset();
+    } else if (!m_silentSince) {
+        m_silentSince = now;
+    } else if (now - *m_silentSince >= kSilencePatience && !m_survey.isUnderWay()) {
+        m_survey.begin(now);
+    }
+}
+
+void DriveCare::tellControl()
+{
+    m_survey.setKnownBoards(knownBoards(m_control.memory()));
+    m_control.setFitness(m_survey.fitToMove());
+    for (const Axis axis : kAxes) {
+        if (m_survey.rebootsSeen(axis) != std::exchange(m_rebootsTold[index(axis)], m_survey.rebootsSeen(axis))) {
+            m_control.driveRestarted(axis);
+        }
+        m_control.learn(axis, m_survey.facts(axis));
+        if (m_control.needsOrigin(axis)) {
+            m_survey.readOrigin(axis);
+        }
+    }
+}
+
+void DriveCare::tellFindings()
+{
+    std::vector<QString> causes;
+    for (const survey::Finding& finding : m_survey.findings()) {
+        if (finding.cause == survey::kNobodyAnswers) {
+            continue;  // each drive has an alarm for its silence
+        }
+        m_control.alarms().raise(finding.cause, severityOf(finding.weight),
+                                 {.what = finding.what, .action = finding.action, .remedy = finding.remedy});
+        causes.push_back(finding.cause);
+    }
+    for (const QString& cause : m_findingsTold) {
+        if (std::ranges::find(causes, cause) == causes.end()) {
+            m_control.alarms().clear(cause);
+        }
+    }
+    m_findingsTold = std::move(causes);
+}
+
+void DriveCare::tellChanges()
+{
+    for (const survey::Change& change : m_survey.takeChanges()) {
+        if (change.written) {
+            m_log.add(Severity::Advisory, QStringLiteral("drives"), Text::tr("written: %1").arg(change.text));
+        } else {
+            m_log.add(Severity::Warning, QStringLiteral("drives"), Text::tr("changed meanwhile: %1").arg(change.text));
+        }
+    }
+}
+
+Result<> DriveCare::admits(const Request& request) const
+{
+    const bool touches = std::holds_alternative<request::ReadDrives>(request) ||
+                         std::holds_alternative<request::FixDrives>(request) ||
+                         std::holds_alternative<request::ReleaseBus>(request);
+    if (touches && m_survey.state() == survey::SurveyState::Fixing) {
+        return failure(ErrorCode::Refused, Text::tr("the drives' settings are being written: wait until that is done"));
+    }
+    return {};
+}
+
+Result<> DriveCare::carryOut(const Request& request, SteadyTime now)
+{
+    const Result<> done = std::visit(Overloaded{[&](const request::ReadDrives&) -> Result<> {
+                                                    m_survey.begin(now);
+                                                    return {};
+                                                },
+                                                [&](const request::FixDrives&) { return m_survey.fix(now); },
+                                                [](const auto&) -> Result<> { return {}; }},
+                                     request);
+    tellControl();  // at once: a client's command may come before the next tick
+    return done;
+}
+
+void DriveCare::fill(DrivesStatus& drives) const
+{
+    drives.survey = m_survey.state();
+    drives.surveyText = m_survey.progress();
+    drives.fixable = m_survey.isFixable();
+    drives.strangers = m_survey.strangers();
+    fill(Axis::Azimuth, drives.azimuth);
+    fill(Axis::Elevation, drives.elevation);
+}
+
+void DriveCare::fill(Axis axis, DriveStatus& drive) const
+{
+    if (const auto& facts = m_survey.facts(axis)) {
+        drive.identity = facts->identity;
+    }
+    const auto lines = m_survey.protections(axis);
+    drive.protections.assign(lines.begin(), lines.end());
+}
+
+}  // namespace boresight

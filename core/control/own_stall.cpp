@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/control/own_stall.h"
+
+#include <utility>
+
+namespace boresight {
+namespace {
+
+// After a longer one nobody expects the mount to set off.
+constexpr Seconds kLongest{2.0};
+// From the end of the stall to the end of the resumption.
+constexpr std::chrono::seconds kOwnStallPatience{1};
+// The drives' watchdogs run from frame to frame, the gap from tick to tick.
+constexpr double kWatchdogShare = 0.75;
+// Braking from 10°/s takes some 1.5°.
+constexpr Angle kDisplaced = Angle::fromDegrees(2.0);
+
+}  // namespace
+
+bool OwnStall::note(Seconds gap, Seconds watchdog, const AxisPosition& setpoints, SteadyTime now)
+{
+    if (gap < watchdog * kWatchdogShare) {
+        return false;
+    }
+    m_gap = gap;
+    m_end = now;
+    m_setpoints = m_resuming ? m_setpoints : setpoints;
+    m_possible = gap <= kLongest;
+    return true;
+}
+
+void OwnStall::sent(Seconds watchdog, const AxisPosition& setpoints, SteadyTime now)
+{
+    const SteadyTime before = std::exchange(m_sent, now).value_or(now);
+    if (now - m_end >= watchdog) {  // else the beginning of this tick has told
+        note(now - before, watchdog, setpoints, now);
+    }
+}
+
+bool OwnStall::explainsTimeOut(SteadyTime now) const
+{
+    return m_possible && now - m_end <= kOwnStallPatience;
+}
+
+bool OwnStall::isNear(Axis axis, Angle measured) const
+{
+    return abs(measured - (axis == Axis::Azimuth ? m_setpoints.azimuth : m_setpoints.elevation)) < kDisplaced;
+}
+
+bool OwnStall::isLate(SteadyTime now) const
+{
+    return now - m_end > kOwnStallPatience;
+}
+
+}  // namespace boresight

@@ -1,0 +1,547 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/control/station_control.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/pointing/sun_keep_out.h"
+#include "core/units/degrees_text.h"
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+constexpr std::chrono::seconds kOldestPosition{1};
+constexpr int kClientLinesPerSecond = 4;
+
+QString text(const AxisPosition& place)
+{
+    return degreesText(place.azimuth, 2) + QStringLiteral(" ") + degreesText(place.elevation, 2);
+}
+
+QString text(const SkyPointing& direction)
+{
+    return degreesText(direction.azimuth, 2) + QStringLiteral(" ") + degreesText(direction.elevation, 2);
+}
+
+// As far as clients ask for one.
+bool asksForMotion(const Request& request)
+{
+    return std::holds_alternative<request::PointSky>(request) || std::holds_alternative<request::PointAxes>(request) ||
+           std::holds_alternative<request::Move>(request) || std::holds_alternative<request::Park>(request);
+}
+
+bool isZero(const AxisRates& rates)
+{
+    return rates == AxisRates{};
+}
+
+}  // namespace
+
+StationControl::StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log,
+                               TurnKeeper::Start start)
+    : m_profile(profile),
+      m_clock(clock),
+      m_log(log),
+      m_model(profile.azimuth.geometry, profile.elevation.geometry, pointing::PointingModel(profile.pointing)),
+      m_drives(profile),
+      m_motion(profile),
+      m_sun(profile),
+      m_arming(profile, m_drives, log),
+      m_alarms(log, clock),
+      m_azimuthWatch(Axis::Azimuth, profile, m_alarms),
+      m_elevationWatch(Axis::Elevation, profile, m_alarms),
+      m_turns(profile, clock, log, std::move(start)),
+      m_clientLines(log, clock, kClientLinesPerSecond),
+      m_started(clock.now()),
+      m_now(m_started)
+{
+    (void)m_sun.update(clock);
+    enforceRegion();
+    tellAdvice();
+}
+
+Result<> StationControl::request(const Request& request, const Source& source)
+{
+    if (source.kind == SourceKind::Client && asksForMotion(request)) {
+        clientAsked(source);
+    }
+    return std::visit([&](const auto& wanted) { return handle(wanted, source); }, request);
+}
+
+Result<> StationControl::mayMove(const Source& source) const
+{
+    if (m_proof) {
+        return failure(ErrorCode::Refused, Text::tr("the crash-stop proof moves the mount: end it first"));
+    }
+    const auto commands = [&] { return mayCommand(source); };
+    return m_arming.admits(source).and_then(commands).and_then([&]() -> Result<> {
+        for (const Axis axis : kAxes) {
+            if (!m_drives.measured(axis)) {
+                return failure(
+                    ErrorCode::NoAnswer,
+                    Text::tr("the %1 reports no position: look at its encoder").arg(m_drives.drive(axis).label()));
+            }
+        }
+        return {};
+    });
+}
+
+Result<> StationControl::axesPlaced() const
+{
+    for (const Axis axis : kAxes) {
+        if (!m_turns.known(axis)) {
+            return failure(ErrorCode::Refused, Text::tr("it is not known on which turn the axis of the %1 stands: "
+                                                        "the operator must tell; slow jogging only")
+                                                   .arg(m_drives.drive(axis).label()));
+        }
+    }
+    return insideTravel();
+}
+
+Result<> StationControl::mayPoint(const Source& source) const
+{
+    const auto directionsSeen = [this]() -> Result<> {
+        if (m_profile.mount.directions != profile::Directions::Confirmed) {
+            return failure(
+                ErrorCode::Refused,
+                Text::tr("it is not confirmed yet which way the axes turn: jog each a little and confirm it first"));
+        }
+        return {};
+    };
+    return mayMove(source).and_then(directionsSeen).and_then([this] { return axesPlaced(); }).and_then([this] {
+        return mayLeaveSunBand({}, {});
+    });
+}
+
+Result<> StationControl::mayCommand(const Source& source) const
+{
+    return m_arming.mayCommand(source).and_then([&]() -> Result<> {
+        return source.kind == SourceKind::Client ? m_lead.admits(m_profile.rotctld, source, m_now) : Result<>{};
+    });
+}
+
+bool StationControl::turnsKnown() const
+{
+    return m_turns.known(Axis::Azimuth) && m_turns.known(Axis::Elevation);
+}
+
+int StationControl::farOutside(Axis axis) const
+{
+    const auto place = m_drives.measured(axis);
+    if (!m_turns.known(axis) || !place) {
+        return 0;
+    }
+    const TravelRange& travel = m_model.axis(axis).travel;
+    const Angle margin = m_profile.control.driveLimitMargin;
+    return *place > travel.max + margin ? 1 : *place < travel.min - margin ? -1 : 0;
+}
+
+Result<> StationControl::insideTravel() const
+{
+    for (const Axis axis : kAxes) {
+        if (farOutside(axis) != 0) {
+            const TravelRange& travel = m_model.axis(axis).travel;
+            return failure(ErrorCode::Refused,
+                           Text::tr("The %1 stands at %2, outside its travel (%3 to %4). Jog it back slowly.")
+                               .arg(m_drives.drive(axis).label(), degreesText(*m_drives.measured(axis), 2),
+                                    degreesText(travel.min, 2), degreesText(travel.max, 2)));
+        }
+    }
+    return {};
+}
+
+// Somebody must watch the cable of an axis whose turn is not known, or that stands where it should never be. So only
+// the operator jogs it, and slowly.
+Result<> StationControl::mayJog(const AxisRates& rates, const Source& source) const
+{
+    return mayMove(source).and_then([&]() -> Result<> {
+        if (const Result<> placed = axesPlaced(); !placed) {
+            return source.kind == SourceKind::Operator ? mayJogSlowly(rates) : placed;
+        }
+        return mayLeaveSunBand(rates, source);
+    });
+}
+
+Result<> StationControl::mayJogSlowly(const AxisRates& rates) const
+{
+    for (const Axis axis : kAxes) {
+        if (!m_turns.known(axis) && !m_turns.asked(axis)) {
+            return failure(ErrorCode::Refused, Text::tr("the place of the axes is being found out: wait a moment"));
+        }
+        const AngularRate rate = axis == Axis::Azimuth ? rates.azimuth : rates.elevation;
+        if (rate * static_cast<double>(farOutside(axis)) > AngularRate{}) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("The %1 stands outside its travel. It may only be jogged back inside.")
+                               .arg(m_drives.drive(axis).label()));
+        }
+    }
+    const AngularRate fastest = m_profile.jog.unwind;
+    if (std::max(abs(rates.azimuth), abs(rates.elevation)) > fastest) {
+        return failure(ErrorCode::Refused, (turnsKnown() ? Text::tr("An axis stands outside its travel. Jog at %1°/s "
+                                                                    "or slower.")
+                                                         : Text::tr("the turn of an axis is not known: jog at %1°/s or "
+                                                                    "slower"))
+                                               .arg(toQString(formatFixed(fastest.degrees(), 1))));
+    }
+    return {};
+}
+
+AxisPosition StationControl::standing() const
+{
+    return m_drives.engaged() ? m_motion.place() : m_drives.measured().value_or(AxisPosition{});
+}
+
+AxisPosition StationControl::heading() const
+{
+    if (!m_drives.engaged()) {
+        return m_drives.measured().value_or(AxisPosition{});
+    }
+    return m_motion.target(m_now).value_or(m_motion.place());
+}
+
+void StationControl::takeOver(const Source& source)
+{
+    if (source.kind == SourceKind::Operator && m_arming.authority() == Authority::Clients) {
+        m_arming.setAuthority(Authority::Operator);
+        tell(Severity::Advisory, source, Text::tr("takes over: motion commands of clients are refused"));
+    }
+}
+
+void StationControl::tell(Severity severity, const Source& source, const QString& what, LogKind kind)
+{
+    if (source.kind == SourceKind::Client) {
+        m_clientLines.add(severity, source.name, what, kind);
+    } else {
+        m_log.add(severity, source.name, what, kind);
+    }
+}
+
+void StationControl::begin(Activity activity, const Source& source, const QString& what)
+{
+    takeOver(source);
+    const bool continues = m_activity == activity && m_commander == source &&
+                           (activity == Activity::Streaming || activity == Activity::Jogging);
+    if (!continues) {
+        m_turnBack.reset();
+        tell(Severity::Advisory, source, Text::tr("moves the mount from %1: %2").arg(directionText(heading()), what),
+             LogKind::MotionStart);
+        m_errand += activity == Activity::Jogging ? 0 : 1;
+    }
+    if (source.kind == SourceKind::Client) {
+        m_lead.moved(source, m_now);
+    }
+    m_activity = activity;
+    m_commander = source;
+    m_commandText = what;
+    m_limitedReason.clear();
+    m_wantedDirection.reset();
+    m_jogDeadline.reset();
+    m_drives.engage();
+}
+
+void StationControl::holdHere(Activity activity)
+{
+    if (m_proof) {
+        endProof(Text::tr("ended before it was done"));
+    }
+    m_activity = activity;
+    m_limitedReason.clear();
+    m_wantedDirection.reset();
+    m_jogDeadline.reset();
+    m_commandText.clear();
+    m_motion.rest();
+}
+
+Result<> StationControl::goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& what)
+{
+    return mayPoint(source).and_then([&] { return mayGoTo(place); }).map([&] {
+        begin(activity, source, what);
+        m_motion.goTo(m_model.resolve(place).position);
+    });
+}
+
+Result<> StationControl::mayGoTo(const AxisPosition& place) const
+{
+    const pointing::Resolved resolved = m_model.resolve(place);
+    if (resolved.limited) {
+        return failure(ErrorCode::OutOfRange, resolved.reason);
+    }
+    if (const std::string why = m_motion.region().reason(resolved.position); !why.empty()) {
+        const auto nearest = m_motion.region().nearest(resolved.position);
+        return failure(ErrorCode::OutOfRange,
+                       nearest
+                           ? Text::tr("%1; permitted nearest to it: %2").arg(toQString(why), directionText(*nearest))
+                           : toQString(why));
+    }
+    return m_motion.route(standing(), resolved.position).map([](const auto&) {});
+}
+
+// Of the turns of a direction the one nearest to where it is sought that can be reached; if none can, the place itself.
+AxisPosition StationControl::turnWithAWay(const AxisPosition& place) const
+{
+    const TravelRange& range = m_motion.region().ranges().azimuth;
+    for (const double turns : {0.0, -1.0, 1.0, -2.0, 2.0}) {
+        const AxisPosition other{.azimuth = place.azimuth + Angle::fromTurns(turns), .elevation = place.elevation};
+        if (range.contains(other.azimuth) && m_motion.route(standing(), other)) {
+            return other;
+        }
+    }
+    return place;
+}
+
+Result<> StationControl::streamTo(pointing::Resolved resolved, const SkyPointing& asked, const Source& source,
+                                  const QString& what)
+{
+    if (const std::string why = m_motion.region().reason(resolved.position); !resolved.limited && !why.empty()) {
+        resolved.limited = true;  // Motion finds the nearest permitted place, and goes on when the stream comes out
+        resolved.reason = why;
+    }
+    if (resolved.limited && m_profile.rotctld.outsideLimits == profile::OutsideLimits::Refuse) {
+        return failure(ErrorCode::OutOfRange, resolved.reason);
+    }
+    const bool wasLimited = !m_limitedReason.isEmpty();
+    const bool newStream = m_activity != Activity::Streaming || m_commander != source;
+    const auto back = turnBackTo(resolved.position, source);
+    begin(Activity::Streaming, source, what.isEmpty() ? QStringLiteral("P ") + text(asked) : what);
+    beginTurnBack(back);
+    if (newStream) {
+        m_motion.rest();  // the points of another client say nothing about this one's
+    }
+    if (resolved.limited) {
+        m_limitedReason = toQString(resolved.reason);
+        m_wantedDirection = asked;
+        if (newStream || !wasLimited) {
+            tell(Severity::Warning, source,
+                 Text::tr("LIMITED: %1; driven to the nearest permitted point").arg(m_limitedReason));
+        }
+    }
+    m_motion.follow(resolved.position, m_now);
+    return {};
+}
+
+Result<> StationControl::handle(const request::PointSky& wanted, const Source& source)
+{
+    return mayPoint(source).and_then([&]() -> Result<> {
+        const pointing::Resolved resolved = m_model.resolve(wanted.direction, heading());
+        if (source.kind == SourceKind::Client) {
+            return streamTo(resolved, wanted.direction, source);
+        }
+        if (resolved.limited) {
+            return failure(ErrorCode::OutOfRange, resolved.reason);
+        }
+        if (const Angle top = std::max(90_deg, m_model.elevation().travel.max); wanted.direction.elevation > top) {
+            // To a client 95° is the equal direction behind the zenith; an operator who types it has slipped.
+            return failure(ErrorCode::OutOfRange,
+                           Text::tr("elevation %1 above limit %2")
+                               .arg(degreesText(wanted.direction.elevation, 2), degreesText(top, 2)));
+        }
+        const AxisPosition place = turnWithAWay(resolved.position);
+        const auto back = turnBackTo(place, source);
+        return goTo(place, Activity::Pointing, source, Text::tr("go to %1").arg(text(wanted.direction))).map([&] {
+            beginTurnBack(back);
+        });
+    });
+}
+
+Result<> StationControl::handle(const request::PointAxes& wanted, const Source& source)
+{
+    if (source.kind == SourceKind::Client) {
+        return mayPoint(source).and_then(
+            [&] { return streamTo(m_model.resolve(wanted.position), m_model.toSky(wanted.position), source); });
+    }
+    return goTo(wanted.position, Activity::Pointing, source, Text::tr("go to axes %1").arg(text(wanted.position)));
+}
+
+Result<> StationControl::handle(const request::Step& wanted, const Source& source)
+{
+    const AxisPosition from = heading();
+    const AxisPosition place{.azimuth = from.azimuth + wanted.azimuth, .elevation = from.elevation + wanted.elevation};
+    const std::uint64_t errand = m_errand;
+    return goTo(place, Activity::Pointing, source, Text::tr("step to %1").arg(directionText(place))).map([&] {
+        m_errand = errand;  // by hand, like a jog
+    });
+}
+
+Result<> StationControl::handle(const request::Park&, const Source& source)
+{
+    return goTo(m_profile.park, Activity::Parking, source, Text::tr("park at %1").arg(directionText(m_profile.park)));
+}
+
+Result<> StationControl::handle(const request::Home&, const Source& source)
+{
+    const pointing::AxisBox& ranges = m_motion.region().ranges();
+    const AxisPosition home{.azimuth = ranges.azimuth.clamped(0_deg), .elevation = ranges.elevation.clamped(0_deg)};
+    return goTo(home, Activity::Pointing, source, Text::tr("home to %1").arg(directionText(home)));
+}
+
+// Down to 0°, or as far as it goes.
+Result<> StationControl::handle(const request::Horizon&, const Source& source)
+{
+    const AxisPosition here = standing();
+    AxisPosition low{.azimuth = here.azimuth, .elevation = 0_deg};
+    if (!m_motion.region().permits(low)) {
+        low.elevation = std::max(0_deg, m_motion.region().elevationsAround(pointing::AxisBox::at(here)).min);
+    }
+    return goTo(low, Activity::Pointing, source, Text::tr("horizon at %1").arg(directionText(low)));
+}
+
+Result<> StationControl::runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& what)
+{
+    const auto mayRun = [&] {
+        return mayMove(source).and_then([this] { return axesPlaced(); }).and_then([this] {
+            return mayLeaveSunBand({}, {});
+        });
+    };
+    const Result<> may = activity == Activity::Jogging ? mayJog(rates, source) : mayRun();
+    return may.and_then([&] { return mayMoveFirst(rates); }).map([&] {
+        begin(activity, source, what);
+        m_motion.run(rates);
+    });
+}
+
+Result<> StationControl::handle(const request::Jog& wanted, const Source& source)
+{
+    if (isZero(wanted.rates)) {
+        if (m_activity == Activity::Jogging && m_commander == source) {
+            holdHere(Activity::Holding);
+        }
+        return {};
+    }
+    return runAt(wanted.rates, Activity::Jogging, source, Text::tr("jog")).map([&] {
+        m_jogDeadline = m_now + kJogKeepAlive;
+    });
+}
+
+Result<> StationControl::handle(const request::Move& wanted, const Source& source)
+{
+    return runAt(wanted.rates, Activity::Running, source, Text::tr("move"));
+}
+
+Result<> StationControl::handle(const request::Hold&, const Source& source)
+{
+    takeOver(source);  // else the next target of a client would undo it
+    if (m_activity != Activity::None && m_activity != Activity::Holding) {
+        tell(Severity::Advisory, source, Text::tr("ends the motion: hold"));
+        holdHere(Activity::Holding);
+    }
+    return {};
+}
+
+Result<> StationControl::handle(const request::Stop&, const Source& source)
+{
+    if (!m_arming.stopLatched()) {
+        m_log.add(Severity::Warning, source.name, Text::tr("STOP: both axes decelerate and hold; latched"));
+    }
+    m_arming.latchStop();
+    keepStopped();
+    holdHere(Activity::None);
+    return {};
+}
+
+Result<> StationControl::handle(const request::ResetStop&, const Source& source)
+{
+    if (m_drives.anyUnderOrders() && !m_motion.atRest()) {
+        return failure(ErrorCode::Refused, Text::tr("the mount is still braking: reset STOP when it stands"));
+    }
+    return m_arming.resetStop().map([&] {
+        m_log.add(Severity::Advisory, source.name, Text::tr("resets STOP: nothing moves until the next command"));
+    });
+}
+
+// A client re-arms only with the authority to move, and only for itself: the others that kept sending wait.
+Result<> StationControl::handle(const request::Rearm&, const Source& source)
+{
+    if (source.kind != SourceKind::Client) {
+        return m_arming.rearm(source);
+    }
+    return m_lead.mayAct(m_profile.rotctld, source, m_now).and_then([&]() -> Result<> {
+        if (!faultLatched() && m_lead.waits(source.clientId)) {
+            m_lead.acted(source);
+            return {};
+        }
+        return m_arming.rearm(source).map([&] { m_lead.rearmed(source, m_now); });
+    });
+}
+
+Result<AxisPosition> StationControl::measured() const
+{
+    for (const Axis axis : kAxes) {
+        const auto& place = m_drives.drive(axis).place();
+        if (!place || m_clock.now() - place->received > kOldestPosition) {
+            return failure(ErrorCode::NoAnswer,
+                           Text::tr("no fresh position from the %1").arg(m_drives.drive(axis).label()));
+        }
+    }
+    if (!turnsKnown()) {
+        return failure(ErrorCode::NoAnswer, Text::tr("it is not known on which turn an axis stands"));
+    }
+    return *m_drives.measured();
+}
+
+std::optional<SkyPointing> StationControl::direction() const
+{
+    const auto place = measured();
+    return place ? std::optional(m_model.toSky(*place)) : std::nullopt;
+}
+
+void StationControl::setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation,
+                               const std::optional<memory::SensorCourse>& course)
+{
+    m_turns.setCourse(course);
+    const SkyPointing beam{.azimuth = azimuth.value_or(Angle{}), .elevation = elevation.value_or(Angle{})};
+    const AxisPosition axes = m_model.pointing().toAxes(beam).axes;
+    m_turns.setSensor(Axis::Azimuth, azimuth ? std::optional(axes.azimuth) : std::nullopt);
+    m_turns.setSensor(Axis::Elevation, elevation ? std::optional(axes.elevation) : std::nullopt);
+}
+
+std::optional<AxisPosition> StationControl::trimInUse() const
+{
+    return m_activity == Activity::Streaming && followsClient() ? std::optional(m_trim) : std::nullopt;
+}
+
+void StationControl::learn(Axis axis, const std::optional<survey::DriveFacts>& facts)
+{
+    m_facts[index(axis)] = facts;
+}
+
+void StationControl::driveRestarted(Axis axis)
+{
+    m_log.add(Severity::Warning, QString::fromStdString(m_drives.drive(axis).name()),
+              Text::tr("was power-cycled: its turn must be judged anew"));
+    m_turns.forget(axis);
+    m_drives.drive(axis).forgetPlace();
+    watchOf(axis).forgetMotion();
+    holdHere(Activity::None);
+}
+
+// The direction that the beam has there; on the turn of the axes.
+QString StationControl::directionText(const AxisPosition& place) const
+{
+    return text(m_model.pointing().toSky(place));
+}
+
+// What is permitted, and what a place of the axes looks at: neither moves anything.
+void StationControl::enforceRegion()
+{
+    // A client's target that nobody moves any more is a place as well, unless the nearest permitted one is held for it.
+    const bool standing = m_activity == Activity::Streaming && !m_motion.streaming(m_now) && !m_motion.limited();
+    m_model.setPointing(pointing::PointingModel(m_profile.pointing));
+    m_motion.setRegion(pointing::withSun(m_profile.limits, m_sun.keepOuts()), m_model.pointing());
+    const pointing::AxisBox& ranges = m_motion.region().ranges();
+    m_model.limitTo(ranges.azimuth, ranges.elevation);
+    const auto target = m_motion.target(m_now);
+    const bool going = m_activity == Activity::Pointing || m_activity == Activity::Parking || standing;
+    if (const std::string why = going && target ? m_motion.region().reason(*target) : ""; !why.empty()) {
+        m_log.add(Severity::Warning, QStringLiteral("station"), Text::tr("ends the motion: %1").arg(toQString(why)));
+        holdHere(Activity::Holding);  // else a mount that stands would set off by itself
+    }
+}
+
+void StationControl::setSilenceAdvice(const QString& advice)
+{
+    m_azimuthWatch.setSilenceAdvice(advice);
+    m_elevationWatch.setSilenceAdvice(advice);
+}
+
+}  // namespace boresight

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/alarm_board.h"
+#include "core/alarms/event_log.h"
+#include "core/alarms/log_throttle.h"
+#include "core/axes/crash_stop_proof.h"
+#include "core/axes/drive_pair.h"
+#include "core/axes/drive_watch.h"
+#include "core/axes/first_moves.h"
+#include "core/axes/motion.h"
+#include "core/axes/turn_keeper.h"
+#include "core/base/can_frame.h"
+#include "core/base/clock.h"
+#include "core/base/result.h"
+#include "core/control/arming.h"
+#include "core/control/client_lead.h"
+#include "core/control/own_stall.h"
+#include "core/control/sun_watch.h"
+#include "core/messages/request.h"
+#include "core/messages/station_status.h"
+#include "core/pointing/mount_model.h"
+#include "core/profile/advice.h"
+#include "core/profile/profile.h"
+#include "core/survey/drive_survey.h"
+
+#include <QString>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+// The only place that decides about motion: accepts or refuses every request, whoever sends it, and once per tick
+// turns the decision into one frame for each drive. Holds the rules: nothing moves before an explicit request, STOP
+// latches, a fault or silence needs an explicit re-arm, the operator goes before the clients. Pure: frames in, frames
+// out, time from the injected clock; the Station gives it a bus and a timer. States and rules: README.md.
+namespace boresight {
+
+class StationControl
+{
+public:
+    StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log, TurnKeeper::Start start = {});
+
+    // Accepted, or the reason in words. Takes effect in the next tick.
+    Result<> request(const Request& request, const Source& source);
+    // A client has connected; `host` is its address without the port.
+    void clientCame(const Source& client, const std::string& host) { m_lead.came(client, host); }
+    // The source is gone for good: a `Move` of its own ends, a stream comes to rest at its last point.
+    void sourceGone(const Source& source);
+    // A client asks for a motion, also one that is refused before request() sees it.
+    void clientAsked(const Source& client) { m_lead.asked(client, m_now); }
+    // A client has read the measured position: if the running stream is its own, it is content until it sends a
+    // point.
+    void positionRead(std::uint64_t clientId);
+
+    void take(const CanFrame& frame) { m_drives.take(frame); }
+    // Judges the replies, moves the set-points on and returns the frames to send: azimuth, elevation.
+    [[nodiscard]] std::array<CanFrame, 2> tick();
+
+    // The end of the program: decelerate, then bring the drives into the profile's `on_exit` state. Keep ticking until
+    // shutDownDone().
+    void shutDown();
+    [[nodiscard]] bool shutDownDone() const { return m_shutDown == ShutDown::Done; }
+
+    [[nodiscard]] StationState state() const;
+    // Everything this class knows; bus, clients and server are left to the Station.
+    [[nodiscard]] StationStatus status() const;
+    // What the last tick commanded and what the drives have answered to it; empty before the first tick.
+    [[nodiscard]] std::optional<TickSample> sample() const;
+    // The mount still does what this source asked for last: nobody has ended it, nor asked for anything else.
+    [[nodiscard]] bool obeys(const Source& source) const { return m_commander == source && moves(); }
+    [[nodiscard]] bool followsClient() const { return m_commander.kind == SourceKind::Client && moves(); }
+    // Another one each time that the mount is sent somewhere or given away; the operator's jogs and steps, Hold and
+    // STOP leave it.
+    [[nodiscard]] std::uint64_t errand() const { return m_errand; }
+    // Which turn the axis is on is told by the operator, or was: it may be another than before.
+    [[nodiscard]] bool isTurnAsked(Axis axis) const { return m_turns.asked(axis); }
+    [[nodiscard]] Authority authority() const { return m_arming.authority(); }
+    // Whether this source may send the mount anywhere now; the error says what stands in the way.
+    [[nodiscard]] Result<> mayPoint(const Source& source) const;
+    // Whether this source has the control, as far as the operator and the other clients are concerned.
+    [[nodiscard]] Result<> mayCommand(const Source& source) const;
+    // Another client re-armed the drives; this one kept sending and has to act before it moves the mount.
+    [[nodiscard]] bool waitsSinceRearm(const Source& client) const { return m_lead.waits(client.clientId); }
+    // Whether the beam can be pointed there from where it is, by all that is permitted.
+    [[nodiscard]] Result<> reaches(const SkyPointing& direction) const;
+    [[nodiscard]] const pointing::PermittedRegion& region() const { return m_motion.region(); }
+    // Whether other terms of the pointing model would leave the motion what it is.
+    [[nodiscard]] Result<> mayChangePointing() const;
+    // What a client may do now, into its part of the status; `lastMotion` is when it last asked for a motion.
+    void describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const;
+    // The axes as measured; an error when unknown or older than 1 s.
+    [[nodiscard]] Result<AxisPosition> measured() const;
+    // Where the beam points, while that is known and measured within the last second.
+    [[nodiscard]] std::optional<SkyPointing> direction() const;
+    // What is added to the targets of the client that is followed now: it is told positions without it.
+    [[nodiscard]] std::optional<AxisPosition> trimInUse() const;
+    // What the operator adds to whatever is followed.
+    [[nodiscard]] const AxisPosition& trim() const { return m_trim; }
+    // Both axes are this near to where they are sent.
+    [[nodiscard]] bool onTarget(Angle within) const;
+    // Why not the target is driven but the nearest permitted place; empty: it is driven.
+    [[nodiscard]] QString limitedReason() const;
+    [[nodiscard]] AlarmBoard& alarms() { return m_alarms; }
+    // A drive was lost and nobody has re-armed yet; also while DISCONNECTED hides the word FAULT.
+    [[nodiscard]] bool faultLatched() const { return m_arming.fault().has_value(); }
+
+    // Whether the drives are fit to move the mount, by the survey of their protections. Nothing moves before.
+    void setFitness(const Result<>& fitness) { m_arming.setFitness(fitness); }
+    // What applies at once of a changed profile: in force from the next tick on, also for what moves.
+    void setProfile(const profile::Profile& profile);
+    // What the survey knows about a drive now; empty: nothing, its turn is then judged anew.
+    void learn(Axis axis, const std::optional<survey::DriveFacts>& facts);
+    // Of the drive that was read there, empty if it told none; nothing: none was read.
+    [[nodiscard]] std::optional<QString> uuid(Axis axis) const
+    {
+        return facts(axis) ? std::optional(facts(axis)->uuid) : std::nullopt;
+    }
+    // Where a sensor on the antenna says that the beam points: it speaks when a turn is asked for, and nowhere else.
+    void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation,
+                   const std::optional<memory::SensorCourse>& course = std::nullopt);
+    // What its position counts from is to be read anew.
+    [[nodiscard]] bool needsOrigin(Axis axis) const { return facts(axis) && m_turns.needsOrigin(axis, *facts(axis)); }
+    // The drive was power-cycled under our eyes.
+    void driveRestarted(Axis axis);
+    // What to do about a bus that is silent although it works: depends on what carries it.
+    void setSilenceAdvice(const QString& advice);
+    [[nodiscard]] bool answering(Axis axis) const
+    {
+        return m_drives.drive(axis).answering(m_now) && !m_arming.released();
+    }
+    [[nodiscard]] bool busReleased() const { return m_arming.released(); }
+    [[nodiscard]] const memory::MountMemory& memory() const { return m_turns.memory(); }
+    [[nodiscard]] bool takeMemoryChange() { return m_turns.takeChange(); }
+
+private:
+    enum class Activity
+    {
+        None,
+        Holding,
+        Pointing,
+        Parking,
+        Streaming,
+        Jogging,
+        Running,
+        Proving
+    };
+    // The short way would lead beyond an end of the azimuth's range: the mount goes the other way round.
+    struct TurnBack
+    {
+        Angle by;  // signed
+        Angle end;
+        bool follows = false;  // in the middle of a stream, which it goes on following after it
+    };
+    // What the alarm of the cable says.
+    struct CableTold
+    {
+        Severity severity;
+        UtcTime ends;
+        SteadyTime when;
+    };
+    enum class ShutDown
+    {
+        No,
+        Slowing,
+        Leaving,
+        Done
+    };
+
+    Result<> handle(const request::PointSky& wanted, const Source& source);
+    Result<> handle(const request::PointAxes& wanted, const Source& source);
+    Result<> handle(const request::Jog& wanted, const Source& source);
+    Result<> handle(const request::Move& wanted, const Source& source);
+    Result<> handle(const request::Step& wanted, const Source& source);
+    Result<> handle(const request::Follow& wanted, const Source& source);
+    Result<> handle(const request::Hold& wanted, const Source& source);
+    Result<> handle(const request::Stop& wanted, const Source& source);
+    Result<> handle(const request::ResetStop& wanted, const Source& source);
+    Result<> handle(const request::Park& wanted, const Source& source);
+    Result<> handle(const request::Home& wanted, const Source& source);
+    Result<> handle(const request::Unwind& wanted, const Source& source);
+    Result<> handle(const request::Horizon& wanted, const Source& source);
+    Result<> handle(const request::Rearm& wanted, const Source& source);
+    Result<> handle(const request::TakeAuthority& wanted, const Source& source);
+    Result<> handle(const request::GiveAuthority& wanted, const Source& source);
+    Result<> handle(const request::GiveLead& wanted, const Source& source);
+    Result<> handle(const request::SetReadOnly& wanted, const Source& source);
+    Result<> handle(const request::Disconnect& wanted, const Source& source);
+    Result<> handle(const request::AcknowledgeAlarms& wanted, const Source& source);
+    Result<> handle(const request::ReadDrives& wanted, const Source& source);
+    Result<> handle(const request::FixDrives& wanted, const Source& source);
+    Result<> handle(const request::SwitchOff& wanted, const Source& source);
+    Result<> handle(const request::ReleaseBus& wanted, const Source& source);
+    Result<> handle(const request::TakeBus& wanted, const Source& source);
+    Result<> handle(const request::ChooseTurn& wanted, const Source& source);
+    Result<> handle(const request::ProveCrashStop& wanted, const Source& source);
+    Result<> handle(const request::EndProof& wanted, const Source& source);
+    Result<> handle(const request::Nudge& wanted, const Source& source);
+    Result<> handle(const request::ClearTrim& wanted, const Source& source);
+    Result<> handle(const request::AcknowledgeAlarm& wanted, const Source& source);
+    Result<> handle(const request::ApplyProfile& wanted, const Source& source);
+    Result<> handle(const request::Reconnect& wanted, const Source& source);
+    Result<> handle(const CalibrationRequest& wanted, const Source& source);
+
+    [[nodiscard]] Result<> mayMove(const Source& source) const;  // armed, and no proof is running
+    [[nodiscard]] Result<> axesPlaced() const;  // each on a wrap that is known, and not far outside its travel
+    [[nodiscard]] Result<> mayJog(const AxisRates& rates, const Source& source) const;  // or is jogged slowly
+    [[nodiscard]] Result<> mayJogSlowly(const AxisRates& rates) const;
+    // Outside its travel by more than the drives' own bounds allow: 1 above, -1 below; 0 inside, or nobody knows.
+    [[nodiscard]] int farOutside(Axis axis) const;
+    [[nodiscard]] Result<> insideTravel() const;
+    [[nodiscard]] Result<> drivesRest() const;  // for what is done to the drives themselves
+    [[nodiscard]] bool moves() const { return m_activity != Activity::None && m_activity != Activity::Holding; }
+    [[nodiscard]] bool arrived() const;  // at the place or direction that was asked for, and at rest there
+    [[nodiscard]] bool turnsKnown() const;
+    Result<> goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& text);
+    [[nodiscard]] Result<> mayGoTo(const AxisPosition& place) const;  // it is permitted, and there is a way
+    [[nodiscard]] AxisPosition turnWithAWay(const AxisPosition& place) const;
+    Result<> streamTo(pointing::Resolved resolved, const SkyPointing& asked, const Source& source,
+                      const QString& what = {});
+    Result<> runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& text);
+    void enforceRegion();
+    void tellAdvice();
+    [[nodiscard]] QString directionText(const AxisPosition& place) const;
+    [[nodiscard]] Result<> mayMoveFirst(const AxisRates& rates);
+    void watchFirstMoves();
+    void setTrim(const AxisPosition& trim, const Source& source);
+    void takeOver(const Source& source);
+    [[nodiscard]] Result<> mayGiveControl() const;
+    void endClientMotion();
+    void endCalibrationMotion();
+    // Into the log; what clients can cause at will is throttled.
+    void tell(Severity severity, const Source& source, const QString& what, LogKind kind = LogKind::Event);
+    void begin(Activity activity, const Source& source, const QString& text);
+    void holdHere(Activity activity);
+    [[nodiscard]] AxisPosition standing() const;  // where the set-points are, or the axes if nobody moves them
+    [[nodiscard]] AxisPosition heading() const;   // where the axes are going, else where they stand
+
+    [[nodiscard]] AxisPosition heldPlace() const;
+    void watchStall(Seconds gap);
+    void resumeAfterStall();
+    [[nodiscard]] bool mayResume() const;
+    void finishResumption();
+    void watchDrives();
+    void keepStopped();
+    void stopFor(Axis axis, const DriveWatch::Trouble& trouble);
+    void keepTurns();
+    void keepTurn(Axis axis);
+    void letBackInside();
+    void tellTurns();
+    void tellEnteredPlace(Axis axis);
+    void watchJog();
+    void watchFitness();
+    void watchRegion();
+    void renewSun(bool redrawn);
+    void watchSun();
+    void tellSun();
+    void tellSunClock();
+    [[nodiscard]] bool isInSunBand(const AxisPosition& place) const;
+    [[nodiscard]] Result<> mayLeaveSunBand(const AxisRates& rates, const Source& source) const;
+    void watchCable();
+    void watchLimited();
+    [[nodiscard]] std::optional<AxisPosition> leastWound(const AxisPosition& place) const;
+    void tellCable(const CableEnd& end);
+    [[nodiscard]] bool cableTold(const CableTold& end, Seconds in) const;
+    [[nodiscard]] std::optional<TurnBack> turnBackTo(const AxisPosition& place, const Source& source) const;
+    void beginTurnBack(const std::optional<TurnBack>& back);
+    void watchTurnBack();
+    [[nodiscard]] QString turnBackText() const;
+    void finishRearm();
+    void stepProof();
+    void keepStop(Axis axis);
+    void endProof(const QString& how);
+    void moveOn(Seconds step);
+    void shutDownFurther();
+
+    [[nodiscard]] AxisStatus axisStatus(Axis axis) const;
+    [[nodiscard]] AxisSample axisSample(Axis axis) const;
+    [[nodiscard]] AxisState axisState(Axis axis) const;
+    [[nodiscard]] AxisState ownState(Axis axis) const;
+    [[nodiscard]] QString axisText(Axis axis, AxisState state) const;
+    [[nodiscard]] bool atTravelEnd(Axis axis) const;
+    [[nodiscard]] bool atLimit(Axis axis) const;
+    [[nodiscard]] DrivesStatus drivesStatus() const;
+    [[nodiscard]] std::optional<memory::TurnQuestion> turnQuestion(Axis axis) const;
+    [[nodiscard]] DriveStatus driveStatus(Axis axis) const;
+    [[nodiscard]] DriveWatch& watchOf(Axis axis) { return axis == Axis::Azimuth ? m_azimuthWatch : m_elevationWatch; }
+    [[nodiscard]] const std::optional<survey::DriveFacts>& facts(Axis axis) const { return m_facts[index(axis)]; }
+
+    profile::Profile m_profile;
+    const Clock& m_clock;
+    EventLog& m_log;
+    pointing::MountModel m_model;
+    DrivePair m_drives;
+    Motion m_motion;
+    SunWatch m_sun;
+    Arming m_arming;
+    ClientLead m_lead;
+    AlarmBoard m_alarms;
+    DriveWatch m_azimuthWatch;
+    DriveWatch m_elevationWatch;
+    TurnKeeper m_turns;
+    OwnStall m_stall;
+    LogThrottle m_clientLines;
+    std::array<std::optional<survey::DriveFacts>, 2> m_facts;
+    std::optional<CrashStopProof> m_proof;
+    QString m_proofText;  // how the last proof ended
+
+    Activity m_activity = Activity::None;
+    Source m_commander;
+    std::uint64_t m_errand = 0;
+    QString m_commandText;
+    std::optional<SkyPointing> m_wantedDirection;  // as asked, before limits
+    QString m_limitedReason;  // why not the target is driven but the nearest permitted point; empty: it is driven
+    std::string m_heldAt;     // what the log last said the motion is held at
+    AxisPosition m_trim{};    // what the operator adds to the targets of clients
+    FirstMoves m_firstMoves;
+    std::optional<CableEnd> m_cableEnd;
+    std::optional<CableTold> m_cableTold;
+    std::optional<TurnBack> m_turnBack;  // going on now
+    std::optional<SteadyTime> m_jogDeadline;
+    std::vector<profile::Advice> m_advice;  // on the profile, as it was told
+    std::array<bool, 2> m_answered{};
+    std::array<bool, 2> m_ignoringBounds{};
+    bool m_turnsWereKnown = false;
+    ShutDown m_shutDown = ShutDown::No;
+    SteadyTime m_shutDownDeadline{};
+    SteadyTime m_started{};  // the program, or the use of a bus that was taken back
+    SteadyTime m_now{};      // of the running or last tick
+    std::uint64_t m_tick = 0;
+};
+
+}  // namespace boresight

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of StationControl for what is done to the drives themselves: turns, proof, switching off, leaving the bus.
+#include "core/axes/drive_alarms.h"
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/control/station_control.h"
+
+namespace boresight {
+namespace {
+
+// Fast enough to be told from standing, slow enough to harm nothing.
+constexpr AngularRate kSlowestProof = AngularRate::fromDegrees(0.5);
+constexpr AngularRate kFastestProof = AngularRate::fromDegrees(5.0);
+
+}  // namespace
+
+Result<> StationControl::drivesRest() const
+{
+    if (m_drives.anyUnderOrders() && !m_motion.atRest()) {
+        return failure(ErrorCode::Refused, Text::tr("the mount moves: stop it first"));
+    }
+    if (m_drives.changingHands()) {
+        return failure(ErrorCode::Refused, Text::tr("a drive is being taken over: try again in a second"));
+    }
+    return {};
+}
+
+Result<> StationControl::handle(const request::ReadDrives&, const Source& source)
+{
+    return operatorOnly(source).and_then([this] { return drivesRest(); });
+}
+
+// Whatever is written while a drive is active ends in its fault 41, and the axis falls.
+Result<> StationControl::handle(const request::FixDrives&, const Source& source)
+{
+    return operatorOnly(source).and_then([&]() -> Result<> {
+        if (!m_arming.connected()) {
+            return failure(ErrorCode::NoAnswer, Text::tr("both drives must answer"));
+        }
+        for (const Axis axis : kAxes) {
+            const Drive& drive = m_drives.drive(axis);
+            if (drive.phase() != Drive::Phase::Listening || drive.report()->mode != moteus::Mode::Stopped) {
+                return failure(
+                    ErrorCode::Refused,
+                    Text::tr("the %1 is switched on: support the elevation, switch the drives off").arg(drive.label()));
+            }
+        }
+        takeOver(source);  // else the next target of a client would switch them on in the middle of it
+        return {};
+    });
+}
+
+Result<> StationControl::handle(const request::SwitchOff&, const Source& source)
+{
+    return operatorOnly(source).and_then([this] { return drivesRest(); }).and_then([&]() -> Result<> {
+        if (!m_arming.connected()) {
+            return failure(ErrorCode::NoAnswer, Text::tr("both drives must answer"));
+        }
+        takeOver(source);  // else the next target of a client would switch them on again
+        holdHere(Activity::None);
+        for (const Axis axis : kAxes) {
+            m_drives.drive(axis).release();
+        }
+        m_log.add(Severity::Warning, source.name, Text::tr("switches both drives off: nothing holds the axes"));
+        return {};
+    });
+}
+
+Result<> StationControl::handle(const request::ReleaseBus&, const Source& source)
+{
+    return operatorOnly(source).and_then([this] { return drivesRest(); }).map([&] {
+        m_arming.setReleased(true);
+        takeOver(source);
+        holdHere(Activity::None);
+        for (const Axis axis : kAxes) {
+            m_drives.drive(axis).listen();
+            m_turns.forget(axis);
+            learn(axis, std::nullopt);
+        }
+        m_log.add(Severity::Warning, source.name,
+                  Text::tr("leaves the bus to other tools; drives that held go on by their time-out mode"));
+    });
+}
+
+Result<> StationControl::handle(const request::TakeBus&, const Source& source)
+{
+    return operatorOnly(source).and_then([&]() -> Result<> {
+        if (!m_arming.released()) {
+            return failure(ErrorCode::Refused, Text::tr("the bus was not left to other tools"));
+        }
+        m_arming.setReleased(false);
+        m_started = m_clock.now();  // the drives have had no question yet
+        m_log.add(Severity::Advisory, source.name, Text::tr("takes the bus back: the drives are read anew"));
+        return {};
+    });
+}
+
+Result<> StationControl::handle(const request::ChooseTurn& wanted, const Source& source)
+{
+    return operatorOnly(source).and_then([this] { return drivesRest(); }).and_then([&] {
+        takeOver(source);
+        return m_turns.choose(wanted.axis, wanted.angle, m_drives.drive(wanted.axis), source.name);
+    });
+}
+
+Result<> StationControl::handle(const request::ProveCrashStop& wanted, const Source& source)
+{
+    if (const Result<> may = operatorOnly(source).and_then([&] { return mayPoint(source); }); !may) {
+        return may;
+    }
+    const AngularRate rate = abs(wanted.rate);
+    if (rate < kSlowestProof || rate > kFastestProof) {
+        return failure(ErrorCode::OutOfRange, Text::tr("a crash stop is proven at %1 to %2°/s")
+                                                  .arg(toQString(formatFixed(kSlowestProof.degrees(), 1)),
+                                                       toQString(formatFixed(kFastestProof.degrees(), 1))));
+    }
+    const pointing::AxisBox here = pointing::AxisBox::at(*m_drives.measured());
+    return CrashStopProof::prepare(rate, *m_drives.measured(), m_motion.region().azimuthsAround(here),
+                                   m_motion.region().elevationsAround(here))
+        .map([&](const CrashStopProof& proof) {
+            begin(Activity::Proving, source, Text::tr("crash-stop proof at %1°/s").arg(rate.degrees(), 0, 'f', 1));
+            m_proof = proof;
+            m_proofText.clear();
+        });
+}
+
+Result<> StationControl::handle(const request::EndProof&, const Source& source)
+{
+    if (!m_proof) {
+        return failure(ErrorCode::Refused, Text::tr("no proof is running"));
+    }
+    endProof(Text::tr("ended by the %1").arg(Text::of(source.name.toStdString())));
+    holdHere(Activity::Holding);
+    return {};
+}
+
+void StationControl::stepProof()
+{
+    if (!m_proof || (m_proof->runningUp() && !m_drives.engaged())) {
+        return;
+    }
+    const Axis axis = m_proof->axis();
+    const auto& place = m_drives.drive(axis).place();
+    if (!place) {
+        endProof(Text::tr("ended: the drive reports no position any more"));
+        holdHere(Activity::Holding);
+        return;
+    }
+    Drive& drive = m_drives.drive(axis);
+    const bool settled = drive.phase() == Drive::Phase::Engaged || drive.phase() == Drive::Phase::Listening;
+    switch (
+        m_proof->step(m_now, {.received = place->received, .angle = *m_drives.measured(axis), .settled = settled})) {
+        case CrashStopProof::Action::Run:
+            m_motion.run(axis == Axis::Azimuth ? AxisRates{.azimuth = m_proof->rate()}
+                                               : AxisRates{.elevation = m_proof->rate()});
+            break;
+        case CrashStopProof::Action::Starve:
+            drive.starve();
+            m_motion.rest();
+            break;
+        case CrashStopProof::Action::Recover:
+            keepStop(axis);
+            drive.engage();
+            break;
+        case CrashStopProof::Action::Wait:
+            break;
+        case CrashStopProof::Action::Finish:
+            endProof(m_proof->failure().isEmpty() ? Text::tr("done") : m_proof->failure());
+            holdHere(Activity::Holding);
+            break;
+    }
+}
+
+void StationControl::keepStop(Axis axis)
+{
+    if (const auto stop = m_proof->takeStop()) {
+        m_turns.keep(axis, {.drive = facts(axis) ? facts(axis)->uuid : QString(),
+                            .rate = stop->rate,
+                            .angle = stop->angle,
+                            .time = stop->time,
+                            .when = m_clock.utc()});
+        m_log.add(Severity::Advisory, toQString(m_drives.drive(axis).name()),
+                  Text::tr("crash stop from %1°/s: stood after %2° and %3 ms")
+                      .arg(stop->rate.degrees(), 0, 'f', 1)
+                      .arg(stop->angle.degrees(), 0, 'f', 2)
+                      .arg(stop->time.count()));
+    }
+}
+
+void StationControl::endProof(const QString& how)
+{
+    for (const Axis axis : kAxes) {
+        if (m_drives.drive(axis).phase() == Drive::Phase::Starving) {
+            m_drives.drive(axis).engage();
+        }
+    }
+    m_proof.reset();
+    m_proofText = how;
+    m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("crash-stop proof: %1").arg(how));
+}
+
+}  // namespace boresight

@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of StationControl that runs once per tick: judge what the drives say, then move on.
+#include "core/axes/drive_alarms.h"
+#include "core/base/text.h"
+#include "core/control/station_control.h"
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+// A late tick (a stalled machine) makes the mount slower, never jump.
+constexpr Seconds kLongestStep{0.1};
+constexpr Seconds kShutDownPatience{5.0};
+constexpr Seconds kStall{0.125};
+// Long enough for a hand at the mount's switch; what a tool sets meanwhile is seen by its origin.
+constexpr Seconds kLongStall{2.0};
+const QString kStallCause = QStringLiteral("computer stall");
+// How long the last order of the program is repeated, so that a lost frame does not matter.
+constexpr std::chrono::milliseconds kLastOrder{150};
+// From full speed, with a second to spare.
+Seconds longestStop(const profile::Profile& profile)
+{
+    const auto stop = [](const tracking::MotionLimits& limits) {
+        return Seconds(limits.speed.radians() / limits.acceleration.radians() +
+                       2.0 * limits.acceleration.radians() / limits.jerk.radians() + 1.0);
+    };
+    return std::max({kShutDownPatience, stop(profile.azimuth.limits), stop(profile.elevation.limits)});
+}
+
+}  // namespace
+
+std::array<CanFrame, 2> StationControl::tick()
+{
+    const SteadyTime now = m_clock.now();
+    watchStall(now - m_now);
+    const Seconds step = std::clamp(Seconds(now - m_now), Seconds(0.0), kLongestStep);
+    m_now = now;
+    if (m_tick == 0) {
+        m_started = now;  // the drives have had no question before
+    }
+    ++m_tick;
+    m_drives.judge(now);
+    if (m_arming.losesConnection(now)) {
+        holdHere(Activity::None);
+    }
+    keepTurns();
+    resumeAfterStall();
+    watchDrives();
+    letBackInside();
+    keepStopped();
+    watchJog();
+    watchFirstMoves();
+    watchFitness();
+    finishRearm();
+    stepProof();
+    watchSun();
+    moveOn(step);
+    watchRegion();
+    watchCable();
+    watchTurnBack();
+    watchLimited();
+    m_alarms.tick();
+    shutDownFurther();
+    m_stall.sent(m_profile.control.watchdog, heldPlace(), m_clock.now());
+    return m_drives.frames();
+}
+
+void StationControl::watchDrives()
+{
+    for (const Axis axis : kAxes) {
+        const DriveWatch::Context context{.now = m_now,
+                                          .running = m_now - m_started,
+                                          .turnKnown = m_turns.known(axis),
+                                          .faultLatched = faultLatched(),
+                                          .ownOrders = m_arming.closing(),
+                                          .silenceExpected = m_arming.released()};
+        const auto trouble = watchOf(axis).watch(m_drives.drive(axis), m_motion.setpoint(axis), context);
+        if (trouble && trouble->stops) {
+            stopFor(axis, *trouble);
+        }
+        if (trouble && trouble->turnDoubtful) {
+            m_turns.forget(axis, trouble->what);
+        }
+    }
+}
+
+// Behind a latched STOP nothing is moved by others' orders either, nor by a drive that comes back with them.
+void StationControl::keepStopped()
+{
+    if (m_arming.stopLatched() && !m_arming.released() && !m_arming.closing()) {
+        m_drives.seize(m_now);
+    }
+}
+
+// The motion ends: the axes brake from their set-points. One that can not follow stays where it is, so that its
+// set-point does not go on pulling. One whose angle has jumped gets no set-point at all, because nobody knows which of
+// the two places its drive would take it to mean.
+void StationControl::stopFor(Axis axis, const DriveWatch::Trouble& trouble)
+{
+    m_arming.lost(axis, trouble.loss, trouble.what);
+    holdHere(Activity::None);
+    if (trouble.turnDoubtful) {
+        m_drives.drive(axis).hold();
+    } else if (trouble.gaveWay) {
+        m_drives.drive(axis).yield();  // its set-point follows when the drive is captured
+    }
+}
+
+void StationControl::keepTurns()
+{
+    for (const Axis axis : kAxes) {
+        keepTurn(axis);
+    }
+    tellTurns();
+}
+
+void StationControl::keepTurn(Axis axis)
+{
+    Drive& drive = m_drives.drive(axis);
+    const bool answering = drive.answering(m_now) && !m_arming.released();
+    if (!std::exchange(m_answered[index(axis)], answering) && answering) {
+        m_turns.forget(axis);  // who was silent may come back as another
+        drive.forgetPlace();
+        watchOf(axis).forgetMotion();
+    }
+    if (answering && facts(axis) && !drive.jumped()) {
+        const bool before = m_turns.known(axis);
+        m_turns.judge(axis, *facts(axis), drive, m_now);
+        if (m_turns.known(axis) != before) {
+            watchOf(axis).forgetMotion();  // what the drive reports may have leapt by whole turns
+        }
+        const bool moving = drive.phase() != Drive::Phase::Listening && !m_motion.atRest();
+        m_turns.note(axis, *facts(axis), drive, moving, m_now);
+    }
+}
+
+// An axis that was pushed out beyond its drive's own bounds could not even be moved back: fault 39.
+void StationControl::letBackInside()
+{
+    for (const Axis axis : kAxes) {
+        const auto measured = m_drives.measured(axis);
+        const bool outside = m_turns.known(axis) && measured && !m_model.axis(axis).travel.contains(*measured);
+        bool& ignoring = m_ignoringBounds[index(axis)];
+        ignoring = farOutside(axis) != 0 || (ignoring && outside);
+        m_drives.drive(axis).setIgnoreBounds(ignoring);
+    }
+}
+
+void StationControl::tellTurns()
+{
+    const bool lost = std::exchange(m_turnsWereKnown, turnsKnown()) && !turnsKnown();
+    const bool interrupted = lost && m_activity != Activity::None;
+    if (lost) {
+        holdHere(Activity::None);  // what was wanted is meant in a frame that is not true any more
+    }
+    for (const Axis axis : kAxes) {
+        const QString name = toQString(m_drives.drive(axis).name());
+        const QString cause = name + QStringLiteral(" turn");
+        if (m_turns.known(axis)) {
+            m_alarms.clear(cause);
+        } else if ((interrupted || turnQuestion(axis)) && !m_alarms.active(cause)) {
+            // Where nothing moved, the survey may answer it first.
+            m_alarms.raise(cause, Severity::Warning,
+                           {.what = Text::tr("it is not known on which turn the axis of the %1 stands")
+                                        .arg(m_drives.drive(axis).label()),
+                            .action = Text::tr("Pointing is refused, clients get no position; slow jogging only"),
+                            .remedy = Text::tr("Look at the mount and its cable, then tell where it stands")});
+        }
+        tellEnteredPlace(axis);
+    }
+}
+
+// A service has no window that asks.
+void StationControl::tellEnteredPlace(Axis axis)
+{
+    const Drive& drive = m_drives.drive(axis);
+    const QString cause = toQString(drive.name()) + QStringLiteral(" place");
+    const QString& problem = m_turns.placeProblem(axis);
+    if (m_turns.known(axis)) {
+        m_alarms.clear(cause);
+    } else if (!problem.isEmpty() && !m_alarms.active(cause)) {
+        m_alarms.raise(cause, Severity::Warning,
+                       {.what = Text::tr("--standing-at was not used for the %1: %2").arg(drive.label(), problem),
+                        .action = Text::tr("The cable wrap stays unknown"),
+                        .remedy = Text::tr("Enter the place in the window, or start again with the present place "
+                                           "and time")});
+    }
+}
+
+// Where the drives were told to be; one that is still taken over has no set-point.
+AxisPosition StationControl::heldPlace() const
+{
+    const auto of = [this](Axis axis, Angle setpoint) {
+        const bool engaged = m_drives.drive(axis).phase() == Drive::Phase::Engaged;
+        return engaged ? setpoint : m_drives.measured(axis).value_or(setpoint);
+    };
+    const AxisPosition told = m_motion.place();
+    return {.azimuth = of(Axis::Azimuth, told.azimuth), .elevation = of(Axis::Elevation, told.elevation)};
+}
+
+void StationControl::watchStall(Seconds gap)
+{
+    if (m_tick == 0 || !m_stall.note(gap, m_profile.control.watchdog, heldPlace(), m_clock.now())) {
+        return;
+    }
+    m_drives.excuse(gap, m_now + std::chrono::duration_cast<SteadyTime::duration>(gap));
+    m_azimuthWatch.forgetReplies();
+    m_elevationWatch.forgetReplies();
+    if (gap <= kStall) {
+        return;
+    }
+    for (const Axis axis : kAxes) {
+        m_drives.drive(axis).expectAnotherPlace();
+        watchOf(axis).forgetMotion();
+        if (gap > kLongStall) {
+            m_turns.forget(axis);  // whatever was done to the drive meanwhile
+        }
+    }
+    m_log.add(Severity::Warning, QStringLiteral("station"),
+              Text::tr("this computer stalled for %1 s; drives may have stopped by their watchdog")
+                  .arg(gap.count(), 0, 'f', 2));
+}
+
+// The watchdogs of the drives may have stopped the mount. What was going on goes on where nothing is in doubt: each
+// drive is taken over as after any time-out, and what is wanted was never given up.
+void StationControl::resumeAfterStall()
+{
+    for (const Axis axis : kAxes) {
+        Drive& drive = m_drives.drive(axis);
+        if (drive.loss() == DriveLoss::TimedOut && mayResume()) {
+            (void)drive.takeLoss();
+            drive.engage();
+            m_stall.resume();
+            m_alarms.raise(
+                kStallCause, Severity::Advisory,
+                {.what = Text::tr("This computer stalled for %1 s, and the drives stopped by their watchdogs.")
+                             .arg(m_stall.gap().count(), 0, 'f', 2),
+                 .action = Text::tr("Boresight takes the drives over and resumes the motion."),
+                 .remedy = {}});
+        }
+    }
+    finishResumption();
+}
+
+bool StationControl::mayResume() const
+{
+    const auto isHealthy = [this](Axis which) {
+        const Drive& drive = m_drives.drive(which);
+        return drive.report() && drive.report()->mode != moteus::Mode::Fault &&
+               drive.loss().value_or(DriveLoss::TimedOut) == DriveLoss::TimedOut;
+    };
+    const bool hindered = m_proof || m_arming.closing() || m_arming.released() || m_arming.stopLatched() ||
+                          faultLatched() || !m_arming.fitness();
+    return m_profile.control.afterStall == profile::AfterStall::Resume && m_stall.explainsTimeOut(m_now) && !hindered &&
+           turnsKnown() && std::ranges::all_of(kAxes, isHealthy);
+}
+
+// Both drives are taken over and report where they stand, or it is too late.
+void StationControl::finishResumption()
+{
+    if (!m_stall.resuming() || (!m_drives.engaged() && !faultLatched() && !m_stall.isLate(m_now))) {
+        return;
+    }
+    m_stall.end();
+    m_alarms.clear(kStallCause);
+    for (const Axis axis : kAxes) {
+        const Drive& drive = m_drives.drive(axis);
+        const auto place = m_drives.measured(axis);
+        const bool isBack = drive.phase() == Drive::Phase::Engaged && place && m_stall.isNear(axis, *place);
+        if (!isBack && !faultLatched()) {
+            const AlarmText text =
+                drive_alarms::lost(drive.label(), DriveLoss::TimedOut, 0, m_profile.control.watchdog);
+            m_alarms.raise(toQString(drive.name()), Severity::Alarm, text);
+            stopFor(axis, {.what = text.what, .loss = supervision::LossClass::Bus});
+        }
+    }
+}
+
+void StationControl::watchJog()
+{
+    if (m_jogDeadline && m_now > *m_jogDeadline) {
+        m_log.add(Severity::Warning, m_commander.name, Text::tr("jog ends: its keep-alive did not come"));
+        holdHere(Activity::Holding);
+    }
+}
+
+// A drive that is not as it should be any more is not moved on.
+void StationControl::watchFitness()
+{
+    if (!m_arming.fitness() && m_activity != Activity::None && m_activity != Activity::Holding && !m_motion.atRest()) {
+        m_log.add(Severity::Warning, QStringLiteral("station"),
+                  Text::tr("ends the motion: %1").arg(toQString(m_arming.fitness().error().text)));
+        holdHere(Activity::Holding);
+    }
+}
+
+// Tells what holds a motion, and ends one that has no way left: the region was drawn anew. A stream of a client waits.
+void StationControl::watchRegion()
+{
+    const bool going = m_activity == Activity::Pointing || m_activity == Activity::Parking;
+    if (going && !m_motion.noWay().empty()) {
+        m_log.add(Severity::Warning, QStringLiteral("station"),
+                  Text::tr("ends the motion: %1").arg(toQString(m_motion.noWay())));
+        holdHere(Activity::Holding);
+    }
+    const bool held = m_motion.held(Axis::Azimuth) || m_motion.held(Axis::Elevation);
+    const std::string at = held ? Text::tr("held at %1").arg(toQString(m_motion.obstacle())).toStdString()
+                           : m_motion.noWay().empty()
+                               ? ""
+                               : Text::tr("held: %1").arg(toQString(m_motion.noWay())).toStdString();
+    const bool pressed = m_activity == Activity::Jogging || m_activity == Activity::Running ||
+                         (m_activity == Activity::Streaming && !m_motion.noWay().empty());
+    if (pressed && !at.empty() && at != m_heldAt) {
+        tell(Severity::Warning, m_commander, QString::fromStdString(at));
+    }
+    m_heldAt = pressed ? at : std::string();
+}
+
+void StationControl::finishRearm()
+{
+    if (!m_arming.completesRearm()) {
+        return;
+    }
+    for (const Axis axis : kAxes) {
+        m_alarms.clear(toQString(m_drives.drive(axis).name()));
+        watchOf(axis).rearmed();
+    }
+    m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("re-armed; nothing moves"));
+}
+
+void StationControl::moveOn(Seconds step)
+{
+    for (const Axis axis : kAxes) {
+        if (m_drives.drive(axis).takeEngaged()) {
+            m_motion.start(axis, *m_drives.measured(axis));
+            watchOf(axis).engaged();
+        }
+    }
+    m_motion.enforceRegion(turnsKnown());
+    m_motion.setHardBraking(m_arming.stopLatched());
+    m_drives.setHardBraking(m_arming.stopLatched());
+    if (m_drives.engaged() && m_drives.seen()) {
+        m_motion.advance(m_now, step);
+    } else {
+        m_motion.brake(step);  // one axis alone goes nowhere, nor does one that nobody sees
+    }
+    for (const Axis axis : kAxes) {
+        const tracking::Setpoint& setpoint = m_motion.setpoint(axis);
+        m_drives.setSetpoint(axis, setpoint.position, setpoint.rate);
+    }
+}
+
+void StationControl::shutDown()
+{
+    if (m_shutDown == ShutDown::No) {
+        m_shutDown = ShutDown::Slowing;
+        m_arming.close();
+        m_shutDownDeadline = m_clock.now() + std::chrono::ceil<std::chrono::milliseconds>(longestStop(m_profile));
+        holdHere(Activity::None);
+    }
+}
+
+void StationControl::shutDownFurther()
+{
+    const bool still = m_motion.atRest() && !m_drives.changingHands();
+    if (m_shutDown == ShutDown::Slowing && (still || m_now > m_shutDownDeadline)) {
+        m_drives.leave(m_profile.control.onExit);
+        m_shutDownDeadline = m_now + kLastOrder;
+        m_shutDown = ShutDown::Leaving;
+    } else if (m_shutDown == ShutDown::Leaving && m_now > m_shutDownDeadline) {
+        m_shutDown = ShutDown::Done;
+    }
+}
+
+}  // namespace boresight

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/base/result.h"
+#include "core/can/can_link.h"
+#include "core/messages/calibration_status.h"
+#include "core/messages/drives_status.h"
+#include "core/messages/sensor_status.h"
+#include "core/profile/profile.h"
+#include "core/units/sky.h"
+
+#include <QMetaType>
+#include <QString>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What the station tells the world: plain values, made on the station thread once per update, read by the screen, the
+// clients and the tests. Nothing is computed from them about pointing; unknown is an empty optional. Angles of an axis
+// are mechanical (unwrapped); `SkyPointing` values are directions.
+namespace boresight {
+
+enum class StationState
+{
+    Disconnected,  // no bus, or a drive does not answer
+    Standby,       // connected; nothing commanded since start, reconnect, fault or reset of STOP
+    Hold,          // holding a position
+    Slew,          // on the way to a fixed target
+    Track,         // following a stream of targets
+    Jog,           // moving while a key, button or `M` command is held
+    Parked,        // holding the park position
+    Calibrate,     // a calibration run moves the mount
+    Stopped,       // STOP is latched
+    Fault,         // a drive is in fault, timed out or silent: explicit re-arm needed
+};
+
+enum class AxisState
+{
+    NoData,
+    Holding,
+    Moving,
+    Limit,
+    Stopped,
+    Fault,
+    On,  // switched on, but following no set-points of ours
+    Off
+};
+
+enum class Severity
+{
+    Advisory,
+    Warning,
+    Alarm
+};
+
+// The path that is followed leads beyond an end of the azimuth's range.
+struct CableEnd
+{
+    Angle end;
+    Seconds in;
+    // How long it takes to turn back by 360° and go on; empty: there is no other turn, the mount waits at the end.
+    std::optional<Seconds> turningBack;
+};
+
+// Who may move the mount.
+enum class Authority
+{
+    Clients,
+    Operator
+};
+
+enum class SourceKind
+{
+    Operator,
+    Client,
+    Station
+};
+
+// Who asked. `name` is what the log and the screen show: "operator", "rotctld 127.0.0.1:51234".
+struct Source
+{
+    SourceKind kind = SourceKind::Station;
+    std::uint64_t clientId = 0;
+    QString name;
+
+    bool operator==(const Source&) const = default;
+};
+
+struct AxisStatus
+{
+    AxisState state = AxisState::NoData;
+    std::optional<Angle> actual;                   // last measured, whatever its age
+    std::optional<AngularRate> rate;               // last measured
+    std::optional<std::chrono::milliseconds> age;  // of `actual`, else of the last reply; empty: never one
+    std::optional<Angle> commanded;                // the set-point sent now
+    std::optional<AngularRate> commandedRate;      // of the set-point
+    std::optional<Angle> target;                   // where the set-point is heading
+    TravelRange travel;
+    std::optional<double> busVoltage;        // V
+    std::optional<double> boardTemperature;  // °C
+    std::optional<double> motorTemperature;  // °C, empty without a sensor
+    std::optional<double> torque;            // Nm
+    std::optional<double> current;           // A, q axis
+    int mode = 0;                            // moteus mode register
+    int faultCode = 0;                       // moteus fault register: fault in mode 1, active limit else
+    QString stateText;                       // e.g. "at travel limit 450.0°"; may be empty
+};
+
+struct ClientStatus
+{
+    std::uint64_t id = 0;
+    QString address;
+    QString program;  // recognised, or empty
+    QString lastCommand;
+    double commandsPerSecond = 0.0;  // over the last seconds
+    bool driving = false;            // the mount follows its target now
+    bool leading = false;            // its motion commands are accepted, other clients' are not
+    bool readOnly = false;
+    bool locked = false;   // the one that the profile names
+    bool wanting = false;  // it goes on asking for motions, which are refused for another's lead
+    QString advice;        // what would make it work better; mostly empty
+};
+
+// The MQTT broker, as far as somebody needs it: the sensor, or the publishing of the station's state.
+struct BrokerStatus
+{
+    bool wanted = false;
+    bool connected = false;
+    QString name;                    // "broker.example:1883"
+    QString problem;                 // one line: what, where, what to do; empty while all is well
+    std::optional<Seconds> retryIn;  // empty while there is a connection or an attempt at one
+};
+
+struct Alarm
+{
+    std::uint64_t id = 0;
+    Severity severity = Severity::Warning;
+    QString what;    // what happened
+    QString action;  // what Boresight did
+    QString remedy;  // what to do
+    UtcTime since;
+    bool active = true;
+    bool acknowledged = false;
+};
+
+// How late the control ticks have come since the start, and what the system grants them.
+struct TimingStatus
+{
+    Seconds lateP50{0.0};
+    Seconds lateP99{0.0};
+    Seconds lateWorst{0.0};
+    QString scheduling;  // one line; empty where it was not asked for
+};
+
+struct StationStatus
+{
+    StationState state = StationState::Disconnected;
+    QString stateReason;       // one line: why this state, for the tool tip and the log
+    bool stopLatched = false;  // also while the state says DISCONNECTED or FAULT
+    AxisStatus azimuth;
+    AxisStatus elevation;
+    std::optional<SkyPointing> actual;
+    std::optional<SkyPointing> commanded;
+    std::optional<SkyPointing> target;
+    QString targetText;                // "P 339.50 57.00", "go to 113.0° 10.0°", "park"; empty without a target
+    Source commander;                  // whose target it is
+    bool limited = false;              // the target was outside the limits; the nearest permitted point is driven
+    QString limitedReason;             // then why: "elevation -5.0° below limit 0.0°"
+    std::vector<AxisPosition> route;   // the way to the target around what is forbidden, its end included
+    std::optional<SkyPointing> trim;   // what the operator's nudges add to a client's targets
+    std::optional<CableEnd> cableEnd;  // told in time: at least 30° or 30 s ahead
+    Authority authority = Authority::Clients;
+    DrivesStatus drives;
+    LinkStatus bus;
+    QString busName;
+    bool simulated = false;
+    QString listening;  // "127.0.0.1:4533", empty when the server could not listen
+    std::vector<ClientStatus> clients;
+    TimingStatus timing;
+    BrokerStatus broker;
+    SensorStatus sensor;
+    std::vector<Alarm> alarms;  // active or unacknowledged, worst first
+    UtcTime utc;
+    std::uint64_t tick = 0;
+    // What is in force: the object that is drawn and edited is the object that is obeyed. Never null.
+    std::shared_ptr<const profile::Profile> profile = std::make_shared<const profile::Profile>();
+    std::vector<pointing::KeepOut> sunKeepOuts;  // obeyed besides the profile's keep-outs, while the Sun is up
+    std::vector<std::string> waitingKeys;        // applied, and in force after Reconnect
+    // What the calibration desk does and has found; never null.
+    std::shared_ptr<const CalibrationStatus> calibration = std::make_shared<const CalibrationStatus>();
+};
+
+// What an axis did in one tick, for the charts. Unknown is empty.
+struct AxisSample
+{
+    std::optional<Angle> commanded;
+    std::optional<Angle> actual;
+    std::optional<double> torque;            // Nm
+    std::optional<double> current;           // A, q axis
+    std::optional<double> busVoltage;        // V
+    std::optional<double> boardTemperature;  // °C
+    std::optional<double> motorTemperature;  // °C
+};
+
+struct TickSample
+{
+    SteadyTime time;
+    std::array<AxisSample, 2> axes;  // azimuth, elevation
+};
+
+// What a line of the log tells.
+enum class LogKind
+{
+    Event,
+    MotionStart,  // who moved the mount, and why
+    Alarm
+};
+
+struct LogEntry
+{
+    std::uint64_t number = 0;  // counts up by one
+    UtcTime utc;
+    Severity severity = Severity::Advisory;
+    QString source;  // "operator", "rotctld 127.0.0.1:51234", "station", "azimuth drive", "bus"
+    QString text;
+    LogKind kind = LogKind::Event;
+};
+
+// The answer to one request of the screen; `error` empty means accepted.
+struct Answer
+{
+    std::uint64_t requestId = 0;
+    std::optional<Error> error;
+};
+
+// One parcel to the screen. The station sends the next only after the last was taken, so a stalled screen gets the
+// newest status and a bounded tail of the log, never a queue.
+struct StationUpdate
+{
+    StationStatus status;
+    std::vector<LogEntry> log;
+    std::vector<Answer> answers;
+    std::vector<TickSample> samples;  // of the ticks since the last update, the newest of them if there were many
+};
+
+// The words of ui.md and of every log line: "TRACK", "NO DATA".
+[[nodiscard]] QString word(StationState state);
+[[nodiscard]] QString word(AxisState state);
+// The source of a line as it is shown: "azimuth drive", also for what it says more exactly ("azimuth drive turn").
+[[nodiscard]] QString sourceText(const QString& source);
+
+}  // namespace boresight
+
+Q_DECLARE_METATYPE(boresight::StationStatus)
+Q_DECLARE_METATYPE(boresight::StationUpdate)

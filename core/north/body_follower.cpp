@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/north/body_follower.h"
+
+#include "core/base/text.h"
+#include "core/units/angle_between.h"
+
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+using namespace boresight::literals;
+using ephemeris::Body;
+
+const QString kSource = QStringLiteral("calibration");
+constexpr std::chrono::seconds kPointPeriod{1};
+// Nearer to the zenith an offset across is more azimuth than anybody means.
+constexpr Angle kHighest = Angle::fromDegrees(89.0);
+// From one point to the next: Sun and Moon go 0.004° in a second.
+constexpr Angle kLeap = Angle::fromDegrees(0.2);
+
+// The same place, for a boom that goes past the zenith.
+SkyPointing fromSide(const SkyPointing& place, bool overTheTop)
+{
+    return overTheTop ? SkyPointing{.azimuth = place.azimuth + 180_deg, .elevation = 180_deg - place.elevation} : place;
+}
+
+// As the axes see it: over the top both ways are turned round (fitCrossScan does the same).
+SkyPointing beside(SkyPointing place, const calibration::SkyOffset& offset)
+{
+    const double shrink = std::cos(place.elevation.radians());
+    const double least = std::cos(kHighest.radians());
+    place.azimuth += offset.across / std::copysign(std::max(std::abs(shrink), least), shrink);
+    place.elevation += offset.elevation;
+    return place;
+}
+
+}  // namespace
+
+BodyFollower::BodyFollower(StationControl& control, const profile::Profile& profile, const Clock& clock, EventLog& log)
+    : m_control(control), m_clock(clock), m_log(log), m_bodies(profile.site)
+{
+    setProfile(profile);
+}
+
+void BodyFollower::setProfile(const profile::Profile& profile)
+{
+    m_bodies.setSite(profile.site);
+    m_keepsFromSun = profile.sun.keepAway == profile::KeepAway::On;
+    if (!m_following) {
+        return;
+    }
+    if (const auto may = permits(*m_body, m_overTheTop); !may) {
+        end(toQString(may.error().text));  // at once: the next tick would lead the mount out of what is forbidden now
+    }
+}
+
+Result<SkyPointing> BodyFollower::direction(Body body)
+{
+    const auto direction = m_bodies.direction(body, m_refraction, m_clock.utc());
+    if (!direction) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("the profile does not say where the mount stands: Sun and Moon need the site"));
+    }
+    return *direction;
+}
+
+Result<> BodyFollower::permits(Body body, bool overTheTop)
+{
+    return direction(body).and_then([&](const SkyPointing& direction) -> Result<> {
+        if (direction.elevation < Angle{}) {
+            return failure(ErrorCode::Refused, Text::tr("the %1 is below the horizon").arg(bodyName(body)));
+        }
+        if (body == Body::Sun && m_keepsFromSun) {
+            return failure(ErrorCode::Refused, Text::tr("the profile keeps the beam away from the Sun: if feed and "
+                                                        "receiver bear it, switch sun.keep_away off first"));
+        }
+        return m_control.reaches(fromSide(direction, overTheTop));
+    });
+}
+
+Result<> BodyFollower::permitsAround(Body body, const std::vector<calibration::SkyOffset>& places)
+{
+    const bool fromBehind = overTheTop();
+    const Result<> itself = permits(body, fromBehind);
+    return itself.and_then([&] { return direction(body); }).and_then([&](const SkyPointing& here) -> Result<> {
+        for (const calibration::SkyOffset& place : places) {
+            if (const auto may = m_control.reaches(beside(fromSide(here, fromBehind), place)); !may) {
+                return failure(may.error().code, Text::tr("around the %1 not all is permitted, %2: scan less wide, or "
+                                                          "when the %1 stands elsewhere")
+                                                     .arg(bodyName(body), toQString(may.error().text)));
+            }
+        }
+        return {};
+    });
+}
+
+BodyNow BodyFollower::now(Body body)
+{
+    BodyNow now{.body = body};
+    if (const auto place = direction(body)) {
+        const auto may = permits(body);
+        const auto mayOverTheTop = permits(body, true);
+        const SkyBodies::Times times = m_bodies.times(body);
+        now.direction = *place;
+        now.isUp = place->elevation >= Angle{};
+        now.obstacle = may ? QString() : toQString(may.error().text);
+        now.obstacleOverTheTop = mayOverTheTop ? QString() : toQString(mayOverTheTop.error().text);
+        now.nextRise = times.rise;
+        now.nextSet = times.set;
+    }
+    return now;
+}
+
+Result<> BodyFollower::follow(Body body, ephemeris::Refraction refraction, bool overTheTop)
+{
+    return permits(body, overTheTop)
+        .and_then([&] { return m_control.request(request::ClearTrim{}, calibrationSource()); })
+        .and_then([&] {
+            m_refraction = refraction;
+            m_overTheTop = overTheTop;
+            m_body = body;
+            m_offset = {};
+            return sendPoint(true);
+        })
+        .map([&] {
+            m_following = true;
+            m_errand = m_control.errand();
+        });
+}
+
+// Asked for again each time: what is out of reach over the top would be looked at from the front.
+Result<> BodyFollower::sendPoint(bool anew)
+{
+    m_next = m_clock.now() + kPointPeriod;
+    return direction(*m_body).and_then([&](const SkyPointing& place) {
+        m_place = place;
+        const SkyPointing aim = beside(fromSide(place, m_overTheTop), m_offset);
+        return m_control.reaches(aim).and_then([&] {
+            return m_control.request(request::Follow{.direction = aim, .what = bodyName(*m_body), .anew = anew},
+                                     calibrationSource());
+        });
+    });
+}
+
+Result<> BodyFollower::lookBeside(const calibration::SkyOffset& offset)
+{
+    m_offset = offset;
+    return sendPoint(true);
+}
+
+void BodyFollower::tick()
+{
+    if (!m_following) {
+        return;
+    }
+    if (!m_control.obeys(calibrationSource())) {
+        m_ending.clear();
+        ended(Text::tr("the %1 is not followed any more: the mount was told otherwise").arg(bodyName(*m_body)));
+    } else if (m_clock.now() >= m_next) {
+        const auto may = permits(*m_body, m_overTheTop).and_then([&] { return staysOnItsWay(); }).and_then([&] {
+            return sendPoint(false);
+        });
+        if (!may) {
+            const bool leapt = !staysOnItsWay();
+            end(toQString(may.error().text));
+            if (leapt) {
+                m_body.reset();  // nobody has centred it where it is now
+            }
+        }
+    }
+}
+
+// By another clock or from another site it is elsewhere all at once: the mount would set off for there by itself.
+Result<> BodyFollower::staysOnItsWay()
+{
+    return direction(*m_body).and_then([&](const SkyPointing& place) -> Result<> {
+        if (m_place && angleBetween(place, *m_place) > kLeap) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("the %1 is elsewhere all at once: the clock of this computer or the site was "
+                                    "changed; the mount holds, follow it again if that is right")
+                               .arg(bodyName(*m_body)));
+        }
+        return {};
+    });
+}
+
+void BodyFollower::end(const QString& why)
+{
+    if (m_following) {
+        [[maybe_unused]] const Result<> held = m_control.request(request::Hold{}, calibrationSource());
+        m_ending = why;
+        ended(why.isEmpty() ? Text::tr("the %1 is not followed any more").arg(bodyName(*m_body)) : why);
+    }
+}
+
+void BodyFollower::ended(const QString& how)
+{
+    if (looksBeside()) {
+        m_body.reset();  // nobody has centred it there
+    }
+    m_following = false;
+    m_offset = {};
+    m_log.add(m_ending.isEmpty() ? Severity::Advisory : Severity::Warning, kSource, how);
+    [[maybe_unused]] const Result<> cleared = m_control.request(request::ClearTrim{}, calibrationSource());
+}
+
+}  // namespace boresight

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/north/calibration_file.h"
+
+#include "core/base/text.h"
+#include "core/calibration/record_text.h"
+#include "core/memory/memory_file.h"
+#include "core/profile/text_file.h"
+
+#include <QFile>
+
+#include <utility>
+
+namespace boresight {
+namespace {
+
+const QString kEnding = QStringLiteral(".calibrations.toml");
+
+// Nothing, if nothing was ever applied, or taken.
+Result<calibration::CalibrationHistory> read(const QString& path)
+{
+    if (!QFile::exists(path)) {
+        return calibration::CalibrationHistory{};
+    }
+    return profile::readFile(path).and_then([&](const QByteArray& bytes) {
+        return calibration::parseHistory({bytes.constData(), static_cast<std::size_t>(bytes.size())},
+                                         path.toStdString());
+    });
+}
+
+Result<> writeOne(const QString& path, const calibration::CalibrationHistory& history)
+{
+    return calibration::toText(history).and_then(
+        [&](const std::string& text) { return profile::writeFile(path, QByteArray::fromStdString(text)); });
+}
+
+// Nothing that never was is written: no file of points without a point, no history without an entry.
+Result<> write(const QString& path, const calibration::CalibrationHistory& history,
+               const calibration::CalibrationRecord& points)
+{
+    Result<> written;
+    if (!history.entries().empty()) {
+        written = writeOne(path, history);
+    }
+    if (const QString file = pointsPath(path); !points.points.empty() || QFile::exists(file)) {
+        const Result<> kept = writeOne(file, calibration::CalibrationHistory({points}, 0));
+        written = written ? kept : written;
+    }
+    return written;
+}
+
+}  // namespace
+
+QString calibrationPath(const QString& stateDir, const QString& mountName, bool simulated)
+{
+    return QStringLiteral("%1/%2%3").arg(stateDir, memory::safeFileName(mountName),
+                                         simulated ? QStringLiteral(".simulated") : QString()) +
+           kEnding;
+}
+
+QString pointsPath(const QString& calibrations)
+{
+    return calibrations.chopped(kEnding.size()) + QStringLiteral(".points.toml");
+}
+
+CalibrationFile::CalibrationFile(const QString& path, QObject* parent) : QObject(parent), m_path(path)
+{
+    m_writer.setMaxThreadCount(1);
+    m_writer.setExpiryTimeout(-1);
+    connect(this, &CalibrationFile::written, this, &CalibrationFile::finishWriting, Qt::QueuedConnection);
+    load();
+}
+
+CalibrationFile::~CalibrationFile()
+{
+    flush();
+}
+
+void CalibrationFile::load()
+{
+    if (m_path.isEmpty()) {
+        return;
+    }
+    const auto history = read(m_path);
+    m_history = history.value_or(calibration::CalibrationHistory{});
+    const auto points = read(pointsPath(m_path));
+    if (points && !points->entries().empty()) {
+        m_points = points->entries().front();
+    }
+    if (!history || !points) {
+        m_unreadable = true;
+        m_problem = Text::tr("the calibrations of before cannot be read, and new ones are kept in memory only: %1")
+                        .arg(toQString((history ? points : history).error().text));
+    }
+}
+
+void CalibrationFile::keepPoints(calibration::CalibrationRecord points)
+{
+    m_points = std::move(points);
+    save();
+}
+
+void CalibrationFile::save()
+{
+    if (m_path.isEmpty() || m_unreadable) {
+        return;
+    }
+    if (m_writing) {
+        m_again = true;
+    } else {
+        startWriting();
+    }
+}
+
+void CalibrationFile::startWriting()
+{
+    m_writing = true;
+    m_writer.start([this, path = m_path, history = m_history, points = m_points, outcome = m_outcome] {
+        *outcome = write(path, history, points);
+        Q_EMIT written();
+    });
+}
+
+void CalibrationFile::finishWriting()
+{
+    const Result<> result = *m_outcome;
+    m_writing = false;
+    m_problem =
+        result ? QString() : Text::tr("the calibrations could not be written: %1").arg(toQString(result.error().text));
+    if (std::exchange(m_again, false)) {
+        startWriting();
+    }
+}
+
+void CalibrationFile::flush()
+{
+    m_writer.waitForDone();
+    if (std::exchange(m_again, false)) {
+        *m_outcome = write(m_path, m_history, m_points);
+    }
+}
+
+void CalibrationFile::add(calibration::CalibrationRecord record)
+{
+    m_history.add(std::move(record));
+    save();
+}
+
+const calibration::CalibrationRecord& CalibrationFile::undo()
+{
+    const calibration::CalibrationRecord& record = m_history.undo();
+    save();
+    return record;
+}
+
+const calibration::CalibrationRecord& CalibrationFile::redo()
+{
+    const calibration::CalibrationRecord& record = m_history.redo();
+    save();
+    return record;
+}
+
+}  // namespace boresight

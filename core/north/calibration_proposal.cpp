@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/north/calibration_proposal.h"
+
+#include "core/base/text.h"
+#include "core/calibration/words.h"
+#include "core/profile/setting.h"
+#include "core/units/degrees_text.h"
+#include "core/witness/sensor_curve.h"
+
+#include <QStringList>
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+using calibration::indexOf;
+using calibration::Term;
+using calibration::valueOf;
+
+// A tilt within this many of its sigmas is as good as none.
+constexpr double kSignificant = 2.0;
+// As far as the profile lets the zero of an axis be corrected.
+constexpr Angle kMostZero = Angle::fromDegrees(10.0);
+// A north found less exactly than this is worth a warning: Gpredict's satellites need it to a few degrees.
+constexpr Angle kPoorNorth = Angle::fromDegrees(3.0);
+
+// Beyond as many of their joint sigmas two values are not of the same thing any more.
+constexpr double kContradicts = 3.0;
+// A north that moves by less leaves a compass where it is.
+constexpr Angle kSameNorth = Angle::fromDegrees(0.01);
+
+constexpr std::array kTermTexts = {
+    QT_TRANSLATE_NOOP("Text", "azimuth offset"), QT_TRANSLATE_NOOP("Text", "elevation offset"),
+    QT_TRANSLATE_NOOP("Text", "tilt north"),     QT_TRANSLATE_NOOP("Text", "tilt east"),
+    QT_TRANSLATE_NOOP("Text", "collimation"),    QT_TRANSLATE_NOOP("Text", "non-perpendicularity"),
+    QT_TRANSLATE_NOOP("Text", "elevation sag")};
+static_assert(kTermTexts.size() == calibration::kTerms);
+
+QString northText(const calibration::Estimate& north)
+{
+    return Text::tr("the azimuth axis shows 0° at a true azimuth of %1 ± %2")
+        .arg(degreesText(north.value, 2), degreesText(north.sigma, 1));
+}
+
+// The offset of the azimuth may be any turn of it; the one that is nearest to today's moves no other number.
+Angle nearestOffset(Angle north, const profile::Profile& profile)
+{
+    const Angle near = north.nearestTo(profile.pointing.azimuthOffset);
+    return abs(near) < Angle::fromTurns(1.0) ? near : near.wrapped180();
+}
+
+// Of what is in force, beside what was found here.
+enum class Standing
+{
+    Replaced,
+    Stays,        // points have told it better
+    Contradicted  // they have, but it can not be true any more
+};
+
+Standing standingOf(const std::optional<Angle>& told, Angle sigma, Angle apart)
+{
+    if (!told || *told >= sigma) {
+        return Standing::Replaced;
+    }
+    return apart > calibration::hypot(*told, sigma) * kContradicts ? Standing::Contradicted : Standing::Stays;
+}
+
+void setStays(Proposal& proposal, const QString& what)
+{
+    proposal.stays += proposal.stays.isEmpty() ? what : QStringLiteral("; ") + what;
+}
+
+void setNorth(Proposal& proposal, const calibration::Estimate& north, const profile::Profile& profile)
+{
+    proposal.terms.azimuthOffset = nearestOffset(north.value, profile);
+    proposal.sigmas[indexOf(Term::AzimuthOffset)] = north.sigma;
+    if (north.sigma > kPoorNorth) {
+        proposal.warnings.push_back(
+            Text::tr("north is known to %1 only: Sun or Moon will tell it better").arg(degreesText(north.sigma, 1)));
+    }
+}
+
+// Who moved the mount needs the north that was found, and gets it; who has put iron beside it sees why not.
+void warnOfNorth(Proposal& proposal, Angle apart)
+{
+    proposal.warnings.push_back(
+        Text::tr(
+            "the compass contradicts the north in force by %1, more than both may err: apply this if the mount was "
+            "moved or has slipped; if iron came near, take it away and measure again")
+            .arg(degreesText(apart, 1)));
+}
+
+// Whether north stays; else that of the compass is proposed.
+bool keepsNorth(Proposal& proposal, const calibration::Estimate& north, const profile::Profile& profile,
+                const std::optional<Angle>& told)
+{
+    proposal.terms = profile.pointing;
+    const Angle apart = abs((north.value - profile.pointing.azimuthOffset).wrapped180());
+    const Standing standing = standingOf(told, north.sigma, apart);
+    if (standing == Standing::Stays) {
+        setStays(proposal, Text::tr("north stays: it is known to %1, a compass to %2")
+                               .arg(degreesText(*told, 2), degreesText(north.sigma, 1)));
+        return true;
+    }
+    setNorth(proposal, north, profile);
+    if (standing == Standing::Contradicted) {
+        warnOfNorth(proposal, apart);
+    }
+    return false;
+}
+
+// Of the tilt's two parts; empty unless both are known.
+std::optional<Angle> tiltTold(const TermSigmas& told)
+{
+    const auto& north = told[indexOf(Term::TiltNorth)];
+    const auto& east = told[indexOf(Term::TiltEast)];
+    return north && east ? std::optional(std::max(*north, *east)) : std::nullopt;
+}
+
+void setTilt(Proposal& proposal, const calibration::AxisTilt& tilt, const std::optional<Angle>& told)
+{
+    if (tilt.size < tilt.sizeSigma * kSignificant) {
+        return;
+    }
+    const Angle apart =
+        calibration::hypot(tilt.north.value - proposal.terms.tiltNorth, tilt.east.value - proposal.terms.tiltEast);
+    // Of its parts: a roll of the box turns one into the other, and leaves the size.
+    const Angle sigma = std::max(tilt.north.sigma, tilt.east.sigma);
+    const Standing standing = standingOf(told, sigma, apart);
+    if (standing == Standing::Stays) {
+        setStays(
+            proposal,
+            Text::tr("tilt stays: it is known to %1, a swing to %2").arg(degreesText(*told, 2), degreesText(sigma, 2)));
+        return;
+    }
+    if (standing == Standing::Contradicted) {
+        proposal.warnings.push_back(
+            Text::tr("the mast leans otherwise than the tilt in force says, by %1: see that it stands firm")
+                .arg(degreesText(apart, 2)));
+    }
+    proposal.terms.tiltNorth = tilt.north.value;
+    proposal.terms.tiltEast = tilt.east.value;
+    proposal.sigmas[indexOf(Term::TiltNorth)] = tilt.north.sigma;
+    proposal.sigmas[indexOf(Term::TiltEast)] = tilt.east.sigma;
+    proposal.text +=
+        Text::tr("; the azimuth axis leans by %1 ± %2 towards %3")
+            .arg(degreesText(tilt.size, 2), degreesText(tilt.sizeSigma, 2), degreesText(tilt.direction, 0));
+}
+
+// Of the sensor's elevation against that of the beam: what a box that lies askew explains is the sensor's, and so is
+// everything once Sun or Moon have told the zero; only more than that is the axis's (core/calibration/README.md, Tilt).
+void setZero(Proposal& proposal, calibration::SensorMounting& mounting, const calibration::Estimate& zero,
+             const pointing::PointingTerms& present, const std::optional<Angle>& presentSigma)
+{
+    const Angle beam = zero.value + mounting.elevationOffset;  // where the axis shows 0°, as far as the sensor knows
+    const Angle off = abs(beam - present.elevationOffset);
+    const bool isKnown = presentSigma && *presentSigma < zero.sigma;
+    const bool isSensors = isKnown || off <= zero.sigma * kSignificant;
+    QString verdict;
+    if (off > kMostZero || (!isSensors && abs(beam) > kMostZero)) {
+        verdict =
+            Text::tr("too much to put right: see how the box sits on the boom, and what the elevation axis shows");
+        proposal.warnings.push_back(Text::tr("sensor and elevation axis differ by %1").arg(degreesText(off, 1)));
+    } else if (isSensors) {
+        mounting.elevationOffset = present.elevationOffset - zero.value;
+        verdict = Text::tr("taken as a box that lies askew on the boom, the elevation of the beam stays");
+    } else {
+        proposal.terms.elevationOffset = beam;
+        proposal.sigmas[indexOf(Term::ElevationOffset)] = zero.sigma;
+        verdict = Text::tr("more than a box lies askew: the zero of the elevation axis is off");
+        proposal.warnings.push_back(Text::tr("the zero of elevation moves by %1: see first that the box lies along the "
+                                             "boom")
+                                        .arg(degreesText(off, 1)));
+    }
+    proposal.text += Text::tr("; where the elevation axis shows 0° the sensor says %1 ± %2: %3")
+                         .arg(degreesText(zero.value, 2), degreesText(zero.sigma, 1), verdict);
+}
+
+}  // namespace
+
+Proposal proposalOf(const calibration::SensorOffset& offset, const profile::Profile& profile, const TermSigmas& told)
+{
+    Proposal proposal{.title = Text::tr("North from the sensor"),
+                      .reason = Text::tr("still sensor"),
+                      .text = northText(offset.offset)};
+    if (keepsNorth(proposal, offset.offset, profile, told[indexOf(Term::AzimuthOffset)])) {
+        proposal.title = Text::tr("Offset of the sensor");
+        const Angle correction = (profile.pointing.azimuthOffset - offset.offset.value).wrapped180();
+        proposal.sensor = withNorthMoved(mountingOf(profile.sensor), correction, offset.offset.sigma);
+        if (proposal.sensor->curve) {
+            proposal.warnings.push_back(
+                Text::tr("the sensor is made to agree at this one heading: a new swing does it at all of them"));
+        }
+    }
+    return proposal;
+}
+
+Proposal proposalOf(const SwingOutcome& swing, const profile::Profile& profile, const TermSigmas& told)
+{
+    Proposal proposal{.title = Text::tr("North from the compass swing"),
+                      .reason = Text::tr("compass swing"),
+                      .text = northText(swing.fit.north)};
+    const auto& northTold = told[indexOf(Term::AzimuthOffset)];
+    const bool northStays = keepsNorth(proposal, swing.fit.north, profile, northTold);
+    calibration::SensorMounting mounting = mountingOf(profile.sensor);
+    if (swing.tilt) {
+        setTilt(proposal, *swing.tilt, tiltTold(told));
+        setZero(proposal, mounting, swing.tilt->elevationOffset, profile.pointing,
+                told[indexOf(Term::ElevationOffset)]);
+    }
+    mounting.sense = swing.fit.curve.sense;
+    mounting.azimuthOffset = {};  // the box is along the boom, as far as a swing can tell
+    mounting.curve = swing.fit.curve;
+    mounting.curve->constant = {};
+    proposal.sensor = mounting;
+    if (northStays) {
+        proposal.title = Text::tr("Curve of the compass");
+        proposal.sensor =
+            withNorthMoved(mounting, (profile.pointing.azimuthOffset - swing.fit.north.value).wrapped180(),
+                           calibration::hypot(*northTold, swing.fit.statistical));
+    }
+    for (const std::string& hint : swing.fit.hints) {
+        proposal.warnings.push_back(toQString(hint));
+    }
+    return proposal;
+}
+
+Proposal proposalOf(const calibration::PointingFit& fit, std::span<const calibration::CalibrationPoint> points,
+                    const profile::Profile& profile)
+{
+    const auto used = std::ranges::count_if(points, &calibration::CalibrationPoint::isUsed);
+    Proposal proposal{.title = used == 1 ? Text::tr("Pointing model from 1 point")
+                                         : Text::tr("Pointing model from %1 points").arg(used),
+                      .reason = Text::tr("points"),
+                      .text = changeText(profile.pointing, fit.terms),
+                      .terms = fit.terms,
+                      .points = {points.begin(), points.end()}};
+    proposal.terms.azimuthOffset = nearestOffset(fit.terms.azimuthOffset, profile);
+    for (const Term term : calibration::kAllTerms) {
+        if (fit.of(term).state != calibration::TermState::Off) {
+            proposal.sigmas[indexOf(term)] = fit.of(term).estimate.sigma;
+        }
+    }
+    // The compass was swung against the north of then.
+    const calibration::SensorMounting mounting = mountingOf(profile.sensor);
+    if (mounting.curve) {
+        proposal.sensor =
+            withNorthMoved(mounting, (fit.terms.azimuthOffset - profile.pointing.azimuthOffset).wrapped180(),
+                           fit.of(Term::AzimuthOffset).estimate.sigma);
+    }
+    for (const std::string& hint : fit.hints) {
+        proposal.warnings.push_back(toQString(hint));
+    }
+    return proposal;
+}
+
+Proposal proposalOf(const GivenTerms& given, const profile::Profile& profile)
+{
+    Proposal proposal{.title = given.title,
+                      .reason = given.reason,
+                      .text = changeText(profile.pointing, given.terms),
+                      .warnings = given.warnings,
+                      .terms = given.terms,
+                      .sigmas = given.sigmas};
+    const Angle moved = abs((given.terms.azimuthOffset - profile.pointing.azimuthOffset).wrapped180());
+    if (mountingOf(profile.sensor).curve && moved > kSameNorth) {
+        proposal.warnings.push_back(Text::tr("the sensor keeps the north of its swing: sensor and axes will then "
+                                             "differ by about %1")
+                                        .arg(degreesText(moved, 2)));
+    }
+    return proposal;
+}
+
+Result<pointing::PointingTerms> asSettings(const pointing::PointingTerms& terms)
+{
+    profile::Profile profile;
+    QStringList problems;
+    for (const TermStatus& term : termsBeside({}, terms)) {
+        const profile::Setting& setting = *profile::findSetting(term.key);
+        if (const Result<> fits = setting.set(profile, term.proposed.degrees()); !fits) {
+            problems << QStringLiteral("%1: %2").arg(toQString(term.key), toQString(fits.error().text));
+        }
+    }
+    if (!problems.isEmpty()) {
+        return failure(ErrorCode::OutOfRange, problems.join(QStringLiteral("; ")));
+    }
+    return profile.pointing;
+}
+
+std::vector<QString> otherMountWarnings(const calibration::TermSheet& sheet, const calibration::TermSheet& today)
+{
+    using calibration::difference;
+    using calibration::MountDifference;
+    std::vector<QString> warnings;
+    if (!sheet.mountName.empty() && sheet.mountName != today.mountName) {
+        warnings.push_back(Text::tr("the text is of another mount: \"%1\"").arg(toQString(sheet.mountName)));
+    }
+    const auto otherDrive = [](const std::string& then, const std::string& now) {
+        return difference({.azimuthDrive = then}, {.azimuthDrive = now}) == MountDifference::OtherDrive;
+    };
+    if (otherDrive(sheet.mount.azimuthDrive, today.mount.azimuthDrive)) {
+        warnings.push_back(Text::tr("the text is of another azimuth drive: where its axis shows 0° may differ"));
+    }
+    if (otherDrive(sheet.mount.elevationDrive, today.mount.elevationDrive)) {
+        warnings.push_back(Text::tr("the text is of another elevation drive: where its axis shows 0° may differ"));
+    }
+    if (difference({.site = sheet.mount.site}, {.site = today.mount.site}) == MountDifference::OtherSite) {
+        warnings.push_back(Text::tr("the text is of another site: north and tilt may differ"));
+    }
+    return warnings;
+}
+
+std::vector<TermStatus> termsBeside(const pointing::PointingTerms& present, const pointing::PointingTerms& proposed)
+{
+    std::vector<TermStatus> list;
+    for (const Term term : calibration::kAllTerms) {
+        list.push_back({.key = "pointing." + std::string(calibration::nameOf(term)) + "_deg",
+                        .present = valueOf(present, term),
+                        .proposed = valueOf(proposed, term)});
+    }
+    return list;
+}
+
+QString changeText(const pointing::PointingTerms& before, const pointing::PointingTerms& after, bool changesSensor)
+{
+    QStringList changes;
+    for (const Term term : calibration::kAllTerms) {
+        const Angle was = valueOf(before, term);
+        const Angle is = valueOf(after, term);
+        if (was != is) {
+            changes << QStringLiteral("%1 %2 → %3")
+                           .arg(Text::of(kTermTexts[indexOf(term)]), degreesText(was, 2), degreesText(is, 2));
+        }
+    }
+    if (changesSensor) {
+        changes << Text::tr("mounting or curve of the sensor");
+    }
+    return changes.isEmpty() ? Text::tr("nothing changes") : changes.join(QStringLiteral(", "));
+}
+
+}  // namespace boresight

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of CalibrationDesk for terms that are given, typed or from a text; and for what holds of those in force: how
+// exact they are, and for which mount.
+#include "core/base/text.h"
+#include "core/north/calibration_desk.h"
+#include "core/witness/sensor_curve.h"
+
+#include <QDateTime>
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+const QString kCause = QStringLiteral("calibration");
+// Half of the last place of what a profile and a history keep, and the rounding of both.
+constexpr Angle kSameTerm = Angle::fromDegrees(2e-9);
+
+// The fit of the same points against another model in force ends some ten millionths of a degree beside: less than half
+// of the last place that is shown says nothing else.
+constexpr Angle kSameFit = Angle::fromDegrees(0.0005);
+
+bool isSame(const pointing::PointingTerms& a, const pointing::PointingTerms& b, Angle tolerance = kSameTerm)
+{
+    return std::ranges::all_of(calibration::kAllTerms, [&](calibration::Term term) {
+        return abs(calibration::valueOf(a, term) - calibration::valueOf(b, term)) <= tolerance;
+    });
+}
+
+// Those that were given, but what differs by rounding only stays exactly what it is: whoever types one term gives one.
+pointing::PointingTerms changedOnly(pointing::PointingTerms given, const pointing::PointingTerms& present)
+{
+    for (const calibration::Term term : calibration::kAllTerms) {
+        const Angle now = calibration::valueOf(present, term);
+        if (abs(calibration::valueOf(given, term) - now) <= kSameTerm) {
+            calibration::valueOf(given, term) = now;
+        }
+    }
+    return given;
+}
+
+// As a profile keeps the arcs.
+constexpr Angle kSameArc = Angle::fromDegrees(0.051);
+// A declination that moved by more has moved north.
+constexpr Angle kSameDeclination = Angle::fromDegrees(0.05);
+
+bool isSame(const calibration::UnreliableSector& a, const calibration::UnreliableSector& b)
+{
+    return abs(a.from - b.from) <= kSameArc && abs(a.to - b.to) <= kSameArc;
+}
+
+bool isSame(const calibration::DeviationCurve& a, const calibration::DeviationCurve& b)
+{
+    const auto same = [](Angle x, Angle y) { return abs(x - y) <= kSameTerm; };
+    return same(a.a1, b.a1) && same(a.b1, b.b1) && same(a.a2, b.a2) && same(a.b2, b.b2) &&
+           std::ranges::equal(a.unreliable, b.unreliable, [](const auto& x, const auto& y) { return isSame(x, y); });
+}
+
+bool isSame(const calibration::SensorMounting& a, const calibration::SensorMounting& b)
+{
+    return a.sense == b.sense && abs((a.azimuthOffset - b.azimuthOffset).wrapped180()) <= kSameTerm &&
+           abs(a.elevationOffset - b.elevationOffset) <= kSameTerm &&
+           isSame(a.curve.value_or(calibration::DeviationCurve{}), b.curve.value_or(calibration::DeviationCurve{}));
+}
+
+QString dayOf(UtcTime when)
+{
+    const auto since = std::chrono::floor<std::chrono::seconds>(when.time_since_epoch());
+    return QDateTime::fromSecsSinceEpoch(since.count(), Qt::UTC).toString(QStringLiteral("yyyy-MM-dd"));
+}
+
+}  // namespace
+
+Result<> CalibrationDesk::handle(const request::ProposeTerms& wanted)
+{
+    return proposeGiven({.title = Text::tr("Typed terms"), .reason = Text::tr("typed"), .terms = wanted.terms});
+}
+
+Result<> CalibrationDesk::handle(const request::ImportTerms& wanted)
+{
+    return calibration::parseTerms(wanted.text, wanted.name.toStdString())
+        .and_then([&](const calibration::TermSheet& read) {
+            return proposeGiven({.title = Text::tr("Terms from %1").arg(wanted.name),
+                                 .reason = Text::tr("from a file"),
+                                 .terms = read.terms,
+                                 .sigmas = read.sigmas,
+                                 .warnings = otherMountWarnings(read, sheet())});
+        });
+}
+
+Result<> CalibrationDesk::proposeGiven(GivenTerms given)
+{
+    return nothingRuns().and_then([&] { return asSettings(given.terms); }).and_then([&](const auto& terms) -> Result<> {
+        if (isSame(terms, m_profile.pointing)) {
+            return failure(ErrorCode::Refused, Text::tr("these are the terms that are in force already"));
+        }
+        given.terms = changedOnly(terms, m_profile.pointing);
+        m_given = std::move(given);
+        propose(ProposedBy::Given);
+        return {};
+    });
+}
+
+// What was typed since would be lost without a word.
+Result<> CalibrationDesk::stillInForce(const pointing::PointingTerms& terms,
+                                       const std::optional<calibration::SensorMounting>& sensor) const
+{
+    if (!isSame(terms, m_profile.pointing)) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("the pointing model was changed since, %1, and that would be lost: take it back on the "
+                                "page Profile first, or type the terms that you want")
+                           .arg(changeText(terms, m_profile.pointing)));
+    }
+    if (sensor && !isSame(*sensor, mountingOf(m_profile.sensor))) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("the sensor's mounting or deviation was changed since, and that would be lost: take it "
+                                "back on the page Profile first"));
+    }
+    return {};
+}
+
+// A sensor's north holds with the mounting, the sense and the declination that it was found with.
+void CalibrationDesk::dropStale()
+{
+    const bool bySensor = m_by == ProposedBy::SensorOffset || m_by == ProposedBy::Swing;
+    if (bySensor && abs(m_declination - m_proposedAt) > kSameDeclination) {
+        m_sensorOffset.reset();
+        propose(ProposedBy::Nothing);
+        m_log.add(Severity::Warning, kCause,
+                  Text::tr("the settings of the sensor or the declination have changed: what was found with the former "
+                           "is not proposed any more; measure again"));
+    }
+}
+
+void CalibrationDesk::warnOfOtherMount(const calibration::CalibrationRecord& record)
+{
+    if (calibration::difference(record.mount, mountToday()) != calibration::MountDifference::None) {
+        m_log.add(
+            Severity::Warning, kCause,
+            Text::tr("\"%1\" was applied with another drive or at another site: see where north is before you rely "
+                     "on what comes into force")
+                .arg(toQString(record.title)));
+    }
+}
+
+// The axes may count from another place when the operator has answered.
+void CalibrationDesk::noteTurns()
+{
+    const bool asked = std::ranges::any_of(kAxes, [this](Axis axis) { return m_control.isTurnAsked(axis); });
+    if (asked && !m_book.points().empty()) {
+        const bool first = !std::exchange(m_axesTold, m_clock.utc());
+        if (first && m_by == ProposedBy::Points) {
+            propose(m_by);
+        }
+    }
+}
+
+// Taken before the program, or the connection to the mount, was ended.
+void CalibrationDesk::restorePoints()
+{
+    for (const calibration::CalibrationPoint& point : m_file.points()) {
+        m_book.add(point);
+    }
+    if (m_book.points().empty()) {
+        return;
+    }
+    m_log.add(Severity::Advisory, kCause,
+              Text::tr("%1 points that were taken before are here again; they count when both drives have told who "
+                       "they are")
+                  .arg(m_book.points().size()));
+    m_pointsMount = m_file.pointsMount();
+    m_book.setWaiting(true);
+    m_book.fit(m_profile.pointing, known());
+}
+
+// A drive tells who it is some seconds after the start, and after it was silent it may be another. One that was read
+// and tells no UUID speaks against nothing.
+void CalibrationDesk::noteDrives()
+{
+    bool isNew = false;
+    for (const Axis axis : kAxes) {
+        const std::optional<QString> uuid = m_control.uuid(axis);
+        std::optional<QString>& last = m_drives[index(axis)];
+        if (uuid && uuid != last && (!last || !uuid->isEmpty())) {
+            last = uuid;
+            isNew = true;
+        }
+    }
+    if (isNew) {
+        m_changed = true;
+        leaveOutOtherPoints();
+        countRestored();
+    }
+}
+
+// Than what is in force; any turn of the azimuth offset is the same north.
+bool CalibrationDesk::pointsSayOther() const
+{
+    if (!m_book.fitted()) {
+        return false;
+    }
+    pointing::PointingTerms said = m_book.fitted()->terms;
+    said.azimuthOffset = said.azimuthOffset.nearestTo(m_profile.pointing.azimuthOffset);
+    return !isSame(said, m_profile.pointing, kSameFit);
+}
+
+void CalibrationDesk::countRestored()
+{
+    const bool allRead = std::ranges::all_of(m_drives, [](const auto& uuid) { return uuid.has_value(); });
+    if (!m_book.isWaiting() || !allRead) {
+        return;
+    }
+    m_book.setWaiting(false);
+    m_book.fit(m_profile.pointing, known());
+    if (pointsSayOther() && m_by == ProposedBy::Nothing) {
+        propose(ProposedBy::Points);
+    }
+}
+
+// Where an axis shows 0° another drive does not know, nor another place where its north is. They stay in the list: the
+// operator may have their reasons to use them all the same.
+void CalibrationDesk::leaveOutOtherPoints()
+{
+    const calibration::MountDifference difference = calibration::difference(m_pointsMount, mountToday());
+    if (difference == calibration::MountDifference::None || m_book.points().empty()) {
+        return;
+    }
+    for (std::size_t i = 0; i < m_book.points().size(); ++i) {
+        [[maybe_unused]] const Result<> out = m_book.use(i, false);
+    }
+    pointsChanged();
+    const QString what = difference == calibration::MountDifference::OtherDrive
+                             ? Text::tr("the points on the page Sun/Moon were taken with another drive")
+                             : Text::tr("the points on the page Sun/Moon were taken at another site");
+    m_control.alarms().raise(kOtherPoints, Severity::Warning,
+                             {.what = what,
+                              .action = Text::tr("None of them is used any more: nothing is found from them"),
+                              .remedy = Text::tr("Drop them and take new ones; a point that still holds can be used "
+                                                 "again on the page Model")});
+}
+
+// The entry that has brought the terms in force, if they were not changed since by other ways.
+const calibration::CalibrationRecord* CalibrationDesk::recordInForce() const
+{
+    const calibration::CalibrationHistory& history = m_file.history();
+    if (!history.canUndo()) {
+        return nullptr;
+    }
+    const calibration::CalibrationRecord& last = history.entries()[history.inForce() - 1];
+    return isSame(last.terms.after, m_profile.pointing) ? &last : nullptr;
+}
+
+// What was changed by other ways since the entry that was applied last; empty: nothing.
+QString CalibrationDesk::changedSince() const
+{
+    const calibration::CalibrationHistory& history = m_file.history();
+    if (!history.canUndo() || recordInForce() != nullptr) {
+        return {};
+    }
+    return changeText(history.entries()[history.inForce() - 1].terms.after, m_profile.pointing);
+}
+
+// A term keeps its sigma as long as it keeps its value.
+calibration::TermSheet CalibrationDesk::sheet() const
+{
+    calibration::TermSheet sheet{.mountName = m_profile.mount.name,
+                                 .when = std::chrono::floor<std::chrono::seconds>(m_clock.utc()),
+                                 .mount = mountToday(),
+                                 .terms = m_profile.pointing,
+                                 .sigmas = {}};
+    const calibration::CalibrationHistory& history = m_file.history();
+    for (const calibration::Term term : calibration::kAllTerms) {
+        for (std::size_t i = history.inForce(); i > 0; --i) {
+            const calibration::CalibrationRecord& record = history.entries()[i - 1];
+            const Angle after = calibration::valueOf(record.terms.after, term);
+            if (abs(after - calibration::valueOf(m_profile.pointing, term)) > kSameTerm) {
+                break;
+            }
+            if (const auto& sigma = record.sigmas[calibration::indexOf(term)]) {
+                sheet.sigmas[calibration::indexOf(term)] = sigma;
+                break;
+            }
+        }
+    }
+    return sheet;
+}
+
+// How well Sun, Moon or landmarks have told what is in force, of this mount: a compass knows north and the zero of
+// elevation only by its box, and what a text says of itself was not seen here. A term that points have only held is
+// known by the swing before them: the next one is worth as much. A term keeps its sigma as long as it keeps its value.
+TermSigmas CalibrationDesk::toldByPoints() const
+{
+    TermSigmas told;
+    const calibration::CalibrationHistory& history = m_file.history();
+    for (const calibration::Term term : calibration::kAllTerms) {
+        for (std::size_t i = history.inForce(); i > 0; --i) {
+            const calibration::CalibrationRecord& record = history.entries()[i - 1];
+            const Angle after = calibration::valueOf(record.terms.after, term);
+            const bool otherMount =
+                calibration::difference(record.mount, mountToday()) != calibration::MountDifference::None;
+            if (otherMount || abs(after - calibration::valueOf(m_profile.pointing, term)) > kSameTerm) {
+                break;
+            }
+            const auto& sigma = record.sigmas[calibration::indexOf(term)];
+            if (sigma && !record.points.empty() && calibration::toldByPoints(*sigma, knownBy(i - 1).of(term))) {
+                told[calibration::indexOf(term)] = sigma;
+                break;
+            }
+        }
+    }
+    return told;
+}
+
+QString CalibrationDesk::otherMount() const
+{
+    const calibration::CalibrationRecord* const record = recordInForce();
+    if (record == nullptr) {
+        return {};
+    }
+    const QString what = toQString(record->title);
+    const QString day = dayOf(record->when);
+    switch (calibration::difference(record->mount, mountToday())) {
+        case calibration::MountDifference::OtherDrive:
+            return Text::tr("The pointing model in force (\"%1\", %2) was applied with another drive").arg(what, day);
+        case calibration::MountDifference::OtherSite:
+            return Text::tr("The pointing model in force (\"%1\", %2) was applied at another site").arg(what, day);
+        case calibration::MountDifference::None:
+            break;
+    }
+    return {};
+}
+
+void CalibrationDesk::warnOfOtherMount()
+{
+    const QString what = otherMount();
+    if (what.isEmpty()) {
+        m_control.alarms().clear(kCause);
+        return;
+    }
+    m_control.alarms().raise(kCause, Severity::Warning,
+                             {.what = what,
+                              .action = Text::tr("It stays in force; nothing moves"),
+                              .remedy = Text::tr("Find north anew and apply it, or take the calibration back")});
+}
+
+}  // namespace boresight

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/witness/current_link.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+constexpr Seconds kNotesKept{25.0};      // the longest latency and average of the profile, and more
+constexpr std::size_t kFewest = 15;      // of a sensor that speaks once a second
+constexpr double kLeastAmperes = 0.3;    // between the least and the most: less does not turn a needle
+constexpr int kFewestChanges = 3;        // from little current to much, or back
+constexpr double kLeastExplained = 0.8;  // of the coefficient: two thirds of the variance
+
+SteadyTime later(SteadyTime time, Seconds by)
+{
+    return time + std::chrono::duration_cast<SteadyTime::duration>(by);
+}
+
+}  // namespace
+
+void CurrentLink::note(SteadyTime now, double amperes)
+{
+    m_notes.push_back({now, amperes});
+    while (now - m_notes.front().time > kNotesKept) {
+        m_notes.pop_front();
+    }
+    while (!m_pairs.empty() && now - m_pairs.front().time > kSpan) {
+        m_pairs.pop_front();
+    }
+}
+
+void CurrentLink::take(SteadyTime middle, Seconds width, Angle difference)
+{
+    const auto first = std::ranges::lower_bound(m_notes, later(middle, -width / 2.0), {}, &Note::time);
+    const auto last = std::ranges::upper_bound(m_notes, later(middle, width / 2.0), {}, &Note::time);
+    if (first == last) {
+        return;
+    }
+    double sum = 0.0;
+    for (auto note = first; note != last; ++note) {
+        sum += note->amperes;
+    }
+    m_pairs.push_back({middle, sum / static_cast<double>(last - first), difference.degrees()});
+}
+
+// How often the current went from the lowest quarter of its range to the highest, or back.
+int CurrentLink::changes(double low, double high) const
+{
+    const double quarter = (high - low) / 4.0;
+    int changes = 0;
+    std::optional<bool> isHigh;
+    for (const Pair& pair : m_pairs) {
+        const bool up = pair.amperes > high - quarter;
+        if (up || pair.amperes < low + quarter) {
+            changes += isHigh && *isHigh != up ? 1 : 0;
+            isHigh = up;
+        }
+    }
+    return changes;
+}
+
+std::optional<CurrentCorrelation> CurrentLink::correlation() const
+{
+    if (m_pairs.size() < kFewest) {
+        return std::nullopt;
+    }
+    const auto [least, most] = std::ranges::minmax(m_pairs, {}, &Pair::amperes);
+    if (most.amperes - least.amperes < kLeastAmperes || changes(least.amperes, most.amperes) < kFewestChanges) {
+        return std::nullopt;
+    }
+    const double count = static_cast<double>(m_pairs.size());
+    double meanAmperes = 0.0;
+    double meanDegrees = 0.0;
+    for (const Pair& pair : m_pairs) {
+        meanAmperes += pair.amperes / count;
+        meanDegrees += pair.degrees / count;
+    }
+    double xx = 0.0;
+    double xy = 0.0;
+    double yy = 0.0;
+    for (const Pair& pair : m_pairs) {
+        const double x = pair.amperes - meanAmperes;
+        const double y = pair.degrees - meanDegrees;
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
+    }
+    const double coefficient = yy > 0.0 ? xy / std::sqrt(xx * yy) : 0.0;
+    return std::abs(coefficient) < kLeastExplained
+               ? std::nullopt
+               : std::optional(
+                     CurrentCorrelation{.coefficient = coefficient, .perAmpere = Angle::fromDegrees(xy / xx)});
+}
+
+}  // namespace boresight

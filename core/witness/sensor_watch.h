@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/alarm_board.h"
+#include "core/alarms/event_log.h"
+#include "core/memory/sensor_course.h"
+#include "core/messages/sensor_status.h"
+#include "core/orientation/judge.h"
+#include "core/orientation/source.h"
+#include "core/profile/profile.h"
+#include "core/witness/current_link.h"
+#include "core/witness/sensor_check.h"
+#include "core/witness/sensor_curve.h"
+
+// What the station makes of the orientation sensor: judges its values, turns them into true directions, compares these
+// with the axes, and tells all that in the status, by at most two alarms and few lines of the log. It is a witness: it
+// moves nothing and stops nothing. Pure but for the log; station thread.
+namespace boresight {
+
+// True angles that are young and calibrated enough to speak for a place of the axes.
+struct SensorEvidence
+{
+    std::optional<Angle> azimuth;
+    std::optional<Angle> elevation;
+    std::optional<memory::SensorCourse> course;  // how the azimuth went, while it can be followed
+
+    bool operator==(const SensorEvidence&) const = default;
+};
+
+class SensorWatch
+{
+public:
+    SensorWatch(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms);
+
+    void setProfile(const profile::Profile& profile);
+    // Of the site by the magnetic model, or why it is not known; empty: the model is still read, or there is no site.
+    // Counts while the profile names a file of one.
+    // `model`: its name and years; `expiry`: that it ends or has ended.
+    void setSiteDeclination(const std::optional<Result<Angle>>& declination, const QString& model = {},
+                            const QString& expiry = {});
+
+    // Another source from now on, by its name; empty: none.
+    void begin(const QString& source);
+    void show(const orientation::SourceStatus& status) { m_source = status; }
+    void take(const orientation::Orientation& value);
+    // A mounting and curve that were found and wait for Apply; empty: none. As long as the sensor agrees with the axes
+    // by what is proposed, that it does not by what is in force is no alarm; it becomes one when it is not proposed any
+    // more, and a difference that the proposal does not explain is one at once.
+    void setProposed(const std::optional<calibration::SensorMounting>& mounting);
+    // Once per tick; where the axes point, if that is known, and the current of both motors, without sign. `proposed`:
+    // where they point by what is proposed.
+    void tick(const std::optional<SkyPointing>& axes, double amperes = 0.0,
+              const std::optional<SkyPointing>& proposed = std::nullopt);
+
+    [[nodiscard]] SensorStatus status() const;
+    [[nodiscard]] SensorEvidence evidence() const;
+
+private:
+    [[nodiscard]] geomagnetism::Declination declination() const;
+    [[nodiscard]] QString doubtOfDeclination() const;
+    // Why its azimuth is no evidence; empty: it is.
+    [[nodiscard]] QString doubtOf(const orientation::Orientation& value) const;
+    [[nodiscard]] bool isYoung() const;
+    [[nodiscard]] std::optional<memory::SensorCourse> course(const orientation::Orientation& last) const;
+    void compare(const orientation::Orientation& value);
+    [[nodiscard]] static SensorReading readingOf(const orientation::Orientation& value, const SensorTruth& truth);
+    void correct();
+    void correctProposed();
+    void note(const orientation::Orientation& value);
+    void tellPresence();
+    // No north was found or set, and the sensor has never agreed with the axes: that they differ in azimuth is then
+    // what has to be expected, and no sign that something is wrong.
+    [[nodiscard]] bool isNorthUnknown() const;
+    // For long enough, and neither expected nor explained by what waits for Apply.
+    [[nodiscard]] bool disagrees(Axis axis) const;
+    [[nodiscard]] bool disagrees() const { return disagrees(Axis::Azimuth) || disagrees(Axis::Elevation); }
+    void tellDisagreement();
+    void tellNorth();
+    [[nodiscard]] AlarmText absence() const;
+    [[nodiscard]] AlarmText disagreement() const;
+    [[nodiscard]] QString causes(Axis axis) const;
+
+    profile::SensorSettings m_settings;
+    pointing::PointingTerms m_terms;  // what the axes tell goes by them
+    const Clock& m_clock;
+    EventLog& m_log;
+    AlarmBoard& m_alarms;
+    orientation::Judge m_judge;
+    SensorTruth m_truth;
+    std::optional<Result<Angle>> m_siteDeclination;  // by the model
+    QString m_model;
+    QString m_modelExpiry;
+    SensorCheck m_check;
+    std::optional<calibration::SensorMounting> m_proposed;
+    SensorTruth m_proposedTruth;
+    SensorCheck m_proposedCheck;  // what m_check would say after Apply
+    QString m_name;
+    orientation::SourceStatus m_source;
+    SteadyTime m_begun{};
+    bool m_heard = false;  // as the log was told
+    CurrentLink m_currentLink;
+    std::uint64_t m_breaks = 0;  // of the course, besides those that the judge sees
+    bool m_northFound = false;   // the profile holds one
+    bool m_agreed = false;       // in azimuth, at least once
+    bool m_disagreed = false;
+    bool m_currentTold = false;
+    bool m_unknownTold = false;
+    std::uint64_t m_restartsTold = 0;
+};
+
+}  // namespace boresight
