@@ -11,7 +11,7 @@ namespace {
 
 using moteus::Register;
 
-survey::ScannedDrive described(const survey::FoundController& found)
+ScannedDrive described(const survey::FoundController& found)
 {
     const auto uuid = found.known.uuid();
     return {.id = found.id,
@@ -21,9 +21,9 @@ survey::ScannedDrive described(const survey::FoundController& found)
             .temperature = found.known.value(Register::Temperature)};
 }
 
-survey::ScanResult resultOf(const QString& bus, const std::vector<survey::FoundController>& found)
+ScanResult resultOf(const QString& bus, const std::vector<survey::FoundController>& found)
 {
-    survey::ScanResult result{.bus = bus, .drives = {}, .problems = {}};
+    ScanResult result{.bus = bus, .drives = {}, .problems = {}};
     for (const survey::FoundController& one : found) {
         result.drives.push_back(described(one));
     }
@@ -61,7 +61,7 @@ struct HostSearch::Scan
     }
 
     // On the thread. `done` is called there.
-    void begin(const QString& bus, const MakeLink& makeLink, const std::function<void(const survey::ScanResult&)>& done)
+    void begin(const QString& bus, const MakeLink& makeLink, const std::function<void(const ScanResult&)>& done)
     {
         const auto fail = [&](const QString& why) { done({.bus = bus, .drives = {}, .problems = {why}}); };
         auto made = makeLink(bus.toStdString(), clock);
@@ -79,7 +79,7 @@ struct HostSearch::Scan
         scan = std::make_unique<BusScan>(*link);
         QObject::connect(scan.get(), &BusScan::finished, context.get(), [this, bus, done](const QString& problem) {
             done(problem.isEmpty() ? resultOf(bus, scan->controllers())
-                                   : survey::ScanResult{.bus = bus, .drives = {}, .problems = {problem}});
+                                   : ScanResult{.bus = bus, .drives = {}, .problems = {problem}});
         });
         scan->start();
     }
@@ -89,7 +89,7 @@ HostSearch::HostSearch(MakeLink makeLink, QObject* parent) : QObject(parent), m_
 {
     qRegisterMetaType<std::vector<Adapter>>();
     qRegisterMetaType<profile::GpredictFiles>();
-    qRegisterMetaType<survey::ScanResult>();
+    qRegisterMetaType<ScanResult>();
     m_files.setMaxThreadCount(1);
 }
 
@@ -118,7 +118,7 @@ void HostSearch::scan(const QString& bus)
     m_scan = std::make_unique<Scan>();
     Scan* const scan = m_scan.get();
     scan->context->moveToThread(&scan->thread);
-    const auto done = [this](const survey::ScanResult& result) {
+    const auto done = [this](const ScanResult& result) {
         QMetaObject::invokeMethod(
             this, [this, result] { endScan(result); }, Qt::QueuedConnection);
     };
@@ -132,7 +132,7 @@ void HostSearch::scan(const QString& bus)
 }
 
 // The adapter is free again before anybody hears of the result: the next thing may be to use it.
-void HostSearch::endScan(const survey::ScanResult& result)
+void HostSearch::endScan(const ScanResult& result)
 {
     m_scan.reset();
     Q_EMIT scanned(result);

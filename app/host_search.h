@@ -3,10 +3,10 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
-#include "core/can/adapters.h"
 #include "core/can/can_link.h"
+#include "core/messages/scan_result.h"
 #include "core/profile/gpredict_qth.h"
-#include "core/survey/scan_result.h"
+#include "core/station/adapters.h"
 
 #include <QObject>
 #include <QThread>
@@ -38,12 +38,12 @@ public Q_SLOTS:
 Q_SIGNALS:
     void adaptersFound(const std::vector<boresight::Adapter>& adapters);
     void gpredictFound(const boresight::profile::GpredictFiles& files);
-    void scanned(const boresight::survey::ScanResult& result);
+    void scanned(const boresight::ScanResult& result);
 
 private:
     struct Scan;
 
-    void endScan(const survey::ScanResult& result);
+    void endScan(const ScanResult& result);
 
     MakeLink m_makeLink;
     std::unique_ptr<Scan> m_scan;

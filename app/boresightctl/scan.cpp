@@ -3,7 +3,7 @@
 #include "app/bus_scan.h"
 #include "app/scan_report.h"
 #include "app/unix_signals.h"
-#include "core/can/adapters.h"
+#include "core/station/adapters.h"
 #include "core/station/link_factory.h"
 
 #include <QCoreApplication>

@@ -20,7 +20,7 @@ bool outwards(Angle offset, AngularRate rate)
 
 Result<> FirstMoves::admits(const AxisRates& rates, const AxisPosition& place, const AxisPosition& rest)
 {
-    if (std::max(abs(rates.azimuth), abs(rates.elevation)) > kFastest) {
+    if (std::max(abs(rates.azimuth), abs(rates.elevation)) > profile::kFastestUnconfirmed) {
         return failure(
             ErrorCode::Refused,
             Text::tr("it is not confirmed yet which way the axes turn: jog at 5°/s or slower, or confirm it"));

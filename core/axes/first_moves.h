@@ -15,7 +15,6 @@ namespace boresight {
 class FirstMoves
 {
 public:
-    static constexpr AngularRate kFastest = AngularRate::fromDegrees(5.0);
     static constexpr Angle kFarthest = Angle::fromDegrees(1.9);  // 2°, less what a tick adds
 
     // May the axes, which are at `place`, be jogged so? `rest` is where they would come to rest from such a motion.

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/control/client_lead.h"
 
+#include "core/base/peer_address.h"
 #include "core/base/text.h"
-#include "core/rotctld/peer_address.h"
 
 namespace boresight {
 namespace {
 
 bool lockedOut(const ClientLead::Rules& rules, const std::string& host)
 {
-    return rules.lead == profile::Lead::Locked && !rotctld::sameHost(host, rules.lockedTo);
+    return rules.lead == profile::Lead::Locked && !sameHost(host, rules.lockedTo);
 }
 
 QString ago(SteadyTime::duration age)
@@ -63,7 +63,7 @@ bool ClientLead::continues(const Source& client) const
 {
     const bool later = client.clientId > m_leader->client.clientId;
     return client.clientId == m_leader->client.clientId ||
-           (m_leader->left && later && rotctld::sameHost(hostOf(client.clientId), m_leader->host));
+           (m_leader->left && later && sameHost(hostOf(client.clientId), m_leader->host));
 }
 
 QString ClientLead::leaderText(SteadyTime now) const
@@ -123,7 +123,7 @@ void ClientLead::rearmed(const Source& client, SteadyTime now)
         one.waits = id != client.clientId && one.asked && now - *one.asked < kRelease;
     }
     for (auto& [host, passer] : m_passers) {
-        passer.waits = !rotctld::sameHost(host, hostOf(client.clientId));
+        passer.waits = !sameHost(host, hostOf(client.clientId));
     }
 }
 
@@ -210,7 +210,7 @@ bool ClientLead::readOnly(std::uint64_t clientId) const
 
 bool ClientLead::locked(const Rules& rules, std::uint64_t clientId) const
 {
-    return rules.lead == profile::Lead::Locked && rotctld::sameHost(hostOf(clientId), rules.lockedTo);
+    return rules.lead == profile::Lead::Locked && sameHost(hostOf(clientId), rules.lockedTo);
 }
 
 QString ClientLead::name(std::uint64_t clientId) const

@@ -77,6 +77,8 @@ enum class Directions
     Confirmed,
     Unconfirmed
 };
+// As long as nobody has confirmed them.
+inline constexpr AngularRate kFastestUnconfirmed = AngularRate::fromDegrees(5.0);
 
 struct MountSettings
 {

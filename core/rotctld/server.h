@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/base/peer_address.h"
 #include "core/rotctld/handlers.h"
-#include "core/rotctld/peer_address.h"
 #include "core/rotctld/rotator.h"
 #include "core/rotctld/session.h"
 #include "core/rotctld/sockets.h"

@@ -2,9 +2,9 @@
 #include "core/station/station_rotator.h"
 
 #include "core/base/numbers.h"
+#include "core/base/peer_address.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
-#include "core/rotctld/peer_address.h"
 #include "core/units/degrees_text.h"
 
 #include <algorithm>
@@ -272,7 +272,7 @@ void StationRotator::logRefusal(const rotctld::Client& client, const QString& co
 void StationRotator::clientConnected(const rotctld::Client& client)
 {
     m_connections.add(Severity::Advisory, clientSource(client).name, Text::tr("connected"));
-    m_control.clientCame(clientSource(client), rotctld::hostOf(client.address));
+    m_control.clientCame(clientSource(client), boresight::hostOf(client.address));
 }
 
 void StationRotator::clientGone(const rotctld::Client& client, const std::string& reason)

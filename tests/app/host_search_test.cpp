@@ -19,7 +19,7 @@ protected:
     HostSearchTest()
     {
         QObject::connect(&search, &HostSearch::scanned, &search,
-                         [this](const survey::ScanResult& result) { results.push_back(result); });
+                         [this](const ScanResult& result) { results.push_back(result); });
     }
 
     bool answered(std::size_t count)
@@ -28,7 +28,7 @@ protected:
     }
 
     HostSearch search{makeLink};
-    std::vector<survey::ScanResult> results;
+    std::vector<ScanResult> results;
 };
 
 TEST_F(HostSearchTest, ScansABusOnAThreadOfItsOwnAndTellsWhoIsThere)

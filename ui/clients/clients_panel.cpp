@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/clients/clients_panel.h"
 
-#include "core/rotctld/peer_address.h"
+#include "core/base/peer_address.h"
 #include "ui/clients/client_model.h"
 #include "ui/clients/clients_permission.h"
 #include "ui/clients/gpredict_settings.h"
@@ -283,7 +283,7 @@ QString ClientsPanel::whyNoChange() const
 void ClientsPanel::lock()
 {
     if (const ClientStatus* const client = selected()) {
-        choose(profile::Lead::Locked, rotctld::hostOf(client->address.toStdString()));
+        choose(profile::Lead::Locked, boresight::hostOf(client->address.toStdString()));
     }
 }
 

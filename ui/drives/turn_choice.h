@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/memory/turn_question.h"
+#include "core/messages/drives_status.h"
 
 #include <optional>
 

@@ -26,7 +26,7 @@ QString quantity(const std::optional<double>& value, const QString& unit)
     return value ? QStringLiteral("%1 %2").arg(*value, 0, 'f', 1).arg(unit) : QStringLiteral("---");
 }
 
-QString line(const survey::ScannedDrive& drive)
+QString line(const ScannedDrive& drive)
 {
     return GuideConnect::tr("id %1: %2, %3, firmware %4")
         .arg(drive.id)
@@ -182,7 +182,7 @@ std::vector<int> GuideConnect::idsFound() const
     if (selectedBus() == busInUse() && ownSilent) {
         std::ranges::transform(m_status.drives.strangers, std::back_inserter(ids), &survey::Stranger::id);
     } else if (m_result && m_result->bus == selectedBus()) {
-        std::ranges::transform(m_result->drives, std::back_inserter(ids), &survey::ScannedDrive::id);
+        std::ranges::transform(m_result->drives, std::back_inserter(ids), &ScannedDrive::id);
     }
     return ids;
 }
@@ -201,7 +201,7 @@ void GuideConnect::showFound()
     } else if (selectedBus() == m_scanning) {
         lines << tr("Asking who is there …");
     } else if (m_result && m_result->bus == selectedBus()) {
-        for (const survey::ScannedDrive& one : m_result->drives) {
+        for (const ScannedDrive& one : m_result->drives) {
             lines << line(one);
         }
         lines << m_result->problems;
@@ -226,7 +226,7 @@ void GuideConnect::scan()
     Q_EMIT m_host.scanWanted(m_scanning);
 }
 
-void GuideConnect::showResult(const survey::ScanResult& result)
+void GuideConnect::showResult(const ScanResult& result)
 {
     m_scanning.clear();
     m_result = result;

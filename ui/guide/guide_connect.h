@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/can/adapters.h"
+#include "core/messages/adapter.h"
+#include "core/messages/scan_result.h"
 #include "core/messages/station_status.h"
-#include "core/survey/scan_result.h"
 #include "ui/link/profile_change.h"
 
 #include <QWidget>
@@ -37,7 +37,7 @@ protected:
 private:
     void build();
     void showAdapters(const std::vector<Adapter>& adapters);
-    void showResult(const survey::ScanResult& result);
+    void showResult(const ScanResult& result);
     void showButtons();
     void scan();
     void use();
@@ -50,7 +50,7 @@ private:
     HostDesk& m_host;
     StationStatus m_status;
     std::vector<Adapter> m_adapters;
-    std::optional<survey::ScanResult> m_result;
+    std::optional<ScanResult> m_result;
     QString m_scanning;  // the bus that is being looked at
     ValueLabel* m_notice;
     QListWidget* m_list;

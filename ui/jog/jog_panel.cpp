@@ -14,13 +14,13 @@
 
 namespace boresight::ui {
 
-JogPanel::JogPanel(const Clock& clock, ProfileDraft& draft, RequestDesk& desk, const WindowSettings& settings,
+JogPanel::JogPanel(const Clock& clock, ProfileDraft& draft, RequestDesk& desk, const QStringList& recentGoTos,
                    QWidget* parent)
     : QWidget(parent),
       m_notice(new ValueLabel(tr("Refused"), fonts::label(), {}, this)),
       m_pad(new JogPad(clock, desk, *m_notice, this)),
       m_choices(new JogChoices(*m_pad, this)),
-      m_goTo(new GoToBar(desk, *m_notice, settings.recentGoTos, this)),
+      m_goTo(new GoToBar(desk, *m_notice, recentGoTos, this)),
       m_presets(new PresetBar(draft, desk, *m_notice, this)),
       m_horizon(new CommandButton(tr("Horizon"), tr("Elevation 0°, or the lowest permitted, at this azimuth"), desk,
                                   *m_notice, this)),

@@ -5,7 +5,6 @@
 #include "core/messages/station_status.h"
 #include "ui/hold/jog_pad.h"
 #include "ui/jog/gamepad_pilot.h"
-#include "ui/window/window_settings.h"
 
 #include <QWidget>
 
@@ -26,7 +25,7 @@ class JogPanel : public QWidget
     Q_OBJECT
 
 public:
-    JogPanel(const Clock& clock, ProfileDraft& draft, RequestDesk& desk, const WindowSettings& settings,
+    JogPanel(const Clock& clock, ProfileDraft& draft, RequestDesk& desk, const QStringList& recentGoTos,
              QWidget* parent = nullptr);
 
     void showStatus(const StationStatus& status);

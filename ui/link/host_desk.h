@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/can/adapters.h"
+#include "core/messages/adapter.h"
+#include "core/messages/scan_result.h"
 #include "core/profile/gpredict_qth.h"
-#include "core/survey/scan_result.h"
 
 #include <QObject>
 
@@ -27,7 +27,7 @@ Q_SIGNALS:
     void gpredictWanted(const QString& folder);
     // Answered by the owner of the window.
     void adaptersFound(const std::vector<boresight::Adapter>& adapters);
-    void scanned(const boresight::survey::ScanResult& result);
+    void scanned(const boresight::ScanResult& result);
     void gpredictFound(const boresight::profile::GpredictFiles& files);
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/link/motion_permission.h"
 
-#include "core/axes/first_moves.h"
 #include "ui/kit/axes.h"
 #include "ui/kit/format.h"
 
@@ -124,7 +123,7 @@ AngularRate fastestJog(const StationStatus& status)
         return std::min(jog.slow, jog.unwind);  // the end of the cable may be near
     }
     const bool confirmed = status.profile->mount.directions == profile::Directions::Confirmed;
-    return confirmed ? jog.fast : std::min(jog.fast, FirstMoves::kFastest);
+    return confirmed ? jog.fast : std::min(jog.fast, profile::kFastestUnconfirmed);
 }
 
 QString whyNoUnwind(const StationStatus& status)

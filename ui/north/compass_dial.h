@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/orientation/orientation.h"
+#include "core/messages/sensor_status.h"
 
 #include <QWidget>
 

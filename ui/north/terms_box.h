@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/pointing_term.h"
+#include "core/messages/calibration_status.h"
 #include "core/messages/station_status.h"
 
 #include <QWidget>

@@ -2,27 +2,17 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/messages/adapter.h"
 
-#include <QMetaType>
 #include <QString>
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-// Everything on this computer that a mount may be reached by, with the names that people and profiles use. A serial
-// port is offered under the name that stays the same wherever it is plugged in.
+// Finds everything on this computer that a mount may be reached by. A serial port is offered under the name that stays
+// the same wherever it is plugged in.
 namespace boresight {
-
-struct Adapter
-{
-    QString bus;              // as a profile names it: "fdcanusb:/dev/serial/by-id/usb-mjbots_fdcanusb_1A2B-if00"
-    QString name;             // as it calls itself: "mjbots fdcanusb"
-    QString detail;           // serial number, port: what tells two of a kind apart
-    bool recognised = false;  // made for these drives; else it may be something else altogether
-
-    bool operator==(const Adapter&) const = default;
-};
 
 struct SerialPortFacts
 {
@@ -58,5 +48,3 @@ struct CanInterfaceFacts
 [[nodiscard]] std::vector<CanInterfaceFacts> canInterfacesIn(const QString& folder);
 
 }  // namespace boresight
-
-Q_DECLARE_METATYPE(std::vector<boresight::Adapter>)

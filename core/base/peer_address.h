@@ -10,7 +10,7 @@
 
 // Whose connection it is: the host of a peer, and whether the profile lets it in. Addresses are numbers, nothing is
 // looked up, and an IPv4 address that came over IPv6 is the IPv4 address. Pure.
-namespace boresight::rotctld {
+namespace boresight {
 
 // "127.0.0.1" of "127.0.0.1:51234", "::1" of "[::1]:51234".
 [[nodiscard]] std::string hostOf(std::string_view address);
@@ -31,4 +31,4 @@ private:
     std::vector<std::pair<QHostAddress, int>> m_networks;  // with the number of leading bits, or -1
 };
 
-}  // namespace boresight::rotctld
+}  // namespace boresight

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/rotctld/peer_address.h"
+#include "core/base/peer_address.h"
 
 #include <QString>
 
 #include <algorithm>
 
-namespace boresight::rotctld {
+namespace boresight {
 namespace {
 
 QHostAddress plain(const std::string& host)
@@ -53,4 +53,4 @@ bool AllowList::admits(const std::string& host) const
            });
 }
 
-}  // namespace boresight::rotctld
+}  // namespace boresight

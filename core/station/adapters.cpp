@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/can/adapters.h"
+#include "core/station/adapters.h"
 
 #include "core/base/bus_name.h"
 #include "core/base/text.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/can/adapters.h"
+#include "core/station/adapters.h"
 
 #include <QDir>
 #include <QFile>

@@ -9,7 +9,7 @@
 #include <vector>
 
 // What a look at a bus that no station works on has found: plain values for the operator.
-namespace boresight::survey {
+namespace boresight {
 
 struct ScannedDrive
 {
@@ -31,6 +31,6 @@ struct ScanResult
     bool operator==(const ScanResult&) const = default;
 };
 
-}  // namespace boresight::survey
+}  // namespace boresight
 
-Q_DECLARE_METATYPE(boresight::survey::ScanResult)
+Q_DECLARE_METATYPE(boresight::ScanResult)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/rotctld/peer_address.h"
+#include "core/base/peer_address.h"
 
 #include <gtest/gtest.h>
 
-namespace boresight::rotctld {
+namespace boresight {
 namespace {
 
 TEST(PeerAddress, TellsTheHost)
@@ -56,4 +56,4 @@ TEST(AllowList, AnUnreadableEntryAdmitsNobody)
 }
 
 }  // namespace
-}  // namespace boresight::rotctld
+}  // namespace boresight

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMetaType>
+#include <QString>
+
+#include <vector>
+
+// What a mount may be reached by, with the names that people and profiles use. Plain value.
+namespace boresight {
+
+struct Adapter
+{
+    QString bus;              // as a profile names it: "fdcanusb:/dev/serial/by-id/usb-mjbots_fdcanusb_1A2B-if00"
+    QString name;             // as it calls itself: "mjbots fdcanusb"
+    QString detail;           // serial number, port: what tells two of a kind apart
+    bool recognised = false;  // made for these drives; else it may be something else altogether
+
+    bool operator==(const Adapter&) const = default;
+};
+
+}  // namespace boresight
+
+Q_DECLARE_METATYPE(std::vector<boresight::Adapter>)
