@@ -5,10 +5,10 @@
 #include "app/unix_signals.h"
 #include "core/base/numbers.h"
 #include "core/can/socketcan_link.h"
-#include "core/sim/can_server.h"
-#include "core/sim/pty_server.h"
-#include "core/sim/sensor_port.h"
-#include "core/sim/sensor_publisher.h"
+#include "core/sim_bus/can_server.h"
+#include "core/sim_bus/pty_server.h"
+#include "core/sim_sensor/sensor_port.h"
+#include "core/sim_sensor/sensor_publisher.h"
 
 #include <QCoreApplication>
 #include <QTimer>

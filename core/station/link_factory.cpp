@@ -5,7 +5,7 @@
 #include "core/can/fdcanusb_link.h"
 #include "core/can/socketcan_link.h"
 #include "core/can/unusable_link.h"
-#include "core/sim/simulated_link.h"
+#include "core/sim_bus/simulated_link.h"
 #include "core/survey/protections.h"
 
 namespace boresight {

@@ -3,7 +3,7 @@
 
 #include "core/orientation/mqtt_source.h"
 #include "core/orientation/serial_source.h"
-#include "core/sim/simulated_source.h"
+#include "core/sim_sensor/simulated_source.h"
 
 #include <tuple>
 

@@ -3,7 +3,7 @@
 #include "app/bus_scan.h"
 
 #include "app/scan_report.h"
-#include "core/sim/simulated_link.h"
+#include "core/sim_bus/simulated_link.h"
 #include "tests/fakes/wait_until.h"
 
 #include <gmock/gmock.h>

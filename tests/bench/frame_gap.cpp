@@ -9,7 +9,7 @@
 
 #include "app/profile_saver.h"
 #include "app/station_thread.h"
-#include "core/sim/simulated_link.h"
+#include "core/sim_bus/simulated_link.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>

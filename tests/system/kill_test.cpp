@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sim/pty_server.h"
+#include "core/sim_bus/pty_server.h"
 #include "tests/fakes/real_mount.h"
 #include "tests/fakes/wait_until.h"
 #include "tests/system/boresightd_process.h"

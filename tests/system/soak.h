@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/sim/simulated_link.h"
+#include "core/sim_bus/simulated_link.h"
 #include "core/station/station.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/tcp_peer.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the first start to the first safe move: the real window, the real station, the simulated mount with its physics.
 // The clock is turned by hand, in step with the real time that the dead-man needs.
-#include "core/sim/simulated_link.h"
+#include "core/sim_bus/simulated_link.h"
 #include "core/station/link_factory.h"
 #include "core/station/station.h"
 #include "tests/fakes/manual_clock.h"

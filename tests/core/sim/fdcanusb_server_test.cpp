@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sim/fdcanusb_server.h"
+#include "core/sim_bus/fdcanusb_server.h"
 
 #include "core/base/hex.h"
 #include "core/can/fdcanusb_protocol.h"
 #include "core/can/line_checksum.h"
-#include "core/sim/fdcanusb_request.h"
+#include "core/sim_bus/fdcanusb_request.h"
 #include "tests/core/sim/golden_vectors.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The simulated sensor at a real broker, heard by the source that hears the real one.
-#include "core/sim/sensor_publisher.h"
+#include "core/sim_sensor/sensor_publisher.h"
 
 #include "core/orientation/mqtt_source.h"
 #include "tests/core/mqtt/mqtt_rig.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sim/simulated_link.h"
+#include "core/sim_bus/simulated_link.h"
 
 #include "core/moteus/codec.h"
 #include "core/sim/reference_mount.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/link_factory.h"
 
-#include "core/sim/simulated_link.h"
+#include "core/sim_bus/simulated_link.h"
 #include "core/survey/protections.h"
 #include "tests/fakes/manual_clock.h"
 

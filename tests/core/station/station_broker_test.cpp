@@ -2,7 +2,7 @@
 // The station and a real broker.
 #include "core/station/station_broker.h"
 
-#include "core/sim/simulated_link.h"
+#include "core/sim_bus/simulated_link.h"
 #include "core/station/station.h"
 #include "tests/core/mqtt/mqtt_rig.h"
 #include "tests/fakes/mqtt_test.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole way: the simulated mount with its own sensor, and the station that calibrates it.
-#include "core/sim/simulated_source.h"
+#include "core/sim_sensor/simulated_source.h"
 #include "core/station/station.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/wait_until.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole way: simulated mount, its sensor, the station that watches both.
-#include "core/sim/simulated_source.h"
+#include "core/sim_sensor/simulated_source.h"
 #include "core/station/station.h"
 #include "tests/core/geomagnetism/synthetic_model.h"
 #include "tests/fakes/manual_clock.h"

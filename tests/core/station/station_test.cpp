@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/station.h"
 
-#include "core/sim/simulated_link.h"
+#include "core/sim_bus/simulated_link.h"
 #include "tests/fakes/fake_can_link.h"
 #include "tests/fakes/ideal_drive.h"
 #include "tests/fakes/manual_clock.h"

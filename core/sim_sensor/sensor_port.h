@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/sim/pseudo_terminal.h"
-#include "core/sim/sensor_box.h"
+#include "core/sim_bus/pseudo_terminal.h"
+#include "core/sim_sensor/sensor_box.h"
 
 #include <QObject>
 

@@ -3,7 +3,7 @@
 
 #include "core/orientation/sentence_stream.h"
 #include "core/orientation/source.h"
-#include "core/sim/simulated_link.h"
+#include "core/sim_bus/simulated_link.h"
 
 #include <QTimer>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sim/sensor_port.h"
+#include "core/sim_sensor/sensor_port.h"
 
 #include <unistd.h>
 

@@ -3,8 +3,8 @@
 
 #include "core/base/clock.h"
 #include "core/can/can_link.h"
-#include "core/sim/due_queue.h"
 #include "core/sim/simulated_pair.h"
+#include "core/sim_bus/due_queue.h"
 
 #include <QObject>
 #include <QTimer>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sim/simulated_source.h"
+#include "core/sim_sensor/simulated_source.h"
 
-#include "core/sim/sensor_box.h"
+#include "core/sim_sensor/sensor_box.h"
 
 #include <utility>
 

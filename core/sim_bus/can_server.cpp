@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sim/can_server.h"
+#include "core/sim_bus/can_server.h"
 
 #include <algorithm>
 #include <chrono>

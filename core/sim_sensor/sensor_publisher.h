@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/mqtt/client.h"
-#include "core/sim/sensor_box.h"
+#include "core/sim_sensor/sensor_box.h"
 
 #include <QObject>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sim/fdcanusb_server.h"
+#include "core/sim_bus/fdcanusb_server.h"
 
 #include "core/can/line_checksum.h"
-#include "core/sim/fdcanusb_request.h"
+#include "core/sim_bus/fdcanusb_request.h"
 
 #include <algorithm>
 

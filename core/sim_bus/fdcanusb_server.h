@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/can/line_splitter.h"
-#include "core/sim/due_queue.h"
 #include "core/sim/simulated_pair.h"
+#include "core/sim_bus/due_queue.h"
 
 #include <map>
 #include <optional>

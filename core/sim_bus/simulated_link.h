@@ -3,9 +3,9 @@
 
 #include "core/base/clock.h"
 #include "core/can/can_link.h"
-#include "core/sim/due_queue.h"
 #include "core/sim/simulated_pair.h"
 #include "core/sim/simulated_sensor.h"
+#include "core/sim_bus/due_queue.h"
 
 #include <QTimer>
 

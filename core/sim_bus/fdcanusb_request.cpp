@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sim/fdcanusb_request.h"
+#include "core/sim_bus/fdcanusb_request.h"
 
 #include "core/base/hex.h"
 #include "core/base/numbers.h"

@@ -3,9 +3,9 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
-#include "core/sim/fdcanusb_server.h"
-#include "core/sim/pseudo_terminal.h"
 #include "core/sim/simulated_pair.h"
+#include "core/sim_bus/fdcanusb_server.h"
+#include "core/sim_bus/pseudo_terminal.h"
 
 #include <QObject>
 #include <QSocketNotifier>

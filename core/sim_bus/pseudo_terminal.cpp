@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sim/pseudo_terminal.h"
+#include "core/sim_bus/pseudo_terminal.h"
 
 #include <QFile>
 #include <QFileInfo>

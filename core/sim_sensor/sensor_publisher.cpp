@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sim/sensor_publisher.h"
+#include "core/sim_sensor/sensor_publisher.h"
 
 namespace boresight::sim {
 
