@@ -4,7 +4,7 @@
 #include "core/base/text.h"
 #include "core/profile/directions_text.h"
 #include "core/profile/profile_file.h"
-#include "core/profile/text_file.h"
+#include "core/profile/small_file.h"
 
 #include <iostream>
 

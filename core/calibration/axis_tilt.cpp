@@ -2,8 +2,8 @@
 #include "core/calibration/axis_tilt.h"
 
 #include "core/base/text.h"
+#include "core/calibration/fit_words.h"
 #include "core/calibration/robust_fit.h"
-#include "core/calibration/words.h"
 
 #include <algorithm>
 #include <array>

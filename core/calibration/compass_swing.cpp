@@ -3,10 +3,10 @@
 
 #include "core/base/text.h"
 #include "core/calibration/circular.h"
+#include "core/calibration/fit_words.h"
 #include "core/calibration/robust_fit.h"
 #include "core/calibration/swing_samples.h"
 #include "core/calibration/swing_verdict.h"
-#include "core/calibration/words.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/deviation_curve.h"
 
-#include "core/calibration/words.h"
+#include "core/calibration/fit_words.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #include "core/calibration/pointing_fit.h"
 
 #include "core/base/text.h"
+#include "core/calibration/fit_words.h"
 #include "core/calibration/term_choice.h"
-#include "core/calibration/words.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "core/calibration/pointing_solver.h"
 
 #include "core/base/text.h"
-#include "core/calibration/words.h"
+#include "core/calibration/fit_words.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

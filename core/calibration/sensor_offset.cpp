@@ -3,8 +3,8 @@
 
 #include "core/base/text.h"
 #include "core/calibration/circular.h"
+#include "core/calibration/fit_words.h"
 #include "core/calibration/robust_fit.h"
-#include "core/calibration/words.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 #include "core/calibration/swing_verdict.h"
 
 #include "core/base/text.h"
+#include "core/calibration/fit_words.h"
 #include "core/calibration/swing_tally.h"
-#include "core/calibration/words.h"
 
 #include <algorithm>
 #include <cmath>

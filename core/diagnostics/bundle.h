@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/diagnostics/archive.h"
+#include "core/diagnostics/tar_archive.h"
 #include "core/messages/station_status.h"
 
 // One archive for a bug report: what the program, the mount and its last minutes were like. It holds no passwords.

@@ -2,7 +2,7 @@
 #include "core/memory/power_proof.h"
 
 #include "core/base/text.h"
-#include "core/memory/words.h"
+#include "core/memory/place_words.h"
 
 #include <algorithm>
 #include <cmath>

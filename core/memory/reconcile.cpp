@@ -2,9 +2,9 @@
 #include "core/memory/reconcile.h"
 
 #include "core/base/text.h"
+#include "core/memory/place_words.h"
 #include "core/memory/places.h"
 #include "core/memory/power_proof.h"
-#include "core/memory/words.h"
 
 #include <QStringList>
 

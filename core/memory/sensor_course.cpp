@@ -2,7 +2,7 @@
 #include "core/memory/sensor_course.h"
 
 #include "core/base/text.h"
-#include "core/memory/words.h"
+#include "core/memory/place_words.h"
 
 #include <algorithm>
 

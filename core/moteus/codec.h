@@ -4,7 +4,7 @@
 #include "core/base/can_frame.h"
 #include "core/base/result.h"
 #include "core/moteus/arbitration.h"
-#include "core/moteus/commands.h"
+#include "core/moteus/drive_commands.h"
 #include "core/moteus/subframes.h"
 
 #include <array>

@@ -2,7 +2,7 @@
 #include "core/mqtt/client.h"
 
 #include "core/base/text.h"
-#include "core/mqtt/session.h"
+#include "core/mqtt/broker_session.h"
 
 #include <utility>
 

@@ -4,7 +4,7 @@
 #include "core/base/text.h"
 #include "core/calibration/record_text.h"
 #include "core/memory/memory_file.h"
-#include "core/profile/text_file.h"
+#include "core/profile/small_file.h"
 
 #include <QFile>
 

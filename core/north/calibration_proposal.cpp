@@ -2,7 +2,7 @@
 #include "core/north/calibration_proposal.h"
 
 #include "core/base/text.h"
-#include "core/calibration/words.h"
+#include "core/calibration/fit_words.h"
 #include "core/profile/setting.h"
 #include "core/units/degrees_text.h"
 #include "core/witness/sensor_curve.h"

@@ -3,7 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/profile/key_file.h"
-#include "core/profile/text_file.h"
+#include "core/profile/small_file.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -3,7 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/profile/setting.h"
-#include "core/profile/text_file.h"
+#include "core/profile/small_file.h"
 
 #include <QFileInfo>
 

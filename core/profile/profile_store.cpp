@@ -5,7 +5,7 @@
 #include "core/memory/memory_file.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_history.h"
-#include "core/profile/text_file.h"
+#include "core/profile/small_file.h"
 
 #include <QDir>
 #include <QFile>

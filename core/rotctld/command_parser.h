@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/rotctld/commands.h"
+#include "core/rotctld/command_table.h"
 
 #include <cstddef>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/sim/archive.h"
+#include "core/sim/console_record.h"
 #include "core/sim/drive_config.h"
 #include "core/sim/servo.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/moteus/faults.h"
-#include "core/supervision/words.h"
+#include "core/supervision/finding_words.h"
 
 #include <algorithm>
 #include <cmath>

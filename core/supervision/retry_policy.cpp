@@ -2,7 +2,7 @@
 #include "core/supervision/retry_policy.h"
 
 #include "core/base/text.h"
-#include "core/supervision/words.h"
+#include "core/supervision/finding_words.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/axis_tilt.h"
 
-#include "core/calibration/words.h"
+#include "core/calibration/fit_words.h"
 #include "tests/fakes/swung_mount.h"
 
 #include <gmock/gmock.h>

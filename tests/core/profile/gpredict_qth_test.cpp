@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/gpredict_qth.h"
 
-#include "core/profile/text_file.h"
+#include "core/profile/small_file.h"
 
 #include <QDir>
 #include <QTemporaryDir>

@@ -3,7 +3,7 @@
 
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_history.h"
-#include "core/profile/text_file.h"
+#include "core/profile/small_file.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mqtt/session.h"
+#include "core/mqtt/broker_session.h"
 
 #include "core/base/text.h"
 

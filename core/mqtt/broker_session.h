@@ -20,7 +20,7 @@
 struct mosquitto;  // libmosquitto's client
 
 // One connection to a broker, from the first packet to its end; for the next one a new Session is made. MQTT 3.1.1,
-// quality of service 0, clean. session.cpp is the only user of libmosquitto. Lives in its owner's event loop: no
+// quality of service 0, clean. broker_session.cpp is the only user of libmosquitto. Lives in its owner's event loop: no
 // thread, nothing blocks.
 //
 // libmosquitto does not notice everything by itself: a refused encrypted connection, a broker that takes the connection

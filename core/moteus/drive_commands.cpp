@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/moteus/commands.h"
+#include "core/moteus/drive_commands.h"
 
 #include "core/base/overloaded.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/diagnostics/archive.h"
+#include "core/diagnostics/tar_archive.h"
 
 #include <QSaveFile>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/memory/words.h"
+#include "core/memory/place_words.h"
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/profile/text_file.h"
+#include "core/profile/small_file.h"
 
 #include "core/base/text.h"
 

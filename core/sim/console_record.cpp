@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sim/archive.h"
+#include "core/sim/console_record.h"
 
 #include "core/base/numbers.h"
 #include "core/base/overloaded.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/rotctld/commands.h"
+#include "core/rotctld/command_table.h"
 
 #include <algorithm>
 
