@@ -52,10 +52,8 @@ void AlarmBoard::raise(const QString& cause, Severity severity, const AlarmText&
                           .remedy = asSentence(text.remedy),
                           .symptom = text.symptom};
     if (m_alarms.raise(cause, severity, whole, m_clock.utc())) {
-        // The line begins with the cause: "azimuth drive: fault 38: …".
-        const QString named = Text::of(cause.toStdString()) + QLatin1Char(' ');
-        QStringList line{text.what.startsWith(named) ? asSentence(text.what.sliced(named.size())) : whole.what,
-                         whole.action, whole.remedy};
+        // The line begins with the cause: "azimuth drive: Fault 38: …".
+        QStringList line{text.brief.isEmpty() ? whole.what : asSentence(text.brief), whole.action, whole.remedy};
         line.removeAll(QString());
         Lines& lines = linesOf(cause);
         const QString joined = line.join(QLatin1Char(' '));

@@ -21,7 +21,7 @@ class AlarmBoard
 public:
     AlarmBoard(EventLog& log, const Clock& clock);
 
-    // `cause` names the alarm, and begins its log line unless the text does so itself.
+    // `cause` names the alarm, and begins its log line.
     void raise(const QString& cause, Severity severity, const AlarmText& text);
     void clear(const QString& cause);
     void tick();  // each tick of the station

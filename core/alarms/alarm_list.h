@@ -18,6 +18,7 @@ struct AlarmText
     QString what;
     QString action;
     QString remedy;
+    QString brief = {};    // of what happened, after the name of the cause in the log; empty: as it is
     bool symptom = false;  // what else lasts and is as bad is more likely the cause, and is shown first
 };
 

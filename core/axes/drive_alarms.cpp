@@ -22,26 +22,19 @@ QString meaning(const moteus::FaultText& text)
                               : Text::tr("%1. Likely: %2").arg(Text::of(text.meaning), Text::of(text.cause));
 }
 
-// Once: some remedies say themselves when.
-QString thenRearm(const QString& remedy)
-{
-    if (remedy.contains(Text::tr("re-arm", "the part of the word by which a remedy is known to say it"))) {
-        return remedy;
-    }
-    return (remedy.endsWith(QLatin1Char('.')) ? Text::tr("%1 Then re-arm") : Text::tr("%1, then re-arm")).arg(remedy);
-}
-
 AlarmText fault(const QString& drive, int code)
 {
     if (code == 0) {
         return {.what = Text::tr("%1 is in fault and does not say which").arg(drive),
                 .action = Text::tr("The drive switched its output off; the other axis holds if its drive can"),
-                .remedy = Text::tr("Look at it with boresightctl scan; then re-arm")};
+                .remedy = Text::tr("Look at it with boresightctl scan; then re-arm"),
+                .brief = Text::tr("in fault, does not say which")};
     }
     const moteus::FaultText text = moteus::faultText(code);
     return {.what = Text::tr("%1 fault %2: %3").arg(drive, QString::number(code), meaning(text)),
             .action = Text::tr("The drive switched its output off; the other axis holds if its drive can"),
-            .remedy = thenRearm(Text::of(text.remedy))};
+            .remedy = text.saysRearm ? Text::of(text.remedy) : Text::tr("%1, then re-arm").arg(Text::of(text.remedy)),
+            .brief = Text::tr("fault %1: %2").arg(QString::number(code), meaning(text))};
 }
 
 }  // namespace
@@ -103,10 +96,11 @@ AlarmText activeLimit(const QString& drive, int code)
 AlarmText supervised(const supervision::Observed& observed)
 {
     const bool stopped = observed.weight == supervision::Weight::Stop;
+    const bool addsRearm = stopped && !supervision::saysRearm(observed.finding);
     return {
         .what = observed.what,
         .action = stopped ? Text::tr("Both axes came to rest and hold where they are") : Text::tr("The mount goes on"),
-        .remedy = stopped ? thenRearm(observed.remedy) : observed.remedy};
+        .remedy = addsRearm ? Text::tr("%1 Then re-arm").arg(observed.remedy) : observed.remedy};
 }
 
 AlarmText unordered(const QString& drive, moteus::Mode mode)

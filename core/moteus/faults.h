@@ -15,6 +15,7 @@ struct FaultText
     std::string_view meaning;  // what happened, as a sentence without the full stop
     std::string_view cause;    // why it happens, most likely first
     std::string_view remedy;   // what to do
+    bool saysRearm = false;    // the remedy does so itself
 };
 
 // Every number gives a text; 0 is "none", an undefined one says so.

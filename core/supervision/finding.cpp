@@ -79,4 +79,9 @@ QString remedy(Finding finding)
     return {};
 }
 
+bool saysRearm(Finding finding)
+{
+    return finding == Finding::WrongWay;
+}
+
 }  // namespace boresight::supervision

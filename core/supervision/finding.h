@@ -44,5 +44,6 @@ struct Observed
 
 [[nodiscard]] QString key(Finding finding);     // for the cause of an alarm: "following_error"
 [[nodiscard]] QString remedy(Finding finding);  // one sentence or two
+[[nodiscard]] bool saysRearm(Finding finding);  // the remedy says itself when
 
 }  // namespace boresight::supervision

@@ -2383,11 +2383,6 @@ do eixo</translation>
         <translation>%1. Provável: %2</translation>
     </message>
     <message>
-        <source>re-arm</source>
-        <comment>the part of the word by which a remedy is known to say it</comment>
-        <translation>rearm</translation>
-    </message>
-    <message>
         <source>%1 Then re-arm</source>
         <translation>%1 Depois rearme</translation>
     </message>
@@ -5796,6 +5791,14 @@ do eixo</translation>
     <message>
         <source>the drive does not tell its temperature</source>
         <translation>o acionamento não informa a temperatura</translation>
+    </message>
+    <message>
+        <source>in fault, does not say which</source>
+        <translation>em falha, não diz qual</translation>
+    </message>
+    <message>
+        <source>fault %1: %2</source>
+        <translation>falha %1: %2</translation>
     </message>
 </context>
 <context>

@@ -44,6 +44,15 @@ TEST(MoteusFaults, EveryDefinedCodeTellsNameMeaningCauseAndRemedy)
     EXPECT_EQ(names.size(), 37U);  // 0..7, 32..50, 96..105
 }
 
+// What asks for the re-arm in any language goes by this flag, not by the words.
+TEST(MoteusFaults, ARemedyThatSaysWhenToReArmIsMarked)
+{
+    for (const int code : definedCodes()) {
+        const FaultText text = faultText(code);
+        EXPECT_EQ(text.saysRearm, text.remedy.find("re-arm") != std::string_view::npos) << code;
+    }
+}
+
 TEST(MoteusFaults, AnyOtherCodeSaysThatItIsUndefined)
 {
     const std::vector<int> defined = definedCodes();

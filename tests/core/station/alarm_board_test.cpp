@@ -41,6 +41,13 @@ TEST_F(AlarmBoardTest, ManyAlarmsAtOnceAllHaveTheirLines)
     }
 }
 
+TEST_F(AlarmBoardTest, ALineDoesNotNameItsCauseTwice)
+{
+    board.raise(kBus, Severity::Alarm, {.what = QStringLiteral("bus fault 3"), .brief = QStringLiteral("fault 3")});
+    EXPECT_EQ(lines(kBus, QStringLiteral("Fault 3.")), 1);
+    EXPECT_EQ(board.list().front().what, QStringLiteral("Bus fault 3."));
+}
+
 TEST_F(AlarmBoardTest, WhatWasToldIsAlsoToldToBeOver)
 {
     for (int i = 0; i < 100; ++i) {  // another each time: each is news

@@ -97,6 +97,7 @@ TEST(Finding, EachHasItsOwnKeyAndARemedy)
         EXPECT_FALSE(key(finding).isEmpty()) << i;
         EXPECT_FALSE(keys.contains(key(finding))) << i;
         EXPECT_TRUE(remedy(finding).endsWith(QLatin1Char('.'))) << i;
+        EXPECT_EQ(saysRearm(finding), remedy(finding).contains(QLatin1String("re-arm"))) << i;
         keys << key(finding);
     }
     EXPECT_TRUE(key(static_cast<Finding>(kFindingCount)).isEmpty()) << "the count is right";
