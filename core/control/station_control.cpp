@@ -52,6 +52,7 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
       m_azimuthWatch(Axis::Azimuth, profile, m_alarms),
       m_elevationWatch(Axis::Elevation, profile, m_alarms),
       m_turns(profile, clock, log, std::move(start)),
+      m_cable(m_alarms, clock),
       m_clientLines(log, clock, kClientLinesPerSecond),
       m_started(clock.now()),
       m_now(m_started)
@@ -223,7 +224,7 @@ void StationControl::begin(Activity activity, const Source& source, const QStrin
     const bool continues = m_activity == activity && m_commander == source &&
                            (activity == Activity::Streaming || activity == Activity::Jogging);
     if (!continues) {
-        m_turnBack.reset();
+        m_cable.forgetTurnBack();
         tell(Severity::Advisory, source, Text::tr("moves the mount from %1: %2").arg(directionText(heading()), what),
              LogKind::MotionStart);
         m_errand += activity == Activity::Jogging ? 0 : 1;
@@ -320,6 +321,22 @@ Result<> StationControl::streamTo(pointing::Resolved resolved, const SkyPointing
     return {};
 }
 
+std::optional<CableGuard::TurnBack> StationControl::turnBackTo(const AxisPosition& place, const Source& source) const
+{
+    const bool follows = m_activity == Activity::Streaming && m_commander == source;
+    return CableGuard::turnBackTo(place.azimuth,
+                                  {.here = standing().azimuth, .heading = heading().azimuth, .follows = follows},
+                                  m_motion.region().ranges().azimuth);
+}
+
+// The log names it as a motion of its own: the mount leaves a target that it seemed to follow.
+void StationControl::beginTurnBack(const std::optional<CableGuard::TurnBack>& back)
+{
+    if (back) {
+        tell(Severity::Advisory, m_commander, m_cable.begin(*back, m_profile.azimuth.limits), LogKind::MotionStart);
+    }
+}
+
 Result<> StationControl::handle(const request::PointSky& wanted, const Source& source)
 {
     return mayPoint(source).and_then([&]() -> Result<> {
@@ -366,6 +383,19 @@ Result<> StationControl::handle(const request::Step& wanted, const Source& sourc
 Result<> StationControl::handle(const request::Park&, const Source& source)
 {
     return goTo(m_profile.park, Activity::Parking, source, Text::tr("park at %1").arg(directionText(m_profile.park)));
+}
+
+Result<> StationControl::handle(const request::Unwind&, const Source& source)
+{
+    return mayPoint(source).and_then([&]() -> Result<> {
+        const auto place = CableGuard::leastWound(standing(), m_motion.region().ranges().azimuth);
+        if (!place) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("in this direction the azimuth cable can not be wound less than it is"));
+        }
+        return goTo(*place, Activity::Pointing, source,
+                    Text::tr("unwind the cable, azimuth to %1").arg(degreesText(place->azimuth, 1)));
+    });
 }
 
 Result<> StationControl::handle(const request::Home&, const Source& source)

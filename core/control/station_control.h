@@ -14,6 +14,7 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/control/arming.h"
+#include "core/control/cable_guard.h"
 #include "core/control/client_lead.h"
 #include "core/control/own_stall.h"
 #include "core/control/sun_watch.h"
@@ -145,20 +146,6 @@ private:
         Running,
         Proving
     };
-    // The short way would lead beyond an end of the azimuth's range: the mount goes the other way round.
-    struct TurnBack
-    {
-        Angle by;  // signed
-        Angle end;
-        bool follows = false;  // in the middle of a stream, which it goes on following after it
-    };
-    // What the alarm of the cable says.
-    struct CableTold
-    {
-        Severity severity;
-        UtcTime ends;
-        SteadyTime when;
-    };
     enum class ShutDown
     {
         No,
@@ -260,13 +247,8 @@ private:
     [[nodiscard]] Result<> mayLeaveSunBand(const AxisRates& rates, const Source& source) const;
     void watchCable();
     void watchLimited();
-    [[nodiscard]] std::optional<AxisPosition> leastWound(const AxisPosition& place) const;
-    void tellCable(const CableEnd& end);
-    [[nodiscard]] bool cableTold(const CableTold& end, Seconds in) const;
-    [[nodiscard]] std::optional<TurnBack> turnBackTo(const AxisPosition& place, const Source& source) const;
-    void beginTurnBack(const std::optional<TurnBack>& back);
-    void watchTurnBack();
-    [[nodiscard]] QString turnBackText() const;
+    [[nodiscard]] std::optional<CableGuard::TurnBack> turnBackTo(const AxisPosition& place, const Source& source) const;
+    void beginTurnBack(const std::optional<CableGuard::TurnBack>& back);
     void finishRearm();
     void stepProof();
     void keepStop(Axis axis);
@@ -301,6 +283,7 @@ private:
     DriveWatch m_elevationWatch;
     TurnKeeper m_turns;
     OwnStall m_stall;
+    CableGuard m_cable;
     LogThrottle m_clientLines;
     std::array<std::optional<survey::DriveFacts>, 2> m_facts;
     std::optional<CrashStopProof> m_proof;
@@ -315,9 +298,6 @@ private:
     std::string m_heldAt;     // what the log last said the motion is held at
     AxisPosition m_trim{};    // what the operator adds to the targets of clients
     FirstMoves m_firstMoves;
-    std::optional<CableEnd> m_cableEnd;
-    std::optional<CableTold> m_cableTold;
-    std::optional<TurnBack> m_turnBack;  // going on now
     std::optional<SteadyTime> m_jogDeadline;
     std::vector<profile::Advice> m_advice;  // on the profile, as it was told
     std::array<bool, 2> m_answered{};

@@ -250,15 +250,16 @@ StationStatus StationControl::status() const
                          .limited = !limitedReason().isEmpty(),
                          .limitedReason = limitedReason(),
                          .route = m_motion.route(),
-                         .cableEnd = m_cableEnd,
+                         .cableEnd = m_cable.end(),
                          .authority = m_arming.authority(),
                          .drives = drivesStatus(),
                          .alarms = m_alarms.list(),
                          .utc = m_clock.utc(),
                          .tick = m_tick};
     status.stopLatched = m_arming.stopLatched();
-    status.stateReason = m_arming.released() ? Text::tr("the bus is left to other tools")
-                                             : m_arming.fault().value_or(m_turnBack ? turnBackText() : m_commandText);
+    status.stateReason = m_arming.released()
+                             ? Text::tr("the bus is left to other tools")
+                             : m_arming.fault().value_or(m_cable.turnBackText().value_or(m_commandText));
     if (const auto measured = m_drives.measured(); measured && turnsKnown()) {
         status.actual = m_model.toSky(*measured);
     }

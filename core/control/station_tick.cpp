@@ -58,7 +58,6 @@ std::array<CanFrame, 2> StationControl::tick()
     moveOn(step);
     watchRegion();
     watchCable();
-    watchTurnBack();
     watchLimited();
     m_alarms.tick();
     shutDownFurther();
@@ -283,6 +282,14 @@ void StationControl::watchJog()
         m_log.add(Severity::Warning, m_commander.name, Text::tr("jog ends: its keep-alive did not come"));
         holdHere(Activity::Holding);
     }
+}
+
+void StationControl::watchCable()
+{
+    const auto path = m_activity == Activity::Streaming && turnsKnown() ? m_motion.path(m_now) : std::nullopt;
+    const auto target = moves() && m_motion.noWay().empty() ? m_motion.target(m_now) : std::nullopt;
+    const auto left = target ? std::optional(target->azimuth - m_motion.place().azimuth) : std::nullopt;
+    m_cable.watch(path, left, m_motion.region().ranges().azimuth, m_profile.azimuth.limits);
 }
 
 // A drive that is not as it should be any more is not moved on.

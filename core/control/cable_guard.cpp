@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/control/cable_guard.h"
+
+#include "core/base/text.h"
+#include "core/units/degrees_text.h"
+
+#include <QDateTime>
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+const QString kCableCause = QStringLiteral("azimuth cable");
+// Whichever is earlier. Told a little longer than begun, so that a path that trembles does not come and go.
+constexpr Seconds kWarnTime{60.0};
+constexpr Angle kWarnAngle = Angle::fromDegrees(30.0);
+constexpr double kKeep = 1.3;
+constexpr int kTicksBetween = 10;
+// The path bends, and with it the time that was told: told anew when it is off by this, or by a fifth of what is left.
+constexpr Seconds kTimeOff{10.0};
+constexpr double kPartOff = 0.2;
+constexpr Seconds kToldAnewAfter{10.0};
+// A stream's next target is no farther away than this; what is farther is another target.
+constexpr Angle kNextOfStream = Angle::fromDegrees(10.0);
+constexpr Angle kTurnedBack = Angle::fromDegrees(1.0);
+constexpr Angle kSameWay = Angle::fromDegrees(1e-6);
+
+// Ramps included; the jerk adds a part of a second.
+Seconds turnTime(const tracking::MotionLimits& limits)
+{
+    return Seconds(360.0 / limits.speed.degrees() + limits.speed.degrees() / limits.acceleration.degrees());
+}
+
+QString timeText(Seconds time)
+{
+    return time < Seconds(100.0) ? QStringLiteral("%1 s").arg(std::lround(time.count()))
+                                 : QStringLiteral("%1 min").arg(std::lround(time.count() / 60.0));
+}
+
+QString clockText(UtcTime utc)
+{
+    const auto time = std::chrono::round<std::chrono::seconds>(utc).time_since_epoch();
+    return QDateTime::fromSecsSinceEpoch(time.count(), Qt::UTC).toString(QStringLiteral("HH:mm:ss'Z'"));
+}
+
+}  // namespace
+
+std::optional<AxisPosition> CableGuard::leastWound(const AxisPosition& place, const TravelRange& range)
+{
+    std::optional<AxisPosition> best;
+    Angle least = abs(place.azimuth);
+    for (double turns = std::ceil((range.min - place.azimuth).turns()); turns <= (range.max - place.azimuth).turns();
+         turns += 1.0) {
+        const AxisPosition other{.azimuth = place.azimuth + Angle::fromTurns(turns), .elevation = place.elevation};
+        if (turns != 0.0 && abs(other.azimuth) < least) {
+            least = abs(other.azimuth);
+            best = other;
+        }
+    }
+    return best;
+}
+
+// Both from where the axis is going and from where it is.
+std::optional<CableGuard::TurnBack> CableGuard::turnBackTo(Angle azimuth, const Way& way, const TravelRange& range)
+{
+    const auto leadsBeyond = [&](Angle from) {
+        const Angle near = azimuth.nearestTo(from);
+        const bool bothAsNear = abs(abs(near - from) - 180_deg) < kSameWay;
+        return !bothAsNear && abs(near - azimuth) > 180_deg && !range.contains(near);
+    };
+    if (!leadsBeyond(way.heading) || !leadsBeyond(way.here)) {
+        return std::nullopt;
+    }
+    const Angle near = azimuth.nearestTo(way.here);
+    const bool follows = way.follows && abs(near - way.here) < kNextOfStream;
+    return TurnBack{.by = azimuth - (follows ? near : way.here),
+                    .end = near > range.max ? range.max : range.min,
+                    .follows = follows};
+}
+
+QString CableGuard::begin(const TurnBack& back, const tracking::MotionLimits& limits)
+{
+    m_turnBack = back;
+    const QString what =
+        Text::tr("turns back by %1: the cable ends at %2").arg(degreesText(abs(back.by), 0), degreesText(back.end, 1));
+    return back.follows ? Text::tr("%1; the target is lost for about %2").arg(what, timeText(turnTime(limits))) : what;
+}
+
+void CableGuard::watch(const std::optional<tracking::MovingTarget>& path, const std::optional<Angle>& left,
+                       const TravelRange& range, const tracking::MotionLimits& limits)
+{
+    if (++m_ticks % kTicksBetween == 0) {
+        watchEnd(path, range, limits);
+    }
+    watchTurnBack(left);
+}
+
+void CableGuard::watchEnd(const std::optional<tracking::MovingTarget>& path, const TravelRange& range,
+                          const tracking::MotionLimits& limits)
+{
+    const auto forecast = path ? tracking::forecastCableEnd(*path, range) : std::nullopt;
+    const double keep = m_end ? kKeep : 1.0;
+    if (!forecast || (forecast->in > kWarnTime * keep && forecast->left > kWarnAngle * keep)) {
+        m_end.reset();
+        m_told.reset();
+        m_alarms.clear(kCableCause);
+        return;
+    }
+    const Angle back = Angle::fromTurns(forecast->end == range.max ? -1.0 : 1.0);
+    m_end =
+        CableEnd{.end = forecast->end,
+                 .in = forecast->in,
+                 .turningBack = range.contains(forecast->end + back) ? std::optional(turnTime(limits)) : std::nullopt};
+    tell(*m_end);
+}
+
+bool CableGuard::isTold(const Told& end, Seconds in) const
+{
+    if (!m_told || end.severity > m_told->severity) {
+        return false;
+    }
+    const Seconds off = std::chrono::abs(Seconds(end.ends - m_told->ends));
+    return off < std::max(kTimeOff, kPartOff * in) || end.when - m_told->when < kToldAnewAfter;
+}
+
+// When it comes in sight, when it is near, and when it turns out to end at another time. The time of day stays true
+// while it is read; the bar counts.
+void CableGuard::tell(const CableEnd& end)
+{
+    const Severity severity = end.in > kWarnTime ? Severity::Advisory : Severity::Warning;
+    const Told now{.severity = m_told ? std::max(severity, m_told->severity) : severity,
+                   .ends = m_clock.utc() + std::chrono::round<UtcTime::duration>(end.in),
+                   .when = m_clock.now()};
+    if (isTold(now, end.in)) {
+        return;
+    }
+    m_told = now;
+    const QString what =
+        Text::tr("azimuth cable ends at %1, about %2").arg(degreesText(end.end, 1), clockText(now.ends));
+    if (end.turningBack) {
+        m_alarms.raise(kCableCause, now.severity,
+                       {.what = what,
+                        .action = Text::tr("There Boresight turns back by 360° and follows on; the target is "
+                                           "lost for about %1")
+                                      .arg(timeText(*end.turningBack)),
+                        .remedy = Text::tr("To turn back earlier press Unwind, then give control back")});
+    } else {
+        m_alarms.raise(kCableCause, now.severity,
+                       {.what = what,
+                        .action = Text::tr("Boresight holds there until the target can be reached again"),
+                        .remedy = Text::tr("Widen the limits if the cable allows, or let the target go")});
+    }
+}
+
+// Until it is there, or is led the other way again.
+void CableGuard::watchTurnBack(const std::optional<Angle>& left)
+{
+    if (m_turnBack && (!left || (m_turnBack->by < Angle{} ? -*left : *left) < kTurnedBack)) {
+        m_turnBack.reset();
+    }
+}
+
+std::optional<QString> CableGuard::turnBackText() const
+{
+    if (!m_turnBack) {
+        return std::nullopt;
+    }
+    return Text::tr("cable ends: turns back by %1").arg(degreesText(abs(m_turnBack->by), 0));
+}
+
+}  // namespace boresight
