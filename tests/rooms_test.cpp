@@ -41,9 +41,10 @@ std::vector<std::string> sourcesBelow(const std::string& top)
 std::string includedRoom(const std::string& line)
 {
     constexpr std::string_view kInclude = "#include \"";
-    const bool isOurs = line.starts_with(kInclude) && (line.compare(kInclude.size(), 5, "core/") == 0 ||
-                                                       line.compare(kInclude.size(), 3, "ui/") == 0);
-    return isOurs ? roomOf(line.substr(kInclude.size())) : std::string();
+    const std::string path = line.starts_with(kInclude) ? line.substr(kInclude.size()) : std::string();
+    const auto isIn = [&path](const char* top) { return path.starts_with(top); };
+    const bool isOurs = isIn("core/") || isIn("ui/") || isIn("app/") || isIn("tests/");
+    return isOurs ? roomOf(path) : std::string();
 }
 
 Arrows readArrows()

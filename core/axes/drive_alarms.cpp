@@ -90,7 +90,8 @@ AlarmText activeLimit(const QString& drive, int code)
     const moteus::FaultText limit = moteus::faultText(code);
     return {.what = Text::tr("%1 limit %2: %3").arg(drive, QString::number(code), meaning(limit)),
             .action = Text::tr("The drive gives less than it was asked for"),
-            .remedy = Text::of(limit.remedy)};
+            .remedy = Text::of(limit.remedy),
+            .brief = QStringLiteral("%1: %2").arg(QString::number(code), meaning(limit))};
 }
 
 AlarmText supervised(const supervision::Observed& observed)

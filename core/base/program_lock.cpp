@@ -76,8 +76,12 @@ Result<> lockDescriptor(int descriptor)
 Result<ProgramLock> ProgramLock::take(const QString& path)
 {
     constexpr mode_t kReadableByAll = 0644;
-    FileDescriptor file(::open(QFile::encodeName(path).constData(),
-                               O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, kReadableByAll));
+    constexpr int kFlags = O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
+    const QByteArray name8 = QFile::encodeName(path);
+    FileDescriptor file(::open(name8.constData(), O_RDWR | O_CREAT | kFlags, kReadableByAll));
+    if (!file.isOpen() && errno == EACCES) {
+        file = FileDescriptor(::open(name8.constData(), O_RDONLY | kFlags));  // another user's can be locked so, too
+    }
     if (!file.isOpen()) {
         return failure(errno == EACCES ? ErrorCode::Denied : ErrorCode::Io, std::string(std::strerror(errno)));
     }

@@ -133,6 +133,10 @@ void Arming::noteConditions(Axis axis)
 {
     const supervision::DriveConditions now = conditions(axis);
     supervision::DriveConditions& told = m_told[index(axis)];
+    if (!m_drives.drive(axis).answering(m_now)) {
+        told = {};  // another may come back
+        return;
+    }
     told = {.voltage = now.voltage ? now.voltage : told.voltage,
             .boardTemperature = now.boardTemperature ? now.boardTemperature : told.boardTemperature,
             .motorTemperature = now.motorTemperature ? now.motorTemperature : told.motorTemperature};

@@ -17,7 +17,7 @@ const QString kCableCause = QStringLiteral("azimuth cable");
 constexpr Seconds kWarnTime{60.0};
 constexpr Angle kWarnAngle = Angle::fromDegrees(30.0);
 constexpr double kKeep = 1.3;
-constexpr int kTicksBetween = 10;
+constexpr std::uint64_t kTicksBetween = 10;
 // The path bends, and with it the time that was told: told anew when it is off by this, or by a fifth of what is left.
 constexpr Seconds kTimeOff{10.0};
 constexpr double kPartOff = 0.2;

@@ -10,6 +10,7 @@
 
 #include <QString>
 
+#include <cstdint>
 #include <optional>
 
 // The azimuth cable: where it is wound least, whether it ends before a pass does, and that the mount turns back because
@@ -73,7 +74,7 @@ private:
     std::optional<CableEnd> m_end;
     std::optional<Told> m_told;
     std::optional<TurnBack> m_turnBack;  // going on now
-    int m_ticks = 0;
+    std::uint64_t m_ticks = 0;
 };
 
 }  // namespace boresight

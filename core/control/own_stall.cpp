@@ -10,6 +10,7 @@ namespace {
 constexpr Seconds kLongest{2.0};
 // From the end of the stall to the end of the resumption.
 constexpr std::chrono::seconds kOwnStallPatience{1};
+constexpr std::chrono::seconds kLongestResumption{10};
 // The drives' watchdogs run from frame to frame, the gap from tick to tick.
 constexpr double kWatchdogShare = 0.75;
 // Braking from 10°/s takes some 1.5°.
@@ -49,7 +50,14 @@ bool OwnStall::isNear(Axis axis, Angle measured) const
 
 bool OwnStall::isLate(SteadyTime now) const
 {
-    return now - m_end > kOwnStallPatience;
+    return now - m_end > kOwnStallPatience || now - m_resumingSince > kLongestResumption;
+}
+
+void OwnStall::resume(SteadyTime now)
+{
+    if (!std::exchange(m_resuming, true)) {
+        m_resumingSince = now;
+    }
 }
 
 }  // namespace boresight

@@ -28,10 +28,10 @@ public:
     [[nodiscard]] bool isNear(Axis axis, Angle measured) const;
 
     // The drives are being taken over again.
-    void resume() { m_resuming = true; }
+    void resume(SteadyTime now);
     void end() { m_resuming = false; }
     [[nodiscard]] bool resuming() const { return m_resuming; }
-    // The drives had their time.
+    // The drives had their time, also if this computer goes on stalling.
     [[nodiscard]] bool isLate(SteadyTime now) const;
     [[nodiscard]] Seconds gap() const { return m_gap; }
 
@@ -42,6 +42,7 @@ private:
     AxisPosition m_setpoints{};
     bool m_possible = false;  // that a watchdog acted, and that the motion may go on
     bool m_resuming = false;
+    SteadyTime m_resumingSince{};
 };
 
 }  // namespace boresight

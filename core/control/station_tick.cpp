@@ -230,7 +230,7 @@ void StationControl::resumeAfterStall()
         if (drive.loss() == DriveLoss::TimedOut && mayResume()) {
             (void)drive.takeLoss();
             drive.engage();
-            m_stall.resume();
+            m_stall.resume(m_now);
             m_alarms.raise(
                 kStallCause, Severity::Advisory,
                 {.what = Text::tr("This computer stalled for %1 s, and the drives stopped by their watchdogs.")

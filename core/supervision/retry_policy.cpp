@@ -63,13 +63,19 @@ QString supplyRefusal(const profile::SupervisionSettings& settings, const std::o
 // switched off.
 QString heatRefusal(double boardLimit, double motorHot, const DriveConditions& atLoss, const DriveConditions& now)
 {
-    if (!now.boardTemperature || (atLoss.motorTemperature && !now.motorTemperature)) {
+    if (!now.boardTemperature) {
         return Text::tr("the drive does not tell its temperature");
     }
     const double boardThen = atLoss.boardTemperature.value_or(boardLimit);
     const bool boardWasFar = boardThen < boardLimit - kCoolDown;
     const double motorThen = atLoss.motorTemperature.value_or(0.0);
     const bool motorWasHot = boardWasFar && motorThen > motorHot - kCool;
+    if (motorWasHot && !now.motorTemperature) {
+        return Text::tr(
+                   "the motor was at %1 °C and does not tell its temperature any more: mend its sensor, or let it "
+                   "cool down and start Boresight anew")
+            .arg(words(motorThen, 0));
+    }
     const double motorNeeded = motorWasHot ? std::min(motorHot, motorThen - kCoolDown) : motorHot;
     const QString motor = now.motorTemperature ? motorTooHot(*now.motorTemperature, motorNeeded) : QString();
     if (!motor.isEmpty() || motorWasHot || boardThen < boardLimit - kCool) {

@@ -5777,10 +5777,6 @@ do eixo</translation>
         <translation>Com &quot;synchronised&quot; o Boresight só calcula o Sol a partir de um relógio que o NTP ou o GPS acertou nas últimas 24 h. Com &quot;trusted&quot; usa o relógio deste computador sem essa verificação.</translation>
     </message>
     <message>
-        <source>%1 belongs to another user (%2), who may control this mount already: start Boresight as that user, or with another --state-dir</source>
-        <translation>%1 pertence a outro usuário (%2), que talvez já controle esta montagem: inicie o Boresight como esse usuário, ou com outro --state-dir</translation>
-    </message>
-    <message>
         <source>Lower max_acceleration_deg_s2 (%1), or raise max_torque_nm.</source>
         <translation>Reduza max_acceleration_deg_s2 (%1) ou aumente max_torque_nm.</translation>
     </message>
@@ -5799,6 +5795,14 @@ do eixo</translation>
     <message>
         <source>fault %1: %2</source>
         <translation>falha %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be locked (%2), so another user&apos;s program may control this mount: start Boresight as that user, or with another --state-dir</source>
+        <translation>%1 não pode ser bloqueado (%2), portanto um programa de outro usuário talvez controle esta montagem: inicie o Boresight como esse usuário, ou com outro --state-dir</translation>
+    </message>
+    <message>
+        <source>the motor was at %1 °C and does not tell its temperature any more: mend its sensor, or let it cool down and start Boresight anew</source>
+        <translation>o motor estava a %1 °C e não informa mais a temperatura: repare o sensor, ou deixe-o esfriar e inicie o Boresight de novo</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,7 @@ public:
     void setOff() { ASSERT_EQ(rig.ask(request::PointSky{{Angle::fromDegrees(60.0), Angle::fromDegrees(40.0)}}), ""); }
     void run(Seconds time) { rig.run(time); }
     void stall(Seconds time) { rig.clock.advance(time); }
+    void expectResumption() { EXPECT_TRUE(rig.logSays(QStringLiteral("takes the drives over"))); }
     void expectArrival(const std::string& what)
     {
         EXPECT_TRUE(rig.settle()) << what;
@@ -50,6 +51,7 @@ TEST(OwnStalls, ASecondOneMayMeetTheResumption)
         way.run(Seconds(pause));
         way.stall(Seconds(1.3));
         way.expectArrival(std::to_string(pause));
+        way.expectResumption();
     }
 }
 
@@ -72,6 +74,7 @@ TEST(OwnStalls, ARowOfThemDoesNotEndTheMotion)
             way.run(Seconds(row.pause));
         }
         way.expectArrival(std::to_string(row.count) + " of " + std::to_string(row.stall));
+        way.expectResumption();
     }
 }
 

@@ -114,7 +114,8 @@ bool MountOnCan::reArm()
 {
     const std::size_t before = log().size();
     const bool armed = ask("R 1") == "RPRT 0\n";
-    m_armed = armed ? before : m_armed;
+    const bool needless = log().find("there is no fault to re-arm from", before) != std::string::npos;
+    m_armed = armed ? before : needless ? log().size() : m_armed;
     return armed;
 }
 
@@ -142,17 +143,17 @@ bool MountOnCan::waitForTruths(std::size_t more)
 
 bool MountOnCan::commandUntil(const std::string& command, const std::function<bool()>& reached)
 {
-    constexpr auto kPause = 200ms;
+    const auto pause = [] { QTest::qWait(200); };
     const auto stopped = [this] { return wantsReArm(); };
     const QDeadlineTimer patience(kPatience);
     while (!reached() && !patience.hasExpired()) {
-        if (stopped()) {
-            static_cast<void>(reArm());
+        if (stopped() && !reArm()) {
+            pause();
         }
         if (ask(command) == "RPRT 0\n") {
             static_cast<void>(fakes::waitUntil([&] { return reached() || stopped(); }, kPatience));
         } else {  // drives are looked for, read and checked before anything may move
-            QTest::qWait(static_cast<int>(std::chrono::milliseconds(kPause).count()));
+            pause();
         }
     }
     return reached();

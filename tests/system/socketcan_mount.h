@@ -76,7 +76,7 @@ public:
 
 private:
     [[nodiscard]] bool startPrograms();
-    [[nodiscard]] bool reArm();
+    [[nodiscard]] bool reArm();  // lines of the log may still be on their way
     [[nodiscard]] bool wantsReArm() { return log().find("re-arm.", m_armed) != std::string::npos; }
     [[nodiscard]] bool commandUntil(const std::string& command, const std::function<bool()>& reached);
 
@@ -89,7 +89,7 @@ private:
     std::vector<Truth> m_truths;
     qsizetype m_linesRead = 0;
     std::string m_log;
-    std::size_t m_armed = 0;  // what of the log is older than the last re-arm
+    std::size_t m_armed = 0;  // what of the log is older than the last re-arm, or was seen to need none
     StarvedTime m_starved;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/station/adapters.h"
 #include "tests/ui/picture_book.h"
 #include "tests/ui/sample_calibration.h"
 #include "ui/guide/guide_north.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/profile_store.h"
+#include "core/station/adapters.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/kit/asking_panel.h"
 #include "ui/kit/command_button.h"

@@ -6,6 +6,7 @@
 #include "ui/hold/jog_pad.h"
 #include "ui/jog/gamepad_pilot.h"
 
+#include <QStringList>
 #include <QWidget>
 
 // The operator's own motion: the jog pad with its rate and steps, a gamepad, go to a direction or a preset, horizon,

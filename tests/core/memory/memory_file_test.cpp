@@ -21,6 +21,8 @@
 #include <array>
 #include <cmath>
 #include <csignal>
+#include <memory>
+#include <utility>
 
 namespace {
 
@@ -149,17 +151,24 @@ TEST_F(MemoryFileTest, AKilledProgramKeepsNobodyOut)
 TEST_F(MemoryFileTest, ALockOfAnotherUserKeepsOthersOut)
 {
     ASSERT_EQ(chmod(m_dir.path().toLocal8Bit().constData(), 0777), 0);
-    MemoryFile first(m_dir.path(), QStringLiteral("mast"));
-    ASSERT_TRUE(first.claim());
-    ASSERT_EQ(chmod((path() + QStringLiteral(".lock")).toLocal8Bit().constData(), 0), 0);
-    const bool root = geteuid() == 0;
-    constexpr uid_t kNobody = 65534;
-    ASSERT_TRUE(!root || seteuid(kNobody) == 0);  // root may open anything
-    const Result<> refused = MemoryFile(m_dir.path(), QStringLiteral("mast")).claim();
-    ASSERT_TRUE(!root || seteuid(0) == 0);
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().code, ErrorCode::Denied);
-    EXPECT_THAT(refused.error().text, HasSubstr("belongs to another user (Permission denied)"));
+    auto first = std::make_unique<MemoryFile>(m_dir.path(), QStringLiteral("mast"));
+    ASSERT_TRUE(first->claim());
+    const auto claimOfNobody = [this](mode_t mode) {
+        constexpr uid_t kNobody = 65534;
+        const bool root = geteuid() == 0;  // who may open anything
+        EXPECT_EQ(chmod((path() + QStringLiteral(".lock")).toLocal8Bit().constData(), mode), 0);
+        EXPECT_TRUE(!root || seteuid(kNobody) == 0);
+        const Result<> claimed = MemoryFile(m_dir.path(), QStringLiteral("mast")).claim();
+        EXPECT_TRUE(!root || seteuid(0) == 0);
+        return claimed ? std::pair(ErrorCode::Io, std::string())
+                       : std::pair(claimed.error().code, claimed.error().text);
+    };
+    const auto [denied, why] = claimOfNobody(0);
+    EXPECT_EQ(denied, ErrorCode::Denied);
+    EXPECT_THAT(why, HasSubstr("(Permission denied)"));
+    EXPECT_EQ(claimOfNobody(0444).first, ErrorCode::Busy) << "whose it is does not matter, who holds it does";
+    first.reset();
+    EXPECT_EQ(claimOfNobody(0444).second, "") << "nobody holds it any more";
 }
 
 // Without a place for a journal there is nothing to be kept apart; saving tells it.

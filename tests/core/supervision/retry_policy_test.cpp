@@ -232,7 +232,10 @@ TEST_F(ClearRefusal, WhatIsNotToldIsNotCool)
     const DriveConditions hot{.voltage = 24.0, .boardTemperature = 76.0, .motorTemperature = 90.0};
     const std::string untold = "the drive does not tell its temperature";
     EXPECT_EQ(refusal(LossClass::OverTemperature, hot, {.voltage = 24.0}), untold);
-    EXPECT_EQ(refusal(LossClass::OverTemperature, hot, {.voltage = 24.0, .boardTemperature = 40.0}), untold);
+    const DriveConditions motor{.voltage = 24.0, .boardTemperature = 40.0, .motorTemperature = 90.0};
+    EXPECT_EQ(refusal(LossClass::OverTemperature, motor, {.voltage = 24.0, .boardTemperature = 40.0}),
+              "the motor was at 90 °C and does not tell its temperature any more: mend its sensor, or let it cool down "
+              "and start Boresight anew");
     const DriveConditions cool{.voltage = 24.0, .boardTemperature = 40.0, .motorTemperature = 40.0};
     EXPECT_EQ(refusal(LossClass::OverTemperature, hot, cool), "");
     EXPECT_NE(refusal(LossClass::OverTemperature, {}, {.boardTemperature = 74.0}), "") << "nor was it told at the loss";
