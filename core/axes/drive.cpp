@@ -17,7 +17,7 @@ constexpr MotorRate kSmallestVelocity = MotorRate::fromTurns(0.0001);
 constexpr MotorRate kDriveStanding = MotorRate::fromTurns(0.001);
 constexpr Seconds kBrakingTime{0.6};
 // Of one phase: a computer that does nothing but stall hides no drive that does not obey.
-constexpr SteadyTime::duration kMostExcused = std::chrono::seconds(3);
+constexpr int kMostStalls = 20;
 // Nor has it moved since the last reply by more than this share of what a place is believed with.
 constexpr double kSteady = 0.2;
 
@@ -73,7 +73,7 @@ void Drive::enter(Phase phase)
     m_phase = phase;
     m_repliesInPhase = 0;
     m_phaseSince.reset();
-    m_phaseExcused = {};
+    m_stallsInPhase = 0;
 }
 
 void Drive::engage()
@@ -178,10 +178,9 @@ void Drive::excuse(Seconds stall, SteadyTime now)
     const auto excused = std::chrono::duration_cast<SteadyTime::duration>(stall);
     m_heard = std::min(m_heard + excused, now);
     m_placed = std::min(m_placed + excused, now);
-    if (m_phaseSince) {
-        const auto left = std::min(excused, kMostExcused - m_phaseExcused);
-        m_phaseSince = std::min(*m_phaseSince + left, now);
-        m_phaseExcused += left;
+    if (m_phaseSince && m_stallsInPhase < kMostStalls) {
+        ++m_stallsInPhase;
+        m_phaseSince = std::min(*m_phaseSince + excused, now);
     }
 }
 

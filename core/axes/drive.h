@@ -188,7 +188,7 @@ private:
     int m_unanswered = 0;                 // frames in a row
     int m_repliesInPhase = 0;
     std::optional<SteadyTime> m_phaseSince;  // of all but Listening and Braking
-    SteadyTime::duration m_phaseExcused{};   // our own stalls in it
+    int m_stallsInPhase = 0;                 // our own
     MotorTurns m_setpoint;
     MotorRate m_setpointRate;
     MotorTurns m_reference;
