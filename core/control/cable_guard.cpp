@@ -139,18 +139,21 @@ void CableGuard::tell(const CableEnd& end)
     m_told = now;
     const QString what =
         Text::tr("azimuth cable ends at %1, about %2").arg(degreesText(end.end, 1), clockText(now.ends));
+    const QString brief = Text::tr("ends at %1, about %2").arg(degreesText(end.end, 1), clockText(now.ends));
     if (end.turningBack) {
         m_alarms.raise(kCableCause, now.severity,
                        {.what = what,
                         .action = Text::tr("There Boresight turns back by 360° and follows on; the target is "
                                            "lost for about %1")
                                       .arg(timeText(*end.turningBack)),
-                        .remedy = Text::tr("To turn back earlier press Unwind, then give control back")});
+                        .remedy = Text::tr("To turn back earlier press Unwind, then give control back"),
+                        .brief = brief});
     } else {
         m_alarms.raise(kCableCause, now.severity,
                        {.what = what,
                         .action = Text::tr("Boresight holds there until the target can be reached again"),
-                        .remedy = Text::tr("Widen the limits if the cable allows, or let the target go")});
+                        .remedy = Text::tr("Widen the limits if the cable allows, or let the target go"),
+                        .brief = brief});
     }
 }
 

@@ -5804,6 +5804,10 @@ do eixo</translation>
         <source>the motor was at %1 °C and does not tell its temperature any more: mend its sensor, or let it cool down and start Boresight anew</source>
         <translation>o motor estava a %1 °C e não informa mais a temperatura: repare o sensor, ou deixe-o esfriar e inicie o Boresight de novo</translation>
     </message>
+    <message>
+        <source>ends at %1, about %2</source>
+        <translation>acaba a %1, por volta das %2</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
