@@ -174,7 +174,7 @@ Result<> MemoryFile::claim()
     } else if (lock.error().code == ErrorCode::Denied && QFileInfo::exists(path)) {
         return failure(
             ErrorCode::Denied,
-            Text::tr("%1 cannot be locked (%2), so another user's program may control this mount: start Boresight as "
+            Text::tr("%1 cannot be locked (%2). A program of another user may control this mount. Start Boresight as "
                      "that user, or with another --state-dir")
                 .arg(path, toQString(lock.error().text)));
     }

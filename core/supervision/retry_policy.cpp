@@ -52,7 +52,7 @@ QString supplyTooHigh(double now, double allowed)
 QString supplyRefusal(const profile::SupervisionSettings& settings, const std::optional<double>& now)
 {
     if (!now) {
-        return Text::tr("the drive does not tell its supply voltage");
+        return Text::tr("the drive does not report its supply voltage");
     }
     const QString low = supplyTooLow(*now, settings.supplyLow);
     return low.isEmpty() ? supplyTooHigh(*now, settings.supplyHigh) : low;
@@ -64,7 +64,7 @@ QString supplyRefusal(const profile::SupervisionSettings& settings, const std::o
 QString heatRefusal(double boardLimit, double motorHot, const DriveConditions& atLoss, const DriveConditions& now)
 {
     if (!now.boardTemperature) {
-        return Text::tr("the drive does not tell its temperature");
+        return Text::tr("the drive does not report its temperature");
     }
     const double boardThen = atLoss.boardTemperature.value_or(boardLimit);
     const bool boardWasFar = boardThen < boardLimit - kCoolDown;

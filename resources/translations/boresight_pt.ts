@@ -5781,11 +5781,11 @@ do eixo</translation>
         <translation>Reduza max_acceleration_deg_s2 (%1) ou aumente max_torque_nm.</translation>
     </message>
     <message>
-        <source>the drive does not tell its supply voltage</source>
+        <source>the drive does not report its supply voltage</source>
         <translation>o acionamento não informa a tensão de alimentação</translation>
     </message>
     <message>
-        <source>the drive does not tell its temperature</source>
+        <source>the drive does not report its temperature</source>
         <translation>o acionamento não informa a temperatura</translation>
     </message>
     <message>
@@ -5797,8 +5797,8 @@ do eixo</translation>
         <translation>falha %1: %2</translation>
     </message>
     <message>
-        <source>%1 cannot be locked (%2), so another user&apos;s program may control this mount: start Boresight as that user, or with another --state-dir</source>
-        <translation>%1 não pode ser bloqueado (%2), portanto um programa de outro usuário talvez controle esta montagem: inicie o Boresight como esse usuário, ou com outro --state-dir</translation>
+        <source>%1 cannot be locked (%2). A program of another user may control this mount. Start Boresight as that user, or with another --state-dir</source>
+        <translation>%1 não pode ser bloqueado (%2). Um programa de outro usuário talvez controle esta montagem. Inicie o Boresight como esse usuário, ou com outro --state-dir</translation>
     </message>
     <message>
         <source>the motor was at %1 °C and does not tell its temperature any more: mend its sensor, or let it cool down and start Boresight anew</source>

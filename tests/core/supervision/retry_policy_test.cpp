@@ -230,7 +230,7 @@ TEST_F(ClearRefusal, TheSupplyMustBeBack)
 TEST_F(ClearRefusal, WhatIsNotToldIsNotCool)
 {
     const DriveConditions hot{.voltage = 24.0, .boardTemperature = 76.0, .motorTemperature = 90.0};
-    const std::string untold = "the drive does not tell its temperature";
+    const std::string untold = "the drive does not report its temperature";
     EXPECT_EQ(refusal(LossClass::OverTemperature, hot, {.voltage = 24.0}), untold);
     const DriveConditions motor{.voltage = 24.0, .boardTemperature = 40.0, .motorTemperature = 90.0};
     EXPECT_EQ(refusal(LossClass::OverTemperature, motor, {.voltage = 24.0, .boardTemperature = 40.0}),
@@ -239,7 +239,7 @@ TEST_F(ClearRefusal, WhatIsNotToldIsNotCool)
     const DriveConditions cool{.voltage = 24.0, .boardTemperature = 40.0, .motorTemperature = 40.0};
     EXPECT_EQ(refusal(LossClass::OverTemperature, hot, cool), "");
     EXPECT_NE(refusal(LossClass::OverTemperature, {}, {.boardTemperature = 74.0}), "") << "nor was it told at the loss";
-    EXPECT_EQ(refusal(LossClass::Supply, {.voltage = 3.0}, {}), "the drive does not tell its supply voltage");
+    EXPECT_EQ(refusal(LossClass::Supply, {.voltage = 3.0}, {}), "the drive does not report its supply voltage");
 }
 
 TEST_F(ClearRefusal, OtherLossesHaveNothingToWaitFor)
