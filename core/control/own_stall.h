@@ -19,7 +19,7 @@ public:
     // have.
     bool note(Seconds gap, Seconds watchdog, const AxisPosition& setpoints, SteadyTime now);
 
-    // The frames of a tick are on their way. A tick that was held up in its middle sends late, too.
+    // The link has the frames of a tick. One that was held up after its beginning sends late, too.
     void sent(Seconds watchdog, const AxisPosition& setpoints, SteadyTime now);
 
     // A time-out that is seen now comes from the stall, and the stall was short enough to go on.

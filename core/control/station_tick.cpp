@@ -61,8 +61,12 @@ std::array<CanFrame, 2> StationControl::tick()
     watchLimited();
     m_alarms.tick();
     shutDownFurther();
-    m_stall.sent(m_profile.control.watchdog, heldPlace(), m_clock.now());
     return m_drives.frames();
+}
+
+void StationControl::framesSent()
+{
+    m_stall.sent(m_profile.control.watchdog, heldPlace(), m_clock.now());
 }
 
 void StationControl::watchDrives()

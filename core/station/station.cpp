@@ -315,6 +315,7 @@ void Station::tick()
         // not be sent shows as a missing reply and in the status of the link.
         [[maybe_unused]] const Result<> sent = m_link->send(frames);
     }
+    m_control.framesSent();
     saveMemory();
     m_eventFile.tick();
     tellStart();

@@ -38,6 +38,7 @@ struct CareRig
                 std::ranges::copy(pair.exchange(frame, elapsed), std::back_inserter(underWay));
             }
         }
+        control.framesSent();
         surveyed = surveyed || frames.size() > motion.size();
         clock.advance(kDriveCareTick);
         elapsed += kDriveCareTick;

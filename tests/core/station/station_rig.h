@@ -61,6 +61,7 @@ struct StationRig
         if (control.busReleased()) {
             return;  // the station's link is closed
         }
+        clock.advance(heldUp);
         for (const CanFrame& frame : frames) {
             for (fakes::IdealDrive* const drive : {&azimuth, &elevation}) {
                 if (const auto reply = drive->answer(frame, now)) {
@@ -68,6 +69,7 @@ struct StationRig
                 }
             }
         }
+        control.framesSent();
     }
 
     void run(Seconds time)
@@ -131,6 +133,7 @@ struct StationRig
     profile::Profile profile;
     fakes::ManualClock clock;
     EventLog log{clock};
+    Seconds heldUp{0.0};  // between the beginning of a tick and its frames
     StationControl control;
     fakes::IdealDrive azimuth{1, 0.0};
     fakes::IdealDrive elevation{2, -0.25};

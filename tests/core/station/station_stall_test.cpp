@@ -42,6 +42,23 @@ TEST(StationStall, TheMotionGoesOnByItself)
     }
 }
 
+// Story: under load a tick began 65 ms after the one before and sent its frames 45 ms later. The drives timed out, no
+// stall was seen, and a pass of two hours lost its last quarter.
+TEST(StationStall, TwoDelaysThatAddUpAreOne)
+{
+    StationRig rig;
+    ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(2.0)));
+    stall(rig, Seconds(0.045));
+    rig.heldUp = Seconds(0.045);
+    rig.tick();
+    rig.heldUp = Seconds(0.0);
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.state(), StationState::Slew);
+    EXPECT_TRUE(rig.control.status().alarms.empty());
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 100.0, 0.001);
+}
+
 TEST(StationStall, TheClientIsServedMeanwhile)
 {
     StationRig rig;
