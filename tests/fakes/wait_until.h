@@ -8,8 +8,9 @@
 #include <chrono>
 #include <functional>
 
-// Runs the event loop until `condition` holds, looking at it after each event. No polling and no sleeping; the limit
-// is only ever reached by a failing test, so it has room for a machine that is twenty times slower than usual.
+// Runs the event loop until `condition` holds, looking at it after each event and every 20 ms: what it looks at may be
+// another thread's or another program's. It may run the event loop itself. The limit is only ever reached by a failing
+// test, so it has room for a machine that is twenty times slower than usual.
 namespace boresight::fakes {
 
 [[nodiscard]] inline bool waitUntil(const std::function<bool()>& condition,
@@ -19,13 +20,21 @@ namespace boresight::fakes {
         return true;
     }
     QEventLoop loop;
+    bool looking = false;
+    const auto look = [&] {
+        if (!looking) {
+            looking = true;
+            if (condition()) {
+                loop.quit();
+            }
+            looking = false;
+        }
+    };
     QTimer::singleShot(limit, &loop, &QEventLoop::quit);
-    QObject::connect(QAbstractEventDispatcher::instance(), &QAbstractEventDispatcher::aboutToBlock, &loop,
-                     [&loop, &condition] {
-                         if (condition()) {
-                             loop.quit();
-                         }
-                     });
+    QObject::connect(QAbstractEventDispatcher::instance(), &QAbstractEventDispatcher::aboutToBlock, &loop, look);
+    QTimer again;
+    QObject::connect(&again, &QTimer::timeout, look);
+    again.start(std::chrono::milliseconds(20));
     loop.exec();
     return condition();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/units/quantity.h"
+#include "tests/fakes/wait_until.h"
 #include "tests/system/boresightd_process.h"
 
 #include <QRegularExpression>
@@ -75,9 +76,8 @@ protected:
     {
         ASSERT_TRUE(boresightd.listens()) << boresightd.complaints();
         good = boresightd.connect();
-        for (int i = 0; i < 100 && good->ask("P 0 10\n") != "RPRT 0\n"; ++i) {
-            QTest::qWait(20);  // until it sees both drives
-        }
+        const auto seesBothDrives = [this] { return good->ask("P 0 10\n") == "RPRT 0\n"; };
+        ASSERT_TRUE(fakes::waitUntil(seesBothDrives)) << boresightd.complaints();
     }
     std::string ask(const std::string& command, int lines)
     {

@@ -49,7 +49,7 @@ std::optional<Truth> readTruth(const QString& line)
                  .elevationRate = number(5)};
 }
 
-// A system call and a page fault take a guest twenty times longer than its host, and a program that starts is not
+// Also in slow motion (slow_clock.cpp) a guest is slower than a computer at a mast, and a program that starts is not
 // interrupted: half the ticks, and the longest time-out that a profile may have.
 profile::Profile forASlowMachine()
 {

@@ -2,6 +2,7 @@
 // The whole path on real CAN interfaces: needs vcan0, CAN-FD, up, the right to change it (User-Mode Linux gives both),
 // and can-utils as an independent witness, as the cable and as a rude neighbour.
 #include "core/moteus/diagnostic.h"
+#include "core/survey/protections.h"
 #include "tests/system/socketcan_mount.h"
 
 #include <QFile>
@@ -180,6 +181,7 @@ TEST_P(SocketCanFlood, MountStaysUnderControlOrStopsAndSaysSo)
 {
     MountOnCan mount(QStringLiteral("vcan0"), QStringLiteral("vcan0"));
     ASSERT_TRUE(mount.starts());
+    ASSERT_TRUE(mount.notesProof()) << mount.log();
     ASSERT_TRUE(mount.slews("P 400 30")) << mount.log();
 
     const std::size_t logBefore = mount.log().size();
@@ -206,8 +208,10 @@ TEST_P(SocketCanFlood, MountStaysUnderControlOrStopsAndSaysSo)
     if (static_cast<double>(flood) / seconds > kSurelyAFlood) {
         EXPECT_NE(mount.log().find("another program floods it", logBefore), std::string::npos);
     }
-    for (const Truth& truth : mount.truths()) {  // never faster than it may be, nor beyond where it was sent
-        EXPECT_LT(std::abs(truth.azimuthRate), 11.0);
+    // Frames that come late or in pairs are caught up with, at most at the drives' own limit, which is 1.5 times the
+    // profile's. The mount never goes beyond where it was sent.
+    for (const Truth& truth : mount.truths()) {
+        EXPECT_LT(std::abs(truth.azimuthRate), 1.05 * survey::kLimitGuard * 10.0);
         EXPECT_LT(truth.elevation, 30.5);
     }
     if (stopped) {

@@ -4,28 +4,30 @@
 # runs as an ordinary process in about 2 s, without root. The guest's root is this machine's file tree, read-write, so
 # what was built here runs there as it is, in the same folder and environment (plus BORESIGHT_UML=1).
 #
-#   uml_can_run.sh [-m MEMORY] [-t SECONDS] [-n INTERFACES] [-l KERNEL_LOG] [--] COMMAND [ARGUMENT…]
+#   uml_can_run.sh [-m MEMORY] [-t SECONDS] [-n INTERFACES] [-l KERNEL_LOG] [-p LIBRARY] [--] COMMAND [ARGUMENT…]
 #     -m 512M   guest memory          -t 120  time limit
 #     -n 2      vcan0 … vcan(n-1), CAN-FD, up          -l FILE keeps the kernel's log
+#     -p FILE   a library that is loaded into the kernel before its own
 #
 # Status: the command's own; 77 where UML or CAN in it is not to be had (ctest: skipped), with the reason on stderr;
 # 124 after the time limit; 125 if UML died under the command. stdout and stderr stay apart.
 set -u
 
-memory=512M limit=120 interfaces=2 keep_log=
+memory=512M limit=120 interfaces=2 keep_log='' preload=''
 while [ $# -gt 0 ]; do
   case $1 in
     -m) memory=$2; shift 2 ;;
     -t) limit=$2; shift 2 ;;
     -n) interfaces=$2; shift 2 ;;
     -l) keep_log=$2; shift 2 ;;
+    -p) preload=$2; shift 2 ;;
     --) shift; break ;;
     -*) echo "uml_can_run: unknown option $1" >&2; exit 2 ;;
     *) break ;;
   esac
 done
 if [ $# -eq 0 ]; then
-  echo "usage: uml_can_run.sh [-m MEMORY] [-t SECONDS] [-n INTERFACES] [-l KERNEL_LOG] [--] COMMAND [ARGUMENT…]" >&2
+  echo "usage: uml_can_run.sh [-m MEMORY] [-t SECONDS] [-n INTERFACES] [-l KERNEL_LOG] [-p LIBRARY] [--] COMMAND [ARGUMENT…]" >&2
   exit 2
 fi
 
@@ -90,8 +92,8 @@ chmod +x "$dir/init"
 
 # Console 1 is our stdout, console 2 our stderr; console 0 and the kernel's messages go to the log.
 exec 3>&1 4>&2
-timeout -k 5 "$limit" linux.uml mem="$memory" root=/dev/root rootfstype=hostfs rootflags=/ rw init="$dir/init" \
-  con=null ssl=null con0=null,fd:1 con1=null,fd:3 con2=null,fd:4 uml_dir="$dir/" umid=guest quiet \
+timeout -k 5 "$limit" env LD_PRELOAD="$preload" linux.uml mem="$memory" \
+  root=/dev/root rootfstype=hostfs rootflags=/ rw init="$dir/init" con=null ssl=null con0=null,fd:1 con1=null,fd:3 con2=null,fd:4 uml_dir="$dir/" umid=guest quiet \
   random.trust_cpu=on </dev/null >"$dir/log" 2>&1
 uml_status=$?
 [ -z "$keep_log" ] || cp "$dir/log" "$keep_log"
