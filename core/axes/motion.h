@@ -36,6 +36,7 @@ public:
     void settleStream();                                     // no more points: come to rest at the last one
     void run(const AxisRates& rates);
     void setTrim(const AxisPosition& trim) { m_trim = trim; }  // is added to the points of streams
+    [[nodiscard]] const AxisPosition& trim() const { return m_trim; }
 
     // Settings of the profile that apply at once, also in the middle of a motion.
     void setRegion(const pointing::Region& region, const pointing::PointingModel& pointing);

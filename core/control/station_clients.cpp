@@ -24,7 +24,7 @@ Result<> StationControl::mayGiveControl() const
 Result<> StationControl::handle(const request::TakeAuthority&, const Source& source)
 {
     takeOver(source);
-    if (m_commander.kind == SourceKind::Client && m_activity != Activity::None) {
+    if (m_current.commander().kind == SourceKind::Client && !m_current.is(Activity::None)) {
         holdHere(Activity::Holding);
     }
     return {};
@@ -46,7 +46,7 @@ Result<> StationControl::handle(const request::GiveLead& wanted, const Source& s
         .and_then([&] { return mayGiveControl(); })
         .and_then([&] { return m_lead.give(m_profile.rotctld, wanted.clientId, m_now); })
         .map([&] {
-            if (m_commander.clientId != wanted.clientId) {
+            if (m_current.commander().clientId != wanted.clientId) {
                 endClientMotion();
             }
             endCalibrationMotion();
@@ -59,7 +59,7 @@ Result<> StationControl::handle(const request::GiveLead& wanted, const Source& s
 Result<> StationControl::handle(const request::SetReadOnly& wanted, const Source& source)
 {
     return operatorOnly(source).and_then([&] { return m_lead.setReadOnly(wanted.clientId, wanted.readOnly); }).map([&] {
-        if (wanted.readOnly && m_commander.clientId == wanted.clientId) {
+        if (wanted.readOnly && m_current.commander().clientId == wanted.clientId) {
             endClientMotion();
         }
         m_log.add(Severity::Advisory, source.name,
@@ -77,7 +77,7 @@ Result<> StationControl::handle(const request::Disconnect&, const Source& source
 void StationControl::endClientMotion()
 {
     if (followsClient()) {
-        m_log.add(Severity::Advisory, m_commander.name, Text::tr("may not move the mount any more: hold"));
+        m_log.add(Severity::Advisory, m_current.commander().name, Text::tr("may not move the mount any more: hold"));
         holdHere(Activity::Holding);
     }
 }
@@ -85,9 +85,9 @@ void StationControl::endClientMotion()
 // Who follows a body or swings the compass asks for the next motion soon, and would take the control back with it.
 void StationControl::endCalibrationMotion()
 {
-    ++m_errand;
+    m_current.setErrand(m_current.errand() + 1);
     if (obeys(calibrationSource())) {
-        m_log.add(Severity::Advisory, m_commander.name, Text::tr("ends the motion: hold"));
+        m_log.add(Severity::Advisory, m_current.commander().name, Text::tr("ends the motion: hold"));
         holdHere(Activity::Holding);
     }
 }
@@ -95,21 +95,21 @@ void StationControl::endCalibrationMotion()
 void StationControl::sourceGone(const Source& source)
 {
     m_lead.gone(source);
-    if (m_commander != source) {
+    if (!m_current.isFor(source)) {
         return;
     }
-    if (m_activity == Activity::Running) {
+    if (m_current.is(Activity::Running)) {
         m_log.add(Severity::Advisory, source.name, Text::tr("is gone: its motion ends"));
         holdHere(Activity::Holding);
-    } else if (m_activity == Activity::Streaming) {
+    } else if (m_current.is(Activity::Streaming)) {
         m_motion.settleStream();
-        m_activity = Activity::Pointing;
+        m_current.settleStream();
     }
 }
 
 void StationControl::positionRead(std::uint64_t clientId)
 {
-    if (m_activity == Activity::Streaming && followsClient() && m_commander.clientId == clientId) {
+    if (m_current.is(Activity::Streaming) && followsClient() && m_current.isForClient(clientId)) {
         m_motion.confirmStream(m_now);
         m_lead.followed(clientId, m_now);
     }
@@ -119,8 +119,7 @@ void StationControl::describe(ClientStatus& client, const std::optional<SteadyTi
 {
     const profile::RotctldSettings& rules = m_profile.rotctld;
     const Source source{.kind = SourceKind::Client, .clientId = client.id};
-    client.driving =
-        m_commander.kind == SourceKind::Client && m_commander.clientId == client.id && !m_commandText.isEmpty();
+    client.driving = m_current.isForClient(client.id) && !m_current.text().isEmpty();
     client.leading = m_lead.leads(rules, client.id, m_now);
     client.readOnly = m_lead.readOnly(client.id);
     client.locked = m_lead.locked(rules, client.id);
@@ -136,9 +135,9 @@ void StationControl::describe(ClientStatus& client, const std::optional<SteadyTi
 // The client's target itself, or what the operator's trim makes of it.
 QString StationControl::limitedReason() const
 {
-    return m_limitedReason.isEmpty() && m_motion.limited()
+    return m_current.limitedReason().isEmpty() && m_motion.limited()
                ? Text::tr("the target is beyond %1").arg(toQString(m_motion.obstacle()))
-               : m_limitedReason;
+               : m_current.limitedReason();
 }
 
 // The protocol has no word for it: a client is answered "done". So the screen must say it, for as long as it lasts.

@@ -221,36 +221,24 @@ void StationControl::tell(Severity severity, const Source& source, const QString
 void StationControl::begin(Activity activity, const Source& source, const QString& what)
 {
     takeOver(source);
-    const bool continues = m_activity == activity && m_commander == source &&
-                           (activity == Activity::Streaming || activity == Activity::Jogging);
-    if (!continues) {
+    if (!m_current.continues(activity, source)) {
         m_cable.forgetTurnBack();
         tell(Severity::Advisory, source, Text::tr("moves the mount from %1: %2").arg(directionText(heading()), what),
              LogKind::MotionStart);
-        m_errand += activity == Activity::Jogging ? 0 : 1;
     }
     if (source.kind == SourceKind::Client) {
         m_lead.moved(source, m_now);
     }
-    m_activity = activity;
-    m_commander = source;
-    m_commandText = what;
-    m_limitedReason.clear();
-    m_wantedDirection.reset();
-    m_jogDeadline.reset();
+    m_current.begin(activity, source, what);
     m_drives.engage();
 }
 
-void StationControl::holdHere(Activity activity)
+void StationControl::holdHere(Activity left)
 {
     if (m_proof) {
         endProof(Text::tr("ended before it was done"));
     }
-    m_activity = activity;
-    m_limitedReason.clear();
-    m_wantedDirection.reset();
-    m_jogDeadline.reset();
-    m_commandText.clear();
+    m_current.end(left);
     m_motion.rest();
 }
 
@@ -301,8 +289,8 @@ Result<> StationControl::streamTo(pointing::Resolved resolved, const SkyPointing
     if (resolved.limited && m_profile.rotctld.outsideLimits == profile::OutsideLimits::Refuse) {
         return failure(ErrorCode::OutOfRange, resolved.reason);
     }
-    const bool wasLimited = !m_limitedReason.isEmpty();
-    const bool newStream = m_activity != Activity::Streaming || m_commander != source;
+    const bool wasLimited = !m_current.limitedReason().isEmpty();
+    const bool newStream = !m_current.is(Activity::Streaming) || !m_current.isFor(source);
     const auto back = turnBackTo(resolved.position, source);
     begin(Activity::Streaming, source, what.isEmpty() ? QStringLiteral("P ") + text(asked) : what);
     beginTurnBack(back);
@@ -310,11 +298,10 @@ Result<> StationControl::streamTo(pointing::Resolved resolved, const SkyPointing
         m_motion.rest();  // the points of another client say nothing about this one's
     }
     if (resolved.limited) {
-        m_limitedReason = toQString(resolved.reason);
-        m_wantedDirection = asked;
+        m_current.limit(toQString(resolved.reason), asked);
         if (newStream || !wasLimited) {
             tell(Severity::Warning, source,
-                 Text::tr("LIMITED: %1; driven to the nearest permitted point").arg(m_limitedReason));
+                 Text::tr("LIMITED: %1; driven to the nearest permitted point").arg(m_current.limitedReason()));
         }
     }
     m_motion.follow(resolved.position, m_now);
@@ -323,7 +310,7 @@ Result<> StationControl::streamTo(pointing::Resolved resolved, const SkyPointing
 
 std::optional<CableGuard::TurnBack> StationControl::turnBackTo(const AxisPosition& place, const Source& source) const
 {
-    const bool follows = m_activity == Activity::Streaming && m_commander == source;
+    const bool follows = m_current.is(Activity::Streaming) && m_current.isFor(source);
     return CableGuard::turnBackTo(place.azimuth,
                                   {.here = standing().azimuth, .heading = heading().azimuth, .follows = follows},
                                   m_motion.region().ranges().azimuth);
@@ -333,7 +320,8 @@ std::optional<CableGuard::TurnBack> StationControl::turnBackTo(const AxisPositio
 void StationControl::beginTurnBack(const std::optional<CableGuard::TurnBack>& back)
 {
     if (back) {
-        tell(Severity::Advisory, m_commander, m_cable.begin(*back, m_profile.azimuth.limits), LogKind::MotionStart);
+        tell(Severity::Advisory, m_current.commander(), m_cable.begin(*back, m_profile.azimuth.limits),
+             LogKind::MotionStart);
     }
 }
 
@@ -374,9 +362,9 @@ Result<> StationControl::handle(const request::Step& wanted, const Source& sourc
 {
     const AxisPosition from = heading();
     const AxisPosition place{.azimuth = from.azimuth + wanted.azimuth, .elevation = from.elevation + wanted.elevation};
-    const std::uint64_t errand = m_errand;
+    const std::uint64_t errand = m_current.errand();
     return goTo(place, Activity::Pointing, source, Text::tr("step to %1").arg(directionText(place))).map([&] {
-        m_errand = errand;  // by hand, like a jog
+        m_current.setErrand(errand);  // by hand, like a jog
     });
 }
 
@@ -433,13 +421,13 @@ Result<> StationControl::runAt(const AxisRates& rates, Activity activity, const 
 Result<> StationControl::handle(const request::Jog& wanted, const Source& source)
 {
     if (isZero(wanted.rates)) {
-        if (m_activity == Activity::Jogging && m_commander == source) {
+        if (m_current.is(Activity::Jogging) && m_current.isFor(source)) {
             holdHere(Activity::Holding);
         }
         return {};
     }
     return runAt(wanted.rates, Activity::Jogging, source, Text::tr("jog")).map([&] {
-        m_jogDeadline = m_now + kJogKeepAlive;
+        m_current.keepAliveUntil(m_now + kJogKeepAlive);
     });
 }
 
@@ -451,7 +439,7 @@ Result<> StationControl::handle(const request::Move& wanted, const Source& sourc
 Result<> StationControl::handle(const request::Hold&, const Source& source)
 {
     takeOver(source);  // else the next target of a client would undo it
-    if (m_activity != Activity::None && m_activity != Activity::Holding) {
+    if (moves()) {
         tell(Severity::Advisory, source, Text::tr("ends the motion: hold"));
         holdHere(Activity::Holding);
     }
@@ -527,7 +515,7 @@ void StationControl::setSensor(const std::optional<Angle>& azimuth, const std::o
 
 std::optional<AxisPosition> StationControl::trimInUse() const
 {
-    return m_activity == Activity::Streaming && followsClient() ? std::optional(m_trim) : std::nullopt;
+    return m_current.is(Activity::Streaming) && followsClient() ? std::optional(m_motion.trim()) : std::nullopt;
 }
 
 void StationControl::learn(Axis axis, const std::optional<survey::DriveFacts>& facts)
@@ -555,13 +543,13 @@ QString StationControl::directionText(const AxisPosition& place) const
 void StationControl::enforceRegion()
 {
     // A client's target that nobody moves any more is a place as well, unless the nearest permitted one is held for it.
-    const bool standing = m_activity == Activity::Streaming && !m_motion.streaming(m_now) && !m_motion.limited();
+    const bool standing = m_current.is(Activity::Streaming) && !m_motion.streaming(m_now) && !m_motion.limited();
     m_model.setPointing(pointing::PointingModel(m_profile.pointing));
     m_motion.setRegion(pointing::withSun(m_profile.limits, m_sun.keepOuts()), m_model.pointing());
     const pointing::AxisBox& ranges = m_motion.region().ranges();
     m_model.limitTo(ranges.azimuth, ranges.elevation);
     const auto target = m_motion.target(m_now);
-    const bool going = m_activity == Activity::Pointing || m_activity == Activity::Parking || standing;
+    const bool going = m_current.goesToAPlace() || standing;
     if (const std::string why = going && target ? m_motion.region().reason(*target) : ""; !why.empty()) {
         m_log.add(Severity::Warning, QStringLiteral("station"), Text::tr("ends the motion: %1").arg(toQString(why)));
         holdHere(Activity::Holding);  // else a mount that stands would set off by itself

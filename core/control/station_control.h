@@ -16,6 +16,7 @@
 #include "core/control/arming.h"
 #include "core/control/cable_guard.h"
 #include "core/control/client_lead.h"
+#include "core/control/current_motion.h"
 #include "core/control/own_stall.h"
 #include "core/control/sun_watch.h"
 #include "core/messages/request.h"
@@ -71,11 +72,11 @@ public:
     // What the last tick commanded and what the drives have answered to it; empty before the first tick.
     [[nodiscard]] std::optional<TickSample> sample() const;
     // The mount still does what this source asked for last: nobody has ended it, nor asked for anything else.
-    [[nodiscard]] bool obeys(const Source& source) const { return m_commander == source && moves(); }
-    [[nodiscard]] bool followsClient() const { return m_commander.kind == SourceKind::Client && moves(); }
+    [[nodiscard]] bool obeys(const Source& source) const { return m_current.isFor(source) && moves(); }
+    [[nodiscard]] bool followsClient() const { return m_current.commander().kind == SourceKind::Client && moves(); }
     // Another one each time that the mount is sent somewhere or given away; the operator's jogs and steps, Hold and
     // STOP leave it.
-    [[nodiscard]] std::uint64_t errand() const { return m_errand; }
+    [[nodiscard]] std::uint64_t errand() const { return m_current.errand(); }
     // Which turn the axis is on is told by the operator, or was: it may be another than before.
     [[nodiscard]] bool isTurnAsked(Axis axis) const { return m_turns.asked(axis); }
     [[nodiscard]] Authority authority() const { return m_arming.authority(); }
@@ -99,7 +100,7 @@ public:
     // What is added to the targets of the client that is followed now: it is told positions without it.
     [[nodiscard]] std::optional<AxisPosition> trimInUse() const;
     // What the operator adds to whatever is followed.
-    [[nodiscard]] const AxisPosition& trim() const { return m_trim; }
+    [[nodiscard]] const AxisPosition& trim() const { return m_motion.trim(); }
     // Both axes are this near to where they are sent.
     [[nodiscard]] bool onTarget(Angle within) const;
     // Why not the target is driven but the nearest permitted place; empty: it is driven.
@@ -137,17 +138,6 @@ public:
     [[nodiscard]] bool takeMemoryChange() { return m_turns.takeChange(); }
 
 private:
-    enum class Activity
-    {
-        None,
-        Holding,
-        Pointing,
-        Parking,
-        Streaming,
-        Jogging,
-        Running,
-        Proving
-    };
     enum class ShutDown
     {
         No,
@@ -199,7 +189,7 @@ private:
     [[nodiscard]] int farOutside(Axis axis) const;
     [[nodiscard]] Result<> insideTravel() const;
     [[nodiscard]] Result<> drivesRest() const;  // for what is done to the drives themselves
-    [[nodiscard]] bool moves() const { return m_activity != Activity::None && m_activity != Activity::Holding; }
+    [[nodiscard]] bool moves() const { return m_current.moves(); }
     [[nodiscard]] bool arrived() const;  // at the place or direction that was asked for, and at rest there
     [[nodiscard]] bool turnsKnown() const;
     Result<> goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& text);
@@ -291,16 +281,9 @@ private:
     std::optional<CrashStopProof> m_proof;
     QString m_proofText;  // how the last proof ended
 
-    Activity m_activity = Activity::None;
-    Source m_commander;
-    std::uint64_t m_errand = 0;
-    QString m_commandText;
-    std::optional<SkyPointing> m_wantedDirection;  // as asked, before limits
-    QString m_limitedReason;  // why not the target is driven but the nearest permitted point; empty: it is driven
-    std::string m_heldAt;     // what the log last said the motion is held at
-    AxisPosition m_trim{};    // what the operator adds to the targets of clients
+    CurrentMotion m_current;
+    std::string m_heldAt;  // what the log last said the motion is held at
     FirstMoves m_firstMoves;
-    std::optional<SteadyTime> m_jogDeadline;
     std::vector<profile::Advice> m_advice;  // on the profile, as it was told
     std::array<bool, 2> m_answered{};
     std::array<bool, 2> m_ignoringBounds{};

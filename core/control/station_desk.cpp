@@ -26,11 +26,11 @@ Result<> makesSense(const profile::Profile& profile)
 
 Result<> StationControl::handle(const request::Nudge& wanted, const Source& source)
 {
-    if (m_activity != Activity::Streaming || source.kind != SourceKind::Operator) {
+    if (!m_current.is(Activity::Streaming) || source.kind != SourceKind::Operator) {
         return handle(request::Step{.azimuth = wanted.azimuth, .elevation = wanted.elevation}, source);
     }
-    const AxisPosition trim{.azimuth = m_trim.azimuth + wanted.azimuth,
-                            .elevation = m_trim.elevation + wanted.elevation};
+    const AxisPosition trim{.azimuth = m_motion.trim().azimuth + wanted.azimuth,
+                            .elevation = m_motion.trim().elevation + wanted.elevation};
     if (!(abs(trim.azimuth) <= kLargestTrim && abs(trim.elevation) <= kLargestTrim)) {
         return failure(ErrorCode::OutOfRange, Text::tr("a trim beyond %1° is not a correction any more")
                                                   .arg(toQString(formatFixed(kLargestTrim.degrees(), 0))));
@@ -42,7 +42,7 @@ Result<> StationControl::handle(const request::Nudge& wanted, const Source& sour
 Result<> StationControl::handle(const request::ClearTrim&, const Source& source)
 {
     return operatorOnly(source).map([&] {
-        if (m_trim != AxisPosition{}) {
+        if (m_motion.trim() != AxisPosition{}) {
             setTrim({}, source);
         }
     });
@@ -75,7 +75,6 @@ Result<> StationControl::reaches(const SkyPointing& direction) const
 
 void StationControl::setTrim(const AxisPosition& trim, const Source& source)
 {
-    m_trim = trim;
     m_motion.setTrim(trim);
     m_log.add(Severity::Advisory, source.name,
               Text::tr("trims what is followed by %1° in azimuth, %2° in elevation")
@@ -107,11 +106,11 @@ Result<> StationControl::handle(const request::ApplyProfile& wanted, const Sourc
 // its way to one would arrive beside it.
 Result<> StationControl::mayChangePointing() const
 {
-    if (m_activity == Activity::Streaming) {
+    if (m_current.is(Activity::Streaming)) {
         return failure(ErrorCode::Refused,
                        Text::tr("the mount follows directions, which the change would move: hold the mount first"));
     }
-    if (m_activity == Activity::Pointing && !arrived()) {
+    if (m_current.is(Activity::Pointing) && !arrived()) {
         return failure(ErrorCode::Refused, Text::tr("the mount is on its way to a direction, which the change would "
                                                     "move: wait until it is there, or hold it first"));
     }
@@ -186,15 +185,14 @@ Result<> StationControl::mayMoveFirst(const AxisRates& rates)
 
 void StationControl::watchFirstMoves()
 {
-    const bool running = m_activity == Activity::Jogging || m_activity == Activity::Running;
-    if (m_profile.mount.directions == profile::Directions::Confirmed || !running) {
+    if (m_profile.mount.directions == profile::Directions::Confirmed || !m_current.runsFreely()) {
         return;
     }
     const auto rest = [this](Axis axis) { return restingPlace(m_motion.setpoint(axis), m_profile.axis(axis).limits); };
     const AxisRates rates{.azimuth = m_motion.setpoint(Axis::Azimuth).rate,
                           .elevation = m_motion.setpoint(Axis::Elevation).rate};
     if (m_drives.engaged() && m_firstMoves.exceeded(rates, {rest(Axis::Azimuth), rest(Axis::Elevation)})) {
-        m_log.add(Severity::Advisory, m_commander.name,
+        m_log.add(Severity::Advisory, m_current.commander().name,
                   Text::tr("jog ends: no farther than 2° until the directions of the axes are confirmed"));
         holdHere(Activity::Holding);
     }

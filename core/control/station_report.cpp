@@ -58,7 +58,7 @@ StationState StationControl::state() const
     if (m_arming.stopLatched()) {
         return StationState::Stopped;
     }
-    switch (m_activity) {
+    switch (m_current.activity()) {
         case Activity::None:
             return StationState::Standby;
         case Activity::Holding:
@@ -94,8 +94,7 @@ bool StationControl::atTravelEnd(Axis axis) const
 // Wants to go on and can not: the end of the travel, a limit, a keep-out, the horizon.
 bool StationControl::atLimit(Axis axis) const
 {
-    const bool pressed =
-        !m_limitedReason.isEmpty() || m_activity == Activity::Jogging || m_activity == Activity::Running;
+    const bool pressed = !m_current.limitedReason().isEmpty() || m_current.runsFreely();
     return pressed && (atTravelEnd(axis) || (turnsKnown() && (m_motion.held(axis) || m_motion.limited(axis))));
 }
 
@@ -245,8 +244,8 @@ StationStatus StationControl::status() const
     StationStatus status{.state = state(),
                          .azimuth = axisStatus(Axis::Azimuth),
                          .elevation = axisStatus(Axis::Elevation),
-                         .targetText = m_commandText,
-                         .commander = m_commander,
+                         .targetText = m_current.text(),
+                         .commander = m_current.commander(),
                          .limited = !limitedReason().isEmpty(),
                          .limitedReason = limitedReason(),
                          .route = m_motion.route(),
@@ -259,19 +258,19 @@ StationStatus StationControl::status() const
     status.stopLatched = m_arming.stopLatched();
     status.stateReason = m_arming.released()
                              ? Text::tr("the bus is left to other tools")
-                             : m_arming.fault().value_or(m_cable.turnBackText().value_or(m_commandText));
+                             : m_arming.fault().value_or(m_cable.turnBackText().value_or(m_current.text()));
     if (const auto measured = m_drives.measured(); measured && turnsKnown()) {
         status.actual = m_model.toSky(*measured);
     }
     if (m_drives.engaged() && turnsKnown()) {
         status.commanded = m_model.toSky(m_motion.place());
     }
-    if (m_trim != AxisPosition{}) {
-        status.trim = SkyPointing{.azimuth = m_trim.azimuth, .elevation = m_trim.elevation};
+    if (const AxisPosition& trim = m_motion.trim(); trim != AxisPosition{}) {
+        status.trim = SkyPointing{.azimuth = trim.azimuth, .elevation = trim.elevation};
     }
     status.sunKeepOuts = m_sun.keepOuts();
-    if (m_wantedDirection) {
-        status.target = m_wantedDirection;
+    if (const auto& asked = m_current.limitedDirection()) {
+        status.target = asked;
     } else if (const auto target = m_motion.target(m_now)) {
         status.target = m_model.toSky(*target);
     }

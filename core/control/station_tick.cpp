@@ -153,7 +153,7 @@ void StationControl::letBackInside()
 void StationControl::tellTurns()
 {
     const bool lost = std::exchange(m_turnsWereKnown, turnsKnown()) && !turnsKnown();
-    const bool interrupted = lost && m_activity != Activity::None;
+    const bool interrupted = lost && !m_current.is(Activity::None);
     if (lost) {
         holdHere(Activity::None);  // what was wanted is meant in a frame that is not true any more
     }
@@ -282,15 +282,15 @@ void StationControl::finishResumption()
 
 void StationControl::watchJog()
 {
-    if (m_jogDeadline && m_now > *m_jogDeadline) {
-        m_log.add(Severity::Warning, m_commander.name, Text::tr("jog ends: its keep-alive did not come"));
+    if (m_current.keepAliveMissed(m_now)) {
+        m_log.add(Severity::Warning, m_current.commander().name, Text::tr("jog ends: its keep-alive did not come"));
         holdHere(Activity::Holding);
     }
 }
 
 void StationControl::watchCable()
 {
-    const auto path = m_activity == Activity::Streaming && turnsKnown() ? m_motion.path(m_now) : std::nullopt;
+    const auto path = m_current.is(Activity::Streaming) && turnsKnown() ? m_motion.path(m_now) : std::nullopt;
     const auto target = moves() && m_motion.noWay().empty() ? m_motion.target(m_now) : std::nullopt;
     const auto left = target ? std::optional(target->azimuth - m_motion.place().azimuth) : std::nullopt;
     m_cable.watch(path, left, m_motion.region().ranges().azimuth, m_profile.azimuth.limits);
@@ -299,7 +299,7 @@ void StationControl::watchCable()
 // A drive that is not as it should be any more is not moved on.
 void StationControl::watchFitness()
 {
-    if (!m_arming.fitness() && m_activity != Activity::None && m_activity != Activity::Holding && !m_motion.atRest()) {
+    if (!m_arming.fitness() && moves() && !m_motion.atRest()) {
         m_log.add(Severity::Warning, QStringLiteral("station"),
                   Text::tr("ends the motion: %1").arg(toQString(m_arming.fitness().error().text)));
         holdHere(Activity::Holding);
@@ -309,8 +309,7 @@ void StationControl::watchFitness()
 // Tells what holds a motion, and ends one that has no way left: the region was drawn anew. A stream of a client waits.
 void StationControl::watchRegion()
 {
-    const bool going = m_activity == Activity::Pointing || m_activity == Activity::Parking;
-    if (going && !m_motion.noWay().empty()) {
+    if (m_current.goesToAPlace() && !m_motion.noWay().empty()) {
         m_log.add(Severity::Warning, QStringLiteral("station"),
                   Text::tr("ends the motion: %1").arg(toQString(m_motion.noWay())));
         holdHere(Activity::Holding);
@@ -320,10 +319,9 @@ void StationControl::watchRegion()
                            : m_motion.noWay().empty()
                                ? ""
                                : Text::tr("held: %1").arg(toQString(m_motion.noWay())).toStdString();
-    const bool pressed = m_activity == Activity::Jogging || m_activity == Activity::Running ||
-                         (m_activity == Activity::Streaming && !m_motion.noWay().empty());
+    const bool pressed = m_current.runsFreely() || (m_current.is(Activity::Streaming) && !m_motion.noWay().empty());
     if (pressed && !at.empty() && at != m_heldAt) {
-        tell(Severity::Warning, m_commander, QString::fromStdString(at));
+        tell(Severity::Warning, m_current.commander(), QString::fromStdString(at));
     }
     m_heldAt = pressed ? at : std::string();
 }

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/control/current_motion.h"
+
+namespace boresight {
+
+bool CurrentMotion::continues(Activity activity, const Source& source) const
+{
+    return is(activity) && isFor(source) && (activity == Activity::Streaming || activity == Activity::Jogging);
+}
+
+void CurrentMotion::begin(Activity activity, const Source& source, const QString& text)
+{
+    if (!continues(activity, source) && activity != Activity::Jogging) {
+        ++m_errand;
+    }
+    m_activity = activity;
+    m_commander = source;
+    m_text = text;
+    forgetDetails();
+}
+
+void CurrentMotion::end(Activity left)
+{
+    m_activity = left;
+    m_text.clear();
+    forgetDetails();
+}
+
+void CurrentMotion::forgetDetails()
+{
+    m_limitedReason.clear();
+    m_limitedDirection.reset();
+    m_deadline.reset();
+}
+
+bool CurrentMotion::isForClient(std::uint64_t clientId) const
+{
+    return m_commander.kind == SourceKind::Client && m_commander.clientId == clientId;
+}
+
+void CurrentMotion::limit(const QString& reason, const SkyPointing& asked)
+{
+    m_limitedReason = reason;
+    m_limitedDirection = asked;
+}
+
+}  // namespace boresight

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/messages/station_status.h"
+#include "core/units/sky.h"
+
+#include <QString>
+
+#include <cstdint>
+#include <optional>
+
+// What the mount does now, for whom, and what is known of it in words. Decides nothing; the set-points are Motion's.
+// Pure, one thread.
+namespace boresight {
+
+enum class Activity
+{
+    None,
+    Holding,
+    Pointing,
+    Parking,
+    Streaming,
+    Jogging,
+    Running,
+    Proving
+};
+
+class CurrentMotion
+{
+public:
+    // The next point of a stream and the next moment of a jog continue what runs.
+    [[nodiscard]] bool continues(Activity activity, const Source& source) const;
+    void begin(Activity activity, const Source& source, const QString& text);
+    // None or Holding is left; who asked last is remembered.
+    void end(Activity left);
+    // The source of the stream is gone: its last point is a place like any other.
+    void settleStream() { m_activity = Activity::Pointing; }
+
+    [[nodiscard]] Activity activity() const { return m_activity; }
+    [[nodiscard]] bool is(Activity activity) const { return m_activity == activity; }
+    [[nodiscard]] bool moves() const { return !is(Activity::None) && !is(Activity::Holding); }
+    [[nodiscard]] bool goesToAPlace() const { return is(Activity::Pointing) || is(Activity::Parking); }
+    [[nodiscard]] bool runsFreely() const { return is(Activity::Jogging) || is(Activity::Running); }
+    [[nodiscard]] bool isFor(const Source& source) const { return m_commander == source; }
+    [[nodiscard]] bool isForClient(std::uint64_t clientId) const;
+    [[nodiscard]] const Source& commander() const { return m_commander; }
+    [[nodiscard]] const QString& text() const { return m_text; }
+
+    // Another one each time that the mount is sent somewhere or given away, a jog aside.
+    [[nodiscard]] std::uint64_t errand() const { return m_errand; }
+    void setErrand(std::uint64_t errand) { m_errand = errand; }
+
+    // Not the direction that was asked for is driven but the nearest permitted place.
+    void limit(const QString& reason, const SkyPointing& asked);
+    [[nodiscard]] const QString& limitedReason() const { return m_limitedReason; }  // empty: it is driven
+    [[nodiscard]] const std::optional<SkyPointing>& limitedDirection() const { return m_limitedDirection; }
+
+    // A motion that somebody has to keep up.
+    void keepAliveUntil(SteadyTime deadline) { m_deadline = deadline; }
+    [[nodiscard]] bool keepAliveMissed(SteadyTime now) const { return m_deadline && now > *m_deadline; }
+
+private:
+    void forgetDetails();
+
+    Activity m_activity = Activity::None;
+    Source m_commander;
+    std::uint64_t m_errand = 0;
+    QString m_text;
+    QString m_limitedReason;
+    std::optional<SkyPointing> m_limitedDirection;
+    std::optional<SteadyTime> m_deadline;
+};
+
+}  // namespace boresight
