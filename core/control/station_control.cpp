@@ -49,9 +49,9 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
       m_sun(profile),
       m_arming(profile, m_drives, log),
       m_alarms(log, clock),
-      m_azimuthWatch(Axis::Azimuth, profile, m_alarms),
-      m_elevationWatch(Axis::Elevation, profile, m_alarms),
+      m_watches{DriveWatch(Axis::Azimuth, profile, m_alarms), DriveWatch(Axis::Elevation, profile, m_alarms)},
       m_turns(profile, clock, log, std::move(start)),
+      m_turnWatch(m_turns, m_drives, m_watches, m_alarms),
       m_cable(m_alarms, clock),
       m_clientLines(log, clock, kClientLinesPerSecond),
       m_started(clock.now()),
@@ -120,11 +120,6 @@ Result<> StationControl::mayCommand(const Source& source) const
     return m_arming.mayCommand(source).and_then([&]() -> Result<> {
         return source.kind == SourceKind::Client ? m_lead.admits(m_profile.rotctld, source, m_now) : Result<>{};
     });
-}
-
-bool StationControl::turnsKnown() const
-{
-    return m_turns.known(Axis::Azimuth) && m_turns.known(Axis::Elevation);
 }
 
 int StationControl::farOutside(Axis axis) const
@@ -518,18 +513,11 @@ std::optional<AxisPosition> StationControl::trimInUse() const
     return m_current.is(Activity::Streaming) && followsClient() ? std::optional(m_motion.trim()) : std::nullopt;
 }
 
-void StationControl::learn(Axis axis, const std::optional<survey::DriveFacts>& facts)
-{
-    m_facts[index(axis)] = facts;
-}
-
 void StationControl::driveRestarted(Axis axis)
 {
     m_log.add(Severity::Warning, QString::fromStdString(m_drives.drive(axis).name()),
               Text::tr("was power-cycled: its turn must be judged anew"));
-    m_turns.forget(axis);
-    m_drives.drive(axis).forgetPlace();
-    watchOf(axis).forgetMotion();
+    m_turnWatch.forget(axis);
     holdHere(Activity::None);
 }
 
@@ -558,8 +546,9 @@ void StationControl::enforceRegion()
 
 void StationControl::setSilenceAdvice(const QString& advice)
 {
-    m_azimuthWatch.setSilenceAdvice(advice);
-    m_elevationWatch.setSilenceAdvice(advice);
+    for (DriveWatch& watch : m_watches) {
+        watch.setSilenceAdvice(advice);
+    }
 }
 
 }  // namespace boresight

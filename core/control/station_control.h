@@ -19,6 +19,7 @@
 #include "core/control/current_motion.h"
 #include "core/control/own_stall.h"
 #include "core/control/sun_watch.h"
+#include "core/control/turn_watch.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
 #include "core/pointing/mount_model.h"
@@ -114,7 +115,7 @@ public:
     // What applies at once of a changed profile: in force from the next tick on, also for what moves.
     void setProfile(const profile::Profile& profile);
     // What the survey knows about a drive now; empty: nothing, its turn is then judged anew.
-    void learn(Axis axis, const std::optional<survey::DriveFacts>& facts);
+    void learn(Axis axis, const std::optional<survey::DriveFacts>& facts) { m_turnWatch.learn(axis, facts); }
     // Of the drive that was read there, empty if it told none; nothing: none was read.
     [[nodiscard]] std::optional<QString> uuid(Axis axis) const
     {
@@ -124,7 +125,7 @@ public:
     void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation,
                    const std::optional<memory::SensorCourse>& course = std::nullopt);
     // What its position counts from is to be read anew.
-    [[nodiscard]] bool needsOrigin(Axis axis) const { return facts(axis) && m_turns.needsOrigin(axis, *facts(axis)); }
+    [[nodiscard]] bool needsOrigin(Axis axis) const { return m_turnWatch.needsOrigin(axis); }
     // The drive was power-cycled under our eyes.
     void driveRestarted(Axis axis);
     // What to do about a bus that is silent although it works: depends on what carries it.
@@ -191,7 +192,9 @@ private:
     [[nodiscard]] Result<> drivesRest() const;  // for what is done to the drives themselves
     [[nodiscard]] bool moves() const { return m_current.moves(); }
     [[nodiscard]] bool arrived() const;  // at the place or direction that was asked for, and at rest there
-    [[nodiscard]] bool turnsKnown() const;
+    [[nodiscard]] bool turnsKnown() const { return m_turnWatch.allKnown(); }
+    // Not of a drive whose gear or protections are wrong: that comes first, and what it reports may mean nothing.
+    [[nodiscard]] bool turnsReadable() const;
     Result<> goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& text);
     [[nodiscard]] Result<> mayGoTo(const AxisPosition& place) const;  // it is permitted, and there is a way
     [[nodiscard]] AxisPosition turnWithAWay(const AxisPosition& place) const;
@@ -224,10 +227,7 @@ private:
     void keepStopped();
     void stopFor(Axis axis, const DriveWatch::Trouble& trouble);
     void keepTurns();
-    void keepTurn(Axis axis);
     void letBackInside();
-    void tellTurns();
-    void tellEnteredPlace(Axis axis);
     void watchJog();
     void watchFitness();
     void watchRegion();
@@ -258,8 +258,8 @@ private:
     [[nodiscard]] DrivesStatus drivesStatus() const;
     [[nodiscard]] std::optional<memory::TurnQuestion> turnQuestion(Axis axis) const;
     [[nodiscard]] DriveStatus driveStatus(Axis axis) const;
-    [[nodiscard]] DriveWatch& watchOf(Axis axis) { return axis == Axis::Azimuth ? m_azimuthWatch : m_elevationWatch; }
-    [[nodiscard]] const std::optional<survey::DriveFacts>& facts(Axis axis) const { return m_facts[index(axis)]; }
+    [[nodiscard]] DriveWatch& watchOf(Axis axis) { return m_watches[index(axis)]; }
+    [[nodiscard]] const std::optional<survey::DriveFacts>& facts(Axis axis) const { return m_turnWatch.facts(axis); }
 
     profile::Profile m_profile;
     const Clock& m_clock;
@@ -271,13 +271,12 @@ private:
     Arming m_arming;
     ClientLead m_lead;
     AlarmBoard m_alarms;
-    DriveWatch m_azimuthWatch;
-    DriveWatch m_elevationWatch;
+    std::array<DriveWatch, 2> m_watches;
     TurnKeeper m_turns;
+    TurnWatch m_turnWatch;
     OwnStall m_stall;
     CableGuard m_cable;
     LogThrottle m_clientLines;
-    std::array<std::optional<survey::DriveFacts>, 2> m_facts;
     std::optional<CrashStopProof> m_proof;
     QString m_proofText;  // how the last proof ended
 
@@ -285,9 +284,7 @@ private:
     std::string m_heldAt;  // what the log last said the motion is held at
     FirstMoves m_firstMoves;
     std::vector<profile::Advice> m_advice;  // on the profile, as it was told
-    std::array<bool, 2> m_answered{};
     std::array<bool, 2> m_ignoringBounds{};
-    bool m_turnsWereKnown = false;
     ShutDown m_shutDown = ShutDown::No;
     SteadyTime m_shutDownDeadline{};
     SteadyTime m_started{};  // the program, or the use of a bus that was taken back

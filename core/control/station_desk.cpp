@@ -144,8 +144,9 @@ void StationControl::setProfile(const profile::Profile& profile)
     }
     m_drives.setProfile(profile);
     m_arming.setProfile(profile);
-    m_azimuthWatch.setProfile(profile);
-    m_elevationWatch.setProfile(profile);
+    for (DriveWatch& watch : m_watches) {
+        watch.setProfile(profile);
+    }
     tellAdvice();
 }
 

@@ -207,11 +207,14 @@ std::optional<TickSample> StationControl::sample() const
     return TickSample{.time = m_now, .axes = {axisSample(Axis::Azimuth), axisSample(Axis::Elevation)}};
 }
 
-// Not of a drive whose gear or protections are wrong: that comes first, and what it reports may mean nothing.
+bool StationControl::turnsReadable() const
+{
+    return m_arming.fitness() || m_arming.fitness().error().code == ErrorCode::Busy;
+}
+
 std::optional<memory::TurnQuestion> StationControl::turnQuestion(Axis axis) const
 {
-    const bool readable = m_arming.fitness() || m_arming.fitness().error().code == ErrorCode::Busy;
-    return readable ? m_turns.question(axis, m_drives.drive(axis)) : std::nullopt;
+    return turnsReadable() ? m_turns.question(axis, m_drives.drive(axis)) : std::nullopt;
 }
 
 DriveStatus StationControl::driveStatus(Axis axis) const

@@ -112,30 +112,12 @@ void StationControl::stopFor(Axis axis, const DriveWatch::Trouble& trouble)
 
 void StationControl::keepTurns()
 {
-    for (const Axis axis : kAxes) {
-        keepTurn(axis);
+    const bool lost = m_turnWatch.keep({.now = m_now, .released = m_arming.released(), .atRest = m_motion.atRest()});
+    const bool interrupted = lost && !m_current.is(Activity::None);
+    if (lost) {
+        holdHere(Activity::None);  // what was wanted is meant in a frame that is not true any more
     }
-    tellTurns();
-}
-
-void StationControl::keepTurn(Axis axis)
-{
-    Drive& drive = m_drives.drive(axis);
-    const bool answering = drive.answering(m_now) && !m_arming.released();
-    if (!std::exchange(m_answered[index(axis)], answering) && answering) {
-        m_turns.forget(axis);  // who was silent may come back as another
-        drive.forgetPlace();
-        watchOf(axis).forgetMotion();
-    }
-    if (answering && facts(axis) && !drive.jumped()) {
-        const bool before = m_turns.known(axis);
-        m_turns.judge(axis, *facts(axis), drive, m_now);
-        if (m_turns.known(axis) != before) {
-            watchOf(axis).forgetMotion();  // what the drive reports may have leapt by whole turns
-        }
-        const bool moving = drive.phase() != Drive::Phase::Listening && !m_motion.atRest();
-        m_turns.note(axis, *facts(axis), drive, moving, m_now);
-    }
+    m_turnWatch.raiseAlarms(interrupted, turnsReadable());
 }
 
 // An axis that was pushed out beyond its drive's own bounds could not even be moved back: fault 39.
@@ -147,47 +129,6 @@ void StationControl::letBackInside()
         bool& ignoring = m_ignoringBounds[index(axis)];
         ignoring = farOutside(axis) != 0 || (ignoring && outside);
         m_drives.drive(axis).setIgnoreBounds(ignoring);
-    }
-}
-
-void StationControl::tellTurns()
-{
-    const bool lost = std::exchange(m_turnsWereKnown, turnsKnown()) && !turnsKnown();
-    const bool interrupted = lost && !m_current.is(Activity::None);
-    if (lost) {
-        holdHere(Activity::None);  // what was wanted is meant in a frame that is not true any more
-    }
-    for (const Axis axis : kAxes) {
-        const QString name = toQString(m_drives.drive(axis).name());
-        const QString cause = name + QStringLiteral(" turn");
-        if (m_turns.known(axis)) {
-            m_alarms.clear(cause);
-        } else if ((interrupted || turnQuestion(axis)) && !m_alarms.active(cause)) {
-            // Where nothing moved, the survey may answer it first.
-            m_alarms.raise(cause, Severity::Warning,
-                           {.what = Text::tr("it is not known on which turn the axis of the %1 stands")
-                                        .arg(m_drives.drive(axis).label()),
-                            .action = Text::tr("Pointing is refused, clients get no position; slow jogging only"),
-                            .remedy = Text::tr("Look at the mount and its cable, then tell where it stands")});
-        }
-        tellEnteredPlace(axis);
-    }
-}
-
-// A service has no window that asks.
-void StationControl::tellEnteredPlace(Axis axis)
-{
-    const Drive& drive = m_drives.drive(axis);
-    const QString cause = toQString(drive.name()) + QStringLiteral(" place");
-    const QString& problem = m_turns.placeProblem(axis);
-    if (m_turns.known(axis)) {
-        m_alarms.clear(cause);
-    } else if (!problem.isEmpty() && !m_alarms.active(cause)) {
-        m_alarms.raise(cause, Severity::Warning,
-                       {.what = Text::tr("--standing-at was not used for the %1: %2").arg(drive.label(), problem),
-                        .action = Text::tr("The cable wrap stays unknown"),
-                        .remedy = Text::tr("Enter the place in the window, or start again with the present place "
-                                           "and time")});
     }
 }
 
@@ -208,8 +149,9 @@ void StationControl::watchStall(Seconds gap)
         return;
     }
     m_drives.excuse(gap, m_now + std::chrono::duration_cast<SteadyTime::duration>(gap));
-    m_azimuthWatch.forgetReplies();
-    m_elevationWatch.forgetReplies();
+    for (DriveWatch& watch : m_watches) {
+        watch.forgetReplies();
+    }
     if (gap <= kStall) {
         return;
     }

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/alarm_board.h"
+#include "core/axes/drive_pair.h"
+#include "core/axes/drive_watch.h"
+#include "core/axes/turn_keeper.h"
+#include "core/base/clock.h"
+#include "core/survey/drive_survey.h"
+
+#include <array>
+#include <optional>
+
+// Keeps the turns of both axes up to date: gives what the survey knows of each drive to the TurnKeeper, forgets the
+// turn of a drive that was silent, and raises the alarms while a turn is not known. Station thread only.
+namespace boresight {
+
+class TurnWatch
+{
+public:
+    TurnWatch(TurnKeeper& turns, DrivePair& drives, std::array<DriveWatch, 2>& watches, AlarmBoard& alarms)
+        : m_turns(turns), m_drives(drives), m_watches(watches), m_alarms(alarms)
+    {}
+
+    // What the survey knows about a drive now; empty: nothing, its turn is then judged anew.
+    void learn(Axis axis, const std::optional<survey::DriveFacts>& facts) { m_facts[index(axis)] = facts; }
+    [[nodiscard]] const std::optional<survey::DriveFacts>& facts(Axis axis) const { return m_facts[index(axis)]; }
+    // What the drive's position counts from is to be read anew.
+    [[nodiscard]] bool needsOrigin(Axis axis) const;
+    // The drive was power-cycled under our eyes, or may be another one.
+    void forget(Axis axis);
+
+    struct Tick
+    {
+        SteadyTime now;
+        bool released = false;  // the bus is left to other tools
+        bool atRest = false;    // both set-points
+    };
+    // Once in a tick, after the replies were judged. True once when a turn that was known is not known any more.
+    [[nodiscard]] bool keep(const Tick& tick);
+    // Then. `interrupted`: a motion ended for it. `readable`: what the drives report can be relied on.
+    void raiseAlarms(bool interrupted, bool readable);
+    [[nodiscard]] bool allKnown() const { return m_turns.known(Axis::Azimuth) && m_turns.known(Axis::Elevation); }
+
+private:
+    void keep(Axis axis, const Tick& tick);
+    void raisePlaceAlarm(Axis axis);
+
+    TurnKeeper& m_turns;
+    DrivePair& m_drives;
+    std::array<DriveWatch, 2>& m_watches;
+    AlarmBoard& m_alarms;
+    std::array<std::optional<survey::DriveFacts>, 2> m_facts;
+    std::array<bool, 2> m_answered{};
+    bool m_wereKnown = false;
+};
+
+}  // namespace boresight
