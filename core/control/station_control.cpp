@@ -52,6 +52,7 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
       m_watches{DriveWatch(Axis::Azimuth, profile, m_alarms), DriveWatch(Axis::Elevation, profile, m_alarms)},
       m_turns(profile, clock, log, std::move(start)),
       m_turnWatch(m_turns, m_drives, m_watches, m_alarms),
+      m_stall(m_drives, m_watches, m_turns, m_alarms, log),
       m_cable(m_alarms, clock),
       m_clientLines(log, clock, kClientLinesPerSecond),
       m_started(clock.now()),

@@ -17,7 +17,7 @@
 #include "core/control/cable_guard.h"
 #include "core/control/client_lead.h"
 #include "core/control/current_motion.h"
-#include "core/control/own_stall.h"
+#include "core/control/stall_guard.h"
 #include "core/control/sun_watch.h"
 #include "core/control/turn_watch.h"
 #include "core/messages/request.h"
@@ -219,10 +219,7 @@ private:
     [[nodiscard]] AxisPosition heading() const;   // where the axes are going, else where they stand
 
     [[nodiscard]] AxisPosition heldPlace() const;
-    void watchStall(Seconds gap);
     void resumeAfterStall();
-    [[nodiscard]] bool mayResume() const;
-    void finishResumption();
     void watchDrives();
     void keepStopped();
     void stopFor(Axis axis, const DriveWatch::Trouble& trouble);
@@ -274,7 +271,7 @@ private:
     std::array<DriveWatch, 2> m_watches;
     TurnKeeper m_turns;
     TurnWatch m_turnWatch;
-    OwnStall m_stall;
+    StallGuard m_stall;
     CableGuard m_cable;
     LogThrottle m_clientLines;
     std::optional<CrashStopProof> m_proof;

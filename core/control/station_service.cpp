@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of StationControl for what is done to the drives themselves: turns, proof, switching off, leaving the bus.
-#include "core/axes/drive_alarms.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/control/station_control.h"

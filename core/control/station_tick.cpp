@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of StationControl that runs once per tick: judge what the drives say, then move on.
-#include "core/axes/drive_alarms.h"
 #include "core/base/text.h"
 #include "core/control/station_control.h"
 
@@ -12,10 +11,6 @@ namespace {
 // A late tick (a stalled machine) makes the mount slower, never jump.
 constexpr Seconds kLongestStep{0.1};
 constexpr Seconds kShutDownPatience{5.0};
-constexpr Seconds kStall{0.125};
-// Long enough for a hand at the mount's switch; what a tool sets meanwhile is seen by its origin.
-constexpr Seconds kLongStall{2.0};
-const QString kStallCause = QStringLiteral("computer stall");
 // How long the last order of the program is repeated, so that a lost frame does not matter.
 constexpr std::chrono::milliseconds kLastOrder{150};
 // From full speed, with a second to spare.
@@ -33,7 +28,9 @@ Seconds longestStop(const profile::Profile& profile)
 std::array<CanFrame, 2> StationControl::tick()
 {
     const SteadyTime now = m_clock.now();
-    watchStall(now - m_now);
+    if (m_tick > 0) {
+        m_stall.tickBegins(now - m_now, m_profile.control.watchdog, heldPlace(), now);
+    }
     const Seconds step = std::clamp(Seconds(now - m_now), Seconds(0.0), kLongestStep);
     m_now = now;
     if (m_tick == 0) {
@@ -66,7 +63,7 @@ std::array<CanFrame, 2> StationControl::tick()
 
 void StationControl::framesSent()
 {
-    m_stall.sent(m_profile.control.watchdog, heldPlace(), m_clock.now());
+    m_stall.framesSent(m_profile.control.watchdog, heldPlace(), m_clock.now());
 }
 
 void StationControl::watchDrives()
@@ -143,82 +140,14 @@ AxisPosition StationControl::heldPlace() const
     return {.azimuth = of(Axis::Azimuth, told.azimuth), .elevation = of(Axis::Elevation, told.elevation)};
 }
 
-void StationControl::watchStall(Seconds gap)
-{
-    if (m_tick == 0 || !m_stall.note(gap, m_profile.control.watchdog, heldPlace(), m_clock.now())) {
-        return;
-    }
-    m_drives.excuse(gap, m_now + std::chrono::duration_cast<SteadyTime::duration>(gap));
-    for (DriveWatch& watch : m_watches) {
-        watch.forgetReplies();
-    }
-    if (gap <= kStall) {
-        return;
-    }
-    for (const Axis axis : kAxes) {
-        m_drives.drive(axis).expectAnotherPlace();
-        watchOf(axis).forgetMotion();
-        if (gap > kLongStall) {
-            m_turns.forget(axis);  // whatever was done to the drive meanwhile
-        }
-    }
-    m_log.add(Severity::Warning, QStringLiteral("station"),
-              Text::tr("this computer stalled for %1 s; drives may have stopped by their watchdog")
-                  .arg(gap.count(), 0, 'f', 2));
-}
-
-// The watchdogs of the drives may have stopped the mount. What was going on goes on where nothing is in doubt: each
-// drive is taken over as after any time-out, and what is wanted was never given up.
+// Where a drive does not come back the motion ends.
 void StationControl::resumeAfterStall()
 {
-    for (const Axis axis : kAxes) {
-        Drive& drive = m_drives.drive(axis);
-        if (drive.loss() == DriveLoss::TimedOut && mayResume()) {
-            (void)drive.takeLoss();
-            drive.engage();
-            m_stall.resume(m_now);
-            m_alarms.raise(
-                kStallCause, Severity::Advisory,
-                {.what = Text::tr("This computer stalled for %1 s, and the drives stopped by their watchdogs.")
-                             .arg(m_stall.gap().count(), 0, 'f', 2),
-                 .action = Text::tr("Boresight takes the drives over and resumes the motion."),
-                 .remedy = {}});
-        }
-    }
-    finishResumption();
-}
-
-bool StationControl::mayResume() const
-{
-    const auto isHealthy = [this](Axis which) {
-        const Drive& drive = m_drives.drive(which);
-        return drive.report() && drive.report()->mode != moteus::Mode::Fault &&
-               drive.loss().value_or(DriveLoss::TimedOut) == DriveLoss::TimedOut;
-    };
     const bool hindered = m_proof || m_arming.closing() || m_arming.released() || m_arming.stopLatched() ||
-                          faultLatched() || !m_arming.fitness();
-    return m_profile.control.afterStall == profile::AfterStall::Resume && m_stall.explainsTimeOut(m_now) && !hindered &&
-           turnsKnown() && std::ranges::all_of(kAxes, isHealthy);
-}
-
-// Both drives are taken over and report where they stand, or it is too late.
-void StationControl::finishResumption()
-{
-    if (!m_stall.resuming() || (!m_drives.engaged() && !faultLatched() && !m_stall.isLate(m_now))) {
-        return;
-    }
-    m_stall.end();
-    m_alarms.clear(kStallCause);
-    for (const Axis axis : kAxes) {
-        const Drive& drive = m_drives.drive(axis);
-        const auto place = m_drives.measured(axis);
-        const bool isBack = drive.phase() == Drive::Phase::Engaged && place && m_stall.isNear(axis, *place);
-        if (!isBack && !faultLatched()) {
-            const AlarmText text =
-                drive_alarms::lost(drive.label(), DriveLoss::TimedOut, 0, m_profile.control.watchdog);
-            m_alarms.raise(toQString(drive.name()), Severity::Alarm, text);
-            stopFor(axis, {.what = text.what, .loss = supervision::LossClass::Bus});
-        }
+                          faultLatched() || !m_arming.fitness() || !turnsKnown();
+    m_stall.resume(m_profile.control.afterStall == profile::AfterStall::Resume && !hindered, m_now);
+    if (const auto missing = m_stall.finish(faultLatched(), m_profile.control.watchdog, m_now)) {
+        stopFor(missing->first, missing->second);
     }
 }
 

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/control/stall_guard.h"
+
+#include "core/axes/drive_alarms.h"
+#include "core/base/text.h"
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+// From here on the axes may stand elsewhere.
+constexpr Seconds kStall{0.125};
+// Long enough for a hand at the mount's switch; what a tool sets meanwhile is seen by its origin.
+constexpr Seconds kLongStall{2.0};
+const QString kStallCause = QStringLiteral("computer stall");
+
+// Stopped by its watchdog and by nothing else.
+bool isHealthy(const Drive& drive)
+{
+    return drive.report() && drive.report()->mode != moteus::Mode::Fault &&
+           drive.loss().value_or(DriveLoss::TimedOut) == DriveLoss::TimedOut;
+}
+
+}  // namespace
+
+void StallGuard::tickBegins(Seconds gap, Seconds watchdog, const AxisPosition& held, SteadyTime now)
+{
+    if (!m_stall.note(gap, watchdog, held, now)) {
+        return;
+    }
+    m_drives.excuse(gap, now);
+    for (DriveWatch& watch : m_watches) {
+        watch.forgetReplies();
+    }
+    if (gap <= kStall) {
+        return;
+    }
+    for (const Axis axis : kAxes) {
+        m_drives.drive(axis).expectAnotherPlace();
+        m_watches[index(axis)].forgetMotion();
+        if (gap > kLongStall) {
+            m_turns.forget(axis);  // whatever was done to the drive meanwhile
+        }
+    }
+    m_log.add(Severity::Warning, QStringLiteral("station"),
+              Text::tr("this computer stalled for %1 s; drives may have stopped by their watchdog")
+                  .arg(gap.count(), 0, 'f', 2));
+}
+
+void StallGuard::resume(bool allowed, SteadyTime now)
+{
+    const auto mayGoOn = [this](Axis axis) { return isHealthy(m_drives.drive(axis)); };
+    const bool resumes = allowed && m_stall.explainsTimeOut(now) && std::ranges::all_of(kAxes, mayGoOn);
+    for (const Axis axis : kAxes) {
+        Drive& drive = m_drives.drive(axis);
+        if (resumes && drive.loss() == DriveLoss::TimedOut) {
+            (void)drive.takeLoss();
+            drive.engage();
+            m_stall.resume(now);
+            m_alarms.raise(
+                kStallCause, Severity::Advisory,
+                {.what = Text::tr("This computer stalled for %1 s, and the drives stopped by their watchdogs.")
+                             .arg(m_stall.gap().count(), 0, 'f', 2),
+                 .action = Text::tr("Boresight takes the drives over and resumes the motion."),
+                 .remedy = {}});
+        }
+    }
+}
+
+std::optional<std::pair<Axis, DriveWatch::Trouble>> StallGuard::finish(bool faultLatched, Seconds watchdog,
+                                                                       SteadyTime now)
+{
+    if (!m_stall.resuming() || (!m_drives.engaged() && !faultLatched && !m_stall.isLate(now))) {
+        return std::nullopt;
+    }
+    m_stall.end();
+    m_alarms.clear(kStallCause);
+    const auto isBack = [this](Axis axis) {
+        const auto place = m_drives.measured(axis);
+        return m_drives.drive(axis).phase() == Drive::Phase::Engaged && place && m_stall.isNear(axis, *place);
+    };
+    const auto missing = std::ranges::find_if_not(kAxes, isBack);
+    if (missing == kAxes.end() || faultLatched) {
+        return std::nullopt;
+    }
+    const Drive& drive = m_drives.drive(*missing);
+    const AlarmText text = drive_alarms::lost(drive.label(), DriveLoss::TimedOut, 0, watchdog);
+    m_alarms.raise(toQString(drive.name()), Severity::Alarm, text);
+    return std::pair(*missing, DriveWatch::Trouble{.what = text.what, .loss = supervision::LossClass::Bus});
+}
+
+}  // namespace boresight
