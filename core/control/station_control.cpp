@@ -47,12 +47,14 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
       m_drives(profile),
       m_motion(profile),
       m_sun(profile),
+      m_sunAlarms(m_alarms),
       m_arming(profile, m_drives, log),
       m_alarms(log, clock),
       m_watches{DriveWatch(Axis::Azimuth, profile, m_alarms), DriveWatch(Axis::Elevation, profile, m_alarms)},
       m_turns(profile, clock, log, std::move(start)),
       m_turnWatch(m_turns, m_drives, m_watches, m_alarms),
       m_stall(m_drives, m_watches, m_turns, m_alarms, log),
+      m_proof(m_drives, m_motion, m_turns, m_turnWatch, log),
       m_cable(m_alarms, clock),
       m_clientLines(log, clock, kClientLinesPerSecond),
       m_started(clock.now()),
@@ -73,7 +75,7 @@ Result<> StationControl::request(const Request& request, const Source& source)
 
 Result<> StationControl::mayMove(const Source& source) const
 {
-    if (m_proof) {
+    if (m_proof.running()) {
         return failure(ErrorCode::Refused, Text::tr("the crash-stop proof moves the mount: end it first"));
     }
     const auto commands = [&] { return mayCommand(source); };
@@ -231,8 +233,8 @@ void StationControl::begin(Activity activity, const Source& source, const QStrin
 
 void StationControl::holdHere(Activity left)
 {
-    if (m_proof) {
-        endProof(Text::tr("ended before it was done"));
+    if (m_proof.running()) {
+        m_proof.end(Text::tr("ended before it was done"));
     }
     m_current.end(left);
     m_motion.rest();

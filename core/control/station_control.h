@@ -4,7 +4,6 @@
 #include "core/alarms/alarm_board.h"
 #include "core/alarms/event_log.h"
 #include "core/alarms/log_throttle.h"
-#include "core/axes/crash_stop_proof.h"
 #include "core/axes/drive_pair.h"
 #include "core/axes/drive_watch.h"
 #include "core/axes/first_moves.h"
@@ -17,7 +16,10 @@
 #include "core/control/cable_guard.h"
 #include "core/control/client_lead.h"
 #include "core/control/current_motion.h"
+#include "core/control/orderly_end.h"
+#include "core/control/proof_run.h"
 #include "core/control/stall_guard.h"
+#include "core/control/sun_alarms.h"
 #include "core/control/sun_watch.h"
 #include "core/control/turn_watch.h"
 #include "core/messages/request.h"
@@ -65,7 +67,7 @@ public:
     // The end of the program: decelerate, then bring the drives into the profile's `on_exit` state. Keep ticking until
     // shutDownDone().
     void shutDown();
-    [[nodiscard]] bool shutDownDone() const { return m_shutDown == ShutDown::Done; }
+    [[nodiscard]] bool shutDownDone() const { return m_end.done(); }
 
     [[nodiscard]] StationState state() const;
     // Everything this class knows; bus, clients and server are left to the Station.
@@ -139,14 +141,6 @@ public:
     [[nodiscard]] bool takeMemoryChange() { return m_turns.takeChange(); }
 
 private:
-    enum class ShutDown
-    {
-        No,
-        Slowing,
-        Leaving,
-        Done
-    };
-
     Result<> handle(const request::PointSky& wanted, const Source& source);
     Result<> handle(const request::PointAxes& wanted, const Source& source);
     Result<> handle(const request::Jog& wanted, const Source& source);
@@ -230,8 +224,6 @@ private:
     void watchRegion();
     void renewSun(bool redrawn);
     void watchSun();
-    void tellSun();
-    void tellSunClock();
     [[nodiscard]] bool isInSunBand(const AxisPosition& place) const;
     [[nodiscard]] Result<> mayLeaveSunBand(const AxisRates& rates, const Source& source) const;
     void watchCable();
@@ -239,11 +231,7 @@ private:
     [[nodiscard]] std::optional<CableGuard::TurnBack> turnBackTo(const AxisPosition& place, const Source& source) const;
     void beginTurnBack(const std::optional<CableGuard::TurnBack>& back);
     void finishRearm();
-    void stepProof();
-    void keepStop(Axis axis);
-    void endProof(const QString& how);
     void moveOn(Seconds step);
-    void shutDownFurther();
 
     [[nodiscard]] AxisStatus axisStatus(Axis axis) const;
     [[nodiscard]] AxisSample axisSample(Axis axis) const;
@@ -265,6 +253,7 @@ private:
     DrivePair m_drives;
     Motion m_motion;
     SunWatch m_sun;
+    SunAlarms m_sunAlarms;
     Arming m_arming;
     ClientLead m_lead;
     AlarmBoard m_alarms;
@@ -272,18 +261,16 @@ private:
     TurnKeeper m_turns;
     TurnWatch m_turnWatch;
     StallGuard m_stall;
+    ProofRun m_proof;
     CableGuard m_cable;
     LogThrottle m_clientLines;
-    std::optional<CrashStopProof> m_proof;
-    QString m_proofText;  // how the last proof ended
 
     CurrentMotion m_current;
     std::string m_heldAt;  // what the log last said the motion is held at
     FirstMoves m_firstMoves;
     std::vector<profile::Advice> m_advice;  // on the profile, as it was told
     std::array<bool, 2> m_ignoringBounds{};
-    ShutDown m_shutDown = ShutDown::No;
-    SteadyTime m_shutDownDeadline{};
+    OrderlyEnd m_end;
     SteadyTime m_started{};  // the program, or the use of a bus that was taken back
     SteadyTime m_now{};      // of the running or last tick
     std::uint64_t m_tick = 0;

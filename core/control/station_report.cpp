@@ -236,8 +236,8 @@ DrivesStatus StationControl::drivesStatus() const
     return {.armingObstacle = m_arming.fitness() ? QString() : QString::fromStdString(m_arming.fitness().error().text),
             .released = m_arming.released(),
             .switchedOn = std::ranges::any_of(kAxes, isOn),
-            .proofRunning = m_proof.has_value(),
-            .proofText = m_proof ? m_proof->progress() : m_proofText,
+            .proofRunning = m_proof.running(),
+            .proofText = m_proof.text(),
             .azimuth = driveStatus(Axis::Azimuth),
             .elevation = driveStatus(Axis::Elevation)};
 }

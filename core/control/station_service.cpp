@@ -118,84 +118,18 @@ Result<> StationControl::handle(const request::ProveCrashStop& wanted, const Sou
                                    m_motion.region().elevationsAround(here))
         .map([&](const CrashStopProof& proof) {
             begin(Activity::Proving, source, Text::tr("crash-stop proof at %1°/s").arg(rate.degrees(), 0, 'f', 1));
-            m_proof = proof;
-            m_proofText.clear();
+            m_proof.begin(proof);
         });
 }
 
 Result<> StationControl::handle(const request::EndProof&, const Source& source)
 {
-    if (!m_proof) {
+    if (!m_proof.running()) {
         return failure(ErrorCode::Refused, Text::tr("no proof is running"));
     }
-    endProof(Text::tr("ended by the %1").arg(Text::of(source.name.toStdString())));
+    m_proof.end(Text::tr("ended by the %1").arg(Text::of(source.name.toStdString())));
     holdHere(Activity::Holding);
     return {};
-}
-
-void StationControl::stepProof()
-{
-    if (!m_proof || (m_proof->runningUp() && !m_drives.engaged())) {
-        return;
-    }
-    const Axis axis = m_proof->axis();
-    const auto& place = m_drives.drive(axis).place();
-    if (!place) {
-        endProof(Text::tr("ended: the drive reports no position any more"));
-        holdHere(Activity::Holding);
-        return;
-    }
-    Drive& drive = m_drives.drive(axis);
-    const bool settled = drive.phase() == Drive::Phase::Engaged || drive.phase() == Drive::Phase::Listening;
-    switch (
-        m_proof->step(m_now, {.received = place->received, .angle = *m_drives.measured(axis), .settled = settled})) {
-        case CrashStopProof::Action::Run:
-            m_motion.run(axis == Axis::Azimuth ? AxisRates{.azimuth = m_proof->rate()}
-                                               : AxisRates{.elevation = m_proof->rate()});
-            break;
-        case CrashStopProof::Action::Starve:
-            drive.starve();
-            m_motion.rest();
-            break;
-        case CrashStopProof::Action::Recover:
-            keepStop(axis);
-            drive.engage();
-            break;
-        case CrashStopProof::Action::Wait:
-            break;
-        case CrashStopProof::Action::Finish:
-            endProof(m_proof->failure().isEmpty() ? Text::tr("done") : m_proof->failure());
-            holdHere(Activity::Holding);
-            break;
-    }
-}
-
-void StationControl::keepStop(Axis axis)
-{
-    if (const auto stop = m_proof->takeStop()) {
-        m_turns.keep(axis, {.drive = facts(axis) ? facts(axis)->uuid : QString(),
-                            .rate = stop->rate,
-                            .angle = stop->angle,
-                            .time = stop->time,
-                            .when = m_clock.utc()});
-        m_log.add(Severity::Advisory, toQString(m_drives.drive(axis).name()),
-                  Text::tr("crash stop from %1°/s: stood after %2° and %3 ms")
-                      .arg(stop->rate.degrees(), 0, 'f', 1)
-                      .arg(stop->angle.degrees(), 0, 'f', 2)
-                      .arg(stop->time.count()));
-    }
-}
-
-void StationControl::endProof(const QString& how)
-{
-    for (const Axis axis : kAxes) {
-        if (m_drives.drive(axis).phase() == Drive::Phase::Starving) {
-            m_drives.drive(axis).engage();
-        }
-    }
-    m_proof.reset();
-    m_proofText = how;
-    m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("crash-stop proof: %1").arg(how));
 }
 
 }  // namespace boresight

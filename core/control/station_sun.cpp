@@ -9,14 +9,6 @@
 #include <algorithm>
 
 namespace boresight {
-namespace {
-
-const QString kSunCause = QStringLiteral("Sun");
-const QString kClockCause = QStringLiteral("Sun clock");
-// A beam at the edge must not come and go with the noise of its encoder.
-constexpr Angle kClear = Angle::fromDegrees(0.05);
-
-}  // namespace
 
 // When the clock comes to be trusted, what was held back by the band stays where it is; when it comes to be doubted, a
 // motion that is inside the band ends there.
@@ -41,14 +33,8 @@ void StationControl::renewSun(bool redrawn)
 void StationControl::watchSun()
 {
     renewSun(false);
-    tellSunClock();
     const auto measured = m_drives.measured();
-    const auto distance = measured && turnsKnown() ? m_sun.distance(m_model.toSky(*measured)) : std::nullopt;
-    if (distance && *distance < m_sun.radius()) {
-        tellSun();
-    } else if (!distance || *distance > m_sun.radius() + kClear) {
-        m_alarms.clear(kSunCause);
-    }
+    m_sunAlarms.update(m_sun, measured && turnsKnown() ? std::optional(m_model.toSky(*measured)) : std::nullopt);
 }
 
 bool StationControl::isInSunBand(const AxisPosition& place) const
@@ -69,32 +55,6 @@ Result<> StationControl::mayLeaveSunBand(const AxisRates& rates, const Source& s
                    Text::tr("the clock of this computer is not synchronised, so the Sun may be in the beam: only the "
                             "operator may jog the mount out of there, at %1°/s or slower")
                        .arg(toQString(formatFixed(fastest.degrees(), 1))));
-}
-
-void StationControl::tellSunClock()
-{
-    if (!m_sun.clockDoubted()) {
-        m_alarms.clear(kClockCause);
-    } else if (!m_alarms.active(kClockCause)) {
-        m_alarms.raise(
-            kClockCause, Severity::Warning,
-            {.what = Text::tr("The clock of this computer is not synchronised, so the place of the Sun is unknown"),
-             .action = Text::tr("Boresight refuses motions to every place that the Sun can have"),
-             .remedy =
-                 Text::tr("Synchronise the clock by NTP or GPS. If its time is right, set sun.clock to trusted")});
-    }
-}
-
-void StationControl::tellSun()
-{
-    if (m_alarms.active(kSunCause)) {
-        return;
-    }
-    m_alarms.raise(kSunCause, Severity::Warning,
-                   {.what = Text::tr("The beam is less than %1° from the Sun")
-                                .arg(toQString(formatFixed(m_sun.radius().degrees(), 1))),
-                    .action = Text::tr("Nothing moves by itself, and motions only lead out of there"),
-                    .remedy = Text::tr("Move the mount away, or let the Sun pass; sun.keep_away switches this off")});
 }
 
 }  // namespace boresight

@@ -10,18 +10,6 @@ namespace {
 
 // A late tick (a stalled machine) makes the mount slower, never jump.
 constexpr Seconds kLongestStep{0.1};
-constexpr Seconds kShutDownPatience{5.0};
-// How long the last order of the program is repeated, so that a lost frame does not matter.
-constexpr std::chrono::milliseconds kLastOrder{150};
-// From full speed, with a second to spare.
-Seconds longestStop(const profile::Profile& profile)
-{
-    const auto stop = [](const tracking::MotionLimits& limits) {
-        return Seconds(limits.speed.radians() / limits.acceleration.radians() +
-                       2.0 * limits.acceleration.radians() / limits.jerk.radians() + 1.0);
-    };
-    return std::max({kShutDownPatience, stop(profile.azimuth.limits), stop(profile.elevation.limits)});
-}
 
 }  // namespace
 
@@ -50,14 +38,18 @@ std::array<CanFrame, 2> StationControl::tick()
     watchFirstMoves();
     watchFitness();
     finishRearm();
-    stepProof();
+    if (m_proof.step(m_now, m_clock.utc())) {
+        holdHere(Activity::Holding);
+    }
     watchSun();
     moveOn(step);
     watchRegion();
     watchCable();
     watchLimited();
     m_alarms.tick();
-    shutDownFurther();
+    if (m_end.leaves(m_motion.atRest() && !m_drives.changingHands(), m_now)) {
+        m_drives.leave(m_profile.control.onExit);
+    }
     return m_drives.frames();
 }
 
@@ -143,7 +135,7 @@ AxisPosition StationControl::heldPlace() const
 // Where a drive does not come back the motion ends.
 void StationControl::resumeAfterStall()
 {
-    const bool hindered = m_proof || m_arming.closing() || m_arming.released() || m_arming.stopLatched() ||
+    const bool hindered = m_proof.running() || m_arming.closing() || m_arming.released() || m_arming.stopLatched() ||
                           faultLatched() || !m_arming.fitness() || !turnsKnown();
     m_stall.resume(m_profile.control.afterStall == profile::AfterStall::Resume && !hindered, m_now);
     if (const auto missing = m_stall.finish(faultLatched(), m_profile.control.watchdog, m_now)) {
@@ -233,23 +225,9 @@ void StationControl::moveOn(Seconds step)
 
 void StationControl::shutDown()
 {
-    if (m_shutDown == ShutDown::No) {
-        m_shutDown = ShutDown::Slowing;
+    if (m_end.begin(m_profile, m_clock.now())) {
         m_arming.close();
-        m_shutDownDeadline = m_clock.now() + std::chrono::ceil<std::chrono::milliseconds>(longestStop(m_profile));
         holdHere(Activity::None);
-    }
-}
-
-void StationControl::shutDownFurther()
-{
-    const bool still = m_motion.atRest() && !m_drives.changingHands();
-    if (m_shutDown == ShutDown::Slowing && (still || m_now > m_shutDownDeadline)) {
-        m_drives.leave(m_profile.control.onExit);
-        m_shutDownDeadline = m_now + kLastOrder;
-        m_shutDown = ShutDown::Leaving;
-    } else if (m_shutDown == ShutDown::Leaving && m_now > m_shutDownDeadline) {
-        m_shutDown = ShutDown::Done;
     }
 }
 

@@ -209,10 +209,11 @@ TEST_P(SocketCanFlood, MountStaysUnderControlOrStopsAndSaysSo)
         EXPECT_NE(mount.log().find("another program floods it", logBefore), std::string::npos);
     }
     // Frames that come late or in pairs are caught up with, at most at the drives' own limit, which is 1.5 times the
-    // profile's. The mount never goes beyond where it was sent.
+    // profile's. A drive that catches up while the set-point brakes overshoots by at most what it was behind: 0.25 s at
+    // 10 °/s, then the replies count as missing.
     for (const Truth& truth : mount.truths()) {
         EXPECT_LT(std::abs(truth.azimuthRate), 1.05 * survey::kLimitGuard * 10.0);
-        EXPECT_LT(truth.elevation, 30.5);
+        EXPECT_LT(truth.elevation, 30.0 + 2.5);
     }
     if (stopped) {
         ASSERT_TRUE(mount.standstillAfter(before).has_value());

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/event_log.h"
+#include "core/axes/crash_stop_proof.h"
+#include "core/axes/drive_pair.h"
+#include "core/axes/motion.h"
+#include "core/axes/turn_keeper.h"
+#include "core/control/turn_watch.h"
+
+#include <QString>
+
+#include <optional>
+
+// Runs the crash-stop proof on the drives: starves them, recovers them and keeps how each axis stopped. Whether it may
+// begin is decided before. Station thread only.
+namespace boresight {
+
+class ProofRun
+{
+public:
+    ProofRun(DrivePair& drives, Motion& motion, TurnKeeper& turns, const TurnWatch& facts, EventLog& log)
+        : m_drives(drives), m_motion(motion), m_turns(turns), m_facts(facts), m_log(log)
+    {}
+
+    void begin(const CrashStopProof& proof);
+    [[nodiscard]] bool running() const { return m_proof.has_value(); }
+    // How far it is, or how the last one ended.
+    [[nodiscard]] QString text() const { return m_proof ? m_proof->progress() : m_text; }
+    // Once in a tick; true when it has ended: the motion is then over, too.
+    [[nodiscard]] bool step(SteadyTime now, UtcTime utc);
+    void end(const QString& how);
+
+private:
+    void keepStop(Axis axis, UtcTime utc);
+
+    DrivePair& m_drives;
+    Motion& m_motion;
+    TurnKeeper& m_turns;
+    const TurnWatch& m_facts;
+    EventLog& m_log;
+    std::optional<CrashStopProof> m_proof;
+    QString m_text;
+};
+
+}  // namespace boresight
