@@ -46,6 +46,8 @@ public:
     // Whether the drives are fit to move the mount, by the survey of their protections.
     void setFitness(const Result<>& fitness) { m_fitness = fitness; }
     [[nodiscard]] const Result<>& fitness() const { return m_fitness; }
+    // What the drives report means something: their gear and protections are right, or are still being read.
+    [[nodiscard]] bool drivesReadable() const { return m_fitness || m_fitness.error().code == ErrorCode::Busy; }
 
     // The bus is left to other tools, or taken back.
     void setReleased(bool released) { m_released = released; }

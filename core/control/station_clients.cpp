@@ -132,14 +132,6 @@ void StationControl::describe(ClientStatus& client, const std::optional<SteadyTi
     }
 }
 
-// The client's target itself, or what the operator's trim makes of it.
-QString StationControl::limitedReason() const
-{
-    return m_current.limitedReason().isEmpty() && m_motion.limited()
-               ? Text::tr("the target is beyond %1").arg(toQString(m_motion.obstacle()))
-               : m_current.limitedReason();
-}
-
 // The protocol has no word for it: a client is answered "done". So the screen must say it, for as long as it lasts.
 void StationControl::watchLimited()
 {

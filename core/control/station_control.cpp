@@ -65,6 +65,25 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
     tellAdvice();
 }
 
+StatusReport StationControl::report() const
+{
+    return StatusReport({.profile = m_profile,
+                         .clock = m_clock,
+                         .model = m_model,
+                         .drives = m_drives,
+                         .motion = m_motion,
+                         .current = m_current,
+                         .arming = m_arming,
+                         .turns = m_turns,
+                         .facts = m_turnWatch,
+                         .proof = m_proof,
+                         .cable = m_cable,
+                         .sun = m_sun,
+                         .alarms = m_alarms,
+                         .now = m_now,
+                         .tick = m_tick});
+}
+
 Result<> StationControl::request(const Request& request, const Source& source)
 {
     if (source.kind == SourceKind::Client && asksForMotion(request)) {

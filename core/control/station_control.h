@@ -19,6 +19,7 @@
 #include "core/control/orderly_end.h"
 #include "core/control/proof_run.h"
 #include "core/control/stall_guard.h"
+#include "core/control/status_report.h"
 #include "core/control/sun_alarms.h"
 #include "core/control/sun_watch.h"
 #include "core/control/turn_watch.h"
@@ -69,11 +70,11 @@ public:
     void shutDown();
     [[nodiscard]] bool shutDownDone() const { return m_end.done(); }
 
-    [[nodiscard]] StationState state() const;
+    [[nodiscard]] StationState state() const { return report().state(); }
     // Everything this class knows; bus, clients and server are left to the Station.
-    [[nodiscard]] StationStatus status() const;
+    [[nodiscard]] StationStatus status() const { return report().status(); }
     // What the last tick commanded and what the drives have answered to it; empty before the first tick.
-    [[nodiscard]] std::optional<TickSample> sample() const;
+    [[nodiscard]] std::optional<TickSample> sample() const { return report().sample(); }
     // The mount still does what this source asked for last: nobody has ended it, nor asked for anything else.
     [[nodiscard]] bool obeys(const Source& source) const { return m_current.isFor(source) && moves(); }
     [[nodiscard]] bool followsClient() const { return m_current.commander().kind == SourceKind::Client && moves(); }
@@ -105,9 +106,9 @@ public:
     // What the operator adds to whatever is followed.
     [[nodiscard]] const AxisPosition& trim() const { return m_motion.trim(); }
     // Both axes are this near to where they are sent.
-    [[nodiscard]] bool onTarget(Angle within) const;
+    [[nodiscard]] bool onTarget(Angle within) const { return report().onTarget(within); }
     // Why not the target is driven but the nearest permitted place; empty: it is driven.
-    [[nodiscard]] QString limitedReason() const;
+    [[nodiscard]] QString limitedReason() const { return report().limitedReason(); }
     [[nodiscard]] AlarmBoard& alarms() { return m_alarms; }
     // A drive was lost and nobody has re-armed yet; also while DISCONNECTED hides the word FAULT.
     [[nodiscard]] bool faultLatched() const { return m_arming.fault().has_value(); }
@@ -184,11 +185,9 @@ private:
     [[nodiscard]] int farOutside(Axis axis) const;
     [[nodiscard]] Result<> insideTravel() const;
     [[nodiscard]] Result<> drivesRest() const;  // for what is done to the drives themselves
+    [[nodiscard]] StatusReport report() const;
     [[nodiscard]] bool moves() const { return m_current.moves(); }
-    [[nodiscard]] bool arrived() const;  // at the place or direction that was asked for, and at rest there
     [[nodiscard]] bool turnsKnown() const { return m_turnWatch.allKnown(); }
-    // Not of a drive whose gear or protections are wrong: that comes first, and what it reports may mean nothing.
-    [[nodiscard]] bool turnsReadable() const;
     Result<> goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& text);
     [[nodiscard]] Result<> mayGoTo(const AxisPosition& place) const;  // it is permitted, and there is a way
     [[nodiscard]] AxisPosition turnWithAWay(const AxisPosition& place) const;
@@ -233,16 +232,6 @@ private:
     void finishRearm();
     void moveOn(Seconds step);
 
-    [[nodiscard]] AxisStatus axisStatus(Axis axis) const;
-    [[nodiscard]] AxisSample axisSample(Axis axis) const;
-    [[nodiscard]] AxisState axisState(Axis axis) const;
-    [[nodiscard]] AxisState ownState(Axis axis) const;
-    [[nodiscard]] QString axisText(Axis axis, AxisState state) const;
-    [[nodiscard]] bool atTravelEnd(Axis axis) const;
-    [[nodiscard]] bool atLimit(Axis axis) const;
-    [[nodiscard]] DrivesStatus drivesStatus() const;
-    [[nodiscard]] std::optional<memory::TurnQuestion> turnQuestion(Axis axis) const;
-    [[nodiscard]] DriveStatus driveStatus(Axis axis) const;
     [[nodiscard]] DriveWatch& watchOf(Axis axis) { return m_watches[index(axis)]; }
     [[nodiscard]] const std::optional<survey::DriveFacts>& facts(Axis axis) const { return m_turnWatch.facts(axis); }
 

@@ -110,7 +110,7 @@ Result<> StationControl::mayChangePointing() const
         return failure(ErrorCode::Refused,
                        Text::tr("the mount follows directions, which the change would move: hold the mount first"));
     }
-    if (m_current.is(Activity::Pointing) && !arrived()) {
+    if (m_current.is(Activity::Pointing) && !report().arrived()) {
         return failure(ErrorCode::Refused, Text::tr("the mount is on its way to a direction, which the change would "
                                                     "move: wait until it is there, or hold it first"));
     }

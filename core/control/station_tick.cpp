@@ -106,7 +106,7 @@ void StationControl::keepTurns()
     if (lost) {
         holdHere(Activity::None);  // what was wanted is meant in a frame that is not true any more
     }
-    m_turnWatch.raiseAlarms(interrupted, turnsReadable());
+    m_turnWatch.raiseAlarms(interrupted, m_arming.drivesReadable());
 }
 
 // An axis that was pushed out beyond its drive's own bounds could not even be moved back: fault 39.

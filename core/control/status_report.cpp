@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of StationControl that tells the world what it knows.
+#include "core/control/status_report.h"
+
 #include "core/base/text.h"
-#include "core/control/station_control.h"
 #include "core/moteus/registers.h"
 
 #include <algorithm>
@@ -35,30 +35,38 @@ void fillTelemetry(auto& values, const DriveReport& report)
 
 }  // namespace
 
-bool StationControl::onTarget(Angle within) const
+bool StatusReport::onTarget(Angle within) const
 {
-    const auto target = m_motion.target(m_now);
-    const auto measured = m_drives.measured();
+    const auto target = m_of.motion.target(m_of.now);
+    const auto measured = m_of.drives.measured();
     return target && measured && near(*target, *measured, within);
 }
 
-bool StationControl::arrived() const
+bool StatusReport::arrived() const
 {
-    return m_motion.atRest() && onTarget(kArrived);
+    return m_of.motion.atRest() && onTarget(kArrived);
 }
 
-StationState StationControl::state() const
+// The client's target itself, or what the operator's trim makes of it.
+QString StatusReport::limitedReason() const
 {
-    if (!m_arming.connected()) {
+    return m_of.current.limitedReason().isEmpty() && m_of.motion.limited()
+               ? Text::tr("the target is beyond %1").arg(toQString(m_of.motion.obstacle()))
+               : m_of.current.limitedReason();
+}
+
+StationState StatusReport::state() const
+{
+    if (!m_of.arming.connected()) {
         return StationState::Disconnected;
     }
-    if (m_arming.fault()) {
+    if (m_of.arming.fault()) {
         return StationState::Fault;
     }
-    if (m_arming.stopLatched()) {
+    if (m_of.arming.stopLatched()) {
         return StationState::Stopped;
     }
-    switch (m_current.activity()) {
+    switch (m_of.current.activity()) {
         case Activity::None:
             return StationState::Standby;
         case Activity::Holding:
@@ -68,7 +76,7 @@ StationState StationControl::state() const
         case Activity::Parking:
             return arrived() ? StationState::Parked : StationState::Slew;
         case Activity::Streaming:
-            if (m_motion.streaming(m_now)) {
+            if (m_of.motion.streaming(m_of.now)) {
                 return onTarget(kOnTarget) ? StationState::Track : StationState::Slew;
             }
             return arrived() ? StationState::Hold : StationState::Slew;
@@ -81,34 +89,35 @@ StationState StationControl::state() const
     return StationState::Fault;
 }
 
-bool StationControl::atTravelEnd(Axis axis) const
+bool StatusReport::atTravelEnd(Axis axis) const
 {
-    if (!m_turns.known(axis)) {
+    if (!m_of.turns.known(axis)) {
         return false;
     }
-    const TravelRange& travel = m_model.axis(axis).travel;
-    const Angle place = m_motion.setpoint(axis).position;
+    const TravelRange& travel = m_of.model.axis(axis).travel;
+    const Angle place = m_of.motion.setpoint(axis).position;
     return place - travel.min < kAtTravelEnd || travel.max - place < kAtTravelEnd;
 }
 
 // Wants to go on and can not: the end of the travel, a limit, a keep-out, the horizon.
-bool StationControl::atLimit(Axis axis) const
+bool StatusReport::atLimit(Axis axis) const
 {
-    const bool pressed = !m_current.limitedReason().isEmpty() || m_current.runsFreely();
-    return pressed && (atTravelEnd(axis) || (turnsKnown() && (m_motion.held(axis) || m_motion.limited(axis))));
+    const bool pressed = !m_of.current.limitedReason().isEmpty() || m_of.current.runsFreely();
+    return pressed &&
+           (atTravelEnd(axis) || (m_of.facts.allKnown() && (m_of.motion.held(axis) || m_of.motion.limited(axis))));
 }
 
-AxisState StationControl::axisState(Axis axis) const
+AxisState StatusReport::axisState(Axis axis) const
 {
-    const Drive& drive = m_drives.drive(axis);
-    const auto age = m_drives.age(axis, m_now);
+    const Drive& drive = m_of.drives.drive(axis);
+    const auto age = m_of.drives.age(axis, m_of.now);
     if (!age || *age > kNoData) {
         return AxisState::NoData;
     }
-    if (drive.latched() && m_arming.fault()) {
+    if (drive.latched() && m_of.arming.fault()) {
         return AxisState::Fault;
     }
-    if (!drive.answering(m_now)) {
+    if (!drive.answering(m_of.now)) {
         return AxisState::NoData;  // nobody knows what it does
     }
     if (drive.phase() == Drive::Phase::Held) {
@@ -117,40 +126,41 @@ AxisState StationControl::axisState(Axis axis) const
     if (drive.phase() != Drive::Phase::Engaged) {
         return ownState(axis);
     }
-    if (abs(m_motion.setpoint(axis).rate) > kReportStanding) {
+    if (abs(m_of.motion.setpoint(axis).rate) > kReportStanding) {
         return AxisState::Moving;
     }
-    if (m_arming.stopLatched()) {
+    if (m_of.arming.stopLatched()) {
         return AxisState::Stopped;
     }
     return atLimit(axis) ? AxisState::Limit : AxisState::Holding;
 }
 
 // Of a drive that follows no set-points of ours.
-AxisState StationControl::ownState(Axis axis) const
+AxisState StatusReport::ownState(Axis axis) const
 {
-    switch (m_drives.drive(axis).report()->mode) {
+    switch (m_of.drives.drive(axis).report()->mode) {
         case moteus::Mode::Stopped:
         case moteus::Mode::Fault:
             return AxisState::Off;
         case moteus::Mode::PositionTimeout:
-            return facts(axis) && facts(axis)->holdsWhenNotFed ? AxisState::Holding : AxisState::On;
+            return m_of.facts.facts(axis) && m_of.facts.facts(axis)->holdsWhenNotFed ? AxisState::Holding
+                                                                                     : AxisState::On;
         default:
             return AxisState::On;
     }
 }
 
-QString StationControl::axisText(Axis axis, AxisState state) const
+QString StatusReport::axisText(Axis axis, AxisState state) const
 {
     if (state == AxisState::Limit) {
-        const std::string what = m_motion.obstacle();
+        const std::string what = m_of.motion.obstacle();
         return atTravelEnd(axis) || what.empty() ? Text::tr("at the end of the travel")
                                                  : Text::tr("at %1").arg(toQString(what));
     }
-    if (!m_turns.known(axis)) {
+    if (!m_of.turns.known(axis)) {
         return Text::tr("turn not known");
     }
-    const Drive& drive = m_drives.drive(axis);
+    const Drive& drive = m_of.drives.drive(axis);
     if ((state != AxisState::Holding && state != AxisState::On) || drive.phase() == Drive::Phase::Engaged) {
         return {};
     }
@@ -161,21 +171,21 @@ QString StationControl::axisText(Axis axis, AxisState state) const
                                        : Text::tr("in its own time-out mode");
 }
 
-AxisStatus StationControl::axisStatus(Axis axis) const
+AxisStatus StatusReport::axisStatus(Axis axis) const
 {
     AxisStatus status{.state = axisState(axis),
-                      .actual = m_drives.measured(axis),
-                      .rate = m_drives.measuredRate(axis),
-                      .age = m_drives.age(axis, m_now),
-                      .travel = m_model.axis(axis).travel};
-    if (m_drives.drive(axis).phase() == Drive::Phase::Engaged) {
-        status.commanded = m_motion.setpoint(axis).position;
-        status.commandedRate = m_motion.setpoint(axis).rate;
+                      .actual = m_of.drives.measured(axis),
+                      .rate = m_of.drives.measuredRate(axis),
+                      .age = m_of.drives.age(axis, m_of.now),
+                      .travel = m_of.model.axis(axis).travel};
+    if (m_of.drives.drive(axis).phase() == Drive::Phase::Engaged) {
+        status.commanded = m_of.motion.setpoint(axis).position;
+        status.commandedRate = m_of.motion.setpoint(axis).rate;
     }
-    if (const auto target = m_motion.target(m_now)) {
+    if (const auto target = m_of.motion.target(m_of.now)) {
         status.target = axis == Axis::Azimuth ? target->azimuth : target->elevation;
     }
-    if (const auto& report = m_drives.drive(axis).report()) {
+    if (const auto& report = m_of.drives.drive(axis).report()) {
         fillTelemetry(status, *report);
         status.mode = static_cast<int>(report->mode);
         status.faultCode = report->fault;
@@ -185,97 +195,89 @@ AxisStatus StationControl::axisStatus(Axis axis) const
 }
 
 // Only an answer to this very tick counts: an older one would be drawn as if it were new.
-AxisSample StationControl::axisSample(Axis axis) const
+AxisSample StatusReport::axisSample(Axis axis) const
 {
     AxisSample sample;
-    if (m_drives.drive(axis).phase() == Drive::Phase::Engaged) {
-        sample.commanded = m_motion.setpoint(axis).position;
+    if (m_of.drives.drive(axis).phase() == Drive::Phase::Engaged) {
+        sample.commanded = m_of.motion.setpoint(axis).position;
     }
-    if (const auto& report = m_drives.drive(axis).report(); report && report->received >= m_now) {
-        const auto& place = m_drives.drive(axis).place();
-        sample.actual = place && place->received >= m_now ? m_drives.measured(axis) : std::nullopt;
+    if (const auto& report = m_of.drives.drive(axis).report(); report && report->received >= m_of.now) {
+        const auto& place = m_of.drives.drive(axis).place();
+        sample.actual = place && place->received >= m_of.now ? m_of.drives.measured(axis) : std::nullopt;
         fillTelemetry(sample, *report);
     }
     return sample;
 }
 
-std::optional<TickSample> StationControl::sample() const
+std::optional<TickSample> StatusReport::sample() const
 {
-    if (m_tick == 0) {
+    if (m_of.tick == 0) {
         return std::nullopt;
     }
-    return TickSample{.time = m_now, .axes = {axisSample(Axis::Azimuth), axisSample(Axis::Elevation)}};
+    return TickSample{.time = m_of.now, .axes = {axisSample(Axis::Azimuth), axisSample(Axis::Elevation)}};
 }
 
-bool StationControl::turnsReadable() const
+DriveStatus StatusReport::driveStatus(Axis axis) const
 {
-    return m_arming.fitness() || m_arming.fitness().error().code == ErrorCode::Busy;
-}
-
-std::optional<memory::TurnQuestion> StationControl::turnQuestion(Axis axis) const
-{
-    return turnsReadable() ? m_turns.question(axis, m_drives.drive(axis)) : std::nullopt;
-}
-
-DriveStatus StationControl::driveStatus(Axis axis) const
-{
-    return {.id = m_profile.axis(axis).id,
-            .turnKnown = m_turns.known(axis),
-            .turnQuestion = turnQuestion(axis),
-            .crashStop = m_turns.memory().crashStops[index(axis)]};
+    return {.id = m_of.profile.axis(axis).id,
+            .turnKnown = m_of.turns.known(axis),
+            .turnQuestion =
+                m_of.arming.drivesReadable() ? m_of.turns.question(axis, m_of.drives.drive(axis)) : std::nullopt,
+            .crashStop = m_of.turns.memory().crashStops[index(axis)]};
 }
 
 // The survey's part is added by its owner.
-DrivesStatus StationControl::drivesStatus() const
+DrivesStatus StatusReport::drivesStatus() const
 {
     const auto isOn = [this](Axis axis) {
-        const Drive& drive = m_drives.drive(axis);
+        const Drive& drive = m_of.drives.drive(axis);
         return drive.phase() != Drive::Phase::Listening ||
                (drive.report() && drive.report()->mode != moteus::Mode::Stopped);
     };
-    return {.armingObstacle = m_arming.fitness() ? QString() : QString::fromStdString(m_arming.fitness().error().text),
-            .released = m_arming.released(),
+    return {.armingObstacle =
+                m_of.arming.fitness() ? QString() : QString::fromStdString(m_of.arming.fitness().error().text),
+            .released = m_of.arming.released(),
             .switchedOn = std::ranges::any_of(kAxes, isOn),
-            .proofRunning = m_proof.running(),
-            .proofText = m_proof.text(),
+            .proofRunning = m_of.proof.running(),
+            .proofText = m_of.proof.text(),
             .azimuth = driveStatus(Axis::Azimuth),
             .elevation = driveStatus(Axis::Elevation)};
 }
 
-StationStatus StationControl::status() const
+StationStatus StatusReport::status() const
 {
     StationStatus status{.state = state(),
                          .azimuth = axisStatus(Axis::Azimuth),
                          .elevation = axisStatus(Axis::Elevation),
-                         .targetText = m_current.text(),
-                         .commander = m_current.commander(),
+                         .targetText = m_of.current.text(),
+                         .commander = m_of.current.commander(),
                          .limited = !limitedReason().isEmpty(),
                          .limitedReason = limitedReason(),
-                         .route = m_motion.route(),
-                         .cableEnd = m_cable.end(),
-                         .authority = m_arming.authority(),
+                         .route = m_of.motion.route(),
+                         .cableEnd = m_of.cable.end(),
+                         .authority = m_of.arming.authority(),
                          .drives = drivesStatus(),
-                         .alarms = m_alarms.list(),
-                         .utc = m_clock.utc(),
-                         .tick = m_tick};
-    status.stopLatched = m_arming.stopLatched();
-    status.stateReason = m_arming.released()
+                         .alarms = m_of.alarms.list(),
+                         .utc = m_of.clock.utc(),
+                         .tick = m_of.tick};
+    status.stopLatched = m_of.arming.stopLatched();
+    status.stateReason = m_of.arming.released()
                              ? Text::tr("the bus is left to other tools")
-                             : m_arming.fault().value_or(m_cable.turnBackText().value_or(m_current.text()));
-    if (const auto measured = m_drives.measured(); measured && turnsKnown()) {
-        status.actual = m_model.toSky(*measured);
+                             : m_of.arming.fault().value_or(m_of.cable.turnBackText().value_or(m_of.current.text()));
+    if (const auto measured = m_of.drives.measured(); measured && m_of.facts.allKnown()) {
+        status.actual = m_of.model.toSky(*measured);
     }
-    if (m_drives.engaged() && turnsKnown()) {
-        status.commanded = m_model.toSky(m_motion.place());
+    if (m_of.drives.engaged() && m_of.facts.allKnown()) {
+        status.commanded = m_of.model.toSky(m_of.motion.place());
     }
-    if (const AxisPosition& trim = m_motion.trim(); trim != AxisPosition{}) {
+    if (const AxisPosition& trim = m_of.motion.trim(); trim != AxisPosition{}) {
         status.trim = SkyPointing{.azimuth = trim.azimuth, .elevation = trim.elevation};
     }
-    status.sunKeepOuts = m_sun.keepOuts();
-    if (const auto& asked = m_current.limitedDirection()) {
+    status.sunKeepOuts = m_of.sun.keepOuts();
+    if (const auto& asked = m_of.current.limitedDirection()) {
         status.target = asked;
-    } else if (const auto target = m_motion.target(m_now)) {
-        status.target = m_model.toSky(*target);
+    } else if (const auto target = m_of.motion.target(m_of.now)) {
+        status.target = m_of.model.toSky(*target);
     }
     return status;
 }
