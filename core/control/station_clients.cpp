@@ -13,14 +13,6 @@ const QString kOutside = QStringLiteral("target");
 
 }  // namespace
 
-Result<> StationControl::mayGiveControl() const
-{
-    if (m_arming.stopLatched()) {
-        return failure(ErrorCode::Refused, Text::tr("STOP is latched: reset STOP first"));
-    }
-    return {};
-}
-
 Result<> StationControl::handle(const request::TakeAuthority&, const Source& source)
 {
     takeOver(source);
@@ -32,7 +24,7 @@ Result<> StationControl::handle(const request::TakeAuthority&, const Source& sou
 
 Result<> StationControl::handle(const request::GiveAuthority&, const Source& source)
 {
-    return mayGiveControl().map([&] {
+    return gates().mayGiveControl().map([&] {
         endCalibrationMotion();
         m_arming.setAuthority(Authority::Clients);
         m_lead.resume(m_now);
@@ -43,7 +35,7 @@ Result<> StationControl::handle(const request::GiveAuthority&, const Source& sou
 Result<> StationControl::handle(const request::GiveLead& wanted, const Source& source)
 {
     return operatorOnly(source)
-        .and_then([&] { return mayGiveControl(); })
+        .and_then([&] { return gates().mayGiveControl(); })
         .and_then([&] { return m_lead.give(m_profile.rotctld, wanted.clientId, m_now); })
         .map([&] {
             if (m_current.commander().clientId != wanted.clientId) {

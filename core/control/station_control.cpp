@@ -47,9 +47,9 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
       m_drives(profile),
       m_motion(profile),
       m_sun(profile),
-      m_sunAlarms(m_alarms),
       m_arming(profile, m_drives, log),
       m_alarms(log, clock),
+      m_sunAlarms(m_alarms),
       m_watches{DriveWatch(Axis::Azimuth, profile, m_alarms), DriveWatch(Axis::Elevation, profile, m_alarms)},
       m_turns(profile, clock, log, std::move(start)),
       m_turnWatch(m_turns, m_drives, m_watches, m_alarms),
@@ -65,23 +65,24 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
     tellAdvice();
 }
 
-StatusReport StationControl::report() const
+ControlParts StationControl::parts() const
 {
-    return StatusReport({.profile = m_profile,
-                         .clock = m_clock,
-                         .model = m_model,
-                         .drives = m_drives,
-                         .motion = m_motion,
-                         .current = m_current,
-                         .arming = m_arming,
-                         .turns = m_turns,
-                         .facts = m_turnWatch,
-                         .proof = m_proof,
-                         .cable = m_cable,
-                         .sun = m_sun,
-                         .alarms = m_alarms,
-                         .now = m_now,
-                         .tick = m_tick});
+    return {.profile = m_profile,
+            .clock = m_clock,
+            .model = m_model,
+            .drives = m_drives,
+            .motion = m_motion,
+            .current = m_current,
+            .arming = m_arming,
+            .lead = m_lead,
+            .turns = m_turns,
+            .facts = m_turnWatch,
+            .proof = m_proof,
+            .cable = m_cable,
+            .sun = m_sun,
+            .alarms = m_alarms,
+            .now = m_now,
+            .tick = m_tick};
 }
 
 Result<> StationControl::request(const Request& request, const Source& source)
@@ -90,132 +91,6 @@ Result<> StationControl::request(const Request& request, const Source& source)
         clientAsked(source);
     }
     return std::visit([&](const auto& wanted) { return handle(wanted, source); }, request);
-}
-
-Result<> StationControl::mayMove(const Source& source) const
-{
-    if (m_proof.running()) {
-        return failure(ErrorCode::Refused, Text::tr("the crash-stop proof moves the mount: end it first"));
-    }
-    const auto commands = [&] { return mayCommand(source); };
-    return m_arming.admits(source).and_then(commands).and_then([&]() -> Result<> {
-        for (const Axis axis : kAxes) {
-            if (!m_drives.measured(axis)) {
-                return failure(
-                    ErrorCode::NoAnswer,
-                    Text::tr("the %1 reports no position: look at its encoder").arg(m_drives.drive(axis).label()));
-            }
-        }
-        return {};
-    });
-}
-
-Result<> StationControl::axesPlaced() const
-{
-    for (const Axis axis : kAxes) {
-        if (!m_turns.known(axis)) {
-            return failure(ErrorCode::Refused, Text::tr("it is not known on which turn the axis of the %1 stands: "
-                                                        "the operator must tell; slow jogging only")
-                                                   .arg(m_drives.drive(axis).label()));
-        }
-    }
-    return insideTravel();
-}
-
-Result<> StationControl::mayPoint(const Source& source) const
-{
-    const auto directionsSeen = [this]() -> Result<> {
-        if (m_profile.mount.directions != profile::Directions::Confirmed) {
-            return failure(
-                ErrorCode::Refused,
-                Text::tr("it is not confirmed yet which way the axes turn: jog each a little and confirm it first"));
-        }
-        return {};
-    };
-    return mayMove(source).and_then(directionsSeen).and_then([this] { return axesPlaced(); }).and_then([this] {
-        return mayLeaveSunBand({}, {});
-    });
-}
-
-Result<> StationControl::mayCommand(const Source& source) const
-{
-    return m_arming.mayCommand(source).and_then([&]() -> Result<> {
-        return source.kind == SourceKind::Client ? m_lead.admits(m_profile.rotctld, source, m_now) : Result<>{};
-    });
-}
-
-int StationControl::farOutside(Axis axis) const
-{
-    const auto place = m_drives.measured(axis);
-    if (!m_turns.known(axis) || !place) {
-        return 0;
-    }
-    const TravelRange& travel = m_model.axis(axis).travel;
-    const Angle margin = m_profile.control.driveLimitMargin;
-    return *place > travel.max + margin ? 1 : *place < travel.min - margin ? -1 : 0;
-}
-
-Result<> StationControl::insideTravel() const
-{
-    for (const Axis axis : kAxes) {
-        if (farOutside(axis) != 0) {
-            const TravelRange& travel = m_model.axis(axis).travel;
-            return failure(ErrorCode::Refused,
-                           Text::tr("The %1 stands at %2, outside its travel (%3 to %4). Jog it back slowly.")
-                               .arg(m_drives.drive(axis).label(), degreesText(*m_drives.measured(axis), 2),
-                                    degreesText(travel.min, 2), degreesText(travel.max, 2)));
-        }
-    }
-    return {};
-}
-
-// Somebody must watch the cable of an axis whose turn is not known, or that stands where it should never be. So only
-// the operator jogs it, and slowly.
-Result<> StationControl::mayJog(const AxisRates& rates, const Source& source) const
-{
-    return mayMove(source).and_then([&]() -> Result<> {
-        if (const Result<> placed = axesPlaced(); !placed) {
-            return source.kind == SourceKind::Operator ? mayJogSlowly(rates) : placed;
-        }
-        return mayLeaveSunBand(rates, source);
-    });
-}
-
-Result<> StationControl::mayJogSlowly(const AxisRates& rates) const
-{
-    for (const Axis axis : kAxes) {
-        if (!m_turns.known(axis) && !m_turns.asked(axis)) {
-            return failure(ErrorCode::Refused, Text::tr("the place of the axes is being found out: wait a moment"));
-        }
-        const AngularRate rate = axis == Axis::Azimuth ? rates.azimuth : rates.elevation;
-        if (rate * static_cast<double>(farOutside(axis)) > AngularRate{}) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("The %1 stands outside its travel. It may only be jogged back inside.")
-                               .arg(m_drives.drive(axis).label()));
-        }
-    }
-    const AngularRate fastest = m_profile.jog.unwind;
-    if (std::max(abs(rates.azimuth), abs(rates.elevation)) > fastest) {
-        return failure(ErrorCode::Refused, (turnsKnown() ? Text::tr("An axis stands outside its travel. Jog at %1°/s "
-                                                                    "or slower.")
-                                                         : Text::tr("the turn of an axis is not known: jog at %1°/s or "
-                                                                    "slower"))
-                                               .arg(toQString(formatFixed(fastest.degrees(), 1))));
-    }
-    return {};
-}
-
-AxisPosition StationControl::standing() const
-{
-    return m_drives.engaged() ? m_motion.place() : m_drives.measured().value_or(AxisPosition{});
-}
-
-AxisPosition StationControl::heading() const
-{
-    if (!m_drives.engaged()) {
-        return m_drives.measured().value_or(AxisPosition{});
-    }
-    return m_motion.target(m_now).value_or(m_motion.place());
 }
 
 void StationControl::takeOver(const Source& source)
@@ -423,12 +298,13 @@ Result<> StationControl::handle(const request::Horizon&, const Source& source)
 
 Result<> StationControl::runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& what)
 {
+    const Gates gates = this->gates();
     const auto mayRun = [&] {
-        return mayMove(source).and_then([this] { return axesPlaced(); }).and_then([this] {
-            return mayLeaveSunBand({}, {});
+        return gates.mayMove(source).and_then([&] { return gates.axesPlaced(); }).and_then([&] {
+            return gates.mayLeaveSunBand({}, {});
         });
     };
-    const Result<> may = activity == Activity::Jogging ? mayJog(rates, source) : mayRun();
+    const Result<> may = activity == Activity::Jogging ? gates.mayJog(rates, source) : mayRun();
     return may.and_then([&] { return mayMoveFirst(rates); }).map([&] {
         begin(activity, source, what);
         m_motion.run(rates);

@@ -16,6 +16,7 @@
 #include "core/control/cable_guard.h"
 #include "core/control/client_lead.h"
 #include "core/control/current_motion.h"
+#include "core/control/gates.h"
 #include "core/control/orderly_end.h"
 #include "core/control/proof_run.h"
 #include "core/control/stall_guard.h"
@@ -85,16 +86,16 @@ public:
     [[nodiscard]] bool isTurnAsked(Axis axis) const { return m_turns.asked(axis); }
     [[nodiscard]] Authority authority() const { return m_arming.authority(); }
     // Whether this source may send the mount anywhere now; the error says what stands in the way.
-    [[nodiscard]] Result<> mayPoint(const Source& source) const;
+    [[nodiscard]] Result<> mayPoint(const Source& source) const { return gates().mayPoint(source); }
     // Whether this source has the control, as far as the operator and the other clients are concerned.
-    [[nodiscard]] Result<> mayCommand(const Source& source) const;
+    [[nodiscard]] Result<> mayCommand(const Source& source) const { return gates().mayCommand(source); }
     // Another client re-armed the drives; this one kept sending and has to act before it moves the mount.
     [[nodiscard]] bool waitsSinceRearm(const Source& client) const { return m_lead.waits(client.clientId); }
     // Whether the beam can be pointed there from where it is, by all that is permitted.
     [[nodiscard]] Result<> reaches(const SkyPointing& direction) const;
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_motion.region(); }
     // Whether other terms of the pointing model would leave the motion what it is.
-    [[nodiscard]] Result<> mayChangePointing() const;
+    [[nodiscard]] Result<> mayChangePointing() const { return gates().mayChangePointing(); }
     // What a client may do now, into its part of the status; `lastMotion` is when it last asked for a motion.
     void describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const;
     // The axes as measured; an error when unknown or older than 1 s.
@@ -177,15 +178,9 @@ private:
     Result<> handle(const request::Reconnect& wanted, const Source& source);
     Result<> handle(const CalibrationRequest& wanted, const Source& source);
 
-    [[nodiscard]] Result<> mayMove(const Source& source) const;  // armed, and no proof is running
-    [[nodiscard]] Result<> axesPlaced() const;  // each on a wrap that is known, and not far outside its travel
-    [[nodiscard]] Result<> mayJog(const AxisRates& rates, const Source& source) const;  // or is jogged slowly
-    [[nodiscard]] Result<> mayJogSlowly(const AxisRates& rates) const;
-    // Outside its travel by more than the drives' own bounds allow: 1 above, -1 below; 0 inside, or nobody knows.
-    [[nodiscard]] int farOutside(Axis axis) const;
-    [[nodiscard]] Result<> insideTravel() const;
-    [[nodiscard]] Result<> drivesRest() const;  // for what is done to the drives themselves
-    [[nodiscard]] StatusReport report() const;
+    [[nodiscard]] ControlParts parts() const;
+    [[nodiscard]] StatusReport report() const { return StatusReport(parts()); }
+    [[nodiscard]] Gates gates() const { return Gates(parts()); }
     [[nodiscard]] bool moves() const { return m_current.moves(); }
     [[nodiscard]] bool turnsKnown() const { return m_turnWatch.allKnown(); }
     Result<> goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& text);
@@ -201,15 +196,14 @@ private:
     void watchFirstMoves();
     void setTrim(const AxisPosition& trim, const Source& source);
     void takeOver(const Source& source);
-    [[nodiscard]] Result<> mayGiveControl() const;
     void endClientMotion();
     void endCalibrationMotion();
     // Into the log; what clients can cause at will is throttled.
     void tell(Severity severity, const Source& source, const QString& what, LogKind kind = LogKind::Event);
     void begin(Activity activity, const Source& source, const QString& text);
     void holdHere(Activity activity);
-    [[nodiscard]] AxisPosition standing() const;  // where the set-points are, or the axes if nobody moves them
-    [[nodiscard]] AxisPosition heading() const;   // where the axes are going, else where they stand
+    [[nodiscard]] AxisPosition standing() const { return parts().standing(); }
+    [[nodiscard]] AxisPosition heading() const { return parts().heading(); }
 
     [[nodiscard]] AxisPosition heldPlace() const;
     void resumeAfterStall();
@@ -223,8 +217,6 @@ private:
     void watchRegion();
     void renewSun(bool redrawn);
     void watchSun();
-    [[nodiscard]] bool isInSunBand(const AxisPosition& place) const;
-    [[nodiscard]] Result<> mayLeaveSunBand(const AxisRates& rates, const Source& source) const;
     void watchCable();
     void watchLimited();
     [[nodiscard]] std::optional<CableGuard::TurnBack> turnBackTo(const AxisPosition& place, const Source& source) const;
@@ -242,10 +234,10 @@ private:
     DrivePair m_drives;
     Motion m_motion;
     SunWatch m_sun;
-    SunAlarms m_sunAlarms;
     Arming m_arming;
     ClientLead m_lead;
     AlarmBoard m_alarms;
+    SunAlarms m_sunAlarms;
     std::array<DriveWatch, 2> m_watches;
     TurnKeeper m_turns;
     TurnWatch m_turnWatch;

@@ -102,24 +102,9 @@ Result<> StationControl::handle(const request::ApplyProfile& wanted, const Sourc
     });
 }
 
-// The axes that belong to a direction are others then: what follows directions would set off for them, and what is on
-// its way to one would arrive beside it.
-Result<> StationControl::mayChangePointing() const
-{
-    if (m_current.is(Activity::Streaming)) {
-        return failure(ErrorCode::Refused,
-                       Text::tr("the mount follows directions, which the change would move: hold the mount first"));
-    }
-    if (m_current.is(Activity::Pointing) && !report().arrived()) {
-        return failure(ErrorCode::Refused, Text::tr("the mount is on its way to a direction, which the change would "
-                                                    "move: wait until it is there, or hold it first"));
-    }
-    return {};
-}
-
 Result<> StationControl::handle(const request::Reconnect& wanted, const Source& source)
 {
-    return operatorOnly(source).and_then([this] { return drivesRest(); }).and_then([&] {
+    return operatorOnly(source).and_then([this] { return gates().drivesRest(); }).and_then([&] {
         return makesSense(wanted.profile);
     });
 }

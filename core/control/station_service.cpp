@@ -13,20 +13,9 @@ constexpr AngularRate kFastestProof = AngularRate::fromDegrees(5.0);
 
 }  // namespace
 
-Result<> StationControl::drivesRest() const
-{
-    if (m_drives.anyUnderOrders() && !m_motion.atRest()) {
-        return failure(ErrorCode::Refused, Text::tr("the mount moves: stop it first"));
-    }
-    if (m_drives.changingHands()) {
-        return failure(ErrorCode::Refused, Text::tr("a drive is being taken over: try again in a second"));
-    }
-    return {};
-}
-
 Result<> StationControl::handle(const request::ReadDrives&, const Source& source)
 {
-    return operatorOnly(source).and_then([this] { return drivesRest(); });
+    return operatorOnly(source).and_then([this] { return gates().drivesRest(); });
 }
 
 // Whatever is written while a drive is active ends in its fault 41, and the axis falls.
@@ -51,7 +40,7 @@ Result<> StationControl::handle(const request::FixDrives&, const Source& source)
 
 Result<> StationControl::handle(const request::SwitchOff&, const Source& source)
 {
-    return operatorOnly(source).and_then([this] { return drivesRest(); }).and_then([&]() -> Result<> {
+    return operatorOnly(source).and_then([this] { return gates().drivesRest(); }).and_then([&]() -> Result<> {
         if (!m_arming.connected()) {
             return failure(ErrorCode::NoAnswer, Text::tr("both drives must answer"));
         }
@@ -67,7 +56,7 @@ Result<> StationControl::handle(const request::SwitchOff&, const Source& source)
 
 Result<> StationControl::handle(const request::ReleaseBus&, const Source& source)
 {
-    return operatorOnly(source).and_then([this] { return drivesRest(); }).map([&] {
+    return operatorOnly(source).and_then([this] { return gates().drivesRest(); }).map([&] {
         m_arming.setReleased(true);
         takeOver(source);
         holdHere(Activity::None);
@@ -96,7 +85,7 @@ Result<> StationControl::handle(const request::TakeBus&, const Source& source)
 
 Result<> StationControl::handle(const request::ChooseTurn& wanted, const Source& source)
 {
-    return operatorOnly(source).and_then([this] { return drivesRest(); }).and_then([&] {
+    return operatorOnly(source).and_then([this] { return gates().drivesRest(); }).and_then([&] {
         takeOver(source);
         return m_turns.choose(wanted.axis, wanted.angle, m_drives.drive(wanted.axis), source.name);
     });

@@ -112,11 +112,12 @@ void StationControl::keepTurns()
 // An axis that was pushed out beyond its drive's own bounds could not even be moved back: fault 39.
 void StationControl::letBackInside()
 {
+    const Gates gates = this->gates();
     for (const Axis axis : kAxes) {
         const auto measured = m_drives.measured(axis);
         const bool outside = m_turns.known(axis) && measured && !m_model.axis(axis).travel.contains(*measured);
         bool& ignoring = m_ignoringBounds[index(axis)];
-        ignoring = farOutside(axis) != 0 || (ignoring && outside);
+        ignoring = gates.farOutside(axis) != 0 || (ignoring && outside);
         m_drives.drive(axis).setIgnoreBounds(ignoring);
     }
 }

@@ -1,18 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/alarms/alarm_board.h"
-#include "core/axes/drive_pair.h"
-#include "core/axes/motion.h"
-#include "core/axes/turn_keeper.h"
-#include "core/control/arming.h"
-#include "core/control/cable_guard.h"
-#include "core/control/current_motion.h"
-#include "core/control/proof_run.h"
-#include "core/control/sun_watch.h"
-#include "core/control/turn_watch.h"
+#include "core/control/control_parts.h"
 #include "core/messages/station_status.h"
-#include "core/pointing/mount_model.h"
 
 #include <optional>
 
@@ -23,26 +13,7 @@ namespace boresight {
 class StatusReport
 {
 public:
-    struct Parts
-    {
-        const profile::Profile& profile;
-        const Clock& clock;
-        const pointing::MountModel& model;
-        const DrivePair& drives;
-        const Motion& motion;
-        const CurrentMotion& current;
-        const Arming& arming;
-        const TurnKeeper& turns;
-        const TurnWatch& facts;
-        const ProofRun& proof;
-        const CableGuard& cable;
-        const SunWatch& sun;
-        const AlarmBoard& alarms;
-        SteadyTime now;  // of the running or last tick
-        std::uint64_t tick = 0;
-    };
-
-    explicit StatusReport(const Parts& parts) : m_of(parts) {}
+    explicit StatusReport(const ControlParts& parts) : m_of(parts) {}
 
     [[nodiscard]] StationState state() const;
     [[nodiscard]] StationStatus status() const;
@@ -65,7 +36,7 @@ private:
     [[nodiscard]] DrivesStatus drivesStatus() const;
     [[nodiscard]] DriveStatus driveStatus(Axis axis) const;
 
-    Parts m_of;
+    ControlParts m_of;
 };
 
 }  // namespace boresight

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/alarm_board.h"
+#include "core/axes/drive_pair.h"
+#include "core/axes/motion.h"
+#include "core/axes/turn_keeper.h"
+#include "core/control/arming.h"
+#include "core/control/cable_guard.h"
+#include "core/control/client_lead.h"
+#include "core/control/current_motion.h"
+#include "core/control/proof_run.h"
+#include "core/control/sun_watch.h"
+#include "core/control/turn_watch.h"
+#include "core/pointing/mount_model.h"
+#include "core/profile/profile.h"
+
+// The parts of StationControl, for those who only read them: its gates and its report. Station thread only.
+namespace boresight {
+
+struct ControlParts
+{
+    const profile::Profile& profile;
+    const Clock& clock;
+    const pointing::MountModel& model;
+    const DrivePair& drives;
+    const Motion& motion;
+    const CurrentMotion& current;
+    const Arming& arming;
+    const ClientLead& lead;
+    const TurnKeeper& turns;
+    const TurnWatch& facts;
+    const ProofRun& proof;
+    const CableGuard& cable;
+    const SunWatch& sun;
+    const AlarmBoard& alarms;
+    SteadyTime now;  // of the running or last tick
+    std::uint64_t tick = 0;
+
+    // Where the set-points are, or the axes if nobody moves them.
+    [[nodiscard]] AxisPosition standing() const
+    {
+        return drives.engaged() ? motion.place() : drives.measured().value_or(AxisPosition{});
+    }
+    // Where the axes are going, else where they stand.
+    [[nodiscard]] AxisPosition heading() const
+    {
+        return drives.engaged() ? motion.target(now).value_or(motion.place()) : standing();
+    }
+};
+
+}  // namespace boresight

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/control/gates.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+#include "core/control/status_report.h"
+#include "core/units/degrees_text.h"
+
+#include <algorithm>
+
+namespace boresight {
+
+Result<> Gates::mayMove(const Source& source) const
+{
+    if (m_of.proof.running()) {
+        return failure(ErrorCode::Refused, Text::tr("the crash-stop proof moves the mount: end it first"));
+    }
+    const auto commands = [&] { return mayCommand(source); };
+    return m_of.arming.admits(source).and_then(commands).and_then([&]() -> Result<> {
+        for (const Axis axis : kAxes) {
+            if (!m_of.drives.measured(axis)) {
+                return failure(
+                    ErrorCode::NoAnswer,
+                    Text::tr("the %1 reports no position: look at its encoder").arg(m_of.drives.drive(axis).label()));
+            }
+        }
+        return {};
+    });
+}
+
+Result<> Gates::axesPlaced() const
+{
+    for (const Axis axis : kAxes) {
+        if (!m_of.turns.known(axis)) {
+            return failure(ErrorCode::Refused, Text::tr("it is not known on which turn the axis of the %1 stands: "
+                                                        "the operator must tell; slow jogging only")
+                                                   .arg(m_of.drives.drive(axis).label()));
+        }
+    }
+    return insideTravel();
+}
+
+Result<> Gates::mayPoint(const Source& source) const
+{
+    const auto directionsSeen = [this]() -> Result<> {
+        if (m_of.profile.mount.directions != profile::Directions::Confirmed) {
+            return failure(
+                ErrorCode::Refused,
+                Text::tr("it is not confirmed yet which way the axes turn: jog each a little and confirm it first"));
+        }
+        return {};
+    };
+    return mayMove(source).and_then(directionsSeen).and_then([this] { return axesPlaced(); }).and_then([this] {
+        return mayLeaveSunBand({}, {});
+    });
+}
+
+Result<> Gates::mayCommand(const Source& source) const
+{
+    return m_of.arming.mayCommand(source).and_then([&]() -> Result<> {
+        return source.kind == SourceKind::Client ? m_of.lead.admits(m_of.profile.rotctld, source, m_of.now)
+                                                 : Result<>{};
+    });
+}
+
+int Gates::farOutside(Axis axis) const
+{
+    const auto place = m_of.drives.measured(axis);
+    if (!m_of.turns.known(axis) || !place) {
+        return 0;
+    }
+    const TravelRange& travel = m_of.model.axis(axis).travel;
+    const Angle margin = m_of.profile.control.driveLimitMargin;
+    return *place > travel.max + margin ? 1 : *place < travel.min - margin ? -1 : 0;
+}
+
+Result<> Gates::insideTravel() const
+{
+    for (const Axis axis : kAxes) {
+        if (farOutside(axis) != 0) {
+            const TravelRange& travel = m_of.model.axis(axis).travel;
+            return failure(ErrorCode::Refused,
+                           Text::tr("The %1 stands at %2, outside its travel (%3 to %4). Jog it back slowly.")
+                               .arg(m_of.drives.drive(axis).label(), degreesText(*m_of.drives.measured(axis), 2),
+                                    degreesText(travel.min, 2), degreesText(travel.max, 2)));
+        }
+    }
+    return {};
+}
+
+// Somebody must watch the cable of an axis whose turn is not known, or that stands where it should never be. So only
+// the operator jogs it, and slowly.
+Result<> Gates::mayJog(const AxisRates& rates, const Source& source) const
+{
+    return mayMove(source).and_then([&]() -> Result<> {
+        if (const Result<> placed = axesPlaced(); !placed) {
+            return source.kind == SourceKind::Operator ? mayJogSlowly(rates) : placed;
+        }
+        return mayLeaveSunBand(rates, source);
+    });
+}
+
+Result<> Gates::mayJogSlowly(const AxisRates& rates) const
+{
+    for (const Axis axis : kAxes) {
+        if (!m_of.turns.known(axis) && !m_of.turns.asked(axis)) {
+            return failure(ErrorCode::Refused, Text::tr("the place of the axes is being found out: wait a moment"));
+        }
+        const AngularRate rate = axis == Axis::Azimuth ? rates.azimuth : rates.elevation;
+        if (rate * static_cast<double>(farOutside(axis)) > AngularRate{}) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("The %1 stands outside its travel. It may only be jogged back inside.")
+                               .arg(m_of.drives.drive(axis).label()));
+        }
+    }
+    const AngularRate fastest = m_of.profile.jog.unwind;
+    if (std::max(abs(rates.azimuth), abs(rates.elevation)) > fastest) {
+        return failure(ErrorCode::Refused,
+                       (m_of.facts.allKnown() ? Text::tr("An axis stands outside its travel. Jog at %1°/s "
+                                                         "or slower.")
+                                              : Text::tr("the turn of an axis is not known: jog at %1°/s or "
+                                                         "slower"))
+                           .arg(toQString(formatFixed(fastest.degrees(), 1))));
+    }
+    return {};
+}
+
+Result<> Gates::drivesRest() const
+{
+    if (m_of.drives.anyUnderOrders() && !m_of.motion.atRest()) {
+        return failure(ErrorCode::Refused, Text::tr("the mount moves: stop it first"));
+    }
+    if (m_of.drives.changingHands()) {
+        return failure(ErrorCode::Refused, Text::tr("a drive is being taken over: try again in a second"));
+    }
+    return {};
+}
+
+bool Gates::isInSunBand(const AxisPosition& place) const
+{
+    return m_of.facts.allKnown() && m_of.sun.mayBeAt(m_of.model.toSky(place));
+}
+
+// Nobody knows where in the band the Sun is, so that no way out of it is known to be a safe one.
+Result<> Gates::mayLeaveSunBand(const AxisRates& rates, const Source& source) const
+{
+    const AngularRate fastest = m_of.profile.jog.unwind;
+    const AngularRate rate = std::max(abs(rates.azimuth), abs(rates.elevation));
+    const bool jogsSlowly = source.kind == SourceKind::Operator && rate > AngularRate{} && rate <= fastest;
+    if (jogsSlowly || !isInSunBand(m_of.standing())) {
+        return {};
+    }
+    return failure(ErrorCode::Refused,
+                   Text::tr("the clock of this computer is not synchronised, so the Sun may be in the beam: only the "
+                            "operator may jog the mount out of there, at %1°/s or slower")
+                       .arg(toQString(formatFixed(fastest.degrees(), 1))));
+}
+
+Result<> Gates::mayGiveControl() const
+{
+    if (m_of.arming.stopLatched()) {
+        return failure(ErrorCode::Refused, Text::tr("STOP is latched: reset STOP first"));
+    }
+    return {};
+}
+
+// The axes that belong to a direction are others then: what follows directions would set off for them, and what is on
+// its way to one would arrive beside it.
+Result<> Gates::mayChangePointing() const
+{
+    if (m_of.current.is(Activity::Streaming)) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("the mount follows directions, which the change would move: hold the mount first"));
+    }
+    if (m_of.current.is(Activity::Pointing) && !StatusReport(m_of).arrived()) {
+        return failure(ErrorCode::Refused, Text::tr("the mount is on its way to a direction, which the change would "
+                                                    "move: wait until it is there, or hold it first"));
+    }
+    return {};
+}
+
+}  // namespace boresight
