@@ -5,6 +5,7 @@
 #include "core/axes/drive_pair.h"
 #include "core/axes/motion.h"
 #include "core/axes/turn_keeper.h"
+#include "core/base/clock.h"
 #include "core/control/arming.h"
 #include "core/control/cable_guard.h"
 #include "core/control/client_lead.h"
@@ -14,6 +15,8 @@
 #include "core/control/turn_watch.h"
 #include "core/pointing/mount_model.h"
 #include "core/profile/profile.h"
+
+#include <cstdint>
 
 // The parts of StationControl, for those who only read them: its gates and its report. Station thread only.
 namespace boresight {

@@ -3,7 +3,6 @@
 
 #include "core/base/result.h"
 #include "core/control/control_parts.h"
-#include "core/messages/request.h"
 #include "core/messages/station_status.h"
 
 // May it move now, whatever moves it? Each gate gives the reason in words. Reads the parts of the control and changes

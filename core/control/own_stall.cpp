@@ -11,7 +11,7 @@ constexpr Seconds kLongest{2.0};
 // From the end of the stall to the end of the resumption.
 constexpr std::chrono::seconds kOwnStallPatience{1};
 constexpr std::chrono::seconds kLongestResumption{10};
-// The drives' watchdogs run from frame to frame, the gap from tick to tick.
+// A frame is on its way for a while before the drive's watchdog hears of it.
 constexpr double kWatchdogShare = 0.75;
 // Braking from 10°/s takes some 1.5°.
 constexpr Angle kDisplaced = Angle::fromDegrees(2.0);
@@ -30,12 +30,11 @@ bool OwnStall::note(Seconds gap, Seconds watchdog, const AxisPosition& setpoints
     return true;
 }
 
-void OwnStall::sent(Seconds watchdog, const AxisPosition& setpoints, SteadyTime now)
+bool OwnStall::sent(Seconds watchdog, const AxisPosition& setpoints, SteadyTime now)
 {
     const SteadyTime before = std::exchange(m_sent, now).value_or(now);
-    if (now - m_end >= watchdog) {  // else the beginning of this tick has told
-        note(now - before, watchdog, setpoints, now);
-    }
+    const bool seen = now - m_end < watchdog;  // at the beginning of this tick
+    return !seen && note(now - before, watchdog, setpoints, now);
 }
 
 bool OwnStall::explainsTimeOut(SteadyTime now) const

@@ -15,12 +15,12 @@ namespace boresight {
 class OwnStall
 {
 public:
-    // Between two ticks passed `gap`; a drive stops by itself when it gets no command for `watchdog`. True if it may
-    // have.
+    // Between two ticks or two sendings passed `gap`. A drive stops by itself when it gets no command for `watchdog`.
+    // True if it may have.
     bool note(Seconds gap, Seconds watchdog, const AxisPosition& setpoints, SteadyTime now);
 
-    // The link has the frames of a tick. One that was held up after its beginning sends late, too.
-    void sent(Seconds watchdog, const AxisPosition& setpoints, SteadyTime now);
+    // The link has the frames of a tick. A tick that was held up after its beginning sends late, too. True as above.
+    bool sent(Seconds watchdog, const AxisPosition& setpoints, SteadyTime now);
 
     // A time-out that is seen now comes from the stall, and the stall was short enough to go on.
     [[nodiscard]] bool explainsTimeOut(SteadyTime now) const;

@@ -26,9 +26,21 @@ bool isHealthy(const Drive& drive)
 
 void StallGuard::tickBegins(Seconds gap, Seconds watchdog, const AxisPosition& held, SteadyTime now)
 {
-    if (!m_stall.note(gap, watchdog, held, now)) {
-        return;
+    if (m_stall.note(gap, watchdog, held, now)) {
+        excuseDrives(now);
     }
+}
+
+void StallGuard::framesSent(Seconds watchdog, const AxisPosition& held, SteadyTime now)
+{
+    if (m_stall.sent(watchdog, held, now)) {
+        excuseDrives(now);
+    }
+}
+
+void StallGuard::excuseDrives(SteadyTime now)
+{
+    const Seconds gap = m_stall.gap();
     m_drives.excuse(gap, now);
     for (DriveWatch& watch : m_watches) {
         watch.forgetReplies();

@@ -13,8 +13,8 @@
 #include <utility>
 
 // What a stall of this computer means for the drives: excuses them for what they could not answer, and takes over those
-// that their own watchdogs have stopped. What was wanted of them was never given up, so it goes on by itself. Station
-// thread only; mechanical angles.
+// that their own watchdogs have stopped. The motion was never cancelled, so it goes on. Station thread only. Angles are
+// mechanical.
 namespace boresight {
 
 class StallGuard
@@ -25,17 +25,21 @@ public:
         : m_drives(drives), m_watches(watches), m_turns(turns), m_alarms(alarms), m_log(log)
     {}
 
-    // A tick begins `gap` after the one before; the drives were told to be at `held`.
+    // A tick begins `gap` after the one before. The drives were last commanded to `held`.
     void tickBegins(Seconds gap, Seconds watchdog, const AxisPosition& held, SteadyTime now);
-    void framesSent(Seconds watchdog, const AxisPosition& held, SteadyTime now) { m_stall.sent(watchdog, held, now); }
+    // The station has handed the frames of this tick to the link.
+    void framesSent(Seconds watchdog, const AxisPosition& held, SteadyTime now);
 
     // Takes over the drives that timed out by a stall; `allowed`: nothing else stands in the way.
     void resume(bool allowed, SteadyTime now);
-    // Both drives are taken over and report where they stand, or it is too late. Then the first that is not back.
+    // Once both drives are taken over and report where they stand, or when it is too late: the first axis that is not
+    // back.
     [[nodiscard]] std::optional<std::pair<Axis, DriveWatch::Trouble>> finish(bool faultLatched, Seconds watchdog,
                                                                              SteadyTime now);
 
 private:
+    void excuseDrives(SteadyTime now);
+
     DrivePair& m_drives;
     std::array<DriveWatch, 2>& m_watches;
     TurnKeeper& m_turns;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/control/station_control.h"
 
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/pointing/sun_keep_out.h"
 #include "core/units/degrees_text.h"

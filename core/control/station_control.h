@@ -63,7 +63,8 @@ public:
     void take(const CanFrame& frame) { m_drives.take(frame); }
     // Judges the replies, moves the set-points on and returns the frames to send: azimuth, elevation.
     [[nodiscard]] std::array<CanFrame, 2> tick();
-    // The link has these frames. A computer that is held up between the two sends them late.
+    // The station has handed these frames to the link, or has no link now. A computer that is held up between the two
+    // sends them late.
     void framesSent();
 
     // The end of the program: decelerate, then bring the drives into the profile's `on_exit` state. Keep ticking until

@@ -38,7 +38,7 @@ public:
     };
     // Once in a tick, after the replies were judged. True once when a turn that was known is not known any more.
     [[nodiscard]] bool keep(const Tick& tick);
-    // Then. `interrupted`: a motion ended for it. `readable`: what the drives report can be relied on.
+    // Call it after keep(). `interrupted`: a motion ended for it. `readable`: what the drives report can be relied on.
     void raiseAlarms(bool interrupted, bool readable);
     [[nodiscard]] bool allKnown() const { return m_turns.known(Axis::Azimuth) && m_turns.known(Axis::Elevation); }
 

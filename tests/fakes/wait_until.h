@@ -21,13 +21,15 @@ namespace boresight::fakes {
     }
     QEventLoop loop;
     bool looking = false;
+    bool met = false;
     const auto look = [&] {
-        if (!looking) {
+        if (!looking && !met) {
             looking = true;
-            if (condition()) {
+            met = condition();
+            looking = false;
+            if (met) {
                 loop.quit();
             }
-            looking = false;
         }
     };
     QTimer::singleShot(limit, &loop, &QEventLoop::quit);
@@ -36,7 +38,7 @@ namespace boresight::fakes {
     QObject::connect(&again, &QTimer::timeout, look);
     again.start(std::chrono::milliseconds(20));
     loop.exec();
-    return condition();
+    return met || condition();
 }
 
 }  // namespace boresight::fakes

@@ -52,7 +52,7 @@ protected:
             if (reached()) {
                 return true;
             }
-            if (truth(Axis::Azimuth).mode != moteus::Mode::Position && client->ask(command) != "RPRT 0\n") {
+            if (abs(truth(Axis::Azimuth).rate) < kStandingStill && client->ask(command) != "RPRT 0\n") {
                 static_cast<void>(client->ask("R 1\n"));
             }
             return false;

@@ -7,6 +7,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <ctime>
 
 namespace {
@@ -51,9 +52,13 @@ extern "C" int clock_gettime(clockid_t clock, timespec* time) noexcept
 
 extern "C" int timer_settime(timer_t timer, int flags, const itimerspec* wanted, itimerspec* old) noexcept
 {
+    if (flags != 0) {
+        errno = EINVAL;  // an absolute time, which UML does not use
+        return -1;
+    }
     const itimerspec slow{.it_interval = timeOf(nanoseconds(wanted->it_interval) * kSlowness),
                           .it_value = timeOf(nanoseconds(wanted->it_value) * kSlowness)};
-    return static_cast<int>(syscall(SYS_timer_settime, kernelNumber(timer), flags, &slow, old));
+    return static_cast<int>(syscall(SYS_timer_settime, kernelNumber(timer), 0, &slow, old));
 }
 
 extern "C" int timer_gettime(timer_t timer, itimerspec* left) noexcept

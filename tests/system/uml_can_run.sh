@@ -27,7 +27,13 @@ while [ $# -gt 0 ]; do
   esac
 done
 if [ $# -eq 0 ]; then
-  echo "usage: uml_can_run.sh [-m MEMORY] [-t SECONDS] [-n INTERFACES] [-l KERNEL_LOG] [-p LIBRARY] [--] COMMAND [ARGUMENT…]" >&2
+  echo "usage: uml_can_run.sh [-m MEMORY] [-t SECONDS] [-n INTERFACES] [-l KERNEL_LOG] [-p LIBRARY] [--]" \
+    "COMMAND [ARGUMENT…]" >&2
+  exit 2
+fi
+
+if [ -n "$preload" ] && { [ ! -r "$preload" ] || [[ $preload == *[\ :]* ]]; }; then
+  echo "uml_can_run: $preload cannot be read, or has a space or a colon in its name" >&2
   exit 2
 fi
 

@@ -58,10 +58,11 @@ struct StationRig
             }
         }
         const auto frames = control.tick();
+        clock.advance(heldUp);
         if (control.busReleased()) {
+            control.framesSent();
             return;  // the station's link is closed
         }
-        clock.advance(heldUp);
         for (const CanFrame& frame : frames) {
             for (fakes::IdealDrive* const drive : {&azimuth, &elevation}) {
                 if (const auto reply = drive->answer(frame, now)) {

@@ -59,6 +59,24 @@ TEST(StationStall, TwoDelaysThatAddUpAreOne)
     EXPECT_NEAR(rig.azimuthDegrees(), 100.0, 0.001);
 }
 
+// With the longest watchdog the sum is long enough for the axes to stand elsewhere.
+TEST(StationStall, TwoDelaysThatAddUpExcuseTheDrivesToo)
+{
+    StationRig rig;
+    rig.profile.control.watchdog = Seconds(0.2);
+    rig.control.setProfile(rig.profile);
+    ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(2.0)));
+    stall(rig, Seconds(0.125));
+    rig.heldUp = Seconds(0.145);
+    rig.tick();
+    rig.heldUp = Seconds(0.0);
+    EXPECT_TRUE(logHas(rig, QStringLiteral("this computer stalled for 0.29 s")));
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.state(), StationState::Slew);
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 100.0, 0.001);
+}
+
 TEST(StationStall, TheClientIsServedMeanwhile)
 {
     StationRig rig;
