@@ -153,7 +153,7 @@ TEST(Rooms, NoPanelKnowsAnother)
 TEST(Rooms, OnlySomeKnowHowTheDrivesSpeak)
 {
     Rooms others = roomsOf("core");
-    for (const char* const room : {"core/moteus", "core/axes", "core/control", "core/memory", "core/sim",
+    for (const char* const room : {"core/moteus", "core/moteus_mount", "core/control", "core/memory", "core/sim",
                                    "core/sim_bus", "core/supervision", "core/survey"}) {
         others.erase(room);
     }

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/alarms/event_log.h"
-#include "core/axes/drive_pair.h"
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/base/text.h"
 #include "core/messages/station_status.h"
+#include "core/moteus_mount/drive_pair.h"
 #include "core/profile/profile.h"
 #include "core/supervision/retry_policy.h"
 

@@ -2,17 +2,17 @@
 #pragma once
 
 #include "core/alarms/alarm_board.h"
-#include "core/axes/drive_pair.h"
-#include "core/axes/motion.h"
-#include "core/axes/turn_keeper.h"
 #include "core/base/clock.h"
 #include "core/control/arming.h"
 #include "core/control/cable_guard.h"
 #include "core/control/client_lead.h"
 #include "core/control/current_motion.h"
-#include "core/control/proof_run.h"
 #include "core/control/sun_watch.h"
-#include "core/control/turn_watch.h"
+#include "core/moteus_mount/drive_pair.h"
+#include "core/moteus_mount/proof_run.h"
+#include "core/moteus_mount/turn_keeper.h"
+#include "core/moteus_mount/turn_watch.h"
+#include "core/motion/motion.h"
 #include "core/pointing/mount_model.h"
 #include "core/profile/profile.h"
 

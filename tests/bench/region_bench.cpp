@@ -5,7 +5,7 @@
 // place, a route), and whole ticks of both axes, among all that and with nothing forbidden. And what the most costs
 // that a profile may have: 32 keep-outs around one target, and the band of the Sun where no clock tells the time.
 
-#include "core/axes/motion.h"
+#include "core/motion/motion.h"
 #include "core/pointing/route.h"
 #include "core/pointing/sun_keep_out.h"
 #include "core/profile/setting.h"

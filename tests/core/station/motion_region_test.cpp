@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The permitted region, enforced below every source of motion: random regions, targets, streams, jogs, edits.
-#include "core/axes/drive_pair.h"
-#include "core/axes/motion.h"
+#include "core/moteus_mount/drive_pair.h"
+#include "core/motion/motion.h"
 #include "tests/fakes/random_region.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/axes/drive.h"
+#include "core/moteus_mount/drive.h"
 #include "core/profile/profile.h"
 #include "core/units/sky.h"
 

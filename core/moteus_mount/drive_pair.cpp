@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/axes/drive_pair.h"
+#include "core/moteus_mount/drive_pair.h"
 
 #include "core/survey/protections.h"
 

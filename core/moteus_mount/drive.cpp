@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/axes/drive.h"
+#include "core/moteus_mount/drive.h"
 
 #include <algorithm>
 #include <cassert>

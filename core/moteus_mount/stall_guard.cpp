@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/control/stall_guard.h"
+#include "core/moteus_mount/stall_guard.h"
 
-#include "core/axes/drive_alarms.h"
 #include "core/base/text.h"
+#include "core/moteus_mount/drive_alarms.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/axes/guarded_axes.h"
+#include "core/motion/guarded_axes.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/axes/turn_keeper.h"
+#include "core/moteus_mount/turn_keeper.h"
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/axes/first_moves.h"
+#include "core/motion/first_moves.h"
 
 #include "core/base/text.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/alarms/alarm_list.h"
-#include "core/axes/drive.h"
 #include "core/base/text.h"
+#include "core/moteus_mount/drive.h"
 #include "core/supervision/finding.h"
 
 #include <QString>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/alarms/alarm_board.h"
-#include "core/axes/drive_pair.h"
+#include "core/moteus_mount/drive_pair.h"
 #include "core/supervision/axis_supervisor.h"
 #include "core/supervision/retry_policy.h"
 #include "core/tracking/axis_profile.h"

@@ -3,10 +3,10 @@
 
 #include "core/alarms/alarm_board.h"
 #include "core/alarms/event_log.h"
-#include "core/axes/drive_pair.h"
-#include "core/axes/drive_watch.h"
-#include "core/axes/turn_keeper.h"
-#include "core/control/own_stall.h"
+#include "core/moteus_mount/drive_pair.h"
+#include "core/moteus_mount/drive_watch.h"
+#include "core/moteus_mount/own_stall.h"
+#include "core/moteus_mount/turn_keeper.h"
 
 #include <array>
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/control/proof_run.h"
+#include "core/moteus_mount/proof_run.h"
 
 #include "core/base/text.h"
 

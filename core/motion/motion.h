@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/axes/guarded_axes.h"
 #include "core/base/clock.h"
 #include "core/base/result.h"
+#include "core/motion/guarded_axes.h"
 #include "core/profile/profile.h"
 #include "core/tracking/target_stream.h"
 #include "core/units/sky.h"

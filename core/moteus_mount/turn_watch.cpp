@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/control/turn_watch.h"
+#include "core/moteus_mount/turn_watch.h"
 
 #include "core/base/text.h"
 

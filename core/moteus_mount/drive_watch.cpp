@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/axes/drive_watch.h"
+#include "core/moteus_mount/drive_watch.h"
 
-#include "core/axes/drive_alarms.h"
 #include "core/base/text.h"
 #include "core/moteus/faults.h"
+#include "core/moteus_mount/drive_alarms.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/control/own_stall.h"
+#include "core/moteus_mount/own_stall.h"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/axes/motion.h"
+#include "core/motion/motion.h"
 
 #include "core/pointing/route.h"
 #include "core/survey/protections.h"

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/alarms/event_log.h"
-#include "core/axes/crash_stop_proof.h"
-#include "core/axes/drive_pair.h"
-#include "core/axes/motion.h"
-#include "core/axes/turn_keeper.h"
-#include "core/control/turn_watch.h"
+#include "core/moteus_mount/crash_stop_proof.h"
+#include "core/moteus_mount/drive_pair.h"
+#include "core/moteus_mount/turn_keeper.h"
+#include "core/moteus_mount/turn_watch.h"
+#include "core/motion/motion.h"
 
 #include <QString>
 

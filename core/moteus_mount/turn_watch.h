@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/alarms/alarm_board.h"
-#include "core/axes/drive_pair.h"
-#include "core/axes/drive_watch.h"
-#include "core/axes/turn_keeper.h"
 #include "core/base/clock.h"
+#include "core/moteus_mount/drive_pair.h"
+#include "core/moteus_mount/drive_watch.h"
+#include "core/moteus_mount/turn_keeper.h"
 #include "core/survey/drive_survey.h"
 
 #include <array>

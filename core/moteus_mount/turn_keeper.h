@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/alarms/event_log.h"
-#include "core/axes/drive_pair.h"
 #include "core/memory/mount_memory.h"
 #include "core/memory/reconcile.h"
 #include "core/memory/sensor_course.h"
 #include "core/memory/turn_question.h"
+#include "core/moteus_mount/drive_pair.h"
 #include "core/profile/profile.h"
 #include "core/survey/drive_survey.h"
 
