@@ -2,7 +2,6 @@
 #include "core/control/arming.h"
 
 #include "core/base/text.h"
-#include "core/moteus_mount/drive_alarms.h"
 
 #include <algorithm>
 
@@ -22,8 +21,8 @@ Result<> operatorOnly(const Source& source)
     return {};
 }
 
-Arming::Arming(const profile::Profile& profile, DrivePair& drives, EventLog& log)
-    : m_drives(drives), m_log(log), m_supervision(profile.supervision), m_retry(profile.recovery)
+Arming::Arming(const profile::Profile& profile, MountDriver& mount, EventLog& log)
+    : m_mount(mount), m_log(log), m_supervision(profile.supervision), m_retry(profile.recovery)
 {}
 
 void Arming::setProfile(const profile::Profile& profile)
@@ -34,12 +33,12 @@ void Arming::setProfile(const profile::Profile& profile)
 
 Result<> Arming::admits(const Source& source) const
 {
-    if (m_released) {
-        return failure(ErrorCode::NoAnswer, Text::tr("the bus is left to other tools: take it back first"));
+    if (const Result<> available = m_mount.available(); !available) {
+        return available;
     }
     if (!m_connected) {
-        const Axis silent = m_drives.drive(Axis::Azimuth).answering(m_now) ? Axis::Elevation : Axis::Azimuth;
-        return failure(ErrorCode::NoAnswer, Text::tr("no reply from the %1").arg(m_drives.drive(silent).label()));
+        const Axis silent = m_mount.report(Axis::Azimuth).answers ? Axis::Elevation : Axis::Azimuth;
+        return failure(ErrorCode::NoAnswer, Text::tr("no reply from the %1").arg(m_mount.label(silent)));
     }
     if (m_closing) {
         return failure(ErrorCode::Refused, Text::tr("Boresight is closing"));
@@ -53,7 +52,7 @@ Result<> Arming::admits(const Source& source) const
     if (const auto reason = fault()) {
         return failure(ErrorCode::Refused, Text::tr("%1: re-arm first").arg(*reason));
     }
-    return mayCommand(source).and_then([this] { return m_fitness; });
+    return mayCommand(source).and_then([this] { return m_mount.fitness(); });
 }
 
 Result<> Arming::mayCommand(const Source& source) const
@@ -86,7 +85,7 @@ bool Arming::losesConnection(SteadyTime now)
     for (const Axis axis : kAxes) {
         noteConditions(axis);
     }
-    const bool connected = m_drives.answering(now) && !m_released;
+    const bool connected = m_mount.answers() && m_mount.available();
     if (connected == m_connected) {
         return false;
     }
@@ -97,8 +96,9 @@ bool Arming::losesConnection(SteadyTime now)
         m_wasConnected = true;
         return false;
     }
-    m_log.add(Severity::Warning, QStringLiteral("station"),
-              m_released ? Text::tr("the bus is left to other tools") : Text::tr("a drive has stopped answering"));
+    m_log.add(
+        Severity::Warning, QStringLiteral("station"),
+        !m_mount.available() ? Text::tr("the bus is left to other tools") : Text::tr("a drive has stopped answering"));
     return true;
 }
 
@@ -119,13 +119,10 @@ std::optional<QString> Arming::fault() const
 
 supervision::DriveConditions Arming::conditions(Axis axis) const
 {
-    const auto& report = m_drives.drive(axis).report();
-    if (!report) {
-        return {};
-    }
-    return {.voltage = report->voltage,
-            .boardTemperature = report->boardTemperature,
-            .motorTemperature = report->motorTemperature};
+    const AxisReport report = m_mount.report(axis);
+    return {.voltage = report.voltage,
+            .boardTemperature = report.boardTemperature,
+            .motorTemperature = report.motorTemperature};
 }
 
 // The reply in which a drive is lost may be the one that does not say it.
@@ -133,7 +130,7 @@ void Arming::noteConditions(Axis axis)
 {
     const supervision::DriveConditions now = conditions(axis);
     supervision::DriveConditions& told = m_told[index(axis)];
-    if (!m_drives.drive(axis).answering(m_now)) {
+    if (!m_mount.report(axis).answers) {
         told = {};  // another may come back
         return;
     }
@@ -146,7 +143,7 @@ void Arming::noteConditions(Axis axis)
 QString Arming::rearmObstacle() const
 {
     const auto of = [this](Axis axis, const QString& why) {
-        return why.isEmpty() ? QString() : QStringLiteral("%1: %2").arg(m_drives.drive(axis).label(), why);
+        return why.isEmpty() ? QString() : QStringLiteral("%1: %2").arg(m_mount.label(axis), why);
     };
     QString obstacle;
     for (const Loss& loss : m_losses) {
@@ -191,11 +188,7 @@ Result<> Arming::rearm(const Source& source)
 
 void Arming::beginRearm()
 {
-    for (const Axis axis : kAxes) {
-        if (m_drives.drive(axis).latched()) {
-            m_drives.drive(axis).recover();
-        }
-    }
+    m_mount.recover();
     m_rearming = true;
 }
 
@@ -219,7 +212,7 @@ bool Arming::completesRearm()
         m_retry.healthy(m_now);
     }
     retry();
-    if (!m_rearming || m_drives.changingHands()) {
+    if (!m_rearming || m_mount.changesHands()) {
         return false;
     }
     m_rearming = false;

@@ -6,7 +6,7 @@
 #include "core/base/result.h"
 #include "core/base/text.h"
 #include "core/messages/station_status.h"
-#include "core/moteus_mount/drive_pair.h"
+#include "core/mount/mount_driver.h"
 #include "core/profile/profile.h"
 #include "core/supervision/retry_policy.h"
 
@@ -28,7 +28,7 @@ namespace boresight {
 class Arming
 {
 public:
-    Arming(const profile::Profile& profile, DrivePair& drives, EventLog& log);
+    Arming(const profile::Profile& profile, MountDriver& mount, EventLog& log);
 
     // May this source start a motion? The error says what stands in the way and what to do.
     [[nodiscard]] Result<> admits(const Source& source) const;
@@ -42,16 +42,6 @@ public:
 
     void setAuthority(Authority authority) { m_authority = authority; }
     [[nodiscard]] Authority authority() const { return m_authority; }
-
-    // Whether the drives are fit to move the mount, by the survey of their protections.
-    void setFitness(const Result<>& fitness) { m_fitness = fitness; }
-    [[nodiscard]] const Result<>& fitness() const { return m_fitness; }
-    // What the drives report means something: their gear and protections are right, or are still being read.
-    [[nodiscard]] bool drivesReadable() const { return m_fitness || m_fitness.error().code == ErrorCode::Busy; }
-
-    // The bus is left to other tools, or taken back.
-    void setReleased(bool released) { m_released = released; }
-    [[nodiscard]] bool released() const { return m_released; }
 
     // The program ends: no start and no re-arm from now on.
     void close() { m_closing = true; }
@@ -86,14 +76,12 @@ private:
     void beginRearm();
     void retry();
 
-    DrivePair& m_drives;
+    MountDriver& m_mount;
     EventLog& m_log;
     profile::SupervisionSettings m_supervision;
     supervision::RetryPolicy m_retry;
-    Result<> m_fitness = failure(ErrorCode::Refused, Text::tr("the drives have not been looked at yet"));
     Authority m_authority = Authority::Clients;
     bool m_stopLatched = false;
-    bool m_released = false;
     bool m_closing = false;
     bool m_connected = false;
     bool m_wasConnected = false;

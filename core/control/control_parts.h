@@ -8,11 +8,8 @@
 #include "core/control/client_lead.h"
 #include "core/control/current_motion.h"
 #include "core/control/sun_watch.h"
-#include "core/moteus_mount/drive_pair.h"
-#include "core/moteus_mount/proof_run.h"
-#include "core/moteus_mount/turn_keeper.h"
-#include "core/moteus_mount/turn_watch.h"
 #include "core/motion/motion.h"
+#include "core/mount/mount_driver.h"
 #include "core/pointing/mount_model.h"
 #include "core/profile/profile.h"
 
@@ -26,14 +23,11 @@ struct ControlParts
     const profile::Profile& profile;
     const Clock& clock;
     const pointing::MountModel& model;
-    const DrivePair& drives;
+    const MountDriver& mount;
     const Motion& motion;
     const CurrentMotion& current;
     const Arming& arming;
     const ClientLead& lead;
-    const TurnKeeper& turns;
-    const TurnWatch& facts;
-    const ProofRun& proof;
     const CableGuard& cable;
     const SunWatch& sun;
     const AlarmBoard& alarms;
@@ -43,12 +37,12 @@ struct ControlParts
     // Where the set-points are, or the axes if nobody moves them.
     [[nodiscard]] AxisPosition standing() const
     {
-        return drives.engaged() ? motion.place() : drives.measured().value_or(AxisPosition{});
+        return mount.follows() ? motion.place() : mount.measured().value_or(AxisPosition{});
     }
     // Where the axes are going, else where they stand.
     [[nodiscard]] AxisPosition heading() const
     {
-        return drives.engaged() ? motion.target(now).value_or(motion.place()) : standing();
+        return mount.follows() ? motion.target(now).value_or(motion.place()) : standing();
     }
 };
 

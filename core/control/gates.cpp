@@ -12,16 +12,15 @@ namespace boresight {
 
 Result<> Gates::mayMove(const Source& source) const
 {
-    if (m_of.proof.running()) {
+    if (m_of.mount.proofRunning()) {
         return failure(ErrorCode::Refused, Text::tr("the crash-stop proof moves the mount: end it first"));
     }
     const auto commands = [&] { return mayCommand(source); };
     return m_of.arming.admits(source).and_then(commands).and_then([&]() -> Result<> {
         for (const Axis axis : kAxes) {
-            if (!m_of.drives.measured(axis)) {
-                return failure(
-                    ErrorCode::NoAnswer,
-                    Text::tr("the %1 reports no position: look at its encoder").arg(m_of.drives.drive(axis).label()));
+            if (!m_of.mount.measured(axis)) {
+                return failure(ErrorCode::NoAnswer,
+                               Text::tr("the %1 reports no position: look at its encoder").arg(m_of.mount.label(axis)));
             }
         }
         return {};
@@ -31,10 +30,10 @@ Result<> Gates::mayMove(const Source& source) const
 Result<> Gates::axesPlaced() const
 {
     for (const Axis axis : kAxes) {
-        if (!m_of.turns.known(axis)) {
+        if (!m_of.mount.report(axis).wrapKnown) {
             return failure(ErrorCode::Refused, Text::tr("it is not known on which turn the axis of the %1 stands: "
                                                         "the operator must tell; slow jogging only")
-                                                   .arg(m_of.drives.drive(axis).label()));
+                                                   .arg(m_of.mount.label(axis)));
         }
     }
     return insideTravel();
@@ -65,8 +64,8 @@ Result<> Gates::mayCommand(const Source& source) const
 
 int Gates::farOutside(Axis axis) const
 {
-    const auto place = m_of.drives.measured(axis);
-    if (!m_of.turns.known(axis) || !place) {
+    const auto place = m_of.mount.measured(axis);
+    if (!m_of.mount.report(axis).wrapKnown || !place) {
         return 0;
     }
     const TravelRange& travel = m_of.model.axis(axis).travel;
@@ -81,7 +80,7 @@ Result<> Gates::insideTravel() const
             const TravelRange& travel = m_of.model.axis(axis).travel;
             return failure(ErrorCode::Refused,
                            Text::tr("The %1 stands at %2, outside its travel (%3 to %4). Jog it back slowly.")
-                               .arg(m_of.drives.drive(axis).label(), degreesText(*m_of.drives.measured(axis), 2),
+                               .arg(m_of.mount.label(axis), degreesText(*m_of.mount.measured(axis), 2),
                                     degreesText(travel.min, 2), degreesText(travel.max, 2)));
         }
     }
@@ -103,23 +102,23 @@ Result<> Gates::mayJog(const AxisRates& rates, const Source& source) const
 Result<> Gates::mayJogSlowly(const AxisRates& rates) const
 {
     for (const Axis axis : kAxes) {
-        if (!m_of.turns.known(axis) && !m_of.turns.asked(axis)) {
+        if (!m_of.mount.report(axis).wrapKnown && !m_of.mount.report(axis).wrapAsked) {
             return failure(ErrorCode::Refused, Text::tr("the place of the axes is being found out: wait a moment"));
         }
         const AngularRate rate = axis == Axis::Azimuth ? rates.azimuth : rates.elevation;
         if (rate * static_cast<double>(farOutside(axis)) > AngularRate{}) {
             return failure(ErrorCode::Refused,
                            Text::tr("The %1 stands outside its travel. It may only be jogged back inside.")
-                               .arg(m_of.drives.drive(axis).label()));
+                               .arg(m_of.mount.label(axis)));
         }
     }
     const AngularRate fastest = m_of.profile.jog.unwind;
     if (std::max(abs(rates.azimuth), abs(rates.elevation)) > fastest) {
         return failure(ErrorCode::Refused,
-                       (m_of.facts.allKnown() ? Text::tr("An axis stands outside its travel. Jog at %1°/s "
-                                                         "or slower.")
-                                              : Text::tr("the turn of an axis is not known: jog at %1°/s or "
-                                                         "slower"))
+                       (m_of.mount.wrapsKnown() ? Text::tr("An axis stands outside its travel. Jog at %1°/s "
+                                                           "or slower.")
+                                                : Text::tr("the turn of an axis is not known: jog at %1°/s or "
+                                                           "slower"))
                            .arg(toQString(formatFixed(fastest.degrees(), 1))));
     }
     return {};
@@ -127,10 +126,10 @@ Result<> Gates::mayJogSlowly(const AxisRates& rates) const
 
 Result<> Gates::drivesRest() const
 {
-    if (m_of.drives.anyUnderOrders() && !m_of.motion.atRest()) {
+    if (m_of.mount.underOrders() && !m_of.motion.atRest()) {
         return failure(ErrorCode::Refused, Text::tr("the mount moves: stop it first"));
     }
-    if (m_of.drives.changingHands()) {
+    if (m_of.mount.changesHands()) {
         return failure(ErrorCode::Refused, Text::tr("a drive is being taken over: try again in a second"));
     }
     return {};
@@ -138,7 +137,7 @@ Result<> Gates::drivesRest() const
 
 bool Gates::isInSunBand(const AxisPosition& place) const
 {
-    return m_of.facts.allKnown() && m_of.sun.mayBeAt(m_of.model.toSky(place));
+    return m_of.mount.wrapsKnown() && m_of.sun.mayBeAt(m_of.model.toSky(place));
 }
 
 // Nobody knows where in the band the Sun is, so that no way out of it is known to be a safe one.

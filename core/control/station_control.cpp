@@ -2,6 +2,7 @@
 #include "core/control/station_control.h"
 
 #include "core/base/text.h"
+#include "core/mount/mount_service.h"
 #include "core/pointing/sun_keep_out.h"
 #include "core/units/degrees_text.h"
 
@@ -37,27 +38,21 @@ bool isZero(const AxisRates& rates)
 
 }  // namespace
 
-StationControl::StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log,
-                               TurnKeeper::Start start)
+StationControl::StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
+                               MountDriver& mount)
     : m_profile(profile),
       m_clock(clock),
       m_log(log),
+      m_alarms(alarms),
+      m_mount(mount),
       m_model(profile.azimuth.geometry, profile.elevation.geometry, pointing::PointingModel(profile.pointing)),
-      m_drives(profile),
       m_motion(profile),
       m_sun(profile),
-      m_arming(profile, m_drives, log),
-      m_alarms(log, clock),
+      m_arming(profile, mount, log),
       m_sunAlarms(m_alarms),
-      m_watches{DriveWatch(Axis::Azimuth, profile, m_alarms), DriveWatch(Axis::Elevation, profile, m_alarms)},
-      m_turns(profile, clock, log, std::move(start)),
-      m_turnWatch(m_turns, m_drives, m_watches, m_alarms),
-      m_stall(m_drives, m_watches, m_turns, m_alarms, log),
-      m_proof(m_drives, m_motion, m_turns, m_turnWatch, log),
       m_cable(m_alarms, clock),
       m_clientLines(log, clock, kClientLinesPerSecond),
-      m_started(clock.now()),
-      m_now(m_started)
+      m_now(clock.now())
 {
     (void)m_sun.update(clock);
     enforceRegion();
@@ -69,14 +64,11 @@ ControlParts StationControl::parts() const
     return {.profile = m_profile,
             .clock = m_clock,
             .model = m_model,
-            .drives = m_drives,
+            .mount = m_mount,
             .motion = m_motion,
             .current = m_current,
             .arming = m_arming,
             .lead = m_lead,
-            .turns = m_turns,
-            .facts = m_turnWatch,
-            .proof = m_proof,
             .cable = m_cable,
             .sun = m_sun,
             .alarms = m_alarms,
@@ -121,13 +113,13 @@ void StationControl::begin(Activity activity, const Source& source, const QStrin
         m_lead.moved(source, m_now);
     }
     m_current.begin(activity, source, what);
-    m_drives.engage();
+    m_mount.engage();
 }
 
 void StationControl::holdHere(Activity left)
 {
-    if (m_proof.running()) {
-        m_proof.end(Text::tr("ended before it was done"));
+    if (m_mount.proofRunning()) {
+        m_mount.service()->endProof(Text::tr("ended before it was done"));
     }
     m_current.end(left);
     m_motion.rest();
@@ -351,7 +343,7 @@ Result<> StationControl::handle(const request::Stop&, const Source& source)
 
 Result<> StationControl::handle(const request::ResetStop&, const Source& source)
 {
-    if (m_drives.anyUnderOrders() && !m_motion.atRest()) {
+    if (m_mount.underOrders() && !m_motion.atRest()) {
         return failure(ErrorCode::Refused, Text::tr("the mount is still braking: reset STOP when it stands"));
     }
     return m_arming.resetStop().map([&] {
@@ -377,16 +369,15 @@ Result<> StationControl::handle(const request::Rearm&, const Source& source)
 Result<AxisPosition> StationControl::measured() const
 {
     for (const Axis axis : kAxes) {
-        const auto& place = m_drives.drive(axis).place();
-        if (!place || m_clock.now() - place->received > kOldestPosition) {
-            return failure(ErrorCode::NoAnswer,
-                           Text::tr("no fresh position from the %1").arg(m_drives.drive(axis).label()));
+        const AxisReport report = m_mount.report(axis);
+        if (!report.place || m_clock.now() - report.placed > kOldestPosition) {
+            return failure(ErrorCode::NoAnswer, Text::tr("no fresh position from the %1").arg(m_mount.label(axis)));
         }
     }
     if (!turnsKnown()) {
         return failure(ErrorCode::NoAnswer, Text::tr("it is not known on which turn an axis stands"));
     }
-    return *m_drives.measured();
+    return *m_mount.measured();
 }
 
 std::optional<SkyPointing> StationControl::direction() const
@@ -395,27 +386,17 @@ std::optional<SkyPointing> StationControl::direction() const
     return place ? std::optional(m_model.toSky(*place)) : std::nullopt;
 }
 
-void StationControl::setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation,
-                               const std::optional<memory::SensorCourse>& course)
+void StationControl::setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation)
 {
-    m_turns.setCourse(course);
     const SkyPointing beam{.azimuth = azimuth.value_or(Angle{}), .elevation = elevation.value_or(Angle{})};
     const AxisPosition axes = m_model.pointing().toAxes(beam).axes;
-    m_turns.setSensor(Axis::Azimuth, azimuth ? std::optional(axes.azimuth) : std::nullopt);
-    m_turns.setSensor(Axis::Elevation, elevation ? std::optional(axes.elevation) : std::nullopt);
+    m_mount.setSensor(Axis::Azimuth, azimuth ? std::optional(axes.azimuth) : std::nullopt);
+    m_mount.setSensor(Axis::Elevation, elevation ? std::optional(axes.elevation) : std::nullopt);
 }
 
 std::optional<AxisPosition> StationControl::trimInUse() const
 {
     return m_current.is(Activity::Streaming) && followsClient() ? std::optional(m_motion.trim()) : std::nullopt;
-}
-
-void StationControl::driveRestarted(Axis axis)
-{
-    m_log.add(Severity::Warning, QString::fromStdString(m_drives.drive(axis).name()),
-              Text::tr("was power-cycled: its turn must be judged anew"));
-    m_turnWatch.forget(axis);
-    holdHere(Activity::None);
 }
 
 // The direction that the beam has there; on the turn of the axes.
@@ -438,13 +419,6 @@ void StationControl::enforceRegion()
     if (const std::string why = going && target ? m_motion.region().reason(*target) : ""; !why.empty()) {
         m_log.add(Severity::Warning, QStringLiteral("station"), Text::tr("ends the motion: %1").arg(toQString(why)));
         holdHere(Activity::Holding);  // else a mount that stands would set off by itself
-    }
-}
-
-void StationControl::setSilenceAdvice(const QString& advice)
-{
-    for (DriveWatch& watch : m_watches) {
-        watch.setSilenceAdvice(advice);
     }
 }
 

@@ -4,7 +4,6 @@
 #include "core/alarms/alarm_board.h"
 #include "core/alarms/event_log.h"
 #include "core/alarms/log_throttle.h"
-#include "core/base/can_frame.h"
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/control/arming.h"
@@ -18,35 +17,30 @@
 #include "core/control/sun_watch.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
-#include "core/moteus_mount/drive_pair.h"
-#include "core/moteus_mount/drive_watch.h"
-#include "core/moteus_mount/proof_run.h"
-#include "core/moteus_mount/stall_guard.h"
-#include "core/moteus_mount/turn_keeper.h"
-#include "core/moteus_mount/turn_watch.h"
 #include "core/motion/first_moves.h"
 #include "core/motion/motion.h"
+#include "core/mount/mount_driver.h"
 #include "core/pointing/mount_model.h"
 #include "core/profile/advice.h"
 #include "core/profile/profile.h"
-#include "core/survey/drive_survey.h"
 
 #include <QString>
 
-#include <array>
 #include <optional>
 #include <vector>
 
 // The only place that decides about motion: accepts or refuses every request, whoever sends it, and once per tick
-// turns the decision into one frame for each drive. Holds the rules: nothing moves before an explicit request, STOP
-// latches, a fault or silence needs an explicit re-arm, the operator goes before the clients. Pure: frames in, frames
-// out, time from the injected clock; the Station gives it a bus and a timer. States and rules: README.md.
+// turns the decision into one set-point for each axis of the mount. Holds the rules: nothing moves before an explicit
+// request, STOP latches, a fault or silence needs an explicit re-arm, the operator goes before the clients. Pure: time
+// comes from the injected clock; the Station gives it a mount and a timer. States and rules: README.md.
 namespace boresight {
 
 class StationControl
 {
 public:
-    StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log, TurnKeeper::Start start = {});
+    // All but the profile outlive this.
+    StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
+                   MountDriver& mount);
 
     // Accepted, or the reason in words. Takes effect in the next tick.
     Result<> request(const Request& request, const Source& source);
@@ -60,12 +54,8 @@ public:
     // point.
     void positionRead(std::uint64_t clientId);
 
-    void take(const CanFrame& frame) { m_drives.take(frame); }
-    // Judges the replies, moves the set-points on and returns the frames to send: azimuth, elevation.
-    [[nodiscard]] std::array<CanFrame, 2> tick();
-    // The station has handed these frames to the link, or has no link now. A computer that is held up between the two
-    // sends them late.
-    void framesSent();
+    // Judges what the mount reports, moves the set-points on and commands them.
+    void tick();
 
     // The end of the program: decelerate, then bring the drives into the profile's `on_exit` state. Keep ticking until
     // shutDownDone().
@@ -84,7 +74,7 @@ public:
     // STOP leave it.
     [[nodiscard]] std::uint64_t errand() const { return m_current.errand(); }
     // Which turn the axis is on is told by the operator, or was: it may be another than before.
-    [[nodiscard]] bool isTurnAsked(Axis axis) const { return m_turns.asked(axis); }
+    [[nodiscard]] bool isTurnAsked(Axis axis) const { return m_mount.report(axis).wrapAsked; }
     [[nodiscard]] Authority authority() const { return m_arming.authority(); }
     // Whether this source may send the mount anywhere now; the error says what stands in the way.
     [[nodiscard]] Result<> mayPoint(const Source& source) const { return gates().mayPoint(source); }
@@ -115,33 +105,11 @@ public:
     // A drive was lost and nobody has re-armed yet; also while DISCONNECTED hides the word FAULT.
     [[nodiscard]] bool faultLatched() const { return m_arming.fault().has_value(); }
 
-    // Whether the drives are fit to move the mount, by the survey of their protections. Nothing moves before.
-    void setFitness(const Result<>& fitness) { m_arming.setFitness(fitness); }
     // What applies at once of a changed profile: in force from the next tick on, also for what moves.
     void setProfile(const profile::Profile& profile);
-    // What the survey knows about a drive now; empty: nothing, its turn is then judged anew.
-    void learn(Axis axis, const std::optional<survey::DriveFacts>& facts) { m_turnWatch.learn(axis, facts); }
-    // Of the drive that was read there, empty if it told none; nothing: none was read.
-    [[nodiscard]] std::optional<QString> uuid(Axis axis) const
-    {
-        return facts(axis) ? std::optional(facts(axis)->uuid) : std::nullopt;
-    }
+    [[nodiscard]] const MountDriver& mount() const { return m_mount; }
     // Where a sensor on the antenna says that the beam points: it speaks when a turn is asked for, and nowhere else.
-    void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation,
-                   const std::optional<memory::SensorCourse>& course = std::nullopt);
-    // What its position counts from is to be read anew.
-    [[nodiscard]] bool needsOrigin(Axis axis) const { return m_turnWatch.needsOrigin(axis); }
-    // The drive was power-cycled under our eyes.
-    void driveRestarted(Axis axis);
-    // What to do about a bus that is silent although it works: depends on what carries it.
-    void setSilenceAdvice(const QString& advice);
-    [[nodiscard]] bool answering(Axis axis) const
-    {
-        return m_drives.drive(axis).answering(m_now) && !m_arming.released();
-    }
-    [[nodiscard]] bool busReleased() const { return m_arming.released(); }
-    [[nodiscard]] const memory::MountMemory& memory() const { return m_turns.memory(); }
-    [[nodiscard]] bool takeMemoryChange() { return m_turns.takeChange(); }
+    void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation);
 
 private:
     Result<> handle(const request::PointSky& wanted, const Source& source);
@@ -183,7 +151,7 @@ private:
     [[nodiscard]] StatusReport report() const { return StatusReport(parts()); }
     [[nodiscard]] Gates gates() const { return Gates(parts()); }
     [[nodiscard]] bool moves() const { return m_current.moves(); }
-    [[nodiscard]] bool turnsKnown() const { return m_turnWatch.allKnown(); }
+    [[nodiscard]] bool turnsKnown() const { return m_mount.wrapsKnown(); }
     Result<> goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& text);
     [[nodiscard]] Result<> mayGoTo(const AxisPosition& place) const;  // it is permitted, and there is a way
     [[nodiscard]] AxisPosition turnWithAWay(const AxisPosition& place) const;
@@ -206,13 +174,10 @@ private:
     [[nodiscard]] AxisPosition standing() const { return parts().standing(); }
     [[nodiscard]] AxisPosition heading() const { return parts().heading(); }
 
-    [[nodiscard]] AxisPosition heldPlace() const;
-    void resumeAfterStall();
-    void watchDrives();
+    Result<MountService*> serviceFor(const Source& source) const;
+    void superviseMount();
     void keepStopped();
-    void stopFor(Axis axis, const DriveWatch::Trouble& trouble);
-    void keepTurns();
-    void letBackInside();
+    void stepProof();
     void watchJog();
     void watchFitness();
     void watchRegion();
@@ -225,25 +190,17 @@ private:
     void finishRearm();
     void moveOn(Seconds step);
 
-    [[nodiscard]] DriveWatch& watchOf(Axis axis) { return m_watches[index(axis)]; }
-    [[nodiscard]] const std::optional<survey::DriveFacts>& facts(Axis axis) const { return m_turnWatch.facts(axis); }
-
     profile::Profile m_profile;
     const Clock& m_clock;
     EventLog& m_log;
+    AlarmBoard& m_alarms;
+    MountDriver& m_mount;
     pointing::MountModel m_model;
-    DrivePair m_drives;
     Motion m_motion;
     SunWatch m_sun;
     Arming m_arming;
     ClientLead m_lead;
-    AlarmBoard m_alarms;
     SunAlarms m_sunAlarms;
-    std::array<DriveWatch, 2> m_watches;
-    TurnKeeper m_turns;
-    TurnWatch m_turnWatch;
-    StallGuard m_stall;
-    ProofRun m_proof;
     CableGuard m_cable;
     LogThrottle m_clientLines;
 
@@ -251,10 +208,8 @@ private:
     std::string m_heldAt;  // what the log last said the motion is held at
     FirstMoves m_firstMoves;
     std::vector<profile::Advice> m_advice;  // on the profile, as it was told
-    std::array<bool, 2> m_ignoringBounds{};
     OrderlyEnd m_end;
-    SteadyTime m_started{};  // the program, or the use of a bus that was taken back
-    SteadyTime m_now{};      // of the running or last tick
+    SteadyTime m_now{};  // of the running or last tick
     std::uint64_t m_tick = 0;
 };
 

@@ -127,11 +127,8 @@ void StationControl::setProfile(const profile::Profile& profile)
     for (const Axis axis : kAxes) {
         m_motion.setLimits(axis, profile.axis(axis).limits);
     }
-    m_drives.setProfile(profile);
+    m_mount.setProfile(profile);
     m_arming.setProfile(profile);
-    for (DriveWatch& watch : m_watches) {
-        watch.setProfile(profile);
-    }
     tellAdvice();
 }
 
@@ -157,7 +154,7 @@ Result<> StationControl::mayMoveFirst(const AxisRates& rates)
     if (m_profile.mount.directions == profile::Directions::Confirmed) {
         return {};
     }
-    const AxisPosition place = m_drives.engaged() ? m_motion.place() : *m_drives.measured();
+    const AxisPosition place = m_mount.follows() ? m_motion.place() : *m_mount.measured();
     const auto rest = [&](Axis axis, Angle from, AngularRate wanted) {
         tracking::Setpoint then = m_motion.setpoint(axis);
         then.position = from;
@@ -177,7 +174,7 @@ void StationControl::watchFirstMoves()
     const auto rest = [this](Axis axis) { return restingPlace(m_motion.setpoint(axis), m_profile.axis(axis).limits); };
     const AxisRates rates{.azimuth = m_motion.setpoint(Axis::Azimuth).rate,
                           .elevation = m_motion.setpoint(Axis::Elevation).rate};
-    if (m_drives.engaged() && m_firstMoves.exceeded(rates, {rest(Axis::Azimuth), rest(Axis::Elevation)})) {
+    if (m_mount.follows() && m_firstMoves.exceeded(rates, {rest(Axis::Azimuth), rest(Axis::Elevation)})) {
         m_log.add(Severity::Advisory, m_current.commander().name,
                   Text::tr("jog ends: no farther than 2° until the directions of the axes are confirmed"));
         holdHere(Activity::Holding);

@@ -30,7 +30,7 @@ void StationControl::renewSun(bool redrawn)
 void StationControl::watchSun()
 {
     renewSun(false);
-    const auto measured = m_drives.measured();
+    const auto measured = m_mount.measured();
     m_sunAlarms.update(m_sun, measured && turnsKnown() ? std::optional(m_model.toSky(*measured)) : std::nullopt);
 }
 

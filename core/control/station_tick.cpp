@@ -2,6 +2,7 @@
 // The part of StationControl that runs once per tick: judge what the drives say, then move on.
 #include "core/base/text.h"
 #include "core/control/station_control.h"
+#include "core/mount/mount_service.h"
 
 #include <algorithm>
 
@@ -13,134 +14,73 @@ constexpr Seconds kLongestStep{0.1};
 
 }  // namespace
 
-std::array<CanFrame, 2> StationControl::tick()
+void StationControl::tick()
 {
     const SteadyTime now = m_clock.now();
-    if (m_tick > 0) {
-        m_stall.tickBegins(now - m_now, m_profile.control.watchdog, heldPlace(), now);
-    }
     const Seconds step = std::clamp(Seconds(now - m_now), Seconds(0.0), kLongestStep);
     m_now = now;
-    if (m_tick == 0) {
-        m_started = now;  // the drives have had no question before
-    }
     ++m_tick;
-    m_drives.judge(now);
+    m_mount.observe(now);
     if (m_arming.losesConnection(now)) {
         holdHere(Activity::None);
     }
-    keepTurns();
-    resumeAfterStall();
-    watchDrives();
-    letBackInside();
+    superviseMount();
     keepStopped();
     watchJog();
     watchFirstMoves();
     watchFitness();
     finishRearm();
-    if (m_proof.step(m_now, m_clock.utc())) {
-        holdHere(Activity::Holding);
-    }
+    stepProof();
     watchSun();
     moveOn(step);
     watchRegion();
     watchCable();
     watchLimited();
     m_alarms.tick();
-    if (m_end.leaves(m_motion.atRest() && !m_drives.changingHands(), m_now)) {
-        m_drives.leave(m_profile.control.onExit);
+    if (m_end.leaves(m_motion.atRest() && !m_mount.changesHands(), m_now)) {
+        m_mount.leave(m_profile.control.onExit);
     }
-    return m_drives.frames();
 }
 
-void StationControl::framesSent()
+// The motion ends with a trouble: the axes brake from their set-points.
+void StationControl::superviseMount()
 {
-    m_stall.framesSent(m_profile.control.watchdog, heldPlace(), m_clock.now());
-}
-
-void StationControl::watchDrives()
-{
-    for (const Axis axis : kAxes) {
-        const DriveWatch::Context context{.now = m_now,
-                                          .running = m_now - m_started,
-                                          .turnKnown = m_turns.known(axis),
-                                          .faultLatched = faultLatched(),
-                                          .ownOrders = m_arming.closing(),
-                                          .silenceExpected = m_arming.released()};
-        const auto trouble = watchOf(axis).watch(m_drives.drive(axis), m_motion.setpoint(axis), context);
-        if (trouble && trouble->stops) {
-            stopFor(axis, *trouble);
-        }
-        if (trouble && trouble->turnDoubtful) {
-            m_turns.forget(axis, trouble->what);
-        }
+    const MountFindings found = m_mount.supervise({.moves = !m_current.is(Activity::None),
+                                                   .settled = m_motion.atRest(),
+                                                   .faultLatched = faultLatched(),
+                                                   .stopLatched = m_arming.stopLatched(),
+                                                   .closing = m_arming.closing()});
+    if (found.interrupted) {
+        holdHere(Activity::None);
+    }
+    for (const AxisTrouble& trouble : found.troubles) {
+        m_arming.lost(trouble.axis, trouble.loss, trouble.what);
+        holdHere(Activity::None);
     }
 }
 
 // Behind a latched STOP nothing is moved by others' orders either, nor by a drive that comes back with them.
 void StationControl::keepStopped()
 {
-    if (m_arming.stopLatched() && !m_arming.released() && !m_arming.closing()) {
-        m_drives.seize(m_now);
+    if (m_arming.stopLatched() && m_mount.available() && !m_arming.closing()) {
+        m_mount.seize();
     }
 }
 
-// The motion ends: the axes brake from their set-points. One that can not follow stays where it is, so that its
-// set-point does not go on pulling. One whose angle has jumped gets no set-point at all, because nobody knows which of
-// the two places its drive would take it to mean.
-void StationControl::stopFor(Axis axis, const DriveWatch::Trouble& trouble)
+void StationControl::stepProof()
 {
-    m_arming.lost(axis, trouble.loss, trouble.what);
-    holdHere(Activity::None);
-    if (trouble.turnDoubtful) {
-        m_drives.drive(axis).hold();
-    } else if (trouble.gaveWay) {
-        m_drives.drive(axis).yield();  // its set-point follows when the drive is captured
+    if (!m_mount.proofRunning()) {
+        return;
     }
-}
-
-void StationControl::keepTurns()
-{
-    const bool lost = m_turnWatch.keep({.now = m_now, .released = m_arming.released(), .atRest = m_motion.atRest()});
-    const bool interrupted = lost && !m_current.is(Activity::None);
-    if (lost) {
-        holdHere(Activity::None);  // what was wanted is meant in a frame that is not true any more
+    const MountService::ProofStep step = m_mount.service()->stepProof();
+    if (step.run) {
+        m_motion.run(*step.run);
     }
-    m_turnWatch.raiseAlarms(interrupted, m_arming.drivesReadable());
-}
-
-// An axis that was pushed out beyond its drive's own bounds could not even be moved back: fault 39.
-void StationControl::letBackInside()
-{
-    const Gates gates = this->gates();
-    for (const Axis axis : kAxes) {
-        const auto measured = m_drives.measured(axis);
-        const bool outside = m_turns.known(axis) && measured && !m_model.axis(axis).travel.contains(*measured);
-        bool& ignoring = m_ignoringBounds[index(axis)];
-        ignoring = gates.farOutside(axis) != 0 || (ignoring && outside);
-        m_drives.drive(axis).setIgnoreBounds(ignoring);
+    if (step.rest) {
+        m_motion.rest();
     }
-}
-
-// Where the drives were told to be; one that is still taken over has no set-point.
-AxisPosition StationControl::heldPlace() const
-{
-    const auto of = [this](Axis axis, Angle setpoint) {
-        const bool engaged = m_drives.drive(axis).phase() == Drive::Phase::Engaged;
-        return engaged ? setpoint : m_drives.measured(axis).value_or(setpoint);
-    };
-    const AxisPosition told = m_motion.place();
-    return {.azimuth = of(Axis::Azimuth, told.azimuth), .elevation = of(Axis::Elevation, told.elevation)};
-}
-
-// Where a drive does not come back the motion ends.
-void StationControl::resumeAfterStall()
-{
-    const bool hindered = m_proof.running() || m_arming.closing() || m_arming.released() || m_arming.stopLatched() ||
-                          faultLatched() || !m_arming.fitness() || !turnsKnown();
-    m_stall.resume(m_profile.control.afterStall == profile::AfterStall::Resume && !hindered, m_now);
-    if (const auto missing = m_stall.finish(faultLatched(), m_profile.control.watchdog, m_now)) {
-        stopFor(missing->first, missing->second);
+    if (step.ended) {
+        holdHere(Activity::Holding);
     }
 }
 
@@ -163,9 +103,9 @@ void StationControl::watchCable()
 // A drive that is not as it should be any more is not moved on.
 void StationControl::watchFitness()
 {
-    if (!m_arming.fitness() && moves() && !m_motion.atRest()) {
+    if (!m_mount.fitness() && moves() && !m_motion.atRest()) {
         m_log.add(Severity::Warning, QStringLiteral("station"),
-                  Text::tr("ends the motion: %1").arg(toQString(m_arming.fitness().error().text)));
+                  Text::tr("ends the motion: %1").arg(toQString(m_mount.fitness().error().text)));
         holdHere(Activity::Holding);
     }
 }
@@ -195,32 +135,27 @@ void StationControl::finishRearm()
     if (!m_arming.completesRearm()) {
         return;
     }
-    for (const Axis axis : kAxes) {
-        m_alarms.clear(toQString(m_drives.drive(axis).name()));
-        watchOf(axis).rearmed();
-    }
+    m_mount.rearmed();
     m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("re-armed; nothing moves"));
 }
 
 void StationControl::moveOn(Seconds step)
 {
     for (const Axis axis : kAxes) {
-        if (m_drives.drive(axis).takeEngaged()) {
-            m_motion.start(axis, *m_drives.measured(axis));
-            watchOf(axis).engaged();
+        if (const auto place = m_mount.takeFollowing(axis)) {
+            m_motion.start(axis, *place);
         }
     }
     m_motion.enforceRegion(turnsKnown());
     m_motion.setHardBraking(m_arming.stopLatched());
-    m_drives.setHardBraking(m_arming.stopLatched());
-    if (m_drives.engaged() && m_drives.seen()) {
+    m_mount.brakeHard(m_arming.stopLatched());
+    if (m_mount.follows() && m_mount.seen()) {
         m_motion.advance(m_now, step);
     } else {
         m_motion.brake(step);  // one axis alone goes nowhere, nor does one that nobody sees
     }
     for (const Axis axis : kAxes) {
-        const tracking::Setpoint& setpoint = m_motion.setpoint(axis);
-        m_drives.setSetpoint(axis, setpoint.position, setpoint.rate);
+        m_mount.command(axis, m_motion.setpoint(axis));
     }
 }
 

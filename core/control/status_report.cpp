@@ -2,7 +2,6 @@
 #include "core/control/status_report.h"
 
 #include "core/base/text.h"
-#include "core/moteus/registers.h"
 
 #include <algorithm>
 
@@ -24,7 +23,7 @@ bool near(const AxisPosition& a, const AxisPosition& b, Angle distance)
 }
 
 // What an AxisStatus and an AxisSample say alike of the drive itself.
-void fillTelemetry(auto& values, const DriveReport& report)
+void fillTelemetry(auto& values, const AxisReport& report)
 {
     values.busVoltage = report.voltage;
     values.boardTemperature = report.boardTemperature;
@@ -38,7 +37,7 @@ void fillTelemetry(auto& values, const DriveReport& report)
 bool StatusReport::onTarget(Angle within) const
 {
     const auto target = m_of.motion.target(m_of.now);
-    const auto measured = m_of.drives.measured();
+    const auto measured = m_of.mount.measured();
     return target && measured && near(*target, *measured, within);
 }
 
@@ -91,7 +90,7 @@ StationState StatusReport::state() const
 
 bool StatusReport::atTravelEnd(Axis axis) const
 {
-    if (!m_of.turns.known(axis)) {
+    if (!m_of.mount.report(axis).wrapKnown) {
         return false;
     }
     const TravelRange& travel = m_of.model.axis(axis).travel;
@@ -104,27 +103,43 @@ bool StatusReport::atLimit(Axis axis) const
 {
     const bool pressed = !m_of.current.limitedReason().isEmpty() || m_of.current.runsFreely();
     return pressed &&
-           (atTravelEnd(axis) || (m_of.facts.allKnown() && (m_of.motion.held(axis) || m_of.motion.limited(axis))));
+           (atTravelEnd(axis) || (m_of.mount.wrapsKnown() && (m_of.motion.held(axis) || m_of.motion.limited(axis))));
 }
 
-AxisState StatusReport::axisState(Axis axis) const
+// Of the place; of the last answer while there is no place.
+std::optional<std::chrono::milliseconds> StatusReport::age(const AxisReport& report) const
 {
-    const Drive& drive = m_of.drives.drive(axis);
-    const auto age = m_of.drives.age(axis, m_of.now);
-    if (!age || *age > kNoData) {
+    if (!report.heard) {
+        return std::nullopt;
+    }
+    return std::chrono::duration_cast<std::chrono::milliseconds>(m_of.now -
+                                                                 (report.place ? report.placed : *report.heard));
+}
+
+AxisState StatusReport::axisState(Axis axis, const AxisReport& report) const
+{
+    const auto old = age(report);
+    if (!old || *old > kNoData) {
         return AxisState::NoData;
     }
-    if (drive.latched() && m_of.arming.fault()) {
+    if (report.latched && m_of.arming.fault()) {
         return AxisState::Fault;
     }
-    if (!drive.answering(m_of.now)) {
+    if (!report.answers) {
         return AxisState::NoData;  // nobody knows what it does
     }
-    if (drive.phase() == Drive::Phase::Held) {
-        return AxisState::Holding;
-    }
-    if (drive.phase() != Drive::Phase::Engaged) {
-        return ownState(axis);
+    switch (report.hand) {
+        case AxisHand::Off:
+            return AxisState::Off;
+        case AxisHand::On:
+        case AxisHand::Unordered:
+        case AxisHand::TimedOut:
+            return AxisState::On;
+        case AxisHand::HoldsItself:
+        case AxisHand::Held:
+            return AxisState::Holding;
+        case AxisHand::Follows:
+            break;
     }
     if (abs(m_of.motion.setpoint(axis).rate) > kReportStanding) {
         return AxisState::Moving;
@@ -135,76 +150,64 @@ AxisState StatusReport::axisState(Axis axis) const
     return atLimit(axis) ? AxisState::Limit : AxisState::Holding;
 }
 
-// Of a drive that follows no set-points of ours.
-AxisState StatusReport::ownState(Axis axis) const
-{
-    switch (m_of.drives.drive(axis).report()->mode) {
-        case moteus::Mode::Stopped:
-        case moteus::Mode::Fault:
-            return AxisState::Off;
-        case moteus::Mode::PositionTimeout:
-            return m_of.facts.facts(axis) && m_of.facts.facts(axis)->holdsWhenNotFed ? AxisState::Holding
-                                                                                     : AxisState::On;
-        default:
-            return AxisState::On;
-    }
-}
-
-QString StatusReport::axisText(Axis axis, AxisState state) const
+QString StatusReport::axisText(Axis axis, AxisState state, const AxisReport& report) const
 {
     if (state == AxisState::Limit) {
         const std::string what = m_of.motion.obstacle();
         return atTravelEnd(axis) || what.empty() ? Text::tr("at the end of the travel")
                                                  : Text::tr("at %1").arg(toQString(what));
     }
-    if (!m_of.turns.known(axis)) {
+    if (!report.wrapKnown) {
         return Text::tr("turn not known");
     }
-    const Drive& drive = m_of.drives.drive(axis);
-    if ((state != AxisState::Holding && state != AxisState::On) || drive.phase() == Drive::Phase::Engaged) {
+    if (state != AxisState::Holding && state != AxisState::On) {
         return {};
     }
-    if (drive.report()->mode != moteus::Mode::PositionTimeout) {
-        return drive.activeUnordered() ? Text::tr("not by our orders") : QString();
+    switch (report.hand) {
+        case AxisHand::Unordered:
+            return Text::tr("not by our orders");
+        case AxisHand::HoldsItself:
+            return Text::tr("held by its own time-out mode");
+        case AxisHand::TimedOut:
+            return Text::tr("in its own time-out mode");
+        default:
+            return {};
     }
-    return state == AxisState::Holding ? Text::tr("held by its own time-out mode")
-                                       : Text::tr("in its own time-out mode");
 }
 
 AxisStatus StatusReport::axisStatus(Axis axis) const
 {
-    AxisStatus status{.state = axisState(axis),
-                      .actual = m_of.drives.measured(axis),
-                      .rate = m_of.drives.measuredRate(axis),
-                      .age = m_of.drives.age(axis, m_of.now),
+    const AxisReport report = m_of.mount.report(axis);
+    AxisStatus status{.state = axisState(axis, report),
+                      .actual = report.place,
+                      .rate = report.rate,
+                      .age = age(report),
                       .travel = m_of.model.axis(axis).travel};
-    if (m_of.drives.drive(axis).phase() == Drive::Phase::Engaged) {
+    if (report.hand == AxisHand::Follows) {
         status.commanded = m_of.motion.setpoint(axis).position;
         status.commandedRate = m_of.motion.setpoint(axis).rate;
     }
     if (const auto target = m_of.motion.target(m_of.now)) {
         status.target = axis == Axis::Azimuth ? target->azimuth : target->elevation;
     }
-    if (const auto& report = m_of.drives.drive(axis).report()) {
-        fillTelemetry(status, *report);
-        status.mode = static_cast<int>(report->mode);
-        status.faultCode = report->fault;
-    }
-    status.stateText = axisText(axis, status.state);
+    fillTelemetry(status, report);
+    status.mode = report.mode;
+    status.faultCode = report.faultCode;
+    status.stateText = axisText(axis, status.state, report);
     return status;
 }
 
 // Only an answer to this very tick counts: an older one would be drawn as if it were new.
 AxisSample StatusReport::axisSample(Axis axis) const
 {
+    const AxisReport report = m_of.mount.report(axis);
     AxisSample sample;
-    if (m_of.drives.drive(axis).phase() == Drive::Phase::Engaged) {
+    if (report.hand == AxisHand::Follows) {
         sample.commanded = m_of.motion.setpoint(axis).position;
     }
-    if (const auto& report = m_of.drives.drive(axis).report(); report && report->received >= m_of.now) {
-        const auto& place = m_of.drives.drive(axis).place();
-        sample.actual = place && place->received >= m_of.now ? m_of.drives.measured(axis) : std::nullopt;
-        fillTelemetry(sample, *report);
+    if (report.heard && *report.heard >= m_of.now) {
+        sample.actual = report.placed >= m_of.now ? report.place : std::nullopt;
+        fillTelemetry(sample, report);
     }
     return sample;
 }
@@ -217,31 +220,13 @@ std::optional<TickSample> StatusReport::sample() const
     return TickSample{.time = m_of.now, .axes = {axisSample(Axis::Azimuth), axisSample(Axis::Elevation)}};
 }
 
-DriveStatus StatusReport::driveStatus(Axis axis) const
-{
-    return {.id = m_of.profile.axis(axis).id,
-            .turnKnown = m_of.turns.known(axis),
-            .turnQuestion =
-                m_of.arming.drivesReadable() ? m_of.turns.question(axis, m_of.drives.drive(axis)) : std::nullopt,
-            .crashStop = m_of.turns.memory().crashStops[index(axis)]};
-}
-
-// The survey's part is added by its owner.
 DrivesStatus StatusReport::drivesStatus() const
 {
-    const auto isOn = [this](Axis axis) {
-        const Drive& drive = m_of.drives.drive(axis);
-        return drive.phase() != Drive::Phase::Listening ||
-               (drive.report() && drive.report()->mode != moteus::Mode::Stopped);
-    };
-    return {.armingObstacle =
-                m_of.arming.fitness() ? QString() : QString::fromStdString(m_of.arming.fitness().error().text),
-            .released = m_of.arming.released(),
-            .switchedOn = std::ranges::any_of(kAxes, isOn),
-            .proofRunning = m_of.proof.running(),
-            .proofText = m_of.proof.text(),
-            .azimuth = driveStatus(Axis::Azimuth),
-            .elevation = driveStatus(Axis::Elevation)};
+    DrivesStatus status;
+    const Result<>& fitness = m_of.mount.fitness();
+    status.armingObstacle = fitness ? QString() : toQString(fitness.error().text);
+    m_of.mount.describe(status);
+    return status;
 }
 
 StationStatus StatusReport::status() const
@@ -261,13 +246,13 @@ StationStatus StatusReport::status() const
                          .utc = m_of.clock.utc(),
                          .tick = m_of.tick};
     status.stopLatched = m_of.arming.stopLatched();
-    status.stateReason = m_of.arming.released()
+    status.stateReason = !m_of.mount.available()
                              ? Text::tr("the bus is left to other tools")
                              : m_of.arming.fault().value_or(m_of.cable.turnBackText().value_or(m_of.current.text()));
-    if (const auto measured = m_of.drives.measured(); measured && m_of.facts.allKnown()) {
+    if (const auto measured = m_of.mount.measured(); measured && m_of.mount.wrapsKnown()) {
         status.actual = m_of.model.toSky(*measured);
     }
-    if (m_of.drives.engaged() && m_of.facts.allKnown()) {
+    if (m_of.mount.follows() && m_of.mount.wrapsKnown()) {
         status.commanded = m_of.model.toSky(m_of.motion.place());
     }
     if (const AxisPosition& trim = m_of.motion.trim(); trim != AxisPosition{}) {

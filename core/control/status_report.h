@@ -28,13 +28,12 @@ public:
 private:
     [[nodiscard]] AxisStatus axisStatus(Axis axis) const;
     [[nodiscard]] AxisSample axisSample(Axis axis) const;
-    [[nodiscard]] AxisState axisState(Axis axis) const;
-    [[nodiscard]] AxisState ownState(Axis axis) const;
-    [[nodiscard]] QString axisText(Axis axis, AxisState state) const;
+    [[nodiscard]] std::optional<std::chrono::milliseconds> age(const AxisReport& report) const;
+    [[nodiscard]] AxisState axisState(Axis axis, const AxisReport& report) const;
+    [[nodiscard]] QString axisText(Axis axis, AxisState state, const AxisReport& report) const;
     [[nodiscard]] bool atTravelEnd(Axis axis) const;
     [[nodiscard]] bool atLimit(Axis axis) const;
     [[nodiscard]] DrivesStatus drivesStatus() const;
-    [[nodiscard]] DriveStatus driveStatus(Axis axis) const;
 
     ControlParts m_of;
 };

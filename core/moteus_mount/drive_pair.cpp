@@ -3,8 +3,6 @@
 
 #include "core/survey/protections.h"
 
-#include <algorithm>
-
 namespace boresight {
 namespace {
 
@@ -107,24 +105,12 @@ void DrivePair::excuse(Seconds stall, SteadyTime now)
 }
 
 // Left alone in the middle of it, a drive would be limp.
-bool DrivePair::changingHands() const
+bool DrivePair::changingHands(const Drive& drive)
 {
-    return std::ranges::any_of(kAxes, [this](Axis axis) {
-        const Drive::Phase phase = drive(axis).phase();
-        return phase == Drive::Phase::Capturing || phase == Drive::Phase::Recovering ||
-               phase == Drive::Phase::Referencing || phase == Drive::Phase::Starving ||
-               phase == Drive::Phase::Releasing || phase == Drive::Phase::Unseen;
-    });
-}
-
-bool DrivePair::anyUnderOrders() const
-{
-    return m_azimuth.phase() != Drive::Phase::Listening || m_elevation.phase() != Drive::Phase::Listening;
-}
-
-bool DrivePair::answering(SteadyTime now) const
-{
-    return m_azimuth.answering(now) && m_elevation.answering(now);
+    const Drive::Phase phase = drive.phase();
+    return phase == Drive::Phase::Capturing || phase == Drive::Phase::Recovering ||
+           phase == Drive::Phase::Referencing || phase == Drive::Phase::Starving || phase == Drive::Phase::Releasing ||
+           phase == Drive::Phase::Unseen;
 }
 
 void DrivePair::setSetpoint(Axis axis, Angle angle, AngularRate rate)
@@ -155,16 +141,6 @@ std::optional<AxisPosition> DrivePair::measured() const
     const auto azimuth = measured(Axis::Azimuth);
     const auto elevation = measured(Axis::Elevation);
     return azimuth && elevation ? std::optional(AxisPosition{*azimuth, *elevation}) : std::nullopt;
-}
-
-std::optional<std::chrono::milliseconds> DrivePair::age(Axis axis, SteadyTime now) const
-{
-    const auto& report = drive(axis).report();
-    const auto& place = drive(axis).place();
-    if (!report) {
-        return std::nullopt;
-    }
-    return std::chrono::duration_cast<std::chrono::milliseconds>(now - (place ? place->received : report->received));
 }
 
 }  // namespace boresight

@@ -11,14 +11,6 @@
 // profile lies between. Pure, like Drive.
 namespace boresight {
 
-inline constexpr std::array<Axis, 2> kAxes{Axis::Azimuth, Axis::Elevation};
-
-// Of an axis in what is kept for both.
-[[nodiscard]] constexpr std::size_t index(Axis axis)
-{
-    return axis == Axis::Azimuth ? 0 : 1;
-}
-
 class DrivePair
 {
 public:
@@ -36,10 +28,8 @@ public:
     void seize(SteadyTime now);  // stop what a drive that answers does without our orders
     void excuse(Seconds stall, SteadyTime now);
     [[nodiscard]] bool engaged() const;  // both take set-points
-    [[nodiscard]] bool seen() const { return !m_azimuth.unseen() && !m_elevation.unseen(); }
-    [[nodiscard]] bool changingHands() const;   // one is being captured, recovered, switched off or told its place
-    [[nodiscard]] bool anyUnderOrders() const;  // at least one is not only listened to
-    [[nodiscard]] bool answering(SteadyTime now) const;
+    // It is being captured, recovered, switched off or told its place.
+    [[nodiscard]] static bool changingHands(const Drive& drive);
     void leave(profile::OnExit how);  // drives that were never engaged stay as they are
     void setSetpoint(Axis axis, Angle angle, AngularRate rate);
     void setHardBraking(bool hard);
@@ -49,8 +39,6 @@ public:
     // As last reported, whatever its age.
     [[nodiscard]] std::optional<AngularRate> measuredRate(Axis axis) const;
     [[nodiscard]] std::optional<AxisPosition> measured() const;
-    // Of measured(); of the last reply while there is no place.
-    [[nodiscard]] std::optional<std::chrono::milliseconds> age(Axis axis, SteadyTime now) const;
 
 private:
     [[nodiscard]] const pointing::AxisGeometry& geometry(Axis axis) const;

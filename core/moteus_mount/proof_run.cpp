@@ -11,39 +11,37 @@ void ProofRun::begin(const CrashStopProof& proof)
     m_text.clear();
 }
 
-bool ProofRun::step(SteadyTime now, UtcTime utc)
+MountService::ProofStep ProofRun::step(SteadyTime now, UtcTime utc)
 {
     if (!m_proof || (m_proof->runningUp() && !m_drives.engaged())) {
-        return false;
+        return {};
     }
     const Axis axis = m_proof->axis();
     Drive& drive = m_drives.drive(axis);
     const auto& place = drive.place();
     if (!place) {
         end(Text::tr("ended: the drive reports no position any more"));
-        return true;
+        return {.ended = true};
     }
     const bool settled = drive.phase() == Drive::Phase::Engaged || drive.phase() == Drive::Phase::Listening;
     switch (m_proof->step(now, {.received = place->received, .angle = *m_drives.measured(axis), .settled = settled})) {
         case CrashStopProof::Action::Run:
-            m_motion.run(axis == Axis::Azimuth ? AxisRates{.azimuth = m_proof->rate()}
-                                               : AxisRates{.elevation = m_proof->rate()});
-            return false;
+            return {.run = axis == Axis::Azimuth ? AxisRates{.azimuth = m_proof->rate()}
+                                                 : AxisRates{.elevation = m_proof->rate()}};
         case CrashStopProof::Action::Starve:
             drive.starve();
-            m_motion.rest();
-            return false;
+            return {.rest = true};
         case CrashStopProof::Action::Recover:
             keepStop(axis, utc);
             drive.engage();
-            return false;
+            return {};
         case CrashStopProof::Action::Wait:
-            return false;
+            return {};
         case CrashStopProof::Action::Finish:
             break;
     }
     end(m_proof->failure().isEmpty() ? Text::tr("done") : m_proof->failure());
-    return true;
+    return {.ended = true};
 }
 
 void ProofRun::keepStop(Axis axis, UtcTime utc)

@@ -6,7 +6,7 @@
 #include "core/moteus_mount/drive_pair.h"
 #include "core/moteus_mount/turn_keeper.h"
 #include "core/moteus_mount/turn_watch.h"
-#include "core/motion/motion.h"
+#include "core/mount/mount_service.h"
 
 #include <QString>
 
@@ -19,23 +19,22 @@ namespace boresight {
 class ProofRun
 {
 public:
-    ProofRun(DrivePair& drives, Motion& motion, TurnKeeper& turns, const TurnWatch& facts, EventLog& log)
-        : m_drives(drives), m_motion(motion), m_turns(turns), m_facts(facts), m_log(log)
+    ProofRun(DrivePair& drives, TurnKeeper& turns, const TurnWatch& facts, EventLog& log)
+        : m_drives(drives), m_turns(turns), m_facts(facts), m_log(log)
     {}
 
     void begin(const CrashStopProof& proof);
     [[nodiscard]] bool running() const { return m_proof.has_value(); }
     // How far it is, or how the last one ended.
     [[nodiscard]] QString text() const { return m_proof ? m_proof->progress() : m_text; }
-    // Once in a tick; true when it has ended: the motion is then over, too.
-    [[nodiscard]] bool step(SteadyTime now, UtcTime utc);
+    // Once in a tick: how the mount is to be moved for it.
+    [[nodiscard]] MountService::ProofStep step(SteadyTime now, UtcTime utc);
     void end(const QString& how);
 
 private:
     void keepStop(Axis axis, UtcTime utc);
 
     DrivePair& m_drives;
-    Motion& m_motion;
     TurnKeeper& m_turns;
     const TurnWatch& m_facts;
     EventLog& m_log;

@@ -478,13 +478,11 @@ calibration::TermKnowledge CalibrationDesk::knownBy(std::size_t entries) const
 // The memory has the drive whose turn was told last: a new one is in it only when the operator has answered.
 calibration::RecordMount CalibrationDesk::mountToday() const
 {
-    const memory::MountMemory& memory = m_control.memory();
-    const auto drive = [&](std::size_t axis) {
-        const QString remembered = memory.turns[axis] ? memory.turns[axis]->drive : QString();
-        const QString told = m_drives[axis].value_or(QString());
-        return (told.isEmpty() ? remembered : told).toStdString();
+    const auto drive = [this](Axis axis) {
+        const QString told = m_drives[index(axis)].value_or(QString());
+        return (told.isEmpty() ? m_control.mount().lastIdentity(axis) : told).toStdString();
     };
-    calibration::RecordMount mount{.azimuthDrive = drive(0), .elevationDrive = drive(1)};
+    calibration::RecordMount mount{.azimuthDrive = drive(Axis::Azimuth), .elevationDrive = drive(Axis::Elevation)};
     if (m_profile.site.known) {
         mount.site = calibration::RecordSite{.latitude = m_profile.site.latitude,
                                              .longitude = m_profile.site.longitude,

@@ -179,7 +179,7 @@ void CalibrationDesk::noteDrives()
 {
     bool isNew = false;
     for (const Axis axis : kAxes) {
-        const std::optional<QString> uuid = m_control.uuid(axis);
+        const std::optional<QString> uuid = m_control.mount().identity(axis);
         std::optional<QString>& last = m_drives[index(axis)];
         if (uuid && uuid != last && (!last || !uuid->isEmpty())) {
             last = uuid;

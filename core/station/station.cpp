@@ -63,8 +63,10 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
       m_clock(clock),
       m_log(clock),
       m_memoryFile(stateDir, QString::fromStdString(profile.mount.name), this),
-      m_control(profile, clock, m_log, remembered(standingAt)),
-      m_care(profile, m_control, m_log),
+      m_alarms(m_log, clock),
+      m_mount(profile, clock, m_log, m_alarms, remembered(standingAt)),
+      m_control(profile, clock, m_log, m_alarms, m_mount),
+      m_care(profile, m_mount, m_alarms, m_log),
       m_rotator(m_control, profile, m_log, clock),
       m_link(std::move(link)),
       m_server(serverSettings(profile.rotctld), m_rotator, clock, this),
@@ -91,7 +93,7 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
     connect(&m_updateTimer, &QTimer::timeout, this, &Station::publish);
     connect(&m_reopenTimer, &QTimer::timeout, this, &Station::openBus);
     connect(m_link.get(), &CanLink::frameReceived, this, [this](const CanFrame& frame) {
-        m_control.take(frame);
+        m_mount.take(frame);
         m_care.take(frame);
     });
     connect(m_link.get(), &CanLink::statusChanged, this, &Station::showBus);
@@ -112,7 +114,7 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
     });
     connect(&m_eventFile, &EventFile::written, this, [this] { m_control.alarms().clear(kLogCause); });
     if (const auto bus = parseBusName(profile.bus)) {
-        m_control.setSilenceAdvice(silenceAdvice(*bus));
+        m_mount.setSilenceAdvice(silenceAdvice(*bus));
     }
 }
 
@@ -140,8 +142,8 @@ TurnKeeper::Start Station::remembered(const std::optional<memory::EnteredPlace>&
 
 void Station::saveMemory()
 {
-    if (m_control.takeMemoryChange() && !simulated() && m_claim) {
-        m_memoryFile.save(m_control.memory());
+    if (m_mount.takeMemoryChange() && !simulated() && m_claim) {
+        m_memoryFile.save(m_mount.memory());
     }
 }
 
@@ -207,7 +209,7 @@ void Station::refuseToStart()
 void Station::openBus()
 {
     const LinkState state = m_link->status().state;
-    if (!m_claim || state == LinkState::Up || state == LinkState::Down || m_finished || m_control.busReleased()) {
+    if (!m_claim || state == LinkState::Up || state == LinkState::Down || m_finished || m_mount.busLeft()) {
         return;
     }
     if (const Result<> opened = m_link->open(); !opened) {
@@ -282,7 +284,7 @@ void Station::tellOpenPort()
 
 void Station::tellStart()
 {
-    const bool drives = m_control.answering(Axis::Azimuth) || m_control.answering(Axis::Elevation);
+    const bool drives = m_mount.report(Axis::Azimuth).answers || m_mount.report(Axis::Elevation).answers;
     const auto patience = drives ? std::chrono::milliseconds(kSurveyPatience) : kStartPatience;
     if (!m_startTold && (m_control.measured() || m_clock.now() - m_opened > patience)) {
         m_startTold = true;
@@ -306,8 +308,9 @@ void Station::tick()
     keepSample();
     m_calibration.show(m_power.tick());
     m_calibration.tick();
-    const auto motion = m_control.tick();
+    m_control.tick();
     witness();
+    const auto motion = m_mount.frames();
     std::vector<CanFrame> frames(motion.begin(), motion.end());
     std::ranges::copy(m_care.tick(m_clock.now()), std::back_inserter(frames));
     if (const LinkState state = m_link->status().state; state == LinkState::Up || state == LinkState::Down) {
@@ -315,7 +318,7 @@ void Station::tick()
         // not be sent shows as a missing reply and in the status of the link.
         [[maybe_unused]] const Result<> sent = m_link->send(frames);
     }
-    m_control.framesSent();
+    m_mount.framesSent();
     saveMemory();
     m_eventFile.tick();
     tellStart();
@@ -341,7 +344,8 @@ void Station::witness()
                           proposed && place ? std::optional(beamBy(proposed->terms, *place)) : std::nullopt);
     m_calibration.take(m_sensor.status());
     const SensorEvidence evidence = m_sensor.evidence();
-    m_control.setSensor(evidence.azimuth, evidence.elevation, evidence.course);
+    m_control.setSensor(evidence.azimuth, evidence.elevation);
+    m_mount.setCourse(evidence.course);
 }
 
 void Station::finish()

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/alarms/alarm_board.h"
 #include "core/alarms/event_file.h"
 #include "core/alarms/event_log.h"
 #include "core/base/clock.h"
 #include "core/can/can_link.h"
-#include "core/control/drive_care.h"
 #include "core/control/station_control.h"
 #include "core/memory/entered_place.h"
 #include "core/memory/memory_file.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
+#include "core/moteus_mount/drive_care.h"
+#include "core/moteus_mount/moteus_mount.h"
 #include "core/north/calibration_desk.h"
 #include "core/profile/profile.h"
 #include "core/rotctld/server.h"
@@ -114,6 +116,8 @@ private:
     EventLog m_log;
     memory::MemoryFile m_memoryFile;
     Result<> m_claim;  // of the journal: without it this station is for show only
+    AlarmBoard m_alarms;
+    MoteusMount m_mount;
     StationControl m_control;
     DriveCare m_care;
     StationRotator m_rotator;

@@ -3,6 +3,9 @@
 
 #include "core/units/quantity.h"
 
+#include <array>
+#include <cstddef>
+
 // Where the beam points, and where the axes stand: two types, because 370° and 10° are one direction but two places
 // of the cable. MountModel is the only way from one to the other.
 namespace boresight {
@@ -12,6 +15,14 @@ enum class Axis
     Azimuth,
     Elevation
 };
+
+inline constexpr std::array<Axis, 2> kAxes{Axis::Azimuth, Axis::Elevation};
+
+// Of an axis in what is kept for both.
+[[nodiscard]] constexpr std::size_t index(Axis axis)
+{
+    return axis == Axis::Azimuth ? 0 : 1;
+}
 
 // A direction in the sky, seen from the mount. Azimuth from true north through east; elevation above the horizon,
 // above 90° means over the top (the beam points to azimuth + 180°).

@@ -148,7 +148,8 @@ void checkMotion(std::map<Register, double>& fields, const profile::AxisSettings
 
 void checkOrders(StationRig& rig, bool asked)
 {
-    for (const CanFrame& frame : rig.control.tick()) {
+    rig.control.tick();
+    for (const CanFrame& frame : rig.mount.frames()) {
         require(legalCanLength(frame.size) == frame.size, "a command frame has a legal length");
         auto fields = writesOf(frame);
         const bool orders = fields.count(Register::Mode) != 0;  // being told its place moves no axis
@@ -182,7 +183,7 @@ void tellStation(std::span<const CanFrame> frames, bool moving)
     for (CanFrame frame : frames) {
         rig.clock.advance(StationRig::kTick);
         frame.received = rig.clock.now();
-        rig.control.take(frame);
+        rig.mount.take(frame);
         checkOrders(rig, moving);
     }
     const StationStatus status = rig.control.status();

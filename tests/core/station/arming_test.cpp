@@ -26,11 +26,13 @@ profile::Profile retryingHeat()
 
 struct ArmingRig
 {
-    explicit ArmingRig(const profile::Profile& profile = {}) : drives(profile), arming(profile, drives, log) {}
+    explicit ArmingRig(const profile::Profile& profile = {})
+        : mount(profile, clock, log, alarms), arming(profile, mount, log)
+    {}
 
     void makeReady()
     {
-        arming.setFitness({});
+        mount.setFitness({});
         run(Seconds(0.1));
     }
 
@@ -62,7 +64,8 @@ struct ArmingRig
 
     fakes::ManualClock clock;
     EventLog log{clock};
-    DrivePair drives;
+    AlarmBoard alarms{log, clock};
+    MoteusMount mount;
     Arming arming;
     fakes::IdealDrive azimuth{1, 0.0};
     fakes::IdealDrive elevation{2, -0.25};
@@ -74,19 +77,16 @@ private:
     {
         clock.advance(kTick);
         const SteadyTime now = clock.now();
-        drives.judge(now);
+        mount.observe(now);
         connectionsLost += arming.losesConnection(now) ? 1 : 0;
-        for (const Axis axis : kAxes) {
-            if (drives.drive(axis).takeLoss()) {
-                const LossClass kind = supervision::classOfFault(drives.drive(axis).report()->fault);
-                arming.lost(axis, kind, QString::fromStdString(drives.drive(axis).name()) + QStringLiteral(" failed"));
-            }
+        for (const AxisTrouble& trouble : mount.supervise({.faultLatched = arming.fault().has_value()}).troubles) {
+            arming.lost(trouble.axis, trouble.loss, mount.name(trouble.axis) + QStringLiteral(" failed"));
         }
         rearms += arming.completesRearm() ? 1 : 0;
-        for (const CanFrame& frame : drives.frames()) {
+        for (const CanFrame& frame : mount.frames()) {
             for (fakes::IdealDrive* const drive : {&azimuth, &elevation}) {
                 if (const auto reply = drive->answer(frame, now)) {
-                    drives.take(*reply);
+                    mount.take(*reply);
                 }
             }
         }
@@ -103,9 +103,9 @@ TEST(Arming, WaitsForBothDrivesAndTheirFitness)
     rig.elevation.silent = false;
     rig.run(Seconds(0.1));
     EXPECT_EQ(rig.refusal(), "the drives have not been looked at yet");
-    rig.arming.setFitness(failure(ErrorCode::Refused, "servo.timeout_mode is 12"));
+    rig.mount.setFitness(failure(ErrorCode::Refused, "servo.timeout_mode is 12"));
     EXPECT_EQ(rig.refusal(), "servo.timeout_mode is 12");
-    rig.arming.setFitness({});
+    rig.mount.setFitness({});
     EXPECT_TRUE(rig.arming.admits(kOperator));
     EXPECT_TRUE(rig.arming.admits(kClient));
 }
@@ -153,7 +153,7 @@ TEST(Arming, ABusLeftToOthersAdmitsNobody)
 {
     ArmingRig rig;
     rig.makeReady();
-    rig.arming.setReleased(true);
+    rig.mount.leaveBus();
     rig.run(kTick);
     EXPECT_EQ(rig.connectionsLost, 1);
     EXPECT_EQ(rig.refusal(), "the bus is left to other tools: take it back first");

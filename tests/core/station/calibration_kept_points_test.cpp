@@ -45,7 +45,7 @@ void replaceDrive(CalibrationRig& rig)
 {
     rig.azimuth.silent = true;
     rig.run(Seconds(0.5));
-    rig.control.learn(Axis::Azimuth, std::nullopt);
+    rig.mount.learn(Axis::Azimuth, std::nullopt);
     rig.run(Seconds(1.0));
     rig.azimuth.home = moteus::HomeState::Rotor;
     rig.azimuth.position = std::remainder(rig.azimuth.position, 0.01);
@@ -103,7 +103,7 @@ TEST(CalibrationPoints, ThoseThatWereKeptWaitUntilTheDrivesAreKnown)
     CalibrationRig rig;
     rig.goTo(200.0, 30.0);
     ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = {.azimuth = 10_deg, .elevation = 30_deg}, .label = {}}));
-    rig.control.learn(Axis::Azimuth, std::nullopt);
+    rig.mount.learn(Axis::Azimuth, std::nullopt);
     CalibrationDesk again(rig.control, rig.profile, *rig.file, rig.clock, rig.log);
     again.tick();
     ASSERT_EQ(1U, again.status()->points.size());
@@ -114,7 +114,7 @@ TEST(CalibrationPoints, ThoseThatWereKeptWaitUntilTheDrivesAreKnown)
     again.tick();
     EXPECT_FALSE(again.status()->proposal);
     EXPECT_FALSE(again.status()->fit);
-    rig.control.learn(Axis::Azimuth, rig.factsOf(Axis::Azimuth));
+    rig.mount.learn(Axis::Azimuth, rig.factsOf(Axis::Azimuth));
     again.tick();
     EXPECT_TRUE(again.status()->proposal);
     EXPECT_TRUE(again.status()->points.front().isUsed);
@@ -126,7 +126,7 @@ TEST(CalibrationPoints, ThoseThatWereKeptCountWithADriveThatTellsNoUuid)
     CalibrationRig rig;
     rig.goTo(200.0, 30.0);
     ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = {.azimuth = 10_deg, .elevation = 30_deg}, .label = {}}));
-    rig.control.learn(Axis::Azimuth, std::nullopt);
+    rig.mount.learn(Axis::Azimuth, std::nullopt);
     profile::Profile nearly = rig.profile;
     nearly.pointing.azimuthOffset = 169_deg;
     CalibrationDesk again(rig.control, nearly, *rig.file, rig.clock, rig.log);
@@ -136,7 +136,7 @@ TEST(CalibrationPoints, ThoseThatWereKeptCountWithADriveThatTellsNoUuid)
     EXPECT_LT(abs(again.status()->points.front().before.across), 1_deg) << "by the model in force";
     survey::DriveFacts nameless = rig.factsOf(Axis::Azimuth);
     nameless.uuid.clear();
-    rig.control.learn(Axis::Azimuth, nameless);
+    rig.mount.learn(Axis::Azimuth, nameless);
     again.tick();
     EXPECT_TRUE(again.status()->fit);
     EXPECT_TRUE(again.status()->noFit.isEmpty());

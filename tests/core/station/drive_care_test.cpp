@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The survey of the drives and the control of motion together, on drives with consoles of their own.
-#include "core/control/drive_care.h"
+#include "core/moteus_mount/drive_care.h"
 
 #include "core/sim/simulated_pair.h"
 #include "tests/core/station/station_rig.h"
@@ -28,7 +28,8 @@ struct CareRig
 
     void tick()
     {
-        const auto motion = control.tick();
+        control.tick();
+        const auto motion = mount.frames();
         std::vector<CanFrame> frames(motion.begin(), motion.end());
         std::ranges::copy(care.tick(clock.now()), std::back_inserter(frames));
         sent = 0;
@@ -38,7 +39,7 @@ struct CareRig
                 std::ranges::copy(pair.exchange(frame, elapsed), std::back_inserter(underWay));
             }
         }
-        control.framesSent();
+        mount.framesSent();
         surveyed = surveyed || frames.size() > motion.size();
         clock.advance(kDriveCareTick);
         elapsed += kDriveCareTick;
@@ -106,8 +107,10 @@ struct CareRig
     fakes::ManualClock clock;
     EventLog log{clock};
     profile::Profile profile;
-    StationControl control{profile, clock, log, {.trustFirstContact = true}};
-    DriveCare care{profile, control, log};
+    AlarmBoard alarms{log, clock};
+    MoteusMount mount{profile, clock, log, alarms, {.trustFirstContact = true}};
+    StationControl control{profile, clock, log, alarms, mount};
+    DriveCare care{profile, mount, alarms, log};
     sim::SimulatedPair pair;
     Seconds elapsed{0.0};
     bool linkOpen = true;
@@ -125,7 +128,7 @@ private:
             }
             CanFrame frame = reply.frame;
             frame.received = clock.now();
-            control.take(frame);
+            mount.take(frame);
             care.take(frame);
         }
         underWay = std::move(later);

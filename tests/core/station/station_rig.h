@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/control/station_control.h"
+#include "core/moteus_mount/moteus_mount.h"
 #include "tests/fakes/ideal_drive.h"
 #include "tests/fakes/manual_clock.h"
 
@@ -19,9 +20,9 @@ struct StationRig
     // With drives that were surveyed and found fit, and that stand where they say.
     explicit StationRig(const profile::Profile& settings = {},
                         const TurnKeeper::Start& start = {.trustFirstContact = true})
-        : profile(settings), control(profile, clock, log, start)
+        : profile(settings), mount(profile, clock, log, alarms, start)
     {
-        control.setFitness({});
+        mount.setFitness({});
         for (const Axis axis : kAxes) {
             learn(axis, factsOf(axis));
         }
@@ -33,7 +34,7 @@ struct StationRig
         facts[index(axis)] = known;
         facts[index(axis)].origin = {.origin = moteus::CountOrigin{.beginning = 1, .offset = drive(axis).origin()},
                                      .asked = clock.now()};
-        control.learn(axis, facts[index(axis)]);
+        mount.learn(axis, facts[index(axis)]);
     }
 
     [[nodiscard]] fakes::IdealDrive& drive(Axis axis) { return axis == Axis::Azimuth ? azimuth : elevation; }
@@ -53,24 +54,25 @@ struct StationRig
         clock.advance(kTick);
         const SteadyTime now = clock.now();
         for (const Axis axis : kAxes) {
-            if (control.needsOrigin(axis)) {
+            if (mount.needsOrigin(axis)) {
                 learn(axis, facts[index(axis)]);
             }
         }
-        const auto frames = control.tick();
+        control.tick();
+        const auto frames = mount.frames();
         clock.advance(heldUp);
-        if (control.busReleased()) {
-            control.framesSent();
+        if (mount.busLeft()) {
+            mount.framesSent();
             return;  // the station's link is closed
         }
         for (const CanFrame& frame : frames) {
             for (fakes::IdealDrive* const drive : {&azimuth, &elevation}) {
                 if (const auto reply = drive->answer(frame, now)) {
-                    control.take(*reply);
+                    mount.take(*reply);
                 }
             }
         }
-        control.framesSent();
+        mount.framesSent();
     }
 
     void run(Seconds time)
@@ -135,7 +137,9 @@ struct StationRig
     fakes::ManualClock clock;
     EventLog log{clock};
     Seconds heldUp{0.0};  // between the beginning of a tick and its frames
-    StationControl control;
+    AlarmBoard alarms{log, clock};
+    MoteusMount mount;
+    StationControl control{profile, clock, log, alarms, mount};
     fakes::IdealDrive azimuth{1, 0.0};
     fakes::IdealDrive elevation{2, -0.25};
     std::array<survey::DriveFacts, 2> facts;

@@ -29,7 +29,8 @@ struct SensedRig : StationRig
     void sense(Angle axis)
     {
         course.azimuth = axis + 37_deg + 6_deg;
-        control.setSensor(course.azimuth.wrapped360(), std::nullopt, course);
+        control.setSensor(course.azimuth.wrapped360(), std::nullopt);
+        mount.setCourse(course);
     }
     void cutPower()
     {
@@ -95,6 +96,7 @@ TEST(StationTurnCourse, ASensorThatWasRestartedMeanwhileSaysItsHeadingOnly)
     EXPECT_THAT(rig.turning(), testing::Not(HasSubstr("has seen it turn")));
     EXPECT_THAT(rig.question().evidence.back().toStdString(), HasSubstr("The sensor says 83.0°"));
     rig.control.setSensor(std::nullopt, std::nullopt);
+    rig.mount.setCourse(std::nullopt);
     EXPECT_THAT(rig.question().evidence.back().toStdString(), HasSubstr("no sensor"));
 }
 

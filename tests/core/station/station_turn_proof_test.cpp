@@ -60,7 +60,7 @@ TEST(StationTurns, CountingFromTheMiddleIsNeverTakenForAMotion)
     asked.run(Seconds(0.5));
     ASSERT_TRUE(asked.control.status().drives.azimuth.turnQuestion);
     ASSERT_NEAR(asked.azimuthDegrees(), 180.0, 3.6) << "it counts from the middle";
-    StationRig again(profile::Profile{}, {.memory = withTheClockRight(asked.control.memory())});
+    StationRig again(profile::Profile{}, {.memory = withTheClockRight(asked.mount.memory())});
     restartInto(again, asked);
     again.run(Seconds(0.5));
     EXPECT_FALSE(again.control.status().drives.azimuth.turnKnown);
@@ -97,7 +97,7 @@ TEST(StationTurns, AnAnswerHalfWrittenIsNeverTakenForAMotion)
     memory::MountMemory saved;
     for (int i = 0; i < 25 && told.azimuth.position < 0.1; ++i) {
         told.tick();
-        saved = told.control.memory();
+        saved = told.mount.memory();
     }
     ASSERT_NEAR(told.azimuth.position, 0.28, 1e-6);
     StationRig again(profile::Profile{}, {.memory = withTheClockRight(saved)});
@@ -157,7 +157,7 @@ TEST(StationTurns, APositionSetWhileTheProgramWasClosedIsAskedAbout)
     before.settle();
     before.run(Seconds(1.0));
     for (const bool set : {false, true}) {
-        StationRig again(profile::Profile{}, {.memory = before.control.memory()});
+        StationRig again(profile::Profile{}, {.memory = before.mount.memory()});
         restartInto(again, before);
         const double reported = again.azimuth.position;
         again.azimuth.position += 0.6;  // turned by hand
@@ -204,7 +204,7 @@ TEST(StationTurns, OneFalseReadingOfTheOriginIsNoSetting)
     survey::DriveFacts read = rig.facts[0];
     read.origin.origin->offset += MotorTurns::fromTurns(0.5);
     read.origin.asked = rig.clock.now();
-    rig.control.learn(Axis::Azimuth, read);
+    rig.mount.learn(Axis::Azimuth, read);
     rig.run(Seconds(6.0));
     EXPECT_TRUE(rig.control.status().drives.azimuth.turnKnown);
 }
@@ -232,8 +232,8 @@ TEST(StationTurns, ARecordOfADriveThatDoesNotTellProvesNothing)
 {
     StationRig before;
     before.run(Seconds(0.5));
-    ASSERT_TRUE(before.control.memory().turns[0]->origin);
-    memory::MountMemory old = before.control.memory();
+    ASSERT_TRUE(before.mount.memory().turns[0]->origin);
+    memory::MountMemory old = before.mount.memory();
     old.turns[0]->origin.reset();
     StationRig again(profile::Profile{}, {.memory = old});
     restartInto(again, before);

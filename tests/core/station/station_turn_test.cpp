@@ -93,7 +93,7 @@ TEST(StationTurns, OnlyTheOperatorJogsMeanwhileAndSlowly)
     // Its own bounds stay in force, and it counts from where they leave room.
     EXPECT_EQ(rig.azimuth.seen.back().fields.count(Register::CommandIgnorePositionBounds), 0U);
     EXPECT_NEAR(rig.azimuthDegrees(), 180.0, 5.0) << "the middle of the travel";
-    EXPECT_FALSE(rig.control.memory().turns[0]) << "jogged, the axis is not where the journal says";
+    EXPECT_FALSE(rig.mount.memory().turns[0]) << "jogged, the axis is not where the journal says";
 }
 
 TEST(StationTurns, TheAnswerIsWrittenIntoTheDriveAndThePlaceIsKept)
@@ -333,14 +333,14 @@ TEST(StationTurns, ARestartThatNobodyNoticedIsSeenByTheHomeState)
     rig.run(Seconds(0.5));
     ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
     rig.settle();
-    const auto before = rig.control.memory().turns[0]->angle;
+    const auto before = rig.mount.memory().turns[0]->angle;
     rig.azimuth.mode = moteus::Mode::Stopped;
     rig.azimuth.home = HomeState::Rotor;
     rig.azimuth.position = std::remainder(rig.azimuth.position, 0.01);
     rig.run(Seconds(0.1));
     EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown);
-    ASSERT_TRUE(rig.control.memory().turns[0]);
-    EXPECT_NEAR(rig.control.memory().turns[0]->angle.degrees(), before.degrees(), 0.2);
+    ASSERT_TRUE(rig.mount.memory().turns[0]);
+    EXPECT_NEAR(rig.mount.memory().turns[0]->angle.degrees(), before.degrees(), 0.2);
     EXPECT_FALSE(rig.point(10.0, 10.0));
 }
 
@@ -350,7 +350,7 @@ TEST(StationTurns, AMotionEndsWhenTheTurnIsNotKnownAnyMore)
     rig.run(Seconds(0.5));
     ASSERT_TRUE(rig.ask(request::PointAxes{{200_deg, 45_deg}}));
     rig.run(Seconds(3.0));
-    rig.control.driveRestarted(Axis::Azimuth);
+    rig.mount.driveRestarted(Axis::Azimuth);
     rig.run(Seconds(3.0));
     EXPECT_EQ(rig.state(), StationState::Standby);
     EXPECT_FALSE(rig.control.status().azimuth.target);
@@ -436,7 +436,7 @@ TEST(StationTurns, APlaceOfTheCommandLineCountsAtOneStartOnly)
     ASSERT_TRUE(first.control.status().drives.azimuth.turnKnown);
     ASSERT_TRUE(first.control.status().drives.elevation.turnKnown);
     memory::MountMemory kept;
-    kept.placeUsed = first.control.memory().placeUsed;  // also where the journal was lost since
+    kept.placeUsed = first.mount.memory().placeUsed;  // also where the journal was lost since
     for (const Seconds later : {Seconds(0.0), Seconds(60.0)}) {
         TurnKeeper::Start again = told;
         again.memory = kept;
@@ -455,27 +455,27 @@ TEST(StationTurns, APlaceThatWasNotNeededIsUsedUpToo)
     rig.run(Seconds(0.5));
     ASSERT_TRUE(rig.control.status().drives.azimuth.turnKnown);
     EXPECT_NEAR(rig.azimuthDegrees(), 0.0, 0.01) << "the drive knew better";
-    EXPECT_EQ(rig.control.memory().placeUsed, now());
+    EXPECT_EQ(rig.mount.memory().placeUsed, now());
 }
 
 TEST(StationTurns, MotionIsJournalledAsMotionAndRestAsRest)
 {
     StationRig rig;
     rig.run(Seconds(0.5));
-    EXPECT_TRUE(rig.control.takeMemoryChange());
+    EXPECT_TRUE(rig.mount.takeMemoryChange());
     ASSERT_TRUE(rig.point(100.0, 45.0));
     rig.run(Seconds(1.0));
-    ASSERT_TRUE(rig.control.takeMemoryChange());
-    EXPECT_TRUE(rig.control.memory().turns[0]->moving);
+    ASSERT_TRUE(rig.mount.takeMemoryChange());
+    EXPECT_TRUE(rig.mount.memory().turns[0]->moving);
     rig.settle();
     rig.run(Seconds(1.0));
-    const auto& record = *rig.control.memory().turns[0];
+    const auto& record = *rig.mount.memory().turns[0];
     EXPECT_FALSE(record.moving);
     EXPECT_NEAR(record.angle.degrees(), 100.0, 0.01);
     EXPECT_EQ(record.drive, rig.factsOf(Axis::Azimuth).uuid);
-    (void)rig.control.takeMemoryChange();
+    (void)rig.mount.takeMemoryChange();
     rig.run(Seconds(10.0));
-    EXPECT_FALSE(rig.control.takeMemoryChange()) << "a mount that stands writes nothing";
+    EXPECT_FALSE(rig.mount.takeMemoryChange()) << "a mount that stands writes nothing";
 }
 
 }  // namespace

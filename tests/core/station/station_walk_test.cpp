@@ -193,7 +193,7 @@ private:
             case 6:
                 return m_rig.learn(axis, m_facts[index(axis)]);
             default:
-                m_rig.control.setFitness({});
+                m_rig.mount.setFitness({});
                 return m_promises.fitness(true);
         }
     }
@@ -206,7 +206,7 @@ private:
             drive(axis).temperature = 31.0;
             m_rig.learn(axis, m_facts[index(axis)]);
         }
-        m_rig.control.setFitness({});
+        m_rig.mount.setFitness({});
         m_promises.fitness(true);
         ask(request::TakeBus{}, kOperator);
         wait();
@@ -272,11 +272,11 @@ private:
                 drive(axis).temperature = number(20.0, 90.0);
                 break;
             case 10:
-                m_rig.control.setFitness(failure(ErrorCode::Refused, "not as it should be"));
+                m_rig.mount.setFitness(failure(ErrorCode::Refused, "not as it should be"));
                 m_promises.fitness(false);
                 break;
             case 11:
-                m_rig.control.learn(axis, std::nullopt);
+                m_rig.mount.learn(axis, std::nullopt);
                 break;
             case 12:
                 stall();
@@ -316,7 +316,7 @@ private:
         if (m_random() % 2 == 0) {
             drive(axis).silent = true;  // for as long as it takes
         } else {
-            m_rig.control.driveRestarted(axis);
+            m_rig.mount.driveRestarted(axis);
             m_rig.learn(axis, m_facts[index(axis)]);
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/control/drive_care.h"
+#include "core/moteus_mount/drive_care.h"
 
 #include "core/base/overloaded.h"
 #include "core/base/text.h"
@@ -36,18 +36,18 @@ Severity severityOf(survey::FindingWeight weight)
 
 }  // namespace
 
-DriveCare::DriveCare(const profile::Profile& profile, StationControl& control, EventLog& log)
-    : m_control(control), m_log(log), m_survey(profile, knownBoards(control.memory()))
+DriveCare::DriveCare(const profile::Profile& profile, MoteusMount& mount, AlarmBoard& alarms, EventLog& log)
+    : m_mount(mount), m_alarms(alarms), m_log(log), m_survey(profile, knownBoards(mount.memory()))
 {}
 
 std::vector<CanFrame> DriveCare::tick(SteadyTime now)
 {
     watchConnection(now);
-    if (m_control.busReleased()) {
+    if (m_mount.busLeft()) {
         return {};
     }
     auto frames = m_survey.frames(now);
-    tellControl();
+    tellMount();
     tellFindings();
     tellChanges();
     return frames;
@@ -59,7 +59,7 @@ void DriveCare::watchConnection(SteadyTime now)
     bool came = false;
     bool went = false;
     for (const Axis axis : kAxes) {
-        const bool answers = m_control.answering(axis);
+        const bool answers = !m_mount.busLeft() && m_mount.report(axis).answers;
         came |= answers && !m_answering[index(axis)];
         went |= !answers && m_answering[index(axis)];
         m_answering[index(axis)] = answers;
@@ -77,7 +77,7 @@ void DriveCare::watchConnection(SteadyTime now)
 // asked all the same.
 void DriveCare::watchSilence(SteadyTime now)
 {
-    if (m_control.busReleased() || m_answering[0] || m_answering[1]) {
+    if (m_mount.busLeft() || m_answering[0] || m_answering[1]) {
         m_silentSince.reset();
     } else if (!m_silentSince) {
         m_silentSince = now;
@@ -86,16 +86,16 @@ void DriveCare::watchSilence(SteadyTime now)
     }
 }
 
-void DriveCare::tellControl()
+void DriveCare::tellMount()
 {
-    m_survey.setKnownBoards(knownBoards(m_control.memory()));
-    m_control.setFitness(m_survey.fitToMove());
+    m_survey.setKnownBoards(knownBoards(m_mount.memory()));
+    m_mount.setFitness(m_survey.fitToMove());
     for (const Axis axis : kAxes) {
         if (m_survey.rebootsSeen(axis) != std::exchange(m_rebootsTold[index(axis)], m_survey.rebootsSeen(axis))) {
-            m_control.driveRestarted(axis);
+            m_mount.driveRestarted(axis);
         }
-        m_control.learn(axis, m_survey.facts(axis));
-        if (m_control.needsOrigin(axis)) {
+        m_mount.learn(axis, m_survey.facts(axis));
+        if (m_mount.needsOrigin(axis)) {
             m_survey.readOrigin(axis);
         }
     }
@@ -108,13 +108,13 @@ void DriveCare::tellFindings()
         if (finding.cause == survey::kNobodyAnswers) {
             continue;  // each drive has an alarm for its silence
         }
-        m_control.alarms().raise(finding.cause, severityOf(finding.weight),
-                                 {.what = finding.what, .action = finding.action, .remedy = finding.remedy});
+        m_alarms.raise(finding.cause, severityOf(finding.weight),
+                       {.what = finding.what, .action = finding.action, .remedy = finding.remedy});
         causes.push_back(finding.cause);
     }
     for (const QString& cause : m_findingsTold) {
         if (std::ranges::find(causes, cause) == causes.end()) {
-            m_control.alarms().clear(cause);
+            m_alarms.clear(cause);
         }
     }
     m_findingsTold = std::move(causes);
@@ -151,7 +151,7 @@ Result<> DriveCare::carryOut(const Request& request, SteadyTime now)
                                                 [&](const request::FixDrives&) { return m_survey.fix(now); },
                                                 [](const auto&) -> Result<> { return {}; }},
                                      request);
-    tellControl();  // at once: a client's command may come before the next tick
+    tellMount();  // at once: a client's command may come before the next tick
     return done;
 }
 

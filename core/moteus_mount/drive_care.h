@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/alarms/alarm_board.h"
 #include "core/alarms/event_log.h"
 #include "core/base/can_frame.h"
-#include "core/control/station_control.h"
 #include "core/messages/request.h"
+#include "core/moteus_mount/moteus_mount.h"
 #include "core/profile/profile.h"
 #include "core/survey/drive_survey.h"
 
 #include <vector>
 
-// Looks after the drives beside the control of motion: surveys them whenever they come (back), tells StationControl
+// Looks after the drives beside the control of motion: surveys them whenever they come (back), reports to MoteusMount
 // whether they are fit and who they are, raises the alarms of what was found, and writes their protections when the
 // operator asks for it. Shares the bus with the motion frames. Station thread only.
 namespace boresight {
@@ -18,15 +19,15 @@ namespace boresight {
 class DriveCare
 {
 public:
-    DriveCare(const profile::Profile& profile, StationControl& control, EventLog& log);
+    DriveCare(const profile::Profile& profile, MoteusMount& mount, AlarmBoard& alarms, EventLog& log);
 
     void take(const CanFrame& frame) { m_survey.take(frame); }
-    // After the tick of StationControl; the frames to send beside its own.
     void setProfile(const profile::Profile& profile) { m_survey.setProfile(profile); }
+    // After the tick of the control; the frames to send beside the mount's own.
     [[nodiscard]] std::vector<CanFrame> tick(SteadyTime now);
     // While settings are being written, nothing else is done to the drives.
     [[nodiscard]] Result<> admits(const Request& request) const;
-    // Carries out what StationControl has admitted; other requests are not its business.
+    // Carries out what the control has admitted; other requests are not its business.
     [[nodiscard]] Result<> carryOut(const Request& request, SteadyTime now);
 
     // Its part of the status.
@@ -35,12 +36,13 @@ public:
 private:
     void watchConnection(SteadyTime now);
     void watchSilence(SteadyTime now);
-    void tellControl();
+    void tellMount();
     void tellFindings();
     void tellChanges();
     void fill(Axis axis, DriveStatus& drive) const;
 
-    StationControl& m_control;
+    MoteusMount& m_mount;
+    AlarmBoard& m_alarms;
     EventLog& m_log;
     survey::DriveSurvey m_survey;
     std::array<int, 2> m_rebootsTold{};

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/moteus_mount/moteus_mount.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+// Fast enough to be told from standing, slow enough to harm nothing.
+constexpr AngularRate kSlowestProof = AngularRate::fromDegrees(0.5);
+constexpr AngularRate kFastestProof = AngularRate::fromDegrees(5.0);
+
+bool isSwitchedOn(const Drive& drive)
+{
+    return drive.phase() != Drive::Phase::Listening ||
+           (drive.report() && drive.report()->mode != moteus::Mode::Stopped);
+}
+
+}  // namespace
+
+MoteusMount::MoteusMount(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
+                         TurnKeeper::Start start)
+    : m_profile(profile),
+      m_clock(clock),
+      m_log(log),
+      m_alarms(alarms),
+      m_drives(profile),
+      m_names{toQString(m_drives.drive(Axis::Azimuth).name()), toQString(m_drives.drive(Axis::Elevation).name())},
+      m_watches{DriveWatch(Axis::Azimuth, profile, alarms), DriveWatch(Axis::Elevation, profile, alarms)},
+      m_turns(profile, clock, log, std::move(start)),
+      m_turnWatch(m_turns, m_drives, m_watches, alarms),
+      m_stall(m_drives, m_watches, m_turns, alarms, log),
+      m_proof(m_drives, m_turns, m_turnWatch, log),
+      m_fitness(failure(ErrorCode::Refused, Text::tr("the drives have not been looked at yet"))),
+      m_started(clock.now()),
+      m_now(m_started)
+{}
+
+void MoteusMount::setSilenceAdvice(const QString& advice)
+{
+    for (DriveWatch& watch : m_watches) {
+        watch.setSilenceAdvice(advice);
+    }
+}
+
+void MoteusMount::framesSent()
+{
+    m_stall.framesSent(m_profile.control.watchdog, heldPlace(), m_clock.now());
+}
+
+void MoteusMount::driveRestarted(Axis axis)
+{
+    m_log.add(Severity::Warning, name(axis), Text::tr("was power-cycled: its turn must be judged anew"));
+    m_turnWatch.forget(axis);
+    m_restarted = true;
+}
+
+std::optional<QString> MoteusMount::identity(Axis axis) const
+{
+    const auto& facts = m_turnWatch.facts(axis);
+    return facts ? std::optional(facts->uuid) : std::nullopt;
+}
+
+QString MoteusMount::lastIdentity(Axis axis) const
+{
+    const auto& turn = memory().turns[index(axis)];
+    return turn ? turn->drive : QString();
+}
+
+AxisHand MoteusMount::handOf(const Drive& drive, Axis axis) const
+{
+    if (drive.phase() == Drive::Phase::Held) {
+        return AxisHand::Held;
+    }
+    if (drive.phase() == Drive::Phase::Engaged) {
+        return AxisHand::Follows;
+    }
+    switch (drive.report() ? drive.report()->mode : moteus::Mode::Stopped) {
+        case moteus::Mode::Stopped:
+        case moteus::Mode::Fault:
+            return AxisHand::Off;
+        case moteus::Mode::PositionTimeout: {
+            const auto& facts = m_turnWatch.facts(axis);
+            return facts && facts->holdsWhenNotFed ? AxisHand::HoldsItself : AxisHand::TimedOut;
+        }
+        default:
+            return drive.activeUnordered() ? AxisHand::Unordered : AxisHand::On;
+    }
+}
+
+AxisReport MoteusMount::report(Axis axis) const
+{
+    const Drive& drive = m_drives.drive(axis);
+    AxisReport report{.hand = handOf(drive, axis),
+                      .answers = drive.answering(m_now),
+                      .seen = !drive.unseen(),
+                      .latched = drive.latched(),
+                      .changesHands = DrivePair::changingHands(drive),
+                      .underOrders = drive.phase() != Drive::Phase::Listening,
+                      .wrapKnown = m_turns.known(axis),
+                      .wrapAsked = m_turns.asked(axis),
+                      .place = m_drives.measured(axis),
+                      .placed = drive.place() ? drive.place()->received : SteadyTime{},
+                      .rate = m_drives.measuredRate(axis)};
+    if (const auto& reply = drive.report()) {
+        report.heard = reply->received;
+        report.voltage = reply->voltage;
+        report.torque = reply->torque;
+        report.current = reply->current;
+        report.boardTemperature = reply->boardTemperature;
+        report.motorTemperature = reply->motorTemperature;
+        report.mode = static_cast<int>(reply->mode);
+        report.faultCode = reply->fault;
+    }
+    return report;
+}
+
+Result<> MoteusMount::available() const
+{
+    return m_busLeft ? failure(ErrorCode::NoAnswer, Text::tr("the bus is left to other tools: take it back first"))
+                     : Result<>{};
+}
+
+// The survey's part is added by DriveCare.
+void MoteusMount::describe(DrivesStatus& status) const
+{
+    status.released = m_busLeft;
+    status.switchedOn = std::ranges::any_of(kAxes, [this](Axis axis) { return isSwitchedOn(m_drives.drive(axis)); });
+    status.proofRunning = m_proof.running();
+    status.proofText = m_proof.text();
+    for (const Axis axis : kAxes) {
+        DriveStatus& drive = axis == Axis::Azimuth ? status.azimuth : status.elevation;
+        drive.id = m_profile.axis(axis).id;
+        drive.turnKnown = m_turns.known(axis);
+        drive.turnQuestion = readable() ? m_turns.question(axis, m_drives.drive(axis)) : std::nullopt;
+        drive.crashStop = memory().crashStops[index(axis)];
+    }
+}
+
+void MoteusMount::observe(SteadyTime now)
+{
+    if (m_observed) {
+        m_stall.tickBegins(now - m_now, m_profile.control.watchdog, heldPlace(), now);
+    } else {
+        m_started = now;  // the drives have had no question before
+    }
+    m_observed = true;
+    m_now = now;
+    m_drives.judge(now);
+}
+
+MountFindings MoteusMount::supervise(const MountSituation& known)
+{
+    MountFindings found;
+    keepTurns(known, found);
+    resumeAfterStall(known, found);
+    watchDrives(known, found);
+    letBackInside();
+    return found;
+}
+
+void MoteusMount::keepTurns(const MountSituation& known, MountFindings& found)
+{
+    const bool restarted = std::exchange(m_restarted, false);
+    const bool lost = m_turnWatch.keep({.now = m_now, .released = m_busLeft, .atRest = known.settled});
+    found.interrupted = lost || restarted;  // what was wanted is meant in a frame that is not true any more
+    if (found.interrupted) {
+        interruptProof();
+    }
+    m_turnWatch.raiseAlarms(lost && known.moves && !restarted, readable());
+}
+
+// Where a drive does not come back the motion ends.
+void MoteusMount::resumeAfterStall(const MountSituation& known, MountFindings& found)
+{
+    const bool hindered = m_proof.running() || known.closing || m_busLeft || known.stopLatched || known.faultLatched ||
+                          !m_fitness || !m_turnWatch.allKnown();
+    m_stall.resume(m_profile.control.afterStall == profile::AfterStall::Resume && !hindered, m_now);
+    if (const auto missing = m_stall.finish(known.faultLatched, m_profile.control.watchdog, m_now)) {
+        stopFor(missing->first, missing->second, found);
+    }
+}
+
+void MoteusMount::watchDrives(const MountSituation& known, MountFindings& found)
+{
+    for (const Axis axis : kAxes) {
+        const DriveWatch::Context context{.now = m_now,
+                                          .running = m_now - m_started,
+                                          .turnKnown = m_turns.known(axis),
+                                          .faultLatched = known.faultLatched || !found.troubles.empty(),
+                                          .ownOrders = known.closing,
+                                          .silenceExpected = m_busLeft};
+        const auto trouble = m_watches[index(axis)].watch(m_drives.drive(axis), m_setpoints[index(axis)], context);
+        if (trouble && trouble->stops) {
+            stopFor(axis, *trouble, found);
+        }
+        if (trouble && trouble->turnDoubtful) {
+            m_turns.forget(axis, trouble->what);
+        }
+    }
+}
+
+// An axis that can not follow stays where it is, so that its set-point does not go on pulling. One whose angle has
+// jumped gets no set-point at all, because nobody knows which of the two places its drive would take it to mean.
+void MoteusMount::stopFor(Axis axis, const DriveWatch::Trouble& trouble, MountFindings& found)
+{
+    found.troubles.push_back({.axis = axis, .loss = trouble.loss, .what = trouble.what});
+    interruptProof();
+    if (trouble.turnDoubtful) {
+        m_drives.drive(axis).hold();
+    } else if (trouble.gaveWay) {
+        m_drives.drive(axis).yield();  // its set-point follows when the drive is captured
+    }
+}
+
+void MoteusMount::interruptProof()
+{
+    if (m_proof.running()) {
+        m_proof.end(Text::tr("ended before it was done"));
+    }
+}
+
+bool MoteusMount::isFarOutside(Axis axis) const
+{
+    const auto place = m_drives.measured(axis);
+    const TravelRange& travel = m_profile.axis(axis).geometry.travel;
+    const Angle margin = m_profile.control.driveLimitMargin;
+    return m_turns.known(axis) && place && (*place > travel.max + margin || *place < travel.min - margin);
+}
+
+// An axis that was pushed out beyond its drive's own bounds could not even be moved back: fault 39.
+void MoteusMount::letBackInside()
+{
+    for (const Axis axis : kAxes) {
+        const auto measured = m_drives.measured(axis);
+        const bool outside =
+            m_turns.known(axis) && measured && !m_profile.axis(axis).geometry.travel.contains(*measured);
+        bool& ignoring = m_ignoringBounds[index(axis)];
+        ignoring = isFarOutside(axis) || (ignoring && outside);
+        m_drives.drive(axis).setIgnoreBounds(ignoring);
+    }
+}
+
+// Where the drives were told to be; one that is still taken over has no set-point.
+AxisPosition MoteusMount::heldPlace() const
+{
+    const auto of = [this](Axis axis) {
+        const Angle setpoint = m_setpoints[index(axis)].position;
+        const bool engaged = m_drives.drive(axis).phase() == Drive::Phase::Engaged;
+        return engaged ? setpoint : m_drives.measured(axis).value_or(setpoint);
+    };
+    return {.azimuth = of(Axis::Azimuth), .elevation = of(Axis::Elevation)};
+}
+
+std::optional<Angle> MoteusMount::takeFollowing(Axis axis)
+{
+    if (!m_drives.drive(axis).takeEngaged()) {
+        return std::nullopt;
+    }
+    m_watches[index(axis)].engaged();
+    return m_drives.measured(axis);
+}
+
+void MoteusMount::command(Axis axis, const tracking::Setpoint& setpoint)
+{
+    m_setpoints[index(axis)] = setpoint;
+    m_drives.setSetpoint(axis, setpoint.position, setpoint.rate);
+}
+
+void MoteusMount::recover()
+{
+    for (const Axis axis : kAxes) {
+        if (m_drives.drive(axis).latched()) {
+            m_drives.drive(axis).recover();
+        }
+    }
+}
+
+void MoteusMount::rearmed()
+{
+    for (const Axis axis : kAxes) {
+        m_alarms.clear(name(axis));
+        m_watches[index(axis)].rearmed();
+    }
+}
+
+void MoteusMount::setProfile(const profile::Profile& profile)
+{
+    m_profile = profile;
+    m_drives.setProfile(profile);
+    for (DriveWatch& watch : m_watches) {
+        watch.setProfile(profile);
+    }
+}
+
+// Whatever is written while a drive is active ends in its fault 41, and the axis falls.
+Result<> MoteusMount::mayBeWritten() const
+{
+    for (const Axis axis : kAxes) {
+        if (isSwitchedOn(m_drives.drive(axis))) {
+            return failure(
+                ErrorCode::Refused,
+                Text::tr("the %1 is switched on: support the elevation, switch the drives off").arg(label(axis)));
+        }
+    }
+    return {};
+}
+
+void MoteusMount::switchOff()
+{
+    for (const Axis axis : kAxes) {
+        m_drives.drive(axis).release();
+    }
+}
+
+void MoteusMount::leaveBus()
+{
+    m_busLeft = true;
+    for (const Axis axis : kAxes) {
+        m_drives.drive(axis).listen();
+        m_turns.forget(axis);
+        learn(axis, std::nullopt);
+    }
+}
+
+Result<> MoteusMount::takeBus()
+{
+    if (!m_busLeft) {
+        return failure(ErrorCode::Refused, Text::tr("the bus was not left to other tools"));
+    }
+    m_busLeft = false;
+    m_started = m_clock.now();  // the drives have had no question yet
+    return {};
+}
+
+Result<> MoteusMount::chooseWrap(Axis axis, Angle angle, const QString& source)
+{
+    return m_turns.choose(axis, angle, m_drives.drive(axis), source);
+}
+
+Result<> MoteusMount::beginProof(AngularRate rate, const TravelRange& azimuths, const TravelRange& elevations)
+{
+    if (rate < kSlowestProof || rate > kFastestProof) {
+        return failure(ErrorCode::OutOfRange, Text::tr("a crash stop is proven at %1 to %2°/s")
+                                                  .arg(toQString(formatFixed(kSlowestProof.degrees(), 1)),
+                                                       toQString(formatFixed(kFastestProof.degrees(), 1))));
+    }
+    return CrashStopProof::prepare(rate, *m_drives.measured(), azimuths, elevations)
+        .map([this](const CrashStopProof& proof) { m_proof.begin(proof); });
+}
+
+}  // namespace boresight

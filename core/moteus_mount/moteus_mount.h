@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/alarm_board.h"
+#include "core/alarms/event_log.h"
+#include "core/base/can_frame.h"
+#include "core/base/clock.h"
+#include "core/moteus_mount/drive_pair.h"
+#include "core/moteus_mount/drive_watch.h"
+#include "core/moteus_mount/proof_run.h"
+#include "core/moteus_mount/stall_guard.h"
+#include "core/moteus_mount/turn_keeper.h"
+#include "core/moteus_mount/turn_watch.h"
+#include "core/mount/mount_driver.h"
+#include "core/mount/mount_service.h"
+#include "core/profile/profile.h"
+
+#include <array>
+#include <optional>
+#include <utility>
+
+// Two moteus on one CAN bus, behind the port of the mount: frames in, frames out. Watches both drives, keeps their
+// wraps and their journal, excuses them for stalls of this computer and runs the crash-stop proof. Whoever has the bus
+// hands over frames and sends those of frames(); DriveCare surveys the drives beside it. Station thread only.
+namespace boresight {
+
+class MoteusMount final : public MountDriver, public MountService
+{
+public:
+    MoteusMount(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
+                TurnKeeper::Start start = {});
+
+    // The bus.
+    void take(const CanFrame& frame) { m_drives.take(frame); }
+    [[nodiscard]] std::array<CanFrame, 2> frames() const { return m_drives.frames(); }  // azimuth, elevation
+    // These frames were handed to the link, or there is no link now. A computer that is held up between the two sends
+    // them late.
+    void framesSent();
+    [[nodiscard]] bool busLeft() const { return m_busLeft; }
+    // What to do about a bus that is silent although it works: depends on what carries it.
+    void setSilenceAdvice(const QString& advice);
+
+    // What the survey has found.
+    void setFitness(const Result<>& fitness) { m_fitness = fitness; }
+    void learn(Axis axis, const std::optional<survey::DriveFacts>& facts) { m_turnWatch.learn(axis, facts); }
+    [[nodiscard]] bool needsOrigin(Axis axis) const { return m_turnWatch.needsOrigin(axis); }
+    void driveRestarted(Axis axis);  // it was power-cycled under our eyes
+
+    // The journal.
+    [[nodiscard]] const memory::MountMemory& memory() const { return m_turns.memory(); }
+    [[nodiscard]] bool takeMemoryChange() { return m_turns.takeChange(); }
+    // How a sensor on the antenna has seen the azimuth turn.
+    void setCourse(const std::optional<memory::SensorCourse>& course) { m_turns.setCourse(course); }
+
+    [[nodiscard]] const QString& name(Axis axis) const override { return m_names[index(axis)]; }
+    [[nodiscard]] QString label(Axis axis) const override { return m_drives.drive(axis).label(); }
+    [[nodiscard]] std::optional<QString> identity(Axis axis) const override;
+    [[nodiscard]] QString lastIdentity(Axis axis) const override;
+    [[nodiscard]] AxisReport report(Axis axis) const override;
+    [[nodiscard]] Result<> available() const override;
+    [[nodiscard]] const Result<>& fitness() const override { return m_fitness; }
+    void describe(DrivesStatus& status) const override;
+    [[nodiscard]] MountService* service() override { return this; }
+    [[nodiscard]] const MountService* service() const override { return this; }
+    void observe(SteadyTime now) override;
+    [[nodiscard]] MountFindings supervise(const MountSituation& known) override;
+    void engage() override { m_drives.engage(); }
+    [[nodiscard]] std::optional<Angle> takeFollowing(Axis axis) override;
+    void command(Axis axis, const tracking::Setpoint& setpoint) override;
+    void brakeHard(bool hard) override { m_drives.setHardBraking(hard); }
+    void seize() override { m_drives.seize(m_now); }
+    void recover() override;
+    void rearmed() override;
+    void leave(profile::OnExit how) override { m_drives.leave(how); }
+    void setProfile(const profile::Profile& profile) override;
+    void setSensor(Axis axis, const std::optional<Angle>& heading) override { m_turns.setSensor(axis, heading); }
+
+    [[nodiscard]] Result<> mayBeWritten() const override;
+    void switchOff() override;
+    void leaveBus() override;
+    Result<> takeBus() override;
+    [[nodiscard]] Result<> chooseWrap(Axis axis, Angle angle, const QString& source) override;
+    [[nodiscard]] Result<> beginProof(AngularRate rate, const TravelRange& azimuths,
+                                      const TravelRange& elevations) override;
+    [[nodiscard]] bool proofRunning() const override { return m_proof.running(); }
+    [[nodiscard]] ProofStep stepProof() override { return m_proof.step(m_now, m_clock.utc()); }
+    void endProof(const QString& how) override { m_proof.end(how); }
+
+private:
+    void keepTurns(const MountSituation& known, MountFindings& found);
+    void resumeAfterStall(const MountSituation& known, MountFindings& found);
+    void watchDrives(const MountSituation& known, MountFindings& found);
+    void stopFor(Axis axis, const DriveWatch::Trouble& trouble, MountFindings& found);
+    void interruptProof();
+    void letBackInside();
+    [[nodiscard]] bool isFarOutside(Axis axis) const;
+    [[nodiscard]] AxisPosition heldPlace() const;
+    [[nodiscard]] AxisHand handOf(const Drive& drive, Axis axis) const;
+    // What the drives report means something: their gear and protections are right, or are still being read.
+    [[nodiscard]] bool readable() const { return m_fitness || m_fitness.error().code == ErrorCode::Busy; }
+
+    profile::Profile m_profile;
+    const Clock& m_clock;
+    EventLog& m_log;
+    AlarmBoard& m_alarms;
+    DrivePair m_drives;
+    std::array<QString, 2> m_names;
+    std::array<DriveWatch, 2> m_watches;
+    TurnKeeper m_turns;
+    TurnWatch m_turnWatch;
+    StallGuard m_stall;
+    ProofRun m_proof;
+    Result<> m_fitness;
+    std::array<tracking::Setpoint, 2> m_setpoints{};  // as commanded last
+    std::array<bool, 2> m_ignoringBounds{};
+    bool m_busLeft = false;
+    bool m_restarted = false;  // a drive, since the last supervision
+    bool m_observed = false;
+    SteadyTime m_started;  // the program, or the use of a bus that was taken back
+    SteadyTime m_now;      // of the running or last tick
+};
+
+}  // namespace boresight

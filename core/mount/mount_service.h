@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/base/result.h"
+#include "core/units/sky.h"
+
+#include <QString>
+
+#include <optional>
+
+// What an operator can do to a rotator itself, besides moving it. Not every kind has it. The control asks only while
+// the mount rests. Station thread only. Angles are mechanical.
+namespace boresight {
+
+class MountService
+{
+public:
+    virtual ~MountService() = default;
+
+    // Settings of the drives can be written now; else the reason.
+    [[nodiscard]] virtual Result<> mayBeWritten() const = 0;
+    virtual void switchOff() = 0;
+
+    // Leaves the bus to other tools, and takes it back.
+    virtual void leaveBus() = 0;
+    virtual Result<> takeBus() = 0;
+
+    // The operator has looked: the axis stands at about `angle`. `source` is named in the log.
+    [[nodiscard]] virtual Result<> chooseWrap(Axis axis, Angle angle, const QString& source) = 0;
+
+    // The crash-stop proof: runs each axis up, stops feeding it, and measures how it stops.
+    struct ProofStep
+    {
+        std::optional<AxisRates> run;  // move the mount so
+        bool rest = false;             // come to rest
+        bool ended = false;
+    };
+    // Refused with the reason. The axes may move within these ranges.
+    [[nodiscard]] virtual Result<> beginProof(AngularRate rate, const TravelRange& azimuths,
+                                              const TravelRange& elevations) = 0;
+    [[nodiscard]] virtual bool proofRunning() const = 0;
+    [[nodiscard]] virtual ProofStep stepProof() = 0;  // once in a tick
+    virtual void endProof(const QString& how) = 0;
+};
+
+}  // namespace boresight
