@@ -7,6 +7,7 @@
 #include "app/station_thread.h"
 #include "app/unix_signals.h"
 #include "core/base/version.h"
+#include "core/moteus_mount/moteus_connection.h"
 #include "core/station/link_factory.h"
 #include "ui/jog/gamepad.h"
 #include "ui/kit/language.h"
@@ -150,18 +151,16 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     const ui::Translation translation(layout.value(kLanguageKey).toString());
     const SystemClock clock;
     const LinkMaker links(options.profile, clock);
-    const auto build = [&](const profile::Profile& wanted) {
-        const profile::Profile profile = options.overridden(wanted);
-        auto station = std::make_unique<Station>(profile, links.make(profile.bus), options.stateDir, clock);
+    const auto build = [&](const profile::Profile& profile, const std::optional<memory::EnteredPlace>& standingAt) {
+        auto station = std::make_unique<Station>(
+            profile, twoMoteus(links.make(profile.bus), {options.stateDir, standingAt}), options.stateDir, clock);
         station->setSensorMaker(links.sensors());
         station->wantRealTime();
         return station;
     };
-    auto first = std::make_unique<Station>(options.profile, links.make(options.profile.bus), options.stateDir, clock,
-                                           options.standingAt);
-    first->setSensorMaker(links.sensors());
-    first->wantRealTime();
-    app::StationThread station(std::move(first), build);
+    app::StationThread station(build(options.profile, options.standingAt), [&](const profile::Profile& wanted) {
+        return build(options.overridden(wanted), std::nullopt);
+    });
     app::ProfileSaver saver(options.configDir, options.profilePath, options.profile);
     if (options.onlySimulated) {
         saver.keepSimulated();

@@ -5,6 +5,7 @@
 #include "app/service_notify.h"
 #include "app/unix_signals.h"
 #include "core/base/version.h"
+#include "core/moteus_mount/moteus_connection.h"
 #include "core/station/link_factory.h"
 #include "core/station/station.h"
 
@@ -54,7 +55,8 @@ int run(QCoreApplication& application, const app::Options& options)
 {
     const SystemClock clock;
     const LinkMaker links(options.profile, clock);
-    Station station(options.profile, links.make(options.profile.bus), options.stateDir, clock, options.standingAt);
+    Station station(options.profile, twoMoteus(links.make(options.profile.bus), {options.stateDir, options.standingAt}),
+                    options.stateDir, clock);
     station.setSensorMaker(links.sensors());
     station.wantRealTime();
     QThreadPool reader;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/station.h"
 
-#include "core/base/bus_name.h"
 #include "core/base/text.h"
-#include "core/can/bus_advice.h"
 #include "core/profile/commissioning.h"
 
 #include <QHostAddress>
@@ -17,7 +15,6 @@ Q_LOGGING_CATEGORY(lcTick, "boresight.tick", QtInfoMsg)
 namespace boresight {
 namespace {
 
-const QString kBusCause = QStringLiteral("bus");
 const QString kServerCause = QStringLiteral("rotctld");
 const QString kOpenPortCause = QStringLiteral("rotctld.open");
 const QString kMemoryCause = QStringLiteral("memory");
@@ -57,18 +54,14 @@ SkyPointing beamBy(const pointing::PointingTerms& terms, const AxisPosition& pla
 
 }  // namespace
 
-Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link, const QString& stateDir,
-                 const Clock& clock, const std::optional<memory::EnteredPlace>& standingAt)
+Station::Station(const profile::Profile& profile, const MountMaker& mount, const QString& stateDir, const Clock& clock)
     : m_profile(profile),
       m_clock(clock),
       m_log(clock),
-      m_memoryFile(stateDir, QString::fromStdString(profile.mount.name), this),
       m_alarms(m_log, clock),
-      m_mount(profile, clock, m_log, m_alarms, remembered(standingAt)),
-      m_control(profile, clock, m_log, m_alarms, m_mount),
-      m_care(profile, m_mount, m_alarms, m_log),
+      m_mount(mount(profile, clock, m_log, m_alarms)),
+      m_control(profile, clock, m_log, m_alarms, m_mount->driver()),
       m_rotator(m_control, profile, m_log, clock),
-      m_link(std::move(link)),
       m_server(serverSettings(profile.rotctld), m_rotator, clock, this),
       m_broker(m_log, clock, this),
       m_sensor(profile, clock, m_log, m_control.alarms(), m_broker, this),
@@ -81,7 +74,7 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
       m_reopenTimer(this),
       m_lateness(std::chrono::round<std::chrono::milliseconds>(profile.control.tickPeriod()))
 {
-    m_link->setParent(this);  // so that it moves to the station thread with us
+    m_mount->setParent(this);  // so that it moves to the station thread with us
     m_tickTimer.setTimerType(Qt::PreciseTimer);
     m_tickTimer.setInterval(std::chrono::round<std::chrono::milliseconds>(profile.control.tickPeriod()));
     m_updateTimer.setInterval(kUpdatePeriod);
@@ -91,21 +84,8 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
         tick();
     });
     connect(&m_updateTimer, &QTimer::timeout, this, &Station::publish);
-    connect(&m_reopenTimer, &QTimer::timeout, this, &Station::openBus);
-    connect(m_link.get(), &CanLink::frameReceived, this, [this](const CanFrame& frame) {
-        m_mount.take(frame);
-        m_care.take(frame);
-    });
-    connect(m_link.get(), &CanLink::statusChanged, this, &Station::showBus);
+    connect(&m_reopenTimer, &QTimer::timeout, this, &Station::openMount);
     connect(&m_power, &StationPower::received, this, [this](const power::Value& value) { m_calibration.take(value); });
-    connect(&m_memoryFile, &memory::MemoryFile::saveFailed, this, [this](const QString& reason) {
-        m_control.alarms().raise(kMemoryCause, Severity::Warning,
-                                 {.what = reason,
-                                  .action = Text::tr("The place of the axes is kept in memory only"),
-                                  .remedy = Text::tr("Check the disk, or choose another folder with --state-dir; else "
-                                                     "the turn must be told after a restart")});
-    });
-    connect(&m_memoryFile, &memory::MemoryFile::saved, this, [this] { m_control.alarms().clear(kMemoryCause); });
     connect(&m_eventFile, &EventFile::failed, this, [this](const QString& reason) {
         m_control.alarms().raise(kLogCause, Severity::Warning,
                                  {.what = reason,
@@ -113,44 +93,12 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
                                   .remedy = Text::tr("Check the disk, or choose another folder with --state-dir")});
     });
     connect(&m_eventFile, &EventFile::written, this, [this] { m_control.alarms().clear(kLogCause); });
-    if (const auto bus = parseBusName(profile.bus)) {
-        m_mount.setSilenceAdvice(silenceAdvice(*bus));
-    }
-}
-
-// The simulated mount is new, and stands where its drives say, whenever the program starts.
-TurnKeeper::Start Station::remembered(const std::optional<memory::EnteredPlace>& standingAt)
-{
-    if (simulated()) {
-        return {.trustFirstContact = true};
-    }
-    m_claim = m_memoryFile.claim();
-    if (!m_claim) {
-        return {};
-    }
-    memory::LoadedMemory loaded = m_memoryFile.load();
-    if (!loaded.problem.isEmpty()) {
-        m_log.add(Severity::Warning, kMemoryCause, loaded.problem);
-    }
-    TurnKeeper::Start start{.memory = std::move(loaded.memory), .problem = std::move(loaded.problem)};
-    if (standingAt) {
-        start.standingAt = {standingAt->place.azimuth, standingAt->place.elevation};
-        start.looked = standingAt->looked;
-    }
-    return start;
-}
-
-void Station::saveMemory()
-{
-    if (m_mount.takeMemoryChange() && !simulated() && m_claim) {
-        m_memoryFile.save(m_mount.memory());
-    }
 }
 
 Station::~Station()
 {
     m_server.close();  // while the rotator still lives
-    m_link->setParent(nullptr);
+    m_mount->setParent(nullptr);
 }
 
 void Station::start()
@@ -167,12 +115,12 @@ void Station::start()
 void Station::openAll()
 {
     m_opened = m_clock.now();
-    if (!m_claim) {
+    if (!m_mount->mine()) {
         refuseToStart();
         return;
     }
     tellDirections();
-    openBus();
+    openMount();
     openServer();
     m_broker.apply(m_profile.inForce()->mqtt);
     m_sensor.open();
@@ -195,7 +143,7 @@ void Station::tellDirections()
 // Another program commands these drives and writes their journal: this one leaves all of it alone.
 void Station::refuseToStart()
 {
-    const QString problem = QString::fromStdString(m_claim.error().text);
+    const QString problem = QString::fromStdString(m_mount->mine().error().text);
     m_control.alarms().raise(kMemoryCause, Severity::Alarm,
                              {.what = problem,
                               .action = Text::tr("Nothing is commanded and no client can connect"),
@@ -206,44 +154,9 @@ void Station::refuseToStart()
                            Text::tr("End that program, or give this mount another name in its profile"));
 }
 
-void Station::openBus()
+void Station::openMount()
 {
-    const LinkState state = m_link->status().state;
-    if (!m_claim || state == LinkState::Up || state == LinkState::Down || m_finished || m_mount.busLeft()) {
-        return;
-    }
-    if (const Result<> opened = m_link->open(); !opened) {
-        LinkStatus status = m_link->status();
-        status.text = QString::fromStdString(opened.error().text);
-        showBus(status);
-    } else {
-        showBus(m_link->status());
-    }
-}
-
-void Station::showBus(const LinkStatus& status)
-{
-    if (status.state == LinkState::Up && status.text.isEmpty()) {
-        m_control.alarms().clear(kBusCause);
-        return;
-    }
-    if (m_finished || (status.state == LinkState::Closed && status.text.isEmpty())) {
-        return;  // closed to be opened again: what was wrong still is
-    }
-    // The text of the link says itself what to look at.
-    if (status.state == LinkState::Up) {
-        m_control.alarms().raise(kBusCause, Severity::Warning,
-                                 {.what = status.text, .action = Text::tr("Boresight goes on using the bus")});
-    } else {
-        m_control.alarms().raise(
-            kBusCause, Severity::Alarm,
-            {.what = status.text,
-             .action = status.leftAlone
-                           ? Text::tr("Nothing can be commanded. Boresight sends nothing more to this port")
-                           : Text::tr("Nothing can be commanded; the bus is tried again each second"),
-             .remedy =
-                 Text::tr("Mend it; or choose another adapter in the guide, or another mount on the page Profile")});
-    }
+    m_mount->open();
 }
 
 void Station::openServer()
@@ -284,7 +197,8 @@ void Station::tellOpenPort()
 
 void Station::tellStart()
 {
-    const bool drives = m_mount.report(Axis::Azimuth).answers || m_mount.report(Axis::Elevation).answers;
+    const auto answers = [this](Axis axis) { return m_mount->driver().report(axis).answers; };
+    const bool drives = std::ranges::any_of(kAxes, answers);
     const auto patience = drives ? std::chrono::milliseconds(kSurveyPatience) : kStartPatience;
     if (!m_startTold && (m_control.measured() || m_clock.now() - m_opened > patience)) {
         m_startTold = true;
@@ -310,16 +224,7 @@ void Station::tick()
     m_calibration.tick();
     m_control.tick();
     witness();
-    const auto motion = m_mount.frames();
-    std::vector<CanFrame> frames(motion.begin(), motion.end());
-    std::ranges::copy(m_care.tick(m_clock.now()), std::back_inserter(frames));
-    if (const LinkState state = m_link->status().state; state == LinkState::Up || state == LinkState::Down) {
-        // Also while the bus is down: an adapter notices only by a new frame that it works again. A frame that could
-        // not be sent shows as a missing reply and in the status of the link.
-        [[maybe_unused]] const Result<> sent = m_link->send(frames);
-    }
-    m_mount.framesSent();
-    saveMemory();
+    m_mount->send();
     m_eventFile.tick();
     tellStart();
     Q_EMIT ticked();
@@ -345,7 +250,7 @@ void Station::witness()
     m_calibration.take(m_sensor.status());
     const SensorEvidence evidence = m_sensor.evidence();
     m_control.setSensor(evidence.azimuth, evidence.elevation);
-    m_mount.setCourse(evidence.course);
+    m_mount->setCourse(evidence.course);
 }
 
 void Station::finish()
@@ -358,7 +263,7 @@ void Station::finish()
     m_sensor.close();
     m_power.close();
     m_broker.close();
-    m_link->close();
+    m_mount->close();
     m_updateWanted = true;  // the last words, also to a screen that is slow: who asked for the end has an answer to get
     publish();
     qCInfo(lcTick, "ticks %llu, late p50 %.1f ms, p99 %.1f ms, max %.1f ms",
@@ -388,7 +293,7 @@ void Station::request(const NumberedRequest& numbered)
 Result<> Station::obey(const Request& request)
 {
     static const Source kOperator{.kind = SourceKind::Operator, .name = QStringLiteral("operator")};
-    return m_care.admits(request).and_then([&] { return m_control.request(request, kOperator); }).and_then([&] {
+    return m_mount->admits(request).and_then([&] { return m_control.request(request, kOperator); }).and_then([&] {
         return carryOut(request);
     });
 }
@@ -415,15 +320,6 @@ void Station::reload(const Result<profile::Profile>& read)
 // What StationControl has admitted, but does not do itself.
 Result<> Station::carryOut(const Request& request)
 {
-    if (std::holds_alternative<request::ReleaseBus>(request)) {
-        m_link->close();
-        m_control.alarms().clear(kBusCause);
-        return {};
-    }
-    if (std::holds_alternative<request::TakeBus>(request)) {
-        openBus();
-        return {};
-    }
     if (const auto* const wanted = std::get_if<request::Disconnect>(&request)) {
         if (!m_server.disconnect(wanted->clientId, Text::tr("disconnected by the operator").toStdString())) {
             return failure(ErrorCode::NotAvailable, Text::tr("this client has left"));
@@ -445,7 +341,7 @@ Result<> Station::carryOut(const Request& request)
         m_control.shutDown();
         return {};
     }
-    return m_care.carryOut(request, m_clock.now());
+    return m_mount->carryOut(request);
 }
 
 void Station::apply(const profile::Profile& wanted)
@@ -463,7 +359,7 @@ void Station::apply(const profile::Profile& wanted)
                 .arg(toQString(change.key), toQString(change.before), toQString(change.after)));
     }
     m_control.setProfile(*m_profile.inForce());
-    m_care.setProfile(*m_profile.inForce());
+    m_mount->setProfile(*m_profile.inForce());
     m_rotator.setProfile(*m_profile.inForce());
     m_server.setAllowed(m_profile.inForce()->rotctld.allow);
     m_server.setMaxClients(serverSettings(m_profile.inForce()->rotctld).maxClients);
@@ -519,12 +415,10 @@ void Station::shutDown()
 StationStatus Station::status() const
 {
     StationStatus status = m_control.status();
-    status.bus = m_link->status();
-    status.busName = m_link->name();
     status.profile = m_profile.inForce();
     status.waitingKeys = m_profile.waitingKeys();
     status.simulated = simulated();
-    m_care.fill(status.drives);
+    m_mount->describe(status);
     status.listening = QString::fromStdString(m_server.address());
     status.clients = clients();
     status.timing = {.lateP50 = m_lateness.percentile(0.5),

@@ -5,14 +5,10 @@
 #include "core/alarms/event_file.h"
 #include "core/alarms/event_log.h"
 #include "core/base/clock.h"
-#include "core/can/can_link.h"
 #include "core/control/station_control.h"
-#include "core/memory/entered_place.h"
-#include "core/memory/memory_file.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
-#include "core/moteus_mount/drive_care.h"
-#include "core/moteus_mount/moteus_mount.h"
+#include "core/mount/mount_connection.h"
 #include "core/north/calibration_desk.h"
 #include "core/profile/profile.h"
 #include "core/rotctld/server.h"
@@ -31,7 +27,7 @@
 #include <memory>
 #include <vector>
 
-// The station as a running thing: StationControl with a bus, a timer, the rotctld server, a log file and a feed of
+// The station as a running thing: StationControl with a mount, a timer, the rotctld server, a log file and a feed of
 // updates. Built on the main thread, then moved to the station thread before start(); from there on all is called
 // there, from other threads by queued signals. It decides nothing about motion itself.
 namespace boresight {
@@ -46,10 +42,8 @@ public:
     // the shortest time that they show whole, and at 50 Hz some 120 kB.
     static constexpr std::chrono::seconds kSamplesKept{10};
 
-    // `clock` must outlive the station. Reads the mount's memory from the state folder; `standingAt` is where the
-    // mount stood when the operator looked, for drives that can not tell; it counts once, and for ten minutes.
-    Station(const profile::Profile& profile, std::unique_ptr<CanLink> link, const QString& stateDir, const Clock& clock,
-            const std::optional<memory::EnteredPlace>& standingAt = std::nullopt);
+    // `clock` must outlive the station. The state folder has its log and what calibrations found.
+    Station(const profile::Profile& profile, const MountMaker& mount, const QString& stateDir, const Clock& clock);
     ~Station() override;
 
     // How the orientation sensor is reached, if not by what the profile says alone. Before start().
@@ -66,8 +60,9 @@ public:
     void reload(const Result<profile::Profile>& read);
 
 public Q_SLOTS:
-    // Opens bus and server and begins to tick; started() tells how that went, as soon as there is a position to be told
-    // or it is clear that there will be none. A bus that does not open is an alarm and is tried again each second.
+    // Opens the mount and the server and begins to tick; started() tells how that went, as soon as there is a position
+    // to be told or it is clear that there will be none. A mount that does not open is an alarm and is tried again each
+    // second.
     void start();
     void request(const boresight::NumberedRequest& request);
     // The screen has taken the last update: the next may come.
@@ -79,8 +74,8 @@ public Q_SLOTS:
     void tick();
     void publish();
     void openAll();
+    void openMount();
     void tellDirections();
-    void openBus();
 
 Q_SIGNALS:
     // `listening` is the address of the rotctld server, empty when it could not listen, and then `problem` says why.
@@ -94,14 +89,11 @@ Q_SIGNALS:
     void reconnectWanted(const boresight::profile::Profile& profile);
 
 private:
-    void showBus(const LinkStatus& status);
-    [[nodiscard]] TurnKeeper::Start remembered(const std::optional<memory::EnteredPlace>& standingAt);
     [[nodiscard]] bool simulated() const { return m_profile.inForce()->bus == "simulated"; }
     void apply(const profile::Profile& wanted);
     void applyCalibration();
     [[nodiscard]] Result<> obey(const Request& request);
     [[nodiscard]] Result<> carryOut(const Request& request);
-    void saveMemory();
     void openServer();
     void refuseToStart();
     void tellOpenPort();
@@ -114,14 +106,10 @@ private:
     LiveProfile m_profile;
     const Clock& m_clock;
     EventLog m_log;
-    memory::MemoryFile m_memoryFile;
-    Result<> m_claim;  // of the journal: without it this station is for show only
     AlarmBoard m_alarms;
-    MoteusMount m_mount;
+    std::unique_ptr<MountConnection> m_mount;
     StationControl m_control;
-    DriveCare m_care;
     StationRotator m_rotator;
-    std::unique_ptr<CanLink> m_link;
     rotctld::Server m_server;
     StationBroker m_broker;
     StationSensor m_sensor;

@@ -2,6 +2,7 @@
 #include "app/station_thread.h"
 
 #include "core/base/clock.h"
+#include "core/moteus_mount/moteus_connection.h"
 #include "core/station/link_factory.h"
 
 #include <QSignalSpy>
@@ -45,7 +46,8 @@ protected:
 
     std::unique_ptr<Station> station(const profile::Profile& profile)
     {
-        return std::make_unique<Station>(profile, links.make(profile.bus), folder.path(), clock);
+        return std::make_unique<Station>(profile, twoMoteus(links.make(profile.bus), {folder.path()}), folder.path(),
+                                         clock);
     }
     std::unique_ptr<Station> build(const profile::Profile& profile)
     {

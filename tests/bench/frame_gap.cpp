@@ -9,6 +9,7 @@
 
 #include "app/profile_saver.h"
 #include "app/station_thread.h"
+#include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_bus/simulated_link.h"
 #include "ui/window/main_window.h"
 
@@ -111,7 +112,8 @@ private:
               sim::Injection{.kind = FaultKind::PowerLoss, .at = Seconds(22.0), .duration = Seconds(0.5)}}) {
             link->pair().faults().add(fault);
         }
-        return std::make_unique<Station>(profile, std::move(link), m_folder.path(), m_clock);
+        return std::make_unique<Station>(profile, twoMoteus(std::move(link), {m_folder.path()}), m_folder.path(),
+                                         m_clock);
     }
 
     [[nodiscard]] static profile::Profile onAnyPort()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/system/simulated_station.h"
 
+#include "core/moteus_mount/moteus_connection.h"
+
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -32,7 +34,8 @@ SimulatedStation::SimulatedStation(const profile::Profile& profile, const sim::P
 {
     auto owned = std::make_unique<SimulatedLink>(clock, pair);
     link = owned.get();
-    station = std::make_unique<Station>(profile, std::move(owned), m_stateDir.path(), clock);
+    station =
+        std::make_unique<Station>(profile, twoMoteus(std::move(owned), {m_stateDir.path()}), m_stateDir.path(), clock);
     QObject::connect(station.get(), &Station::started,
                      [this](const QString& listening) { m_port = listening.section(QLatin1Char(':'), -1).toUShort(); });
     QObject::connect(station.get(), &Station::updated, [this](const StationUpdate& update) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/memory/entered_place.h"
+#include "core/memory/memory_file.h"
 #include "core/sim_bus/simulated_link.h"
 #include "core/station/station.h"
 #include "tests/fakes/manual_clock.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the first start to the first safe move: the real window, the real station, the simulated mount with its physics.
 // The clock is turned by hand, in step with the real time that the dead-man needs.
+#include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_bus/simulated_link.h"
 #include "core/station/link_factory.h"
 #include "core/station/station.h"
@@ -60,7 +61,7 @@ protected:
         station.reset();
         auto made = links.make(profile.bus);
         link = dynamic_cast<SimulatedLink*>(made.get());
-        station = std::make_unique<Station>(profile, std::move(made), folder.path(), clock);
+        station = std::make_unique<Station>(profile, twoMoteus(std::move(made), {folder.path()}), folder.path(), clock);
         QObject::connect(station.get(), &Station::updated, &window, &MainWindow::showUpdate);
         QObject::connect(station.get(), &Station::reconnectWanted, &window,
                          [this](const profile::Profile& wanted) { next = wanted; });

@@ -2,6 +2,7 @@
 // The station and a real broker.
 #include "core/station/station_broker.h"
 
+#include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_bus/simulated_link.h"
 #include "core/station/station.h"
 #include "tests/core/mqtt/mqtt_rig.h"
@@ -41,7 +42,8 @@ protected:
     }
     void build(const profile::Profile& profile)
     {
-        station = std::make_unique<Station>(profile, std::make_unique<SimulatedLink>(clock), stateDir.path(), clock);
+        station = std::make_unique<Station>(
+            profile, twoMoteus(std::make_unique<SimulatedLink>(clock), {stateDir.path()}), stateDir.path(), clock);
         link = station->findChild<SimulatedLink*>();
         QObject::connect(station.get(), &Station::updated, station.get(), [this](const StationUpdate& update) {
             for (const LogEntry& entry : update.log) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole way: the simulated mount with its own sensor, and the station that calibrates it.
+#include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_sensor/simulated_source.h"
 #include "core/station/station.h"
 #include "tests/fakes/manual_clock.h"
@@ -34,7 +35,8 @@ public:
     {
         auto owned = std::make_unique<SimulatedLink>(clock, m_mount);
         m_link = owned.get();
-        station = std::make_unique<Station>(profile, std::move(owned), folder.path(), clock);
+        station =
+            std::make_unique<Station>(profile, twoMoteus(std::move(owned), {folder.path()}), folder.path(), clock);
         station->setSensorMaker([this](const profile::Profile& wanted, mqtt::Connection& broker) {
             auto made = sensorMaker(clock, m_mount)(wanted, broker);
             m_source = dynamic_cast<SimulatedSource*>(made.get());

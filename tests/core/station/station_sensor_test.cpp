@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole way: simulated mount, its sensor, the station that watches both.
+#include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_sensor/simulated_source.h"
 #include "core/station/station.h"
 #include "tests/core/geomagnetism/synthetic_model.h"
@@ -34,7 +35,8 @@ struct SensedRig
         mount->sensor.truth().mountingOffset = 37.4_deg;
         auto owned = std::make_unique<SimulatedLink>(clock, mount);
         link = owned.get();
-        station = std::make_unique<Station>(profile, std::move(owned), stateDir.path(), clock);
+        station =
+            std::make_unique<Station>(profile, twoMoteus(std::move(owned), {stateDir.path()}), stateDir.path(), clock);
         station->setSensorMaker(
             [this](const profile::Profile& wanted, mqtt::Connection& broker) { return make(wanted, broker); });
         station->openAll();

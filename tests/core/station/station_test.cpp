@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/station.h"
 
+#include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_bus/simulated_link.h"
 #include "tests/fakes/fake_can_link.h"
 #include "tests/fakes/ideal_drive.h"
@@ -33,7 +34,8 @@ struct Rig
     {
         auto owned = std::make_unique<fakes::FakeCanLink>();
         link = owned.get();
-        station = std::make_unique<Station>(profile, std::move(owned), stateDir.path(), clock);
+        station =
+            std::make_unique<Station>(profile, twoMoteus(std::move(owned), {stateDir.path()}), stateDir.path(), clock);
         QObject::connect(station.get(), &Station::updated,
                          [this](const StationUpdate& update) { updates.push_back(update); });
     }
@@ -80,7 +82,8 @@ struct SurveyedRig
     {
         auto owned = std::make_unique<SimulatedLink>(clock);
         link = owned.get();
-        station = std::make_unique<Station>(anyPort(), std::move(owned), stateDir.path(), clock);
+        station = std::make_unique<Station>(anyPort(), twoMoteus(std::move(owned), {stateDir.path()}), stateDir.path(),
+                                            clock);
         QObject::connect(station.get(), &Station::updated,
                          [this](const StationUpdate& update) { updates.push_back(update); });
     }
@@ -235,9 +238,9 @@ TEST(Station, ABusThatDoesNotOpenIsAnAlarmAndIsTriedAgain)
     EXPECT_TRUE(alarms.front().what.contains(QStringLiteral("No such adapter")));
     EXPECT_TRUE(rig.link->sent.empty());
     rig.link->openError.clear();
-    rig.station->openBus();
+    rig.station->openMount();
     EXPECT_EQ(rig.link->openings, 2);
-    rig.station->openBus();
+    rig.station->openMount();
     EXPECT_EQ(rig.link->openings, 2) << "an open bus is left alone";
     rig.run(5);
     EXPECT_FALSE(rig.station->status().alarms.front().active);
@@ -252,7 +255,7 @@ TEST(Station, ALostAdapterIsShownAtOnceAndReopened)
     rig.link->report({.state = LinkState::Lost, .text = QStringLiteral("the adapter is gone")});
     ASSERT_FALSE(rig.station->status().alarms.empty());
     EXPECT_TRUE(rig.station->status().alarms.front().what.contains(QStringLiteral("The adapter is gone")));
-    rig.station->openBus();
+    rig.station->openMount();
     EXPECT_EQ(rig.link->openings, 2);
 }
 
@@ -278,7 +281,7 @@ TEST(Station, AMountThatAnotherProgramControlsIsLeftAlone)
     first.run(5);
     auto owned = std::make_unique<fakes::FakeCanLink>();
     fakes::FakeCanLink* const link = owned.get();
-    Station second(profile, std::move(owned), first.stateDir.path(), first.clock);
+    Station second(profile, twoMoteus(std::move(owned), {first.stateDir.path()}), first.stateDir.path(), first.clock);
     QSignalSpy started(&second, &Station::started);
     second.openAll();
     ASSERT_EQ(started.size(), 1);
@@ -287,7 +290,7 @@ TEST(Station, AMountThatAnotherProgramControlsIsLeftAlone)
     for (int i = 0; i < 100; ++i) {
         first.clock.advance(Seconds(0.02));
         second.tick();
-        second.openBus();
+        second.openMount();
     }
     EXPECT_EQ(link->openings, 0);
     EXPECT_TRUE(link->sent.empty());

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/moteus_mount/moteus_connection.h"
+
+#include "core/base/bus_name.h"
+#include "core/base/text.h"
+#include "core/can/bus_advice.h"
+#include "core/profile/commissioning.h"
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+namespace boresight {
+namespace {
+
+const QString kBusCause = QStringLiteral("bus");
+const QString kJournalCause = QStringLiteral("memory");
+
+}  // namespace
+
+MoteusConnection::MoteusConnection(std::unique_ptr<CanLink> link, const Start& start, const profile::Profile& profile,
+                                   const Clock& clock, EventLog& log, AlarmBoard& alarms)
+    : m_clock(clock),
+      m_log(log),
+      m_alarms(alarms),
+      m_simulated(profile::isSimulated(profile)),
+      m_memoryFile(start.stateDir, QString::fromStdString(profile.mount.name), this),
+      m_mount(profile, clock, log, alarms, remembered(start)),
+      m_care(profile, m_mount, alarms, log),
+      m_link(std::move(link))
+{
+    m_link->setParent(this);  // so that it moves to the station thread with us
+    connect(m_link.get(), &CanLink::frameReceived, this, [this](const CanFrame& frame) {
+        m_mount.take(frame);
+        m_care.take(frame);
+    });
+    connect(m_link.get(), &CanLink::statusChanged, this, &MoteusConnection::showBus);
+    watchJournal();
+    if (const auto bus = parseBusName(profile.bus)) {
+        m_mount.setSilenceAdvice(silenceAdvice(*bus));
+    }
+}
+
+MoteusConnection::~MoteusConnection()
+{
+    m_link->setParent(nullptr);
+}
+
+TurnKeeper::Start MoteusConnection::remembered(const Start& start)
+{
+    if (m_simulated) {
+        return {.trustFirstContact = true};
+    }
+    m_claim = m_memoryFile.claim();
+    if (!m_claim) {
+        return {};
+    }
+    memory::LoadedMemory loaded = m_memoryFile.load();
+    if (!loaded.problem.isEmpty()) {
+        m_log.add(Severity::Warning, kJournalCause, loaded.problem);
+    }
+    TurnKeeper::Start known{.memory = std::move(loaded.memory), .problem = std::move(loaded.problem)};
+    if (start.standingAt) {
+        known.standingAt = {start.standingAt->place.azimuth, start.standingAt->place.elevation};
+        known.looked = start.standingAt->looked;
+    }
+    return known;
+}
+
+void MoteusConnection::watchJournal()
+{
+    connect(&m_memoryFile, &memory::MemoryFile::saveFailed, this, [this](const QString& reason) {
+        m_alarms.raise(kJournalCause, Severity::Warning,
+                       {.what = reason,
+                        .action = Text::tr("The place of the axes is kept in memory only"),
+                        .remedy = Text::tr("Check the disk, or choose another folder with --state-dir; else "
+                                           "the turn must be told after a restart")});
+    });
+    connect(&m_memoryFile, &memory::MemoryFile::saved, this, [this] { m_alarms.clear(kJournalCause); });
+}
+
+void MoteusConnection::open()
+{
+    const LinkState state = m_link->status().state;
+    if (!m_claim || state == LinkState::Up || state == LinkState::Down || m_closed || m_mount.busLeft()) {
+        return;
+    }
+    LinkStatus status;
+    if (const Result<> opened = m_link->open(); !opened) {
+        status = m_link->status();
+        status.text = QString::fromStdString(opened.error().text);
+    } else {
+        status = m_link->status();
+    }
+    showBus(status);
+}
+
+void MoteusConnection::close()
+{
+    m_closed = true;
+    m_link->close();
+}
+
+void MoteusConnection::showBus(const LinkStatus& status)
+{
+    if (status.state == LinkState::Up && status.text.isEmpty()) {
+        m_alarms.clear(kBusCause);
+        return;
+    }
+    if (m_closed || (status.state == LinkState::Closed && status.text.isEmpty())) {
+        return;  // closed to be opened again: what was wrong still is
+    }
+    // The text of the link says itself what to look at.
+    if (status.state == LinkState::Up) {
+        m_alarms.raise(kBusCause, Severity::Warning,
+                       {.what = status.text, .action = Text::tr("Boresight goes on using the bus")});
+    } else {
+        m_alarms.raise(kBusCause, Severity::Alarm,
+                       {.what = status.text,
+                        .action = status.leftAlone
+                                      ? Text::tr("Nothing can be commanded. Boresight sends nothing more to this port")
+                                      : Text::tr("Nothing can be commanded; the bus is tried again each second"),
+                        .remedy = Text::tr(
+                            "Mend it; or choose another adapter in the guide, or another mount on the page Profile")});
+    }
+}
+
+void MoteusConnection::send()
+{
+    const auto motion = m_mount.frames();
+    std::vector<CanFrame> frames(motion.begin(), motion.end());
+    std::ranges::copy(m_care.tick(m_clock.now()), std::back_inserter(frames));
+    if (const LinkState state = m_link->status().state; state == LinkState::Up || state == LinkState::Down) {
+        // Also while the bus is down: an adapter notices only by a new frame that it works again. A frame that could
+        // not be sent shows as a missing reply and in the status of the link.
+        [[maybe_unused]] const Result<> sent = m_link->send(frames);
+    }
+    m_mount.framesSent();
+    if (m_mount.takeMemoryChange() && !m_simulated && m_claim) {
+        m_memoryFile.save(m_mount.memory());
+    }
+}
+
+Result<> MoteusConnection::carryOut(const Request& request)
+{
+    if (std::holds_alternative<request::ReleaseBus>(request)) {
+        m_link->close();
+        m_alarms.clear(kBusCause);
+        return {};
+    }
+    if (std::holds_alternative<request::TakeBus>(request)) {
+        open();
+        return {};
+    }
+    return m_care.carryOut(request, m_clock.now());
+}
+
+void MoteusConnection::describe(StationStatus& status) const
+{
+    status.bus = m_link->status();
+    status.busName = m_link->name();
+    m_care.fill(status.drives);
+}
+
+MountMaker twoMoteus(std::unique_ptr<CanLink> link, const MoteusConnection::Start& start)
+{
+    // A std::function is copied, a link is not.
+    return [link = std::make_shared<std::unique_ptr<CanLink>>(std::move(link)), start](
+               const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms) {
+        return std::make_unique<MoteusConnection>(std::move(*link), start, profile, clock, log, alarms);
+    };
+}
+
+}  // namespace boresight

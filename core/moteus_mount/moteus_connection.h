@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/can/can_link.h"
+#include "core/memory/entered_place.h"
+#include "core/memory/memory_file.h"
+#include "core/moteus_mount/drive_care.h"
+#include "core/moteus_mount/moteus_mount.h"
+#include "core/mount/mount_connection.h"
+
+#include <memory>
+#include <optional>
+
+// Two moteus with their CAN bus, their survey and their journal on disk. Station thread only.
+namespace boresight {
+
+class MoteusConnection final : public MountConnection
+{
+    Q_OBJECT
+
+public:
+    struct Start
+    {
+        QString stateDir;  // of the journal
+        // Where the mount stood when the operator looked, for drives that can not tell. Counts once, for ten minutes.
+        std::optional<memory::EnteredPlace> standingAt{};
+    };
+
+    MoteusConnection(std::unique_ptr<CanLink> link, const Start& start, const profile::Profile& profile,
+                     const Clock& clock, EventLog& log, AlarmBoard& alarms);
+    ~MoteusConnection() override;
+
+    [[nodiscard]] MountDriver& driver() override { return m_mount; }
+    [[nodiscard]] const MountDriver& driver() const override { return m_mount; }
+    [[nodiscard]] const Result<>& mine() const override { return m_claim; }
+    void open() override;
+    void close() override;
+    void send() override;
+    [[nodiscard]] Result<> admits(const Request& request) const override { return m_care.admits(request); }
+    [[nodiscard]] Result<> carryOut(const Request& request) override;
+    void setProfile(const profile::Profile& profile) override { m_care.setProfile(profile); }
+    void setCourse(const std::optional<memory::SensorCourse>& course) override { m_mount.setCourse(course); }
+    void describe(StationStatus& status) const override;
+
+private:
+    [[nodiscard]] TurnKeeper::Start remembered(const Start& start);
+    void showBus(const LinkStatus& status);
+    void watchJournal();
+
+    const Clock& m_clock;
+    EventLog& m_log;
+    AlarmBoard& m_alarms;
+    // The built-in simulated mount is new, and stands where its drives say, whenever the program starts.
+    const bool m_simulated;
+    memory::MemoryFile m_memoryFile;
+    Result<> m_claim;  // of the journal
+    MoteusMount m_mount;
+    DriveCare m_care;
+    std::unique_ptr<CanLink> m_link;
+    bool m_closed = false;  // for good
+};
+
+// Two moteus behind `link`.
+[[nodiscard]] MountMaker twoMoteus(std::unique_ptr<CanLink> link, const MoteusConnection::Start& start);
+
+}  // namespace boresight
