@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/pointing/sun_keep_out.h"
 #include "core/units/degrees_text.h"
+#include "core/units/direction_text.h"
 
 #include <algorithm>
 
@@ -11,17 +12,6 @@ namespace boresight {
 namespace {
 
 constexpr std::chrono::seconds kOldestPosition{1};
-constexpr int kClientLinesPerSecond = 4;
-
-QString text(const AxisPosition& place)
-{
-    return degreesText(place.azimuth, 2) + QStringLiteral(" ") + degreesText(place.elevation, 2);
-}
-
-QString text(const SkyPointing& direction)
-{
-    return degreesText(direction.azimuth, 2) + QStringLiteral(" ") + degreesText(direction.elevation, 2);
-}
 
 // As far as clients ask for one.
 bool asksForMotion(const Request& request)
@@ -55,7 +45,17 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
       m_stall(m_drives, m_watches, m_turns, m_alarms, log),
       m_proof(m_drives, m_motion, m_turns, m_turnWatch, log),
       m_cable(m_alarms, clock),
-      m_clientLines(log, clock, kClientLinesPerSecond),
+      m_sourceLog(log, clock),
+      m_helm({.motion = m_motion,
+              .drives = m_drives,
+              .current = m_current,
+              .arming = m_arming,
+              .lead = m_lead,
+              .cable = m_cable,
+              .proof = m_proof,
+              .firstMoves = m_firstMoves,
+              .log = m_sourceLog},
+             [this] { return parts(); }),
       m_started(clock.now()),
       m_now(m_started)
 {
@@ -92,139 +92,15 @@ Result<> StationControl::request(const Request& request, const Source& source)
     return std::visit([&](const auto& wanted) { return handle(wanted, source); }, request);
 }
 
-void StationControl::takeOver(const Source& source)
-{
-    if (source.kind == SourceKind::Operator && m_arming.authority() == Authority::Clients) {
-        m_arming.setAuthority(Authority::Operator);
-        tell(Severity::Advisory, source, Text::tr("takes over: motion commands of clients are refused"));
-    }
-}
-
-void StationControl::tell(Severity severity, const Source& source, const QString& what, LogKind kind)
-{
-    if (source.kind == SourceKind::Client) {
-        m_clientLines.add(severity, source.name, what, kind);
-    } else {
-        m_log.add(severity, source.name, what, kind);
-    }
-}
-
-void StationControl::begin(Activity activity, const Source& source, const QString& what)
-{
-    takeOver(source);
-    if (!m_current.continues(activity, source)) {
-        m_cable.forgetTurnBack();
-        tell(Severity::Advisory, source, Text::tr("moves the mount from %1: %2").arg(directionText(heading()), what),
-             LogKind::MotionStart);
-    }
-    if (source.kind == SourceKind::Client) {
-        m_lead.moved(source, m_now);
-    }
-    m_current.begin(activity, source, what);
-    m_drives.engage();
-}
-
-void StationControl::holdHere(Activity left)
-{
-    if (m_proof.running()) {
-        m_proof.end(Text::tr("ended before it was done"));
-    }
-    m_current.end(left);
-    m_motion.rest();
-}
-
-Result<> StationControl::goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& what)
-{
-    return mayPoint(source).and_then([&] { return mayGoTo(place); }).map([&] {
-        begin(activity, source, what);
-        m_motion.goTo(m_model.resolve(place).position);
-    });
-}
-
-Result<> StationControl::mayGoTo(const AxisPosition& place) const
-{
-    const pointing::Resolved resolved = m_model.resolve(place);
-    if (resolved.limited) {
-        return failure(ErrorCode::OutOfRange, resolved.reason);
-    }
-    if (const std::string why = m_motion.region().reason(resolved.position); !why.empty()) {
-        const auto nearest = m_motion.region().nearest(resolved.position);
-        return failure(ErrorCode::OutOfRange,
-                       nearest
-                           ? Text::tr("%1; permitted nearest to it: %2").arg(toQString(why), directionText(*nearest))
-                           : toQString(why));
-    }
-    return m_motion.route(standing(), resolved.position).map([](const auto&) {});
-}
-
-// Of the turns of a direction the one nearest to where it is sought that can be reached; if none can, the place itself.
-AxisPosition StationControl::turnWithAWay(const AxisPosition& place) const
-{
-    const TravelRange& range = m_motion.region().ranges().azimuth;
-    for (const double turns : {0.0, -1.0, 1.0, -2.0, 2.0}) {
-        const AxisPosition other{.azimuth = place.azimuth + Angle::fromTurns(turns), .elevation = place.elevation};
-        if (range.contains(other.azimuth) && m_motion.route(standing(), other)) {
-            return other;
-        }
-    }
-    return place;
-}
-
-Result<> StationControl::streamTo(pointing::Resolved resolved, const SkyPointing& asked, const Source& source,
-                                  const QString& what)
-{
-    if (const std::string why = m_motion.region().reason(resolved.position); !resolved.limited && !why.empty()) {
-        resolved.limited = true;  // Motion finds the nearest permitted place, and goes on when the stream comes out
-        resolved.reason = why;
-    }
-    if (resolved.limited && m_profile.rotctld.outsideLimits == profile::OutsideLimits::Refuse) {
-        return failure(ErrorCode::OutOfRange, resolved.reason);
-    }
-    const bool wasLimited = !m_current.limitedReason().isEmpty();
-    const bool newStream = !m_current.is(Activity::Streaming) || !m_current.isFor(source);
-    const auto back = turnBackTo(resolved.position, source);
-    begin(Activity::Streaming, source, what.isEmpty() ? QStringLiteral("P ") + text(asked) : what);
-    beginTurnBack(back);
-    if (newStream) {
-        m_motion.rest();  // the points of another client say nothing about this one's
-    }
-    if (resolved.limited) {
-        m_current.limit(toQString(resolved.reason), asked);
-        if (newStream || !wasLimited) {
-            tell(Severity::Warning, source,
-                 Text::tr("LIMITED: %1; driven to the nearest permitted point").arg(m_current.limitedReason()));
-        }
-    }
-    m_motion.follow(resolved.position, m_now);
-    return {};
-}
-
-std::optional<CableGuard::TurnBack> StationControl::turnBackTo(const AxisPosition& place, const Source& source) const
-{
-    const bool follows = m_current.is(Activity::Streaming) && m_current.isFor(source);
-    return CableGuard::turnBackTo(place.azimuth,
-                                  {.here = standing().azimuth, .heading = heading().azimuth, .follows = follows},
-                                  m_motion.region().ranges().azimuth);
-}
-
-// The log names it as a motion of its own: the mount leaves a target that it seemed to follow.
-void StationControl::beginTurnBack(const std::optional<CableGuard::TurnBack>& back)
-{
-    if (back) {
-        tell(Severity::Advisory, m_current.commander(), m_cable.begin(*back, m_profile.azimuth.limits),
-             LogKind::MotionStart);
-    }
-}
-
 Result<> StationControl::handle(const request::PointSky& wanted, const Source& source)
 {
     return mayPoint(source).and_then([&]() -> Result<> {
-        const pointing::Resolved resolved = m_model.resolve(wanted.direction, heading());
         if (source.kind == SourceKind::Client) {
-            return streamTo(resolved, wanted.direction, source);
+            return m_helm.streamTo(wanted.direction, source);
         }
-        if (resolved.limited) {
-            return failure(ErrorCode::OutOfRange, resolved.reason);
+        const auto place = m_helm.placeOf(wanted.direction);
+        if (!place) {
+            return tl::make_unexpected(place.error());
         }
         if (const Angle top = std::max(90_deg, m_model.elevation().travel.max); wanted.direction.elevation > top) {
             // To a client 95° is the equal direction behind the zenith; an operator who types it has slipped.
@@ -232,21 +108,18 @@ Result<> StationControl::handle(const request::PointSky& wanted, const Source& s
                            Text::tr("elevation %1 above limit %2")
                                .arg(degreesText(wanted.direction.elevation, 2), degreesText(top, 2)));
         }
-        const AxisPosition place = turnWithAWay(resolved.position);
-        const auto back = turnBackTo(place, source);
-        return goTo(place, Activity::Pointing, source, Text::tr("go to %1").arg(text(wanted.direction))).map([&] {
-            beginTurnBack(back);
-        });
+        return m_helm.goToAnyTurn(*place, Activity::Pointing, source,
+                                  Text::tr("go to %1").arg(directionText(wanted.direction)));
     });
 }
 
 Result<> StationControl::handle(const request::PointAxes& wanted, const Source& source)
 {
     if (source.kind == SourceKind::Client) {
-        return mayPoint(source).and_then(
-            [&] { return streamTo(m_model.resolve(wanted.position), m_model.toSky(wanted.position), source); });
+        return m_helm.streamTo(wanted.position, source);
     }
-    return goTo(wanted.position, Activity::Pointing, source, Text::tr("go to axes %1").arg(text(wanted.position)));
+    return m_helm.goTo(wanted.position, Activity::Pointing, source,
+                       Text::tr("go to axes %1").arg(placeText(wanted.position)));
 }
 
 Result<> StationControl::handle(const request::Step& wanted, const Source& source)
@@ -254,14 +127,16 @@ Result<> StationControl::handle(const request::Step& wanted, const Source& sourc
     const AxisPosition from = heading();
     const AxisPosition place{.azimuth = from.azimuth + wanted.azimuth, .elevation = from.elevation + wanted.elevation};
     const std::uint64_t errand = m_current.errand();
-    return goTo(place, Activity::Pointing, source, Text::tr("step to %1").arg(directionText(place))).map([&] {
-        m_current.setErrand(errand);  // by hand, like a jog
-    });
+    return m_helm.goTo(place, Activity::Pointing, source, Text::tr("step to %1").arg(m_helm.directionText(place)))
+        .map([&] {
+            m_current.setErrand(errand);  // by hand, like a jog
+        });
 }
 
 Result<> StationControl::handle(const request::Park&, const Source& source)
 {
-    return goTo(m_profile.park, Activity::Parking, source, Text::tr("park at %1").arg(directionText(m_profile.park)));
+    return m_helm.goTo(m_profile.park, Activity::Parking, source,
+                       Text::tr("park at %1").arg(m_helm.directionText(m_profile.park)));
 }
 
 Result<> StationControl::handle(const request::Unwind&, const Source& source)
@@ -272,8 +147,8 @@ Result<> StationControl::handle(const request::Unwind&, const Source& source)
             return failure(ErrorCode::Refused,
                            Text::tr("in this direction the azimuth cable can not be wound less than it is"));
         }
-        return goTo(*place, Activity::Pointing, source,
-                    Text::tr("unwind the cable, azimuth to %1").arg(degreesText(place->azimuth, 1)));
+        return m_helm.goTo(*place, Activity::Pointing, source,
+                           Text::tr("unwind the cable, azimuth to %1").arg(degreesText(place->azimuth, 1)));
     });
 }
 
@@ -281,7 +156,7 @@ Result<> StationControl::handle(const request::Home&, const Source& source)
 {
     const pointing::AxisBox& ranges = m_motion.region().ranges();
     const AxisPosition home{.azimuth = ranges.azimuth.clamped(0_deg), .elevation = ranges.elevation.clamped(0_deg)};
-    return goTo(home, Activity::Pointing, source, Text::tr("home to %1").arg(directionText(home)));
+    return m_helm.goTo(home, Activity::Pointing, source, Text::tr("home to %1").arg(m_helm.directionText(home)));
 }
 
 // Down to 0°, or as far as it goes.
@@ -292,22 +167,7 @@ Result<> StationControl::handle(const request::Horizon&, const Source& source)
     if (!m_motion.region().permits(low)) {
         low.elevation = std::max(0_deg, m_motion.region().elevationsAround(pointing::AxisBox::at(here)).min);
     }
-    return goTo(low, Activity::Pointing, source, Text::tr("horizon at %1").arg(directionText(low)));
-}
-
-Result<> StationControl::runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& what)
-{
-    const Gates gates = this->gates();
-    const auto mayRun = [&] {
-        return gates.mayMove(source).and_then([&] { return gates.axesPlaced(); }).and_then([&] {
-            return gates.mayLeaveSunBand({}, {});
-        });
-    };
-    const Result<> may = activity == Activity::Jogging ? gates.mayJog(rates, source) : mayRun();
-    return may.and_then([&] { return mayMoveFirst(rates); }).map([&] {
-        begin(activity, source, what);
-        m_motion.run(rates);
-    });
+    return m_helm.goTo(low, Activity::Pointing, source, Text::tr("horizon at %1").arg(m_helm.directionText(low)));
 }
 
 Result<> StationControl::handle(const request::Jog& wanted, const Source& source)
@@ -318,14 +178,14 @@ Result<> StationControl::handle(const request::Jog& wanted, const Source& source
         }
         return {};
     }
-    return runAt(wanted.rates, Activity::Jogging, source, Text::tr("jog")).map([&] {
+    return m_helm.runAt(wanted.rates, Activity::Jogging, source, Text::tr("jog")).map([&] {
         m_current.keepAliveUntil(m_now + kJogKeepAlive);
     });
 }
 
 Result<> StationControl::handle(const request::Move& wanted, const Source& source)
 {
-    return runAt(wanted.rates, Activity::Running, source, Text::tr("move"));
+    return m_helm.runAt(wanted.rates, Activity::Running, source, Text::tr("move"));
 }
 
 Result<> StationControl::handle(const request::Hold&, const Source& source)
@@ -416,12 +276,6 @@ void StationControl::driveRestarted(Axis axis)
               Text::tr("was power-cycled: its turn must be judged anew"));
     m_turnWatch.forget(axis);
     holdHere(Activity::None);
-}
-
-// The direction that the beam has there; on the turn of the axes.
-QString StationControl::directionText(const AxisPosition& place) const
-{
-    return text(m_model.pointing().toSky(place));
 }
 
 // What is permitted, and what a place of the axes looks at: neither moves anything.

@@ -3,10 +3,8 @@
 
 #include "core/alarms/alarm_board.h"
 #include "core/alarms/event_log.h"
-#include "core/alarms/log_throttle.h"
 #include "core/axes/drive_pair.h"
 #include "core/axes/drive_watch.h"
-#include "core/axes/first_moves.h"
 #include "core/axes/motion.h"
 #include "core/axes/turn_keeper.h"
 #include "core/base/can_frame.h"
@@ -16,9 +14,12 @@
 #include "core/control/cable_guard.h"
 #include "core/control/client_lead.h"
 #include "core/control/current_motion.h"
+#include "core/control/first_moves_guard.h"
 #include "core/control/gates.h"
+#include "core/control/helm.h"
 #include "core/control/orderly_end.h"
 #include "core/control/proof_run.h"
+#include "core/control/source_log.h"
 #include "core/control/stall_guard.h"
 #include "core/control/status_report.h"
 #include "core/control/sun_alarms.h"
@@ -93,7 +94,7 @@ public:
     // Another client re-armed the drives; this one kept sending and has to act before it moves the mount.
     [[nodiscard]] bool waitsSinceRearm(const Source& client) const { return m_lead.waits(client.clientId); }
     // Whether the beam can be pointed there from where it is, by all that is permitted.
-    [[nodiscard]] Result<> reaches(const SkyPointing& direction) const;
+    [[nodiscard]] Result<> reaches(const SkyPointing& direction) const { return m_helm.reaches(direction); }
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_motion.region(); }
     // Whether other terms of the pointing model would leave the motion what it is.
     [[nodiscard]] Result<> mayChangePointing() const { return gates().mayChangePointing(); }
@@ -184,25 +185,18 @@ private:
     [[nodiscard]] Gates gates() const { return Gates(parts()); }
     [[nodiscard]] bool moves() const { return m_current.moves(); }
     [[nodiscard]] bool turnsKnown() const { return m_turnWatch.allKnown(); }
-    Result<> goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& text);
-    [[nodiscard]] Result<> mayGoTo(const AxisPosition& place) const;  // it is permitted, and there is a way
-    [[nodiscard]] AxisPosition turnWithAWay(const AxisPosition& place) const;
-    Result<> streamTo(pointing::Resolved resolved, const SkyPointing& asked, const Source& source,
-                      const QString& what = {});
-    Result<> runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& text);
     void enforceRegion();
     void tellAdvice();
-    [[nodiscard]] QString directionText(const AxisPosition& place) const;
-    [[nodiscard]] Result<> mayMoveFirst(const AxisRates& rates);
     void watchFirstMoves();
-    void setTrim(const AxisPosition& trim, const Source& source);
-    void takeOver(const Source& source);
+    void takeOver(const Source& source) { m_helm.takeOver(source); }
     void endClientMotion();
     void endCalibrationMotion();
-    // Into the log; what clients can cause at will is throttled.
-    void tell(Severity severity, const Source& source, const QString& what, LogKind kind = LogKind::Event);
-    void begin(Activity activity, const Source& source, const QString& text);
-    void holdHere(Activity activity);
+    void tell(Severity severity, const Source& source, const QString& what) { m_sourceLog.add(severity, source, what); }
+    Result<> begin(Activity activity, const Source& source, const QString& text)
+    {
+        return m_helm.beginOwn(activity, source, text);
+    }
+    void holdHere(Activity left) { m_helm.hold(left); }
     [[nodiscard]] AxisPosition standing() const { return parts().standing(); }
     [[nodiscard]] AxisPosition heading() const { return parts().heading(); }
 
@@ -220,8 +214,6 @@ private:
     void watchSun();
     void watchCable();
     void watchLimited();
-    [[nodiscard]] std::optional<CableGuard::TurnBack> turnBackTo(const AxisPosition& place, const Source& source) const;
-    void beginTurnBack(const std::optional<CableGuard::TurnBack>& back);
     void finishRearm();
     void moveOn(Seconds step);
 
@@ -245,11 +237,12 @@ private:
     StallGuard m_stall;
     ProofRun m_proof;
     CableGuard m_cable;
-    LogThrottle m_clientLines;
+    SourceLog m_sourceLog;
 
     CurrentMotion m_current;
     std::string m_heldAt;  // what the log last said the motion is held at
-    FirstMoves m_firstMoves;
+    FirstMovesGuard m_firstMoves;
+    Helm m_helm;
     std::vector<profile::Advice> m_advice;  // on the profile, as it was told
     std::array<bool, 2> m_ignoringBounds{};
     OrderlyEnd m_end;

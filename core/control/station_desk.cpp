@@ -35,7 +35,7 @@ Result<> StationControl::handle(const request::Nudge& wanted, const Source& sour
         return failure(ErrorCode::OutOfRange, Text::tr("a trim beyond %1° is not a correction any more")
                                                   .arg(toQString(formatFixed(kLargestTrim.degrees(), 0))));
     }
-    setTrim(trim, source);
+    m_helm.setTrim(trim, source);
     return {};
 }
 
@@ -43,7 +43,7 @@ Result<> StationControl::handle(const request::ClearTrim&, const Source& source)
 {
     return operatorOnly(source).map([&] {
         if (m_motion.trim() != AxisPosition{}) {
-            setTrim({}, source);
+            m_helm.setTrim({}, source);
         }
     });
 }
@@ -51,35 +51,8 @@ Result<> StationControl::handle(const request::ClearTrim&, const Source& source)
 // A stream of the operator's, as a client has one: whatever the stream is of, limits and trim hold for it alike.
 Result<> StationControl::handle(const request::Follow& wanted, const Source& source)
 {
-    return operatorOnly(source).and_then([&] { return mayPoint(source); }).and_then([&] {
-        if (wanted.anew) {
-            m_motion.rest();
-        }
-        return streamTo(m_model.resolve(wanted.direction, heading()), wanted.direction, source, wanted.what);
-    });
-}
-
-Result<> StationControl::reaches(const SkyPointing& direction) const
-{
-    const pointing::Resolved resolved = m_model.resolve(direction, heading());
-    if (resolved.limited) {
-        return failure(ErrorCode::OutOfRange, resolved.reason);
-    }
-    constexpr Angle kZenith = Angle::fromDegrees(90.0);
-    if (direction.elevation > kZenith && resolved.position.elevation <= kZenith) {
-        return failure(ErrorCode::OutOfRange,
-                       Text::tr("the travel and the limits of the axes do not reach it over the top"));
-    }
-    return mayGoTo(resolved.position);
-}
-
-void StationControl::setTrim(const AxisPosition& trim, const Source& source)
-{
-    m_motion.setTrim(trim);
-    m_log.add(Severity::Advisory, source.name,
-              Text::tr("trims what is followed by %1° in azimuth, %2° in elevation")
-                  .arg(trim.azimuth.degrees(), 0, 'f', 2)
-                  .arg(trim.elevation.degrees(), 0, 'f', 2));
+    return operatorOnly(source).and_then(
+        [&] { return m_helm.streamTo(wanted.direction, source, wanted.what, wanted.anew); });
 }
 
 Result<> StationControl::handle(const request::AcknowledgeAlarms&, const Source&)
@@ -119,7 +92,7 @@ void StationControl::setProfile(const profile::Profile& profile)
 {
     const bool redrawn = profile.limits != m_profile.limits || profile.pointing != m_profile.pointing;
     if (profile.mount.directions != m_profile.mount.directions) {
-        m_firstMoves = {};  // the small way begins where the mount stands now
+        m_firstMoves.beginAnew();  // the small way begins where the mount stands now
     }
     m_profile = profile;
     m_sun.setProfile(profile);
@@ -151,33 +124,9 @@ void StationControl::tellAdvice()
     }
 }
 
-// Nobody has confirmed yet that the axes turn as the profile says.
-Result<> StationControl::mayMoveFirst(const AxisRates& rates)
-{
-    if (m_profile.mount.directions == profile::Directions::Confirmed) {
-        return {};
-    }
-    const AxisPosition place = m_drives.engaged() ? m_motion.place() : *m_drives.measured();
-    const auto rest = [&](Axis axis, Angle from, AngularRate wanted) {
-        tracking::Setpoint then = m_motion.setpoint(axis);
-        then.position = from;
-        then.rate = abs(then.rate) > abs(wanted) ? then.rate : wanted;
-        return restingPlace(then, m_profile.axis(axis).limits);
-    };
-    return m_firstMoves.admits(rates, place,
-                               {.azimuth = rest(Axis::Azimuth, place.azimuth, rates.azimuth),
-                                .elevation = rest(Axis::Elevation, place.elevation, rates.elevation)});
-}
-
 void StationControl::watchFirstMoves()
 {
-    if (m_profile.mount.directions == profile::Directions::Confirmed || !m_current.runsFreely()) {
-        return;
-    }
-    const auto rest = [this](Axis axis) { return restingPlace(m_motion.setpoint(axis), m_profile.axis(axis).limits); };
-    const AxisRates rates{.azimuth = m_motion.setpoint(Axis::Azimuth).rate,
-                          .elevation = m_motion.setpoint(Axis::Elevation).rate};
-    if (m_drives.engaged() && m_firstMoves.exceeded(rates, {rest(Axis::Azimuth), rest(Axis::Elevation)})) {
+    if (m_firstMoves.exceeded(parts())) {
         m_log.add(Severity::Advisory, m_current.commander().name,
                   Text::tr("jog ends: no farther than 2° until the directions of the axes are confirmed"));
         holdHere(Activity::Holding);
