@@ -87,23 +87,15 @@ void StationControl::endCalibrationMotion()
 void StationControl::sourceGone(const Source& source)
 {
     m_lead.gone(source);
-    if (!m_current.isFor(source)) {
-        return;
-    }
-    if (m_current.is(Activity::Running)) {
-        m_log.add(Severity::Advisory, source.name, Text::tr("is gone: its motion ends"));
-        holdHere(Activity::Holding);
-    } else if (m_current.is(Activity::Streaming)) {
-        m_motion.settleStream();
-        m_current.settleStream();
+    for (const auto& one : m_sources) {
+        one->gone(source);
     }
 }
 
 void StationControl::positionRead(std::uint64_t clientId)
 {
-    if (m_current.is(Activity::Streaming) && followsClient() && m_current.isForClient(clientId)) {
-        m_motion.confirmStream(m_now);
-        m_lead.followed(clientId, m_now);
+    for (const auto& one : m_sources) {
+        one->positionRead(clientId);
     }
 }
 

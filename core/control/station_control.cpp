@@ -3,10 +3,6 @@
 
 #include "core/base/text.h"
 #include "core/pointing/sun_keep_out.h"
-#include "core/units/degrees_text.h"
-#include "core/units/direction_text.h"
-
-#include <algorithm>
 
 namespace boresight {
 namespace {
@@ -20,15 +16,10 @@ bool asksForMotion(const Request& request)
            std::holds_alternative<request::Move>(request) || std::holds_alternative<request::Park>(request);
 }
 
-bool isZero(const AxisRates& rates)
-{
-    return rates == AxisRates{};
-}
-
 }  // namespace
 
 StationControl::StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log,
-                               TurnKeeper::Start start)
+                               const MakeSources& sources, TurnKeeper::Start start)
     : m_profile(profile),
       m_clock(clock),
       m_log(log),
@@ -56,6 +47,7 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
               .firstMoves = m_firstMoves,
               .log = m_sourceLog},
              [this] { return parts(); }),
+      m_sources(sources(m_helm)),
       m_started(clock.now()),
       m_now(m_started)
 {
@@ -89,103 +81,31 @@ Result<> StationControl::request(const Request& request, const Source& source)
     if (source.kind == SourceKind::Client && asksForMotion(request)) {
         clientAsked(source);
     }
-    return std::visit([&](const auto& wanted) { return handle(wanted, source); }, request);
+    const auto ownOrSource = [&](const auto& wanted) -> Result<> {
+        if constexpr (requires { handle(wanted, source); }) {
+            return handle(wanted, source);
+        } else {
+            return askSources(request, source);
+        }
+    };
+    return std::visit(ownOrSource, request);
 }
 
-Result<> StationControl::handle(const request::PointSky& wanted, const Source& source)
+Result<> StationControl::askSources(const Request& request, const Source& source)
 {
-    return mayPoint(source).and_then([&]() -> Result<> {
-        if (source.kind == SourceKind::Client) {
-            return m_helm.streamTo(wanted.direction, source);
+    for (const auto& one : m_sources) {
+        if (auto answer = one->take(request, source)) {
+            return *std::move(answer);
         }
-        const auto place = m_helm.placeOf(wanted.direction);
-        if (!place) {
-            return tl::make_unexpected(place.error());
-        }
-        if (const Angle top = std::max(90_deg, m_model.elevation().travel.max); wanted.direction.elevation > top) {
-            // To a client 95° is the equal direction behind the zenith; an operator who types it has slipped.
-            return failure(ErrorCode::OutOfRange,
-                           Text::tr("elevation %1 above limit %2")
-                               .arg(degreesText(wanted.direction.elevation, 2), degreesText(top, 2)));
-        }
-        return m_helm.goToAnyTurn(*place, Activity::Pointing, source,
-                                  Text::tr("go to %1").arg(directionText(wanted.direction)));
-    });
-}
-
-Result<> StationControl::handle(const request::PointAxes& wanted, const Source& source)
-{
-    if (source.kind == SourceKind::Client) {
-        return m_helm.streamTo(wanted.position, source);
     }
-    return m_helm.goTo(wanted.position, Activity::Pointing, source,
-                       Text::tr("go to axes %1").arg(placeText(wanted.position)));
+    return failure(ErrorCode::NotAvailable, "no source of motion takes this request");
 }
 
-Result<> StationControl::handle(const request::Step& wanted, const Source& source)
+void StationControl::stepSources()
 {
-    const AxisPosition from = heading();
-    const AxisPosition place{.azimuth = from.azimuth + wanted.azimuth, .elevation = from.elevation + wanted.elevation};
-    const std::uint64_t errand = m_current.errand();
-    return m_helm.goTo(place, Activity::Pointing, source, Text::tr("step to %1").arg(m_helm.directionText(place)))
-        .map([&] {
-            m_current.setErrand(errand);  // by hand, like a jog
-        });
-}
-
-Result<> StationControl::handle(const request::Park&, const Source& source)
-{
-    return m_helm.goTo(m_profile.park, Activity::Parking, source,
-                       Text::tr("park at %1").arg(m_helm.directionText(m_profile.park)));
-}
-
-Result<> StationControl::handle(const request::Unwind&, const Source& source)
-{
-    return mayPoint(source).and_then([&]() -> Result<> {
-        const auto place = CableGuard::leastWound(standing(), m_motion.region().ranges().azimuth);
-        if (!place) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("in this direction the azimuth cable can not be wound less than it is"));
-        }
-        return m_helm.goTo(*place, Activity::Pointing, source,
-                           Text::tr("unwind the cable, azimuth to %1").arg(degreesText(place->azimuth, 1)));
-    });
-}
-
-Result<> StationControl::handle(const request::Home&, const Source& source)
-{
-    const pointing::AxisBox& ranges = m_motion.region().ranges();
-    const AxisPosition home{.azimuth = ranges.azimuth.clamped(0_deg), .elevation = ranges.elevation.clamped(0_deg)};
-    return m_helm.goTo(home, Activity::Pointing, source, Text::tr("home to %1").arg(m_helm.directionText(home)));
-}
-
-// Down to 0°, or as far as it goes.
-Result<> StationControl::handle(const request::Horizon&, const Source& source)
-{
-    const AxisPosition here = standing();
-    AxisPosition low{.azimuth = here.azimuth, .elevation = 0_deg};
-    if (!m_motion.region().permits(low)) {
-        low.elevation = std::max(0_deg, m_motion.region().elevationsAround(pointing::AxisBox::at(here)).min);
+    for (const auto& one : m_sources) {
+        one->step(m_now);
     }
-    return m_helm.goTo(low, Activity::Pointing, source, Text::tr("horizon at %1").arg(m_helm.directionText(low)));
-}
-
-Result<> StationControl::handle(const request::Jog& wanted, const Source& source)
-{
-    if (isZero(wanted.rates)) {
-        if (m_current.is(Activity::Jogging) && m_current.isFor(source)) {
-            holdHere(Activity::Holding);
-        }
-        return {};
-    }
-    return m_helm.runAt(wanted.rates, Activity::Jogging, source, Text::tr("jog")).map([&] {
-        m_current.keepAliveUntil(m_now + kJogKeepAlive);
-    });
-}
-
-Result<> StationControl::handle(const request::Move& wanted, const Source& source)
-{
-    return m_helm.runAt(wanted.rates, Activity::Running, source, Text::tr("move"));
 }
 
 Result<> StationControl::handle(const request::Hold&, const Source& source)

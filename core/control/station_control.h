@@ -17,6 +17,7 @@
 #include "core/control/first_moves_guard.h"
 #include "core/control/gates.h"
 #include "core/control/helm.h"
+#include "core/control/motion_source.h"
 #include "core/control/orderly_end.h"
 #include "core/control/proof_run.h"
 #include "core/control/source_log.h"
@@ -47,7 +48,9 @@ namespace boresight {
 class StationControl
 {
 public:
-    StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log, TurnKeeper::Start start = {});
+    // Without a source of motion nothing moves.
+    StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log, const MakeSources& sources,
+                   TurnKeeper::Start start = {});
 
     // Accepted, or the reason in words. Takes effect in the next tick.
     Result<> request(const Request& request, const Source& source);
@@ -145,19 +148,9 @@ public:
     [[nodiscard]] bool takeMemoryChange() { return m_turns.takeChange(); }
 
 private:
-    Result<> handle(const request::PointSky& wanted, const Source& source);
-    Result<> handle(const request::PointAxes& wanted, const Source& source);
-    Result<> handle(const request::Jog& wanted, const Source& source);
-    Result<> handle(const request::Move& wanted, const Source& source);
-    Result<> handle(const request::Step& wanted, const Source& source);
-    Result<> handle(const request::Follow& wanted, const Source& source);
     Result<> handle(const request::Hold& wanted, const Source& source);
     Result<> handle(const request::Stop& wanted, const Source& source);
     Result<> handle(const request::ResetStop& wanted, const Source& source);
-    Result<> handle(const request::Park& wanted, const Source& source);
-    Result<> handle(const request::Home& wanted, const Source& source);
-    Result<> handle(const request::Unwind& wanted, const Source& source);
-    Result<> handle(const request::Horizon& wanted, const Source& source);
     Result<> handle(const request::Rearm& wanted, const Source& source);
     Result<> handle(const request::TakeAuthority& wanted, const Source& source);
     Result<> handle(const request::GiveAuthority& wanted, const Source& source);
@@ -173,12 +166,13 @@ private:
     Result<> handle(const request::ChooseTurn& wanted, const Source& source);
     Result<> handle(const request::ProveCrashStop& wanted, const Source& source);
     Result<> handle(const request::EndProof& wanted, const Source& source);
-    Result<> handle(const request::Nudge& wanted, const Source& source);
     Result<> handle(const request::ClearTrim& wanted, const Source& source);
     Result<> handle(const request::AcknowledgeAlarm& wanted, const Source& source);
     Result<> handle(const request::ApplyProfile& wanted, const Source& source);
     Result<> handle(const request::Reconnect& wanted, const Source& source);
     Result<> handle(const CalibrationRequest& wanted, const Source& source);
+
+    Result<> askSources(const Request& request, const Source& source);
 
     [[nodiscard]] ControlParts parts() const;
     [[nodiscard]] StatusReport report() const { return StatusReport(parts()); }
@@ -207,7 +201,7 @@ private:
     void stopFor(Axis axis, const DriveWatch::Trouble& trouble);
     void keepTurns();
     void letBackInside();
-    void watchJog();
+    void stepSources();
     void watchFitness();
     void watchRegion();
     void renewSun(bool redrawn);
@@ -243,6 +237,7 @@ private:
     std::string m_heldAt;  // what the log last said the motion is held at
     FirstMovesGuard m_firstMoves;
     Helm m_helm;
+    MotionSources m_sources;
     std::vector<profile::Advice> m_advice;  // on the profile, as it was told
     std::array<bool, 2> m_ignoringBounds{};
     OrderlyEnd m_end;

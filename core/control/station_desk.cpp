@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of StationControl for the operator's desk: trim, settings, single alarms.
-#include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/control/station_control.h"
 #include "core/profile/setting.h"
@@ -9,9 +8,6 @@
 
 namespace boresight {
 namespace {
-
-// A trim corrects a pointing error; more is another target.
-constexpr Angle kLargestTrim = Angle::fromDegrees(10.0);
 
 Result<> makesSense(const profile::Profile& profile)
 {
@@ -24,21 +20,6 @@ Result<> makesSense(const profile::Profile& profile)
 
 }  // namespace
 
-Result<> StationControl::handle(const request::Nudge& wanted, const Source& source)
-{
-    if (!m_current.is(Activity::Streaming) || source.kind != SourceKind::Operator) {
-        return handle(request::Step{.azimuth = wanted.azimuth, .elevation = wanted.elevation}, source);
-    }
-    const AxisPosition trim{.azimuth = m_motion.trim().azimuth + wanted.azimuth,
-                            .elevation = m_motion.trim().elevation + wanted.elevation};
-    if (!(abs(trim.azimuth) <= kLargestTrim && abs(trim.elevation) <= kLargestTrim)) {
-        return failure(ErrorCode::OutOfRange, Text::tr("a trim beyond %1° is not a correction any more")
-                                                  .arg(toQString(formatFixed(kLargestTrim.degrees(), 0))));
-    }
-    m_helm.setTrim(trim, source);
-    return {};
-}
-
 Result<> StationControl::handle(const request::ClearTrim&, const Source& source)
 {
     return operatorOnly(source).map([&] {
@@ -46,13 +27,6 @@ Result<> StationControl::handle(const request::ClearTrim&, const Source& source)
             m_helm.setTrim({}, source);
         }
     });
-}
-
-// A stream of the operator's, as a client has one: whatever the stream is of, limits and trim hold for it alike.
-Result<> StationControl::handle(const request::Follow& wanted, const Source& source)
-{
-    return operatorOnly(source).and_then(
-        [&] { return m_helm.streamTo(wanted.direction, source, wanted.what, wanted.anew); });
 }
 
 Result<> StationControl::handle(const request::AcknowledgeAlarms&, const Source&)

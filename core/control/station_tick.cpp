@@ -34,7 +34,7 @@ std::array<CanFrame, 2> StationControl::tick()
     watchDrives();
     letBackInside();
     keepStopped();
-    watchJog();
+    stepSources();
     watchFirstMoves();
     watchFitness();
     finishRearm();
@@ -141,14 +141,6 @@ void StationControl::resumeAfterStall()
     m_stall.resume(m_profile.control.afterStall == profile::AfterStall::Resume && !hindered, m_now);
     if (const auto missing = m_stall.finish(faultLatched(), m_profile.control.watchdog, m_now)) {
         stopFor(missing->first, missing->second);
-    }
-}
-
-void StationControl::watchJog()
-{
-    if (m_current.keepAliveMissed(m_now)) {
-        m_log.add(Severity::Warning, m_current.commander().name, Text::tr("jog ends: its keep-alive did not come"));
-        holdHere(Activity::Holding);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/can/bus_advice.h"
 #include "core/profile/commissioning.h"
+#include "core/sources/motion_sources.h"
 
 #include <QHostAddress>
 #include <QLoggingCategory>
@@ -63,7 +64,7 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
       m_clock(clock),
       m_log(clock),
       m_memoryFile(stateDir, QString::fromStdString(profile.mount.name), this),
-      m_control(profile, clock, m_log, remembered(standingAt)),
+      m_control(profile, clock, m_log, motionSources, remembered(standingAt)),
       m_care(profile, m_control, m_log),
       m_rotator(m_control, profile, m_log, clock),
       m_link(std::move(link)),

@@ -106,7 +106,7 @@ struct CareRig
     fakes::ManualClock clock;
     EventLog log{clock};
     profile::Profile profile;
-    StationControl control{profile, clock, log, {.trustFirstContact = true}};
+    StationControl control{profile, clock, log, motionSources, {.trustFirstContact = true}};
     DriveCare care{profile, control, log};
     sim::SimulatedPair pair;
     Seconds elapsed{0.0};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/control/station_control.h"
+#include "core/sources/motion_sources.h"
 #include "tests/fakes/ideal_drive.h"
 #include "tests/fakes/manual_clock.h"
 
@@ -18,8 +19,9 @@ struct StationRig
 
     // With drives that were surveyed and found fit, and that stand where they say.
     explicit StationRig(const profile::Profile& settings = {},
-                        const TurnKeeper::Start& start = {.trustFirstContact = true})
-        : profile(settings), control(profile, clock, log, start)
+                        const TurnKeeper::Start& start = {.trustFirstContact = true},
+                        const MakeSources& sources = motionSources)
+        : profile(settings), control(profile, clock, log, sources, start)
     {
         control.setFitness({});
         for (const Axis axis : kAxes) {
