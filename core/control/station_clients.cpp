@@ -9,7 +9,6 @@ namespace {
 
 // Longer than a tracking client pauses between two targets, short enough that the screen asks about what happens now.
 constexpr std::chrono::seconds kStillWanting{5};
-const QString kOutside = QStringLiteral("target");
 
 }  // namespace
 
@@ -114,20 +113,6 @@ void StationControl::describe(ClientStatus& client, const std::optional<SteadyTi
         client.advice =
             Text::tr("asks for a place outside the limits: %1; the nearest permitted one is driven").arg(reason);
     }
-}
-
-// The protocol has no word for it: a client is answered "done". So the screen must say it, for as long as it lasts.
-void StationControl::watchLimited()
-{
-    const QString reason = limitedReason();
-    if (reason.isEmpty()) {
-        m_alarms.clear(kOutside);
-        return;
-    }
-    m_alarms.raise(kOutside, Severity::Advisory,
-                   {.what = Text::tr("the target is outside the limits"),
-                    .action = Text::tr("LIMITED, the nearest permitted point is driven: %1").arg(reason),
-                    .remedy = Text::tr("None needed: the mount follows on when the target comes inside")});
 }
 
 }  // namespace boresight

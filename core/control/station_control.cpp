@@ -48,12 +48,14 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
               .log = m_sourceLog},
              [this] { return parts(); }),
       m_sources(sources(m_helm)),
+      m_targetAlarm(m_alarms),
+      m_adviceAlarms(m_alarms),
       m_started(clock.now()),
       m_now(m_started)
 {
     (void)m_sun.update(clock);
     enforceRegion();
-    tellAdvice();
+    m_adviceAlarms.update(profile);
 }
 
 ControlParts StationControl::parts() const

@@ -10,6 +10,7 @@
 #include "core/base/can_frame.h"
 #include "core/base/clock.h"
 #include "core/base/result.h"
+#include "core/control/advice_alarms.h"
 #include "core/control/arming.h"
 #include "core/control/cable_guard.h"
 #include "core/control/client_lead.h"
@@ -25,11 +26,11 @@
 #include "core/control/status_report.h"
 #include "core/control/sun_alarms.h"
 #include "core/control/sun_watch.h"
+#include "core/control/target_alarm.h"
 #include "core/control/turn_watch.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
 #include "core/pointing/mount_model.h"
-#include "core/profile/advice.h"
 #include "core/profile/profile.h"
 #include "core/survey/drive_survey.h"
 
@@ -37,7 +38,6 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 // The only place that decides about motion: accepts or refuses every request, whoever sends it, and once per tick
 // turns the decision into one frame for each drive. Holds the rules: nothing moves before an explicit request, STOP
@@ -180,7 +180,6 @@ private:
     [[nodiscard]] bool moves() const { return m_current.moves(); }
     [[nodiscard]] bool turnsKnown() const { return m_turnWatch.allKnown(); }
     void enforceRegion();
-    void tellAdvice();
     void watchFirstMoves();
     void takeOver(const Source& source) { m_helm.takeOver(source); }
     void endClientMotion();
@@ -207,7 +206,7 @@ private:
     void renewSun(bool redrawn);
     void watchSun();
     void watchCable();
-    void watchLimited();
+    void watchLimited() { m_targetAlarm.update(limitedReason()); }
     void finishRearm();
     void moveOn(Seconds step);
 
@@ -238,7 +237,8 @@ private:
     FirstMovesGuard m_firstMoves;
     Helm m_helm;
     MotionSources m_sources;
-    std::vector<profile::Advice> m_advice;  // on the profile, as it was told
+    TargetAlarm m_targetAlarm;
+    AdviceAlarms m_adviceAlarms;
     std::array<bool, 2> m_ignoringBounds{};
     OrderlyEnd m_end;
     SteadyTime m_started{};  // the program, or the use of a bus that was taken back

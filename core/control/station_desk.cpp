@@ -4,8 +4,6 @@
 #include "core/control/station_control.h"
 #include "core/profile/setting.h"
 
-#include <utility>
-
 namespace boresight {
 namespace {
 
@@ -79,23 +77,7 @@ void StationControl::setProfile(const profile::Profile& profile)
     for (DriveWatch& watch : m_watches) {
         watch.setProfile(profile);
     }
-    tellAdvice();
-}
-
-void StationControl::tellAdvice()
-{
-    const auto advice = profile::adviceOn(m_profile);
-    if (advice == m_advice) {
-        return;
-    }
-    for (const profile::Advice& old : std::exchange(m_advice, advice)) {
-        m_alarms.clear(toQString(old.key));
-    }
-    for (const profile::Advice& one : m_advice) {
-        m_alarms.raise(
-            toQString(one.key), Severity::Advisory,
-            {.what = one.what, .action = Text::tr("Boresight uses the profile as it is"), .remedy = one.remedy});
-    }
+    m_adviceAlarms.update(profile);
 }
 
 void StationControl::watchFirstMoves()
