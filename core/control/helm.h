@@ -69,6 +69,8 @@ public:
 
     // The motion that has just begun was by hand: what leads the mount goes on afterwards.
     void keepErrand(std::uint64_t errand) { m_of.current.setErrand(errand); }
+    // Control was given away: what leads the mount ends, although no other motion begins.
+    void nextErrand() { m_of.current.setErrand(current().errand() + 1); }
     // What is added to the points of streams.
     void setTrim(const AxisPosition& trim, const Source& by);
     // The source of the stream that is followed is gone: it comes to rest at its last point.

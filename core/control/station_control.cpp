@@ -9,13 +9,6 @@ namespace {
 
 constexpr std::chrono::seconds kOldestPosition{1};
 
-// As far as clients ask for one.
-bool asksForMotion(const Request& request)
-{
-    return std::holds_alternative<request::PointSky>(request) || std::holds_alternative<request::PointAxes>(request) ||
-           std::holds_alternative<request::Move>(request) || std::holds_alternative<request::Park>(request);
-}
-
 }  // namespace
 
 StationControl::StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log,
@@ -47,11 +40,12 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
               .firstMoves = m_firstMoves,
               .log = m_sourceLog},
              [this] { return parts(); }),
-      m_sources(sources(m_helm)),
+      m_clientDesk(m_helm, m_arming, m_lead, log),
       m_targetAlarm(m_alarms),
       m_adviceAlarms(m_alarms),
       m_started(clock.now()),
-      m_now(m_started)
+      m_now(m_started),
+      m_sources(sources(m_helm))
 {
     (void)m_sun.update(clock);
     enforceRegion();
@@ -80,12 +74,11 @@ ControlParts StationControl::parts() const
 
 Result<> StationControl::request(const Request& request, const Source& source)
 {
-    if (source.kind == SourceKind::Client && asksForMotion(request)) {
-        clientAsked(source);
-    }
     const auto ownOrSource = [&](const auto& wanted) -> Result<> {
         if constexpr (requires { handle(wanted, source); }) {
             return handle(wanted, source);
+        } else if constexpr (requires { m_clientDesk.ask(wanted, source); }) {
+            return m_clientDesk.ask(wanted, source);
         } else {
             return askSources(request, source);
         }
@@ -95,6 +88,9 @@ Result<> StationControl::request(const Request& request, const Source& source)
 
 Result<> StationControl::askSources(const Request& request, const Source& source)
 {
+    if (source.kind == SourceKind::Client) {
+        clientAsked(source);
+    }
     for (const auto& one : m_sources) {
         if (auto answer = one->take(request, source)) {
             return *std::move(answer);
@@ -107,6 +103,21 @@ void StationControl::stepSources()
 {
     for (const auto& one : m_sources) {
         one->step(m_now);
+    }
+}
+
+void StationControl::sourceGone(const Source& source)
+{
+    m_lead.gone(source);
+    for (const auto& one : m_sources) {
+        one->gone(source);
+    }
+}
+
+void StationControl::positionRead(std::uint64_t clientId)
+{
+    for (const auto& one : m_sources) {
+        one->positionRead(clientId);
     }
 }
 

@@ -13,6 +13,7 @@
 #include "core/control/advice_alarms.h"
 #include "core/control/arming.h"
 #include "core/control/cable_guard.h"
+#include "core/control/client_desk.h"
 #include "core/control/client_lead.h"
 #include "core/control/current_motion.h"
 #include "core/control/first_moves_guard.h"
@@ -102,7 +103,10 @@ public:
     // Whether other terms of the pointing model would leave the motion what it is.
     [[nodiscard]] Result<> mayChangePointing() const { return gates().mayChangePointing(); }
     // What a client may do now, into its part of the status; `lastMotion` is when it last asked for a motion.
-    void describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const;
+    void describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const
+    {
+        m_clientDesk.describe(client, lastMotion);
+    }
     // The axes as measured; an error when unknown or older than 1 s.
     [[nodiscard]] Result<AxisPosition> measured() const;
     // Where the beam points, while that is known and measured within the last second.
@@ -152,11 +156,6 @@ private:
     Result<> handle(const request::Stop& wanted, const Source& source);
     Result<> handle(const request::ResetStop& wanted, const Source& source);
     Result<> handle(const request::Rearm& wanted, const Source& source);
-    Result<> handle(const request::TakeAuthority& wanted, const Source& source);
-    Result<> handle(const request::GiveAuthority& wanted, const Source& source);
-    Result<> handle(const request::GiveLead& wanted, const Source& source);
-    Result<> handle(const request::SetReadOnly& wanted, const Source& source);
-    Result<> handle(const request::Disconnect& wanted, const Source& source);
     Result<> handle(const request::AcknowledgeAlarms& wanted, const Source& source);
     Result<> handle(const request::ReadDrives& wanted, const Source& source);
     Result<> handle(const request::FixDrives& wanted, const Source& source);
@@ -182,8 +181,6 @@ private:
     void enforceRegion();
     void watchFirstMoves();
     void takeOver(const Source& source) { m_helm.takeOver(source); }
-    void endClientMotion();
-    void endCalibrationMotion();
     void tell(Severity severity, const Source& source, const QString& what) { m_sourceLog.add(severity, source, what); }
     Result<> begin(Activity activity, const Source& source, const QString& text)
     {
@@ -236,7 +233,7 @@ private:
     std::string m_heldAt;  // what the log last said the motion is held at
     FirstMovesGuard m_firstMoves;
     Helm m_helm;
-    MotionSources m_sources;
+    ClientDesk m_clientDesk;
     TargetAlarm m_targetAlarm;
     AdviceAlarms m_adviceAlarms;
     std::array<bool, 2> m_ignoringBounds{};
@@ -244,6 +241,7 @@ private:
     SteadyTime m_started{};  // the program, or the use of a bus that was taken back
     SteadyTime m_now{};      // of the running or last tick
     std::uint64_t m_tick = 0;
+    MotionSources m_sources;
 };
 
 }  // namespace boresight
