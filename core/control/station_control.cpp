@@ -2,7 +2,6 @@
 #include "core/control/station_control.h"
 
 #include "core/base/text.h"
-#include "core/pointing/sun_keep_out.h"
 
 namespace boresight {
 namespace {
@@ -19,10 +18,8 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
       m_model(profile.azimuth.geometry, profile.elevation.geometry, pointing::PointingModel(profile.pointing)),
       m_drives(profile),
       m_motion(profile),
-      m_sun(profile),
       m_arming(profile, m_drives, log),
       m_alarms(log, clock),
-      m_sunAlarms(m_alarms),
       m_watches{DriveWatch(Axis::Azimuth, profile, m_alarms), DriveWatch(Axis::Elevation, profile, m_alarms)},
       m_turns(profile, clock, log, std::move(start)),
       m_turnWatch(m_turns, m_drives, m_watches, m_alarms),
@@ -40,6 +37,13 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
               .firstMoves = m_firstMoves,
               .log = m_sourceLog},
              [this] { return parts(); }),
+      m_region({.profile = m_profile,
+                .clock = clock,
+                .model = m_model,
+                .motion = m_motion,
+                .helm = m_helm,
+                .alarms = m_alarms,
+                .log = log}),
       m_clientDesk(m_helm, m_arming, m_lead, log),
       m_targetAlarm(m_alarms),
       m_adviceAlarms(m_alarms),
@@ -47,8 +51,7 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
       m_now(m_started),
       m_sources(sources(m_helm))
 {
-    (void)m_sun.update(clock);
-    enforceRegion();
+    m_region.begin();
     m_adviceAlarms.update(profile);
 }
 
@@ -66,7 +69,7 @@ ControlParts StationControl::parts() const
             .facts = m_turnWatch,
             .proof = m_proof,
             .cable = m_cable,
-            .sun = m_sun,
+            .sun = m_region.sun(),
             .alarms = m_alarms,
             .now = m_now,
             .tick = m_tick};
@@ -209,23 +212,6 @@ void StationControl::driveRestarted(Axis axis)
               Text::tr("was power-cycled: its turn must be judged anew"));
     m_turnWatch.forget(axis);
     holdHere(Activity::None);
-}
-
-// What is permitted, and what a place of the axes looks at: neither moves anything.
-void StationControl::enforceRegion()
-{
-    // A client's target that nobody moves any more is a place as well, unless the nearest permitted one is held for it.
-    const bool standing = m_current.is(Activity::Streaming) && !m_motion.streaming(m_now) && !m_motion.limited();
-    m_model.setPointing(pointing::PointingModel(m_profile.pointing));
-    m_motion.setRegion(pointing::withSun(m_profile.limits, m_sun.keepOuts()), m_model.pointing());
-    const pointing::AxisBox& ranges = m_motion.region().ranges();
-    m_model.limitTo(ranges.azimuth, ranges.elevation);
-    const auto target = m_motion.target(m_now);
-    const bool going = m_current.goesToAPlace() || standing;
-    if (const std::string why = going && target ? m_motion.region().reason(*target) : ""; !why.empty()) {
-        m_log.add(Severity::Warning, QStringLiteral("station"), Text::tr("ends the motion: %1").arg(toQString(why)));
-        holdHere(Activity::Holding);  // else a mount that stands would set off by itself
-    }
 }
 
 void StationControl::setSilenceAdvice(const QString& advice)

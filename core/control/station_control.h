@@ -22,11 +22,10 @@
 #include "core/control/motion_source.h"
 #include "core/control/orderly_end.h"
 #include "core/control/proof_run.h"
+#include "core/control/region_keeper.h"
 #include "core/control/source_log.h"
 #include "core/control/stall_guard.h"
 #include "core/control/status_report.h"
-#include "core/control/sun_alarms.h"
-#include "core/control/sun_watch.h"
 #include "core/control/target_alarm.h"
 #include "core/control/turn_watch.h"
 #include "core/messages/request.h"
@@ -178,7 +177,6 @@ private:
     [[nodiscard]] Gates gates() const { return Gates(parts()); }
     [[nodiscard]] bool moves() const { return m_current.moves(); }
     [[nodiscard]] bool turnsKnown() const { return m_turnWatch.allKnown(); }
-    void enforceRegion();
     void watchFirstMoves();
     void takeOver(const Source& source) { m_helm.takeOver(source); }
     void tell(Severity severity, const Source& source, const QString& what) { m_sourceLog.add(severity, source, what); }
@@ -187,9 +185,6 @@ private:
         return m_helm.beginOwn(activity, source, text);
     }
     void holdHere(Activity left) { m_helm.hold(left); }
-    [[nodiscard]] AxisPosition standing() const { return parts().standing(); }
-    [[nodiscard]] AxisPosition heading() const { return parts().heading(); }
-
     [[nodiscard]] AxisPosition heldPlace() const;
     void resumeAfterStall();
     void watchDrives();
@@ -200,8 +195,7 @@ private:
     void stepSources();
     void watchFitness();
     void watchRegion();
-    void renewSun(bool redrawn);
-    void watchSun();
+    void watchSun() { m_region.step(); }
     void watchCable();
     void watchLimited() { m_targetAlarm.update(limitedReason()); }
     void finishRearm();
@@ -216,11 +210,9 @@ private:
     pointing::MountModel m_model;
     DrivePair m_drives;
     Motion m_motion;
-    SunWatch m_sun;
     Arming m_arming;
     ClientLead m_lead;
     AlarmBoard m_alarms;
-    SunAlarms m_sunAlarms;
     std::array<DriveWatch, 2> m_watches;
     TurnKeeper m_turns;
     TurnWatch m_turnWatch;
@@ -233,6 +225,7 @@ private:
     std::string m_heldAt;  // what the log last said the motion is held at
     FirstMovesGuard m_firstMoves;
     Helm m_helm;
+    RegionKeeper m_region;
     ClientDesk m_clientDesk;
     TargetAlarm m_targetAlarm;
     AdviceAlarms m_adviceAlarms;

@@ -67,8 +67,7 @@ void StationControl::setProfile(const profile::Profile& profile)
         m_firstMoves.beginAnew();  // the small way begins where the mount stands now
     }
     m_profile = profile;
-    m_sun.setProfile(profile);
-    renewSun(redrawn);
+    m_region.profileChanged(redrawn);
     for (const Axis axis : kAxes) {
         m_motion.setLimits(axis, profile.axis(axis).limits);
     }
