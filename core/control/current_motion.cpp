@@ -30,7 +30,6 @@ void CurrentMotion::forgetDetails()
 {
     m_limitedReason.clear();
     m_limitedDirection.reset();
-    m_deadline.reset();
 }
 
 bool CurrentMotion::isForClient(std::uint64_t clientId) const

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/clock.h"
 #include "core/messages/station_status.h"
 #include "core/units/sky.h"
 
@@ -56,10 +55,6 @@ public:
     [[nodiscard]] const QString& limitedReason() const { return m_limitedReason; }  // empty: it is driven
     [[nodiscard]] const std::optional<SkyPointing>& limitedDirection() const { return m_limitedDirection; }
 
-    // A motion that somebody has to keep up.
-    void keepAliveUntil(SteadyTime deadline) { m_deadline = deadline; }
-    [[nodiscard]] bool keepAliveMissed(SteadyTime now) const { return m_deadline && now > *m_deadline; }
-
 private:
     void forgetDetails();
 
@@ -69,7 +64,6 @@ private:
     QString m_text;
     QString m_limitedReason;
     std::optional<SkyPointing> m_limitedDirection;
-    std::optional<SteadyTime> m_deadline;
 };
 
 }  // namespace boresight

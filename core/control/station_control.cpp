@@ -3,8 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/mount/mount_service.h"
-#include "core/pointing/sun_keep_out.h"
-#include "core/units/degrees_text.h"
+#include "core/profile/setting.h"
 
 #include <algorithm>
 
@@ -12,34 +11,22 @@ namespace boresight {
 namespace {
 
 constexpr std::chrono::seconds kOldestPosition{1};
-constexpr int kClientLinesPerSecond = 4;
+// A late tick (a stalled machine) makes the mount slower, never jump.
+constexpr Seconds kLongestStep{0.1};
 
-QString text(const AxisPosition& place)
+Result<> makesSense(const profile::Profile& profile)
 {
-    return degreesText(place.azimuth, 2) + QStringLiteral(" ") + degreesText(place.elevation, 2);
-}
-
-QString text(const SkyPointing& direction)
-{
-    return degreesText(direction.azimuth, 2) + QStringLiteral(" ") + degreesText(direction.elevation, 2);
-}
-
-// As far as clients ask for one.
-bool asksForMotion(const Request& request)
-{
-    return std::holds_alternative<request::PointSky>(request) || std::holds_alternative<request::PointAxes>(request) ||
-           std::holds_alternative<request::Move>(request) || std::holds_alternative<request::Park>(request);
-}
-
-bool isZero(const AxisRates& rates)
-{
-    return rates == AxisRates{};
+    const auto problems = profile::problemsOf(profile);
+    if (!problems.empty()) {
+        return failure(ErrorCode::InvalidInput, problems.front().key + ": " + problems.front().text);
+    }
+    return {};
 }
 
 }  // namespace
 
 StationControl::StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
-                               MountDriver& mount)
+                               MountDriver& mount, const MakeSources& sources)
     : m_profile(profile),
       m_clock(clock),
       m_log(log),
@@ -47,16 +34,34 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
       m_mount(mount),
       m_model(profile.azimuth.geometry, profile.elevation.geometry, pointing::PointingModel(profile.pointing)),
       m_motion(profile),
-      m_sun(profile),
       m_arming(profile, mount, log),
-      m_sunAlarms(m_alarms),
       m_cable(m_alarms, clock),
-      m_clientLines(log, clock, kClientLinesPerSecond),
-      m_now(clock.now())
+      m_sourceLog(log, clock),
+      m_helm({.motion = m_motion,
+              .mount = m_mount,
+              .current = m_current,
+              .arming = m_arming,
+              .lead = m_lead,
+              .cable = m_cable,
+              .firstMoves = m_firstMoves,
+              .log = m_sourceLog},
+             [this] { return parts(); }),
+      m_region({.profile = m_profile,
+                .clock = clock,
+                .model = m_model,
+                .motion = m_motion,
+                .helm = m_helm,
+                .alarms = m_alarms,
+                .log = log}),
+      m_clientDesk(m_helm, m_arming, m_lead, log),
+      m_mountDesk(mount, m_helm, m_arming, log),
+      m_targetAlarm(m_alarms),
+      m_adviceAlarms(m_alarms),
+      m_now(clock.now()),
+      m_sources(sources(m_helm))
 {
-    (void)m_sun.update(clock);
-    enforceRegion();
-    tellAdvice();
+    m_region.begin();
+    m_adviceAlarms.update(profile);
 }
 
 ControlParts StationControl::parts() const
@@ -70,7 +75,7 @@ ControlParts StationControl::parts() const
             .arming = m_arming,
             .lead = m_lead,
             .cable = m_cable,
-            .sun = m_sun,
+            .sun = m_region.sun(),
             .alarms = m_alarms,
             .now = m_now,
             .tick = m_tick};
@@ -78,246 +83,53 @@ ControlParts StationControl::parts() const
 
 Result<> StationControl::request(const Request& request, const Source& source)
 {
-    if (source.kind == SourceKind::Client && asksForMotion(request)) {
+    const auto ownOrSource = [&](const auto& wanted) -> Result<> {
+        if constexpr (requires { handle(wanted, source); }) {
+            return handle(wanted, source);
+        } else if constexpr (requires { m_clientDesk.ask(wanted, source); }) {
+            return m_clientDesk.ask(wanted, source);
+        } else if constexpr (requires { m_mountDesk.ask(wanted, source); }) {
+            return m_mountDesk.ask(wanted, source);
+        } else {
+            return askSources(request, source);
+        }
+    };
+    return std::visit(ownOrSource, request);
+}
+
+Result<> StationControl::askSources(const Request& request, const Source& source)
+{
+    if (source.kind == SourceKind::Client) {
         clientAsked(source);
     }
-    return std::visit([&](const auto& wanted) { return handle(wanted, source); }, request);
-}
-
-void StationControl::takeOver(const Source& source)
-{
-    if (source.kind == SourceKind::Operator && m_arming.authority() == Authority::Clients) {
-        m_arming.setAuthority(Authority::Operator);
-        tell(Severity::Advisory, source, Text::tr("takes over: motion commands of clients are refused"));
-    }
-}
-
-void StationControl::tell(Severity severity, const Source& source, const QString& what, LogKind kind)
-{
-    if (source.kind == SourceKind::Client) {
-        m_clientLines.add(severity, source.name, what, kind);
-    } else {
-        m_log.add(severity, source.name, what, kind);
-    }
-}
-
-void StationControl::begin(Activity activity, const Source& source, const QString& what)
-{
-    takeOver(source);
-    if (!m_current.continues(activity, source)) {
-        m_cable.forgetTurnBack();
-        tell(Severity::Advisory, source, Text::tr("moves the mount from %1: %2").arg(directionText(heading()), what),
-             LogKind::MotionStart);
-    }
-    if (source.kind == SourceKind::Client) {
-        m_lead.moved(source, m_now);
-    }
-    m_current.begin(activity, source, what);
-    m_mount.engage();
-}
-
-void StationControl::holdHere(Activity left)
-{
-    if (m_mount.proofRunning()) {
-        m_mount.service()->endProof(Text::tr("ended before it was done"));
-    }
-    m_current.end(left);
-    m_motion.rest();
-}
-
-Result<> StationControl::goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& what)
-{
-    return mayPoint(source).and_then([&] { return mayGoTo(place); }).map([&] {
-        begin(activity, source, what);
-        m_motion.goTo(m_model.resolve(place).position);
-    });
-}
-
-Result<> StationControl::mayGoTo(const AxisPosition& place) const
-{
-    const pointing::Resolved resolved = m_model.resolve(place);
-    if (resolved.limited) {
-        return failure(ErrorCode::OutOfRange, resolved.reason);
-    }
-    if (const std::string why = m_motion.region().reason(resolved.position); !why.empty()) {
-        const auto nearest = m_motion.region().nearest(resolved.position);
-        return failure(ErrorCode::OutOfRange,
-                       nearest
-                           ? Text::tr("%1; permitted nearest to it: %2").arg(toQString(why), directionText(*nearest))
-                           : toQString(why));
-    }
-    return m_motion.route(standing(), resolved.position).map([](const auto&) {});
-}
-
-// Of the turns of a direction the one nearest to where it is sought that can be reached; if none can, the place itself.
-AxisPosition StationControl::turnWithAWay(const AxisPosition& place) const
-{
-    const TravelRange& range = m_motion.region().ranges().azimuth;
-    for (const double turns : {0.0, -1.0, 1.0, -2.0, 2.0}) {
-        const AxisPosition other{.azimuth = place.azimuth + Angle::fromTurns(turns), .elevation = place.elevation};
-        if (range.contains(other.azimuth) && m_motion.route(standing(), other)) {
-            return other;
+    for (const auto& one : m_sources) {
+        if (auto answer = one->take(request, source)) {
+            return *std::move(answer);
         }
     }
-    return place;
+    return failure(ErrorCode::NotAvailable, "no source of motion takes this request");
 }
 
-Result<> StationControl::streamTo(pointing::Resolved resolved, const SkyPointing& asked, const Source& source,
-                                  const QString& what)
+void StationControl::stepSources()
 {
-    if (const std::string why = m_motion.region().reason(resolved.position); !resolved.limited && !why.empty()) {
-        resolved.limited = true;  // Motion finds the nearest permitted place, and goes on when the stream comes out
-        resolved.reason = why;
-    }
-    if (resolved.limited && m_profile.rotctld.outsideLimits == profile::OutsideLimits::Refuse) {
-        return failure(ErrorCode::OutOfRange, resolved.reason);
-    }
-    const bool wasLimited = !m_current.limitedReason().isEmpty();
-    const bool newStream = !m_current.is(Activity::Streaming) || !m_current.isFor(source);
-    const auto back = turnBackTo(resolved.position, source);
-    begin(Activity::Streaming, source, what.isEmpty() ? QStringLiteral("P ") + text(asked) : what);
-    beginTurnBack(back);
-    if (newStream) {
-        m_motion.rest();  // the points of another client say nothing about this one's
-    }
-    if (resolved.limited) {
-        m_current.limit(toQString(resolved.reason), asked);
-        if (newStream || !wasLimited) {
-            tell(Severity::Warning, source,
-                 Text::tr("LIMITED: %1; driven to the nearest permitted point").arg(m_current.limitedReason()));
-        }
-    }
-    m_motion.follow(resolved.position, m_now);
-    return {};
-}
-
-std::optional<CableGuard::TurnBack> StationControl::turnBackTo(const AxisPosition& place, const Source& source) const
-{
-    const bool follows = m_current.is(Activity::Streaming) && m_current.isFor(source);
-    return CableGuard::turnBackTo(place.azimuth,
-                                  {.here = standing().azimuth, .heading = heading().azimuth, .follows = follows},
-                                  m_motion.region().ranges().azimuth);
-}
-
-// The log names it as a motion of its own: the mount leaves a target that it seemed to follow.
-void StationControl::beginTurnBack(const std::optional<CableGuard::TurnBack>& back)
-{
-    if (back) {
-        tell(Severity::Advisory, m_current.commander(), m_cable.begin(*back, m_profile.azimuth.limits),
-             LogKind::MotionStart);
+    for (const auto& one : m_sources) {
+        one->step(m_now);
     }
 }
 
-Result<> StationControl::handle(const request::PointSky& wanted, const Source& source)
+void StationControl::sourceGone(const Source& source)
 {
-    return mayPoint(source).and_then([&]() -> Result<> {
-        const pointing::Resolved resolved = m_model.resolve(wanted.direction, heading());
-        if (source.kind == SourceKind::Client) {
-            return streamTo(resolved, wanted.direction, source);
-        }
-        if (resolved.limited) {
-            return failure(ErrorCode::OutOfRange, resolved.reason);
-        }
-        if (const Angle top = std::max(90_deg, m_model.elevation().travel.max); wanted.direction.elevation > top) {
-            // To a client 95° is the equal direction behind the zenith; an operator who types it has slipped.
-            return failure(ErrorCode::OutOfRange,
-                           Text::tr("elevation %1 above limit %2")
-                               .arg(degreesText(wanted.direction.elevation, 2), degreesText(top, 2)));
-        }
-        const AxisPosition place = turnWithAWay(resolved.position);
-        const auto back = turnBackTo(place, source);
-        return goTo(place, Activity::Pointing, source, Text::tr("go to %1").arg(text(wanted.direction))).map([&] {
-            beginTurnBack(back);
-        });
-    });
-}
-
-Result<> StationControl::handle(const request::PointAxes& wanted, const Source& source)
-{
-    if (source.kind == SourceKind::Client) {
-        return mayPoint(source).and_then(
-            [&] { return streamTo(m_model.resolve(wanted.position), m_model.toSky(wanted.position), source); });
+    m_lead.gone(source);
+    for (const auto& one : m_sources) {
+        one->gone(source);
     }
-    return goTo(wanted.position, Activity::Pointing, source, Text::tr("go to axes %1").arg(text(wanted.position)));
 }
 
-Result<> StationControl::handle(const request::Step& wanted, const Source& source)
+void StationControl::positionRead(std::uint64_t clientId)
 {
-    const AxisPosition from = heading();
-    const AxisPosition place{.azimuth = from.azimuth + wanted.azimuth, .elevation = from.elevation + wanted.elevation};
-    const std::uint64_t errand = m_current.errand();
-    return goTo(place, Activity::Pointing, source, Text::tr("step to %1").arg(directionText(place))).map([&] {
-        m_current.setErrand(errand);  // by hand, like a jog
-    });
-}
-
-Result<> StationControl::handle(const request::Park&, const Source& source)
-{
-    return goTo(m_profile.park, Activity::Parking, source, Text::tr("park at %1").arg(directionText(m_profile.park)));
-}
-
-Result<> StationControl::handle(const request::Unwind&, const Source& source)
-{
-    return mayPoint(source).and_then([&]() -> Result<> {
-        const auto place = CableGuard::leastWound(standing(), m_motion.region().ranges().azimuth);
-        if (!place) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("in this direction the azimuth cable can not be wound less than it is"));
-        }
-        return goTo(*place, Activity::Pointing, source,
-                    Text::tr("unwind the cable, azimuth to %1").arg(degreesText(place->azimuth, 1)));
-    });
-}
-
-Result<> StationControl::handle(const request::Home&, const Source& source)
-{
-    const pointing::AxisBox& ranges = m_motion.region().ranges();
-    const AxisPosition home{.azimuth = ranges.azimuth.clamped(0_deg), .elevation = ranges.elevation.clamped(0_deg)};
-    return goTo(home, Activity::Pointing, source, Text::tr("home to %1").arg(directionText(home)));
-}
-
-// Down to 0°, or as far as it goes.
-Result<> StationControl::handle(const request::Horizon&, const Source& source)
-{
-    const AxisPosition here = standing();
-    AxisPosition low{.azimuth = here.azimuth, .elevation = 0_deg};
-    if (!m_motion.region().permits(low)) {
-        low.elevation = std::max(0_deg, m_motion.region().elevationsAround(pointing::AxisBox::at(here)).min);
+    for (const auto& one : m_sources) {
+        one->positionRead(clientId);
     }
-    return goTo(low, Activity::Pointing, source, Text::tr("horizon at %1").arg(directionText(low)));
-}
-
-Result<> StationControl::runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& what)
-{
-    const Gates gates = this->gates();
-    const auto mayRun = [&] {
-        return gates.mayMove(source).and_then([&] { return gates.axesPlaced(); }).and_then([&] {
-            return gates.mayLeaveSunBand({}, {});
-        });
-    };
-    const Result<> may = activity == Activity::Jogging ? gates.mayJog(rates, source) : mayRun();
-    return may.and_then([&] { return mayMoveFirst(rates); }).map([&] {
-        begin(activity, source, what);
-        m_motion.run(rates);
-    });
-}
-
-Result<> StationControl::handle(const request::Jog& wanted, const Source& source)
-{
-    if (isZero(wanted.rates)) {
-        if (m_current.is(Activity::Jogging) && m_current.isFor(source)) {
-            holdHere(Activity::Holding);
-        }
-        return {};
-    }
-    return runAt(wanted.rates, Activity::Jogging, source, Text::tr("jog")).map([&] {
-        m_current.keepAliveUntil(m_now + kJogKeepAlive);
-    });
-}
-
-Result<> StationControl::handle(const request::Move& wanted, const Source& source)
-{
-    return runAt(wanted.rates, Activity::Running, source, Text::tr("move"));
 }
 
 Result<> StationControl::handle(const request::Hold&, const Source& source)
@@ -366,6 +178,72 @@ Result<> StationControl::handle(const request::Rearm&, const Source& source)
     });
 }
 
+Result<> StationControl::handle(const request::ClearTrim&, const Source& source)
+{
+    return operatorOnly(source).map([&] {
+        if (m_motion.trim() != AxisPosition{}) {
+            m_helm.setTrim({}, source);
+        }
+    });
+}
+
+Result<> StationControl::handle(const request::AcknowledgeAlarms&, const Source&)
+{
+    m_alarms.acknowledgeAll();
+    return {};
+}
+
+Result<> StationControl::handle(const request::AcknowledgeAlarm& wanted, const Source&)
+{
+    m_alarms.acknowledge(wanted.alarmId);
+    return {};
+}
+
+// The station puts it into force; see setProfile().
+Result<> StationControl::handle(const request::ApplyProfile& wanted, const Source& source)
+{
+    return operatorOnly(source).and_then([&] { return makesSense(wanted.profile); }).and_then([&] {
+        return wanted.profile.pointing == m_profile.pointing ? Result<>{} : mayChangePointing();
+    });
+}
+
+Result<> StationControl::handle(const request::Reconnect& wanted, const Source& source)
+{
+    return operatorOnly(source).and_then([this] { return gates().drivesRest(); }).and_then([&] {
+        return makesSense(wanted.profile);
+    });
+}
+
+// The calibration desk carries it out, and asks for the motions that it needs like everybody else.
+Result<> StationControl::handle(const CalibrationRequest&, const Source& source)
+{
+    return operatorOnly(source);
+}
+
+void StationControl::setProfile(const profile::Profile& profile)
+{
+    const bool redrawn = profile.limits != m_profile.limits || profile.pointing != m_profile.pointing;
+    if (profile.mount.directions != m_profile.mount.directions) {
+        m_firstMoves.beginAnew();  // the small way begins where the mount stands now
+    }
+    m_profile = profile;
+    m_region.profileChanged(redrawn);
+    for (const Axis axis : kAxes) {
+        m_motion.setLimits(axis, profile.axis(axis).limits);
+    }
+    m_mount.setProfile(profile);
+    m_arming.setProfile(profile);
+    m_adviceAlarms.update(profile);
+}
+
+void StationControl::watchFirstMoves()
+{
+    if (m_firstMoves.exceeded(parts())) {
+        m_helm.end(Severity::Advisory,
+                   Text::tr("jog ends: no farther than 2° until the directions of the axes are confirmed"));
+    }
+}
+
 Result<AxisPosition> StationControl::measured() const
 {
     for (const Axis axis : kAxes) {
@@ -399,26 +277,148 @@ std::optional<AxisPosition> StationControl::trimInUse() const
     return m_current.is(Activity::Streaming) && followsClient() ? std::optional(m_motion.trim()) : std::nullopt;
 }
 
-// The direction that the beam has there; on the turn of the axes.
-QString StationControl::directionText(const AxisPosition& place) const
+void StationControl::tick()
 {
-    return text(m_model.pointing().toSky(place));
+    const SteadyTime now = m_clock.now();
+    const Seconds step = std::clamp(Seconds(now - m_now), Seconds(0.0), kLongestStep);
+    m_now = now;
+    ++m_tick;
+    m_mount.observe(now);
+    if (m_arming.losesConnection(now)) {
+        holdHere(Activity::None);
+    }
+    superviseMount();
+    keepStopped();
+    stepSources();
+    watchFirstMoves();
+    watchFitness();
+    finishRearm();
+    stepProof();
+    watchSun();
+    moveOn(step);
+    watchRegion();
+    watchCable();
+    watchLimited();
+    m_alarms.tick();
+    if (m_end.leaves(m_motion.atRest() && !m_mount.changesHands(), m_now)) {
+        m_mount.leave(m_profile.control.onExit);
+    }
 }
 
-// What is permitted, and what a place of the axes looks at: neither moves anything.
-void StationControl::enforceRegion()
+// The motion ends with a trouble: the axes brake from their set-points.
+void StationControl::superviseMount()
 {
-    // A client's target that nobody moves any more is a place as well, unless the nearest permitted one is held for it.
-    const bool standing = m_current.is(Activity::Streaming) && !m_motion.streaming(m_now) && !m_motion.limited();
-    m_model.setPointing(pointing::PointingModel(m_profile.pointing));
-    m_motion.setRegion(pointing::withSun(m_profile.limits, m_sun.keepOuts()), m_model.pointing());
-    const pointing::AxisBox& ranges = m_motion.region().ranges();
-    m_model.limitTo(ranges.azimuth, ranges.elevation);
-    const auto target = m_motion.target(m_now);
-    const bool going = m_current.goesToAPlace() || standing;
-    if (const std::string why = going && target ? m_motion.region().reason(*target) : ""; !why.empty()) {
-        m_log.add(Severity::Warning, QStringLiteral("station"), Text::tr("ends the motion: %1").arg(toQString(why)));
-        holdHere(Activity::Holding);  // else a mount that stands would set off by itself
+    const MountFindings found = m_mount.supervise({.moves = !m_current.is(Activity::None),
+                                                   .settled = m_motion.atRest(),
+                                                   .faultLatched = faultLatched(),
+                                                   .stopLatched = m_arming.stopLatched(),
+                                                   .closing = m_arming.closing()});
+    if (found.interrupted) {
+        holdHere(Activity::None);
+    }
+    for (const AxisTrouble& trouble : found.troubles) {
+        m_arming.lost(trouble.axis, trouble.loss, trouble.what);
+        holdHere(Activity::None);
+    }
+}
+
+// Behind a latched STOP nothing is moved by others' orders either, nor by a drive that comes back with them.
+void StationControl::keepStopped()
+{
+    if (m_arming.stopLatched() && m_mount.available() && !m_arming.closing()) {
+        m_mount.seize();
+    }
+}
+
+void StationControl::stepProof()
+{
+    if (!m_mount.proofRunning()) {
+        return;
+    }
+    const MountService::ProofStep step = m_mount.service()->stepProof();
+    if (step.run) {
+        m_motion.run(*step.run);
+    }
+    if (step.rest) {
+        m_motion.rest();
+    }
+    if (step.ended) {
+        holdHere(Activity::Holding);
+    }
+}
+
+void StationControl::watchCable()
+{
+    const auto path = m_current.is(Activity::Streaming) && turnsKnown() ? m_motion.path(m_now) : std::nullopt;
+    const auto target = moves() && m_motion.noWay().empty() ? m_motion.target(m_now) : std::nullopt;
+    const auto left = target ? std::optional(target->azimuth - m_motion.place().azimuth) : std::nullopt;
+    m_cable.watch(path, left, m_motion.region().ranges().azimuth, m_profile.azimuth.limits);
+}
+
+// A drive that is not as it should be any more is not moved on.
+void StationControl::watchFitness()
+{
+    if (!m_mount.fitness() && moves() && !m_motion.atRest()) {
+        m_log.add(Severity::Warning, QStringLiteral("station"),
+                  Text::tr("ends the motion: %1").arg(toQString(m_mount.fitness().error().text)));
+        holdHere(Activity::Holding);
+    }
+}
+
+// Tells what holds a motion, and ends one that has no way left: the region was drawn anew. A stream of a client waits.
+void StationControl::watchRegion()
+{
+    if (m_current.goesToAPlace() && !m_motion.noWay().empty()) {
+        m_log.add(Severity::Warning, QStringLiteral("station"),
+                  Text::tr("ends the motion: %1").arg(toQString(m_motion.noWay())));
+        holdHere(Activity::Holding);
+    }
+    const bool held = m_motion.held(Axis::Azimuth) || m_motion.held(Axis::Elevation);
+    const std::string at = held ? Text::tr("held at %1").arg(toQString(m_motion.obstacle())).toStdString()
+                           : m_motion.noWay().empty()
+                               ? ""
+                               : Text::tr("held: %1").arg(toQString(m_motion.noWay())).toStdString();
+    const bool pressed = m_current.runsFreely() || (m_current.is(Activity::Streaming) && !m_motion.noWay().empty());
+    if (pressed && !at.empty() && at != m_heldAt) {
+        tell(Severity::Warning, m_current.commander(), QString::fromStdString(at));
+    }
+    m_heldAt = pressed ? at : std::string();
+}
+
+void StationControl::finishRearm()
+{
+    if (!m_arming.completesRearm()) {
+        return;
+    }
+    m_mount.rearmed();
+    m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("re-armed; nothing moves"));
+}
+
+void StationControl::moveOn(Seconds step)
+{
+    for (const Axis axis : kAxes) {
+        if (const auto place = m_mount.takeFollowing(axis)) {
+            m_motion.start(axis, *place);
+        }
+    }
+    m_motion.enforceRegion(turnsKnown());
+    m_motion.setHardBraking(m_arming.stopLatched());
+    m_mount.brakeHard(m_arming.stopLatched());
+    if (m_mount.follows() && m_mount.seen()) {
+        m_motion.advance(m_now, step);
+    } else {
+        m_motion.brake(step);  // one axis alone goes nowhere, nor does one that nobody sees
+    }
+    for (const Axis axis : kAxes) {
+        m_mount.command(axis, m_motion.setpoint(axis));
+    }
+}
+
+void StationControl::shutDown()
+{
+    if (m_end.begin(m_profile, m_clock.now())) {
+        m_arming.close();
+        holdHere(Activity::None);
     }
 }
 

@@ -3,31 +3,34 @@
 
 #include "core/alarms/alarm_board.h"
 #include "core/alarms/event_log.h"
-#include "core/alarms/log_throttle.h"
 #include "core/base/clock.h"
 #include "core/base/result.h"
+#include "core/control/advice_alarms.h"
 #include "core/control/arming.h"
 #include "core/control/cable_guard.h"
+#include "core/control/client_desk.h"
 #include "core/control/client_lead.h"
 #include "core/control/current_motion.h"
+#include "core/control/first_moves_guard.h"
 #include "core/control/gates.h"
+#include "core/control/helm.h"
+#include "core/control/motion_source.h"
+#include "core/control/mount_desk.h"
 #include "core/control/orderly_end.h"
+#include "core/control/region_keeper.h"
+#include "core/control/source_log.h"
 #include "core/control/status_report.h"
-#include "core/control/sun_alarms.h"
-#include "core/control/sun_watch.h"
+#include "core/control/target_alarm.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
-#include "core/motion/first_moves.h"
 #include "core/motion/motion.h"
 #include "core/mount/mount_driver.h"
 #include "core/pointing/mount_model.h"
-#include "core/profile/advice.h"
 #include "core/profile/profile.h"
 
 #include <QString>
 
 #include <optional>
-#include <vector>
 
 // The only place that decides about motion: accepts or refuses every request, whoever sends it, and once per tick
 // turns the decision into one set-point for each axis of the mount. Holds the rules: nothing moves before an explicit
@@ -38,9 +41,10 @@ namespace boresight {
 class StationControl
 {
 public:
-    // All but the profile outlive this.
+    // Without a source of motion nothing moves.
+    // All but the profile and the sources outlive this.
     StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
-                   MountDriver& mount);
+                   MountDriver& mount, const MakeSources& sources);
 
     // Accepted, or the reason in words. Takes effect in the next tick.
     Result<> request(const Request& request, const Source& source);
@@ -83,12 +87,15 @@ public:
     // Another client re-armed the drives; this one kept sending and has to act before it moves the mount.
     [[nodiscard]] bool waitsSinceRearm(const Source& client) const { return m_lead.waits(client.clientId); }
     // Whether the beam can be pointed there from where it is, by all that is permitted.
-    [[nodiscard]] Result<> reaches(const SkyPointing& direction) const;
+    [[nodiscard]] Result<> reaches(const SkyPointing& direction) const { return m_helm.reaches(direction); }
     [[nodiscard]] const pointing::PermittedRegion& region() const { return m_motion.region(); }
     // Whether other terms of the pointing model would leave the motion what it is.
     [[nodiscard]] Result<> mayChangePointing() const { return gates().mayChangePointing(); }
     // What a client may do now, into its part of the status; `lastMotion` is when it last asked for a motion.
-    void describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const;
+    void describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const
+    {
+        m_clientDesk.describe(client, lastMotion);
+    }
     // The axes as measured; an error when unknown or older than 1 s.
     [[nodiscard]] Result<AxisPosition> measured() const;
     // Where the beam points, while that is known and measured within the last second.
@@ -112,81 +119,37 @@ public:
     void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation);
 
 private:
-    Result<> handle(const request::PointSky& wanted, const Source& source);
-    Result<> handle(const request::PointAxes& wanted, const Source& source);
-    Result<> handle(const request::Jog& wanted, const Source& source);
-    Result<> handle(const request::Move& wanted, const Source& source);
-    Result<> handle(const request::Step& wanted, const Source& source);
-    Result<> handle(const request::Follow& wanted, const Source& source);
     Result<> handle(const request::Hold& wanted, const Source& source);
     Result<> handle(const request::Stop& wanted, const Source& source);
     Result<> handle(const request::ResetStop& wanted, const Source& source);
-    Result<> handle(const request::Park& wanted, const Source& source);
-    Result<> handle(const request::Home& wanted, const Source& source);
-    Result<> handle(const request::Unwind& wanted, const Source& source);
-    Result<> handle(const request::Horizon& wanted, const Source& source);
     Result<> handle(const request::Rearm& wanted, const Source& source);
-    Result<> handle(const request::TakeAuthority& wanted, const Source& source);
-    Result<> handle(const request::GiveAuthority& wanted, const Source& source);
-    Result<> handle(const request::GiveLead& wanted, const Source& source);
-    Result<> handle(const request::SetReadOnly& wanted, const Source& source);
-    Result<> handle(const request::Disconnect& wanted, const Source& source);
     Result<> handle(const request::AcknowledgeAlarms& wanted, const Source& source);
-    Result<> handle(const request::ReadDrives& wanted, const Source& source);
-    Result<> handle(const request::FixDrives& wanted, const Source& source);
-    Result<> handle(const request::SwitchOff& wanted, const Source& source);
-    Result<> handle(const request::ReleaseBus& wanted, const Source& source);
-    Result<> handle(const request::TakeBus& wanted, const Source& source);
-    Result<> handle(const request::ChooseTurn& wanted, const Source& source);
-    Result<> handle(const request::ProveCrashStop& wanted, const Source& source);
-    Result<> handle(const request::EndProof& wanted, const Source& source);
-    Result<> handle(const request::Nudge& wanted, const Source& source);
     Result<> handle(const request::ClearTrim& wanted, const Source& source);
     Result<> handle(const request::AcknowledgeAlarm& wanted, const Source& source);
     Result<> handle(const request::ApplyProfile& wanted, const Source& source);
     Result<> handle(const request::Reconnect& wanted, const Source& source);
     Result<> handle(const CalibrationRequest& wanted, const Source& source);
 
+    Result<> askSources(const Request& request, const Source& source);
+
     [[nodiscard]] ControlParts parts() const;
     [[nodiscard]] StatusReport report() const { return StatusReport(parts()); }
     [[nodiscard]] Gates gates() const { return Gates(parts()); }
     [[nodiscard]] bool moves() const { return m_current.moves(); }
     [[nodiscard]] bool turnsKnown() const { return m_mount.wrapsKnown(); }
-    Result<> goTo(const AxisPosition& place, Activity activity, const Source& source, const QString& text);
-    [[nodiscard]] Result<> mayGoTo(const AxisPosition& place) const;  // it is permitted, and there is a way
-    [[nodiscard]] AxisPosition turnWithAWay(const AxisPosition& place) const;
-    Result<> streamTo(pointing::Resolved resolved, const SkyPointing& asked, const Source& source,
-                      const QString& what = {});
-    Result<> runAt(const AxisRates& rates, Activity activity, const Source& source, const QString& text);
-    void enforceRegion();
-    void tellAdvice();
-    [[nodiscard]] QString directionText(const AxisPosition& place) const;
-    [[nodiscard]] Result<> mayMoveFirst(const AxisRates& rates);
     void watchFirstMoves();
-    void setTrim(const AxisPosition& trim, const Source& source);
-    void takeOver(const Source& source);
-    void endClientMotion();
-    void endCalibrationMotion();
-    // Into the log; what clients can cause at will is throttled.
-    void tell(Severity severity, const Source& source, const QString& what, LogKind kind = LogKind::Event);
-    void begin(Activity activity, const Source& source, const QString& text);
-    void holdHere(Activity activity);
-    [[nodiscard]] AxisPosition standing() const { return parts().standing(); }
-    [[nodiscard]] AxisPosition heading() const { return parts().heading(); }
-
-    Result<MountService*> serviceFor(const Source& source) const;
+    void takeOver(const Source& source) { m_helm.takeOver(source); }
+    void tell(Severity severity, const Source& source, const QString& what) { m_sourceLog.add(severity, source, what); }
+    void holdHere(Activity left) { m_helm.hold(left); }
     void superviseMount();
     void keepStopped();
     void stepProof();
-    void watchJog();
+    void stepSources();
     void watchFitness();
     void watchRegion();
-    void renewSun(bool redrawn);
-    void watchSun();
+    void watchSun() { m_region.step(); }
     void watchCable();
-    void watchLimited();
-    [[nodiscard]] std::optional<CableGuard::TurnBack> turnBackTo(const AxisPosition& place, const Source& source) const;
-    void beginTurnBack(const std::optional<CableGuard::TurnBack>& back);
+    void watchLimited() { m_targetAlarm.update(limitedReason()); }
     void finishRearm();
     void moveOn(Seconds step);
 
@@ -197,20 +160,24 @@ private:
     MountDriver& m_mount;
     pointing::MountModel m_model;
     Motion m_motion;
-    SunWatch m_sun;
     Arming m_arming;
     ClientLead m_lead;
-    SunAlarms m_sunAlarms;
     CableGuard m_cable;
-    LogThrottle m_clientLines;
+    SourceLog m_sourceLog;
 
     CurrentMotion m_current;
     std::string m_heldAt;  // what the log last said the motion is held at
-    FirstMoves m_firstMoves;
-    std::vector<profile::Advice> m_advice;  // on the profile, as it was told
+    FirstMovesGuard m_firstMoves;
+    Helm m_helm;
+    RegionKeeper m_region;
+    ClientDesk m_clientDesk;
+    MountDesk m_mountDesk;
+    TargetAlarm m_targetAlarm;
+    AdviceAlarms m_adviceAlarms;
     OrderlyEnd m_end;
     SteadyTime m_now{};  // of the running or last tick
     std::uint64_t m_tick = 0;
+    MotionSources m_sources;
 };
 
 }  // namespace boresight

@@ -341,7 +341,7 @@ Result<> MoteusMount::chooseWrap(Axis axis, Angle angle, const QString& source)
     return m_turns.choose(axis, angle, m_drives.drive(axis), source);
 }
 
-Result<> MoteusMount::beginProof(AngularRate rate, const TravelRange& azimuths, const TravelRange& elevations)
+Result<> MoteusMount::mayProve(AngularRate rate, const TravelRange& azimuths, const TravelRange& elevations)
 {
     if (rate < kSlowestProof || rate > kFastestProof) {
         return failure(ErrorCode::OutOfRange, Text::tr("a crash stop is proven at %1 to %2°/s")
@@ -349,7 +349,14 @@ Result<> MoteusMount::beginProof(AngularRate rate, const TravelRange& azimuths, 
                                                        toQString(formatFixed(kFastestProof.degrees(), 1))));
     }
     return CrashStopProof::prepare(rate, *m_drives.measured(), azimuths, elevations)
-        .map([this](const CrashStopProof& proof) { m_proof.begin(proof); });
+        .map([this](const CrashStopProof& proof) { m_nextProof = proof; });
+}
+
+void MoteusMount::beginProof()
+{
+    if (const auto proof = std::exchange(m_nextProof, std::nullopt)) {
+        m_proof.begin(*proof);
+    }
 }
 
 }  // namespace boresight

@@ -80,8 +80,9 @@ public:
     void leaveBus() override;
     Result<> takeBus() override;
     [[nodiscard]] Result<> chooseWrap(Axis axis, Angle angle, const QString& source) override;
-    [[nodiscard]] Result<> beginProof(AngularRate rate, const TravelRange& azimuths,
-                                      const TravelRange& elevations) override;
+    [[nodiscard]] Result<> mayProve(AngularRate rate, const TravelRange& azimuths,
+                                    const TravelRange& elevations) override;
+    void beginProof() override;
     [[nodiscard]] bool proofRunning() const override { return m_proof.running(); }
     [[nodiscard]] ProofStep stepProof() override { return m_proof.step(m_now, m_clock.utc()); }
     void endProof(const QString& how) override { m_proof.end(how); }
@@ -110,6 +111,7 @@ private:
     TurnWatch m_turnWatch;
     StallGuard m_stall;
     ProofRun m_proof;
+    std::optional<CrashStopProof> m_nextProof;
     Result<> m_fitness;
     std::array<tracking::Setpoint, 2> m_setpoints{};  // as commanded last
     std::array<bool, 2> m_ignoringBounds{};

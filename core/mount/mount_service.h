@@ -36,9 +36,10 @@ public:
         bool rest = false;             // come to rest
         bool ended = false;
     };
-    // Refused with the reason. The axes may move within these ranges.
-    [[nodiscard]] virtual Result<> beginProof(AngularRate rate, const TravelRange& azimuths,
-                                              const TravelRange& elevations) = 0;
+    // Refused with the reason. The axes may move within these ranges. Then beginProof() begins it.
+    [[nodiscard]] virtual Result<> mayProve(AngularRate rate, const TravelRange& azimuths,
+                                            const TravelRange& elevations) = 0;
+    virtual void beginProof() = 0;
     [[nodiscard]] virtual bool proofRunning() const = 0;
     [[nodiscard]] virtual ProofStep stepProof() = 0;  // once in a tick
     virtual void endProof(const QString& how) = 0;

@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/profile/commissioning.h"
+#include "core/sources/motion_sources.h"
 
 #include <QHostAddress>
 #include <QLoggingCategory>
@@ -60,7 +61,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_log(clock),
       m_alarms(m_log, clock),
       m_mount(mount(profile, clock, m_log, m_alarms)),
-      m_control(profile, clock, m_log, m_alarms, m_mount->driver()),
+      m_control(profile, clock, m_log, m_alarms, m_mount->driver(), motionSources),
       m_rotator(m_control, profile, m_log, clock),
       m_server(serverSettings(profile.rotctld), m_rotator, clock, this),
       m_broker(m_log, clock, this),

@@ -109,7 +109,7 @@ struct CareRig
     profile::Profile profile;
     AlarmBoard alarms{log, clock};
     MoteusMount mount{profile, clock, log, alarms, {.trustFirstContact = true}};
-    StationControl control{profile, clock, log, alarms, mount};
+    StationControl control{profile, clock, log, alarms, mount, motionSources};
     DriveCare care{profile, mount, alarms, log};
     sim::SimulatedPair pair;
     Seconds elapsed{0.0};

@@ -3,6 +3,7 @@
 
 #include "core/control/station_control.h"
 #include "core/moteus_mount/moteus_mount.h"
+#include "core/sources/motion_sources.h"
 #include "tests/fakes/ideal_drive.h"
 #include "tests/fakes/manual_clock.h"
 
@@ -19,8 +20,11 @@ struct StationRig
 
     // With drives that were surveyed and found fit, and that stand where they say.
     explicit StationRig(const profile::Profile& settings = {},
-                        const TurnKeeper::Start& start = {.trustFirstContact = true})
-        : profile(settings), mount(profile, clock, log, alarms, start)
+                        const TurnKeeper::Start& start = {.trustFirstContact = true},
+                        const MakeSources& sources = motionSources)
+        : profile(settings),
+          mount(profile, clock, log, alarms, start),
+          control(profile, clock, log, alarms, mount, sources)
     {
         mount.setFitness({});
         for (const Axis axis : kAxes) {
@@ -139,7 +143,7 @@ struct StationRig
     Seconds heldUp{0.0};  // between the beginning of a tick and its frames
     AlarmBoard alarms{log, clock};
     MoteusMount mount;
-    StationControl control{profile, clock, log, alarms, mount};
+    StationControl control;
     fakes::IdealDrive azimuth{1, 0.0};
     fakes::IdealDrive elevation{2, -0.25};
     std::array<survey::DriveFacts, 2> facts;

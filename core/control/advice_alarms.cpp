@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/control/advice_alarms.h"
+
+#include "core/base/text.h"
+
+#include <utility>
+
+namespace boresight {
+
+void AdviceAlarms::update(const profile::Profile& profile)
+{
+    const auto advice = profile::adviceOn(profile);
+    if (advice == m_advice) {
+        return;
+    }
+    for (const profile::Advice& old : std::exchange(m_advice, advice)) {
+        m_alarms.clear(toQString(old.key));
+    }
+    for (const profile::Advice& one : m_advice) {
+        m_alarms.raise(
+            toQString(one.key), Severity::Advisory,
+            {.what = one.what, .action = Text::tr("Boresight uses the profile as it is"), .remedy = one.remedy});
+    }
+}
+
+}  // namespace boresight

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/alarm_board.h"
+#include "core/profile/advice.h"
+#include "core/profile/profile.h"
+
+#include <vector>
+
+// Raises the advice on the profile in force, and clears what does not apply any more. Station thread only.
+namespace boresight {
+
+class AdviceAlarms
+{
+public:
+    explicit AdviceAlarms(AlarmBoard& alarms) : m_alarms(alarms) {}
+
+    void update(const profile::Profile& profile);
+
+private:
+    AlarmBoard& m_alarms;
+    std::vector<profile::Advice> m_advice;  // as raised
+};
+
+}  // namespace boresight

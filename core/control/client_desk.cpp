@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/control/client_desk.h"
+
+#include "core/base/text.h"
+#include "core/control/calibration_source.h"
+#include "core/control/status_report.h"
+
+namespace boresight {
+namespace {
+
+// Longer than a tracking client pauses between two targets, short enough that the screen asks about what happens now.
+constexpr std::chrono::seconds kStillWanting{5};
+
+}  // namespace
+
+Result<> ClientDesk::ask(const request::TakeAuthority&, const Source& by)
+{
+    m_helm.takeOver(by);
+    if (m_helm.current().commander().kind == SourceKind::Client && !m_helm.current().is(Activity::None)) {
+        m_helm.hold(Activity::Holding);
+    }
+    return {};
+}
+
+Result<> ClientDesk::ask(const request::GiveAuthority&, const Source& by)
+{
+    return Gates(m_helm.view()).mayGiveControl().map([&] {
+        letClientsMove();
+        m_lead.resume(m_helm.now());
+        m_log.add(Severity::Advisory, by.name, Text::tr("gives control back to the clients"));
+    });
+}
+
+Result<> ClientDesk::ask(const request::GiveLead& wanted, const Source& by)
+{
+    const ControlParts view = m_helm.view();
+    return operatorOnly(by)
+        .and_then([&] { return Gates(view).mayGiveControl(); })
+        .and_then([&] { return m_lead.give(view.profile.rotctld, wanted.clientId, view.now); })
+        .map([&] {
+            if (m_helm.current().commander().clientId != wanted.clientId) {
+                endClientMotion();
+            }
+            letClientsMove();
+            m_log.add(Severity::Advisory, by.name, Text::tr("gives control to %1").arg(m_lead.name(wanted.clientId)));
+        });
+}
+
+Result<> ClientDesk::ask(const request::SetReadOnly& wanted, const Source& by)
+{
+    return operatorOnly(by).and_then([&] { return m_lead.setReadOnly(wanted.clientId, wanted.readOnly); }).map([&] {
+        if (wanted.readOnly && m_helm.current().commander().clientId == wanted.clientId) {
+            endClientMotion();
+        }
+        m_log.add(Severity::Advisory, by.name,
+                  (wanted.readOnly ? Text::tr("lets %1 only read and stop") : Text::tr("lets %1 move the mount again"))
+                      .arg(m_lead.name(wanted.clientId)));
+    });
+}
+
+Result<> ClientDesk::ask(const request::Disconnect&, const Source& by)
+{
+    return operatorOnly(by);
+}
+
+void ClientDesk::letClientsMove()
+{
+    endCalibrationMotion();
+    m_arming.setAuthority(Authority::Clients);
+}
+
+void ClientDesk::endClientMotion()
+{
+    if (m_helm.current().commander().kind == SourceKind::Client && m_helm.current().moves()) {
+        m_helm.end(Severity::Advisory, Text::tr("may not move the mount any more: hold"));
+    }
+}
+
+// Who follows a body or swings the compass asks for the next motion soon, and would take the control back with it.
+void ClientDesk::endCalibrationMotion()
+{
+    m_helm.nextErrand();
+    if (m_helm.current().isFor(calibrationSource()) && m_helm.current().moves()) {
+        m_helm.end(Severity::Advisory, Text::tr("ends the motion: hold"));
+    }
+}
+
+bool ClientDesk::isWanting(const ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const
+{
+    const ControlParts view = m_helm.view();
+    const profile::RotctldSettings& rules = view.profile.rotctld;
+    const Source source{.kind = SourceKind::Client, .clientId = client.id};
+    const bool kept = rules.lead == profile::Lead::Locked && !client.locked;  // as the operator wants it
+    return lastMotion && view.now - *lastMotion < kStillWanting && m_arming.authority() == Authority::Clients &&
+           !client.readOnly && !kept && !m_lead.admits(rules, source, view.now);
+}
+
+void ClientDesk::describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const
+{
+    const ControlParts view = m_helm.view();
+    const profile::RotctldSettings& rules = view.profile.rotctld;
+    client.driving = view.current.isForClient(client.id) && !view.current.text().isEmpty();
+    client.leading = m_lead.leads(rules, client.id, view.now);
+    client.readOnly = m_lead.readOnly(client.id);
+    client.locked = m_lead.locked(rules, client.id);
+    client.wanting = isWanting(client, lastMotion);
+    if (const QString reason = StatusReport(view).limitedReason(); client.driving && !reason.isEmpty()) {
+        client.advice =
+            Text::tr("asks for a place outside the limits: %1; the nearest permitted one is driven").arg(reason);
+    }
+}
+
+}  // namespace boresight

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/event_log.h"
+#include "core/base/result.h"
+#include "core/control/arming.h"
+#include "core/control/client_lead.h"
+#include "core/control/helm.h"
+#include "core/messages/request.h"
+#include "core/messages/station_status.h"
+
+#include <cstdint>
+#include <optional>
+
+// Carries out what the operator decides about the clients: who has the control, which of the clients, and who may only
+// read. A motion that nobody may lead any more ends. Station thread only.
+namespace boresight {
+
+class ClientDesk
+{
+public:
+    ClientDesk(Helm& helm, Arming& arming, ClientLead& lead, EventLog& log)
+        : m_helm(helm), m_arming(arming), m_lead(lead), m_log(log)
+    {}
+
+    Result<> ask(const request::TakeAuthority& wanted, const Source& by);
+    Result<> ask(const request::GiveAuthority& wanted, const Source& by);
+    Result<> ask(const request::GiveLead& wanted, const Source& by);
+    Result<> ask(const request::SetReadOnly& wanted, const Source& by);
+    // Only whether it may be: the Station has the server.
+    Result<> ask(const request::Disconnect& wanted, const Source& by);
+
+    // What a client may do now, into its part of the status; `lastMotion` is when it last asked for a motion.
+    void describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const;
+
+private:
+    void letClientsMove();
+    void endClientMotion();
+    void endCalibrationMotion();
+    [[nodiscard]] bool isWanting(const ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const;
+
+    Helm& m_helm;
+    Arming& m_arming;
+    ClientLead& m_lead;
+    EventLog& m_log;
+};
+
+}  // namespace boresight

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/control/helm.h"
+
+#include "core/base/text.h"
+#include "core/mount/mount_service.h"
+#include "core/units/direction_text.h"
+
+namespace boresight {
+
+QString Helm::directionText(const AxisPosition& place) const
+{
+    return boresight::directionText(view().model.pointing().toSky(place));
+}
+
+Result<> Helm::mayGoTo(const AxisPosition& place) const
+{
+    const pointing::Resolved resolved = view().model.resolve(place);
+    if (resolved.limited) {
+        return failure(ErrorCode::OutOfRange, resolved.reason);
+    }
+    const pointing::PermittedRegion& region = m_of.motion.region();
+    if (const std::string why = region.reason(resolved.position); !why.empty()) {
+        const auto nearest = region.nearest(resolved.position);
+        return failure(ErrorCode::OutOfRange,
+                       nearest
+                           ? Text::tr("%1; permitted nearest to it: %2").arg(toQString(why), directionText(*nearest))
+                           : toQString(why));
+    }
+    return m_of.motion.route(standing(), resolved.position).map([](const auto&) {});
+}
+
+Result<AxisPosition> Helm::placeOf(const SkyPointing& direction) const
+{
+    const pointing::Resolved resolved = view().model.resolve(direction, heading());
+    if (resolved.limited) {
+        return failure(ErrorCode::OutOfRange, resolved.reason);
+    }
+    return resolved.position;
+}
+
+Result<> Helm::reaches(const SkyPointing& direction) const
+{
+    return placeOf(direction).and_then([&](const AxisPosition& place) -> Result<> {
+        constexpr Angle kZenith = Angle::fromDegrees(90.0);
+        if (direction.elevation > kZenith && place.elevation <= kZenith) {
+            return failure(ErrorCode::OutOfRange,
+                           Text::tr("the travel and the limits of the axes do not reach it over the top"));
+        }
+        return mayGoTo(place);
+    });
+}
+
+Result<> Helm::goTo(const AxisPosition& place, Activity activity, const Source& by, const QString& what)
+{
+    return mayPoint(by).and_then([&] { return mayGoTo(place); }).map([&] {
+        begin(activity, by, what);
+        m_of.motion.goTo(view().model.resolve(place).position);
+    });
+}
+
+Result<> Helm::goToAnyTurn(const AxisPosition& place, Activity activity, const Source& by, const QString& what)
+{
+    const AxisPosition other = turnWithAWay(place);
+    const auto back = turnBackTo(other, by);
+    return goTo(other, activity, by, what).map([&] { beginTurnBack(back); });
+}
+
+// Of the turns of a direction the one nearest to where it is sought that can be reached; if none can, the place itself.
+AxisPosition Helm::turnWithAWay(const AxisPosition& place) const
+{
+    const TravelRange& range = m_of.motion.region().ranges().azimuth;
+    for (const double turns : {0.0, -1.0, 1.0, -2.0, 2.0}) {
+        const AxisPosition other{.azimuth = place.azimuth + Angle::fromTurns(turns), .elevation = place.elevation};
+        if (range.contains(other.azimuth) && m_of.motion.route(standing(), other)) {
+            return other;
+        }
+    }
+    return place;
+}
+
+Result<> Helm::streamTo(const SkyPointing& direction, const Source& by, const QString& what, bool anew)
+{
+    return mayPoint(by).and_then([&] {
+        if (anew) {
+            m_of.motion.rest();
+        }
+        return follow(view().model.resolve(direction, heading()), direction, by, what);
+    });
+}
+
+Result<> Helm::streamTo(const AxisPosition& place, const Source& by)
+{
+    return mayPoint(by).and_then([&] {
+        const pointing::MountModel& model = view().model;
+        return follow(model.resolve(place), model.toSky(place), by, {});
+    });
+}
+
+Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, const Source& by, const QString& what)
+{
+    if (const std::string why = m_of.motion.region().reason(resolved.position); !resolved.limited && !why.empty()) {
+        resolved.limited = true;  // Motion finds the nearest permitted place, and goes on when the stream comes out
+        resolved.reason = why;
+    }
+    if (resolved.limited && view().profile.rotctld.outsideLimits == profile::OutsideLimits::Refuse) {
+        return failure(ErrorCode::OutOfRange, resolved.reason);
+    }
+    const bool wasLimited = !current().limitedReason().isEmpty();
+    const bool newStream = !current().is(Activity::Streaming) || !current().isFor(by);
+    const auto back = turnBackTo(resolved.position, by);
+    begin(Activity::Streaming, by, what.isEmpty() ? QStringLiteral("P ") + boresight::directionText(asked) : what);
+    beginTurnBack(back);
+    if (newStream) {
+        m_of.motion.rest();  // the points of another client say nothing about this one's
+    }
+    if (resolved.limited) {
+        m_of.current.limit(toQString(resolved.reason), asked);
+        if (newStream || !wasLimited) {
+            m_of.log.add(Severity::Warning, by,
+                         Text::tr("LIMITED: %1; driven to the nearest permitted point").arg(current().limitedReason()));
+        }
+    }
+    m_of.motion.follow(resolved.position, now());
+    return {};
+}
+
+std::optional<CableGuard::TurnBack> Helm::turnBackTo(const AxisPosition& place, const Source& by) const
+{
+    const bool follows = current().is(Activity::Streaming) && current().isFor(by);
+    return CableGuard::turnBackTo(place.azimuth,
+                                  {.here = standing().azimuth, .heading = heading().azimuth, .follows = follows},
+                                  m_of.motion.region().ranges().azimuth);
+}
+
+// The log names it as a motion of its own: the mount leaves a target that it seemed to follow.
+void Helm::beginTurnBack(const std::optional<CableGuard::TurnBack>& back)
+{
+    if (back) {
+        m_of.log.add(Severity::Advisory, current().commander(), m_of.cable.begin(*back, view().profile.azimuth.limits),
+                     LogKind::MotionStart);
+    }
+}
+
+Result<> Helm::runAt(const AxisRates& rates, Activity activity, const Source& by, const QString& what)
+{
+    return mayRun(rates, activity, by).and_then([&] { return m_of.firstMoves.admits(view(), rates); }).map([&] {
+        begin(activity, by, what);
+        m_of.motion.run(rates);
+    });
+}
+
+Result<> Helm::mayRun(const AxisRates& rates, Activity activity, const Source& by) const
+{
+    const Gates gates(view());
+    if (activity == Activity::Jogging) {
+        return gates.mayJog(rates, by);
+    }
+    return gates.mayMove(by).and_then([&] { return gates.axesPlaced(); }).and_then([&] {
+        return gates.mayLeaveSunBand({}, {});
+    });
+}
+
+void Helm::setTrim(const AxisPosition& trim, const Source& by)
+{
+    m_of.motion.setTrim(trim);
+    m_of.log.insist(Severity::Advisory, by,
+                    Text::tr("trims what is followed by %1° in azimuth, %2° in elevation")
+                        .arg(trim.azimuth.degrees(), 0, 'f', 2)
+                        .arg(trim.elevation.degrees(), 0, 'f', 2));
+}
+
+void Helm::settleStream()
+{
+    m_of.motion.settleStream();
+    m_of.current.settleStream();
+}
+
+void Helm::confirmStream()
+{
+    m_of.motion.confirmStream(now());
+    m_of.lead.followed(current().commander().clientId, now());
+}
+
+void Helm::hold(Activity left)
+{
+    if (m_of.mount.proofRunning()) {
+        m_of.mount.service()->endProof(Text::tr("ended before it was done"));
+    }
+    m_of.current.end(left);
+    m_of.motion.rest();
+}
+
+void Helm::end(Severity severity, const QString& why)
+{
+    m_of.log.insist(severity, current().commander(), why);
+    hold(Activity::Holding);
+}
+
+void Helm::takeOver(const Source& by)
+{
+    if (by.kind == SourceKind::Operator && m_of.arming.authority() == Authority::Clients) {
+        m_of.arming.setAuthority(Authority::Operator);
+        m_of.log.add(Severity::Advisory, by, Text::tr("takes over: motion commands of clients are refused"));
+    }
+}
+
+Result<> Helm::beginOwn(Activity activity, const Source& by, const QString& what)
+{
+    return mayPoint(by).map([&] { begin(activity, by, what); });
+}
+
+void Helm::begin(Activity activity, const Source& by, const QString& what)
+{
+    takeOver(by);
+    if (!current().continues(activity, by)) {
+        m_of.cable.forgetTurnBack();
+        m_of.log.add(Severity::Advisory, by,
+                     Text::tr("moves the mount from %1: %2").arg(directionText(heading()), what), LogKind::MotionStart);
+    }
+    if (by.kind == SourceKind::Client) {
+        m_of.lead.moved(by, now());
+    }
+    m_of.current.begin(activity, by, what);
+    m_of.mount.engage();
+}
+
+}  // namespace boresight

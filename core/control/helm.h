@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/control/cable_guard.h"
+#include "core/control/control_parts.h"
+#include "core/control/first_moves_guard.h"
+#include "core/control/gates.h"
+#include "core/control/source_log.h"
+
+#include <QString>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+// The only door by which a source of motion changes what is wanted of the mount. Every way through it that starts a
+// motion passes the gates first, so no source can leave them out. Station thread only; mechanical angles.
+namespace boresight {
+
+class Helm
+{
+public:
+    // What a motion that starts or ends changes.
+    struct Parts
+    {
+        Motion& motion;
+        MountDriver& mount;
+        CurrentMotion& current;
+        Arming& arming;
+        ClientLead& lead;
+        CableGuard& cable;
+        FirstMovesGuard& firstMoves;
+        SourceLog& log;
+    };
+
+    // `view` is asked each time, because the time of the tick is a part of what it gives.
+    Helm(const Parts& parts, std::function<ControlParts()> view) : m_of(parts), m_view(std::move(view)) {}
+
+    // To read from.
+    [[nodiscard]] ControlParts view() const { return m_view(); }
+    [[nodiscard]] const CurrentMotion& current() const { return m_of.current; }
+    [[nodiscard]] SteadyTime now() const { return view().now; }
+    [[nodiscard]] AxisPosition standing() const { return view().standing(); }
+    [[nodiscard]] AxisPosition heading() const { return view().heading(); }
+    // The direction that the beam has there.
+    [[nodiscard]] QString directionText(const AxisPosition& place) const;
+
+    // May this source send the mount anywhere? Every goTo and streamTo asks it, too.
+    [[nodiscard]] Result<> mayPoint(const Source& by) const { return Gates(view()).mayPoint(by); }
+    // A place is permitted, and there is a way.
+    [[nodiscard]] Result<> mayGoTo(const AxisPosition& place) const;
+    // The axes of a direction, on the wrap nearest to where they are going; an error when they do not reach it.
+    [[nodiscard]] Result<AxisPosition> placeOf(const SkyPointing& direction) const;
+    // Whether the beam can be pointed there from where it is.
+    [[nodiscard]] Result<> reaches(const SkyPointing& direction) const;
+
+    // `what` is shown and logged while the motion goes on.
+    Result<> goTo(const AxisPosition& place, Activity activity, const Source& by, const QString& what);
+    // The same, on whichever wrap there is a way to.
+    Result<> goToAnyTurn(const AxisPosition& place, Activity activity, const Source& by, const QString& what);
+    // One point of a stream. A direction out of reach is followed at the nearest permitted place, or refused, as the
+    // profile says. `anew`: the points before say nothing about this one. An empty `what` names the direction.
+    Result<> streamTo(const SkyPointing& direction, const Source& by, const QString& what = {}, bool anew = false);
+    Result<> streamTo(const AxisPosition& place, const Source& by);
+    // At these rates until somebody ends it. A jog is slow where nothing else is permitted.
+    Result<> runAt(const AxisRates& rates, Activity activity, const Source& by, const QString& what);
+
+    // The motion that has just begun was by hand: what leads the mount goes on afterwards.
+    void keepErrand(std::uint64_t errand) { m_of.current.setErrand(errand); }
+    // Control was given away: what leads the mount ends, although no other motion begins.
+    void nextErrand() { m_of.current.setErrand(current().errand() + 1); }
+    // What is added to the points of streams.
+    void setTrim(const AxisPosition& trim, const Source& by);
+    // The source of the stream that is followed is gone: it comes to rest at its last point.
+    void settleStream();
+    // The client whose stream is followed has read the position.
+    void confirmStream();
+
+    // A motion that makes its own set-points, as the crash-stop proof does: it starts.
+    Result<> beginOwn(Activity activity, const Source& by, const QString& what);
+
+    // Ends what goes on: the axes brake and stay. None or Holding is left.
+    void hold(Activity left);
+    // The same, and logs why in the name of whoever moved the mount. This line is never left out.
+    void end(Severity severity, const QString& why);
+    // The operator who asks has the authority from now on.
+    void takeOver(const Source& by);
+
+private:
+    void begin(Activity activity, const Source& by, const QString& what);
+    [[nodiscard]] Result<> mayRun(const AxisRates& rates, Activity activity, const Source& by) const;
+    [[nodiscard]] AxisPosition turnWithAWay(const AxisPosition& place) const;
+    [[nodiscard]] std::optional<CableGuard::TurnBack> turnBackTo(const AxisPosition& place, const Source& by) const;
+    void beginTurnBack(const std::optional<CableGuard::TurnBack>& back);
+    Result<> follow(pointing::Resolved resolved, const SkyPointing& asked, const Source& by, const QString& what);
+
+    Parts m_of;
+    std::function<ControlParts()> m_view;
+};
+
+}  // namespace boresight

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/control/helm.h"
+#include "core/messages/request.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+// One source of motion: it takes its requests and asks the helm for a motion, at once or in a later tick. The helm
+// passes the gates, so a source contains none. Station thread only. All of them: core/sources.
+namespace boresight {
+
+class MotionSource
+{
+public:
+    explicit MotionSource(Helm& helm) : m_helm(helm) {}
+    virtual ~MotionSource() = default;
+    MotionSource(const MotionSource&) = delete;
+    MotionSource& operator=(const MotionSource&) = delete;
+
+    // The answer to a request of this source. Empty: the request belongs to another one.
+    [[nodiscard]] virtual std::optional<Result<>> take(const Request& request, const Source& by) = 0;
+    // Once in a tick, before the set-points move on.
+    virtual void step(SteadyTime /*now*/) {}
+    // This client is gone for good.
+    virtual void gone(const Source& /*client*/) {}
+    // This client has read the measured position.
+    virtual void positionRead(std::uint64_t /*clientId*/) {}
+
+protected:
+    [[nodiscard]] Helm& helm() const { return m_helm; }
+
+private:
+    Helm& m_helm;
+};
+
+using MotionSources = std::vector<std::unique_ptr<MotionSource>>;
+using MakeSources = std::function<MotionSources(Helm&)>;
+
+// A source that takes the requests of these types, each in its `Result<> ask(const Wanted&, const Source&)`.
+template <class Derived, class... Wanted>
+class SourceOf : public MotionSource
+{
+public:
+    using MotionSource::MotionSource;
+
+    [[nodiscard]] std::optional<Result<>> take(const Request& request, const Source& by) final
+    {
+        std::optional<Result<>> answer;
+        (answerIf<Wanted>(request, by, answer), ...);
+        return answer;
+    }
+
+protected:
+    // Another source may take the same requests of other askers.
+    [[nodiscard]] virtual bool serves(const Source& /*by*/) const { return true; }
+
+private:
+    template <class One>
+    void answerIf(const Request& request, const Source& by, std::optional<Result<>>& answer)
+    {
+        if (const One* const wanted = std::get_if<One>(&request); wanted && serves(by)) {
+            answer = static_cast<Derived&>(*this).ask(*wanted, by);
+        }
+    }
+};
+
+}  // namespace boresight

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/event_log.h"
+#include "core/base/result.h"
+#include "core/control/arming.h"
+#include "core/control/helm.h"
+#include "core/messages/request.h"
+#include "core/mount/mount_driver.h"
+#include "core/mount/mount_service.h"
+
+// Carries out what the operator does to the mount itself: its settings, its bus, its wraps, the crash-stop proof. Only
+// while the mount rests. Station thread only.
+namespace boresight {
+
+class MountDesk
+{
+public:
+    MountDesk(MountDriver& mount, Helm& helm, const Arming& arming, EventLog& log)
+        : m_mount(mount), m_helm(helm), m_arming(arming), m_log(log)
+    {}
+
+    // Only whether it may be: the connection of the mount reads and writes.
+    Result<> ask(const request::ReadDrives& wanted, const Source& by);
+    Result<> ask(const request::FixDrives& wanted, const Source& by);
+    Result<> ask(const request::SwitchOff& wanted, const Source& by);
+    Result<> ask(const request::ReleaseBus& wanted, const Source& by);
+    Result<> ask(const request::TakeBus& wanted, const Source& by);
+    Result<> ask(const request::ChooseTurn& wanted, const Source& by);
+    Result<> ask(const request::ProveCrashStop& wanted, const Source& by);
+    Result<> ask(const request::EndProof& wanted, const Source& by);
+
+private:
+    [[nodiscard]] Result<MountService*> serviceFor(const Source& by) const;
+    [[nodiscard]] Result<> drivesRest() const { return Gates(m_helm.view()).drivesRest(); }
+    [[nodiscard]] Result<> drivesAnswer() const;
+
+    MountDriver& m_mount;
+    Helm& m_helm;
+    const Arming& m_arming;
+    EventLog& m_log;
+};
+
+}  // namespace boresight

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/control/region_keeper.h"
+
+#include "core/base/text.h"
+#include "core/pointing/sun_keep_out.h"
+
+namespace boresight {
+
+RegionKeeper::RegionKeeper(const Parts& parts) : m_of(parts), m_sun(parts.profile), m_sunAlarms(parts.alarms) {}
+
+void RegionKeeper::begin()
+{
+    (void)m_sun.update(m_of.clock);
+    enforce();
+}
+
+void RegionKeeper::profileChanged(bool redrawn)
+{
+    m_sun.setProfile(m_of.profile);
+    renew(redrawn);
+}
+
+void RegionKeeper::step()
+{
+    renew(false);
+    const ControlParts view = m_of.helm.view();
+    const auto measured = view.mount.measured();
+    m_sunAlarms.update(m_sun,
+                       measured && view.mount.wrapsKnown() ? std::optional(m_of.model.toSky(*measured)) : std::nullopt);
+}
+
+// When the clock comes to be trusted, what was held back by the band stays where it is; when it comes to be doubted, a
+// motion that is inside the band ends there.
+void RegionKeeper::renew(bool redrawn)
+{
+    const Motion& motion = m_of.motion;
+    const bool before = m_sun.clockDoubted();
+    const bool heldBack =
+        motion.limited() || !motion.noWay().empty() || motion.held(Axis::Azimuth) || motion.held(Axis::Elevation);
+    if (m_sun.update(m_of.clock) || redrawn) {
+        enforce();
+    }
+    const bool doubted = m_sun.clockDoubted();
+    const auto isConcerned = [&] { return doubted ? Gates(m_of.helm.view()).isInSunBand(motion.place()) : heldBack; };
+    if (doubted != before && m_of.helm.current().moves() && isConcerned()) {
+        end(doubted ? Text::tr("the clock of this computer is not synchronised")
+                    : Text::tr("the place of the Sun is known again"));
+    }
+}
+
+// What is permitted, and what a place of the axes looks at: neither moves anything.
+void RegionKeeper::enforce()
+{
+    Motion& motion = m_of.motion;
+    const CurrentMotion& current = m_of.helm.current();
+    const SteadyTime now = m_of.helm.now();
+    // A client's target that nobody moves any more is a place as well, unless the nearest permitted one is held for it.
+    const bool standing = current.is(Activity::Streaming) && !motion.streaming(now) && !motion.limited();
+    m_of.model.setPointing(pointing::PointingModel(m_of.profile.pointing));
+    motion.setRegion(pointing::withSun(m_of.profile.limits, m_sun.keepOuts()), m_of.model.pointing());
+    const pointing::AxisBox& ranges = motion.region().ranges();
+    m_of.model.limitTo(ranges.azimuth, ranges.elevation);
+    const auto target = motion.target(now);
+    const bool going = current.goesToAPlace() || standing;
+    if (const std::string why = going && target ? motion.region().reason(*target) : ""; !why.empty()) {
+        end(toQString(why));  // else a mount that stands would set off by itself
+    }
+}
+
+void RegionKeeper::end(const QString& why)
+{
+    m_of.log.add(Severity::Warning, QStringLiteral("station"), Text::tr("ends the motion: %1").arg(why));
+    m_of.helm.hold(Activity::Holding);
+}
+
+}  // namespace boresight

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/alarm_board.h"
+#include "core/alarms/event_log.h"
+#include "core/base/clock.h"
+#include "core/control/helm.h"
+#include "core/control/sun_alarms.h"
+#include "core/control/sun_watch.h"
+#include "core/motion/motion.h"
+#include "core/pointing/mount_model.h"
+#include "core/profile/profile.h"
+
+// Keeps in force where the beam may be: the limits of the profile, and a keep-out around the Sun that is renewed as the
+// Sun moves. So everything that obeys the region obeys the keep-out. While the clock is doubted the keep-out is a band
+// across the sky, the places that the Sun can have. A motion that is not permitted any more ends. A mount that stands
+// while the Sun comes over it stays, and an alarm says so. Station thread only.
+namespace boresight {
+
+class RegionKeeper
+{
+public:
+    struct Parts
+    {
+        const profile::Profile& profile;  // in force; read at use
+        const Clock& clock;
+        pointing::MountModel& model;
+        Motion& motion;
+        Helm& helm;
+        AlarmBoard& alarms;
+        EventLog& log;
+    };
+
+    explicit RegionKeeper(const Parts& parts);
+
+    // The program begins with the region of the profile and the Sun of now.
+    void begin();
+    // The profile in force is another one; `redrawn`: its limits or its pointing model.
+    void profileChanged(bool redrawn);
+    // Once in a tick.
+    void step();
+
+    [[nodiscard]] const SunWatch& sun() const { return m_sun; }
+
+private:
+    void renew(bool redrawn);
+    void enforce();
+    void end(const QString& why);
+
+    Parts m_of;
+    SunWatch m_sun;
+    SunAlarms m_sunAlarms;
+};
+
+}  // namespace boresight

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sources/motion_sources.h"
+
+#include "core/sources/body_stream.h"
+#include "core/sources/client_move.h"
+#include "core/sources/client_stream.h"
+#include "core/sources/go_to.h"
+#include "core/sources/jog.h"
+#include "core/sources/known_places.h"
+#include "core/sources/park.h"
+#include "core/sources/step.h"
+
+namespace boresight {
+namespace {
+
+template <class... Each>
+MotionSources listed(Helm& helm)
+{
+    MotionSources list;
+    (list.push_back(std::make_unique<Each>(helm)), ...);
+    return list;
+}
+
+}  // namespace
+
+// The list: a new source is its file and a line here.
+MotionSources motionSources(Helm& helm)
+{
+    return listed<sources::GoTo,          //
+                  sources::KnownPlaces,   //
+                  sources::Park,          //
+                  sources::Step,          //
+                  sources::Jog,           //
+                  sources::ClientMove,    //
+                  sources::ClientStream,  //
+                  sources::BodyStream     //
+                  >(helm);
+}
+
+}  // namespace boresight

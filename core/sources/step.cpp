@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sources/step.h"
+
+#include "core/base/numbers.h"
+#include "core/base/text.h"
+
+namespace boresight::sources {
+namespace {
+
+// A trim corrects a pointing error; more is another target.
+constexpr Angle kLargestTrim = Angle::fromDegrees(10.0);
+
+}  // namespace
+
+Result<> Step::ask(const request::Step& wanted, const Source& by)
+{
+    const AxisPosition from = helm().heading();
+    const AxisPosition place{.azimuth = from.azimuth + wanted.azimuth, .elevation = from.elevation + wanted.elevation};
+    const std::uint64_t errand = helm().current().errand();
+    return helm().goTo(place, Activity::Pointing, by, Text::tr("step to %1").arg(helm().directionText(place))).map([&] {
+        helm().keepErrand(errand);  // by hand, like a jog
+    });
+}
+
+Result<> Step::ask(const request::Nudge& wanted, const Source& by)
+{
+    if (!helm().current().is(Activity::Streaming) || by.kind != SourceKind::Operator) {
+        return ask(request::Step{.azimuth = wanted.azimuth, .elevation = wanted.elevation}, by);
+    }
+    const AxisPosition before = helm().view().motion.trim();
+    const AxisPosition trim{.azimuth = before.azimuth + wanted.azimuth,
+                            .elevation = before.elevation + wanted.elevation};
+    if (!(abs(trim.azimuth) <= kLargestTrim && abs(trim.elevation) <= kLargestTrim)) {
+        return failure(ErrorCode::OutOfRange, Text::tr("a trim beyond %1° is not a correction any more")
+                                                  .arg(toQString(formatFixed(kLargestTrim.degrees(), 0))));
+    }
+    helm().setTrim(trim, by);
+    return {};
+}
+
+}  // namespace boresight::sources
