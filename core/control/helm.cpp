@@ -169,16 +169,20 @@ void Helm::setTrim(const AxisPosition& trim, const Source& by)
                         .arg(trim.elevation.degrees(), 0, 'f', 2));
 }
 
-void Helm::settleStream()
+void Helm::settleStream(const Source& by)
 {
-    m_of.motion.settleStream();
-    m_of.current.settleStream();
+    if (current().is(Activity::Streaming) && current().isFor(by)) {
+        m_of.motion.settleStream();
+        m_of.current.settleStream();
+    }
 }
 
-void Helm::confirmStream()
+void Helm::confirmStream(std::uint64_t clientId)
 {
-    m_of.motion.confirmStream(now());
-    m_of.lead.followed(current().commander().clientId, now());
+    if (current().is(Activity::Streaming) && current().isForClient(clientId)) {
+        m_of.motion.confirmStream(now());
+        m_of.lead.followed(clientId, now());
+    }
 }
 
 void Helm::hold(Activity left)

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <utility>
 
 // The only door by which a source of motion changes what is wanted of the mount. Every way through it that starts a
 // motion passes the gates first, so no source can leave them out. Station thread only; mechanical angles.
@@ -72,10 +73,10 @@ public:
     void nextErrand() { m_of.current.setErrand(current().errand() + 1); }
     // What is added to the points of streams.
     void setTrim(const AxisPosition& trim, const Source& by);
-    // The source of the stream that is followed is gone: it comes to rest at its last point.
-    void settleStream();
-    // The client whose stream is followed has read the position.
-    void confirmStream();
+    // If the stream of this source is followed, it comes to rest at its last point.
+    void settleStream(const Source& by);
+    // This client has read the position. If its stream is followed, its last point still holds.
+    void confirmStream(std::uint64_t clientId);
 
     // A motion that makes its own set-points, as the crash-stop proof does: it starts.
     Result<> beginOwn(Activity activity, const Source& by, const QString& what);

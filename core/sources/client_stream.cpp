@@ -15,17 +15,13 @@ Result<> ClientStream::ask(const request::PointAxes& wanted, const Source& by)
 
 void ClientStream::gone(const Source& client)
 {
-    if (helm().current().is(Activity::Streaming) && helm().current().isFor(client)) {
-        helm().settleStream();
-    }
+    helm().settleStream(client);
 }
 
 // A client that reads and sends nothing is content with its last target, as Gpredict is within its threshold.
 void ClientStream::positionRead(std::uint64_t clientId)
 {
-    if (helm().current().is(Activity::Streaming) && helm().current().isForClient(clientId)) {
-        helm().confirmStream();
-    }
+    helm().confirmStream(clientId);
 }
 
 }  // namespace boresight::sources
