@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of StationControl about its clients: who of them and of the operator moves the mount.
+#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/control/calibration_source.h"
 #include "core/control/station_control.h"
@@ -9,7 +10,6 @@ namespace {
 
 // Longer than a tracking client pauses between two targets, short enough that the screen asks about what happens now.
 constexpr std::chrono::seconds kStillWanting{5};
-const QString kOutside = QStringLiteral("target");
 
 }  // namespace
 
@@ -129,13 +129,10 @@ void StationControl::watchLimited()
 {
     const QString reason = limitedReason();
     if (reason.isEmpty()) {
-        m_alarms.clear(kOutside);
+        m_alarms.clear(alarmEntry("target.outside"));
         return;
     }
-    m_alarms.raise(kOutside, Severity::Advisory,
-                   {.what = Text::tr("the target is outside the limits"),
-                    .action = Text::tr("LIMITED, the nearest permitted point is driven: %1").arg(reason),
-                    .remedy = Text::tr("None needed: the mount follows on when the target comes inside")});
+    m_alarms.raise(alarmEntry("target.outside"), {reason});
 }
 
 }  // namespace boresight

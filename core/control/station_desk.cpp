@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of StationControl for the operator's desk: trim, settings, single alarms.
+#include "core/alarms/catalogue.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/control/station_control.h"
@@ -142,12 +143,10 @@ void StationControl::tellAdvice()
         return;
     }
     for (const profile::Advice& old : std::exchange(m_advice, advice)) {
-        m_alarms.clear(toQString(old.key));
+        m_alarms.clear(alarmEntry("profile.advice").of(toQString(old.key)));
     }
     for (const profile::Advice& one : m_advice) {
-        m_alarms.raise(
-            toQString(one.key), Severity::Advisory,
-            {.what = one.what, .action = Text::tr("Boresight uses the profile as it is"), .remedy = one.remedy});
+        m_alarms.raise(alarmEntry("profile.advice").of(toQString(one.key)), {one.what, one.remedy});
     }
 }
 

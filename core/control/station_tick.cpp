@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of StationControl that runs once per tick: judge what the drives say, then move on.
+#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/control/station_control.h"
 
@@ -139,7 +140,7 @@ void StationControl::resumeAfterStall()
     const bool hindered = m_proof.running() || m_arming.closing() || m_arming.released() || m_arming.stopLatched() ||
                           faultLatched() || !m_arming.fitness() || !turnsKnown();
     m_stall.resume(m_profile.control.afterStall == profile::AfterStall::Resume && !hindered, m_now);
-    if (const auto missing = m_stall.finish(faultLatched(), m_profile.control.watchdog, m_now)) {
+    if (const auto missing = m_stall.finish(faultLatched(), m_now)) {
         stopFor(missing->first, missing->second);
     }
 }
@@ -196,7 +197,7 @@ void StationControl::finishRearm()
         return;
     }
     for (const Axis axis : kAxes) {
-        m_alarms.clear(toQString(m_drives.drive(axis).name()));
+        m_alarms.clear(alarmEntry("drive.fault").of(axis));
         watchOf(axis).rearmed();
     }
     m_log.add(Severity::Advisory, QStringLiteral("station"), Text::tr("re-armed; nothing moves"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/station.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/base/bus_name.h"
 #include "core/base/text.h"
 #include "core/can/bus_advice.h"
@@ -17,11 +18,8 @@ Q_LOGGING_CATEGORY(lcTick, "boresight.tick", QtInfoMsg)
 namespace boresight {
 namespace {
 
-const QString kBusCause = QStringLiteral("bus");
-const QString kServerCause = QStringLiteral("rotctld");
-const QString kOpenPortCause = QStringLiteral("rotctld.open");
-const QString kMemoryCause = QStringLiteral("memory");
-const QString kLogCause = QStringLiteral("log");
+const QString kServerSource = QStringLiteral("rotctld");
+const QString kMemorySource = QStringLiteral("memory");
 constexpr std::chrono::seconds kReopenPeriod{1};
 // Who starts the program and asks for the position at once shall get one, if there is one to be had: where no drive
 // answers there is none, and drives that answer are surveyed first.
@@ -96,21 +94,14 @@ Station::Station(const profile::Profile& profile, std::unique_ptr<CanLink> link,
     });
     connect(m_link.get(), &CanLink::statusChanged, this, &Station::showBus);
     connect(&m_power, &StationPower::received, this, [this](const power::Value& value) { m_calibration.take(value); });
-    connect(&m_memoryFile, &memory::MemoryFile::saveFailed, this, [this](const QString& reason) {
-        m_control.alarms().raise(kMemoryCause, Severity::Warning,
-                                 {.what = reason,
-                                  .action = Text::tr("The place of the axes is kept in memory only"),
-                                  .remedy = Text::tr("Check the disk, or choose another folder with --state-dir; else "
-                                                     "the turn must be told after a restart")});
-    });
-    connect(&m_memoryFile, &memory::MemoryFile::saved, this, [this] { m_control.alarms().clear(kMemoryCause); });
-    connect(&m_eventFile, &EventFile::failed, this, [this](const QString& reason) {
-        m_control.alarms().raise(kLogCause, Severity::Warning,
-                                 {.what = reason,
-                                  .action = Text::tr("The log is kept in memory only"),
-                                  .remedy = Text::tr("Check the disk, or choose another folder with --state-dir")});
-    });
-    connect(&m_eventFile, &EventFile::written, this, [this] { m_control.alarms().clear(kLogCause); });
+    connect(&m_memoryFile, &memory::MemoryFile::saveFailed, this,
+            [this](const QString& reason) { m_control.alarms().raise(alarmEntry("memory.not-stored"), {reason}); });
+    connect(&m_memoryFile, &memory::MemoryFile::saved, this,
+            [this] { m_control.alarms().clear(alarmEntry("memory.not-stored")); });
+    connect(&m_eventFile, &EventFile::failed, this,
+            [this](const QString& reason) { m_control.alarms().raise(alarmEntry("log.not-stored"), {reason}); });
+    connect(&m_eventFile, &EventFile::written, this,
+            [this] { m_control.alarms().clear(alarmEntry("log.not-stored")); });
     if (const auto bus = parseBusName(profile.bus)) {
         m_control.setSilenceAdvice(silenceAdvice(*bus));
     }
@@ -128,7 +119,7 @@ TurnKeeper::Start Station::remembered(const std::optional<memory::EnteredPlace>&
     }
     memory::LoadedMemory loaded = m_memoryFile.load();
     if (!loaded.problem.isEmpty()) {
-        m_log.add(Severity::Warning, kMemoryCause, loaded.problem);
+        m_log.add(Severity::Warning, kMemorySource, loaded.problem);
     }
     TurnKeeper::Start start{.memory = std::move(loaded.memory), .problem = std::move(loaded.problem)};
     if (standingAt) {
@@ -194,11 +185,7 @@ void Station::tellDirections()
 void Station::refuseToStart()
 {
     const QString problem = QString::fromStdString(m_claim.error().text);
-    m_control.alarms().raise(kMemoryCause, Severity::Alarm,
-                             {.what = problem,
-                              .action = Text::tr("Nothing is commanded and no client can connect"),
-                              .remedy = Text::tr("End the other program, then press Reconnect; or give this mount "
-                                                 "another name in its profile")});
+    m_control.alarms().raise(alarmEntry("memory.in-use"), {problem});
     m_startTold = true;
     Q_EMIT started({}, problem + QStringLiteral(". ") +
                            Text::tr("End that program, or give this mount another name in its profile"));
@@ -222,43 +209,31 @@ void Station::openBus()
 void Station::showBus(const LinkStatus& status)
 {
     if (status.state == LinkState::Up && status.text.isEmpty()) {
-        m_control.alarms().clear(kBusCause);
+        m_control.alarms().clear(alarmEntry("bus.down"));
         return;
     }
     if (m_finished || (status.state == LinkState::Closed && status.text.isEmpty())) {
         return;  // closed to be opened again: what was wrong still is
     }
-    // The text of the link says itself what to look at.
-    if (status.state == LinkState::Up) {
-        m_control.alarms().raise(kBusCause, Severity::Warning,
-                                 {.what = status.text, .action = Text::tr("Boresight goes on using the bus")});
-    } else {
-        m_control.alarms().raise(
-            kBusCause, Severity::Alarm,
-            {.what = status.text,
-             .action = status.leftAlone
-                           ? Text::tr("Nothing can be commanded. Boresight sends nothing more to this port")
-                           : Text::tr("Nothing can be commanded; the bus is tried again each second"),
-             .remedy =
-                 Text::tr("Mend it; or choose another adapter in the guide, or another mount on the page Profile")});
-    }
+    const auto trouble = [&status]() -> const AlarmEntry& {
+        if (status.state == LinkState::Up) {
+            return alarmEntry("bus.trouble");
+        }
+        return status.leftAlone ? alarmEntry("bus.left-alone") : alarmEntry("bus.down");
+    };
+    m_control.alarms().raise(trouble(), {status.text});
 }
 
 void Station::openServer()
 {
     const Result<> listening = m_server.listen();
     if (listening) {
-        m_log.add(Severity::Advisory, kServerCause, Text::tr("listening on %1").arg(toQString(m_server.address())));
+        m_log.add(Severity::Advisory, kServerSource, Text::tr("listening on %1").arg(toQString(m_server.address())));
         tellOpenPort();
         return;
     }
     const QString problem = QString::fromStdString(listening.error().text);
-    m_control.alarms().raise(
-        kServerCause, Severity::Alarm,
-        {.what = problem,
-         .action = Text::tr("No client can connect; everything else works"),
-         .remedy = Text::tr(
-             "End the other program, or choose another port with --listen or in the profile, and start again")});
+    m_control.alarms().raise(alarmEntry("rotctld.not-listening"), {problem});
     m_startTold = true;
     Q_EMIT started({}, problem);
 }
@@ -270,14 +245,10 @@ void Station::tellOpenPort()
     const bool local =
         settings.listen.host == "localhost" || QHostAddress(QString::fromStdString(settings.listen.host)).isLoopback();
     if (local || !settings.allow.empty() || m_server.address().empty()) {
-        m_control.alarms().clear(kOpenPortCause);
+        m_control.alarms().clear(alarmEntry("rotctld.open"));
         return;
     }
-    m_control.alarms().raise(
-        kOpenPortCause, Severity::Advisory,
-        {.what = Text::tr("every computer that reaches %1 can move the mount").arg(toQString(m_server.address())),
-         .action = Text::tr("Boresight accepts every client"),
-         .remedy = Text::tr("Enter the addresses that may connect in rotctld.allow, or listen on 127.0.0.1")});
+    m_control.alarms().raise(alarmEntry("rotctld.open"), {toQString(m_server.address())});
 }
 
 void Station::tellStart()
@@ -413,7 +384,7 @@ Result<> Station::carryOut(const Request& request)
 {
     if (std::holds_alternative<request::ReleaseBus>(request)) {
         m_link->close();
-        m_control.alarms().clear(kBusCause);
+        m_control.alarms().clear(alarmEntry("bus.down"));
         return {};
     }
     if (std::holds_alternative<request::TakeBus>(request)) {
