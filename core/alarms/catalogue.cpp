@@ -47,6 +47,7 @@ std::vector<const AlarmEntry*> alarmCatalogue()
     add(kSurveyAlarms);
     add(kStationAlarms);
     add(kPointingAlarms);
+    add(kWindowAlarms);
     return all;
 }
 

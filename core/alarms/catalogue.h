@@ -7,6 +7,7 @@
 #include "core/alarms/alarms_of_pointing.h"
 #include "core/alarms/alarms_of_the_station.h"
 #include "core/alarms/alarms_of_the_survey.h"
+#include "core/alarms/alarms_of_the_window.h"
 
 #include <string_view>
 #include <vector>
@@ -42,6 +43,7 @@ template <class List>
     found = found != nullptr ? found : detail::findAlarm(kSurveyAlarms, id);
     found = found != nullptr ? found : detail::findAlarm(kStationAlarms, id);
     found = found != nullptr ? found : detail::findAlarm(kPointingAlarms, id);
+    found = found != nullptr ? found : detail::findAlarm(kWindowAlarms, id);
     if (found == nullptr) {
         detail::thisAlarmIsInNoList();
     }

@@ -4561,6 +4561,26 @@ do eixo</translation>
         <translation>Verifique os conectores, o cabo e a terminação do barramento</translation>
     </message>
     <message>
+        <source>No word from the station for %1</source>
+        <translation>Sem notícia da estação há %1</translation>
+    </message>
+    <message>
+        <source>Old numbers are not shown</source>
+        <translation>Não se mostram números antigos</translation>
+    </message>
+    <message>
+        <source>STOP is not confirmed</source>
+        <translation>STOP não está confirmado</translation>
+    </message>
+    <message>
+        <source>It was sent, but the status does not show it</source>
+        <translation>Foi enviado, mas o estado não o mostra</translation>
+    </message>
+    <message>
+        <source>Use the hard-wired emergency stop if the mount moves</source>
+        <translation>Use a parada de emergência por cabo se a montagem se mover</translation>
+    </message>
+    <message>
         <source>the site is not given: where the Sun stands cannot be reckoned without it</source>
         <translation>o local não foi indicado: sem ele não se pode calcular onde está o Sol</translation>
     </message>
@@ -8875,26 +8895,6 @@ emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Dismiss</source>
         <translation>Dispensar</translation>
-    </message>
-    <message>
-        <source>Use the hard-wired emergency stop if the mount moves</source>
-        <translation>Use a parada de emergência por cabo se a montagem se mover</translation>
-    </message>
-    <message>
-        <source>No word from the station for %1</source>
-        <translation>Sem notícia da estação há %1</translation>
-    </message>
-    <message>
-        <source>Old numbers are not shown</source>
-        <translation>Não se mostram números antigos</translation>
-    </message>
-    <message>
-        <source>STOP is not confirmed</source>
-        <translation>STOP não está confirmado</translation>
-    </message>
-    <message>
-        <source>It was sent, but the status does not show it</source>
-        <translation>Foi enviado, mas o estado não o mostra</translation>
     </message>
     <message>
         <source>STOP: %1</source>
