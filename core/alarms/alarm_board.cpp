@@ -5,7 +5,6 @@
 
 #include <QStringList>
 
-#include <algorithm>
 #include <utility>
 
 namespace boresight {
@@ -13,51 +12,35 @@ namespace {
 
 constexpr int kLinesPerSecond = 4;  // of one alarm
 
-bool endsSentence(const QString& text)
-{
-    return text.endsWith(QLatin1Char('.')) || text.endsWith(QLatin1Char('?')) || text.endsWith(QLatin1Char('!'));
-}
-
-// "drives.missing.azimuth" as the source of a line.
-QString spoken(QString cause)
-{
-    return cause.replace(QLatin1Char('.'), QLatin1Char(' '));
-}
-
-// The parts come from many hands: some whole sentences, some not. The name of a device keeps its first letter.
-QString asSentence(const QString& text)
-{
-    if (text.isEmpty()) {
-        return text;
-    }
-    const QString sentence = endsSentence(text) ? text : text + QLatin1Char('.');
-    const auto word = std::ranges::find_if_not(sentence, [](QChar letter) { return letter.isLetter(); });
-    const bool plain = word != sentence.end() && *word == QLatin1Char(' ');
-    return plain ? sentence[0].toUpper() + sentence.sliced(1) : sentence;
-}
-
 }  // namespace
 
 AlarmBoard::AlarmBoard(EventLog& log, const Clock& clock) : m_log(log), m_clock(clock) {}
 
-AlarmBoard::Lines& AlarmBoard::linesOf(const QString& cause)
+AlarmBoard::Lines& AlarmBoard::linesOf(const AlarmKey& key)
 {
-    return m_lines.try_emplace(cause, Lines{.throttle = LogThrottle(m_log, m_clock, kLinesPerSecond)}).first->second;
+    const std::pair place(key.entry->place(), key.about);
+    return m_lines
+        .try_emplace(place, Lines{.source = logSource(key), .throttle = LogThrottle(m_log, m_clock, kLinesPerSecond)})
+        .first->second;
 }
 
-void AlarmBoard::raise(const QString& cause, Severity severity, const AlarmText& text)
+void AlarmBoard::raise(const AlarmKey& key, const QStringList& arguments)
 {
-    const AlarmText whole{.what = asSentence(text.what),
-                          .action = asSentence(text.action),
-                          .remedy = asSentence(text.remedy),
-                          .symptom = text.symptom};
-    if (m_alarms.raise(cause, severity, whole, m_clock.utc())) {
-        // The line begins with the cause: "azimuth drive: Fault 38: …".
-        QStringList line{text.brief.isEmpty() ? whole.what : asSentence(text.brief), whole.action, whole.remedy};
+    raise(key, key.entry->severity, arguments);
+}
+
+void AlarmBoard::raise(const AlarmKey& key, Severity severity, const QStringList& arguments)
+{
+    Q_ASSERT(severity == key.entry->severity || severity == key.entry->worst);
+    Q_ASSERT(arguments.size() == key.entry->argumentCount());
+    if (const auto text = m_alarms.raise(key, severity, arguments, m_clock.utc())) {
+        // The line begins with its source: "azimuth drive: Fault 38: …".
+        QStringList line{text->brief, text->action, text->remedy};
         line.removeAll(QString());
-        Lines& lines = linesOf(cause);
+        Lines& lines = linesOf(key);
+        lines.name = QString::fromLatin1(key.entry->id);
         const QString joined = line.join(QLatin1Char(' '));
-        const bool added = lines.throttle.add(severity, spoken(cause), joined, LogKind::Alarm);
+        const bool added = lines.throttle.add(severity, lines.source, joined, LogKind::Alarm, lines.name);
         lines.told |= added;
         lines.leftOut =
             added ? std::nullopt : std::optional(LeftOut{.severity = severity, .text = joined, .since = m_clock.now()});
@@ -66,24 +49,25 @@ void AlarmBoard::raise(const QString& cause, Severity severity, const AlarmText&
 
 void AlarmBoard::tick()
 {
-    for (auto& [cause, lines] : m_lines) {
+    for (auto& [place, lines] : m_lines) {
         if (lines.leftOut && m_clock.now() - lines.leftOut->since >= std::chrono::seconds(1)) {
-            lines.told |=
-                lines.throttle.add(lines.leftOut->severity, spoken(cause), lines.leftOut->text, LogKind::Alarm);
+            lines.told |= lines.throttle.add(lines.leftOut->severity, lines.source, lines.leftOut->text, LogKind::Alarm,
+                                             lines.name);
             lines.leftOut.reset();
         }
     }
 }
 
-void AlarmBoard::clear(const QString& cause)
+void AlarmBoard::clear(const AlarmKey& key)
 {
-    if (!m_alarms.clear(cause)) {
+    if (!m_alarms.clear(key)) {
         return;
     }
-    Lines& lines = linesOf(cause);
+    Lines& lines = linesOf(key);
     lines.leftOut.reset();
     if (std::exchange(lines.told, false)) {
-        lines.throttle.insist(Severity::Advisory, spoken(cause), Text::tr("the alarm is over"), LogKind::Alarm);
+        lines.throttle.insist(Severity::Advisory, lines.source, Text::tr("the alarm is over"), LogKind::Alarm,
+                              lines.name);
     }
 }
 

@@ -6,9 +6,12 @@
 #include "core/base/clock.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <map>
 #include <optional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 // The alarms of the station and their lines in the log: each comes and goes with one line, however often its cause is
@@ -21,14 +24,15 @@ class AlarmBoard
 public:
     AlarmBoard(EventLog& log, const Clock& clock);
 
-    // `cause` names the alarm, and begins its log line.
-    void raise(const QString& cause, Severity severity, const AlarmText& text);
-    void clear(const QString& cause);
-    void tick();  // each tick of the station
+    // With an entry of the catalogue, which says how many arguments its sentences have.
+    void raise(const AlarmKey& key, const QStringList& arguments = {});
+    void raise(const AlarmKey& key, Severity severity, const QStringList& arguments);  // one of its two
+    void clear(const AlarmKey& key);                                                   // whichever stands in its place
+    void tick();                                                                       // each tick of the station
     void acknowledgeAll() { m_alarms.acknowledgeAll(); }
     void acknowledge(std::uint64_t id) { m_alarms.acknowledge(id); }
 
-    [[nodiscard]] bool active(const QString& cause) const { return m_alarms.active(cause); }
+    [[nodiscard]] bool active(const AlarmKey& key) const { return m_alarms.active(key); }
     [[nodiscard]] std::vector<Alarm> list() const { return m_alarms.list(); }
 
 private:
@@ -40,17 +44,19 @@ private:
     };
     struct Lines
     {
+        QString source;
+        QString name = {};  // the id of the alarm that came last
         LogThrottle throttle;
-        bool told = false;               // that it began
-        std::optional<LeftOut> leftOut;  // of what stands
+        bool told = false;                    // that it began
+        std::optional<LeftOut> leftOut = {};  // of what stands
     };
 
-    [[nodiscard]] Lines& linesOf(const QString& cause);
+    [[nodiscard]] Lines& linesOf(const AlarmKey& key);
 
     EventLog& m_log;
     const Clock& m_clock;
     AlarmList m_alarms;
-    std::map<QString, Lines> m_lines;  // by cause; the causes are the program's own, and few
+    std::map<std::pair<std::string_view, QString>, Lines> m_lines;  // by place and what they are about; these are few
 };
 
 }  // namespace boresight

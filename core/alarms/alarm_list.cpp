@@ -2,39 +2,56 @@
 #include "core/alarms/alarm_list.h"
 
 #include <algorithm>
+#include <string_view>
 #include <tuple>
 
 namespace boresight {
 
-std::vector<AlarmList::Entry>::iterator AlarmList::find(const QString& cause)
+namespace {
+
+// The sentence about what happened is another.
+bool saysOther(const AlarmEntry& now, const AlarmEntry& before)
 {
-    return std::ranges::find(m_entries, cause, &Entry::cause);
+    return std::string_view(now.what) != before.what;
 }
 
-bool AlarmList::raise(const QString& cause, Severity severity, const AlarmText& text, UtcTime now)
+}  // namespace
+
+std::vector<AlarmList::Entry>::iterator AlarmList::find(const AlarmKey& key)
 {
-    auto entry = find(cause);
+    return std::ranges::find_if(m_entries, [&key](const Entry& entry) { return entry.key.sharesPlace(key); });
+}
+
+std::optional<AlarmText> AlarmList::raise(const AlarmKey& key, Severity severity, const QStringList& arguments,
+                                          UtcTime now)
+{
+    auto entry = find(key);
     if (entry == m_entries.end()) {
-        m_entries.push_back({.cause = cause, .alarm = {}, .symptom = text.symptom});
+        m_entries.push_back({.key = key, .named = {}, .alarm = {.active = false}});
         entry = std::prev(m_entries.end());
-        entry->alarm.active = false;
     }
+    const QStringList named = namedByWhat(*key.entry, arguments);
     Alarm& alarm = entry->alarm;
-    const bool isNew = !alarm.active || severity > alarm.severity || text.what != alarm.what;
+    const bool isNew =
+        !alarm.active || severity > alarm.severity || saysOther(*key.entry, *entry->key.entry) || named != entry->named;
     if (isNew) {
         alarm = Alarm{.id = m_nextId++, .since = now};
     }
-    entry->symptom = text.symptom;
+    const AlarmText text = textOf(*key.entry, arguments);
+    entry->key = key;
+    entry->named = named;
+    alarm.name = QString::fromLatin1(key.entry->id);
+    alarm.about = key.about;
     alarm.severity = severity;
     alarm.what = text.what;
     alarm.action = text.action;
     alarm.remedy = text.remedy;
-    return isNew;
+    return isNew ? std::optional(text) : std::nullopt;
 }
 
-bool AlarmList::clear(const QString& cause)
+bool AlarmList::clear(const AlarmKey& key)
 {
-    const auto entry = find(cause);
+    const auto entry = find(key);
     if (entry == m_entries.end() || !entry->alarm.active) {
         return false;
     }
@@ -59,10 +76,10 @@ void AlarmList::acknowledge(std::uint64_t id)
     forgetFinished();
 }
 
-bool AlarmList::active(const QString& cause) const
+bool AlarmList::active(const AlarmKey& key) const
 {
-    const auto entry = std::ranges::find(m_entries, cause, &Entry::cause);
-    return entry != m_entries.end() && entry->alarm.active;
+    return std::ranges::any_of(m_entries,
+                               [&key](const Entry& entry) { return entry.alarm.active && entry.key.sharesPlace(key); });
 }
 
 std::vector<Alarm> AlarmList::list() const
@@ -71,8 +88,8 @@ std::vector<Alarm> AlarmList::list() const
     // The oldest of equals is more likely the cause than a result.
     std::ranges::sort(entries, {}, [](const Entry& entry) {
         const Alarm& alarm = entry.alarm;
-        return std::tuple(!alarm.active, -static_cast<int>(alarm.severity), alarm.acknowledged, entry.symptom,
-                          alarm.id);
+        return std::tuple(!alarm.active, -static_cast<int>(alarm.severity), alarm.acknowledged,
+                          entry.key.entry->symptom, alarm.id);
     });
     std::vector<Alarm> alarms;
     alarms.reserve(entries.size());

@@ -17,7 +17,7 @@ QString line(const LogEntry& entry)
 {
     const auto sinceEpoch = std::chrono::duration_cast<std::chrono::milliseconds>(entry.utc.time_since_epoch());
     const QString utc = QDateTime::fromMSecsSinceEpoch(sinceEpoch.count(), Qt::UTC).toString(Qt::ISODateWithMs);
-    return utc + QLatin1Char(' ') + entry.source + QStringLiteral(": ") + entry.text + QLatin1Char('\n');
+    return utc + QLatin1Char(' ') + plainLine(entry) + QLatin1Char('\n');
 }
 
 }  // namespace

@@ -9,19 +9,27 @@ Q_LOGGING_CATEGORY(lcStation, "boresight.station", QtInfoMsg)
 
 namespace boresight {
 
-void EventLog::add(Severity severity, const QString& source, const QString& text, LogKind kind)
+QString plainLine(const LogEntry& entry)
 {
-    if (severity == Severity::Advisory) {
-        qCInfo(lcStation).noquote() << source + QStringLiteral(":") << text;
-    } else {
-        qCWarning(lcStation).noquote() << source + QStringLiteral(":") << text;
-    }
+    const QString source =
+        entry.alarm.isEmpty() ? entry.source : QStringLiteral("%1 [%2]").arg(entry.source, entry.alarm);
+    return source + QStringLiteral(": ") + entry.text;
+}
+
+void EventLog::add(Severity severity, const QString& source, const QString& text, LogKind kind, const QString& alarm)
+{
     m_entries.push_back({.number = ++m_lastNumber,
                          .utc = m_clock.utc(),
                          .severity = severity,
                          .source = source,
                          .text = text,
-                         .kind = kind});
+                         .kind = kind,
+                         .alarm = alarm});
+    if (severity == Severity::Advisory) {
+        qCInfo(lcStation).noquote() << plainLine(m_entries.back());
+    } else {
+        qCWarning(lcStation).noquote() << plainLine(m_entries.back());
+    }
     if (m_entries.size() > kCapacity) {
         m_entries.pop_front();
     }

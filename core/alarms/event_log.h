@@ -14,6 +14,9 @@
 // Station thread only.
 namespace boresight {
 
+// Without its time, for files: "azimuth drive [drive.silent]: No reply from the azimuth drive. …"
+[[nodiscard]] QString plainLine(const LogEntry& entry);
+
 class EventLog
 {
 public:
@@ -21,7 +24,8 @@ public:
 
     explicit EventLog(const Clock& clock) : m_clock(clock) {}
 
-    void add(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event);
+    void add(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event,
+             const QString& alarm = {});
 
     // Entries numbered above `number`, oldest first, at most `limit` of the newest.
     [[nodiscard]] std::vector<LogEntry> since(std::uint64_t number, std::size_t limit) const;

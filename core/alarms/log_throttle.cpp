@@ -16,7 +16,7 @@ void LogThrottle::forgetOld(SteadyTime now)
     m_lastLines.removeIf([now](const auto& line) { return now - line->time >= kRepeat; });
 }
 
-bool LogThrottle::add(Severity severity, const QString& source, const QString& text, LogKind kind)
+bool LogThrottle::add(Severity severity, const QString& source, const QString& text, LogKind kind, const QString& alarm)
 {
     const SteadyTime now = m_clock.now();
     if (now - m_second >= std::chrono::seconds(1)) {
@@ -32,15 +32,16 @@ bool LogThrottle::add(Severity severity, const QString& source, const QString& t
         m_log.add(Severity::Advisory, QStringLiteral("log"), Text::tr("%1 similar lines left out").arg(m_leftOut));
         m_leftOut = 0;
     }
-    insist(severity, source, text, kind);
+    insist(severity, source, text, kind, alarm);
     return true;
 }
 
-void LogThrottle::insist(Severity severity, const QString& source, const QString& text, LogKind kind)
+void LogThrottle::insist(Severity severity, const QString& source, const QString& text, LogKind kind,
+                         const QString& alarm)
 {
     m_lastLines.insert(source, {.text = text, .time = m_clock.now()});
     ++m_inSecond;
-    m_log.add(severity, source, text, kind);
+    m_log.add(severity, source, text, kind, alarm);
 }
 
 }  // namespace boresight

@@ -20,9 +20,11 @@ public:
     LogThrottle(EventLog& log, const Clock& clock, int burst) : m_log(log), m_clock(clock), m_burst(burst) {}
 
     // False if it was left out.
-    bool add(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event);
+    bool add(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event,
+             const QString& alarm = {});
     // Written in any case: the end of something whose beginning was.
-    void insist(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event);
+    void insist(Severity severity, const QString& source, const QString& text, LogKind kind = LogKind::Event,
+                const QString& alarm = {});
 
 private:
     struct Line

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/control/advice_alarms.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 
 #include <utility>
@@ -14,12 +15,10 @@ void AdviceAlarms::update(const profile::Profile& profile)
         return;
     }
     for (const profile::Advice& old : std::exchange(m_advice, advice)) {
-        m_alarms.clear(toQString(old.key));
+        m_alarms.clear(alarmEntry("profile.advice").of(toQString(old.key)));
     }
     for (const profile::Advice& one : m_advice) {
-        m_alarms.raise(
-            toQString(one.key), Severity::Advisory,
-            {.what = one.what, .action = Text::tr("Boresight uses the profile as it is"), .remedy = one.remedy});
+        m_alarms.raise(alarmEntry("profile.advice").of(toQString(one.key)), {one.what, one.remedy});
     }
 }
 

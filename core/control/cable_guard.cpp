@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/control/cable_guard.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/units/degrees_text.h"
 
@@ -12,7 +13,6 @@
 namespace boresight {
 namespace {
 
-const QString kCableCause = QStringLiteral("azimuth cable");
 // Whichever is earlier. Told a little longer than begun, so that a path that trembles does not come and go.
 constexpr Seconds kWarnTime{60.0};
 constexpr Angle kWarnAngle = Angle::fromDegrees(30.0);
@@ -105,7 +105,7 @@ void CableGuard::watchEnd(const std::optional<tracking::MovingTarget>& path, con
     if (!forecast || (forecast->in > kWarnTime * keep && forecast->left > kWarnAngle * keep)) {
         m_end.reset();
         m_told.reset();
-        m_alarms.clear(kCableCause);
+        m_alarms.clear(alarmEntry("cable.ends"));
         return;
     }
     const Angle back = Angle::fromTurns(forecast->end == range.max ? -1.0 : 1.0);
@@ -137,23 +137,11 @@ void CableGuard::tell(const CableEnd& end)
         return;
     }
     m_told = now;
-    const QString what =
-        Text::tr("azimuth cable ends at %1, about %2").arg(degreesText(end.end, 1), clockText(now.ends));
-    const QString brief = Text::tr("ends at %1, about %2").arg(degreesText(end.end, 1), clockText(now.ends));
+    const QStringList when{degreesText(end.end, 1), clockText(now.ends)};
     if (end.turningBack) {
-        m_alarms.raise(kCableCause, now.severity,
-                       {.what = what,
-                        .action = Text::tr("There Boresight turns back by 360° and follows on; the target is "
-                                           "lost for about %1")
-                                      .arg(timeText(*end.turningBack)),
-                        .remedy = Text::tr("To turn back earlier press Unwind, then give control back"),
-                        .brief = brief});
+        m_alarms.raise(alarmEntry("cable.turns-back"), now.severity, when + QStringList(timeText(*end.turningBack)));
     } else {
-        m_alarms.raise(kCableCause, now.severity,
-                       {.what = what,
-                        .action = Text::tr("Boresight holds there until the target can be reached again"),
-                        .remedy = Text::tr("Widen the limits if the cable allows, or let the target go"),
-                        .brief = brief});
+        m_alarms.raise(alarmEntry("cable.ends"), now.severity, when);
     }
 }
 

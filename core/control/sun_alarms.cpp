@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/control/sun_alarms.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 
 namespace boresight {
 namespace {
 
-const QString kSunCause = QStringLiteral("Sun");
-const QString kClockCause = QStringLiteral("Sun clock");
 // A beam at the edge must not come and go with the noise of its encoder.
 constexpr Angle kClear = Angle::fromDegrees(0.05);
 
@@ -19,28 +18,18 @@ void SunAlarms::update(const SunWatch& sun, const std::optional<SkyPointing>& be
     updateClock(sun);
     const auto distance = beam ? sun.distance(*beam) : std::nullopt;
     if (!distance || *distance > sun.radius() + kClear) {
-        m_alarms.clear(kSunCause);
-    } else if (*distance < sun.radius() && !m_alarms.active(kSunCause)) {
-        m_alarms.raise(
-            kSunCause, Severity::Warning,
-            {.what = Text::tr("The beam is less than %1° from the Sun")
-                         .arg(toQString(formatFixed(sun.radius().degrees(), 1))),
-             .action = Text::tr("Nothing moves by itself, and motions only lead out of there"),
-             .remedy = Text::tr("Move the mount away, or let the Sun pass; sun.keep_away switches this off")});
+        m_alarms.clear(alarmEntry("sun.near"));
+    } else if (*distance < sun.radius() && !m_alarms.active(alarmEntry("sun.near"))) {
+        m_alarms.raise(alarmEntry("sun.near"), {toQString(formatFixed(sun.radius().degrees(), 1))});
     }
 }
 
 void SunAlarms::updateClock(const SunWatch& sun)
 {
     if (!sun.clockDoubted()) {
-        m_alarms.clear(kClockCause);
-    } else if (!m_alarms.active(kClockCause)) {
-        m_alarms.raise(
-            kClockCause, Severity::Warning,
-            {.what = Text::tr("The clock of this computer is not synchronised, so the place of the Sun is unknown"),
-             .action = Text::tr("Boresight refuses motions to every place that the Sun can have"),
-             .remedy =
-                 Text::tr("Synchronise the clock by NTP or GPS. If its time is right, set sun.clock to trusted")});
+        m_alarms.clear(alarmEntry("sun.clock"));
+    } else if (!m_alarms.active(alarmEntry("sun.clock"))) {
+        m_alarms.raise(alarmEntry("sun.clock"));
     }
 }
 

@@ -8,7 +8,7 @@
 namespace boresight {
 namespace {
 
-// The longer ones first. What is not among them - "rotctld", a client's address - is the same in all languages.
+// What is not among them - "rotctld", a client's address - is the same in all languages.
 constexpr std::array kSources{QT_TRANSLATE_NOOP("Text", "azimuth drive"), QT_TRANSLATE_NOOP("Text", "elevation drive"),
                               QT_TRANSLATE_NOOP("Text", "command line"),  QT_TRANSLATE_NOOP("Text", "operator"),
                               QT_TRANSLATE_NOOP("Text", "station"),       QT_TRANSLATE_NOOP("Text", "azimuth"),
@@ -72,8 +72,7 @@ QString word(AxisState state)
 QString sourceText(const QString& source)
 {
     for (const char* const known : kSources) {
-        const QLatin1String name(known);
-        if (source == name || (source.startsWith(name) && source.at(name.size()) == QLatin1Char(' '))) {
+        if (source == QLatin1String(known)) {
             return Text::tr(known);
         }
     }

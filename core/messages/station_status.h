@@ -140,11 +140,13 @@ struct BrokerStatus
 struct Alarm
 {
     std::uint64_t id = 0;
+    QString name = {};   // its id in the catalogue, never translated: "drive.silent"
+    QString about = {};  // "azimuth"; empty: the station
     Severity severity = Severity::Warning;
-    QString what;    // what happened
-    QString action;  // what Boresight did
-    QString remedy;  // what to do
-    UtcTime since;
+    QString what = {};    // what happened
+    QString action = {};  // what Boresight did
+    QString remedy = {};  // what to do
+    UtcTime since = {};
     bool active = true;
     bool acknowledged = false;
 };
@@ -230,6 +232,7 @@ struct LogEntry
     QString source;  // "operator", "rotctld 127.0.0.1:51234", "station", "azimuth drive", "bus"
     QString text;
     LogKind kind = LogKind::Event;
+    QString alarm = {};  // the id of the alarm in the catalogue; empty: no alarm
 };
 
 // The answer to one request of the screen; `error` empty means accepted.
@@ -252,7 +255,7 @@ struct StationUpdate
 // The words of ui.md and of every log line: "TRACK", "NO DATA".
 [[nodiscard]] QString word(StationState state);
 [[nodiscard]] QString word(AxisState state);
-// The source of a line as it is shown: "azimuth drive", also for what it says more exactly ("azimuth drive turn").
+// The source of a line as it is shown: in the language of the program.
 [[nodiscard]] QString sourceText(const QString& source);
 
 }  // namespace boresight

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/moteus_mount/drive_alarms.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/moteus/faults.h"
 
 namespace boresight::drive_alarms {
 namespace {
 
-AlarmText silenced(const QString& drive, Seconds watchdog)
-{
-    return {.what = Text::tr("No reply from the %1").arg(drive),
-            .action = Text::tr("Motion ended; the drive, if it has power, stops itself by its watchdog (%1 s)")
-                          .arg(watchdog.count()),
-            .remedy = Text::tr("Check the supply, the CAN cable and the adapter, then re-arm"),
-            .symptom = true};
-}
+using supervision::Finding;
+using supervision::Weight;
 
 QString meaning(const moteus::FaultText& text)
 {
@@ -22,93 +17,127 @@ QString meaning(const moteus::FaultText& text)
                               : Text::tr("%1. Likely: %2").arg(Text::of(text.meaning), Text::of(text.cause));
 }
 
-AlarmText fault(const QString& drive, int code)
+AlarmCase fault(const QString& drive, int code)
 {
     if (code == 0) {
-        return {.what = Text::tr("%1 is in fault and does not say which").arg(drive),
-                .action = Text::tr("The drive switched its output off; the other axis holds if its drive can"),
-                .remedy = Text::tr("Look at it with boresightctl scan; then re-arm"),
-                .brief = Text::tr("in fault, does not say which")};
+        return {alarmEntry("drive.fault-unnamed"), {drive}};
     }
     const moteus::FaultText text = moteus::faultText(code);
-    return {.what = Text::tr("%1 fault %2: %3").arg(drive, QString::number(code), meaning(text)),
-            .action = Text::tr("The drive switched its output off; the other axis holds if its drive can"),
-            .remedy = text.saysRearm ? Text::of(text.remedy) : Text::tr("%1, then re-arm").arg(Text::of(text.remedy)),
-            .brief = Text::tr("fault %1: %2").arg(QString::number(code), meaning(text))};
+    const QString remedy = Text::of(text.remedy);
+    return {alarmEntry("drive.fault"),
+            {drive, QString::number(code), meaning(text),
+             text.saysRearm ? remedy : Text::tr("%1, then re-arm").arg(remedy)}};
+}
+
+// Where a warning can get worse.
+const AlarmEntry& stopEntryOf(Finding finding)
+{
+    switch (finding) {
+        case Finding::FollowingError:
+            return alarmEntry("axis.following-error.stop");
+        case Finding::MovesUncommanded:
+            return alarmEntry("axis.moves-uncommanded.stop");
+        case Finding::EncoderJump:
+            return alarmEntry("axis.encoder-jump.stop");
+        case Finding::OutsideTravel:
+            return alarmEntry("axis.outside-travel.stop");
+        case Finding::SupplyLow:
+            return alarmEntry("axis.supply-low.stop");
+        default:
+            return entryOf(finding);
+    }
 }
 
 }  // namespace
 
-AlarmText silent(const QString& drive)
+AlarmCase silenced(const QString& drive, Seconds watchdog, const QString& advice)
 {
-    return {.what = Text::tr("No reply from the %1").arg(drive),
-            .action = Text::tr("Nothing is commanded"),
-            .remedy = Text::tr("Check the supply, the CAN cable, the adapter and the drive's id in the profile; "
-                               "boresightctl scan tells who answers"),
-            .symptom = true};
+    const QString remedy = advice.isEmpty() ? Text::tr("Check the supply, the CAN cable and the adapter, then re-arm")
+                                            : Text::tr("%1 Then re-arm").arg(advice);
+    return {alarmEntry("drive.silent"), {drive, QString::number(watchdog.count()), remedy}};
 }
 
-AlarmText answersAgain(const QString& drive)
+AlarmCase unheard(const QString& drive, const QString& advice, bool needsRearm)
 {
-    return {.what = Text::tr("The %1 fell silent; it answers again").arg(drive),
-            .action = Text::tr("Motion ended; nothing moves before a re-arm"),
-            .remedy = Text::tr("Look for a loose plug, a worn cable or a weak supply, then re-arm"),
-            .symptom = true};
+    if (advice.isEmpty()) {
+        return {alarmEntry("drive.unheard"),
+                {drive, Text::tr("Check the supply, the CAN cable, the adapter and the drive's id in the profile; "
+                                 "boresightctl scan tells who answers")}};
+    }
+    return {alarmEntry("drive.unheard"), {drive, needsRearm ? Text::tr("%1 Then re-arm").arg(advice) : advice}};
 }
 
-AlarmText lost(const QString& drive, DriveLoss loss, int faultCode, Seconds watchdog)
+AlarmCase answersAgain(const QString& drive)
+{
+    return {alarmEntry("drive.answers-again"), {drive}};
+}
+
+AlarmCase lost(const QString& drive, DriveLoss loss, int faultCode)
 {
     switch (loss) {
-        case DriveLoss::Silent:
-            return silenced(drive, watchdog);
         case DriveLoss::Fault:
             return fault(drive, faultCode);
         case DriveLoss::TimedOut:
-            return {.what = Text::tr("The %1 timed out: it got no command in time").arg(drive),
-                    .action = Text::tr("It stopped itself by its watchdog; the motion of both axes ended"),
-                    .remedy = Text::tr("Check the bus and the load of this computer, then re-arm")};
+            return {alarmEntry("drive.timed-out"), {drive}};
         case DriveLoss::Released:
-            return {
-                .what = Text::tr("The %1 switched itself off").arg(drive),
-                .action = Text::tr("Motion ended; an order under way may have switched it on again, then it holds by "
-                                   "itself; the other axis holds if its drive can"),
-                .remedy = Text::tr("Its supply failed or another program stopped it: check both, then re-arm")};
+            return {alarmEntry("drive.switched-off"), {drive}};
         case DriveLoss::Blind:
-            return {.what = Text::tr("The %1 does not report a position that can be believed").arg(drive),
-                    .action = Text::tr("It was ordered to brake and hold; the motion of both axes ended"),
-                    .remedy = Text::tr("Check its encoder and the CAN cable, then re-arm")};
+            return {alarmEntry("drive.no-position"), {drive}};
+        case DriveLoss::Silent:
         case DriveLoss::Disobeys:
             break;
     }
-    return {.what = Text::tr("The %1 answers but does not do what it is told").arg(drive),
-            .action = Text::tr("Nothing is commanded any more; the other axis holds if its drive can"),
-            .remedy = Text::tr("Look at its mode and fault; another program may command it; then re-arm")};
+    return {alarmEntry("drive.disobeys"), {drive}};
 }
 
-AlarmText activeLimit(const QString& drive, int code)
+AlarmCase activeLimit(const QString& drive, int code)
 {
     const moteus::FaultText limit = moteus::faultText(code);
-    return {.what = Text::tr("%1 limit %2: %3").arg(drive, QString::number(code), meaning(limit)),
-            .action = Text::tr("The drive gives less than it was asked for"),
-            .remedy = Text::of(limit.remedy),
-            .brief = QStringLiteral("%1: %2").arg(QString::number(code), meaning(limit))};
+    return {alarmEntry("drive.limit"), {drive, QString::number(code), meaning(limit), Text::of(limit.remedy)}};
 }
 
-AlarmText supervised(const supervision::Observed& observed)
+AlarmCase supervised(const supervision::Observed& observed)
 {
-    const bool stopped = observed.weight == supervision::Weight::Stop;
-    const bool addsRearm = stopped && !supervision::saysRearm(observed.finding);
-    return {
-        .what = observed.what,
-        .action = stopped ? Text::tr("Both axes came to rest and hold where they are") : Text::tr("The mount goes on"),
-        .remedy = addsRearm ? Text::tr("%1 Then re-arm").arg(observed.remedy) : observed.remedy};
+    const bool stopped = observed.weight == Weight::Stop;
+    return {stopped ? stopEntryOf(observed.finding) : entryOf(observed.finding), {observed.what}};
 }
 
-AlarmText unordered(const QString& drive, moteus::Mode mode)
+const AlarmEntry& entryOf(Finding finding)
 {
-    return {.what = Text::tr("%1 is active without our orders: mode %2").arg(drive, Text::of(moteus::modeText(mode))),
-            .action = Text::tr("Boresight does not touch it before a command; STOP takes it over and holds"),
-            .remedy = Text::tr("Another program, or an order left without a watchdog, drives it: end that")};
+    switch (finding) {
+        case Finding::FollowingError:
+            return alarmEntry("axis.following-error");
+        case Finding::Stalled:
+            return alarmEntry("axis.stalled");
+        case Finding::WrongWay:
+            return alarmEntry("axis.wrong-way");
+        case Finding::MovesUncommanded:
+            return alarmEntry("axis.moves-uncommanded");
+        case Finding::EncoderJump:
+            return alarmEntry("axis.encoder-jump");
+        case Finding::OutsideTravel:
+            return alarmEntry("axis.outside-travel");
+        case Finding::RepliesLate:
+            return alarmEntry("axis.replies-late");
+        case Finding::SupplyLow:
+            return alarmEntry("axis.supply-low");
+        case Finding::SupplyHigh:
+            return alarmEntry("axis.supply-high");
+        case Finding::BoardHot:
+            return alarmEntry("axis.board-hot");
+        case Finding::MotorHot:
+            return alarmEntry("axis.motor-hot");
+        case Finding::TorqueHigh:
+            return alarmEntry("axis.torque-high");
+        case Finding::TorqueGuard:
+            break;
+    }
+    return alarmEntry("axis.torque-guard");
+}
+
+AlarmCase unordered(const QString& drive, moteus::Mode mode)
+{
+    return {alarmEntry("drive.active-unordered"), {drive, Text::of(moteus::modeText(mode))}};
 }
 
 }  // namespace boresight::drive_alarms

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/alarms/alarm_list.h"
+#include "core/alarms/alarm_entry.h"
 #include "core/base/text.h"
 #include "core/moteus_mount/drive.h"
 #include "core/supervision/finding.h"
@@ -10,14 +10,19 @@
 
 #include <string_view>
 
-// What the operator reads when something is wrong with a drive. `drive` is its label: "azimuth drive". Pure.
+// Which alarm it is when something is wrong with a drive. `drive` is its label: "azimuth drive". Pure.
 namespace boresight::drive_alarms {
 
-[[nodiscard]] AlarmText silent(const QString& drive);        // nothing was commanded
-[[nodiscard]] AlarmText answersAgain(const QString& drive);  // and waits for a re-arm
-[[nodiscard]] AlarmText lost(const QString& drive, DriveLoss loss, int faultCode, Seconds watchdog);
-[[nodiscard]] AlarmText activeLimit(const QString& drive, int code);
-[[nodiscard]] AlarmText supervised(const supervision::Observed& observed);
-[[nodiscard]] AlarmText unordered(const QString& drive, moteus::Mode mode);
+// `advice`: what to do about a silent bus, when its kind is known; else empty.
+[[nodiscard]] AlarmCase silenced(const QString& drive, Seconds watchdog, const QString& advice);
+// Nothing was commanded.
+[[nodiscard]] AlarmCase unheard(const QString& drive, const QString& advice, bool needsRearm);
+[[nodiscard]] AlarmCase answersAgain(const QString& drive);                         // and waits for a re-arm
+[[nodiscard]] AlarmCase lost(const QString& drive, DriveLoss loss, int faultCode);  // but not silent
+[[nodiscard]] AlarmCase activeLimit(const QString& drive, int code);
+[[nodiscard]] AlarmCase supervised(const supervision::Observed& observed);
+// Of the alarm that warns of it, or else stops the mount for it.
+[[nodiscard]] const AlarmEntry& entryOf(supervision::Finding finding);
+[[nodiscard]] AlarmCase unordered(const QString& drive, moteus::Mode mode);
 
 }  // namespace boresight::drive_alarms

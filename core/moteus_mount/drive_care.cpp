@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/moteus_mount/drive_care.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/base/overloaded.h"
 #include "core/base/text.h"
 
@@ -32,6 +33,36 @@ Severity severityOf(survey::FindingWeight weight)
             break;
     }
     return Severity::Alarm;
+}
+
+// Null: each drive has an alarm for its silence.
+const AlarmEntry* entryOf(survey::FindingKind kind)
+{
+    switch (kind) {
+        case survey::FindingKind::NobodyAnswers:
+            return nullptr;
+        case survey::FindingKind::Missing:
+            return &alarmEntry("drives.missing");
+        case survey::FindingKind::SharedId:
+            return &alarmEntry("drives.shared-id");
+        case survey::FindingKind::Stranger:
+            return &alarmEntry("drives.stranger");
+        case survey::FindingKind::Swapped:
+            return &alarmEntry("drives.swapped");
+        case survey::FindingKind::OtherBoard:
+            return &alarmEntry("drives.other-board");
+        case survey::FindingKind::RegisterMap:
+            return &alarmEntry("drives.register-map");
+        case survey::FindingKind::Unread:
+            return &alarmEntry("drives.unread");
+        case survey::FindingKind::NotStored:
+            return &alarmEntry("drives.not-stored");
+        case survey::FindingKind::Dangerous:
+            return &alarmEntry("drives.dangerous");
+        case survey::FindingKind::Advised:
+            return &alarmEntry("drives.advised");
+    }
+    return nullptr;
 }
 
 }  // namespace
@@ -103,21 +134,20 @@ void DriveCare::tellMount()
 
 void DriveCare::tellFindings()
 {
-    std::vector<QString> causes;
+    std::vector<AlarmKey> told;
     for (const survey::Finding& finding : m_survey.findings()) {
-        if (finding.cause == survey::kNobodyAnswers) {
-            continue;  // each drive has an alarm for its silence
-        }
-        m_alarms.raise(finding.cause, severityOf(finding.weight),
-                       {.what = finding.what, .action = finding.action, .remedy = finding.remedy});
-        causes.push_back(finding.cause);
-    }
-    for (const QString& cause : m_findingsTold) {
-        if (std::ranges::find(causes, cause) == causes.end()) {
-            m_alarms.clear(cause);
+        if (const AlarmEntry* const entry = entryOf(finding.kind); entry != nullptr) {
+            told.push_back(entry->of(finding.about));
+            m_alarms.raise(told.back(), severityOf(finding.weight), {finding.what, finding.remedy});
         }
     }
-    m_findingsTold = std::move(causes);
+    for (const AlarmKey& before : m_findingsTold) {
+        const auto lasts = [&before](const AlarmKey& now) { return now.sharesPlace(before); };
+        if (std::ranges::none_of(told, lasts)) {
+            m_alarms.clear(before);
+        }
+    }
+    m_findingsTold = std::move(told);
 }
 
 void DriveCare::tellChanges()

@@ -48,7 +48,7 @@ private:
     std::array<int, 2> m_rebootsTold{};
     std::array<bool, 2> m_answering{};
     std::optional<SteadyTime> m_silentSince;  // of both drives, on a bus that is ours
-    std::vector<QString> m_findingsTold;      // their causes
+    std::vector<AlarmKey> m_findingsTold;
 };
 
 }  // namespace boresight

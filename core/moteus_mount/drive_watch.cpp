@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/moteus_mount/drive_watch.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/moteus/faults.h"
 #include "core/moteus_mount/drive_alarms.h"
@@ -39,15 +40,6 @@ LossClass classOf(DriveLoss loss, int faultCode)
     return LossClass::Released;
 }
 
-// What passes by itself and leaves nothing to do is not kept for acknowledgement.
-Severity severityOf(const supervision::Observed& observed)
-{
-    if (observed.weight == Weight::Stop) {
-        return Severity::Alarm;
-    }
-    return observed.finding == Finding::RepliesLate ? Severity::Advisory : Severity::Warning;
-}
-
 // Something pushes the axis or is in its way: a set-point elsewhere would go on pulling, and its drive on pushing.
 bool isGivingWay(Finding finding)
 {
@@ -59,8 +51,6 @@ bool isGivingWay(Finding finding)
 
 DriveWatch::DriveWatch(Axis axis, const profile::Profile& profile, AlarmBoard& alarms)
     : m_which(axis),
-      m_axis(axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation")),
-      m_silence(m_axis + QStringLiteral(" drive silence")),
       m_settings(profile.axis(axis)),
       m_watchdog(profile.control.watchdog),
       m_alarms(alarms),
@@ -98,24 +88,21 @@ std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive)
         return std::nullopt;
     }
     const int code = drive.report() ? drive.report()->fault : 0;
-    const AlarmText text = drive_alarms::lost(drive.label(), *loss, code, m_watchdog);
     m_supervisor.forgetMotion();
     if (*loss == DriveLoss::Silent) {
-        tellSilence(text, true);
+        tellSilence(drive_alarms::silenced(drive.label(), m_watchdog, m_silenceAdvice));
         // The reason of a latch outlasts the silence itself.
         return Trouble{.what = Text::tr("the %1 fell silent").arg(drive.label()), .loss = classOf(*loss, code)};
     }
-    m_alarms.raise(toQString(drive.name()), Severity::Alarm, text);
-    return Trouble{.what = text.what, .loss = classOf(*loss, code)};
+    const AlarmCase lost = drive_alarms::lost(drive.label(), *loss, code);
+    m_alarms.raise(lost.entry.of(m_which), lost.arguments);
+    return Trouble{.what = whatOf(lost), .loss = classOf(*loss, code)};
 }
 
-void DriveWatch::tellSilence(AlarmText text, bool needsRearm)
+void DriveWatch::tellSilence(const AlarmCase& silence)
 {
-    if (!m_silenceAdvice.isEmpty()) {
-        text.remedy = needsRearm ? Text::tr("%1 Then re-arm").arg(m_silenceAdvice) : m_silenceAdvice;
-    }
     m_silenceTold = true;
-    m_alarms.raise(m_silence, Severity::Alarm, text);
+    m_alarms.raise(silence.entry.of(m_which), silence.arguments);
 }
 
 // A drive can come and go many times before somebody re-arms it: what stands is always what it does now.
@@ -125,46 +112,45 @@ void DriveWatch::watchSilence(const Drive& drive, const Context& context)
         if (!context.faultLatched) {
             endSilence();
         } else if (!context.silenceExpected && std::exchange(m_silenceTold, false)) {
-            m_alarms.raise(m_silence, Severity::Alarm, drive_alarms::answersAgain(drive.label()));
+            const AlarmCase back = drive_alarms::answersAgain(drive.label());
+            m_alarms.raise(back.entry.of(m_which), back.arguments);
         }
     } else if (context.running > kPatienceAtStart && !m_silenceTold) {
-        tellSilence(drive_alarms::silent(drive.label()), context.faultLatched);
+        tellSilence(drive_alarms::unheard(drive.label(), m_silenceAdvice, context.faultLatched));
     }
 }
 
 void DriveWatch::endSilence()
 {
     m_silenceTold = false;
-    m_alarms.clear(m_silence);
+    m_alarms.clear(alarmEntry("drive.silent").of(m_which));
 }
 
 void DriveWatch::watchUnordered(const Drive& drive, const Context& context)
 {
-    const QString name = toQString(drive.name());
-    const QString cause = name + QStringLiteral(" active");
     if (!drive.activeUnordered() || !drive.answering(context.now) || context.ownOrders) {
         m_activeSince.reset();
     } else if (!m_activeSince) {
         m_activeSince = context.now;
     }
     if (m_activeSince && context.now - *m_activeSince >= kLastOrderFades) {
-        m_alarms.raise(cause, Severity::Warning, drive_alarms::unordered(drive.label(), drive.report()->mode));
+        const AlarmCase unordered = drive_alarms::unordered(drive.label(), drive.report()->mode);
+        m_alarms.raise(unordered.entry.of(m_which), unordered.arguments);
     } else {
-        m_alarms.clear(cause);
+        m_alarms.clear(alarmEntry("drive.active-unordered").of(m_which));
     }
 }
 
 void DriveWatch::watchActiveLimit(const Drive& drive, SteadyTime now)
 {
-    const QString name = toQString(drive.name());
-    const QString cause = name + QStringLiteral(" limit");
     const auto& report = drive.report();
     if (report && report->mode == moteus::Mode::Position && moteus::isLimit(report->fault)) {
         m_limitSeen = now;
-        m_alarms.raise(cause, Severity::Warning, drive_alarms::activeLimit(drive.label(), report->fault));
+        const AlarmCase limit = drive_alarms::activeLimit(drive.label(), report->fault);
+        m_alarms.raise(limit.entry.of(m_which), limit.arguments);
     } else if (m_limitSeen && now - *m_limitSeen > kLimitLinger) {
         m_limitSeen.reset();
-        m_alarms.clear(cause);
+        m_alarms.clear(alarmEntry("drive.limit").of(m_which));
     }
 }
 
@@ -247,7 +233,8 @@ void DriveWatch::tell(const supervision::Observed& observed)
     std::optional<Weight>& told = m_told[observed.finding];
     if (!told || (told == Weight::Hint && observed.weight == Weight::Stop)) {
         told = observed.weight;
-        m_alarms.raise(cause(observed.finding), severityOf(observed), drive_alarms::supervised(observed));
+        const AlarmCase alarm = drive_alarms::supervised(observed);
+        m_alarms.raise(alarm.entry.of(m_which), alarm.arguments);
     }
 }
 
@@ -259,14 +246,9 @@ void DriveWatch::endHints(const std::vector<supervision::Observed>& seen)
         if (lasts || told.second == Weight::Stop) {
             return false;
         }
-        m_alarms.clear(cause(told.first));
+        m_alarms.clear(drive_alarms::entryOf(told.first).of(m_which));
         return true;
     });
-}
-
-QString DriveWatch::cause(Finding finding) const
-{
-    return m_axis + QLatin1Char(' ') + key(finding).replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 
 void DriveWatch::forgetMotion()

@@ -54,7 +54,7 @@ public:
 private:
     [[nodiscard]] std::optional<Trouble> watchLoss(Drive& drive);
     void watchSilence(const Drive& drive, const Context& context);
-    void tellSilence(AlarmText text, bool needsRearm);
+    void tellSilence(const AlarmCase& silence);
     void endSilence();
     void watchUnordered(const Drive& drive, const Context& context);
     void watchActiveLimit(const Drive& drive, SteadyTime now);
@@ -63,12 +63,9 @@ private:
     [[nodiscard]] supervision::AxisObservation observation(Drive& drive, const tracking::Setpoint& setpoint,
                                                            const Context& context) const;
     void tell(const supervision::Observed& observed);
-    [[nodiscard]] QString cause(supervision::Finding finding) const;
     void endHints(const std::vector<supervision::Observed>& seen);
 
     Axis m_which;
-    QString m_axis;     // "azimuth"
-    QString m_silence;  // the cause of that alarm: apart from what else the drive was lost by
     profile::AxisSettings m_settings;
     Seconds m_watchdog;
     AlarmBoard& m_alarms;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/moteus_mount/moteus_connection.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/base/bus_name.h"
 #include "core/base/text.h"
 #include "core/can/bus_advice.h"
@@ -13,8 +14,7 @@
 namespace boresight {
 namespace {
 
-const QString kBusCause = QStringLiteral("bus");
-const QString kJournalCause = QStringLiteral("memory");
+const QString kJournalSource = QStringLiteral("memory");
 
 }  // namespace
 
@@ -57,7 +57,7 @@ TurnKeeper::Start MoteusConnection::remembered(const Start& start)
     }
     memory::LoadedMemory loaded = m_memoryFile.load();
     if (!loaded.problem.isEmpty()) {
-        m_log.add(Severity::Warning, kJournalCause, loaded.problem);
+        m_log.add(Severity::Warning, kJournalSource, loaded.problem);
     }
     TurnKeeper::Start known{.memory = std::move(loaded.memory), .problem = std::move(loaded.problem)};
     if (start.standingAt) {
@@ -69,14 +69,10 @@ TurnKeeper::Start MoteusConnection::remembered(const Start& start)
 
 void MoteusConnection::watchJournal()
 {
-    connect(&m_memoryFile, &memory::MemoryFile::saveFailed, this, [this](const QString& reason) {
-        m_alarms.raise(kJournalCause, Severity::Warning,
-                       {.what = reason,
-                        .action = Text::tr("The place of the axes is kept in memory only"),
-                        .remedy = Text::tr("Check the disk, or choose another folder with --state-dir; else "
-                                           "the turn must be told after a restart")});
-    });
-    connect(&m_memoryFile, &memory::MemoryFile::saved, this, [this] { m_alarms.clear(kJournalCause); });
+    connect(&m_memoryFile, &memory::MemoryFile::saveFailed, this,
+            [this](const QString& reason) { m_alarms.raise(alarmEntry("memory.not-stored"), {reason}); });
+    connect(&m_memoryFile, &memory::MemoryFile::saved, this,
+            [this] { m_alarms.clear(alarmEntry("memory.not-stored")); });
 }
 
 void MoteusConnection::open()
@@ -104,25 +100,19 @@ void MoteusConnection::close()
 void MoteusConnection::showBus(const LinkStatus& status)
 {
     if (status.state == LinkState::Up && status.text.isEmpty()) {
-        m_alarms.clear(kBusCause);
+        m_alarms.clear(alarmEntry("bus.down"));
         return;
     }
     if (m_closed || (status.state == LinkState::Closed && status.text.isEmpty())) {
         return;  // closed to be opened again: what was wrong still is
     }
-    // The text of the link says itself what to look at.
-    if (status.state == LinkState::Up) {
-        m_alarms.raise(kBusCause, Severity::Warning,
-                       {.what = status.text, .action = Text::tr("Boresight goes on using the bus")});
-    } else {
-        m_alarms.raise(kBusCause, Severity::Alarm,
-                       {.what = status.text,
-                        .action = status.leftAlone
-                                      ? Text::tr("Nothing can be commanded. Boresight sends nothing more to this port")
-                                      : Text::tr("Nothing can be commanded; the bus is tried again each second"),
-                        .remedy = Text::tr(
-                            "Mend it; or choose another adapter in the guide, or another mount on the page Profile")});
-    }
+    const auto trouble = [&status]() -> const AlarmEntry& {
+        if (status.state == LinkState::Up) {
+            return alarmEntry("bus.trouble");
+        }
+        return status.leftAlone ? alarmEntry("bus.left-alone") : alarmEntry("bus.down");
+    };
+    m_alarms.raise(trouble(), {status.text});
 }
 
 void MoteusConnection::send()
@@ -145,7 +135,7 @@ Result<> MoteusConnection::carryOut(const Request& request)
 {
     if (std::holds_alternative<request::ReleaseBus>(request)) {
         m_link->close();
-        m_alarms.clear(kBusCause);
+        m_alarms.clear(alarmEntry("bus.down"));
         return {};
     }
     if (std::holds_alternative<request::TakeBus>(request)) {

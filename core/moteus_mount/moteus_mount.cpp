@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/moteus_mount/moteus_mount.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 
@@ -179,7 +180,7 @@ void MoteusMount::resumeAfterStall(const MountSituation& known, MountFindings& f
     const bool hindered = m_proof.running() || known.closing || m_busLeft || known.stopLatched || known.faultLatched ||
                           !m_fitness || !m_turnWatch.allKnown();
     m_stall.resume(m_profile.control.afterStall == profile::AfterStall::Resume && !hindered, m_now);
-    if (const auto missing = m_stall.finish(known.faultLatched, m_profile.control.watchdog, m_now)) {
+    if (const auto missing = m_stall.finish(known.faultLatched, m_now)) {
         stopFor(missing->first, missing->second, found);
     }
 }
@@ -282,7 +283,7 @@ void MoteusMount::recover()
 void MoteusMount::rearmed()
 {
     for (const Axis axis : kAxes) {
-        m_alarms.clear(name(axis));
+        m_alarms.clear(alarmEntry("drive.fault").of(axis));
         m_watches[index(axis)].rearmed();
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/moteus_mount/stall_guard.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/moteus_mount/drive_alarms.h"
 
@@ -13,7 +14,6 @@ namespace {
 constexpr Seconds kStall{0.125};
 // Long enough for a hand at the mount's switch; what a tool sets meanwhile is seen by its origin.
 constexpr Seconds kLongStall{2.0};
-const QString kStallCause = QStringLiteral("computer stall");
 
 // Stopped by its watchdog and by nothing else.
 bool isHealthy(const Drive& drive)
@@ -70,24 +70,18 @@ void StallGuard::resume(bool allowed, SteadyTime now)
             (void)drive.takeLoss();
             drive.engage();
             m_stall.resume(now);
-            m_alarms.raise(
-                kStallCause, Severity::Advisory,
-                {.what = Text::tr("This computer stalled for %1 s, and the drives stopped by their watchdogs.")
-                             .arg(m_stall.gap().count(), 0, 'f', 2),
-                 .action = Text::tr("Boresight takes the drives over and resumes the motion."),
-                 .remedy = {}});
+            m_alarms.raise(alarmEntry("computer.stalled"), {QString::number(m_stall.gap().count(), 'f', 2)});
         }
     }
 }
 
-std::optional<std::pair<Axis, DriveWatch::Trouble>> StallGuard::finish(bool faultLatched, Seconds watchdog,
-                                                                       SteadyTime now)
+std::optional<std::pair<Axis, DriveWatch::Trouble>> StallGuard::finish(bool faultLatched, SteadyTime now)
 {
     if (!m_stall.resuming() || (!m_drives.engaged() && !faultLatched && !m_stall.isLate(now))) {
         return std::nullopt;
     }
     m_stall.end();
-    m_alarms.clear(kStallCause);
+    m_alarms.clear(alarmEntry("computer.stalled"));
     const auto isBack = [this](Axis axis) {
         const auto place = m_drives.measured(axis);
         return m_drives.drive(axis).phase() == Drive::Phase::Engaged && place && m_stall.isNear(axis, *place);
@@ -97,9 +91,9 @@ std::optional<std::pair<Axis, DriveWatch::Trouble>> StallGuard::finish(bool faul
         return std::nullopt;
     }
     const Drive& drive = m_drives.drive(*missing);
-    const AlarmText text = drive_alarms::lost(drive.label(), DriveLoss::TimedOut, 0, watchdog);
-    m_alarms.raise(toQString(drive.name()), Severity::Alarm, text);
-    return std::pair(*missing, DriveWatch::Trouble{.what = text.what, .loss = supervision::LossClass::Bus});
+    const AlarmCase lost = drive_alarms::lost(drive.label(), DriveLoss::TimedOut, 0);
+    m_alarms.raise(lost.entry.of(*missing), lost.arguments);
+    return std::pair(*missing, DriveWatch::Trouble{.what = whatOf(lost), .loss = supervision::LossClass::Bus});
 }
 
 }  // namespace boresight

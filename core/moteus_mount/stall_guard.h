@@ -34,8 +34,7 @@ public:
     void resume(bool allowed, SteadyTime now);
     // Once both drives are taken over and report where they stand, or when it is too late: the first axis that is not
     // back.
-    [[nodiscard]] std::optional<std::pair<Axis, DriveWatch::Trouble>> finish(bool faultLatched, Seconds watchdog,
-                                                                             SteadyTime now);
+    [[nodiscard]] std::optional<std::pair<Axis, DriveWatch::Trouble>> finish(bool faultLatched, SteadyTime now);
 
 private:
     void excuseDrives(SteadyTime now);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/moteus_mount/turn_watch.h"
 
-#include "core/base/text.h"
+#include "core/alarms/catalogue.h"
 
 #include <utility>
 
@@ -49,16 +49,12 @@ void TurnWatch::raiseAlarms(bool interrupted, bool readable)
 {
     for (const Axis axis : kAxes) {
         const Drive& drive = m_drives.drive(axis);
-        const QString cause = toQString(drive.name()) + QStringLiteral(" turn");
+        const AlarmKey unknown = alarmEntry("drive.wrap-unknown").of(axis);
         if (m_turns.known(axis)) {
-            m_alarms.clear(cause);
-        } else if ((interrupted || (readable && m_turns.question(axis, drive))) && !m_alarms.active(cause)) {
+            m_alarms.clear(unknown);
+        } else if ((interrupted || (readable && m_turns.question(axis, drive))) && !m_alarms.active(unknown)) {
             // Where nothing moved, the survey may answer it first.
-            m_alarms.raise(
-                cause, Severity::Warning,
-                {.what = Text::tr("it is not known on which turn the axis of the %1 stands").arg(drive.label()),
-                 .action = Text::tr("Pointing is refused, clients get no position; slow jogging only"),
-                 .remedy = Text::tr("Look at the mount and its cable, then tell where it stands")});
+            m_alarms.raise(unknown, {drive.label()});
         }
         raisePlaceAlarm(axis);
     }
@@ -68,16 +64,12 @@ void TurnWatch::raiseAlarms(bool interrupted, bool readable)
 void TurnWatch::raisePlaceAlarm(Axis axis)
 {
     const Drive& drive = m_drives.drive(axis);
-    const QString cause = toQString(drive.name()) + QStringLiteral(" place");
+    const AlarmKey unused = alarmEntry("drive.place-unused").of(axis);
     const QString& problem = m_turns.placeProblem(axis);
     if (m_turns.known(axis)) {
-        m_alarms.clear(cause);
-    } else if (!problem.isEmpty() && !m_alarms.active(cause)) {
-        m_alarms.raise(cause, Severity::Warning,
-                       {.what = Text::tr("--standing-at was not used for the %1: %2").arg(drive.label(), problem),
-                        .action = Text::tr("The cable wrap stays unknown"),
-                        .remedy = Text::tr("Enter the place in the window, or start again with the present place "
-                                           "and time")});
+        m_alarms.clear(unused);
+    } else if (!problem.isEmpty() && !m_alarms.active(unused)) {
+        m_alarms.raise(unused, {drive.label(), problem});
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/north/calibration_desk.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/profile/setting.h"
 #include "core/units/angle_between.h"
@@ -196,7 +197,7 @@ Result<> CalibrationDesk::addPoint(const AxisPosition& axes, const SkyPointing& 
 
 void CalibrationDesk::pointsChanged()
 {
-    m_control.alarms().clear(kOtherPoints);
+    m_control.alarms().clear(alarmEntry("points.other-drive"));
     m_pointsMount = m_book.points().empty() ? calibration::RecordMount{} : updated(m_pointsMount, mountToday());
     m_file.keepPoints({.when = std::chrono::floor<std::chrono::milliseconds>(m_clock.utc()),
                        .title = "Points",

@@ -68,10 +68,6 @@ public:
 private:
     // Of a sensor that speaks once a second: twice as many readings as its average must have.
     static constexpr Seconds kOffsetTime{20.0};
-    // Of the alarm that points are left out.
-    inline static const QString kOtherPoints = QStringLiteral("calibration points");
-    // Of the alarm that the beam is at the Sun.
-    inline static const QString kAtSun = QStringLiteral("calibration.sun");
 
     struct OffsetRun
     {

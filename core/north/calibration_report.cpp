@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of CalibrationDesk that tells the screen what it does and knows.
+#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/north/calibration_desk.h"
 #include "core/units/angle_between.h"
@@ -10,7 +11,6 @@
 namespace boresight {
 namespace {
 
-const QString kFileCause = QStringLiteral("calibrations");
 // A beam that is sharper than this gathers the Sun's light in the feed, or beside it.
 constexpr Angle kNearSun = Angle::fromDegrees(1.0);
 // The alarm must not come and go with the noise of an encoder.
@@ -80,15 +80,10 @@ void CalibrationDesk::publish()
 void CalibrationDesk::warnOfFile()
 {
     if (m_file.problem().isEmpty()) {
-        m_control.alarms().clear(kFileCause);
+        m_control.alarms().clear(alarmEntry("calibration.not-stored"));
         return;
     }
-    m_control.alarms().raise(
-        kFileCause, Severity::Warning,
-        {.what = m_file.problem(),
-         .action = Text::tr("What is applied is in force; its history is kept in memory only"),
-         .remedy = Text::tr("Check the disk, or choose another folder with --state-dir; else it cannot be taken back "
-                            "after the program was ended")});
+    m_control.alarms().raise(alarmEntry("calibration.not-stored"), {m_file.problem()});
 }
 
 // Led there, or standing there whoever has led it; what only passes by is not told.
@@ -101,7 +96,7 @@ bool CalibrationDesk::beamAtSun()
     if (!sun || sun->elevation < Angle{} || m_profile.sun.keepAway == profile::KeepAway::On) {
         return false;  // its keep-out has an alarm of its own
     }
-    const bool told = m_control.alarms().active(kAtSun);
+    const bool told = m_control.alarms().active(alarmEntry("sun.followed"));
     const auto beam = m_control.direction();
     if (!beam) {
         return told;  // and nothing else is known
@@ -114,17 +109,13 @@ bool CalibrationDesk::beamAtSun()
 void CalibrationDesk::warnOfSun()
 {
     if (!beamAtSun()) {
-        m_control.alarms().clear(kAtSun);
+        m_control.alarms().clear(alarmEntry("sun.followed"));
         return;
     }
-    m_control.alarms().raise(
-        kAtSun, Severity::Warning,
-        {.what = Text::tr("the beam is at the Sun, or led there"),
-         .action = m_follower.follows(ephemeris::Body::Sun)
-                       ? Text::tr("The mount follows the Sun until something else is asked of it")
-                       : Text::tr("That lasts until the mount is moved or the Sun has passed"),
-         .remedy = Text::tr("Never look along the beam, nor through a sight tube without a solar filter; a dish "
-                            "gathers the Sun's heat in the feed: cover it, or be quick")});
+    m_control.alarms().raise(alarmEntry("sun.followed"),
+                             {m_follower.follows(ephemeris::Body::Sun)
+                                  ? Text::tr("The mount follows the Sun until something else is asked of it")
+                                  : Text::tr("That lasts until the mount is moved or the Sun has passed")});
 }
 
 void CalibrationDesk::fill(StationStatus& status) const
@@ -174,7 +165,7 @@ void CalibrationDesk::fillBodies(CalibrationStatus& status)
     for (const ephemeris::Body body : kBodies) {
         status.bodies.push_back(m_follower.now(body));
     }
-    if (m_control.alarms().active(kAtSun)) {
+    if (m_control.alarms().active(alarmEntry("sun.followed"))) {
         status.warning = Text::tr(
             "The beam looks into the Sun: nobody looks along it, nor through a sight tube "
             "without a solar filter; mind the heat in the feed");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of CalibrationDesk that runs once per tick: notes the axes, leads what runs, sees what ends it.
+#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/north/calibration_desk.h"
 #include "core/witness/sensor_curve.h"
@@ -11,7 +12,6 @@ namespace boresight {
 namespace {
 
 const QString kRunsSource = QStringLiteral("calibration");
-const QString kWait = QStringLiteral("swing");  // cause of the alarm
 constexpr int kCalibratedMagnetometer = 2;
 constexpr std::chrono::milliseconds kPublishPeriod{250};
 // For how long a swing goes on unseen: a stall of this computer is over by then, and the drives have their own watch.
@@ -254,7 +254,7 @@ void CalibrationDesk::leadSwing(const AxesThen& axes)
     if (m_swing->waits() && !waited) {
         tellOfWait(toQString(speaks.error().text));
     } else if (waited && !m_swing->waits()) {
-        m_control.alarms().clear(kWait);
+        m_control.alarms().clear(alarmEntry("swing.waits"));
         m_log.add(Severity::Advisory, kRunsSource, Text::tr("the sensor is heard again: the swing goes on"));
     }
     if (!wanted) {
@@ -271,12 +271,7 @@ void CalibrationDesk::tellOfWait(const QString& why)
 {
     const QString left = QString::number(m_swing->waitLeft(m_clock.now()).count(), 'f', 0);
     m_log.add(Severity::Warning, kRunsSource, Text::tr("the swing stands still for %1 s at most: %2").arg(left, why));
-    m_control.alarms().raise(
-        kWait, Severity::Warning,
-        {.what = Text::tr("the swing of the compass waits for its sensor"),
-         .action =
-             Text::tr("The mount stands still and goes on BY ITSELF when the sensor is heard within %1 s").arg(left),
-         .remedy = Text::tr("Keep clear of the mount; STOP or Hold ends the swing")});
+    m_control.alarms().raise(alarmEntry("swing.waits"), {left});
 }
 
 void CalibrationDesk::finishSwing()
@@ -338,7 +333,7 @@ void CalibrationDesk::endRun(const QString& outcome, bool failed)
     if (m_scan) {
         m_follower.setRefraction(m_beforeScan);
     }
-    m_control.alarms().clear(kWait);
+    m_control.alarms().clear(alarmEntry("swing.waits"));
     m_swing.reset();
     m_scan.reset();
     m_offsetRun.reset();

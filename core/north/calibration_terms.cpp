@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of CalibrationDesk for terms that are given, typed or from a text; and for what holds of those in force: how
 // exact they are, and for which mount.
+#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/north/calibration_desk.h"
 #include "core/witness/sensor_curve.h"
@@ -12,7 +13,7 @@
 namespace boresight {
 namespace {
 
-const QString kCause = QStringLiteral("calibration");
+const QString kTermsSource = QStringLiteral("calibration");
 // Half of the last place of what a profile and a history keep, and the rounding of both.
 constexpr Angle kSameTerm = Angle::fromDegrees(2e-9);
 
@@ -126,7 +127,7 @@ void CalibrationDesk::dropStale()
     if (bySensor && abs(m_declination - m_proposedAt) > kSameDeclination) {
         m_sensorOffset.reset();
         propose(ProposedBy::Nothing);
-        m_log.add(Severity::Warning, kCause,
+        m_log.add(Severity::Warning, kTermsSource,
                   Text::tr("the settings of the sensor or the declination have changed: what was found with the former "
                            "is not proposed any more; measure again"));
     }
@@ -136,7 +137,7 @@ void CalibrationDesk::warnOfOtherMount(const calibration::CalibrationRecord& rec
 {
     if (calibration::difference(record.mount, mountToday()) != calibration::MountDifference::None) {
         m_log.add(
-            Severity::Warning, kCause,
+            Severity::Warning, kTermsSource,
             Text::tr("\"%1\" was applied with another drive or at another site: see where north is before you rely "
                      "on what comes into force")
                 .arg(toQString(record.title)));
@@ -164,7 +165,7 @@ void CalibrationDesk::restorePoints()
     if (m_book.points().empty()) {
         return;
     }
-    m_log.add(Severity::Advisory, kCause,
+    m_log.add(Severity::Advisory, kTermsSource,
               Text::tr("%1 points that were taken before are here again; they count when both drives have told who "
                        "they are")
                   .arg(m_book.points().size()));
@@ -229,14 +230,8 @@ void CalibrationDesk::leaveOutOtherPoints()
         [[maybe_unused]] const Result<> out = m_book.use(i, false);
     }
     pointsChanged();
-    const QString what = difference == calibration::MountDifference::OtherDrive
-                             ? Text::tr("the points on the page Sun/Moon were taken with another drive")
-                             : Text::tr("the points on the page Sun/Moon were taken at another site");
-    m_control.alarms().raise(kOtherPoints, Severity::Warning,
-                             {.what = what,
-                              .action = Text::tr("None of them is used any more: nothing is found from them"),
-                              .remedy = Text::tr("Drop them and take new ones; a point that still holds can be used "
-                                                 "again on the page Model")});
+    m_control.alarms().raise(difference == calibration::MountDifference::OtherDrive ? alarmEntry("points.other-drive")
+                                                                                    : alarmEntry("points.other-site"));
 }
 
 // The entry that has brought the terms in force, if they were not changed since by other ways.
@@ -334,13 +329,10 @@ void CalibrationDesk::warnOfOtherMount()
 {
     const QString what = otherMount();
     if (what.isEmpty()) {
-        m_control.alarms().clear(kCause);
+        m_control.alarms().clear(alarmEntry("calibration.other-mount"));
         return;
     }
-    m_control.alarms().raise(kCause, Severity::Warning,
-                             {.what = what,
-                              .action = Text::tr("It stays in force; nothing moves"),
-                              .remedy = Text::tr("Find north anew and apply it, or take the calibration back")});
+    m_control.alarms().raise(alarmEntry("calibration.other-mount"), {what});
 }
 
 }  // namespace boresight

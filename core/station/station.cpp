@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/station.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/profile/commissioning.h"
 #include "core/sources/motion_sources.h"
@@ -16,10 +17,7 @@ Q_LOGGING_CATEGORY(lcTick, "boresight.tick", QtInfoMsg)
 namespace boresight {
 namespace {
 
-const QString kServerCause = QStringLiteral("rotctld");
-const QString kOpenPortCause = QStringLiteral("rotctld.open");
-const QString kMemoryCause = QStringLiteral("memory");
-const QString kLogCause = QStringLiteral("log");
+const QString kServerSource = QStringLiteral("rotctld");
 constexpr std::chrono::seconds kReopenPeriod{1};
 // Who starts the program and asks for the position at once shall get one, if there is one to be had: where no drive
 // answers there is none, and drives that answer are surveyed first.
@@ -87,13 +85,10 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
     connect(&m_updateTimer, &QTimer::timeout, this, &Station::publish);
     connect(&m_reopenTimer, &QTimer::timeout, this, &Station::openMount);
     connect(&m_power, &StationPower::received, this, [this](const power::Value& value) { m_calibration.take(value); });
-    connect(&m_eventFile, &EventFile::failed, this, [this](const QString& reason) {
-        m_control.alarms().raise(kLogCause, Severity::Warning,
-                                 {.what = reason,
-                                  .action = Text::tr("The log is kept in memory only"),
-                                  .remedy = Text::tr("Check the disk, or choose another folder with --state-dir")});
-    });
-    connect(&m_eventFile, &EventFile::written, this, [this] { m_control.alarms().clear(kLogCause); });
+    connect(&m_eventFile, &EventFile::failed, this,
+            [this](const QString& reason) { m_control.alarms().raise(alarmEntry("log.not-stored"), {reason}); });
+    connect(&m_eventFile, &EventFile::written, this,
+            [this] { m_control.alarms().clear(alarmEntry("log.not-stored")); });
 }
 
 Station::~Station()
@@ -145,11 +140,7 @@ void Station::tellDirections()
 void Station::refuseToStart()
 {
     const QString problem = QString::fromStdString(m_mount->mine().error().text);
-    m_control.alarms().raise(kMemoryCause, Severity::Alarm,
-                             {.what = problem,
-                              .action = Text::tr("Nothing is commanded and no client can connect"),
-                              .remedy = Text::tr("End the other program, then press Reconnect; or give this mount "
-                                                 "another name in its profile")});
+    m_control.alarms().raise(alarmEntry("memory.in-use"), {problem});
     m_startTold = true;
     Q_EMIT started({}, problem + QStringLiteral(". ") +
                            Text::tr("End that program, or give this mount another name in its profile"));
@@ -164,17 +155,12 @@ void Station::openServer()
 {
     const Result<> listening = m_server.listen();
     if (listening) {
-        m_log.add(Severity::Advisory, kServerCause, Text::tr("listening on %1").arg(toQString(m_server.address())));
+        m_log.add(Severity::Advisory, kServerSource, Text::tr("listening on %1").arg(toQString(m_server.address())));
         tellOpenPort();
         return;
     }
     const QString problem = QString::fromStdString(listening.error().text);
-    m_control.alarms().raise(
-        kServerCause, Severity::Alarm,
-        {.what = problem,
-         .action = Text::tr("No client can connect; everything else works"),
-         .remedy = Text::tr(
-             "End the other program, or choose another port with --listen or in the profile, and start again")});
+    m_control.alarms().raise(alarmEntry("rotctld.not-listening"), {problem});
     m_startTold = true;
     Q_EMIT started({}, problem);
 }
@@ -186,14 +172,10 @@ void Station::tellOpenPort()
     const bool local =
         settings.listen.host == "localhost" || QHostAddress(QString::fromStdString(settings.listen.host)).isLoopback();
     if (local || !settings.allow.empty() || m_server.address().empty()) {
-        m_control.alarms().clear(kOpenPortCause);
+        m_control.alarms().clear(alarmEntry("rotctld.open"));
         return;
     }
-    m_control.alarms().raise(
-        kOpenPortCause, Severity::Advisory,
-        {.what = Text::tr("every computer that reaches %1 can move the mount").arg(toQString(m_server.address())),
-         .action = Text::tr("Boresight accepts every client"),
-         .remedy = Text::tr("Enter the addresses that may connect in rotctld.allow, or listen on 127.0.0.1")});
+    m_control.alarms().raise(alarmEntry("rotctld.open"), {toQString(m_server.address())});
 }
 
 void Station::tellStart()

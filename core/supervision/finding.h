@@ -36,14 +36,9 @@ struct Observed
 {
     Finding finding = Finding::FollowingError;
     Weight weight = Weight::Hint;
-    QString what;    // with the numbers: "the azimuth does not move: 2.4° commanded in 0.80 s, 0.1° moved"
-    QString remedy;  // what to do
+    QString what;  // with the numbers: "the azimuth does not move: 2.4° commanded in 0.80 s, 0.1° moved"
 
     bool operator==(const Observed&) const = default;
 };
-
-[[nodiscard]] QString key(Finding finding);     // for the cause of an alarm: "following_error"
-[[nodiscard]] QString remedy(Finding finding);  // one sentence or two
-[[nodiscard]] bool saysRearm(Finding finding);  // the remedy says itself when
 
 }  // namespace boresight::supervision

@@ -249,17 +249,17 @@ void DriveSurvey::collectFindings()
     m_findings = identityFindings(m_profile, m_known, m_scan.controllers());
     for (const Side& side : m_sides) {
         if (!side.drive.trouble().isEmpty()) {
-            m_findings.push_back({.cause = QStringLiteral("drives.unread.%1").arg(axisName(side.axis)),
+            m_findings.push_back({.kind = FindingKind::Unread,
+                                  .about = axisName(side.axis),
                                   .weight = FindingWeight::Blocking,
                                   .what = side.drive.trouble(),
-                                  .action = Text::tr("it is tried again every 2 seconds"),
                                   .remedy = Text::tr("Look at its power, its plugs and the bus cable.")});
         }
         if (!side.drive.fixTrouble().isEmpty()) {
-            m_findings.push_back({.cause = QStringLiteral("drives.unstored.%1").arg(axisName(side.axis)),
+            m_findings.push_back({.kind = FindingKind::NotStored,
+                                  .about = axisName(side.axis),
                                   .weight = FindingWeight::Warning,
                                   .what = side.drive.fixTrouble(),
-                                  .action = Text::tr("the settings were read again"),
                                   .remedy = Text::tr("Press Fix again.")});
         }
         addProtectionFinding(side, Verdict::Dangerous);
@@ -277,14 +277,12 @@ void DriveSurvey::addProtectionFinding(const Side& side, Verdict verdict)
         return;
     }
     const bool dangerous = verdict == Verdict::Dangerous;
-    const QString kind = dangerous ? QStringLiteral("dangerous") : QStringLiteral("advised");
     const auto worst = std::ranges::find(lines, verdict, &ProtectionLine::verdict);
-    m_findings.push_back(
-        {.cause = QStringLiteral("drives.%1.%2").arg(kind, axisName(side.axis)),
-         .weight = dangerous ? FindingWeight::Blocking : FindingWeight::Advice,
-         .what = protectionText(dangerous, static_cast<int>(count), side.axis, lineText(*worst)),
-         .action = dangerous ? Text::tr("nothing is moved") : Text::tr("the mount may move all the same"),
-         .remedy = Text::tr("See the Protection page; Fix writes what can be written.")});
+    m_findings.push_back({.kind = dangerous ? FindingKind::Dangerous : FindingKind::Advised,
+                          .about = axisName(side.axis),
+                          .weight = dangerous ? FindingWeight::Blocking : FindingWeight::Advice,
+                          .what = protectionText(dangerous, static_cast<int>(count), side.axis, lineText(*worst)),
+                          .remedy = Text::tr("See the Protection page; Fix writes what can be written.")});
 }
 
 Result<> DriveSurvey::fitToMove() const

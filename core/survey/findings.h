@@ -62,13 +62,28 @@ enum class FindingWeight
     Blocking,  // nothing moves before it is mended
 };
 
-// What the operator should know of the drives; `cause` is the same as long as it is the same trouble.
+enum class FindingKind
+{
+    NobodyAnswers,
+    Missing,      // the board of an axis
+    SharedId,     // by two boards
+    Stranger,     // a board that the profile does not know
+    Swapped,      // the ids of the axes
+    OtherBoard,   // than before, for an axis
+    RegisterMap,  // that is not known here
+    Unread,       // the settings of an axis
+    NotStored,    // a setting of an axis
+    Dangerous,    // settings of an axis, as the verdict
+    Advised
+};
+
+// What the operator should know of the drives. It is the same trouble as long as it is of one kind about one thing.
 struct Finding
 {
-    QString cause;  // "drives.missing.elevation"
+    FindingKind kind = FindingKind::NobodyAnswers;
+    QString about;  // "elevation", or the id of a board; may be empty
     FindingWeight weight = FindingWeight::Warning;
     QString what;
-    QString action;  // what Boresight does about it
     QString remedy;
 
     bool operator==(const Finding&) const = default;

@@ -54,10 +54,10 @@ void Judge::judgeShared()
     }
     for (const int id : ids) {
         findings.push_back(
-            {.cause = QStringLiteral("drives.shared-id.%1").arg(id),
+            {.kind = FindingKind::SharedId,
+             .about = QString::number(id),
              .weight = isOurs(id) ? FindingWeight::Blocking : FindingWeight::Warning,
              .what = Text::tr("two boards have the id %1: their answers destroy each other").arg(id),
-             .action = Text::tr("nothing is moved"),
              .remedy = Text::tr("Every board has the id 1 fresh from the box. Leave only one of them connected, give "
                                 "it another id (conf set id.id N, then conf write), then connect the other again. If "
                                 "there is only one, look at the plugs and the termination.")});
@@ -70,12 +70,12 @@ void Judge::judgeStrangers()
     for (const FoundController& board : found) {
         if (!isOurs(board.id) && ids.insert(board.id).second) {
             findings.push_back(
-                {.cause = QStringLiteral("drives.stranger.%1").arg(board.id),
+                {.kind = FindingKind::Stranger,
+                 .about = QString::number(board.id),
                  .weight = FindingWeight::Warning,
                  .what = Text::tr("a board that the profile does not know answers under id %1 (%2)")
                              .arg(board.id)
                              .arg(uuidOf(board).isEmpty() ? Text::tr("UUID unread") : uuidOf(board)),
-                 .action = Text::tr("it is left alone"),
                  .remedy = Text::tr("Take it off the bus, or enter its id in the profile if it drives an axis.")});
         }
     }
@@ -90,12 +90,11 @@ void Judge::judgeSwapped()
             continue;
         }
         findings.push_back(
-            {.cause = QStringLiteral("drives.swapped"),
+            {.kind = FindingKind::Swapped,
              .weight = FindingWeight::Blocking,
              .what = Text::tr("the ids are swapped: the board under id %1 (%2) was the one of %3")
                          .arg(idOf(axis))
                          .arg(axisText(axis), axisText(other)),
-             .action = Text::tr("nothing is moved: the orders of one axis would reach the other"),
              .remedy = Text::tr("Exchange the ids in the profile, or those of the boards (conf set id.id N, then conf "
                                 "write). If the boards themselves were exchanged, end Boresight, take the mount's "
                                 ".memory.json files out of the state folder and start again.")});
@@ -108,10 +107,10 @@ void Judge::judgeAxis(Axis axis)
     const int id = idOf(axis);
     if (countOf(id) == 0) {
         findings.push_back(
-            {.cause = QStringLiteral("drives.missing.%1").arg(axisName(axis)),
+            {.kind = FindingKind::Missing,
+             .about = axisName(axis),
              .weight = FindingWeight::Blocking,
              .what = Text::tr("the board of %1 is missing: nobody answers under id %2").arg(axisText(axis)).arg(id),
-             .action = Text::tr("it is looked for every 2 seconds"),
              .remedy = Text::tr(
                  "Look at its power, its plugs and the bus cable. If it has another id, enter that in the profile.")});
         return;
@@ -125,10 +124,10 @@ void Judge::judgeAxis(Axis axis)
     const bool replaced =
         !knownBoard(axis).isEmpty() && uuid != knownBoard(axis) && uuid != knownBoard(otherThan(axis));
     if (replaced) {
-        findings.push_back({.cause = QStringLiteral("drives.other.%1").arg(axisName(axis)),
+        findings.push_back({.kind = FindingKind::OtherBoard,
+                            .about = axisName(axis),
                             .weight = FindingWeight::Warning,
                             .what = Text::tr("%1 has another board than before: %2").arg(axisText(axis), uuid),
-                            .action = Text::tr("its turn is taken as unknown"),
                             .remedy = Text::tr("If it was exchanged, check calibration and gains. If not, look whether "
                                                "another mount is connected.")});
     }
@@ -146,10 +145,10 @@ void Judge::judgeMap(Axis axis, const FoundController& board)
                              : Text::tr("the board of %1 does not tell its register map; only version %2 is known here")
                                    .arg(axisText(axis), ours);
     findings.push_back(
-        {.cause = QStringLiteral("drives.map.%1").arg(axisName(axis)),
+        {.kind = FindingKind::RegisterMap,
+         .about = axisName(axis),
          .weight = FindingWeight::Blocking,
          .what = what,
-         .action = Text::tr("nothing is moved: what it reports may mean something else"),
          .remedy =
              Text::tr(
                  "Install firmware with the register map %1 in the board (moteus_tool --flash), or a newer Boresight.")
@@ -179,10 +178,9 @@ std::vector<Finding> identityFindings(const profile::Profile& profile, const Kno
 {
     if (found.empty()) {
         return {
-            {.cause = kNobodyAnswers,
+            {.kind = FindingKind::NobodyAnswers,
              .weight = FindingWeight::Blocking,
              .what = Text::tr("no drive answers on the bus"),
-             .action = Text::tr("they are looked for every 2 seconds"),
              .remedy = Text::tr("Look at the power of the drives, the bus cable, and whether both ends have 120 Ω.")}};
     }
     Judge judge{profile, known, found};

@@ -16,8 +16,6 @@ namespace boresight::survey {
 // The boards that the memory knows, by their UUID; empty where it knows none. Azimuth, elevation.
 using KnownBoards = std::array<QString, 2>;
 
-inline const QString kNobodyAnswers = QStringLiteral("drives.none");  // a cause
-
 [[nodiscard]] std::vector<Finding> identityFindings(const profile::Profile& profile, const KnownBoards& known,
                                                     std::span<const FoundController> found);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/witness/sensor_watch.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/units/degrees_text.h"
@@ -8,9 +9,7 @@
 namespace boresight {
 namespace {
 
-const QString kSensorWatchCause = QStringLiteral("sensor");
-const QString kDisagreementCause = QStringLiteral("sensor disagreement");
-const QString kNorthCause = QStringLiteral("north");
+const QString kWatchSource = QStringLiteral("sensor");  // of its lines in the log
 // The sensor waits for its WiFi and the time before it says anything.
 constexpr Seconds kFirstPatience{10.0};
 // A compass below this is not tied to magnetic north, or about to lose it.
@@ -167,7 +166,7 @@ void SensorWatch::begin(const QString& source)
     m_agreed = false;
     m_unknownTold = false;
     m_restartsTold = 0;
-    m_alarms.clear(kSensorWatchCause);
+    m_alarms.clear(alarmEntry("sensor.silent"));
     tellDisagreement();
 }
 
@@ -222,15 +221,15 @@ QString SensorWatch::doubtOf(const orientation::Orientation& value) const
 void SensorWatch::note(const orientation::Orientation& value)
 {
     if (!std::exchange(m_heard, true)) {
-        m_log.add(Severity::Advisory, kSensorWatchCause, Text::tr("the orientation sensor is heard: %1").arg(m_name));
+        m_log.add(Severity::Advisory, kWatchSource, Text::tr("the orientation sensor is heard: %1").arg(m_name));
     }
     if (m_judge.restarts() > m_restartsTold) {
         m_restartsTold = m_judge.restarts();
-        m_log.add(Severity::Warning, kSensorWatchCause,
+        m_log.add(Severity::Warning, kWatchSource,
                   Text::tr("the orientation sensor has been restarted: its calibration begins anew"));
     }
     if (!value.unknown.empty() && !std::exchange(m_unknownTold, true)) {
-        m_log.add(Severity::Advisory, kSensorWatchCause,
+        m_log.add(Severity::Advisory, kWatchSource,
                   Text::tr("its messages hold more than is known here: %1").arg(toQString(value.unknown)));
     }
 }
@@ -263,26 +262,22 @@ void SensorWatch::tellPresence()
         presence == orientation::Presence::Awaited && now - m_begun >= std::max(kFirstPatience, m_settings.lost);
     const bool absent = presence == orientation::Presence::Lost || overdue;
     if (absent || m_judge.dead()) {
-        m_alarms.raise(kSensorWatchCause, Severity::Warning, absence());
+        raiseAbsence();
         m_heard = false;
     } else if (m_heard) {
-        m_alarms.clear(kSensorWatchCause);
+        m_alarms.clear(alarmEntry("sensor.silent"));
     }
 }
 
-AlarmText SensorWatch::absence() const
+void SensorWatch::raiseAbsence()
 {
-    const QString action = Text::tr("Pointing goes on without it: it is only a witness");
     if (m_judge.dead()) {
-        return {.what = Text::tr("The orientation sensor sends nothing but zeros"),
-                .action = action,
-                .remedy = Text::tr("Its BNO055 does not answer its board: check their wires, then switch it off and "
-                                   "on")};
+        m_alarms.raise(alarmEntry("sensor.dead"));
+        return;
     }
-    return {
-        .what = Text::tr("Nothing is heard of the orientation sensor (%1)").arg(m_name),
-        .action = action,
-        .remedy = m_source.problem.isEmpty() ? Text::tr("Check its power, its WiFi and its cable") : m_source.problem};
+    m_alarms.raise(
+        alarmEntry("sensor.silent"),
+        {m_name, m_source.problem.isEmpty() ? Text::tr("Check its power, its WiFi and its cable") : m_source.problem});
 }
 
 bool SensorWatch::isNorthUnknown() const
@@ -305,17 +300,9 @@ void SensorWatch::tellNorth()
 {
     const SensorCheck::Difference& azimuth = m_check.difference(Axis::Azimuth);
     if (!azimuth.lasts || !isNorthUnknown()) {
-        m_alarms.clear(kNorthCause);
-    } else if (!m_alarms.active(kNorthCause)) {
-        m_alarms.raise(
-            kNorthCause, Severity::Advisory,
-            {.what =
-                 Text::tr(
-                     "No north is set in the profile, and the orientation sensor and the axes differ by %1 in azimuth")
-                     .arg(degreesText(abs(azimuth.now.value_or(Angle{})))),
-             .action = Text::tr("Nothing is moved because of it: azimuths are those of the axis"),
-             .remedy = Text::tr("Find north: panel North (Ctrl+9). If the zero of the axis was set to north already, "
-                                "likely: the sensor has an offset of its own or was shifted, or a coupling slips")});
+        m_alarms.clear(alarmEntry("north.not-set"));
+    } else if (!m_alarms.active(alarmEntry("north.not-set"))) {
+        m_alarms.raise(alarmEntry("north.not-set"), {degreesText(abs(azimuth.now.value_or(Angle{})))});
     }
 }
 
@@ -326,24 +313,21 @@ void SensorWatch::tellDisagreement()
     // That it goes with the current shows after some motions only: then it is told again, with its cause.
     const bool byCurrent = this->disagrees(Axis::Azimuth) && m_currentLink.correlation();
     if (disagrees && (!m_disagreed || (byCurrent && !m_currentTold))) {
-        m_alarms.raise(kDisagreementCause, Severity::Warning, disagreement());
+        raiseDisagreement();
     } else if (!disagrees && m_disagreed) {
-        m_alarms.clear(kDisagreementCause);
+        m_alarms.clear(alarmEntry("sensor.disagrees-azimuth"));
     }
     m_disagreed = disagrees;
     m_currentTold = disagrees && (m_currentTold || byCurrent);
 }
 
-AlarmText SensorWatch::disagreement() const
+void SensorWatch::raiseDisagreement()
 {
     const Axis axis = disagrees(Axis::Azimuth) ? Axis::Azimuth : Axis::Elevation;
     const Angle apart = abs(m_check.difference(axis).now.value_or(Angle{}));
-    const QString what = axis == Axis::Azimuth
-                             ? Text::tr("The orientation sensor and the axes differ by %1 in azimuth")
-                             : Text::tr("The orientation sensor and the axes differ by %1 in elevation");
-    return {.what = what.arg(degreesText(apart)),
-            .action = Text::tr("Nothing is moved because of it: the encoders count, the sensor is only a witness"),
-            .remedy = causes(axis)};
+    m_alarms.raise(
+        axis == Axis::Azimuth ? alarmEntry("sensor.disagrees-azimuth") : alarmEntry("sensor.disagrees-elevation"),
+        {degreesText(apart), causes(axis)});
 }
 
 QString SensorWatch::causes(Axis axis) const

@@ -76,8 +76,8 @@ private:
     [[nodiscard]] bool disagrees() const { return disagrees(Axis::Azimuth) || disagrees(Axis::Elevation); }
     void tellDisagreement();
     void tellNorth();
-    [[nodiscard]] AlarmText absence() const;
-    [[nodiscard]] AlarmText disagreement() const;
+    void raiseAbsence();
+    void raiseDisagreement();
     [[nodiscard]] QString causes(Axis axis) const;
 
     profile::SensorSettings m_settings;

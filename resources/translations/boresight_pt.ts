@@ -2371,8 +2371,8 @@ do eixo</translation>
         <translation>Sem resposta do %1</translation>
     </message>
     <message>
-        <source>Motion ended; the drive, if it has power, stops itself by its watchdog (%1 s)</source>
-        <translation>Movimento terminado; o acionamento, se tiver energia, para por si pelo seu watchdog (%1 s)</translation>
+        <source>Motion ended; the drive, if it has power, stops itself by its watchdog (%2 s)</source>
+        <translation>Movimento terminado; o acionamento, se tiver energia, para por si pelo seu watchdog (%2 s)</translation>
     </message>
     <message>
         <source>Check the supply, the CAN cable and the adapter, then re-arm</source>
@@ -3345,10 +3345,6 @@ do eixo</translation>
         <translation>nenhum acionamento responde no barramento</translation>
     </message>
     <message>
-        <source>they are looked for every 2 seconds</source>
-        <translation>são procurados a cada 2 segundos</translation>
-    </message>
-    <message>
         <source>Look at the power of the drives, the bus cable, and whether both ends have 120 Ω.</source>
         <translation>Verifique a alimentação dos acionamentos, o cabo do barramento, e se as duas pontas têm 120 Ω.</translation>
     </message>
@@ -3781,8 +3777,8 @@ do eixo</translation>
         <translation>perdeu-se uma parte da resposta; repita o comando</translation>
     </message>
     <message>
-        <source>There Boresight turns back by 360° and follows on; the target is lost for about %1</source>
-        <translation>Ali o Boresight gira 360° para trás e continua a seguir; perde-se o alvo por cerca de %1</translation>
+        <source>There Boresight turns back by 360° and follows on; the target is lost for about %3</source>
+        <translation>Ali o Boresight gira 360° para trás e continua a seguir; perde-se o alvo por cerca de %3</translation>
     </message>
     <message>
         <source>Boresight holds there until the target can be reached again</source>
@@ -4555,6 +4551,34 @@ do eixo</translation>
     <message>
         <source>None needed: the mount follows on when the target comes inside</source>
         <translation>Nada a fazer: a montagem volta a seguir quando o alvo entrar</translation>
+    </message>
+    <message>
+        <source>None needed. If it happens often, look at the load of this computer</source>
+        <translation>Nada a fazer. Se acontecer com frequência, verifique a carga deste computador</translation>
+    </message>
+    <message>
+        <source>Look at the plugs, the cable and the termination of the bus</source>
+        <translation>Verifique os conectores, o cabo e a terminação do barramento</translation>
+    </message>
+    <message>
+        <source>No word from the station for %1</source>
+        <translation>Sem notícia da estação há %1</translation>
+    </message>
+    <message>
+        <source>Old numbers are not shown</source>
+        <translation>Não se mostram números antigos</translation>
+    </message>
+    <message>
+        <source>STOP is not confirmed</source>
+        <translation>STOP não está confirmado</translation>
+    </message>
+    <message>
+        <source>It was sent, but the status does not show it</source>
+        <translation>Foi enviado, mas o estado não o mostra</translation>
+    </message>
+    <message>
+        <source>Use the hard-wired emergency stop if the mount moves</source>
+        <translation>Use a parada de emergência por cabo se a montagem se mover</translation>
     </message>
     <message>
         <source>the site is not given: where the Sun stands cannot be reckoned without it</source>
@@ -5793,8 +5817,8 @@ do eixo</translation>
         <translation>em falha, não diz qual</translation>
     </message>
     <message>
-        <source>fault %1: %2</source>
-        <translation>falha %1: %2</translation>
+        <source>fault %2: %3</source>
+        <translation>falha %2: %3</translation>
     </message>
     <message>
         <source>%1 cannot be locked (%2). A program of another user may control this mount. Start Boresight as that user, or with another --state-dir</source>
@@ -8871,26 +8895,6 @@ emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Dismiss</source>
         <translation>Dispensar</translation>
-    </message>
-    <message>
-        <source>Use the hard-wired emergency stop if the mount moves</source>
-        <translation>Use a parada de emergência por cabo se a montagem se mover</translation>
-    </message>
-    <message>
-        <source>No word from the station for %1</source>
-        <translation>Sem notícia da estação há %1</translation>
-    </message>
-    <message>
-        <source>Old numbers are not shown</source>
-        <translation>Não se mostram números antigos</translation>
-    </message>
-    <message>
-        <source>STOP is not confirmed</source>
-        <translation>STOP não está confirmado</translation>
-    </message>
-    <message>
-        <source>It was sent, but the status does not show it</source>
-        <translation>Foi enviado, mas o estado não o mostra</translation>
     </message>
     <message>
         <source>STOP: %1</source>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/kit/language.h"
 
+#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/profile/setting.h"
 #include "tests/ui/window_fixture.h"
@@ -113,6 +114,17 @@ TEST(Language, EverySettingIsExplained)
     }
 }
 
+TEST(Language, EveryAlarmIsTranslated)
+{
+    const Translation portuguese(QStringLiteral("pt"));
+    for (const AlarmEntry* const entry : alarmCatalogue()) {
+        for (const char* const text : {entry->what, entry->action, entry->remedy}) {
+            const bool isArgument = *text == '%' && QLatin1String(text).size() == 2;
+            EXPECT_TRUE(isArgument || Text::of(text) != toQString(text)) << entry->id << ": " << text;
+        }
+    }
+}
+
 TEST(Language, ThereAreEnglishAndPortuguese)
 {
     EXPECT_EQ(languages(), QStringList({QStringLiteral("en"), QStringLiteral("pt")}));
@@ -120,12 +132,12 @@ TEST(Language, ThereAreEnglishAndPortuguese)
     EXPECT_EQ(languageName(QStringLiteral("pt")), QStringLiteral("Português"));
 }
 
-TEST(Language, SourcesOfLinesAreShownWithoutTheirDetail)
+TEST(Language, SourcesOfLinesAreTranslated)
 {
-    EXPECT_EQ(sourceText(QStringLiteral("azimuth drive turn")), QStringLiteral("azimuth drive"));
+    EXPECT_EQ(sourceText(QStringLiteral("azimuth drive")), QStringLiteral("azimuth drive"));
     EXPECT_EQ(sourceText(QStringLiteral("rotctld 127.0.0.1:4533")), QStringLiteral("rotctld 127.0.0.1:4533"));
     const Translation portuguese(QStringLiteral("pt"));
-    EXPECT_EQ(sourceText(QStringLiteral("azimuth drive turn")), QStringLiteral("acionamento de azimute"));
+    EXPECT_EQ(sourceText(QStringLiteral("azimuth drive")), QStringLiteral("acionamento de azimute"));
     EXPECT_EQ(sourceText(QStringLiteral("operator")), QStringLiteral("operador"));
 }
 

@@ -17,7 +17,7 @@ constexpr std::size_t kMaxAlarms = 1000;  // far beyond a night; the log file ke
 
 bool same(const Alarm& left, const Alarm& right)
 {
-    return left.id == right.id && (left.id == 0 ? left.action == right.action : left.since == right.since);
+    return left.id == right.id && (left.id == 0 ? left.name == right.name : left.since == right.since);
 }
 
 auto content(const SeenAlarm& seen)

@@ -11,7 +11,7 @@
 
 // Every alarm that was seen since the window opened: those that the station still lists, and the history of those that
 // ended; bounded. An alarm is known by its number and its beginning, because a new station counts from 1 again; those
-// that the window itself raises have no number, and are known by what they tell was done. Gui thread.
+// that the window itself raises have no number, and are known by their name. Gui thread.
 namespace boresight::ui {
 
 struct SeenAlarm

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_window.h"
 
+#include "core/alarms/catalogue.h"
 #include "ui/charts/charts_panel.h"
 #include "ui/charts/strip_charts.h"
 #include "ui/clients/lead_prompt.h"
@@ -274,21 +275,22 @@ StationStatus MainWindow::aged() const
         }
     }
     status.utc += silent;
-    const auto complain = [&status](const QString& what, const QString& action) {
-        Alarm alarm;
-        alarm.severity = Severity::Alarm;
-        alarm.what = what;
-        alarm.action = action;
-        alarm.remedy = tr("Use the hard-wired emergency stop if the mount moves");
-        alarm.since = status.utc;
-        alarm.acknowledged = true;  // it goes by itself; there is nothing to acknowledge at the station
+    const auto complain = [&status](const AlarmEntry& entry, const QStringList& arguments = {}) {
+        const AlarmText text = textOf(entry, arguments);
+        const Alarm alarm{.name = QLatin1String(entry.id),
+                          .severity = entry.severity,
+                          .what = text.what,
+                          .action = text.action,
+                          .remedy = text.remedy,
+                          .since = status.utc,
+                          .acknowledged = true};  // it goes by itself; there is nothing to acknowledge at the station
         status.alarms.insert(status.alarms.begin(), alarm);
     };
     if (silent >= kNoDataAfter) {
-        complain(tr("No word from the station for %1").arg(ageText(silent)), tr("Old numbers are not shown"));
+        complain(alarmEntry("window.station-silent"), {ageText(silent)});
     }
     if (m_stopSince && m_clock.now() - *m_stopSince >= kStopUnanswered) {
-        complain(tr("STOP is not confirmed"), tr("It was sent, but the status does not show it"));
+        complain(alarmEntry("window.stop-unconfirmed"));
     }
     return status;
 }

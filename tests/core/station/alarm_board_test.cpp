@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/alarms/alarm_board.h"
 
+#include "core/alarms/catalogue.h"
 #include "tests/fakes/manual_clock.h"
 
 #include <gtest/gtest.h>
@@ -10,13 +11,22 @@
 namespace boresight {
 namespace {
 
-const QString kBus = QStringLiteral("bus");
+const AlarmEntry& kBus = alarmEntry("bus.down");
+const QString kBusSource = QStringLiteral("bus");
 const QString kOver = QStringLiteral("the alarm is over");
+
+QString wholeLine(const AlarmEntry& entry)
+{
+    const AlarmText text = textOf(entry, {QStringLiteral("Lost.")});
+    return QStringList({text.what, text.action, text.remedy}).join(QLatin1Char(' '));
+}
+
+const QString kLost = wholeLine(kBus);
 
 class AlarmBoardTest : public testing::Test
 {
 protected:
-    void raise(const QString& cause, const QString& what) { board.raise(cause, Severity::Alarm, {.what = what}); }
+    void raise(const AlarmKey& key, const QString& what) { board.raise(key, {what}); }
     [[nodiscard]] qsizetype lines(const QString& source, const QString& text) const
     {
         return std::ranges::count_if(log.since(0, EventLog::kCapacity),
@@ -31,21 +41,27 @@ protected:
 // A cable pulled and plugged in again within a second: bus, drives, sensor.
 TEST_F(AlarmBoardTest, ManyAlarmsAtOnceAllHaveTheirLines)
 {
+    const AlarmEntry& entry = alarmEntry("axis.stalled");
     for (int i = 0; i < 12; ++i) {
-        raise(QString::number(i), QStringLiteral("Lost."));
+        raise(entry.of(QString::number(i)), QStringLiteral("Lost."));
     }
     for (int i = 0; i < 12; ++i) {
-        board.clear(QString::number(i));
-        EXPECT_EQ(lines(QString::number(i), QStringLiteral("Lost.")), 1) << i;
+        board.clear(entry.of(QString::number(i)));
+        EXPECT_EQ(lines(QString::number(i), wholeLine(entry)), 1) << i;
         EXPECT_EQ(lines(QString::number(i), kOver), 1) << i;
     }
 }
 
-TEST_F(AlarmBoardTest, ALineDoesNotNameItsCauseTwice)
+TEST_F(AlarmBoardTest, ALineDoesNotNameItsSourceTwice)
 {
-    board.raise(kBus, Severity::Alarm, {.what = QStringLiteral("bus fault 3"), .brief = QStringLiteral("fault 3")});
-    EXPECT_EQ(lines(kBus, QStringLiteral("Fault 3.")), 1);
-    EXPECT_EQ(board.list().front().what, QStringLiteral("Bus fault 3."));
+    board.raise(alarmEntry("drive.fault-unnamed").of(Axis::Azimuth), {QStringLiteral("azimuth drive")});
+    const LogEntry line = log.since(0, EventLog::kCapacity).back();
+    EXPECT_EQ(line.source, QStringLiteral("azimuth drive"));
+    EXPECT_EQ(line.alarm, QStringLiteral("drive.fault-unnamed"));
+    EXPECT_TRUE(line.text.startsWith(QStringLiteral("In fault, does not say which. The drive")))
+        << line.text.toStdString();
+    EXPECT_TRUE(plainLine(line).startsWith(QStringLiteral("azimuth drive [drive.fault-unnamed]: In fault")));
+    EXPECT_EQ(board.list().front().what, QStringLiteral("Azimuth drive is in fault and does not say which."));
 }
 
 TEST_F(AlarmBoardTest, WhatWasToldIsAlsoToldToBeOver)
@@ -67,13 +83,13 @@ TEST_F(AlarmBoardTest, ACableThatFlickersDoesNotFloodTheLog)
         board.clear(kBus);
     }
     EXPECT_LT(log.lastNumber(), 10U);
-    const qsizetype told = lines(kBus, QStringLiteral("Lost."));
+    const qsizetype told = lines(kBusSource, kLost);
     EXPECT_GT(told, 0);
-    EXPECT_EQ(lines(kBus, kOver), told);
+    EXPECT_EQ(lines(kBusSource, kOver), told);
 
     clock.advance(Seconds(1.0));
     raise(kBus, QStringLiteral("Lost."));
-    EXPECT_EQ(log.since(0, EventLog::kCapacity).back().text, QStringLiteral("Lost."));
+    EXPECT_EQ(log.since(0, EventLog::kCapacity).back().text, kLost);
     EXPECT_EQ(lines(QStringLiteral("log"), QStringLiteral("%1 similar lines left out").arg(1000 - told)), 1);
 }
 
@@ -91,9 +107,9 @@ TEST_F(AlarmBoardTest, WhatStandsAfterAFlickerIsToldInTheEnd)
     ASSERT_EQ(log.since(0, EventLog::kCapacity).back().text, kOver);
     clock.advance(Seconds(0.1));
     board.tick();
-    EXPECT_EQ(log.since(0, EventLog::kCapacity).back().text, QStringLiteral("Lost."));
+    EXPECT_EQ(log.since(0, EventLog::kCapacity).back().text, kLost);
     board.tick();
-    EXPECT_EQ(lines(kBus, QStringLiteral("Lost.")), 3) << "once";
+    EXPECT_EQ(lines(kBusSource, kLost), 3) << "once";
     board.clear(kBus);
     EXPECT_EQ(log.since(0, EventLog::kCapacity).back().text, kOver);
 }

@@ -1,28 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/alarms/alarm_list.h"
 
+#include "core/alarms/catalogue.h"
+
 #include <gtest/gtest.h>
 
 namespace boresight {
 namespace {
 
-const QString kCause = QStringLiteral("bus");
-const AlarmText kText{.what = QStringLiteral("w"), .action = QStringLiteral("a"), .remedy = QStringLiteral("r")};
+const AlarmEntry& kEntry = alarmEntry("bus.down");
+const QStringList kText{QStringLiteral("can0 does not exist")};
 
 TEST(AlarmList, AnAlarmIsNewOnlyOnce)
 {
     AlarmList alarms;
-    EXPECT_TRUE(alarms.raise(kCause, Severity::Alarm, kText, {}));
-    EXPECT_FALSE(alarms.raise(kCause, Severity::Alarm, kText, {}));
+    EXPECT_TRUE(alarms.raise(kEntry, Severity::Alarm, kText, {}));
+    EXPECT_FALSE(alarms.raise(kEntry, Severity::Alarm, kText, {}));
     EXPECT_EQ(alarms.list().size(), 1U);
 }
 
 TEST(AlarmList, AFinishedAlarmStaysUntilSomebodyHasSeenIt)
 {
     AlarmList alarms;
-    alarms.raise(kCause, Severity::Alarm, kText, {});
-    EXPECT_TRUE(alarms.clear(kCause));
-    EXPECT_FALSE(alarms.clear(kCause));
+    alarms.raise(kEntry, Severity::Alarm, kText, {});
+    EXPECT_TRUE(alarms.clear(kEntry));
+    EXPECT_FALSE(alarms.clear(kEntry));
     ASSERT_EQ(alarms.list().size(), 1U);
     EXPECT_FALSE(alarms.list().front().active);
     alarms.acknowledgeAll();
@@ -32,46 +34,68 @@ TEST(AlarmList, AFinishedAlarmStaysUntilSomebodyHasSeenIt)
 TEST(AlarmList, AnAcknowledgedAlarmStaysWhileItsCauseLasts)
 {
     AlarmList alarms;
-    alarms.raise(kCause, Severity::Alarm, kText, {});
+    alarms.raise(kEntry, Severity::Alarm, kText, {});
     alarms.acknowledgeAll();
     ASSERT_EQ(alarms.list().size(), 1U);
     EXPECT_TRUE(alarms.list().front().acknowledged);
-    alarms.clear(kCause);
+    alarms.clear(kEntry);
     EXPECT_TRUE(alarms.list().empty());
 }
 
 TEST(AlarmList, ARepeatedCauseMustBeAcknowledgedAgain)
 {
     AlarmList alarms;
-    alarms.raise(kCause, Severity::Alarm, kText, {});
+    alarms.raise(kEntry, Severity::Alarm, kText, {});
     alarms.acknowledgeAll();
-    alarms.clear(kCause);
-    EXPECT_TRUE(alarms.raise(kCause, Severity::Alarm, kText, {}));
+    alarms.clear(kEntry);
+    EXPECT_TRUE(alarms.raise(kEntry, Severity::Alarm, kText, {}));
     EXPECT_FALSE(alarms.list().front().acknowledged);
 }
 
 TEST(AlarmList, WhatGetsWorseOrTurnsIntoSomethingElseIsNew)
 {
     AlarmList alarms;
-    alarms.raise(kCause, Severity::Warning, kText, {});
+    alarms.raise(kEntry, Severity::Warning, kText, {});
     alarms.acknowledgeAll();
-    EXPECT_TRUE(alarms.raise(kCause, Severity::Alarm, kText, {}));
+    EXPECT_TRUE(alarms.raise(kEntry, Severity::Alarm, kText, {}));
     EXPECT_FALSE(alarms.list().front().acknowledged);
     alarms.acknowledgeAll();
-    AlarmText other = kText;
-    other.what = QStringLiteral("the adapter is gone");
-    EXPECT_TRUE(alarms.raise(kCause, Severity::Alarm, other, {}));
+    EXPECT_TRUE(alarms.raise(kEntry, Severity::Alarm, {QStringLiteral("the adapter is gone")}, {}));
     EXPECT_FALSE(alarms.list().front().acknowledged);
     EXPECT_EQ(alarms.list().size(), 1U);
+}
+
+TEST(AlarmList, WhatIsDoneAboutItMayChangeWithoutANewAlarm)
+{
+    AlarmList alarms;
+    const AlarmEntry& entry = alarmEntry("target.outside");
+    EXPECT_TRUE(alarms.raise(entry, Severity::Advisory, {QStringLiteral("elevation -5.0°")}, {}));
+    EXPECT_FALSE(alarms.raise(entry, Severity::Advisory, {QStringLiteral("elevation -6.0°")}, {}));
+    EXPECT_TRUE(alarms.list().front().action.endsWith(QStringLiteral("-6.0°.")));
+}
+
+TEST(AlarmList, AlarmsOfOnePlaceTakeEachOthers)
+{
+    AlarmList alarms;
+    const AlarmKey fault = alarmEntry("drive.fault-unnamed").of(Axis::Azimuth);
+    const AlarmKey timedOut = alarmEntry("drive.timed-out").of(Axis::Azimuth);
+    const QStringList drive{QStringLiteral("azimuth drive")};
+    EXPECT_TRUE(alarms.raise(fault, Severity::Alarm, drive, {}));
+    EXPECT_TRUE(alarms.raise(timedOut, Severity::Alarm, drive, {})) << "another, so news";
+    ASSERT_EQ(alarms.list().size(), 1U);
+    EXPECT_EQ(alarms.list().front().name, QStringLiteral("drive.timed-out"));
+    EXPECT_EQ(alarms.list().front().about, QStringLiteral("azimuth"));
+    EXPECT_FALSE(alarms.active(alarmEntry("drive.timed-out").of(Axis::Elevation)));
+    EXPECT_TRUE(alarms.clear(fault)) << "what stands in its place";
 }
 
 // Story: with the adapter pulled the screen showed "no reply from the elevation drive", the last of three alarms.
 TEST(AlarmList, WorstFirstThenTheCauseBeforeItsResults)
 {
     AlarmList alarms;
-    alarms.raise(QStringLiteral("1"), Severity::Warning, kText, {});
-    alarms.raise(QStringLiteral("2"), Severity::Alarm, kText, {});
-    alarms.raise(QStringLiteral("3"), Severity::Alarm, kText, {});
+    alarms.raise(kEntry.of(QStringLiteral("1")), Severity::Warning, kText, {});
+    alarms.raise(kEntry.of(QStringLiteral("2")), Severity::Alarm, kText, {});
+    alarms.raise(kEntry.of(QStringLiteral("3")), Severity::Alarm, kText, {});
     const auto ids = [&] {
         std::vector<std::uint64_t> found;
         for (const Alarm& alarm : alarms.list()) {
@@ -80,7 +104,7 @@ TEST(AlarmList, WorstFirstThenTheCauseBeforeItsResults)
         return found;
     };
     EXPECT_EQ(ids(), (std::vector<std::uint64_t>{2, 3, 1}));
-    alarms.clear(QStringLiteral("2"));
+    alarms.clear(kEntry.of(QStringLiteral("2")));
     EXPECT_EQ(ids(), (std::vector<std::uint64_t>{3, 1, 2})) << "what is over is less urgent";
 }
 
@@ -88,12 +112,12 @@ TEST(AlarmList, WorstFirstThenTheCauseBeforeItsResults)
 TEST(AlarmList, WhatLastsComesBeforeWhatIsOver)
 {
     AlarmList alarms;
-    alarms.raise(QStringLiteral("1"), Severity::Alarm, kText, {});
-    alarms.raise(QStringLiteral("2"), Severity::Warning, kText, {});
+    alarms.raise(kEntry.of(QStringLiteral("1")), Severity::Alarm, kText, {});
+    alarms.raise(kEntry.of(QStringLiteral("2")), Severity::Warning, kText, {});
     alarms.acknowledgeAll();
-    alarms.raise(QStringLiteral("3"), Severity::Alarm, kText, {});
-    alarms.clear(QStringLiteral("1"));
-    alarms.clear(QStringLiteral("3"));
+    alarms.raise(kEntry.of(QStringLiteral("3")), Severity::Alarm, kText, {});
+    alarms.clear(kEntry.of(QStringLiteral("1")));
+    alarms.clear(kEntry.of(QStringLiteral("3")));
     ASSERT_EQ(alarms.list().size(), 2U);
     EXPECT_EQ(alarms.list().front().severity, Severity::Warning);
 }
@@ -102,12 +126,10 @@ TEST(AlarmList, WhatLastsComesBeforeWhatIsOver)
 TEST(AlarmList, TheCauseComesBeforeASymptomThatWasSeenEarlier)
 {
     AlarmList alarms;
-    AlarmText silence = kText;
-    silence.symptom = true;
-    alarms.raise(QStringLiteral("silence"), Severity::Alarm, silence, {});
-    alarms.raise(kCause, Severity::Alarm, kText, {});
+    alarms.raise(alarmEntry("drive.answers-again"), Severity::Alarm, {QStringLiteral("azimuth drive")}, {});
+    alarms.raise(kEntry, Severity::Alarm, kText, {});
     EXPECT_EQ(alarms.list().front().id, 2U);
-    alarms.clear(kCause);
+    alarms.clear(kEntry);
     EXPECT_EQ(alarms.list().front().id, 1U) << "alone it comes first";
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sun and Moon are followed for as long as that is what the operator asked for, and the change of a model moves
 // nothing.
+#include "core/alarms/catalogue.h"
 #include "core/station/station_rotator.h"
 #include "core/units/angle_between.h"
 #include "tests/core/station/calibration_sun.h"
@@ -279,7 +280,7 @@ TEST(CalibrationFollow, APointFarFromTheNorthThatWasFoundIsToldOf)
 
 bool warnsOfTheSun(CalibrationRig& rig)
 {
-    return rig.control.alarms().active(QStringLiteral("calibration.sun"));
+    return rig.control.alarms().active(alarmEntry("sun.followed"));
 }
 
 TEST(CalibrationFollow, TheMoonBearsNoAlarmOfTheSun)
@@ -311,7 +312,7 @@ TEST(CalibrationFollow, KeepingAwayFromTheSunMovesNothing)
     EXPECT_EQ(StationState::Hold, rig.state());
     EXPECT_LT(abs(rig.axes().azimuth - before.azimuth), 0.02_deg);
     EXPECT_LT(abs(rig.axes().elevation - before.elevation), 0.02_deg);
-    EXPECT_TRUE(rig.control.alarms().active(QStringLiteral("Sun")));
+    EXPECT_TRUE(rig.control.alarms().active(alarmEntry("sun.near")));
     EXPECT_FALSE(warnsOfTheSun(rig)) << "one alarm says it";
     EXPECT_TRUE(rig.status().warning.isEmpty());
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Points that outlive the connection: whose they are, and when they count again.
+#include "core/alarms/catalogue.h"
 #include "tests/core/station/calibration_sun.h"
 
 #include <QTemporaryDir>
@@ -66,7 +67,7 @@ TEST(CalibrationPoints, ThoseOfAnotherDriveOrSiteAreLeftOut)
         return std::ranges::count(rig.status().points, true, &PointStatus::isUsed);
     };
     const auto warned = [](CalibrationRig& rig) {
-        return rig.control.alarms().active(QStringLiteral("calibration points"));
+        return rig.control.alarms().active(alarmEntry("points.other-drive"));
     };
     {
         CalibrationRig rig({}, calibratedProfile(), folder.path());
@@ -184,7 +185,7 @@ TEST(CalibrationPoints, AreNotTornFromTheirSiteWhileNoneIsKnown)
     rig.run(Seconds(0.5));
     ASSERT_EQ(1U, rig.status().points.size());
     EXPECT_FALSE(rig.status().points.front().isUsed);
-    EXPECT_TRUE(rig.control.alarms().active(QStringLiteral("calibration points")));
+    EXPECT_TRUE(rig.control.alarms().active(alarmEntry("points.other-drive")));
     // New ones are of this place.
     ASSERT_TRUE(rig.ask(request::DropAllPoints{}));
     ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = rig.beam(), .label = {}}));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Terms that are typed or read from a text, the text of those in force, and what is said of another drive or site.
+#include "core/alarms/catalogue.h"
 #include "tests/core/station/calibration_rig.h"
 
 #include <QTemporaryDir>
@@ -43,7 +44,7 @@ void takeLandmarks(CalibrationRig& rig)
 
 bool isWarned(CalibrationRig& rig)
 {
-    return rig.control.alarms().active(QStringLiteral("calibration"));
+    return rig.control.alarms().active(alarmEntry("calibration.other-mount"));
 }
 
 TEST(CalibrationTerms, WhatIsTypedIsProposedAppliedAndTakenBack)

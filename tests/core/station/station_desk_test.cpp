@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the operator's desk asks: trim, settings at run time, first moves of an unproven mount, single alarms.
+#include "core/alarms/catalogue.h"
 #include "tests/core/station/station_rig.h"
 
 #include <gtest/gtest.h>
@@ -221,8 +222,8 @@ TEST(StationDesk, DirectionsThatAreDoubtedAgainAllowASmallWayFromWhereTheMountSt
 TEST(StationDesk, OneAlarmIsAcknowledgedAndTheOthersWait)
 {
     StationRig rig;
-    rig.control.alarms().raise(QStringLiteral("a"), Severity::Warning, {.what = QStringLiteral("one")});
-    rig.control.alarms().raise(QStringLiteral("b"), Severity::Warning, {.what = QStringLiteral("two")});
+    rig.control.alarms().raise(alarmEntry("bus.trouble").of(QStringLiteral("a")), {QStringLiteral("one")});
+    rig.control.alarms().raise(alarmEntry("bus.trouble").of(QStringLiteral("b")), {QStringLiteral("two")});
     const std::uint64_t first = rig.control.status().alarms.front().id;
     ASSERT_TRUE(rig.ask(request::AcknowledgeAlarm{first}));
     for (const Alarm& alarm : rig.control.status().alarms) {
@@ -234,7 +235,7 @@ TEST(StationDesk, TheLogTellsStartsOfMotionAndAlarmsApart)
 {
     StationRig rig;
     ASSERT_TRUE(rig.setsOff(50.0, 30.0, Seconds(1.0)));
-    rig.control.alarms().raise(QStringLiteral("a"), Severity::Warning, {.what = QStringLiteral("one")});
+    rig.control.alarms().raise(alarmEntry("bus.trouble").of(QStringLiteral("a")), {QStringLiteral("one")});
     const auto lines = rig.log.since(0, EventLog::kCapacity);
     const auto count = [&](LogKind kind) { return std::ranges::count(lines, kind, &LogEntry::kind); };
     EXPECT_EQ(count(LogKind::MotionStart), 1);

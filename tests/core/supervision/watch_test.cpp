@@ -89,19 +89,5 @@ TEST_F(WatchTest, TheTextIsRenewedWhenTheValueHasDoubled)
     EXPECT_FALSE(stops()) << "not for long enough";
 }
 
-TEST(Finding, EachHasItsOwnKeyAndARemedy)
-{
-    QStringList keys;
-    for (int i = 0; i < kFindingCount; ++i) {
-        const auto finding = static_cast<Finding>(i);
-        EXPECT_FALSE(key(finding).isEmpty()) << i;
-        EXPECT_FALSE(keys.contains(key(finding))) << i;
-        EXPECT_TRUE(remedy(finding).endsWith(QLatin1Char('.'))) << i;
-        EXPECT_EQ(saysRearm(finding), remedy(finding).contains(QLatin1String("re-arm"))) << i;
-        keys << key(finding);
-    }
-    EXPECT_TRUE(key(static_cast<Finding>(kFindingCount)).isEmpty()) << "the count is right";
-}
-
 }  // namespace
 }  // namespace boresight::supervision

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/survey/identity_findings.h"
 
+#include "tests/core/survey/finding_name.h"
+
 #include <gmock/gmock.h>
 
 namespace boresight::survey {
@@ -34,8 +36,8 @@ std::vector<std::string> causesOf(const std::vector<FoundController>& found, con
 {
     std::vector<std::string> causes;
     for (const Finding& finding : identityFindings({}, known, found)) {
-        causes.push_back(finding.cause.toStdString());
-        EXPECT_FALSE(finding.what.isEmpty() || finding.action.isEmpty() || finding.remedy.isEmpty()) << causes.back();
+        causes.push_back(nameOf(finding));
+        EXPECT_FALSE(finding.what.isEmpty() || finding.remedy.isEmpty()) << causes.back();
     }
     return causes;
 }
@@ -50,7 +52,7 @@ TEST(Identity, AThirdBoardIsAWarning)
 {
     const auto findings = identityFindings({}, {}, std::vector{board(1, 11), board(2, 12), board(9, 13)});
     ASSERT_EQ(findings.size(), 1u);
-    EXPECT_EQ(findings[0].cause, QStringLiteral("drives.stranger.9"));
+    EXPECT_EQ(nameOf(findings[0]), "drives.stranger.9");
     EXPECT_EQ(findings[0].weight, FindingWeight::Warning);
     EXPECT_TRUE(findings[0].what.contains(uuid(13)));
 }
@@ -63,7 +65,7 @@ TEST(Identity, TwoBoardsUnderOneIdBlockOnlyIfTheIdIsOurs)
     const auto strangers =
         identityFindings({}, {}, std::vector{board(1, 11), board(2, 12), board(9, 13), board(9, 14)});
     ASSERT_EQ(strangers.size(), 2u);
-    EXPECT_EQ(strangers[0].cause, QStringLiteral("drives.shared-id.9"));
+    EXPECT_EQ(nameOf(strangers[0]), "drives.shared-id.9");
     EXPECT_EQ(strangers[0].weight, FindingWeight::Warning);
 }
 

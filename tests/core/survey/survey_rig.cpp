@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/survey/survey_rig.h"
 
+#include "tests/core/survey/finding_name.h"
+
 #include <algorithm>
 #include <map>
 
@@ -90,7 +92,7 @@ std::vector<std::string> causes(const DriveSurvey& survey)
 {
     std::vector<std::string> all;
     for (const Finding& finding : survey.findings()) {
-        all.push_back(finding.cause.toStdString());
+        all.push_back(nameOf(finding));
     }
     return all;
 }

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/alarms/alarm_entry.h"
+
+#include "core/base/text.h"
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+bool endsSentence(const QString& text)
+{
+    return text.endsWith(QLatin1Char('.')) || text.endsWith(QLatin1Char('?')) || text.endsWith(QLatin1Char('!'));
+}
+
+// The parts come from many hands: some whole sentences, some not. The name of a device keeps its first letter.
+QString asSentence(const QString& text)
+{
+    if (text.isEmpty()) {
+        return text;
+    }
+    const QString sentence = endsSentence(text) ? text : text + QLatin1Char('.');
+    const auto word = std::ranges::find_if_not(sentence, [](QChar letter) { return letter.isLetter(); });
+    const bool plain = word != sentence.end() && *word == QLatin1Char(' ');
+    return plain ? sentence[0].toUpper() + sentence.sliced(1) : sentence;
+}
+
+// Which argument stands at this place of a sentence: of "%2" the second, 1; else -1.
+qsizetype argumentAt(const QString& sentence, qsizetype place)
+{
+    const bool named = sentence[place] == QLatin1Char('%') && place + 1 < sentence.size();
+    const int digit = named ? sentence[place + 1].digitValue() : -1;
+    return digit > 0 ? digit - 1 : -1;
+}
+
+// QString::arg() would count from the lowest number of this sentence.
+QString filled(const char* marked, const QStringList& arguments)
+{
+    const QString sentence = Text::of(marked);
+    QString text;
+    for (qsizetype i = 0; i < sentence.size(); ++i) {
+        const qsizetype argument = argumentAt(sentence, i);
+        if (argument < 0) {
+            text += sentence[i];
+        } else {
+            text += arguments.value(argument);
+            ++i;
+        }
+    }
+    return text;
+}
+
+}  // namespace
+
+AlarmKey AlarmEntry::of(const QString& about) const
+{
+    return {*this, about};
+}
+
+AlarmKey AlarmEntry::of(Axis axis) const
+{
+    return of(axis == Axis::Azimuth ? QStringLiteral("azimuth") : QStringLiteral("elevation"));
+}
+
+AlarmText textOf(const AlarmEntry& entry, const QStringList& arguments)
+{
+    const QString remedy = filled(entry.remedy, arguments);
+    return {.what = asSentence(filled(entry.what, arguments)),
+            .action = asSentence(filled(entry.action, arguments)),
+            .remedy = asSentence(entry.thenRearm ? Text::tr("%1 Then re-arm").arg(remedy) : remedy),
+            .brief = asSentence(filled(*entry.brief == '\0' ? entry.what : entry.brief, arguments))};
+}
+
+QString whatOf(const AlarmCase& alarm)
+{
+    return filled(alarm.entry.what, alarm.arguments);
+}
+
+QStringList namedByWhat(const AlarmEntry& entry, const QStringList& arguments)
+{
+    const QString sentence = QString::fromUtf8(entry.what);
+    QStringList named;
+    for (qsizetype i = 0; i < sentence.size(); ++i) {
+        if (const qsizetype argument = argumentAt(sentence, i); argument >= 0) {
+            named << arguments.value(argument);
+        }
+    }
+    return named;
+}
+
+QString logSource(const AlarmKey& alarm)
+{
+    return QString::fromUtf8(alarm.entry->source).replace(QLatin1String("%1"), alarm.about);
+}
+
+}  // namespace boresight

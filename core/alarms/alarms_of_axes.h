@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/alarm_entry.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+// The alarms about what Boresight itself sees going wrong on an axis. Its supervision says what happened, with the
+// numbers. What only warns at first may stop the mount later: that is an alarm of its own, in the place of the warning.
+namespace boresight {
+
+inline constexpr std::array kAxisAlarms{
+    AlarmEntry{
+        .id = "axis.following-error",
+        .source = "%1",
+        .severity = Severity::Warning,
+        .what = "%1",
+        .action = QT_TRANSLATE_NOOP("Text", "The mount goes on"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text",
+            "Look for wind, ice or a tight cable; else lower speed and acceleration or check the drive's gains."),
+        .examples = {"the azimuth is 1.2° away from its set-point for 0.50 s"}},
+    AlarmEntry{
+        .id = "axis.following-error.stop",
+        .source = "%1",
+        .severity = Severity::Alarm,
+        .what = "%1",
+        .action = QT_TRANSLATE_NOOP("Text", "Both axes came to rest and hold where they are"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text",
+            "Look for wind, ice or a tight cable; else lower speed and acceleration or check the drive's gains."),
+        .thenRearm = true,
+        .examples = {"the azimuth is 3.5° away from its set-point for 0.50 s"},
+        .placeOf = "axis.following-error"},
+    AlarmEntry{.id = "axis.stalled",
+               .source = "%1",
+               .severity = Severity::Alarm,
+               .what = "%1",
+               .action = QT_TRANSLATE_NOOP("Text", "Both axes came to rest and hold where they are"),
+               .remedy = QT_TRANSLATE_NOOP(
+                   "Text", "Look what blocks the axis: a cable, a lock, ice, a coupling that slips. Free it."),
+               .thenRearm = true,
+               .examples = {"the azimuth does not move: 2.4° at 3.0°/s commanded in 0.80 s, 0.1° moved"}},
+    AlarmEntry{
+        .id = "axis.wrong-way",
+        .source = "%1",
+        .severity = Severity::Alarm,
+        .what = "%1",
+        .action = QT_TRANSLATE_NOOP("Text", "Both axes came to rest and hold where they are"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text", "Do not re-arm before the motor was calibrated again and its phases and the encoder were checked."),
+        .examples = {"the azimuth moves the wrong way: 2.4° at 3.0°/s commanded in 0.80 s, -0.6° moved"}},
+    AlarmEntry{
+        .id = "axis.moves-uncommanded",
+        .source = "%1",
+        .severity = Severity::Warning,
+        .what = "%1",
+        .action = QT_TRANSLATE_NOOP("Text", "The mount goes on"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text",
+            "Look for wind, a person at the antenna or a slipping gear. Secure the axis, then check the position."),
+        .examples = {"the azimuth has moved by 1.2°, to 31.2°, and not by us"}},
+    AlarmEntry{
+        .id = "axis.moves-uncommanded.stop",
+        .source = "%1",
+        .severity = Severity::Alarm,
+        .what = "%1",
+        .action = QT_TRANSLATE_NOOP("Text", "Both axes came to rest and hold where they are"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text",
+            "Look for wind, a person at the antenna or a slipping gear. Secure the axis, then check the position."),
+        .thenRearm = true,
+        .examples = {"the azimuth was to hold its place and has moved by 1.2°, to 31.2°"},
+        .placeOf = "axis.moves-uncommanded"},
+    AlarmEntry{.id = "axis.encoder-jump",
+               .source = "%1",
+               .severity = Severity::Warning,
+               .what = "%1",
+               .action = QT_TRANSLATE_NOOP("Text", "The mount goes on"),
+               .remedy = QT_TRANSLATE_NOOP("Text",
+                                           "The angle shown may be wrong. Compare it with the antenna, check encoder "
+                                           "and wiring, and that no other program sets the drive's position."),
+               .examples = {"a false reply reported a jump of the azimuth by 40.0° in 0.02 s: it was ignored"}},
+    AlarmEntry{.id = "axis.encoder-jump.stop",
+               .source = "%1",
+               .severity = Severity::Alarm,
+               .what = "%1",
+               .action = QT_TRANSLATE_NOOP("Text", "Both axes came to rest and hold where they are"),
+               .remedy = QT_TRANSLATE_NOOP("Text",
+                                           "The angle shown may be wrong. Compare it with the antenna, check encoder "
+                                           "and wiring, and that no other program sets the drive's position."),
+               .thenRearm = true,
+               .examples = {"the reported angle of the azimuth jumped by 40.0° in 0.02 s: more than the axis can turn"},
+               .placeOf = "axis.encoder-jump"},
+    AlarmEntry{.id = "axis.outside-travel",
+               .source = "%1",
+               .severity = Severity::Warning,
+               .what = "%1",
+               .action = QT_TRANSLATE_NOOP("Text", "The mount goes on"),
+               .remedy = QT_TRANSLATE_NOOP("Text", "Jog the axis back inside while you watch the cable."),
+               .examples = {"the azimuth is at 451.0°, 1.0° beyond its travel -90.0°…450.0°"}},
+    AlarmEntry{.id = "axis.outside-travel.stop",
+               .source = "%1",
+               .severity = Severity::Alarm,
+               .what = "%1",
+               .action = QT_TRANSLATE_NOOP("Text", "Both axes came to rest and hold where they are"),
+               .remedy = QT_TRANSLATE_NOOP("Text", "Jog the axis back inside while you watch the cable."),
+               .thenRearm = true,
+               .examples = {"the azimuth is at 452.0°, 2.0° beyond its travel -90.0°…450.0°, and moves farther out"},
+               .placeOf = "axis.outside-travel"},
+    AlarmEntry{.id = "axis.replies-late",
+               .source = "%1",
+               .severity = Severity::Advisory,
+               .what = "%1",
+               .action = QT_TRANSLATE_NOOP("Text", "The mount goes on"),
+               .remedy = QT_TRANSLATE_NOOP(
+                   "Text", "Check the load of the bus and of this computer, the cable and the termination."),
+               .examples = {"a reply of the azimuth drive came 0.12 s after the one before"}},
+    AlarmEntry{.id = "axis.supply-low",
+               .source = "%1",
+               .severity = Severity::Warning,
+               .what = "%1",
+               .action = QT_TRANSLATE_NOOP("Text", "The mount goes on"),
+               .remedy = QT_TRANSLATE_NOOP("Text", "Check supply, battery and cable; lower the acceleration."),
+               .examples = {"the supply of the azimuth is at 20.5 V, below 21.0 V"}},
+    AlarmEntry{.id = "axis.supply-low.stop",
+               .source = "%1",
+               .severity = Severity::Alarm,
+               .what = "%1",
+               .action = QT_TRANSLATE_NOOP("Text", "Both axes came to rest and hold where they are"),
+               .remedy = QT_TRANSLATE_NOOP("Text", "Check supply, battery and cable; lower the acceleration."),
+               .thenRearm = true,
+               .examples = {"the supply of the azimuth is at 17.5 V, below 18.0 V"},
+               .placeOf = "axis.supply-low"},
+    AlarmEntry{.id = "axis.supply-high",
+               .source = "%1",
+               .severity = Severity::Warning,
+               .what = "%1",
+               .action = QT_TRANSLATE_NOOP("Text", "The mount goes on"),
+               .remedy = QT_TRANSLATE_NOOP("Text",
+                                           "Braking feeds the supply: lower the acceleration, set "
+                                           "servo.max_regen_power_W, or add a battery or a brake resistor."),
+               .examples = {"the supply of the azimuth is at 29.0 V, above 28.0 V"}},
+    AlarmEntry{
+        .id = "axis.board-hot",
+        .source = "%1",
+        .severity = Severity::Warning,
+        .what = "%1",
+        .action = QT_TRANSLATE_NOOP("Text", "The mount goes on"),
+        .remedy = QT_TRANSLATE_NOOP(
+            "Text", "Give the board air and shade, or move less and slower; at its limit the drive lets the axis go."),
+        .examples = {"the drive board of the azimuth is at 71 °C"}},
+    AlarmEntry{
+        .id = "axis.motor-hot",
+        .source = "%1",
+        .severity = Severity::Warning,
+        .what = "%1",
+        .action = QT_TRANSLATE_NOOP("Text", "The mount goes on"),
+        .remedy = QT_TRANSLATE_NOOP("Text", "Let the motor cool down; look for friction or a load out of balance."),
+        .examples = {"the motor of the azimuth is at 81 °C"}},
+    AlarmEntry{.id = "axis.torque-high",
+               .source = "%1",
+               .severity = Severity::Warning,
+               .what = "%1",
+               .action = QT_TRANSLATE_NOOP("Text", "The mount goes on"),
+               .remedy = QT_TRANSLATE_NOOP("Text", "Look for wind, ice, friction or a load out of balance."),
+               .examples = {"the azimuth needs 12.0 Nm, 80 % of the 15.0 Nm allowed"}},
+    AlarmEntry{.id = "axis.torque-guard",
+               .source = "%1",
+               .severity = Severity::Alarm,
+               .what = "%1",
+               .action = QT_TRANSLATE_NOOP("Text", "Both axes came to rest and hold where they are"),
+               .remedy = QT_TRANSLATE_NOOP("Text", "A cable may be wound up: look at it, and turn the other way."),
+               .thenRearm = true,
+               .examples = {"the azimuth needs 6.0 Nm, 40 % of the 15.0 Nm allowed, while its turn is not known"}},
+};
+
+}  // namespace boresight

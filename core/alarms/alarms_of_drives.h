@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/alarms/alarm_entry.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+// The alarms of one drive: what it reports itself, and what is missing from it.
+namespace boresight {
+
+inline constexpr std::array kDriveAlarms{
+    AlarmEntry{
+        .id = "drive.fault",
+        .source = "%1 drive",
+        .severity = Severity::Alarm,
+        .what = QT_TRANSLATE_NOOP("Text", "%1 fault %2: %3"),
+        .action = QT_TRANSLATE_NOOP("Text", "The drive switched its output off; the other axis holds if its drive can"),
+        .remedy = "%4",
+        .brief = QT_TRANSLATE_NOOP("Text", "fault %2: %3"),
+        .examples = {"azimuth drive", "38", "the encoder reports an error. Likely: its plug is loose",
+                     "Check the plug of the encoder, then re-arm"}},
+    AlarmEntry{
+        .id = "drive.fault-unnamed",
+        .source = "%1 drive",
+        .severity = Severity::Alarm,
+        .what = QT_TRANSLATE_NOOP("Text", "%1 is in fault and does not say which"),
+        .action = QT_TRANSLATE_NOOP("Text", "The drive switched its output off; the other axis holds if its drive can"),
+        .remedy = QT_TRANSLATE_NOOP("Text", "Look at it with boresightctl scan; then re-arm"),
+        .brief = QT_TRANSLATE_NOOP("Text", "in fault, does not say which"),
+        .examples = {"azimuth drive"},
+        .placeOf = "drive.fault"},
+    AlarmEntry{.id = "drive.timed-out",
+               .source = "%1 drive",
+               .severity = Severity::Alarm,
+               .what = QT_TRANSLATE_NOOP("Text", "The %1 timed out: it got no command in time"),
+               .action = QT_TRANSLATE_NOOP("Text", "It stopped itself by its watchdog; the motion of both axes ended"),
+               .remedy = QT_TRANSLATE_NOOP("Text", "Check the bus and the load of this computer, then re-arm"),
+               .examples = {"azimuth drive"},
+               .placeOf = "drive.fault"},
+    AlarmEntry{
+        .id = "drive.switched-off",
+        .source = "%1 drive",
+        .severity = Severity::Alarm,
+        .what = QT_TRANSLATE_NOOP("Text", "The %1 switched itself off"),
+        .action = QT_TRANSLATE_NOOP("Text",
+                                    "Motion ended; an order under way may have switched it on again, then it holds by "
+                                    "itself; the other axis holds if its drive can"),
+        .remedy = QT_TRANSLATE_NOOP("Text", "Its supply failed or another program stopped it: check both, then re-arm"),
+        .examples = {"azimuth drive"},
+        .placeOf = "drive.fault"},
+    AlarmEntry{.id = "drive.no-position",
+               .source = "%1 drive",
+               .severity = Severity::Alarm,
+               .what = QT_TRANSLATE_NOOP("Text", "The %1 does not report a position that can be believed"),
+               .action = QT_TRANSLATE_NOOP("Text", "It was ordered to brake and hold; the motion of both axes ended"),
+               .remedy = QT_TRANSLATE_NOOP("Text", "Check its encoder and the CAN cable, then re-arm"),
+               .examples = {"azimuth drive"},
+               .placeOf = "drive.fault"},
+    AlarmEntry{
+        .id = "drive.disobeys",
+        .source = "%1 drive",
+        .severity = Severity::Alarm,
+        .what = QT_TRANSLATE_NOOP("Text", "The %1 answers but does not do what it is told"),
+        .action = QT_TRANSLATE_NOOP("Text", "Nothing is commanded any more; the other axis holds if its drive can"),
+        .remedy = QT_TRANSLATE_NOOP("Text", "Look at its mode and fault; another program may command it; then re-arm"),
+        .examples = {"azimuth drive"},
+        .placeOf = "drive.fault"},
+    AlarmEntry{.id = "drive.silent",
+               .source = "%1 drive",
+               .severity = Severity::Alarm,
+               .what = QT_TRANSLATE_NOOP("Text", "No reply from the %1"),
+               .action = QT_TRANSLATE_NOOP(
+                   "Text", "Motion ended; the drive, if it has power, stops itself by its watchdog (%2 s)"),
+               .remedy = "%3",
+               .symptom = true,
+               .examples = {"azimuth drive", "0.2", "Check the supply, the CAN cable and the adapter, then re-arm"}},
+    AlarmEntry{.id = "drive.unheard",
+               .source = "%1 drive",
+               .severity = Severity::Alarm,
+               .what = QT_TRANSLATE_NOOP("Text", "No reply from the %1"),
+               .action = QT_TRANSLATE_NOOP("Text", "Nothing is commanded"),
+               .remedy = "%2",
+               .symptom = true,
+               .examples = {"azimuth drive",
+                            "Check the supply, the CAN cable, the adapter and the drive's id in the profile; "
+                            "boresightctl scan tells who answers"},
+               .placeOf = "drive.silent"},
+    AlarmEntry{.id = "drive.answers-again",
+               .source = "%1 drive",
+               .severity = Severity::Alarm,
+               .what = QT_TRANSLATE_NOOP("Text", "The %1 fell silent; it answers again"),
+               .action = QT_TRANSLATE_NOOP("Text", "Motion ended; nothing moves before a re-arm"),
+               .remedy = QT_TRANSLATE_NOOP("Text", "Look for a loose plug, a worn cable or a weak supply, then re-arm"),
+               .symptom = true,
+               .examples = {"azimuth drive"},
+               .placeOf = "drive.silent"},
+    AlarmEntry{.id = "drive.limit",
+               .source = "%1 drive",
+               .severity = Severity::Warning,
+               .what = QT_TRANSLATE_NOOP("Text", "%1 limit %2: %3"),
+               .action = QT_TRANSLATE_NOOP("Text", "The drive gives less than it was asked for"),
+               .remedy = "%4",
+               .brief = "%2: %3",
+               .examples = {"azimuth drive", "99", "the torque is limited", "Look for wind, ice or friction"}},
+    AlarmEntry{.id = "drive.active-unordered",
+               .source = "%1 drive",
+               .severity = Severity::Warning,
+               .what = QT_TRANSLATE_NOOP("Text", "%1 is active without our orders: mode %2"),
+               .action = QT_TRANSLATE_NOOP(
+                   "Text", "Boresight does not touch it before a command; STOP takes it over and holds"),
+               .remedy = QT_TRANSLATE_NOOP("Text",
+                                           "Another program, or an order left without a watchdog, drives it: end that"),
+               .examples = {"azimuth drive", "position"}},
+    AlarmEntry{.id = "drive.wrap-unknown",
+               .source = "%1 drive",
+               .severity = Severity::Warning,
+               .what = QT_TRANSLATE_NOOP("Text", "it is not known on which turn the axis of the %1 stands"),
+               .action = QT_TRANSLATE_NOOP("Text", "Pointing is refused, clients get no position; slow jogging only"),
+               .remedy = QT_TRANSLATE_NOOP("Text", "Look at the mount and its cable, then tell where it stands"),
+               .examples = {"azimuth drive"}},
+    AlarmEntry{.id = "drive.place-unused",
+               .source = "%1 drive",
+               .severity = Severity::Warning,
+               .what = QT_TRANSLATE_NOOP("Text", "--standing-at was not used for the %1: %2"),
+               .action = QT_TRANSLATE_NOOP("Text", "The cable wrap stays unknown"),
+               .remedy = QT_TRANSLATE_NOOP(
+                   "Text", "Enter the place in the window, or start again with the present place and time"),
+               .examples = {"azimuth drive", "the drive was switched off since"}},
+};
+
+}  // namespace boresight

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The catalogue of the alarms is complete: every entry has its sentences, is raised, and stands in the manual.
+#include "core/alarms/catalogue.h"
+#include "core/moteus_mount/drive_alarms.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+
+namespace boresight {
+namespace {
+
+namespace fs = std::filesystem;
+
+using supervision::Finding;
+using supervision::Observed;
+using supervision::Weight;
+
+std::string fileText(const fs::path& path)
+{
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// All sources that name entries.
+std::string sources()
+{
+    std::string all;
+    for (const char* const top : {"core", "ui"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(fs::path(BORESIGHT_SOURCES) / top)) {
+            const bool isSource = entry.path().extension() == ".cpp";
+            if (const std::string text = isSource ? fileText(entry.path()) : "";
+                text.find("alarmEntry(\"") != text.npos) {
+                all += text;
+            }
+        }
+    }
+    return all;
+}
+
+const AlarmEntry* entryNamed(std::string_view id)
+{
+    const auto all = alarmCatalogue();
+    const auto found = std::ranges::find_if(all, [id](const AlarmEntry* entry) { return entry->id == id; });
+    return found == all.end() ? nullptr : *found;
+}
+
+// Of all its sentences: 1 for "%1".
+std::set<int> argumentsOf(const AlarmEntry& entry)
+{
+    static const std::regex argument("%([1-9])");
+    const std::string text = std::string(entry.what) + entry.action + entry.remedy;
+    std::set<int> found;
+    for (std::sregex_iterator match(text.begin(), text.end(), argument), end; match != end; ++match) {
+        found.insert(std::stoi((*match)[1].str()));
+    }
+    return found;
+}
+
+TEST(AlarmCatalogue, EveryEntryHasItsSentencesAndAnIdOfItsOwn)
+{
+    static const std::regex form("[a-z]+(\\.[a-z-]+)+");
+    std::set<std::string> ids;
+    for (const AlarmEntry* const entry : alarmCatalogue()) {
+        EXPECT_TRUE(ids.insert(entry->id).second) << entry->id;
+        EXPECT_TRUE(std::regex_match(entry->id, form)) << entry->id;
+        for (const char* const text : {entry->source, entry->what, entry->action, entry->remedy}) {
+            EXPECT_NE(std::string_view(text), "") << entry->id;
+        }
+        EXPECT_LE(entry->severity, entry->worst) << entry->id;
+    }
+}
+
+TEST(AlarmCatalogue, EveryArgumentHasAnExampleAndIsNamed)
+{
+    for (const AlarmEntry* const entry : alarmCatalogue()) {
+        std::set<int> numbers;
+        for (int i = 1; i <= entry->argumentCount(); ++i) {
+            numbers.insert(i);
+        }
+        EXPECT_EQ(argumentsOf(*entry), numbers) << entry->id;
+    }
+}
+
+TEST(AlarmCatalogue, WhatTakesAPlaceTakesThatOfAnEntryWithOneOfItsOwn)
+{
+    for (const AlarmEntry* const entry : alarmCatalogue()) {
+        const AlarmEntry* const owner = entryNamed(entry->place());
+        ASSERT_NE(owner, nullptr) << entry->id;
+        EXPECT_EQ(owner->placeOf, nullptr) << entry->id;
+        EXPECT_EQ(std::string_view(owner->source), entry->source) << entry->id;
+    }
+}
+
+TEST(AlarmCatalogue, EveryEntryIsRaisedSomewhere)
+{
+    static const std::regex notRaised(R"((clear|active)\(\s*alarmEntry\("[^"]*"\))");
+    const std::string raising = std::regex_replace(sources(), notRaised, "");
+    for (const AlarmEntry* const entry : alarmCatalogue()) {
+        EXPECT_NE(raising.find("alarmEntry(\"" + std::string(entry->id) + "\")"), std::string::npos) << entry->id;
+    }
+}
+
+TEST(AlarmCatalogue, EveryFindingOfTheSupervisionHasEntriesOfItsOwn)
+{
+    std::set<const AlarmEntry*> seen;
+    for (int i = 0; i < supervision::kFindingCount; ++i) {
+        const Observed stop{.finding = static_cast<Finding>(i), .weight = Weight::Stop, .what = QStringLiteral("x")};
+        const AlarmEntry& entry = drive_alarms::entryOf(stop.finding);
+        EXPECT_TRUE(seen.insert(&entry).second) << entry.id;
+        EXPECT_TRUE(entry.of(Axis::Azimuth).sharesPlace(drive_alarms::supervised(stop).entry.of(Axis::Azimuth)));
+    }
+    for (const Finding finding :
+         {Finding::FollowingError, Finding::Stalled, Finding::WrongWay, Finding::MovesUncommanded, Finding::EncoderJump,
+          Finding::OutsideTravel, Finding::SupplyLow, Finding::TorqueGuard}) {
+        const AlarmCase alarm =
+            drive_alarms::supervised({.finding = finding, .weight = Weight::Stop, .what = QStringLiteral("x")});
+        EXPECT_EQ(alarm.entry.severity, Severity::Alarm) << alarm.entry.id;
+        EXPECT_TRUE(textOf(alarm.entry, alarm.arguments).remedy.contains(QStringLiteral("re-arm"))) << alarm.entry.id;
+    }
+}
+
+TEST(AlarmCatalogue, SentencesAreFilledWithTheirArguments)
+{
+    const QStringList arguments{QStringLiteral("azimuth drive"), QStringLiteral("38"), QStringLiteral("100%2 wrong"),
+                                QStringLiteral("Look at it, then re-arm")};
+    const AlarmText text = textOf(alarmEntry("drive.fault"), arguments);
+    EXPECT_EQ(text.what, QStringLiteral("Azimuth drive fault 38: 100%2 wrong."));
+    EXPECT_EQ(text.brief, QStringLiteral("Fault 38: 100%2 wrong."));
+    EXPECT_EQ(text.remedy, QStringLiteral("Look at it, then re-arm."));
+    EXPECT_EQ(namedByWhat(alarmEntry("drive.silent"), arguments), QStringList(QStringLiteral("azimuth drive")));
+    EXPECT_EQ(textOf(alarmEntry("axis.stalled"), {QStringLiteral("x")}).remedy,
+              QStringLiteral(
+                  "Look what blocks the axis: a cable, a lock, ice, a coupling that slips. Free it. Then re-arm."));
+}
+
+// With BORESIGHT_ALARM_TABLE set, the table is written into the page of that path.
+TEST(AlarmCatalogue, StandsInTheManual)
+{
+    const std::string table = alarmTable().toStdString();
+    const auto introduction = [](const fs::path& path) {
+        const std::string page = fileText(path);
+        return page.substr(0, page.find("| id |"));
+    };
+    if (const char* const path = std::getenv("BORESIGHT_ALARM_TABLE"); path != nullptr) {
+        const std::string before = introduction(path);
+        std::ofstream(path) << before << table;
+    }
+    const fs::path page = fs::path(BORESIGHT_SOURCES) / "resources/manual/alarms.md";
+    EXPECT_NE(introduction(page), "");
+    EXPECT_EQ(fileText(page), introduction(page) + table)
+        << "BORESIGHT_ALARM_TABLE=resources/manual/alarms.md station_test --gtest_filter=AlarmCatalogue.* writes it";
+}
+
+}  // namespace
+}  // namespace boresight
