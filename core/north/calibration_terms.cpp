@@ -3,6 +3,7 @@
 // exact they are, and for which mount.
 #include "core/base/text.h"
 #include "core/north/calibration_desk.h"
+#include "core/north/same_terms.h"
 #include "core/witness/sensor_curve.h"
 
 #include <QDateTime>
@@ -13,55 +14,13 @@ namespace boresight {
 namespace {
 
 const QString kCause = QStringLiteral("calibration");
-// Half of the last place of what a profile and a history keep, and the rounding of both.
-constexpr Angle kSameTerm = Angle::fromDegrees(2e-9);
 
 // The fit of the same points against another model in force ends some ten millionths of a degree beside: less than half
 // of the last place that is shown says nothing else.
 constexpr Angle kSameFit = Angle::fromDegrees(0.0005);
 
-bool isSame(const pointing::PointingTerms& a, const pointing::PointingTerms& b, Angle tolerance = kSameTerm)
-{
-    return std::ranges::all_of(calibration::kAllTerms, [&](calibration::Term term) {
-        return abs(calibration::valueOf(a, term) - calibration::valueOf(b, term)) <= tolerance;
-    });
-}
-
-// Those that were given, but what differs by rounding only stays exactly what it is: whoever types one term gives one.
-pointing::PointingTerms changedOnly(pointing::PointingTerms given, const pointing::PointingTerms& present)
-{
-    for (const calibration::Term term : calibration::kAllTerms) {
-        const Angle now = calibration::valueOf(present, term);
-        if (abs(calibration::valueOf(given, term) - now) <= kSameTerm) {
-            calibration::valueOf(given, term) = now;
-        }
-    }
-    return given;
-}
-
-// As a profile keeps the arcs.
-constexpr Angle kSameArc = Angle::fromDegrees(0.051);
 // A declination that moved by more has moved north.
 constexpr Angle kSameDeclination = Angle::fromDegrees(0.05);
-
-bool isSame(const calibration::UnreliableSector& a, const calibration::UnreliableSector& b)
-{
-    return abs(a.from - b.from) <= kSameArc && abs(a.to - b.to) <= kSameArc;
-}
-
-bool isSame(const calibration::DeviationCurve& a, const calibration::DeviationCurve& b)
-{
-    const auto same = [](Angle x, Angle y) { return abs(x - y) <= kSameTerm; };
-    return same(a.a1, b.a1) && same(a.b1, b.b1) && same(a.a2, b.a2) && same(a.b2, b.b2) &&
-           std::ranges::equal(a.unreliable, b.unreliable, [](const auto& x, const auto& y) { return isSame(x, y); });
-}
-
-bool isSame(const calibration::SensorMounting& a, const calibration::SensorMounting& b)
-{
-    return a.sense == b.sense && abs((a.azimuthOffset - b.azimuthOffset).wrapped180()) <= kSameTerm &&
-           abs(a.elevationOffset - b.elevationOffset) <= kSameTerm &&
-           isSame(a.curve.value_or(calibration::DeviationCurve{}), b.curve.value_or(calibration::DeviationCurve{}));
-}
 
 QString dayOf(UtcTime when)
 {
