@@ -49,6 +49,7 @@ CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile
       m_clock(clock),
       m_log(log),
       m_file(file),
+      m_mount(control, m_profile),
       m_follower(control, profile, clock, log)
 {
     restorePoints();
@@ -197,7 +198,7 @@ Result<> CalibrationDesk::addPoint(const AxisPosition& axes, const SkyPointing& 
 void CalibrationDesk::pointsChanged()
 {
     m_control.alarms().clear(kOtherPoints);
-    m_pointsMount = m_book.points().empty() ? calibration::RecordMount{} : updated(m_pointsMount, mountToday());
+    m_pointsMount = m_book.points().empty() ? calibration::RecordMount{} : updated(m_pointsMount, m_mount.today());
     m_file.keepPoints({.when = std::chrono::floor<std::chrono::milliseconds>(m_clock.utc()),
                        .title = "Points",
                        .mount = m_pointsMount,
@@ -333,7 +334,7 @@ Result<> CalibrationDesk::handle(const request::ApplyCalibration& wanted)
     return mayChange().and_then([&] { return makesSense(change); }).map([&] {
         calibration::CalibrationRecord record{.when = std::chrono::floor<std::chrono::milliseconds>(m_clock.utc()),
                                               .title = proposal.title.toStdString(),
-                                              .mount = mountToday(),
+                                              .mount = m_mount.today(),
                                               .terms = {.before = m_profile.pointing, .after = proposal.terms},
                                               .sigmas = proposal.sigmas,
                                               .points = proposal.points};
@@ -466,31 +467,13 @@ calibration::TermKnowledge CalibrationDesk::knownBy(std::size_t entries) const
         const auto& north = record.sigmas[calibration::indexOf(calibration::Term::TiltNorth)];
         const auto& east = record.sigmas[calibration::indexOf(calibration::Term::TiltEast)];
         if (record.points.empty() && record.sensor && north && east &&
-            calibration::difference(record.mount, mountToday()) == calibration::MountDifference::None) {
+            calibration::difference(record.mount, m_mount.today()) == calibration::MountDifference::None) {
             known.of(calibration::Term::TiltNorth) = {record.terms.after.tiltNorth, *north};
             known.of(calibration::Term::TiltEast) = {record.terms.after.tiltEast, *east};
             break;
         }
     }
     return known;
-}
-
-// The memory has the drive whose turn was told last: a new one is in it only when the operator has answered.
-calibration::RecordMount CalibrationDesk::mountToday() const
-{
-    const memory::MountMemory& memory = m_control.memory();
-    const auto drive = [&](std::size_t axis) {
-        const QString remembered = memory.turns[axis] ? memory.turns[axis]->drive : QString();
-        const QString told = m_drives[axis].value_or(QString());
-        return (told.isEmpty() ? remembered : told).toStdString();
-    };
-    calibration::RecordMount mount{.azimuthDrive = drive(0), .elevationDrive = drive(1)};
-    if (m_profile.site.known) {
-        mount.site = calibration::RecordSite{.latitude = m_profile.site.latitude,
-                                             .longitude = m_profile.site.longitude,
-                                             .heightMetres = m_profile.site.heightMetres};
-    }
-    return mount;
 }
 
 }  // namespace boresight

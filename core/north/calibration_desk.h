@@ -6,13 +6,13 @@
 #include "core/north/body_follower.h"
 #include "core/north/calibration_file.h"
 #include "core/north/calibration_proposal.h"
+#include "core/north/mount_identity.h"
 #include "core/north/point_book.h"
 #include "core/north/scan_run.h"
 #include "core/north/swing_run.h"
 #include "core/orientation/orientation.h"
 #include "core/power/power_line.h"
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -154,7 +154,6 @@ private:
     [[nodiscard]] Proposal swungProposal() const;
     [[nodiscard]] calibration::TermKnowledge known() const { return knownBy(m_file.history().inForce()); }
     [[nodiscard]] calibration::TermKnowledge knownBy(std::size_t entries) const;
-    [[nodiscard]] calibration::RecordMount mountToday() const;
     [[nodiscard]] calibration::TermSheet sheet() const;
     [[nodiscard]] TermSigmas toldByPoints() const;
     [[nodiscard]] const calibration::CalibrationRecord* recordInForce() const;
@@ -182,6 +181,7 @@ private:
     const Clock& m_clock;
     EventLog& m_log;
     CalibrationFile& m_file;
+    MountIdentity m_mount;
     BodyFollower m_follower;
     AxisTrace m_trace;
     std::optional<SteadyTime> m_unseenSince;          // the axes are not
@@ -207,9 +207,8 @@ private:
     power::LineStatus m_powerLine;
     GivenTerms m_given;
     PointBook m_book;
-    std::array<std::optional<QString>, 2> m_drives;  // their UUIDs, empty if a drive told none; nothing: not read yet
-    calibration::RecordMount m_pointsMount;          // of whom the points are
-    std::optional<UtcTime> m_axesTold;               // the operator was last asked where an axis stands
+    calibration::RecordMount m_pointsMount;  // of whom the points are
+    std::optional<UtcTime> m_axesTold;       // the operator was last asked where an axis stands
     ProposedBy m_by = ProposedBy::Nothing;
     bool m_fitDiscarded = false;  // what the points say, until they say otherwise
     Angle m_proposedAt;           // the declination that was in force when it was found

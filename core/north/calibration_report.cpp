@@ -225,7 +225,7 @@ std::vector<CalibrationHistoryEntry> CalibrationDesk::historyStatus() const
 {
     std::vector<CalibrationHistoryEntry> list;
     const calibration::CalibrationHistory& history = m_file.history();
-    const calibration::RecordMount today = mountToday();
+    const calibration::RecordMount today = m_mount.today();
     const auto told = [&](const calibration::CalibrationRecord& record) {
         const calibration::MountDifference difference = calibration::difference(record.mount, today);
         return CalibrationHistoryEntry{

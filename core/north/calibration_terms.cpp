@@ -93,7 +93,7 @@ void CalibrationDesk::dropStale()
 
 void CalibrationDesk::warnOfOtherMount(const calibration::CalibrationRecord& record)
 {
-    if (calibration::difference(record.mount, mountToday()) != calibration::MountDifference::None) {
+    if (calibration::difference(record.mount, m_mount.today()) != calibration::MountDifference::None) {
         m_log.add(
             Severity::Warning, kCause,
             Text::tr("\"%1\" was applied with another drive or at another site: see where north is before you rely "
@@ -132,20 +132,10 @@ void CalibrationDesk::restorePoints()
     m_book.fit(m_profile.pointing, known());
 }
 
-// A drive tells who it is some seconds after the start, and after it was silent it may be another. One that was read
-// and tells no UUID speaks against nothing.
+// Also the points that wait for both drives may count now.
 void CalibrationDesk::noteDrives()
 {
-    bool isNew = false;
-    for (const Axis axis : kAxes) {
-        const std::optional<QString> uuid = m_control.uuid(axis);
-        std::optional<QString>& last = m_drives[index(axis)];
-        if (uuid && uuid != last && (!last || !uuid->isEmpty())) {
-            last = uuid;
-            isNew = true;
-        }
-    }
-    if (isNew) {
+    if (m_mount.update()) {
         m_changed = true;
         leaveOutOtherPoints();
         countRestored();
@@ -165,8 +155,7 @@ bool CalibrationDesk::pointsSayOther() const
 
 void CalibrationDesk::countRestored()
 {
-    const bool allRead = std::ranges::all_of(m_drives, [](const auto& uuid) { return uuid.has_value(); });
-    if (!m_book.isWaiting() || !allRead) {
+    if (!m_book.isWaiting() || !m_mount.bothRead()) {
         return;
     }
     m_book.setWaiting(false);
@@ -180,7 +169,7 @@ void CalibrationDesk::countRestored()
 // operator may have their reasons to use them all the same.
 void CalibrationDesk::leaveOutOtherPoints()
 {
-    const calibration::MountDifference difference = calibration::difference(m_pointsMount, mountToday());
+    const calibration::MountDifference difference = calibration::difference(m_pointsMount, m_mount.today());
     if (difference == calibration::MountDifference::None || m_book.points().empty()) {
         return;
     }
@@ -224,7 +213,7 @@ calibration::TermSheet CalibrationDesk::sheet() const
 {
     calibration::TermSheet sheet{.mountName = m_profile.mount.name,
                                  .when = std::chrono::floor<std::chrono::seconds>(m_clock.utc()),
-                                 .mount = mountToday(),
+                                 .mount = m_mount.today(),
                                  .terms = m_profile.pointing,
                                  .sigmas = {}};
     const calibration::CalibrationHistory& history = m_file.history();
@@ -256,7 +245,7 @@ TermSigmas CalibrationDesk::toldByPoints() const
             const calibration::CalibrationRecord& record = history.entries()[i - 1];
             const Angle after = calibration::valueOf(record.terms.after, term);
             const bool otherMount =
-                calibration::difference(record.mount, mountToday()) != calibration::MountDifference::None;
+                calibration::difference(record.mount, m_mount.today()) != calibration::MountDifference::None;
             if (otherMount || abs(after - calibration::valueOf(m_profile.pointing, term)) > kSameTerm) {
                 break;
             }
@@ -278,7 +267,7 @@ QString CalibrationDesk::otherMount() const
     }
     const QString what = toQString(record->title);
     const QString day = dayOf(record->when);
-    switch (calibration::difference(record->mount, mountToday())) {
+    switch (calibration::difference(record->mount, m_mount.today())) {
         case calibration::MountDifference::OtherDrive:
             return Text::tr("The pointing model in force (\"%1\", %2) was applied with another drive").arg(what, day);
         case calibration::MountDifference::OtherSite:

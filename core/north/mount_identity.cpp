@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/north/mount_identity.h"
+
+#include <algorithm>
+
+namespace boresight {
+
+// A drive reports its identity some seconds after the start, and after a silence it may be another drive. One that was
+// read and reports no UUID contradicts nothing.
+bool MountIdentity::update()
+{
+    bool isNew = false;
+    for (const Axis axis : kAxes) {
+        const std::optional<QString> uuid = m_control.uuid(axis);
+        std::optional<QString>& last = m_drives[index(axis)];
+        if (uuid && uuid != last && (!last || !uuid->isEmpty())) {
+            last = uuid;
+            isNew = true;
+        }
+    }
+    return isNew;
+}
+
+bool MountIdentity::bothRead() const
+{
+    return std::ranges::all_of(m_drives, [](const auto& uuid) { return uuid.has_value(); });
+}
+
+// The position journal has the drive whose cable wrap was confirmed last: a new drive is in it only when the operator
+// has answered.
+calibration::RecordMount MountIdentity::today() const
+{
+    const memory::MountMemory& memory = m_control.memory();
+    const auto drive = [&](std::size_t axis) {
+        const QString remembered = memory.turns[axis] ? memory.turns[axis]->drive : QString();
+        const QString reported = m_drives[axis].value_or(QString());
+        return (reported.isEmpty() ? remembered : reported).toStdString();
+    };
+    calibration::RecordMount mount{.azimuthDrive = drive(0), .elevationDrive = drive(1)};
+    if (m_profile.site.known) {
+        mount.site = calibration::RecordSite{.latitude = m_profile.site.latitude,
+                                             .longitude = m_profile.site.longitude,
+                                             .heightMetres = m_profile.site.heightMetres};
+    }
+    return mount;
+}
+
+}  // namespace boresight
