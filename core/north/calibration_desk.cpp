@@ -50,6 +50,7 @@ CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile
       m_log(log),
       m_file(file),
       m_mount(control, m_profile),
+      m_model(file, m_profile, m_mount, clock),
       m_follower(control, profile, clock, log)
 {
     restorePoints();
@@ -76,7 +77,7 @@ void CalibrationDesk::setProfile(const profile::Profile& profile)
     m_follower.setProfile(profile);
     m_changed = true;
     if (other) {
-        m_book.fit(m_profile.pointing, known());
+        m_book.fit(m_profile.pointing, m_model.known());
         if (otherSensor) {
             m_proposedAt = Angle::fromTurns(1.0);  // what was found with the settings of before holds no more
             dropStale();
@@ -152,7 +153,7 @@ Result<> CalibrationDesk::handle(const request::TakePoint&)
 // The operator sees the shadow, the model does not: it is taken all the same.
 void CalibrationDesk::warnOfFarPoint(const SkyPointing& truth)
 {
-    const std::optional<Angle> north = sheet().sigmas[calibration::indexOf(calibration::Term::AzimuthOffset)];
+    const std::optional<Angle> north = m_model.sheet().sigmas[calibration::indexOf(calibration::Term::AzimuthOffset)];
     const auto beam = m_control.direction();
     if (!north || !beam) {
         return;
@@ -204,7 +205,7 @@ void CalibrationDesk::pointsChanged()
                        .mount = m_pointsMount,
                        .terms = {.before = m_profile.pointing, .after = m_profile.pointing},
                        .points = m_book.points()});
-    m_book.fit(m_profile.pointing, known());
+    m_book.fit(m_profile.pointing, m_model.known());
     m_fitDiscarded = false;
     const ProposedBy other = m_by == ProposedBy::Points ? ProposedBy::Nothing : m_by;
     propose(m_book.fitted() ? ProposedBy::Points : other);
@@ -430,7 +431,7 @@ void CalibrationDesk::propose(ProposedBy by)
 
 Proposal CalibrationDesk::swungProposal() const
 {
-    Proposal proposal = proposalOf(*m_swung, m_profile, toldByPoints());
+    Proposal proposal = proposalOf(*m_swung, m_profile, m_model.toldByPoints());
     if (!m_swingDoubt.isEmpty()) {
         proposal.warnings.push_back(m_swingDoubt);
     }
@@ -441,7 +442,7 @@ std::optional<Proposal> CalibrationDesk::proposed() const
 {
     switch (m_by) {
         case ProposedBy::SensorOffset:
-            return proposalOf(*m_sensorOffset, m_profile, toldByPoints());
+            return proposalOf(*m_sensorOffset, m_profile, m_model.toldByPoints());
         case ProposedBy::Swing:
             return swungProposal();
         case ProposedBy::Points:
@@ -454,26 +455,6 @@ std::optional<Proposal> CalibrationDesk::proposed() const
             break;
     }
     return std::nullopt;
-}
-
-// A tilt that a swing has found is known apart from any point; one that was fitted to points would be these very points
-// again, and one that was typed or read says not what it was found from. A swing always changes the sensor. By the
-// first `entries` of the history.
-calibration::TermKnowledge CalibrationDesk::knownBy(std::size_t entries) const
-{
-    calibration::TermKnowledge known = calibration::TermKnowledge::usual();
-    for (std::size_t i = entries; i > 0; --i) {
-        const calibration::CalibrationRecord& record = m_file.history().entries()[i - 1];
-        const auto& north = record.sigmas[calibration::indexOf(calibration::Term::TiltNorth)];
-        const auto& east = record.sigmas[calibration::indexOf(calibration::Term::TiltEast)];
-        if (record.points.empty() && record.sensor && north && east &&
-            calibration::difference(record.mount, m_mount.today()) == calibration::MountDifference::None) {
-            known.of(calibration::Term::TiltNorth) = {record.terms.after.tiltNorth, *north};
-            known.of(calibration::Term::TiltEast) = {record.terms.after.tiltEast, *east};
-            break;
-        }
-    }
-    return known;
 }
 
 }  // namespace boresight

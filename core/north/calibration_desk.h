@@ -6,6 +6,7 @@
 #include "core/north/body_follower.h"
 #include "core/north/calibration_file.h"
 #include "core/north/calibration_proposal.h"
+#include "core/north/model_in_force.h"
 #include "core/north/mount_identity.h"
 #include "core/north/point_book.h"
 #include "core/north/scan_run.h"
@@ -152,14 +153,7 @@ private:
     void propose(ProposedBy by);
     [[nodiscard]] std::optional<Proposal> proposed() const;
     [[nodiscard]] Proposal swungProposal() const;
-    [[nodiscard]] calibration::TermKnowledge known() const { return knownBy(m_file.history().inForce()); }
-    [[nodiscard]] calibration::TermKnowledge knownBy(std::size_t entries) const;
-    [[nodiscard]] calibration::TermSheet sheet() const;
-    [[nodiscard]] TermSigmas toldByPoints() const;
-    [[nodiscard]] const calibration::CalibrationRecord* recordInForce() const;
-    [[nodiscard]] QString changedSince() const;
     [[nodiscard]] bool pointsSayOther() const;
-    [[nodiscard]] QString otherMount() const;
     void warnOfOtherMount();
     void warnOfFile();
     [[nodiscard]] bool beamAtSun();
@@ -182,6 +176,7 @@ private:
     EventLog& m_log;
     CalibrationFile& m_file;
     MountIdentity m_mount;
+    ModelInForce m_model;
     BodyFollower m_follower;
     AxisTrace m_trace;
     std::optional<SteadyTime> m_unseenSince;          // the axes are not

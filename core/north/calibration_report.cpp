@@ -48,8 +48,8 @@ void CalibrationDesk::publish()
     m_changed = false;
     CalibrationStatus status{.progress = progress(),
                              .present = m_profile.pointing,
-                             .sheet = sheet(),
-                             .otherMount = otherMount(),
+                             .sheet = m_model.sheet(),
+                             .otherMount = m_model.otherMount(),
                              .sensorOffset = m_sensorOffset,
                              .sensorObstacle = reasonOf(sensorTells()),
                              .swingPlan = planned(m_swingWish),
@@ -208,7 +208,7 @@ std::optional<CalibrationProposal> CalibrationDesk::proposalStatus() const
                              .changesSensor = m_proposal->sensor.has_value(),
                              .warnings = m_proposal->warnings,
                              .obstacle = reasonOf(mayChange())};
-    const calibration::TermSheet present = sheet();
+    const calibration::TermSheet present = m_model.sheet();
     for (const calibration::Term term : calibration::kAllTerms) {
         TermStatus& one = told.terms[calibration::indexOf(term)];
         one.sigma = m_proposal->sigmas[calibration::indexOf(term)];
@@ -239,7 +239,7 @@ std::vector<CalibrationHistoryEntry> CalibrationDesk::historyStatus() const
         list.push_back(told(history.entries()[i]));
         list.back().inForce = i < history.inForce();
     }
-    if (const QString since = changedSince(); !since.isEmpty()) {
+    if (const QString since = m_model.changedSince(); !since.isEmpty()) {
         CalibrationHistoryEntry& last = list[history.inForce() - 1];
         last.title = Text::tr("%1, changed by hand since").arg(last.title);
         last.change = Text::tr("%1; since then by hand: %2").arg(last.change, since);

@@ -6,8 +6,6 @@
 #include "core/north/same_terms.h"
 #include "core/witness/sensor_curve.h"
 
-#include <QDateTime>
-
 #include <algorithm>
 
 namespace boresight {
@@ -21,12 +19,6 @@ constexpr Angle kSameFit = Angle::fromDegrees(0.0005);
 
 // A declination that moved by more has moved north.
 constexpr Angle kSameDeclination = Angle::fromDegrees(0.05);
-
-QString dayOf(UtcTime when)
-{
-    const auto since = std::chrono::floor<std::chrono::seconds>(when.time_since_epoch());
-    return QDateTime::fromSecsSinceEpoch(since.count(), Qt::UTC).toString(QStringLiteral("yyyy-MM-dd"));
-}
 
 }  // namespace
 
@@ -43,7 +35,7 @@ Result<> CalibrationDesk::handle(const request::ImportTerms& wanted)
                                  .reason = Text::tr("from a file"),
                                  .terms = read.terms,
                                  .sigmas = read.sigmas,
-                                 .warnings = otherMountWarnings(read, sheet())});
+                                 .warnings = otherMountWarnings(read, m_model.sheet())});
         });
 }
 
@@ -129,7 +121,7 @@ void CalibrationDesk::restorePoints()
                   .arg(m_book.points().size()));
     m_pointsMount = m_file.pointsMount();
     m_book.setWaiting(true);
-    m_book.fit(m_profile.pointing, known());
+    m_book.fit(m_profile.pointing, m_model.known());
 }
 
 // Also the points that wait for both drives may count now.
@@ -159,7 +151,7 @@ void CalibrationDesk::countRestored()
         return;
     }
     m_book.setWaiting(false);
-    m_book.fit(m_profile.pointing, known());
+    m_book.fit(m_profile.pointing, m_model.known());
     if (pointsSayOther() && m_by == ProposedBy::Nothing) {
         propose(ProposedBy::Points);
     }
@@ -187,100 +179,9 @@ void CalibrationDesk::leaveOutOtherPoints()
                                                  "again on the page Model")});
 }
 
-// The entry that has brought the terms in force, if they were not changed since by other ways.
-const calibration::CalibrationRecord* CalibrationDesk::recordInForce() const
-{
-    const calibration::CalibrationHistory& history = m_file.history();
-    if (!history.canUndo()) {
-        return nullptr;
-    }
-    const calibration::CalibrationRecord& last = history.entries()[history.inForce() - 1];
-    return isSame(last.terms.after, m_profile.pointing) ? &last : nullptr;
-}
-
-// What was changed by other ways since the entry that was applied last; empty: nothing.
-QString CalibrationDesk::changedSince() const
-{
-    const calibration::CalibrationHistory& history = m_file.history();
-    if (!history.canUndo() || recordInForce() != nullptr) {
-        return {};
-    }
-    return changeText(history.entries()[history.inForce() - 1].terms.after, m_profile.pointing);
-}
-
-// A term keeps its sigma as long as it keeps its value.
-calibration::TermSheet CalibrationDesk::sheet() const
-{
-    calibration::TermSheet sheet{.mountName = m_profile.mount.name,
-                                 .when = std::chrono::floor<std::chrono::seconds>(m_clock.utc()),
-                                 .mount = m_mount.today(),
-                                 .terms = m_profile.pointing,
-                                 .sigmas = {}};
-    const calibration::CalibrationHistory& history = m_file.history();
-    for (const calibration::Term term : calibration::kAllTerms) {
-        for (std::size_t i = history.inForce(); i > 0; --i) {
-            const calibration::CalibrationRecord& record = history.entries()[i - 1];
-            const Angle after = calibration::valueOf(record.terms.after, term);
-            if (abs(after - calibration::valueOf(m_profile.pointing, term)) > kSameTerm) {
-                break;
-            }
-            if (const auto& sigma = record.sigmas[calibration::indexOf(term)]) {
-                sheet.sigmas[calibration::indexOf(term)] = sigma;
-                break;
-            }
-        }
-    }
-    return sheet;
-}
-
-// How well Sun, Moon or landmarks have told what is in force, of this mount: a compass knows north and the zero of
-// elevation only by its box, and what a text says of itself was not seen here. A term that points have only held is
-// known by the swing before them: the next one is worth as much. A term keeps its sigma as long as it keeps its value.
-TermSigmas CalibrationDesk::toldByPoints() const
-{
-    TermSigmas told;
-    const calibration::CalibrationHistory& history = m_file.history();
-    for (const calibration::Term term : calibration::kAllTerms) {
-        for (std::size_t i = history.inForce(); i > 0; --i) {
-            const calibration::CalibrationRecord& record = history.entries()[i - 1];
-            const Angle after = calibration::valueOf(record.terms.after, term);
-            const bool otherMount =
-                calibration::difference(record.mount, m_mount.today()) != calibration::MountDifference::None;
-            if (otherMount || abs(after - calibration::valueOf(m_profile.pointing, term)) > kSameTerm) {
-                break;
-            }
-            const auto& sigma = record.sigmas[calibration::indexOf(term)];
-            if (sigma && !record.points.empty() && calibration::toldByPoints(*sigma, knownBy(i - 1).of(term))) {
-                told[calibration::indexOf(term)] = sigma;
-                break;
-            }
-        }
-    }
-    return told;
-}
-
-QString CalibrationDesk::otherMount() const
-{
-    const calibration::CalibrationRecord* const record = recordInForce();
-    if (record == nullptr) {
-        return {};
-    }
-    const QString what = toQString(record->title);
-    const QString day = dayOf(record->when);
-    switch (calibration::difference(record->mount, m_mount.today())) {
-        case calibration::MountDifference::OtherDrive:
-            return Text::tr("The pointing model in force (\"%1\", %2) was applied with another drive").arg(what, day);
-        case calibration::MountDifference::OtherSite:
-            return Text::tr("The pointing model in force (\"%1\", %2) was applied at another site").arg(what, day);
-        case calibration::MountDifference::None:
-            break;
-    }
-    return {};
-}
-
 void CalibrationDesk::warnOfOtherMount()
 {
-    const QString what = otherMount();
+    const QString what = m_model.otherMount();
     if (what.isEmpty()) {
         m_control.alarms().clear(kCause);
         return;
