@@ -18,7 +18,6 @@ constexpr Angle kCentred = Angle::fromDegrees(0.03);
 constexpr Angle kFarPoint = Angle::fromDegrees(5.0);
 // A landmark from a map, and a hand that points the beam at it.
 constexpr Angle kKnownPoint = Angle::fromDegrees(0.1);
-constexpr AngularRate kStanding = AngularRate::fromDegrees(0.1);  // faster than the Sun but near the zenith
 // A fit of 60 takes 15 ms, in the control tick.
 constexpr std::size_t kMostPoints = 60;
 
@@ -49,6 +48,8 @@ CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile
       m_clock(clock),
       m_log(log),
       m_file(file),
+      m_sensor(m_profile, clock),
+      m_axes(control, clock),
       m_mount(control, m_profile),
       m_model(file, m_profile, m_mount, clock),
       m_follower(control, profile, clock, log)
@@ -92,17 +93,6 @@ Result<> CalibrationDesk::handle(const request::FollowBody& wanted)
     return nothingRuns().and_then([&] { return m_follower.follow(wanted.body, wanted.refraction, wanted.overTheTop); });
 }
 
-Result<> CalibrationDesk::stands() const
-{
-    return m_control.measured().and_then([&](const AxisPosition&) -> Result<> {
-        const auto axes = m_trace.now();
-        if (!axes || std::max(abs(axes->rates.azimuth), abs(axes->rates.elevation)) > kStanding) {
-            return failure(ErrorCode::Refused, Text::tr("the mount still moves"));
-        }
-        return {};
-    });
-}
-
 // What follows a body turns on, and its motors would turn the needle.
 Result<> CalibrationDesk::followsNothing() const
 {
@@ -123,7 +113,7 @@ Result<> CalibrationDesk::roomForPoint() const
 
 Result<> CalibrationDesk::mayTakePoint() const
 {
-    return nothingRuns().and_then([this] { return stands(); }).and_then([this] { return roomForPoint(); });
+    return nothingRuns().and_then([this] { return m_axes.standStill(); }).and_then([this] { return roomForPoint(); });
 }
 
 Result<> CalibrationDesk::mayTakeBody()
@@ -146,7 +136,7 @@ Result<> CalibrationDesk::handle(const request::TakePoint&)
     return mayTakeBody().and_then([&] {
         const ephemeris::Body body = *m_follower.body();
         const SkyPointing truth = *m_follower.direction(body);
-        return addPoint(m_trace.now()->place, truth, kCentred, bodyName(body)).map([&] { warnOfFarPoint(truth); });
+        return addPoint(m_axes.now()->place, truth, kCentred, bodyName(body)).map([&] { warnOfFarPoint(truth); });
     });
 }
 
@@ -175,7 +165,7 @@ Result<> CalibrationDesk::handle(const request::TakeKnownPoint& wanted)
     }
     return mayTakePoint().and_then([&] {
         const QString label = wanted.label.trimmed();
-        return addPoint(m_trace.now()->place, {wanted.truth.azimuth.wrapped360(), wanted.truth.elevation}, kKnownPoint,
+        return addPoint(m_axes.now()->place, {wanted.truth.azimuth.wrapped360(), wanted.truth.elevation}, kKnownPoint,
                         label.isEmpty() ? Text::tr("landmark") : label);
     });
 }
@@ -231,8 +221,8 @@ Result<> CalibrationDesk::handle(const request::DropAllPoints&)
 Result<> CalibrationDesk::handle(const request::MeasureSensorOffset&)
 {
     return nothingRuns()
-        .and_then([this] { return sensorTells(); })
-        .and_then([this] { return stands(); })
+        .and_then([this] { return m_sensor.isUsable(); })
+        .and_then([this] { return m_axes.standStill(); })
         .and_then([this] { return followsNothing(); })
         .and_then([this]() -> Result<> {
             const QString obstacle = compassObstacle(m_control.measured()->elevation);
@@ -259,7 +249,7 @@ Result<> CalibrationDesk::handle(const request::StartSwing& wanted)
             return failure(ErrorCode::Refused, plan.obstacle);
         }
         m_follower.end();
-        m_swingRestarts = m_restarts;
+        m_swingRestarts = m_sensor.restarts();
         m_swing.emplace(plan, *m_control.measured(), m_profile.azimuth.limits, m_profile.sensor, m_clock.now());
         m_log.add(Severity::Advisory, kDeskSource, Text::tr("swings the compass: %1").arg(plan.text));
         stepSwing();
@@ -414,7 +404,7 @@ void CalibrationDesk::bringIntoForce(const CalibrationChange& change, const QStr
 void CalibrationDesk::propose(ProposedBy by)
 {
     m_by = by;
-    m_proposedAt = m_declination;
+    m_proposedAt = m_sensor.declination();
     m_proposal = proposed();
     if (m_proposal && m_axesTold && std::ranges::any_of(m_proposal->points, [this](const auto& point) {
             return point.isUsed && point.when < *m_axesTold;

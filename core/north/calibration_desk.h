@@ -2,16 +2,16 @@
 #pragma once
 
 #include "core/messages/request.h"
-#include "core/north/axis_trace.h"
+#include "core/north/axis_observer.h"
 #include "core/north/body_follower.h"
 #include "core/north/calibration_file.h"
 #include "core/north/calibration_proposal.h"
+#include "core/north/live_sensor.h"
 #include "core/north/model_in_force.h"
 #include "core/north/mount_identity.h"
 #include "core/north/point_book.h"
 #include "core/north/scan_run.h"
 #include "core/north/swing_run.h"
-#include "core/orientation/orientation.h"
 #include "core/power/power_line.h"
 
 #include <memory>
@@ -109,10 +109,7 @@ private:
 
     [[nodiscard]] CalibrationRun run() const;
     [[nodiscard]] Result<> nothingRuns() const;
-    [[nodiscard]] Result<> sensorTells() const;
-    [[nodiscard]] Result<> sensorSpeaks() const;
     [[nodiscard]] Result<> maySwing() const;
-    [[nodiscard]] Result<> stands() const;
     [[nodiscard]] Result<> followsNothing() const;
     [[nodiscard]] Result<> roomForPoint() const;
     [[nodiscard]] Result<> mayTakePoint() const;
@@ -131,7 +128,6 @@ private:
     void leaveOutOtherPoints();
     [[nodiscard]] SwingPlan planned(const SwingWish& wish) const;
 
-    void noteAxes();
     void stepOffset();
     void stepSwing();
     [[nodiscard]] QString endOfSwing() const;
@@ -175,19 +171,15 @@ private:
     const Clock& m_clock;
     EventLog& m_log;
     CalibrationFile& m_file;
+    LiveSensor m_sensor;
+    AxisObserver m_axes;
     MountIdentity m_mount;
     ModelInForce m_model;
     BodyFollower m_follower;
-    AxisTrace m_trace;
-    std::optional<SteadyTime> m_unseenSince;          // the axes are not
-    std::optional<orientation::Orientation> m_value;  // of the sensor, the last
-    QString m_sensorProblem;                          // of its port or broker
-    Angle m_declination;
 
     std::optional<OffsetRun> m_offsetRun;
     std::optional<SwingRun> m_swing;
-    std::uint64_t m_restarts = 0;       // of the sensor
-    std::uint64_t m_swingRestarts = 0;  // when the swing began
+    std::uint64_t m_swingRestarts = 0;  // of the sensor, when the swing began
     std::optional<ScanRun> m_scan;
     ephemeris::Refraction m_beforeScan = ephemeris::Refraction::Light;
     SwingWish m_swingWish;

@@ -51,7 +51,7 @@ void CalibrationDesk::publish()
                              .sheet = m_model.sheet(),
                              .otherMount = m_model.otherMount(),
                              .sensorOffset = m_sensorOffset,
-                             .sensorObstacle = reasonOf(sensorTells()),
+                             .sensorObstacle = reasonOf(m_sensor.isUsable()),
                              .swingPlan = planned(m_swingWish),
                              .swing = m_swung};
     if (m_swing) {
@@ -108,7 +108,7 @@ bool CalibrationDesk::beamAtSun()
     }
     const Angle distance = angleBetween(*beam, *sun);
     const Angle near = std::max(m_profile.mount.beamWidth / 2.0, kNearSun);
-    return told ? distance < near + kClearOfSun : distance < near && stands();
+    return told ? distance < near + kClearOfSun : distance < near && m_axes.standStill();
 }
 
 void CalibrationDesk::warnOfSun()

@@ -12,7 +12,6 @@ namespace {
 
 const QString kRunsSource = QStringLiteral("calibration");
 const QString kWait = QStringLiteral("swing");  // cause of the alarm
-constexpr int kCalibratedMagnetometer = 2;
 constexpr std::chrono::milliseconds kPublishPeriod{250};
 // For how long a swing goes on unseen: a stall of this computer is over by then, and the drives have their own watch.
 constexpr Seconds kUnseen{1.0};
@@ -62,40 +61,10 @@ Result<> CalibrationDesk::nothingRuns() const
     return {};
 }
 
-Result<> CalibrationDesk::sensorSpeaks() const
-{
-    const Seconds age = m_value ? Seconds(m_clock.now() - m_value->arrival) : Seconds(0.0);
-    if (m_value && age <= m_profile.sensor.lost) {
-        return {};
-    }
-    const QString silence =
-        m_value ? Text::tr("the orientation sensor has said nothing for %1 s").arg(age.count(), 0, 'f', 0)
-                : Text::tr("the orientation sensor has said nothing yet");
-    return failure(ErrorCode::NoAnswer,
-                   m_sensorProblem.isEmpty() ? silence : QStringLiteral("%1 (%2)").arg(silence, m_sensorProblem));
-}
-
-Result<> CalibrationDesk::sensorTells() const
-{
-    if (m_profile.sensor.source == profile::SensorSource::None) {
-        return failure(ErrorCode::NotAvailable, Text::tr("the profile names no orientation sensor"));
-    }
-    return sensorSpeaks().and_then([this]() -> Result<> {
-        if (m_value->calibration && m_value->calibration->magnetometer < kCalibratedMagnetometer) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("the magnetometer is calibrated to %1 of 3 only, it needs %2: move "
-                                    "the sensor in figures of eight")
-                               .arg(m_value->calibration->magnetometer)
-                               .arg(kCalibratedMagnetometer));
-        }
-        return {};
-    });
-}
-
 Result<> CalibrationDesk::maySwing() const
 {
     return nothingRuns()
-        .and_then([this] { return sensorTells(); })
+        .and_then([this] { return m_sensor.isUsable(); })
         .and_then([this] { return m_control.mayPoint(calibrationSource()); })
         .and_then([this]() -> Result<> {
             if (m_control.authority() == Authority::Clients) {
@@ -120,23 +89,20 @@ SwingPlan CalibrationDesk::planned(const SwingWish& wish) const
 // The sensor's value is old and a mean when it arrives: it is laid beside where the axes were then.
 void CalibrationDesk::take(const SensorStatus& sensor)
 {
-    m_declination = sensor.declination;
-    m_restarts = sensor.restarts;
-    m_sensorProblem = sensor.problem;
-    if (!sensor.last || (m_value && sensor.last->arrival == m_value->arrival)) {
+    const orientation::Orientation* const value = m_sensor.take(sensor);
+    if (value == nullptr) {
         return;
     }
-    m_value = sensor.last;
     const profile::SensorSettings& settings = m_profile.sensor;
-    const auto about = m_trace.about(before(m_value->arrival, settings.latency), settings.averaging);
-    const auto level = m_trace.about(before(m_value->arrival, levelAge(settings)), Seconds(0.0));
+    const auto about = m_axes.trace().about(before(value->arrival, settings.latency), settings.averaging);
+    const auto level = m_axes.trace().about(before(value->arrival, levelAge(settings)), Seconds(0.0));
     if (!about || !level) {
         return;
     }
     if (m_swing) {
-        m_swing->take({.value = *m_value, .about = *about, .level = *level});
+        m_swing->take({.value = *value, .about = *about, .level = *level});
     } else if (m_offsetRun) {
-        takeForOffset(*m_value, *about);
+        takeForOffset(*value, *about);
     }
 }
 
@@ -145,10 +111,10 @@ void CalibrationDesk::takeForOffset(const orientation::Orientation& value, const
     calibration::SensorReading reading{
         .axisAzimuth = about.place.azimuth, .axisRate = about.rates.azimuth, .motorCurrent = about.current};
     // Without a swing there is no curve for the fit to be told, only a mounting to be dealt with.
-    reading.heading =
-        wasSwung(m_profile.sensor)
-            ? value.heading
-            : orientation::SensorHeading::folded(curveOf(m_profile.sensor, m_declination).corrected(value.heading));
+    reading.heading = wasSwung(m_profile.sensor)
+                          ? value.heading
+                          : orientation::SensorHeading::folded(
+                                curveOf(m_profile.sensor, m_sensor.declination()).corrected(value.heading));
     reading.axisElevation = about.place.elevation;
     if (value.calibration) {
         reading.systemCalibration = value.calibration->system;
@@ -157,25 +123,10 @@ void CalibrationDesk::takeForOffset(const orientation::Orientation& value, const
     m_offsetRun->readings.push_back(reading);
 }
 
-void CalibrationDesk::noteAxes()
-{
-    const auto sample = m_control.sample();
-    if (!m_control.measured() || !sample) {
-        m_trace.clear();
-        return;
-    }
-    const auto& [azimuth, elevation] = sample->axes;
-    if (azimuth.actual && elevation.actual) {
-        m_trace.note(sample->time, {*azimuth.actual, *elevation.actual},
-                     std::max(std::abs(azimuth.current.value_or(0.0)), std::abs(elevation.current.value_or(0.0))));
-    }
-}
-
 void CalibrationDesk::tick()
 {
     noteDrives();
-    noteAxes();
-    m_unseenSince = m_trace.now() ? std::nullopt : std::optional(m_unseenSince.value_or(m_clock.now()));
+    m_axes.tick();
     m_follower.tick();
     if (m_swing) {
         stepSwing();
@@ -191,14 +142,14 @@ void CalibrationDesk::tick()
 
 void CalibrationDesk::stepOffset()
 {
-    if (const auto tells = sensorTells(); !tells) {
+    if (const auto tells = m_sensor.isUsable(); !tells) {
         endRun(toQString(tells.error().text), true);
         return;
     }
     if (Seconds(m_clock.now() - m_offsetRun->started) < kOffsetTime) {
         return;
     }
-    const auto curve = wasSwung(m_profile.sensor) ? std::optional(curveOf(m_profile.sensor, m_declination))
+    const auto curve = wasSwung(m_profile.sensor) ? std::optional(curveOf(m_profile.sensor, m_sensor.declination()))
                                                   : std::optional<calibration::DeviationCurve>();
     const calibration::SensorOffsetLimits limits{.motorCurrent = m_profile.sensor.stillCurrent};
     const auto offset = calibration::sensorOffset(m_offsetRun->readings, limits, curve);
@@ -218,7 +169,7 @@ void CalibrationDesk::stepSwing()
         endRun(reason, true);
         return;
     }
-    if (const auto axes = m_trace.now()) {
+    if (const auto axes = m_axes.now()) {
         leadSwing(*axes);
     }
     if (m_swing && m_swing->done()) {
@@ -230,14 +181,14 @@ void CalibrationDesk::stepSwing()
 QString CalibrationDesk::endOfSwing() const
 {
     const SteadyTime now = m_clock.now();
-    const auto tells = sensorTells();
-    if (!tells && (sensorSpeaks() || !m_swing->begun() || m_swing->waitedInVain(now))) {
+    const auto tells = m_sensor.isUsable();
+    if (!tells && (m_sensor.isHeard() || !m_swing->begun() || m_swing->waitedInVain(now))) {
         return toQString(tells.error().text);
     }
-    if (m_unseenSince && Seconds(now - *m_unseenSince) > kUnseen) {
+    if (m_axes.unseenFor() > kUnseen) {
         return Text::tr("where the mount stands is not known any more");
     }
-    if (m_restarts != m_swingRestarts) {
+    if (m_sensor.restarts() != m_swingRestarts) {
         return Text::tr("the sensor was started anew meanwhile: its compass may count otherwise now");
     }
     if (m_swing->late(now)) {
@@ -248,7 +199,7 @@ QString CalibrationDesk::endOfSwing() const
 
 void CalibrationDesk::leadSwing(const AxesThen& axes)
 {
-    const auto speaks = sensorSpeaks();
+    const auto speaks = m_sensor.isHeard();
     const bool waited = m_swing->waits();
     const auto wanted = m_swing->step(m_clock.now(), axes, speaks.has_value());
     if (m_swing->waits() && !waited) {
@@ -286,7 +237,7 @@ void CalibrationDesk::finishSwing()
                                                   "the sensor was silent meanwhile and does not tell how it is "
                                                   "calibrated: if it was started anew, repeat the swing");
     const calibration::SwingLimits limits = m_swing->limits();
-    auto outcome = m_swing->outcome(m_clock.utc(), m_declination);
+    auto outcome = m_swing->outcome(m_clock.utc(), m_sensor.declination());
     if (!outcome) {
         endRun(toQString(outcome.error().text), true);
         return;

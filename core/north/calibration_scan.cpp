@@ -87,7 +87,7 @@ void CalibrationDesk::stepScan()
         endRun(reason, true);
         return;
     }
-    const auto axes = m_trace.now();
+    const auto axes = m_axes.now();
     if (!axes || onSky(*axes) > kResting || !m_control.onTarget(kThere)) {
         m_scan->moves(now);
         return;

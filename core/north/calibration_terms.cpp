@@ -74,7 +74,7 @@ Result<> CalibrationDesk::stillInForce(const pointing::PointingTerms& terms,
 void CalibrationDesk::dropStale()
 {
     const bool bySensor = m_by == ProposedBy::SensorOffset || m_by == ProposedBy::Swing;
-    if (bySensor && abs(m_declination - m_proposedAt) > kSameDeclination) {
+    if (bySensor && abs(m_sensor.declination() - m_proposedAt) > kSameDeclination) {
         m_sensorOffset.reset();
         propose(ProposedBy::Nothing);
         m_log.add(Severity::Warning, kCause,
