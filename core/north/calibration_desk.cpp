@@ -32,14 +32,6 @@ calibration::RecordMount updated(calibration::RecordMount mount, const calibrati
 
 }  // namespace
 
-void CalibrationChange::applyTo(profile::Profile& profile) const
-{
-    profile.pointing = terms;
-    if (sensor) {
-        setMounting(profile.sensor, *sensor);
-    }
-}
-
 CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile& profile, CalibrationFile& file,
                                  const Clock& clock, EventLog& log)
     : m_control(control),
@@ -52,7 +44,8 @@ CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile
       m_axes(control, clock),
       m_mount(control, m_profile),
       m_model(file, m_profile, m_mount, clock),
-      m_follower(control, profile, clock, log)
+      m_follower(control, profile, clock, log),
+      m_alarms(control, m_profile, file, m_model, m_axes, m_follower)
 {
     restorePoints();
 }

@@ -4,6 +4,8 @@
 #include "core/messages/request.h"
 #include "core/north/axis_observer.h"
 #include "core/north/body_follower.h"
+#include "core/north/calibration_alarms.h"
+#include "core/north/calibration_change.h"
 #include "core/north/calibration_file.h"
 #include "core/north/calibration_proposal.h"
 #include "core/north/live_sensor.h"
@@ -25,15 +27,6 @@
 // everybody; whatever else is asked of the mount ends a run at once. Only Apply, Undo and Redo change anything, and
 // they move nothing. Station thread.
 namespace boresight {
-
-// What comes into force of a profile by Apply, Undo or Redo.
-struct CalibrationChange
-{
-    pointing::PointingTerms terms;
-    std::optional<calibration::SensorMounting> sensor;
-
-    void applyTo(profile::Profile& profile) const;
-};
 
 class CalibrationDesk
 {
@@ -71,8 +64,6 @@ private:
     static constexpr Seconds kOffsetTime{20.0};
     // Of the alarm that points are left out.
     inline static const QString kOtherPoints = QStringLiteral("calibration points");
-    // Of the alarm that the beam is at the Sun.
-    inline static const QString kAtSun = QStringLiteral("calibration.sun");
 
     struct OffsetRun
     {
@@ -150,10 +141,6 @@ private:
     [[nodiscard]] std::optional<Proposal> proposed() const;
     [[nodiscard]] Proposal swungProposal() const;
     [[nodiscard]] bool pointsSayOther() const;
-    void warnOfOtherMount();
-    void warnOfFile();
-    [[nodiscard]] bool beamAtSun();
-    void warnOfSun();
     void warnOfFarPoint(const SkyPointing& truth);
     Result<> proposeGiven(GivenTerms given);
     void bringIntoForce(const CalibrationChange& change, const QString& what, ProposedBy next);
@@ -176,6 +163,7 @@ private:
     MountIdentity m_mount;
     ModelInForce m_model;
     BodyFollower m_follower;
+    CalibrationAlarms m_alarms;
 
     std::optional<OffsetRun> m_offsetRun;
     std::optional<SwingRun> m_swing;

@@ -2,19 +2,12 @@
 // The part of CalibrationDesk that tells the screen what it does and knows.
 #include "core/base/text.h"
 #include "core/north/calibration_desk.h"
-#include "core/units/angle_between.h"
 #include "core/witness/sensor_curve.h"
 
 #include <algorithm>
 
 namespace boresight {
 namespace {
-
-const QString kFileCause = QStringLiteral("calibrations");
-// A beam that is sharper than this gathers the Sun's light in the feed, or beside it.
-constexpr Angle kNearSun = Angle::fromDegrees(1.0);
-// The alarm must not come and go with the noise of an encoder.
-constexpr Angle kClearOfSun = Angle::fromDegrees(0.05);
 
 QString reasonOf(const Result<>& result)
 {
@@ -39,9 +32,7 @@ QString placeText(calibration::MountDifference difference)
 void CalibrationDesk::publish()
 {
     m_published = m_clock.now();
-    warnOfOtherMount();
-    warnOfFile();
-    warnOfSun();
+    m_alarms.update();
     dropStale();
     leaveOutOtherPoints();
     noteTurns();
@@ -75,56 +66,6 @@ void CalibrationDesk::publish()
     status.canUndo = m_file.history().canUndo();
     status.canRedo = m_file.history().canRedo();
     m_status = std::make_shared<const CalibrationStatus>(std::move(status));
-}
-
-void CalibrationDesk::warnOfFile()
-{
-    if (m_file.problem().isEmpty()) {
-        m_control.alarms().clear(kFileCause);
-        return;
-    }
-    m_control.alarms().raise(
-        kFileCause, Severity::Warning,
-        {.what = m_file.problem(),
-         .action = Text::tr("What is applied is in force; its history is kept in memory only"),
-         .remedy = Text::tr("Check the disk, or choose another folder with --state-dir; else it cannot be taken back "
-                            "after the program was ended")});
-}
-
-// Led there, or standing there whoever has led it; what only passes by is not told.
-bool CalibrationDesk::beamAtSun()
-{
-    if (m_follower.follows(ephemeris::Body::Sun)) {
-        return true;
-    }
-    const auto sun = m_follower.direction(ephemeris::Body::Sun);
-    if (!sun || sun->elevation < Angle{} || m_profile.sun.keepAway == profile::KeepAway::On) {
-        return false;  // its keep-out has an alarm of its own
-    }
-    const bool told = m_control.alarms().active(kAtSun);
-    const auto beam = m_control.direction();
-    if (!beam) {
-        return told;  // and nothing else is known
-    }
-    const Angle distance = angleBetween(*beam, *sun);
-    const Angle near = std::max(m_profile.mount.beamWidth / 2.0, kNearSun);
-    return told ? distance < near + kClearOfSun : distance < near && m_axes.standStill();
-}
-
-void CalibrationDesk::warnOfSun()
-{
-    if (!beamAtSun()) {
-        m_control.alarms().clear(kAtSun);
-        return;
-    }
-    m_control.alarms().raise(
-        kAtSun, Severity::Warning,
-        {.what = Text::tr("the beam is at the Sun, or led there"),
-         .action = m_follower.follows(ephemeris::Body::Sun)
-                       ? Text::tr("The mount follows the Sun until something else is asked of it")
-                       : Text::tr("That lasts until the mount is moved or the Sun has passed"),
-         .remedy = Text::tr("Never look along the beam, nor through a sight tube without a solar filter; a dish "
-                            "gathers the Sun's heat in the feed: cover it, or be quick")});
 }
 
 void CalibrationDesk::fill(StationStatus& status) const
@@ -174,7 +115,7 @@ void CalibrationDesk::fillBodies(CalibrationStatus& status)
     for (const ephemeris::Body body : kBodies) {
         status.bodies.push_back(m_follower.now(body));
     }
-    if (m_control.alarms().active(kAtSun)) {
+    if (m_alarms.isAtSun()) {
         status.warning = Text::tr(
             "The beam looks into the Sun: nobody looks along it, nor through a sight tube "
             "without a solar filter; mind the heat in the feed");

@@ -11,7 +11,7 @@
 namespace boresight {
 namespace {
 
-const QString kCause = QStringLiteral("calibration");
+const QString kTermsSource = QStringLiteral("calibration");
 
 // The fit of the same points against another model in force ends some ten millionths of a degree beside: less than half
 // of the last place that is shown says nothing else.
@@ -77,7 +77,7 @@ void CalibrationDesk::dropStale()
     if (bySensor && abs(m_sensor.declination() - m_proposedAt) > kSameDeclination) {
         m_sensorOffset.reset();
         propose(ProposedBy::Nothing);
-        m_log.add(Severity::Warning, kCause,
+        m_log.add(Severity::Warning, kTermsSource,
                   Text::tr("the settings of the sensor or the declination have changed: what was found with the former "
                            "is not proposed any more; measure again"));
     }
@@ -87,7 +87,7 @@ void CalibrationDesk::warnOfOtherMount(const calibration::CalibrationRecord& rec
 {
     if (calibration::difference(record.mount, m_mount.today()) != calibration::MountDifference::None) {
         m_log.add(
-            Severity::Warning, kCause,
+            Severity::Warning, kTermsSource,
             Text::tr("\"%1\" was applied with another drive or at another site: see where north is before you rely "
                      "on what comes into force")
                 .arg(toQString(record.title)));
@@ -115,7 +115,7 @@ void CalibrationDesk::restorePoints()
     if (m_book.points().empty()) {
         return;
     }
-    m_log.add(Severity::Advisory, kCause,
+    m_log.add(Severity::Advisory, kTermsSource,
               Text::tr("%1 points that were taken before are here again; they count when both drives have told who "
                        "they are")
                   .arg(m_book.points().size()));
@@ -177,19 +177,6 @@ void CalibrationDesk::leaveOutOtherPoints()
                               .action = Text::tr("None of them is used any more: nothing is found from them"),
                               .remedy = Text::tr("Drop them and take new ones; a point that still holds can be used "
                                                  "again on the page Model")});
-}
-
-void CalibrationDesk::warnOfOtherMount()
-{
-    const QString what = m_model.otherMount();
-    if (what.isEmpty()) {
-        m_control.alarms().clear(kCause);
-        return;
-    }
-    m_control.alarms().raise(kCause, Severity::Warning,
-                             {.what = what,
-                              .action = Text::tr("It stays in force; nothing moves"),
-                              .remedy = Text::tr("Find north anew and apply it, or take the calibration back")});
 }
 
 }  // namespace boresight
