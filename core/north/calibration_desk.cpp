@@ -18,17 +18,6 @@ constexpr Angle kCentred = Angle::fromDegrees(0.03);
 constexpr Angle kFarPoint = Angle::fromDegrees(5.0);
 // A landmark from a map, and a hand that points the beam at it.
 constexpr Angle kKnownPoint = Angle::fromDegrees(0.1);
-// A fit of 60 takes 15 ms, in the control tick.
-constexpr std::size_t kMostPoints = 60;
-
-// What is not known today stays what it was: else points would be nobody's, and never left out.
-calibration::RecordMount updated(calibration::RecordMount mount, const calibration::RecordMount& today)
-{
-    mount.azimuthDrive = today.azimuthDrive.empty() ? mount.azimuthDrive : today.azimuthDrive;
-    mount.elevationDrive = today.elevationDrive.empty() ? mount.elevationDrive : today.elevationDrive;
-    mount.site = today.site ? today.site : mount.site;
-    return mount;
-}
 
 }  // namespace
 
@@ -44,11 +33,10 @@ CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile
       m_axes(control, clock),
       m_mount(control, m_profile),
       m_model(file, m_profile, m_mount, clock),
+      m_points(control, file, m_mount, m_model, clock, log),
       m_follower(control, profile, clock, log),
       m_alarms(control, m_profile, file, m_model, m_axes, m_follower)
-{
-    restorePoints();
-}
+{}
 
 Result<> CalibrationDesk::carryOut(const CalibrationRequest& request)
 {
@@ -71,13 +59,13 @@ void CalibrationDesk::setProfile(const profile::Profile& profile)
     m_follower.setProfile(profile);
     m_changed = true;
     if (other) {
-        m_book.fit(m_profile.pointing, m_model.known());
+        m_points.fit();
         if (otherSensor) {
             m_proposedAt = Angle::fromTurns(1.0);  // what was found with the settings of before holds no more
             dropStale();
         }
         // What is proposed is told against what is in force; what the points say may be that now.
-        propose(m_by == ProposedBy::Points && !pointsSayOther() ? ProposedBy::Nothing : m_by);
+        propose(m_by == ProposedBy::Points && !m_points.contradictModel() ? ProposedBy::Nothing : m_by);
     }
 }
 
@@ -96,17 +84,11 @@ Result<> CalibrationDesk::followsNothing() const
     return {};
 }
 
-Result<> CalibrationDesk::roomForPoint() const
-{
-    if (m_book.points().size() >= kMostPoints) {
-        return failure(ErrorCode::Refused, Text::tr("there are %1 points already: drop some").arg(kMostPoints));
-    }
-    return {};
-}
-
 Result<> CalibrationDesk::mayTakePoint() const
 {
-    return nothingRuns().and_then([this] { return m_axes.standStill(); }).and_then([this] { return roomForPoint(); });
+    return nothingRuns().and_then([this] { return m_axes.standStill(); }).and_then([this] {
+        return m_points.hasRoom();
+    });
 }
 
 Result<> CalibrationDesk::mayTakeBody()
@@ -126,10 +108,11 @@ Result<> CalibrationDesk::mayTakeBody()
 // Where the axes are now, not where they were told to be, and where the body is now.
 Result<> CalibrationDesk::handle(const request::TakePoint&)
 {
-    return mayTakeBody().and_then([&] {
+    return mayTakeBody().map([&] {
         const ephemeris::Body body = *m_follower.body();
         const SkyPointing truth = *m_follower.direction(body);
-        return addPoint(m_axes.now()->place, truth, kCentred, bodyName(body)).map([&] { warnOfFarPoint(truth); });
+        addPoint({.axes = m_axes.now()->place, .truth = truth, .sigma = kCentred, .label = bodyName(body)});
+        warnOfFarPoint(truth);
     });
 }
 
@@ -145,7 +128,7 @@ void CalibrationDesk::warnOfFarPoint(const SkyPointing& truth)
         m_log.add(Severity::Warning, kDeskSource,
                   Text::tr("by the model in force the beam is %1° beside it: if it was not centred, drop point %2")
                       .arg(distance.degrees(), 0, 'f', 1)
-                      .arg(m_book.points().size()));
+                      .arg(m_points.book().points().size()));
     }
 }
 
@@ -156,59 +139,43 @@ Result<> CalibrationDesk::handle(const request::TakeKnownPoint& wanted)
         return failure(ErrorCode::OutOfRange,
                        Text::tr("an azimuth within 360° and an elevation within 90° are expected"));
     }
-    return mayTakePoint().and_then([&] {
+    return mayTakePoint().map([&] {
         const QString label = wanted.label.trimmed();
-        return addPoint(m_axes.now()->place, {wanted.truth.azimuth.wrapped360(), wanted.truth.elevation}, kKnownPoint,
-                        label.isEmpty() ? Text::tr("landmark") : label);
+        addPoint({.axes = m_axes.now()->place,
+                  .truth = {wanted.truth.azimuth.wrapped360(), wanted.truth.elevation},
+                  .sigma = kKnownPoint,
+                  .label = label.isEmpty() ? Text::tr("landmark") : label});
     });
 }
 
-Result<> CalibrationDesk::addPoint(const AxisPosition& axes, const SkyPointing& truth, Angle sigma,
-                                   const QString& label)
+void CalibrationDesk::addPoint(const NewPoint& point)
 {
-    m_book.add({.axes = axes, .truth = truth, .sigma = sigma, .when = m_clock.utc(), .label = label.toStdString()});
-    m_log.add(Severity::Advisory, kDeskSource,
-              Text::tr("point %1: %2 at azimuth %3°, elevation %4°; axes %5° %6°")
-                  .arg(m_book.points().size())
-                  .arg(label)
-                  .arg(truth.azimuth.degrees(), 0, 'f', 2)
-                  .arg(truth.elevation.degrees(), 0, 'f', 2)
-                  .arg(axes.azimuth.degrees(), 0, 'f', 2)
-                  .arg(axes.elevation.degrees(), 0, 'f', 2));
+    m_points.add(point);
+    pointsChanged();
+}
+
+Result<> CalibrationDesk::handle(const request::DropPoint& wanted)
+{
+    return m_points.drop(wanted.index).map([this] { pointsChanged(); });
+}
+
+Result<> CalibrationDesk::handle(const request::UsePoint& wanted)
+{
+    return m_points.use(wanted.index, wanted.used).map([this] { pointsChanged(); });
+}
+
+Result<> CalibrationDesk::handle(const request::DropAllPoints&)
+{
+    m_points.clear();
     pointsChanged();
     return {};
 }
 
 void CalibrationDesk::pointsChanged()
 {
-    m_control.alarms().clear(kOtherPoints);
-    m_pointsMount = m_book.points().empty() ? calibration::RecordMount{} : updated(m_pointsMount, m_mount.today());
-    m_file.keepPoints({.when = std::chrono::floor<std::chrono::milliseconds>(m_clock.utc()),
-                       .title = "Points",
-                       .mount = m_pointsMount,
-                       .terms = {.before = m_profile.pointing, .after = m_profile.pointing},
-                       .points = m_book.points()});
-    m_book.fit(m_profile.pointing, m_model.known());
     m_fitDiscarded = false;
     const ProposedBy other = m_by == ProposedBy::Points ? ProposedBy::Nothing : m_by;
-    propose(m_book.fitted() ? ProposedBy::Points : other);
-}
-
-Result<> CalibrationDesk::handle(const request::DropPoint& wanted)
-{
-    return m_book.drop(wanted.index).map([this] { pointsChanged(); });
-}
-
-Result<> CalibrationDesk::handle(const request::UsePoint& wanted)
-{
-    return m_book.use(wanted.index, wanted.used).map([this] { pointsChanged(); });
-}
-
-Result<> CalibrationDesk::handle(const request::DropAllPoints&)
-{
-    m_book.clear();
-    pointsChanged();
-    return {};
+    propose(m_points.book().fitted() ? ProposedBy::Points : other);
 }
 
 Result<> CalibrationDesk::handle(const request::MeasureSensorOffset&)
@@ -399,9 +366,7 @@ void CalibrationDesk::propose(ProposedBy by)
     m_by = by;
     m_proposedAt = m_sensor.declination();
     m_proposal = proposed();
-    if (m_proposal && m_axesTold && std::ranges::any_of(m_proposal->points, [this](const auto& point) {
-            return point.isUsed && point.when < *m_axesTold;
-        })) {
+    if (m_proposal && m_points.axesMayDiffer(m_proposal->points)) {
         m_proposal->warnings.push_back(Text::tr(
             "the turn of an axis had to be told anew since the first of these points: if it was told otherwise than it "
             "stood before, the points do not fit together; drop those from before"));
@@ -429,8 +394,8 @@ std::optional<Proposal> CalibrationDesk::proposed() const
         case ProposedBy::Swing:
             return swungProposal();
         case ProposedBy::Points:
-            return m_book.fitted() && !m_fitDiscarded
-                       ? std::optional(proposalOf(*m_book.fitted(), m_book.points(), m_profile))
+            return m_points.book().fitted() && !m_fitDiscarded
+                       ? std::optional(proposalOf(*m_points.book().fitted(), m_points.book().points(), m_profile))
                        : std::nullopt;
         case ProposedBy::Given:
             return proposalOf(m_given, m_profile);

@@ -8,10 +8,8 @@
 #include "core/north/calibration_change.h"
 #include "core/north/calibration_file.h"
 #include "core/north/calibration_proposal.h"
+#include "core/north/kept_points.h"
 #include "core/north/live_sensor.h"
-#include "core/north/model_in_force.h"
-#include "core/north/mount_identity.h"
-#include "core/north/point_book.h"
 #include "core/north/scan_run.h"
 #include "core/north/swing_run.h"
 #include "core/power/power_line.h"
@@ -62,8 +60,6 @@ public:
 private:
     // Of a sensor that speaks once a second: twice as many readings as its average must have.
     static constexpr Seconds kOffsetTime{20.0};
-    // Of the alarm that points are left out.
-    inline static const QString kOtherPoints = QStringLiteral("calibration points");
 
     struct OffsetRun
     {
@@ -102,7 +98,6 @@ private:
     [[nodiscard]] Result<> nothingRuns() const;
     [[nodiscard]] Result<> maySwing() const;
     [[nodiscard]] Result<> followsNothing() const;
-    [[nodiscard]] Result<> roomForPoint() const;
     [[nodiscard]] Result<> mayTakePoint() const;
     [[nodiscard]] Result<> mayTakeBody();
     [[nodiscard]] Result<> isProposed(std::uint64_t number) const;
@@ -112,11 +107,8 @@ private:
                                         const std::optional<calibration::SensorMounting>& sensor) const;
     void warnOfOtherMount(const calibration::CalibrationRecord& record);
     void dropStale();
-    void noteTurns();
     void noteDrives();
-    void restorePoints();
-    void countRestored();
-    void leaveOutOtherPoints();
+    void watchPoints();
     [[nodiscard]] SwingPlan planned(const SwingWish& wish) const;
 
     void stepOffset();
@@ -134,13 +126,12 @@ private:
     void holdMount();
     [[nodiscard]] QString whoEnded() const;
     void takeForOffset(const orientation::Orientation& value, const AxesThen& about);
-    Result<> addPoint(const AxisPosition& axes, const SkyPointing& truth, Angle sigma, const QString& label);
+    void addPoint(const NewPoint& point);
     void pointsChanged();
 
     void propose(ProposedBy by);
     [[nodiscard]] std::optional<Proposal> proposed() const;
     [[nodiscard]] Proposal swungProposal() const;
-    [[nodiscard]] bool pointsSayOther() const;
     void warnOfFarPoint(const SkyPointing& truth);
     Result<> proposeGiven(GivenTerms given);
     void bringIntoForce(const CalibrationChange& change, const QString& what, ProposedBy next);
@@ -162,6 +153,7 @@ private:
     AxisObserver m_axes;
     MountIdentity m_mount;
     ModelInForce m_model;
+    KeptPoints m_points;
     BodyFollower m_follower;
     CalibrationAlarms m_alarms;
 
@@ -181,9 +173,6 @@ private:
     std::optional<double> m_power;
     power::LineStatus m_powerLine;
     GivenTerms m_given;
-    PointBook m_book;
-    calibration::RecordMount m_pointsMount;  // of whom the points are
-    std::optional<UtcTime> m_axesTold;       // the operator was last asked where an axis stands
     ProposedBy m_by = ProposedBy::Nothing;
     bool m_fitDiscarded = false;  // what the points say, until they say otherwise
     Angle m_proposedAt;           // the declination that was in force when it was found

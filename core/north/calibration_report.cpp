@@ -34,8 +34,7 @@ void CalibrationDesk::publish()
     m_published = m_clock.now();
     m_alarms.update();
     dropStale();
-    leaveOutOtherPoints();
-    noteTurns();
+    watchPoints();
     m_changed = false;
     CalibrationStatus status{.progress = progress(),
                              .present = m_profile.pointing,
@@ -53,9 +52,9 @@ void CalibrationDesk::publish()
     }
     fillBodies(status);
     status.pointObstacle = reasonOf(mayTakeBody());
-    status.points = m_book.status();
-    status.fit = m_book.fitStatus(m_profile.pointing);
-    status.noFit = m_book.problem();
+    status.points = m_points.book().status();
+    status.fit = m_points.book().fitStatus(m_profile.pointing);
+    status.noFit = m_points.book().problem();
     status.scan = m_scanned;
     status.power = m_power;
     status.powerLine = m_powerLine;
@@ -127,7 +126,8 @@ bool CalibrationDesk::isTold(calibration::Term term) const
 {
     switch (m_by) {
         case ProposedBy::Points:
-            return m_book.fitted() && m_book.fitted()->of(term).state == calibration::TermState::Fitted;
+            return m_points.book().fitted() &&
+                   m_points.book().fitted()->of(term).state == calibration::TermState::Fitted;
         case ProposedBy::Given:
             return calibration::valueOf(m_proposal->terms, term) != calibration::valueOf(m_profile.pointing, term);
         default:
@@ -145,7 +145,7 @@ std::optional<CalibrationProposal> CalibrationDesk::proposalStatus() const
                              .reason = m_proposal->reason,
                              .text = m_proposal->text,
                              .terms = termsBeside(m_profile.pointing, m_proposal->terms),
-                             .residuals = m_book.residuals(m_proposal->terms),
+                             .residuals = m_points.book().residuals(m_proposal->terms),
                              .changesSensor = m_proposal->sensor.has_value(),
                              .warnings = m_proposal->warnings,
                              .obstacle = reasonOf(mayChange())};

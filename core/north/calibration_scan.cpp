@@ -37,7 +37,7 @@ Result<> CalibrationDesk::handle(const request::StartCrossScan& wanted)
     }
     const ephemeris::Refraction before = m_follower.refraction();
     return nothingRuns()
-        .and_then([&] { return roomForPoint(); })
+        .and_then([&] { return m_points.hasRoom(); })
         .and_then([&] { return m_follower.permitsAround(wanted.body, ScanRun::placesOf(wanted.width)); })
         .and_then([&] { return m_follower.follow(wanted.body, ephemeris::Refraction::Radio, m_follower.overTheTop()); })
         .and_then([&] {
@@ -126,8 +126,10 @@ void CalibrationDesk::finishScan(const AxisPosition& middle)
     }
     m_scanned = *scanned;
     endRun(Text::tr("done: the peak is a point now"), false);
-    [[maybe_unused]] const Result<> added = addPoint(scanned->peak, *truth, std::max(scanned->sigma, kSharpestPeak),
-                                                     Text::tr("%1, peak").arg(bodyName(body)));
+    addPoint({.axes = scanned->peak,
+              .truth = *truth,
+              .sigma = std::max(scanned->sigma, kSharpestPeak),
+              .label = Text::tr("%1, peak").arg(bodyName(body))});
 }
 
 }  // namespace boresight

@@ -13,10 +13,6 @@ namespace {
 
 const QString kTermsSource = QStringLiteral("calibration");
 
-// The fit of the same points against another model in force ends some ten millionths of a degree beside: less than half
-// of the last place that is shown says nothing else.
-constexpr Angle kSameFit = Angle::fromDegrees(0.0005);
-
 // A declination that moved by more has moved north.
 constexpr Angle kSameDeclination = Angle::fromDegrees(0.05);
 
@@ -94,89 +90,28 @@ void CalibrationDesk::warnOfOtherMount(const calibration::CalibrationRecord& rec
     }
 }
 
-// The axes may count from another place when the operator has answered.
-void CalibrationDesk::noteTurns()
-{
-    const bool asked = std::ranges::any_of(kAxes, [this](Axis axis) { return m_control.isTurnAsked(axis); });
-    if (asked && !m_book.points().empty()) {
-        const bool first = !std::exchange(m_axesTold, m_clock.utc());
-        if (first && m_by == ProposedBy::Points) {
-            propose(m_by);
-        }
-    }
-}
-
-// Taken before the program, or the connection to the mount, was ended.
-void CalibrationDesk::restorePoints()
-{
-    for (const calibration::CalibrationPoint& point : m_file.points()) {
-        m_book.add(point);
-    }
-    if (m_book.points().empty()) {
-        return;
-    }
-    m_log.add(Severity::Advisory, kTermsSource,
-              Text::tr("%1 points that were taken before are here again; they count when both drives have told who "
-                       "they are")
-                  .arg(m_book.points().size()));
-    m_pointsMount = m_file.pointsMount();
-    m_book.setWaiting(true);
-    m_book.fit(m_profile.pointing, m_model.known());
-}
-
 // Also the points that wait for both drives may count now.
 void CalibrationDesk::noteDrives()
 {
     if (m_mount.update()) {
         m_changed = true;
-        leaveOutOtherPoints();
-        countRestored();
+        if (m_points.leaveOutOthers()) {
+            pointsChanged();
+        }
+        if (m_points.countRestored() && m_points.contradictModel() && m_by == ProposedBy::Nothing) {
+            propose(ProposedBy::Points);
+        }
     }
 }
 
-// Than what is in force; any turn of the azimuth offset is the same north.
-bool CalibrationDesk::pointsSayOther() const
+void CalibrationDesk::watchPoints()
 {
-    if (!m_book.fitted()) {
-        return false;
+    if (m_points.leaveOutOthers()) {
+        pointsChanged();
     }
-    pointing::PointingTerms said = m_book.fitted()->terms;
-    said.azimuthOffset = said.azimuthOffset.nearestTo(m_profile.pointing.azimuthOffset);
-    return !isSame(said, m_profile.pointing, kSameFit);
-}
-
-void CalibrationDesk::countRestored()
-{
-    if (!m_book.isWaiting() || !m_mount.bothRead()) {
-        return;
+    if (m_points.noteTurns() && m_by == ProposedBy::Points) {
+        propose(m_by);
     }
-    m_book.setWaiting(false);
-    m_book.fit(m_profile.pointing, m_model.known());
-    if (pointsSayOther() && m_by == ProposedBy::Nothing) {
-        propose(ProposedBy::Points);
-    }
-}
-
-// Where an axis shows 0° another drive does not know, nor another place where its north is. They stay in the list: the
-// operator may have their reasons to use them all the same.
-void CalibrationDesk::leaveOutOtherPoints()
-{
-    const calibration::MountDifference difference = calibration::difference(m_pointsMount, m_mount.today());
-    if (difference == calibration::MountDifference::None || m_book.points().empty()) {
-        return;
-    }
-    for (std::size_t i = 0; i < m_book.points().size(); ++i) {
-        [[maybe_unused]] const Result<> out = m_book.use(i, false);
-    }
-    pointsChanged();
-    const QString what = difference == calibration::MountDifference::OtherDrive
-                             ? Text::tr("the points on the page Sun/Moon were taken with another drive")
-                             : Text::tr("the points on the page Sun/Moon were taken at another site");
-    m_control.alarms().raise(kOtherPoints, Severity::Warning,
-                             {.what = what,
-                              .action = Text::tr("None of them is used any more: nothing is found from them"),
-                              .remedy = Text::tr("Drop them and take new ones; a point that still holds can be used "
-                                                 "again on the page Model")});
 }
 
 }  // namespace boresight
