@@ -34,6 +34,7 @@ CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile
       m_mount(control, m_profile),
       m_model(file, m_profile, m_mount, clock),
       m_points(control, file, m_mount, m_model, clock, log),
+      m_proposals(m_profile, m_sensor, m_model, m_points, log),
       m_follower(control, profile, clock, log),
       m_alarms(control, m_profile, file, m_model, m_axes, m_follower)
 {}
@@ -60,12 +61,7 @@ void CalibrationDesk::setProfile(const profile::Profile& profile)
     m_changed = true;
     if (other) {
         m_points.fit();
-        if (otherSensor) {
-            m_proposedAt = Angle::fromTurns(1.0);  // what was found with the settings of before holds no more
-            dropStale();
-        }
-        // What is proposed is told against what is in force; what the points say may be that now.
-        propose(m_by == ProposedBy::Points && !m_points.contradictModel() ? ProposedBy::Nothing : m_by);
+        m_proposals.profileChanged(otherSensor);
     }
 }
 
@@ -151,31 +147,24 @@ Result<> CalibrationDesk::handle(const request::TakeKnownPoint& wanted)
 void CalibrationDesk::addPoint(const NewPoint& point)
 {
     m_points.add(point);
-    pointsChanged();
+    m_proposals.pointsChanged();
 }
 
 Result<> CalibrationDesk::handle(const request::DropPoint& wanted)
 {
-    return m_points.drop(wanted.index).map([this] { pointsChanged(); });
+    return m_points.drop(wanted.index).map([this] { m_proposals.pointsChanged(); });
 }
 
 Result<> CalibrationDesk::handle(const request::UsePoint& wanted)
 {
-    return m_points.use(wanted.index, wanted.used).map([this] { pointsChanged(); });
+    return m_points.use(wanted.index, wanted.used).map([this] { m_proposals.pointsChanged(); });
 }
 
 Result<> CalibrationDesk::handle(const request::DropAllPoints&)
 {
     m_points.clear();
-    pointsChanged();
+    m_proposals.pointsChanged();
     return {};
-}
-
-void CalibrationDesk::pointsChanged()
-{
-    m_fitDiscarded = false;
-    const ProposedBy other = m_by == ProposedBy::Points ? ProposedBy::Nothing : m_by;
-    propose(m_points.book().fitted() ? ProposedBy::Points : other);
 }
 
 Result<> CalibrationDesk::handle(const request::MeasureSensorOffset&)
@@ -267,20 +256,13 @@ Result<> CalibrationDesk::makesSense(const CalibrationChange& change) const
     return {};
 }
 
-Result<> CalibrationDesk::isProposed(std::uint64_t number) const
-{
-    return m_proposal && m_proposal->number == number
-               ? Result<>{}
-               : failure(ErrorCode::Refused, Text::tr("this is not what is proposed any more: look at it again first"));
-}
-
 Result<> CalibrationDesk::handle(const request::ApplyCalibration& wanted)
 {
-    dropStale();
-    if (const Result<> same = isProposed(wanted.proposal); !same) {
+    m_proposals.dropStale();
+    if (const Result<> same = m_proposals.isCurrent(wanted.proposal); !same) {
         return same;
     }
-    const Proposal proposal = *m_proposal;
+    const Proposal proposal = *m_proposals.current();
     const CalibrationChange change{.terms = proposal.terms, .sensor = proposal.sensor};
     return mayChange().and_then([&] { return makesSense(change); }).map([&] {
         calibration::CalibrationRecord record{.when = std::chrono::floor<std::chrono::milliseconds>(m_clock.utc()),
@@ -297,17 +279,13 @@ Result<> CalibrationDesk::handle(const request::ApplyCalibration& wanted)
             change,
             Text::tr("applies \"%1\": %2")
                 .arg(proposal.title, changeText(m_profile.pointing, proposal.terms, proposal.sensor.has_value())),
-            ProposedBy::Nothing);
+            Proposals::Next::Nothing);
     });
 }
 
 Result<> CalibrationDesk::handle(const request::DiscardCalibration& wanted)
 {
-    return isProposed(wanted.proposal).map([&] {
-        m_log.add(Severity::Advisory, QStringLiteral("operator"), Text::tr("discards \"%1\"").arg(m_proposal->title));
-        m_fitDiscarded = m_fitDiscarded || m_by == ProposedBy::Points;
-        propose(ProposedBy::Nothing);
-    });
+    return m_proposals.discard(wanted.proposal);
 }
 
 Result<> CalibrationDesk::handle(const request::UndoCalibration&)
@@ -326,7 +304,8 @@ Result<> CalibrationDesk::handle(const request::UndoCalibration&)
     const auto may = mayChange().and_then([&] { return stillInForce(record.terms.after, now); });
     return may.and_then([&] { return makesSense(change); }).map([&] {
         warnOfOtherMount(record);
-        bringIntoForce(change, Text::tr("takes back \"%1\"").arg(toQString(m_file.undo().title)), ProposedBy::Points);
+        bringIntoForce(change, Text::tr("takes back \"%1\"").arg(toQString(m_file.undo().title)),
+                       Proposals::Next::Points);
     });
 }
 
@@ -347,62 +326,17 @@ Result<> CalibrationDesk::handle(const request::RedoCalibration&)
     return may.and_then([&] { return makesSense(change); }).map([&] {
         warnOfOtherMount(record);
         bringIntoForce(change, Text::tr("applies \"%1\" again").arg(toQString(m_file.redo().title)),
-                       ProposedBy::Points);
+                       Proposals::Next::Points);
     });
 }
 
 // Where `next` are the points, they are proposed as soon as the change is in force.
-void CalibrationDesk::bringIntoForce(const CalibrationChange& change, const QString& what, ProposedBy next)
+void CalibrationDesk::bringIntoForce(const CalibrationChange& change, const QString& what, Proposals::Next next)
 {
     m_follower.end();  // the body would be followed elsewhere from now on
-    m_by = next;
-    m_proposal.reset();
+    m_proposals.clear(next);
     m_change = change;
     m_log.add(Severity::Advisory, QStringLiteral("operator"), what);
-}
-
-void CalibrationDesk::propose(ProposedBy by)
-{
-    m_by = by;
-    m_proposedAt = m_sensor.declination();
-    m_proposal = proposed();
-    if (m_proposal && m_points.axesMayDiffer(m_proposal->points)) {
-        m_proposal->warnings.push_back(Text::tr(
-            "the turn of an axis had to be told anew since the first of these points: if it was told otherwise than it "
-            "stood before, the points do not fit together; drop those from before"));
-    }
-    if (m_proposal) {
-        m_proposal->number = ++m_proposals;
-    }
-    m_changed = true;
-}
-
-Proposal CalibrationDesk::swungProposal() const
-{
-    Proposal proposal = proposalOf(*m_swung, m_profile, m_model.toldByPoints());
-    if (!m_swingDoubt.isEmpty()) {
-        proposal.warnings.push_back(m_swingDoubt);
-    }
-    return proposal;
-}
-
-std::optional<Proposal> CalibrationDesk::proposed() const
-{
-    switch (m_by) {
-        case ProposedBy::SensorOffset:
-            return proposalOf(*m_sensorOffset, m_profile, m_model.toldByPoints());
-        case ProposedBy::Swing:
-            return swungProposal();
-        case ProposedBy::Points:
-            return m_points.book().fitted() && !m_fitDiscarded
-                       ? std::optional(proposalOf(*m_points.book().fitted(), m_points.book().points(), m_profile))
-                       : std::nullopt;
-        case ProposedBy::Given:
-            return proposalOf(m_given, m_profile);
-        case ProposedBy::Nothing:
-            break;
-    }
-    return std::nullopt;
 }
 
 }  // namespace boresight

@@ -5,13 +5,9 @@
 #include "core/north/axis_observer.h"
 #include "core/north/body_follower.h"
 #include "core/north/calibration_alarms.h"
-#include "core/north/calibration_change.h"
 #include "core/north/calibration_file.h"
-#include "core/north/calibration_proposal.h"
-#include "core/north/kept_points.h"
-#include "core/north/live_sensor.h"
+#include "core/north/proposals.h"
 #include "core/north/scan_run.h"
-#include "core/north/swing_run.h"
 #include "core/power/power_line.h"
 
 #include <memory>
@@ -49,7 +45,7 @@ public:
     [[nodiscard]] std::optional<CalibrationChange> takeChange() { return std::exchange(m_change, std::nullopt); }
 
     // What the sensor has told and waits for Apply, with its mounting and curve as they are or would be.
-    [[nodiscard]] std::optional<CalibrationChange> proposedOfSensor() const;
+    [[nodiscard]] std::optional<CalibrationChange> proposedOfSensor() const { return m_proposals.ofSensor(); }
 
     [[nodiscard]] const std::shared_ptr<const CalibrationStatus>& status() const { return m_status; }
     // A run moves the mount.
@@ -65,14 +61,6 @@ private:
     {
         SteadyTime started;
         std::vector<calibration::SensorReading> readings;
-    };
-    enum class ProposedBy
-    {
-        Nothing,
-        SensorOffset,
-        Swing,
-        Points,
-        Given  // typed, or read from a text
     };
 
     Result<> handle(const request::FollowBody& wanted);
@@ -100,13 +88,11 @@ private:
     [[nodiscard]] Result<> followsNothing() const;
     [[nodiscard]] Result<> mayTakePoint() const;
     [[nodiscard]] Result<> mayTakeBody();
-    [[nodiscard]] Result<> isProposed(std::uint64_t number) const;
     [[nodiscard]] Result<> mayChange() const;
     [[nodiscard]] Result<> makesSense(const CalibrationChange& change) const;
     [[nodiscard]] Result<> stillInForce(const pointing::PointingTerms& terms,
                                         const std::optional<calibration::SensorMounting>& sensor) const;
     void warnOfOtherMount(const calibration::CalibrationRecord& record);
-    void dropStale();
     void noteDrives();
     void watchPoints();
     [[nodiscard]] SwingPlan planned(const SwingWish& wish) const;
@@ -127,19 +113,13 @@ private:
     [[nodiscard]] QString whoEnded() const;
     void takeForOffset(const orientation::Orientation& value, const AxesThen& about);
     void addPoint(const NewPoint& point);
-    void pointsChanged();
 
-    void propose(ProposedBy by);
-    [[nodiscard]] std::optional<Proposal> proposed() const;
-    [[nodiscard]] Proposal swungProposal() const;
     void warnOfFarPoint(const SkyPointing& truth);
-    Result<> proposeGiven(GivenTerms given);
-    void bringIntoForce(const CalibrationChange& change, const QString& what, ProposedBy next);
+    void bringIntoForce(const CalibrationChange& change, const QString& what, Proposals::Next next);
 
     void publish();
     [[nodiscard]] CalibrationProgress progress() const;
     [[nodiscard]] std::optional<CalibrationProposal> proposalStatus() const;
-    [[nodiscard]] bool isTold(calibration::Term term) const;
     [[nodiscard]] std::vector<CalibrationHistoryEntry> historyStatus() const;
     void fillBodies(CalibrationStatus& status);
 
@@ -154,6 +134,7 @@ private:
     MountIdentity m_mount;
     ModelInForce m_model;
     KeptPoints m_points;
+    Proposals m_proposals;
     BodyFollower m_follower;
     CalibrationAlarms m_alarms;
 
@@ -166,18 +147,9 @@ private:
     QString m_outcome;
     bool m_failed = false;
 
-    std::optional<calibration::SensorOffset> m_sensorOffset;
-    std::shared_ptr<const SwingOutcome> m_swung;
-    QString m_swingDoubt;  // of what it found
     std::optional<calibration::CrossScan> m_scanned;
     std::optional<double> m_power;
     power::LineStatus m_powerLine;
-    GivenTerms m_given;
-    ProposedBy m_by = ProposedBy::Nothing;
-    bool m_fitDiscarded = false;  // what the points say, until they say otherwise
-    Angle m_proposedAt;           // the declination that was in force when it was found
-    std::optional<Proposal> m_proposal;
-    std::uint64_t m_proposals = 0;
     std::optional<CalibrationChange> m_change;
 
     std::shared_ptr<const CalibrationStatus> m_status = std::make_shared<const CalibrationStatus>();

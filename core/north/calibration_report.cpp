@@ -33,17 +33,17 @@ void CalibrationDesk::publish()
 {
     m_published = m_clock.now();
     m_alarms.update();
-    dropStale();
+    m_proposals.dropStale();
     watchPoints();
     m_changed = false;
     CalibrationStatus status{.progress = progress(),
                              .present = m_profile.pointing,
                              .sheet = m_model.sheet(),
                              .otherMount = m_model.otherMount(),
-                             .sensorOffset = m_sensorOffset,
+                             .sensorOffset = m_proposals.sensorOffset(),
                              .sensorObstacle = reasonOf(m_sensor.isUsable()),
                              .swingPlan = planned(m_swingWish),
-                             .swing = m_swung};
+                             .swing = m_proposals.swing()};
     if (m_swing) {
         status.swingSoFar = m_swing->dots(mountingOf(m_profile.sensor).sense);
     }
@@ -121,39 +121,26 @@ void CalibrationDesk::fillBodies(CalibrationStatus& status)
     }
 }
 
-// A term that the points only move within what was known of it is held, not told.
-bool CalibrationDesk::isTold(calibration::Term term) const
-{
-    switch (m_by) {
-        case ProposedBy::Points:
-            return m_points.book().fitted() &&
-                   m_points.book().fitted()->of(term).state == calibration::TermState::Fitted;
-        case ProposedBy::Given:
-            return calibration::valueOf(m_proposal->terms, term) != calibration::valueOf(m_profile.pointing, term);
-        default:
-            return m_proposal->sigmas[calibration::indexOf(term)].has_value();
-    }
-}
-
 std::optional<CalibrationProposal> CalibrationDesk::proposalStatus() const
 {
-    if (!m_proposal) {
+    const std::optional<Proposal>& proposal = m_proposals.current();
+    if (!proposal) {
         return std::nullopt;
     }
-    CalibrationProposal told{.number = m_proposal->number,
-                             .title = m_proposal->title,
-                             .reason = m_proposal->reason,
-                             .text = m_proposal->text,
-                             .terms = termsBeside(m_profile.pointing, m_proposal->terms),
-                             .residuals = m_points.book().residuals(m_proposal->terms),
-                             .changesSensor = m_proposal->sensor.has_value(),
-                             .warnings = m_proposal->warnings,
+    CalibrationProposal told{.number = proposal->number,
+                             .title = proposal->title,
+                             .reason = proposal->reason,
+                             .text = proposal->text,
+                             .terms = termsBeside(m_profile.pointing, proposal->terms),
+                             .residuals = m_points.book().residuals(proposal->terms),
+                             .changesSensor = proposal->sensor.has_value(),
+                             .warnings = proposal->warnings,
                              .obstacle = reasonOf(mayChange())};
     const calibration::TermSheet present = m_model.sheet();
     for (const calibration::Term term : calibration::kAllTerms) {
         TermStatus& one = told.terms[calibration::indexOf(term)];
-        one.sigma = m_proposal->sigmas[calibration::indexOf(term)];
-        one.isOn = isTold(term);
+        one.sigma = proposal->sigmas[calibration::indexOf(term)];
+        one.isOn = m_proposals.isFound(term);
         if (!one.sigma && one.proposed == one.present) {
             one.sigma = present.sigmas[calibration::indexOf(term)];  // what stays is known as well as before
         }

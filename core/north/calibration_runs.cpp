@@ -27,9 +27,9 @@ SteadyTime before(SteadyTime time, Seconds age)
 }
 
 // How it ended, with what Apply will leave.
-QString outcomeText(const QString& used, const std::optional<Proposal>& proposal)
+QString outcomeText(const QString& used, const QString& stays)
 {
-    return proposal && !proposal->stays.isEmpty() ? QStringLiteral("%1; %2").arg(used, proposal->stays) : used;
+    return stays.isEmpty() ? used : QStringLiteral("%1; %2").arg(used, stays);
 }
 
 QString usedText(const calibration::SwingTally& tally, const calibration::SwingLimits& limits)
@@ -157,9 +157,8 @@ void CalibrationDesk::stepOffset()
         endRun(toQString(offset.error().text), true);
         return;
     }
-    m_sensorOffset = *offset;
-    propose(ProposedBy::SensorOffset);
-    endRun(outcomeText(Text::tr("done, from %1 readings").arg(offset->used), m_proposal), false);
+    m_proposals.propose(*offset);
+    endRun(outcomeText(Text::tr("done, from %1 readings").arg(offset->used), m_proposals.stays()), false);
 }
 
 void CalibrationDesk::stepSwing()
@@ -232,33 +231,24 @@ void CalibrationDesk::tellOfWait(const QString& why)
 
 void CalibrationDesk::finishSwing()
 {
-    m_swingDoubt = m_swing->heardAllAlong() ? QString()
-                                            : Text::tr(
-                                                  "the sensor was silent meanwhile and does not tell how it is "
-                                                  "calibrated: if it was started anew, repeat the swing");
     const calibration::SwingLimits limits = m_swing->limits();
     auto outcome = m_swing->outcome(m_clock.utc(), m_sensor.declination());
     if (!outcome) {
         endRun(toQString(outcome.error().text), true);
         return;
     }
-    m_swung = std::make_shared<const SwingOutcome>(std::move(*outcome));
-    if (m_swung->fit.isUsable()) {
-        propose(ProposedBy::Swing);
-        endRun(outcomeText(usedText(calibration::SwingTally(m_swung->fit.samples), limits), m_proposal), false);
+    const SwungCompass swung{.outcome = std::make_shared<const SwingOutcome>(std::move(*outcome)),
+                             .doubt = m_swing->heardAllAlong()
+                                          ? QString()
+                                          : Text::tr("the sensor was silent meanwhile and does not tell how it is "
+                                                     "calibrated: if it was started anew, repeat the swing")};
+    m_proposals.propose(swung);
+    const calibration::CompassSwing& fit = swung.outcome->fit;
+    if (fit.isUsable()) {
+        endRun(outcomeText(usedText(calibration::SwingTally(fit.samples), limits), m_proposals.stays()), false);
     } else {
-        endRun(Text::tr("a compass is of no use here: %1").arg(toQString(m_swung->fit.hopeless.front())), true);
+        endRun(Text::tr("a compass is of no use here: %1").arg(toQString(fit.hopeless.front())), true);
     }
-}
-
-std::optional<CalibrationChange> CalibrationDesk::proposedOfSensor() const
-{
-    const bool bySensor = m_by == ProposedBy::SensorOffset || m_by == ProposedBy::Swing;
-    if (!bySensor || !m_proposal) {
-        return std::nullopt;
-    }
-    return CalibrationChange{.terms = m_proposal->terms,
-                             .sensor = m_proposal->sensor.value_or(mountingOf(m_profile.sensor))};
 }
 
 // The mount does not do any more what the run asked of it.

@@ -13,38 +13,28 @@ namespace {
 
 const QString kTermsSource = QStringLiteral("calibration");
 
-// A declination that moved by more has moved north.
-constexpr Angle kSameDeclination = Angle::fromDegrees(0.05);
-
 }  // namespace
 
 Result<> CalibrationDesk::handle(const request::ProposeTerms& wanted)
 {
-    return proposeGiven({.title = Text::tr("Typed terms"), .reason = Text::tr("typed"), .terms = wanted.terms});
+    return nothingRuns().and_then([&] {
+        return m_proposals.propose(
+            {.title = Text::tr("Typed terms"), .reason = Text::tr("typed"), .terms = wanted.terms});
+    });
 }
 
 Result<> CalibrationDesk::handle(const request::ImportTerms& wanted)
 {
-    return calibration::parseTerms(wanted.text, wanted.name.toStdString())
-        .and_then([&](const calibration::TermSheet& read) {
-            return proposeGiven({.title = Text::tr("Terms from %1").arg(wanted.name),
-                                 .reason = Text::tr("from a file"),
-                                 .terms = read.terms,
-                                 .sigmas = read.sigmas,
-                                 .warnings = otherMountWarnings(read, m_model.sheet())});
-        });
-}
-
-Result<> CalibrationDesk::proposeGiven(GivenTerms given)
-{
-    return nothingRuns().and_then([&] { return asSettings(given.terms); }).and_then([&](const auto& terms) -> Result<> {
-        if (isSame(terms, m_profile.pointing)) {
-            return failure(ErrorCode::Refused, Text::tr("these are the terms that are in force already"));
-        }
-        given.terms = changedOnly(terms, m_profile.pointing);
-        m_given = std::move(given);
-        propose(ProposedBy::Given);
-        return {};
+    const auto read = calibration::parseTerms(wanted.text, wanted.name.toStdString());
+    if (!read) {
+        return tl::unexpected(read.error());
+    }
+    return nothingRuns().and_then([&] {
+        return m_proposals.propose({.title = Text::tr("Terms from %1").arg(wanted.name),
+                                    .reason = Text::tr("from a file"),
+                                    .terms = read->terms,
+                                    .sigmas = read->sigmas,
+                                    .warnings = otherMountWarnings(*read, m_model.sheet())});
     });
 }
 
@@ -66,19 +56,6 @@ Result<> CalibrationDesk::stillInForce(const pointing::PointingTerms& terms,
     return {};
 }
 
-// A sensor's north holds with the mounting, the sense and the declination that it was found with.
-void CalibrationDesk::dropStale()
-{
-    const bool bySensor = m_by == ProposedBy::SensorOffset || m_by == ProposedBy::Swing;
-    if (bySensor && abs(m_sensor.declination() - m_proposedAt) > kSameDeclination) {
-        m_sensorOffset.reset();
-        propose(ProposedBy::Nothing);
-        m_log.add(Severity::Warning, kTermsSource,
-                  Text::tr("the settings of the sensor or the declination have changed: what was found with the former "
-                           "is not proposed any more; measure again"));
-    }
-}
-
 void CalibrationDesk::warnOfOtherMount(const calibration::CalibrationRecord& record)
 {
     if (calibration::difference(record.mount, m_mount.today()) != calibration::MountDifference::None) {
@@ -96,10 +73,10 @@ void CalibrationDesk::noteDrives()
     if (m_mount.update()) {
         m_changed = true;
         if (m_points.leaveOutOthers()) {
-            pointsChanged();
+            m_proposals.pointsChanged();
         }
-        if (m_points.countRestored() && m_points.contradictModel() && m_by == ProposedBy::Nothing) {
-            propose(ProposedBy::Points);
+        if (m_points.countRestored()) {
+            m_proposals.pointsRestored();
         }
     }
 }
@@ -107,10 +84,10 @@ void CalibrationDesk::noteDrives()
 void CalibrationDesk::watchPoints()
 {
     if (m_points.leaveOutOthers()) {
-        pointsChanged();
+        m_proposals.pointsChanged();
     }
-    if (m_points.noteTurns() && m_by == ProposedBy::Points) {
-        propose(m_by);
+    if (m_points.noteTurns()) {
+        m_proposals.renewPoints();
     }
 }
 
