@@ -12,6 +12,7 @@ namespace boresight {
 namespace {
 
 const QString kDeskSource = QStringLiteral("calibration");
+constexpr std::chrono::milliseconds kPublishPeriod{250};
 // A body that is centred by hand, by shadow or sight tube.
 constexpr Angle kCentred = Angle::fromDegrees(0.03);
 // Where north was found, nothing that is centred is this far from where the model says; nor from three sigmas of it.
@@ -36,6 +37,7 @@ CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile
       m_points(control, file, m_mount, m_model, clock, log),
       m_proposals(m_profile, m_sensor, m_model, m_points, log),
       m_follower(control, profile, clock, log),
+      m_runs(control, m_profile, m_sensor, m_axes, m_follower, clock, log),
       m_alarms(control, m_profile, file, m_model, m_axes, m_follower)
 {}
 
@@ -43,7 +45,50 @@ Result<> CalibrationDesk::carryOut(const CalibrationRequest& request)
 {
     m_changed = true;
     noteDrives();
-    return std::visit([this](const auto& wanted) { return handle(wanted); }, request);
+    const Result<> done = std::visit([this](const auto& wanted) { return handle(wanted); }, request);
+    useWhatEnded();
+    return done;
+}
+
+void CalibrationDesk::take(const SensorStatus& sensor)
+{
+    if (const orientation::Orientation* const value = m_sensor.take(sensor)) {
+        m_runs.take(*value);
+    }
+}
+
+void CalibrationDesk::tick()
+{
+    noteDrives();
+    m_axes.tick();
+    m_follower.tick();
+    m_changed = m_runs.tick() || m_changed;
+    useWhatEnded();
+    if (m_changed || m_clock.now() - m_published >= kPublishPeriod) {
+        publish();
+    }
+}
+
+// The outcome also says what Apply will leave. A peak becomes a point.
+void CalibrationDesk::useWhatEnded()
+{
+    const std::optional<RunEnd> end = m_runs.takeEnd();
+    if (!end) {
+        return;
+    }
+    m_changed = true;
+    QString stays;
+    if (const auto* const offset = std::get_if<calibration::SensorOffset>(&end->found)) {
+        m_proposals.propose(*offset);
+        stays = m_proposals.stays();
+    } else if (const auto* const swung = std::get_if<SwungCompass>(&end->found)) {
+        m_proposals.propose(*swung);
+        stays = end->failed ? QString() : m_proposals.stays();
+    }
+    m_runs.close(stays.isEmpty() ? end->outcome : QStringLiteral("%1; %2").arg(end->outcome, stays), end->failed);
+    if (const auto* const point = std::get_if<NewPoint>(&end->found)) {
+        addPoint(*point);
+    }
 }
 
 void CalibrationDesk::setProfile(const profile::Profile& profile)
@@ -51,9 +96,8 @@ void CalibrationDesk::setProfile(const profile::Profile& profile)
     const bool otherTerms = profile.pointing != m_profile.pointing;
     const bool otherSensor = !readAlike(profile.sensor, m_profile.sensor);
     const bool other = otherTerms || otherSensor;
-    if ((otherTerms || (other && !m_scan)) && run() != CalibrationRun::None) {
-        holdMount();
-        endRun(Text::tr("the terms or the sensor in the profile were changed"), true);
+    if ((otherTerms || (other && m_runs.running() != CalibrationRun::CrossScan)) && m_runs.runs()) {
+        m_runs.breakOff(Text::tr("the terms or the sensor in the profile were changed"));
     }
     m_profile = profile;
     m_wanted = profile;
@@ -67,22 +111,13 @@ void CalibrationDesk::setProfile(const profile::Profile& profile)
 
 Result<> CalibrationDesk::handle(const request::FollowBody& wanted)
 {
-    return nothingRuns().and_then([&] { return m_follower.follow(wanted.body, wanted.refraction, wanted.overTheTop); });
-}
-
-// What follows a body turns on, and its motors would turn the needle.
-Result<> CalibrationDesk::followsNothing() const
-{
-    if (m_follower.following()) {
-        return failure(ErrorCode::Refused,
-                       Text::tr("the mount follows the %1: hold it first").arg(bodyName(*m_follower.body())));
-    }
-    return {};
+    return m_runs.isIdle().and_then(
+        [&] { return m_follower.follow(wanted.body, wanted.refraction, wanted.overTheTop); });
 }
 
 Result<> CalibrationDesk::mayTakePoint() const
 {
-    return nothingRuns().and_then([this] { return m_axes.standStill(); }).and_then([this] {
+    return m_runs.isIdle().and_then([this] { return m_axes.standStill(); }).and_then([this] {
         return m_points.hasRoom();
     });
 }
@@ -169,48 +204,37 @@ Result<> CalibrationDesk::handle(const request::DropAllPoints&)
 
 Result<> CalibrationDesk::handle(const request::MeasureSensorOffset&)
 {
-    return nothingRuns()
-        .and_then([this] { return m_sensor.isUsable(); })
-        .and_then([this] { return m_axes.standStill(); })
-        .and_then([this] { return followsNothing(); })
-        .and_then([this]() -> Result<> {
-            const QString obstacle = compassObstacle(m_control.measured()->elevation);
-            if (!obstacle.isEmpty()) {
-                return failure(ErrorCode::Refused, obstacle);
-            }
-            m_offsetRun = OffsetRun{.started = m_clock.now(), .readings = {}};
-            return {};
-        });
+    return m_runs.startOffset();
 }
 
 Result<> CalibrationDesk::handle(const request::PlanSwing& wanted)
 {
-    m_swingWish = {.rate = wanted.rate, .headings = wanted.headings};
+    m_runs.planSwing({.rate = wanted.rate, .headings = wanted.headings});
     return {};
 }
 
 Result<> CalibrationDesk::handle(const request::StartSwing& wanted)
 {
-    m_swingWish = {.rate = wanted.rate, .headings = wanted.headings};
-    return maySwing().and_then([&]() -> Result<> {
-        const SwingPlan plan = planned(m_swingWish);
-        if (!plan.obstacle.isEmpty()) {
-            return failure(ErrorCode::Refused, plan.obstacle);
-        }
-        m_follower.end();
-        m_swingRestarts = m_sensor.restarts();
-        m_swing.emplace(plan, *m_control.measured(), m_profile.azimuth.limits, m_profile.sensor, m_clock.now());
-        m_log.add(Severity::Advisory, kDeskSource, Text::tr("swings the compass: %1").arg(plan.text));
-        stepSwing();
-        return {};
-    });
+    return m_runs.startSwing({.rate = wanted.rate, .headings = wanted.headings});
+}
+
+Result<> CalibrationDesk::handle(const request::StartCrossScan& wanted)
+{
+    return ScanPilot::isWidth(wanted.width)
+        .and_then([&] { return m_runs.isIdle(); })
+        .and_then([&] { return m_points.hasRoom(); })
+        .and_then([&] { return m_runs.startScan(wanted.body, wanted.width); });
+}
+
+Result<> CalibrationDesk::handle(const request::GivePower& wanted)
+{
+    return m_runs.givePower(wanted.decibels);
 }
 
 Result<> CalibrationDesk::handle(const request::EndCalibration&)
 {
-    if (run() != CalibrationRun::None) {
-        holdMount();
-        endRun(Text::tr("ended by the operator"), true);
+    if (m_runs.runs()) {
+        m_runs.breakOff(Text::tr("ended by the operator"));
     }
     m_follower.end();
     return {};
@@ -219,7 +243,7 @@ Result<> CalibrationDesk::handle(const request::EndCalibration&)
 // A model that comes into force moves nothing that stands, but a stream of directions would be led elsewhere.
 Result<> CalibrationDesk::mayChange() const
 {
-    return nothingRuns().and_then([&]() -> Result<> {
+    return m_runs.isIdle().and_then([&]() -> Result<> {
         if (m_wanted.bus != m_profile.bus) {
             return failure(ErrorCode::Refused,
                            Text::tr("the mount at %1 waits for Reconnect, and this was found of the one at %2: "

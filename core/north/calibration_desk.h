@@ -3,12 +3,10 @@
 
 #include "core/messages/request.h"
 #include "core/north/axis_observer.h"
-#include "core/north/body_follower.h"
 #include "core/north/calibration_alarms.h"
 #include "core/north/calibration_file.h"
+#include "core/north/calibration_runs.h"
 #include "core/north/proposals.h"
-#include "core/north/scan_run.h"
-#include "core/power/power_line.h"
 
 #include <memory>
 #include <optional>
@@ -34,8 +32,8 @@ public:
     // Its newest value, if that is a new one.
     void take(const SensorStatus& sensor);
     // From the line of the received power: what it says, and how it does.
-    void take(const power::Value& value);
-    void show(const power::LineStatus& line) { m_powerLine = line; }
+    void take(const power::Value& value) { m_runs.take(value); }
+    void show(const power::LineStatus& line) { m_runs.show(line); }
     // Once per tick, before StationControl's.
     void tick();
     void setProfile(const profile::Profile& profile);
@@ -49,20 +47,11 @@ public:
 
     [[nodiscard]] const std::shared_ptr<const CalibrationStatus>& status() const { return m_status; }
     // A run moves the mount.
-    [[nodiscard]] bool moves() const { return m_swing.has_value() || m_scan.has_value(); }
+    [[nodiscard]] bool moves() const { return m_runs.moves(); }
     // Its part of the station's; while a run moves the mount the state is CALIBRATE, not what the motion is like.
     void fill(StationStatus& status) const;
 
 private:
-    // Of a sensor that speaks once a second: twice as many readings as its average must have.
-    static constexpr Seconds kOffsetTime{20.0};
-
-    struct OffsetRun
-    {
-        SteadyTime started;
-        std::vector<calibration::SensorReading> readings;
-    };
-
     Result<> handle(const request::FollowBody& wanted);
     Result<> handle(const request::TakePoint& wanted);
     Result<> handle(const request::TakeKnownPoint& wanted);
@@ -82,10 +71,6 @@ private:
     Result<> handle(const request::UndoCalibration& wanted);
     Result<> handle(const request::RedoCalibration& wanted);
 
-    [[nodiscard]] CalibrationRun run() const;
-    [[nodiscard]] Result<> nothingRuns() const;
-    [[nodiscard]] Result<> maySwing() const;
-    [[nodiscard]] Result<> followsNothing() const;
     [[nodiscard]] Result<> mayTakePoint() const;
     [[nodiscard]] Result<> mayTakeBody();
     [[nodiscard]] Result<> mayChange() const;
@@ -93,32 +78,14 @@ private:
     [[nodiscard]] Result<> stillInForce(const pointing::PointingTerms& terms,
                                         const std::optional<calibration::SensorMounting>& sensor) const;
     void warnOfOtherMount(const calibration::CalibrationRecord& record);
+    void useWhatEnded();
     void noteDrives();
     void watchPoints();
-    [[nodiscard]] SwingPlan planned(const SwingWish& wish) const;
-
-    void stepOffset();
-    void stepSwing();
-    [[nodiscard]] QString endOfSwing() const;
-    void leadSwing(const AxesThen& axes);
-    void tellOfWait(const QString& why);
-    void stepScan();
-    [[nodiscard]] QString endOfScan() const;
-    Result<> giveScan(double decibels);
-    Result<> lookOn();
-    void finishSwing();
-    void finishScan(const AxisPosition& middle);
-    void endRun(const QString& outcome, bool failed);
-    void holdMount();
-    [[nodiscard]] QString whoEnded() const;
-    void takeForOffset(const orientation::Orientation& value, const AxesThen& about);
     void addPoint(const NewPoint& point);
-
     void warnOfFarPoint(const SkyPointing& truth);
     void bringIntoForce(const CalibrationChange& change, const QString& what, Proposals::Next next);
 
     void publish();
-    [[nodiscard]] CalibrationProgress progress() const;
     [[nodiscard]] std::optional<CalibrationProposal> proposalStatus() const;
     [[nodiscard]] std::vector<CalibrationHistoryEntry> historyStatus() const;
     void fillBodies(CalibrationStatus& status);
@@ -136,22 +103,9 @@ private:
     KeptPoints m_points;
     Proposals m_proposals;
     BodyFollower m_follower;
+    CalibrationRuns m_runs;
     CalibrationAlarms m_alarms;
-
-    std::optional<OffsetRun> m_offsetRun;
-    std::optional<SwingRun> m_swing;
-    std::uint64_t m_swingRestarts = 0;  // of the sensor, when the swing began
-    std::optional<ScanRun> m_scan;
-    ephemeris::Refraction m_beforeScan = ephemeris::Refraction::Light;
-    SwingWish m_swingWish;
-    QString m_outcome;
-    bool m_failed = false;
-
-    std::optional<calibration::CrossScan> m_scanned;
-    std::optional<double> m_power;
-    power::LineStatus m_powerLine;
     std::optional<CalibrationChange> m_change;
-
     std::shared_ptr<const CalibrationStatus> m_status = std::make_shared<const CalibrationStatus>();
     SteadyTime m_published{};
     bool m_changed = true;  // since the status was made

@@ -36,29 +36,24 @@ void CalibrationDesk::publish()
     m_proposals.dropStale();
     watchPoints();
     m_changed = false;
-    CalibrationStatus status{.progress = progress(),
+    CalibrationStatus status{.progress = m_runs.progress(),
                              .present = m_profile.pointing,
                              .sheet = m_model.sheet(),
                              .otherMount = m_model.otherMount(),
                              .sensorOffset = m_proposals.sensorOffset(),
                              .sensorObstacle = reasonOf(m_sensor.isUsable()),
-                             .swingPlan = planned(m_swingWish),
+                             .swingPlan = m_runs.swingPlan(),
+                             .swingSoFar = m_runs.swingSoFar(),
                              .swing = m_proposals.swing()};
-    if (m_swing) {
-        status.swingSoFar = m_swing->dots(mountingOf(m_profile.sensor).sense);
-    }
-    if (const auto may = maySwing(); !may) {
-        status.swingPlan.obstacle = toQString(may.error().text);
-    }
     fillBodies(status);
     status.pointObstacle = reasonOf(mayTakeBody());
     status.points = m_points.book().status();
     status.fit = m_points.book().fitStatus(m_profile.pointing);
     status.noFit = m_points.book().problem();
-    status.scan = m_scanned;
-    status.power = m_power;
-    status.powerLine = m_powerLine;
-    status.wantsPower = m_scan && m_scan->wantsPower(m_clock.now());
+    status.scan = m_runs.scan().scanned();
+    status.power = m_runs.scan().power();
+    status.powerLine = m_runs.scan().line();
+    status.wantsPower = m_runs.wantsPower();
     status.proposal = proposalStatus();
     status.history = historyStatus();
     status.historyProblem = m_file.problem();
@@ -74,30 +69,10 @@ void CalibrationDesk::fill(StationStatus& status) const
                           status.state == StationState::Jog || status.state == StationState::Track;
     if (moves() && inMotion) {
         status.state = StationState::Calibrate;
-        if (m_swing) {
+        if (m_runs.swing().run()) {
             status.targetText = Text::tr("compass swing");
         }
     }
-}
-
-CalibrationProgress CalibrationDesk::progress() const
-{
-    const SteadyTime now = m_clock.now();
-    CalibrationProgress progress{.run = run(), .outcome = m_outcome, .failed = m_failed};
-    if (m_swing) {
-        progress.done = m_swing->part(now);
-        progress.left = m_swing->left(now);
-        progress.text = m_swing->text(now);
-    } else if (m_scan) {
-        progress.done = m_scan->part();
-        progress.text = m_scan->text(now);
-    } else if (m_offsetRun) {
-        const Seconds passed(now - m_offsetRun->started);
-        progress.done = std::min(passed / kOffsetTime, 1.0);
-        progress.left = std::max(kOffsetTime - passed, Seconds(0.0));
-        progress.text = Text::tr("readings: %1").arg(m_offsetRun->readings.size());
-    }
-    return progress;
 }
 
 void CalibrationDesk::fillBodies(CalibrationStatus& status)

@@ -17,7 +17,7 @@ const QString kTermsSource = QStringLiteral("calibration");
 
 Result<> CalibrationDesk::handle(const request::ProposeTerms& wanted)
 {
-    return nothingRuns().and_then([&] {
+    return m_runs.isIdle().and_then([&] {
         return m_proposals.propose(
             {.title = Text::tr("Typed terms"), .reason = Text::tr("typed"), .terms = wanted.terms});
     });
@@ -29,7 +29,7 @@ Result<> CalibrationDesk::handle(const request::ImportTerms& wanted)
     if (!read) {
         return tl::unexpected(read.error());
     }
-    return nothingRuns().and_then([&] {
+    return m_runs.isIdle().and_then([&] {
         return m_proposals.propose({.title = Text::tr("Terms from %1").arg(wanted.name),
                                     .reason = Text::tr("from a file"),
                                     .terms = read->terms,

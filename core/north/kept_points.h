@@ -13,15 +13,6 @@
 // drive or site are left out. Every change fits the points anew. Station thread only.
 namespace boresight {
 
-// A point that is taken now.
-struct NewPoint
-{
-    AxisPosition axes;
-    SkyPointing truth;
-    Angle sigma;
-    QString label;
-};
-
 class KeptPoints
 {
 public:
