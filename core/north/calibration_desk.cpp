@@ -2,7 +2,6 @@
 #include "core/north/calibration_desk.h"
 
 #include "core/base/text.h"
-#include "core/profile/setting.h"
 #include "core/units/angle_between.h"
 #include "core/witness/sensor_curve.h"
 
@@ -26,7 +25,6 @@ CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile
                                  const Clock& clock, EventLog& log)
     : m_control(control),
       m_profile(profile),
-      m_wanted(profile),
       m_clock(clock),
       m_log(log),
       m_file(file),
@@ -38,6 +36,7 @@ CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile
       m_proposals(m_profile, m_sensor, m_model, m_points, log),
       m_follower(control, profile, clock, log),
       m_runs(control, m_profile, m_sensor, m_axes, m_follower, clock, log),
+      m_changes(control, m_profile, file, m_mount, m_runs, m_follower, clock, log),
       m_alarms(control, m_profile, file, m_model, m_axes, m_follower)
 {}
 
@@ -100,12 +99,36 @@ void CalibrationDesk::setProfile(const profile::Profile& profile)
         m_runs.breakOff(Text::tr("the terms or the sensor in the profile were changed"));
     }
     m_profile = profile;
-    m_wanted = profile;
+    m_changes.setWanted(profile);
     m_follower.setProfile(profile);
     m_changed = true;
     if (other) {
         m_points.fit();
         m_proposals.profileChanged(otherSensor);
+    }
+}
+
+// Also the points that wait for both drives may count now.
+void CalibrationDesk::noteDrives()
+{
+    if (m_mount.update()) {
+        m_changed = true;
+        if (m_points.leaveOutOthers()) {
+            m_proposals.pointsChanged();
+        }
+        if (m_points.countRestored()) {
+            m_proposals.pointsRestored();
+        }
+    }
+}
+
+void CalibrationDesk::watchPoints()
+{
+    if (m_points.leaveOutOthers()) {
+        m_proposals.pointsChanged();
+    }
+    if (m_points.noteTurns()) {
+        m_proposals.renewPoints();
     }
 }
 
@@ -231,6 +254,29 @@ Result<> CalibrationDesk::handle(const request::GivePower& wanted)
     return m_runs.givePower(wanted.decibels);
 }
 
+Result<> CalibrationDesk::handle(const request::ProposeTerms& wanted)
+{
+    return m_runs.isIdle().and_then([&] {
+        return m_proposals.propose(
+            {.title = Text::tr("Typed terms"), .reason = Text::tr("typed"), .terms = wanted.terms});
+    });
+}
+
+Result<> CalibrationDesk::handle(const request::ImportTerms& wanted)
+{
+    const auto read = calibration::parseTerms(wanted.text, wanted.name.toStdString());
+    if (!read) {
+        return tl::unexpected(read.error());
+    }
+    return m_runs.isIdle().and_then([&] {
+        return m_proposals.propose({.title = Text::tr("Terms from %1").arg(wanted.name),
+                                    .reason = Text::tr("from a file"),
+                                    .terms = read->terms,
+                                    .sigmas = read->sigmas,
+                                    .warnings = otherMountWarnings(*read, m_model.sheet())});
+    });
+}
+
 Result<> CalibrationDesk::handle(const request::EndCalibration&)
 {
     if (m_runs.runs()) {
@@ -240,71 +286,12 @@ Result<> CalibrationDesk::handle(const request::EndCalibration&)
     return {};
 }
 
-// A model that comes into force moves nothing that stands, but a stream of directions would be led elsewhere.
-Result<> CalibrationDesk::mayChange() const
-{
-    return m_runs.isIdle().and_then([&]() -> Result<> {
-        if (m_wanted.bus != m_profile.bus) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("the mount at %1 waits for Reconnect, and this was found of the one at %2: "
-                                    "reconnect first")
-                               .arg(toQString(m_wanted.bus), toQString(m_profile.bus)));
-        }
-        if (m_control.followsClient()) {
-            return failure(ErrorCode::Refused, Text::tr("the mount follows a client, which the change would move: hold "
-                                                        "the mount first"));
-        }
-        return m_follower.following() ? Result<>{} : m_control.mayChangePointing();  // the body is let go
-    });
-}
-
-// A horizon or keep-out that now lies elsewhere over the axes may forbid the place to park: such a profile would not
-// even be loaded again.
-Result<> CalibrationDesk::makesSense(const CalibrationChange& change) const
-{
-    for (profile::Profile wanted : {m_profile, m_wanted}) {
-        change.applyTo(wanted);
-        const auto problems = profile::problemsOf(wanted);
-        if (!problems.empty() && problems.front().key.starts_with("park.")) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("the place to park would then be forbidden, %1: set another one "
-                                    "first (tab Mount, Profile, \"park\"), then apply")
-                               .arg(toQString(problems.front().text)));
-        }
-        if (!problems.empty()) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("with this the profile would not make sense, %1: change that first")
-                               .arg(toQString(problems.front().key + ": " + problems.front().text)));
-        }
-    }
-    return {};
-}
-
 Result<> CalibrationDesk::handle(const request::ApplyCalibration& wanted)
 {
     m_proposals.dropStale();
-    if (const Result<> same = m_proposals.isCurrent(wanted.proposal); !same) {
-        return same;
-    }
-    const Proposal proposal = *m_proposals.current();
-    const CalibrationChange change{.terms = proposal.terms, .sensor = proposal.sensor};
-    return mayChange().and_then([&] { return makesSense(change); }).map([&] {
-        calibration::CalibrationRecord record{.when = std::chrono::floor<std::chrono::milliseconds>(m_clock.utc()),
-                                              .title = proposal.title.toStdString(),
-                                              .mount = m_mount.today(),
-                                              .terms = {.before = m_profile.pointing, .after = proposal.terms},
-                                              .sigmas = proposal.sigmas,
-                                              .points = proposal.points};
-        if (proposal.sensor) {
-            record.sensor = {.before = mountingOf(m_profile.sensor), .after = *proposal.sensor};
-        }
-        m_file.add(std::move(record));
-        bringIntoForce(
-            change,
-            Text::tr("applies \"%1\": %2")
-                .arg(proposal.title, changeText(m_profile.pointing, proposal.terms, proposal.sensor.has_value())),
-            Proposals::Next::Nothing);
-    });
+    return m_proposals.isCurrent(wanted.proposal)
+        .and_then([&] { return m_changes.apply(*m_proposals.current()); })
+        .map([&] { m_proposals.clear(Proposals::Next::Nothing); });
 }
 
 Result<> CalibrationDesk::handle(const request::DiscardCalibration& wanted)
@@ -314,53 +301,12 @@ Result<> CalibrationDesk::handle(const request::DiscardCalibration& wanted)
 
 Result<> CalibrationDesk::handle(const request::UndoCalibration&)
 {
-    const calibration::CalibrationHistory& history = m_file.history();
-    if (!history.canUndo()) {
-        return failure(ErrorCode::Refused, Text::tr("there is no calibration to take back"));
-    }
-    const calibration::CalibrationRecord& record = history.entries()[history.inForce() - 1];
-    CalibrationChange change{.terms = record.terms.before};
-    std::optional<calibration::SensorMounting> now;
-    if (record.sensor) {
-        change.sensor = record.sensor->before;
-        now = record.sensor->after;
-    }
-    const auto may = mayChange().and_then([&] { return stillInForce(record.terms.after, now); });
-    return may.and_then([&] { return makesSense(change); }).map([&] {
-        warnOfOtherMount(record);
-        bringIntoForce(change, Text::tr("takes back \"%1\"").arg(toQString(m_file.undo().title)),
-                       Proposals::Next::Points);
-    });
+    return m_changes.undo().map([&] { m_proposals.clear(Proposals::Next::Points); });
 }
 
 Result<> CalibrationDesk::handle(const request::RedoCalibration&)
 {
-    const calibration::CalibrationHistory& history = m_file.history();
-    if (!history.canRedo()) {
-        return failure(ErrorCode::Refused, Text::tr("there is no calibration to bring back"));
-    }
-    const calibration::CalibrationRecord& record = history.entries()[history.inForce()];
-    CalibrationChange change{.terms = record.terms.after};
-    std::optional<calibration::SensorMounting> now;
-    if (record.sensor) {
-        change.sensor = record.sensor->after;
-        now = record.sensor->before;
-    }
-    const auto may = mayChange().and_then([&] { return stillInForce(record.terms.before, now); });
-    return may.and_then([&] { return makesSense(change); }).map([&] {
-        warnOfOtherMount(record);
-        bringIntoForce(change, Text::tr("applies \"%1\" again").arg(toQString(m_file.redo().title)),
-                       Proposals::Next::Points);
-    });
-}
-
-// Where `next` are the points, they are proposed as soon as the change is in force.
-void CalibrationDesk::bringIntoForce(const CalibrationChange& change, const QString& what, Proposals::Next next)
-{
-    m_follower.end();  // the body would be followed elsewhere from now on
-    m_proposals.clear(next);
-    m_change = change;
-    m_log.add(Severity::Advisory, QStringLiteral("operator"), what);
+    return m_changes.redo().map([&] { m_proposals.clear(Proposals::Next::Points); });
 }
 
 }  // namespace boresight

@@ -5,12 +5,10 @@
 #include "core/north/axis_observer.h"
 #include "core/north/calibration_alarms.h"
 #include "core/north/calibration_file.h"
-#include "core/north/calibration_runs.h"
-#include "core/north/proposals.h"
+#include "core/north/model_changes.h"
 
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 // Where the mount is calibrated: takes the operator's requests, leads the runs (sensor average, swing of the compass,
@@ -38,9 +36,9 @@ public:
     void tick();
     void setProfile(const profile::Profile& profile);
     // What is saved: with all that is in force only after Reconnect.
-    void setWanted(const profile::Profile& wanted) { m_wanted = wanted; }
+    void setWanted(const profile::Profile& wanted) { m_changes.setWanted(wanted); }
     // To be put into force at once, as a profile that the operator applies is.
-    [[nodiscard]] std::optional<CalibrationChange> takeChange() { return std::exchange(m_change, std::nullopt); }
+    [[nodiscard]] std::optional<CalibrationChange> takeChange() { return m_changes.take(); }
 
     // What the sensor has told and waits for Apply, with its mounting and curve as they are or would be.
     [[nodiscard]] std::optional<CalibrationChange> proposedOfSensor() const { return m_proposals.ofSensor(); }
@@ -73,17 +71,11 @@ private:
 
     [[nodiscard]] Result<> mayTakePoint() const;
     [[nodiscard]] Result<> mayTakeBody();
-    [[nodiscard]] Result<> mayChange() const;
-    [[nodiscard]] Result<> makesSense(const CalibrationChange& change) const;
-    [[nodiscard]] Result<> stillInForce(const pointing::PointingTerms& terms,
-                                        const std::optional<calibration::SensorMounting>& sensor) const;
-    void warnOfOtherMount(const calibration::CalibrationRecord& record);
     void useWhatEnded();
     void noteDrives();
     void watchPoints();
     void addPoint(const NewPoint& point);
     void warnOfFarPoint(const SkyPointing& truth);
-    void bringIntoForce(const CalibrationChange& change, const QString& what, Proposals::Next next);
 
     void publish();
     [[nodiscard]] std::optional<CalibrationProposal> proposalStatus() const;
@@ -92,7 +84,6 @@ private:
 
     StationControl& m_control;
     profile::Profile m_profile;
-    profile::Profile m_wanted;
     const Clock& m_clock;
     EventLog& m_log;
     CalibrationFile& m_file;
@@ -104,8 +95,8 @@ private:
     Proposals m_proposals;
     BodyFollower m_follower;
     CalibrationRuns m_runs;
+    ModelChanges m_changes;
     CalibrationAlarms m_alarms;
-    std::optional<CalibrationChange> m_change;
     std::shared_ptr<const CalibrationStatus> m_status = std::make_shared<const CalibrationStatus>();
     SteadyTime m_published{};
     bool m_changed = true;  // since the status was made

@@ -110,7 +110,7 @@ std::optional<CalibrationProposal> CalibrationDesk::proposalStatus() const
                              .residuals = m_points.book().residuals(proposal->terms),
                              .changesSensor = proposal->sensor.has_value(),
                              .warnings = proposal->warnings,
-                             .obstacle = reasonOf(mayChange())};
+                             .obstacle = reasonOf(m_changes.mayChange())};
     const calibration::TermSheet present = m_model.sheet();
     for (const calibration::Term term : calibration::kAllTerms) {
         TermStatus& one = told.terms[calibration::indexOf(term)];
