@@ -2,7 +2,6 @@
 #include "core/north/calibration_desk.h"
 
 #include "core/base/text.h"
-#include "core/units/angle_between.h"
 #include "core/witness/sensor_curve.h"
 
 #include <algorithm>
@@ -10,14 +9,7 @@
 namespace boresight {
 namespace {
 
-const QString kDeskSource = QStringLiteral("calibration");
 constexpr std::chrono::milliseconds kPublishPeriod{250};
-// A body that is centred by hand, by shadow or sight tube.
-constexpr Angle kCentred = Angle::fromDegrees(0.03);
-// Where north was found, nothing that is centred is this far from where the model says; nor from three sigmas of it.
-constexpr Angle kFarPoint = Angle::fromDegrees(5.0);
-// A landmark from a map, and a hand that points the beam at it.
-constexpr Angle kKnownPoint = Angle::fromDegrees(0.1);
 
 }  // namespace
 
@@ -26,7 +18,6 @@ CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile
     : m_control(control),
       m_profile(profile),
       m_clock(clock),
-      m_log(log),
       m_file(file),
       m_sensor(m_profile, clock),
       m_axes(control, clock),
@@ -36,6 +27,7 @@ CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile
       m_proposals(m_profile, m_sensor, m_model, m_points, log),
       m_follower(control, profile, clock, log),
       m_runs(control, m_profile, m_sensor, m_axes, m_follower, clock, log),
+      m_taker(control, m_runs, m_axes, m_model, m_follower, m_points, log),
       m_changes(control, m_profile, file, m_mount, m_runs, m_follower, clock, log),
       m_alarms(control, m_profile, file, m_model, m_axes, m_follower)
 {}
@@ -86,7 +78,8 @@ void CalibrationDesk::useWhatEnded()
     }
     m_runs.close(stays.isEmpty() ? end->outcome : QStringLiteral("%1; %2").arg(end->outcome, stays), end->failed);
     if (const auto* const point = std::get_if<NewPoint>(&end->found)) {
-        addPoint(*point);
+        m_points.add(*point);
+        m_proposals.pointsChanged();
     }
 }
 
@@ -138,74 +131,14 @@ Result<> CalibrationDesk::handle(const request::FollowBody& wanted)
         [&] { return m_follower.follow(wanted.body, wanted.refraction, wanted.overTheTop); });
 }
 
-Result<> CalibrationDesk::mayTakePoint() const
-{
-    return m_runs.isIdle().and_then([this] { return m_axes.standStill(); }).and_then([this] {
-        return m_points.hasRoom();
-    });
-}
-
-Result<> CalibrationDesk::mayTakeBody()
-{
-    if (!m_follower.body()) {
-        return failure(ErrorCode::Refused, Text::tr("follow the Sun or the Moon first, and centre it"));
-    }
-    return m_follower.direction(*m_follower.body()).and_then([&](const SkyPointing& place) -> Result<> {
-        if (place.elevation < Angle{}) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("the %1 is below the horizon").arg(bodyName(*m_follower.body())));
-        }
-        return mayTakePoint();
-    });
-}
-
-// Where the axes are now, not where they were told to be, and where the body is now.
 Result<> CalibrationDesk::handle(const request::TakePoint&)
 {
-    return mayTakeBody().map([&] {
-        const ephemeris::Body body = *m_follower.body();
-        const SkyPointing truth = *m_follower.direction(body);
-        addPoint({.axes = m_axes.now()->place, .truth = truth, .sigma = kCentred, .label = bodyName(body)});
-        warnOfFarPoint(truth);
-    });
-}
-
-// The operator sees the shadow, the model does not: it is taken all the same.
-void CalibrationDesk::warnOfFarPoint(const SkyPointing& truth)
-{
-    const std::optional<Angle> north = m_model.sheet().sigmas[calibration::indexOf(calibration::Term::AzimuthOffset)];
-    const auto beam = m_control.direction();
-    if (!north || !beam) {
-        return;
-    }
-    if (const Angle distance = angleBetween(*beam, truth); distance > std::max(kFarPoint, 3.0 * *north)) {
-        m_log.add(Severity::Warning, kDeskSource,
-                  Text::tr("by the model in force the beam is %1° beside it: if it was not centred, drop point %2")
-                      .arg(distance.degrees(), 0, 'f', 1)
-                      .arg(m_points.book().points().size()));
-    }
+    return m_taker.takeBody().map([this] { m_proposals.pointsChanged(); });
 }
 
 Result<> CalibrationDesk::handle(const request::TakeKnownPoint& wanted)
 {
-    if (!wanted.truth.azimuth.isFinite() || abs(wanted.truth.azimuth) > 360_deg ||
-        !(abs(wanted.truth.elevation) <= 90_deg)) {
-        return failure(ErrorCode::OutOfRange,
-                       Text::tr("an azimuth within 360° and an elevation within 90° are expected"));
-    }
-    return mayTakePoint().map([&] {
-        const QString label = wanted.label.trimmed();
-        addPoint({.axes = m_axes.now()->place,
-                  .truth = {wanted.truth.azimuth.wrapped360(), wanted.truth.elevation},
-                  .sigma = kKnownPoint,
-                  .label = label.isEmpty() ? Text::tr("landmark") : label});
-    });
-}
-
-void CalibrationDesk::addPoint(const NewPoint& point)
-{
-    m_points.add(point);
-    m_proposals.pointsChanged();
+    return m_taker.takeKnown(wanted.truth, wanted.label).map([this] { m_proposals.pointsChanged(); });
 }
 
 Result<> CalibrationDesk::handle(const request::DropPoint& wanted)

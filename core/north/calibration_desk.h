@@ -6,6 +6,7 @@
 #include "core/north/calibration_alarms.h"
 #include "core/north/calibration_file.h"
 #include "core/north/model_changes.h"
+#include "core/north/point_taker.h"
 
 #include <memory>
 #include <optional>
@@ -69,13 +70,9 @@ private:
     Result<> handle(const request::UndoCalibration& wanted);
     Result<> handle(const request::RedoCalibration& wanted);
 
-    [[nodiscard]] Result<> mayTakePoint() const;
-    [[nodiscard]] Result<> mayTakeBody();
     void useWhatEnded();
     void noteDrives();
     void watchPoints();
-    void addPoint(const NewPoint& point);
-    void warnOfFarPoint(const SkyPointing& truth);
 
     void publish();
     [[nodiscard]] std::optional<CalibrationProposal> proposalStatus() const;
@@ -85,7 +82,6 @@ private:
     StationControl& m_control;
     profile::Profile m_profile;
     const Clock& m_clock;
-    EventLog& m_log;
     CalibrationFile& m_file;
     LiveSensor m_sensor;
     AxisObserver m_axes;
@@ -95,6 +91,7 @@ private:
     Proposals m_proposals;
     BodyFollower m_follower;
     CalibrationRuns m_runs;
+    PointTaker m_taker;
     ModelChanges m_changes;
     CalibrationAlarms m_alarms;
     std::shared_ptr<const CalibrationStatus> m_status = std::make_shared<const CalibrationStatus>();

@@ -46,7 +46,7 @@ void CalibrationDesk::publish()
                              .swingSoFar = m_runs.swingSoFar(),
                              .swing = m_proposals.swing()};
     fillBodies(status);
-    status.pointObstacle = reasonOf(mayTakeBody());
+    status.pointObstacle = reasonOf(m_taker.mayTakeBody());
     status.points = m_points.book().status();
     status.fit = m_points.book().fitStatus(m_profile.pointing);
     status.noFit = m_points.book().problem();
