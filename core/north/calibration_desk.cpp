@@ -4,21 +4,11 @@
 #include "core/base/text.h"
 #include "core/witness/sensor_curve.h"
 
-#include <algorithm>
-
 namespace boresight {
-namespace {
-
-constexpr std::chrono::milliseconds kPublishPeriod{250};
-
-}  // namespace
 
 CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile& profile, CalibrationFile& file,
                                  const Clock& clock, EventLog& log)
-    : m_control(control),
-      m_profile(profile),
-      m_clock(clock),
-      m_file(file),
+    : m_profile(profile),
       m_sensor(m_profile, clock),
       m_axes(control, clock),
       m_mount(control, m_profile),
@@ -29,12 +19,25 @@ CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile
       m_runs(control, m_profile, m_sensor, m_axes, m_follower, clock, log),
       m_taker(control, m_runs, m_axes, m_model, m_follower, m_points, log),
       m_changes(control, m_profile, file, m_mount, m_runs, m_follower, clock, log),
-      m_alarms(control, m_profile, file, m_model, m_axes, m_follower)
+      m_alarms(control, m_profile, file, m_model, m_axes, m_follower),
+      m_report({.profile = m_profile,
+                .file = file,
+                .sensor = m_sensor,
+                .mount = m_mount,
+                .model = m_model,
+                .points = m_points,
+                .proposals = m_proposals,
+                .runs = m_runs,
+                .taker = m_taker,
+                .changes = m_changes,
+                .alarms = m_alarms,
+                .follower = m_follower},
+               clock)
 {}
 
 Result<> CalibrationDesk::carryOut(const CalibrationRequest& request)
 {
-    m_changed = true;
+    m_report.expire();
     noteDrives();
     const Result<> done = std::visit([this](const auto& wanted) { return handle(wanted); }, request);
     useWhatEnded();
@@ -53,10 +56,15 @@ void CalibrationDesk::tick()
     noteDrives();
     m_axes.tick();
     m_follower.tick();
-    m_changed = m_runs.tick() || m_changed;
+    if (m_runs.tick()) {
+        m_report.expire();
+    }
     useWhatEnded();
-    if (m_changed || m_clock.now() - m_published >= kPublishPeriod) {
-        publish();
+    if (m_report.isDue()) {
+        m_alarms.update();
+        m_proposals.dropStale();
+        watchPoints();
+        m_report.renew();
     }
 }
 
@@ -67,7 +75,7 @@ void CalibrationDesk::useWhatEnded()
     if (!end) {
         return;
     }
-    m_changed = true;
+    m_report.expire();
     QString stays;
     if (const auto* const offset = std::get_if<calibration::SensorOffset>(&end->found)) {
         m_proposals.propose(*offset);
@@ -83,6 +91,19 @@ void CalibrationDesk::useWhatEnded()
     }
 }
 
+void CalibrationDesk::fill(StationStatus& status) const
+{
+    status.calibration = m_report.status();
+    const bool inMotion = status.state == StationState::Hold || status.state == StationState::Slew ||
+                          status.state == StationState::Jog || status.state == StationState::Track;
+    if (moves() && inMotion) {
+        status.state = StationState::Calibrate;
+        if (m_runs.swing().run()) {
+            status.targetText = Text::tr("compass swing");
+        }
+    }
+}
+
 void CalibrationDesk::setProfile(const profile::Profile& profile)
 {
     const bool otherTerms = profile.pointing != m_profile.pointing;
@@ -94,7 +115,7 @@ void CalibrationDesk::setProfile(const profile::Profile& profile)
     m_profile = profile;
     m_changes.setWanted(profile);
     m_follower.setProfile(profile);
-    m_changed = true;
+    m_report.expire();
     if (other) {
         m_points.fit();
         m_proposals.profileChanged(otherSensor);
@@ -105,7 +126,7 @@ void CalibrationDesk::setProfile(const profile::Profile& profile)
 void CalibrationDesk::noteDrives()
 {
     if (m_mount.update()) {
-        m_changed = true;
+        m_report.expire();
         if (m_points.leaveOutOthers()) {
             m_proposals.pointsChanged();
         }

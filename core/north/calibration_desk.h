@@ -2,21 +2,16 @@
 #pragma once
 
 #include "core/messages/request.h"
-#include "core/north/axis_observer.h"
-#include "core/north/calibration_alarms.h"
-#include "core/north/calibration_file.h"
-#include "core/north/model_changes.h"
-#include "core/north/point_taker.h"
+#include "core/north/calibration_report.h"
 
 #include <memory>
 #include <optional>
-#include <vector>
 
-// Where the mount is calibrated: takes the operator's requests, leads the runs (sensor average, swing of the compass,
-// Sun and Moon, cross scan), keeps what they found as a proposal, and the history of what was applied. It stands beside
-// StationControl and moves the mount only by asking it, so limits, STOP, faults and authority hold for it like for
-// everybody; whatever else is asked of the mount ends a run at once. Only Apply, Undo and Redo change anything, and
-// they move nothing. Station thread.
+// Where the mount is calibrated: takes the operator's requests and calls its parts. CalibrationRuns leads what runs,
+// KeptPoints keeps the points, Proposals holds what waits for Apply, ModelChanges brings it into force and
+// CalibrationReport shows all of it. The desk stands beside StationControl and moves the mount only by asking it, so
+// limits, STOP, faults and authority hold for it like for everybody. Whatever else is asked of the mount ends a run at
+// once. Only Apply, Undo and Redo change anything, and they move nothing. Station thread.
 namespace boresight {
 
 class CalibrationDesk
@@ -44,7 +39,7 @@ public:
     // What the sensor has told and waits for Apply, with its mounting and curve as they are or would be.
     [[nodiscard]] std::optional<CalibrationChange> proposedOfSensor() const { return m_proposals.ofSensor(); }
 
-    [[nodiscard]] const std::shared_ptr<const CalibrationStatus>& status() const { return m_status; }
+    [[nodiscard]] const std::shared_ptr<const CalibrationStatus>& status() const { return m_report.status(); }
     // A run moves the mount.
     [[nodiscard]] bool moves() const { return m_runs.moves(); }
     // Its part of the station's; while a run moves the mount the state is CALIBRATE, not what the motion is like.
@@ -74,15 +69,7 @@ private:
     void noteDrives();
     void watchPoints();
 
-    void publish();
-    [[nodiscard]] std::optional<CalibrationProposal> proposalStatus() const;
-    [[nodiscard]] std::vector<CalibrationHistoryEntry> historyStatus() const;
-    void fillBodies(CalibrationStatus& status);
-
-    StationControl& m_control;
     profile::Profile m_profile;
-    const Clock& m_clock;
-    CalibrationFile& m_file;
     LiveSensor m_sensor;
     AxisObserver m_axes;
     MountIdentity m_mount;
@@ -94,9 +81,7 @@ private:
     PointTaker m_taker;
     ModelChanges m_changes;
     CalibrationAlarms m_alarms;
-    std::shared_ptr<const CalibrationStatus> m_status = std::make_shared<const CalibrationStatus>();
-    SteadyTime m_published{};
-    bool m_changed = true;  // since the status was made
+    CalibrationReport m_report;
 };
 
 }  // namespace boresight

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of CalibrationDesk that tells the screen what it does and knows.
+#include "core/north/calibration_report.h"
+
 #include "core/base/text.h"
-#include "core/north/calibration_desk.h"
-#include "core/witness/sensor_curve.h"
 
 #include <algorithm>
 
 namespace boresight {
 namespace {
+
+constexpr std::chrono::milliseconds kPeriod{250};
 
 QString reasonOf(const Result<>& result)
 {
@@ -29,76 +30,73 @@ QString placeText(calibration::MountDifference difference)
 
 }  // namespace
 
-void CalibrationDesk::publish()
+bool CalibrationReport::isDue() const
 {
-    m_published = m_clock.now();
-    m_alarms.update();
-    m_proposals.dropStale();
-    watchPoints();
-    m_changed = false;
-    CalibrationStatus status{.progress = m_runs.progress(),
-                             .present = m_profile.pointing,
-                             .sheet = m_model.sheet(),
-                             .otherMount = m_model.otherMount(),
-                             .sensorOffset = m_proposals.sensorOffset(),
-                             .sensorObstacle = reasonOf(m_sensor.isUsable()),
-                             .swingPlan = m_runs.swingPlan(),
-                             .swingSoFar = m_runs.swingSoFar(),
-                             .swing = m_proposals.swing()};
+    return m_expired || m_clock.now() - m_made >= kPeriod;
+}
+
+void CalibrationReport::renew()
+{
+    m_made = m_clock.now();
+    m_expired = false;
+    const calibration::CalibrationHistory& history = m_of.file.history();
+    CalibrationStatus status{.progress = m_of.runs.progress(),
+                             .present = m_of.profile.pointing,
+                             .sheet = m_of.model.sheet(),
+                             .otherMount = m_of.model.otherMount(),
+                             .sensorOffset = m_of.proposals.sensorOffset(),
+                             .sensorObstacle = reasonOf(m_of.sensor.isUsable()),
+                             .swingPlan = m_of.runs.swingPlan(),
+                             .swingSoFar = m_of.runs.swingSoFar(),
+                             .swing = m_of.proposals.swing()};
     fillBodies(status);
-    status.pointObstacle = reasonOf(m_taker.mayTakeBody());
-    status.points = m_points.book().status();
-    status.fit = m_points.book().fitStatus(m_profile.pointing);
-    status.noFit = m_points.book().problem();
-    status.scan = m_runs.scan().scanned();
-    status.power = m_runs.scan().power();
-    status.powerLine = m_runs.scan().line();
-    status.wantsPower = m_runs.wantsPower();
+    fillPoints(status);
     status.proposal = proposalStatus();
-    status.history = historyStatus();
-    status.historyProblem = m_file.problem();
-    status.canUndo = m_file.history().canUndo();
-    status.canRedo = m_file.history().canRedo();
+    status.history = historyEntries();
+    status.historyProblem = m_of.file.problem();
+    status.canUndo = history.canUndo();
+    status.canRedo = history.canRedo();
     m_status = std::make_shared<const CalibrationStatus>(std::move(status));
 }
 
-void CalibrationDesk::fill(StationStatus& status) const
+void CalibrationReport::fillPoints(CalibrationStatus& status) const
 {
-    status.calibration = m_status;
-    const bool inMotion = status.state == StationState::Hold || status.state == StationState::Slew ||
-                          status.state == StationState::Jog || status.state == StationState::Track;
-    if (moves() && inMotion) {
-        status.state = StationState::Calibrate;
-        if (m_runs.swing().run()) {
-            status.targetText = Text::tr("compass swing");
-        }
-    }
+    const PointBook& book = m_of.points.book();
+    const ScanPilot& scan = m_of.runs.scan();
+    status.pointObstacle = reasonOf(m_of.taker.mayTakeBody());
+    status.points = book.status();
+    status.fit = book.fitStatus(m_of.profile.pointing);
+    status.noFit = book.problem();
+    status.scan = scan.scanned();
+    status.power = scan.power();
+    status.powerLine = scan.line();
+    status.wantsPower = m_of.runs.wantsPower();
 }
 
-void CalibrationDesk::fillBodies(CalibrationStatus& status)
+void CalibrationReport::fillBodies(CalibrationStatus& status) const
 {
-    status.refraction = m_follower.refraction();
-    status.body = m_follower.body();
-    status.following = m_follower.following();
-    status.overTheTop = m_follower.overTheTop();
-    if (const auto known = m_follower.direction(ephemeris::Body::Sun); !known) {
+    status.refraction = m_of.follower.refraction();
+    status.body = m_of.follower.body();
+    status.following = m_of.follower.following();
+    status.overTheTop = m_of.follower.overTheTop();
+    if (const auto known = m_of.follower.direction(ephemeris::Body::Sun); !known) {
         status.noSite = toQString(known.error().text);
         return;
     }
-    m_follower.lookAhead();
+    m_of.follower.lookAhead();
     for (const ephemeris::Body body : kBodies) {
-        status.bodies.push_back(m_follower.now(body));
+        status.bodies.push_back(m_of.follower.now(body));
     }
-    if (m_alarms.isAtSun()) {
+    if (m_of.alarms.isAtSun()) {
         status.warning = Text::tr(
             "The beam looks into the Sun: nobody looks along it, nor through a sight tube "
             "without a solar filter; mind the heat in the feed");
     }
 }
 
-std::optional<CalibrationProposal> CalibrationDesk::proposalStatus() const
+std::optional<CalibrationProposal> CalibrationReport::proposalStatus() const
 {
-    const std::optional<Proposal>& proposal = m_proposals.current();
+    const std::optional<Proposal>& proposal = m_of.proposals.current();
     if (!proposal) {
         return std::nullopt;
     }
@@ -106,16 +104,16 @@ std::optional<CalibrationProposal> CalibrationDesk::proposalStatus() const
                              .title = proposal->title,
                              .reason = proposal->reason,
                              .text = proposal->text,
-                             .terms = termsBeside(m_profile.pointing, proposal->terms),
-                             .residuals = m_points.book().residuals(proposal->terms),
+                             .terms = termsBeside(m_of.profile.pointing, proposal->terms),
+                             .residuals = m_of.points.book().residuals(proposal->terms),
                              .changesSensor = proposal->sensor.has_value(),
                              .warnings = proposal->warnings,
-                             .obstacle = reasonOf(m_changes.mayChange())};
-    const calibration::TermSheet present = m_model.sheet();
+                             .obstacle = reasonOf(m_of.changes.mayChange())};
+    const calibration::TermSheet present = m_of.model.sheet();
     for (const calibration::Term term : calibration::kAllTerms) {
         TermStatus& one = told.terms[calibration::indexOf(term)];
         one.sigma = proposal->sigmas[calibration::indexOf(term)];
-        one.isOn = m_proposals.isFound(term);
+        one.isOn = m_of.proposals.isFound(term);
         if (!one.sigma && one.proposed == one.present) {
             one.sigma = present.sigmas[calibration::indexOf(term)];  // what stays is known as well as before
         }
@@ -124,11 +122,11 @@ std::optional<CalibrationProposal> CalibrationDesk::proposalStatus() const
 }
 
 // Newest first; what was superseded stands where it was applied, whatever the clock did to the others.
-std::vector<CalibrationHistoryEntry> CalibrationDesk::historyStatus() const
+std::vector<CalibrationHistoryEntry> CalibrationReport::historyEntries() const
 {
     std::vector<CalibrationHistoryEntry> list;
-    const calibration::CalibrationHistory& history = m_file.history();
-    const calibration::RecordMount today = m_mount.today();
+    const calibration::CalibrationHistory& history = m_of.file.history();
+    const calibration::RecordMount today = m_of.mount.today();
     const auto told = [&](const calibration::CalibrationRecord& record) {
         const calibration::MountDifference difference = calibration::difference(record.mount, today);
         return CalibrationHistoryEntry{
@@ -142,7 +140,7 @@ std::vector<CalibrationHistoryEntry> CalibrationDesk::historyStatus() const
         list.push_back(told(history.entries()[i]));
         list.back().inForce = i < history.inForce();
     }
-    if (const QString since = m_model.changedSince(); !since.isEmpty()) {
+    if (const QString since = m_of.model.changedSince(); !since.isEmpty()) {
         CalibrationHistoryEntry& last = list[history.inForce() - 1];
         last.title = Text::tr("%1, changed by hand since").arg(last.title);
         last.change = Text::tr("%1; since then by hand: %2").arg(last.change, since);
