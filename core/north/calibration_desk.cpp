@@ -1,65 +1,107 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/north/calibration_desk.h"
 
-#include "core/alarms/catalogue.h"
 #include "core/base/text.h"
-#include "core/profile/setting.h"
-#include "core/units/angle_between.h"
 #include "core/witness/sensor_curve.h"
 
-#include <algorithm>
-
 namespace boresight {
-namespace {
-
-const QString kDeskSource = QStringLiteral("calibration");
-// A body that is centred by hand, by shadow or sight tube.
-constexpr Angle kCentred = Angle::fromDegrees(0.03);
-// Where north was found, nothing that is centred is this far from where the model says; nor from three sigmas of it.
-constexpr Angle kFarPoint = Angle::fromDegrees(5.0);
-// A landmark from a map, and a hand that points the beam at it.
-constexpr Angle kKnownPoint = Angle::fromDegrees(0.1);
-constexpr AngularRate kStanding = AngularRate::fromDegrees(0.1);  // faster than the Sun but near the zenith
-// A fit of 60 takes 15 ms, in the control tick.
-constexpr std::size_t kMostPoints = 60;
-
-// What is not known today stays what it was: else points would be nobody's, and never left out.
-calibration::RecordMount updated(calibration::RecordMount mount, const calibration::RecordMount& today)
-{
-    mount.azimuthDrive = today.azimuthDrive.empty() ? mount.azimuthDrive : today.azimuthDrive;
-    mount.elevationDrive = today.elevationDrive.empty() ? mount.elevationDrive : today.elevationDrive;
-    mount.site = today.site ? today.site : mount.site;
-    return mount;
-}
-
-}  // namespace
-
-void CalibrationChange::applyTo(profile::Profile& profile) const
-{
-    profile.pointing = terms;
-    if (sensor) {
-        setMounting(profile.sensor, *sensor);
-    }
-}
 
 CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile& profile, CalibrationFile& file,
                                  const Clock& clock, EventLog& log)
-    : m_control(control),
-      m_profile(profile),
-      m_wanted(profile),
-      m_clock(clock),
-      m_log(log),
-      m_file(file),
-      m_follower(control, profile, clock, log)
-{
-    restorePoints();
-}
+    : m_profile(profile),
+      m_sensor(m_profile, clock),
+      m_axes(control, clock),
+      m_mount(control, m_profile),
+      m_model(file, m_profile, m_mount, clock),
+      m_points(control, file, m_mount, m_model, clock, log),
+      m_proposals(m_profile, m_sensor, m_model, m_points, log),
+      m_follower(control, profile, clock, log),
+      m_runs(control, m_profile, m_sensor, m_axes, m_follower, clock, log),
+      m_taker(control, m_runs, m_axes, m_model, m_follower, m_points, log),
+      m_changes(control, m_profile, file, m_mount, m_runs, m_follower, clock, log),
+      m_alarms(control, m_profile, file, m_model, m_axes, m_follower),
+      m_report({.profile = m_profile,
+                .file = file,
+                .sensor = m_sensor,
+                .mount = m_mount,
+                .model = m_model,
+                .points = m_points,
+                .proposals = m_proposals,
+                .runs = m_runs,
+                .taker = m_taker,
+                .changes = m_changes,
+                .alarms = m_alarms,
+                .follower = m_follower},
+               clock)
+{}
 
 Result<> CalibrationDesk::carryOut(const CalibrationRequest& request)
 {
-    m_changed = true;
+    m_report.expire();
     noteDrives();
-    return std::visit([this](const auto& wanted) { return handle(wanted); }, request);
+    const Result<> done = std::visit([this](const auto& wanted) { return handle(wanted); }, request);
+    useWhatEnded();
+    return done;
+}
+
+void CalibrationDesk::take(const SensorStatus& sensor)
+{
+    if (const orientation::Orientation* const value = m_sensor.take(sensor)) {
+        m_runs.take(*value);
+    }
+}
+
+void CalibrationDesk::tick()
+{
+    noteDrives();
+    m_axes.tick();
+    m_follower.tick();
+    if (m_runs.tick()) {
+        m_report.expire();
+    }
+    useWhatEnded();
+    if (m_report.isDue()) {
+        m_alarms.update();
+        m_proposals.dropStale();
+        watchPoints();
+        m_report.renew();
+    }
+}
+
+// The outcome also says what Apply will leave. A peak becomes a point.
+void CalibrationDesk::useWhatEnded()
+{
+    const std::optional<RunEnd> end = m_runs.takeEnd();
+    if (!end) {
+        return;
+    }
+    m_report.expire();
+    QString stays;
+    if (const auto* const offset = std::get_if<calibration::SensorOffset>(&end->found)) {
+        m_proposals.propose(*offset);
+        stays = m_proposals.stays();
+    } else if (const auto* const swung = std::get_if<SwungCompass>(&end->found)) {
+        m_proposals.propose(*swung);
+        stays = end->failed ? QString() : m_proposals.stays();
+    }
+    m_runs.close(stays.isEmpty() ? end->outcome : QStringLiteral("%1; %2").arg(end->outcome, stays), end->failed);
+    if (const auto* const point = std::get_if<NewPoint>(&end->found)) {
+        m_points.add(*point);
+        m_proposals.pointsChanged();
+    }
+}
+
+void CalibrationDesk::fill(StationStatus& status) const
+{
+    status.calibration = m_report.status();
+    const bool inMotion = status.state == StationState::Hold || status.state == StationState::Slew ||
+                          status.state == StationState::Jog || status.state == StationState::Track;
+    if (moves() && inMotion) {
+        status.state = StationState::Calibrate;
+        if (m_runs.swing().run()) {
+            status.targetText = Text::tr("compass swing");
+        }
+    }
 }
 
 void CalibrationDesk::setProfile(const profile::Profile& profile)
@@ -67,429 +109,158 @@ void CalibrationDesk::setProfile(const profile::Profile& profile)
     const bool otherTerms = profile.pointing != m_profile.pointing;
     const bool otherSensor = !readAlike(profile.sensor, m_profile.sensor);
     const bool other = otherTerms || otherSensor;
-    if ((otherTerms || (other && !m_scan)) && run() != CalibrationRun::None) {
-        holdMount();
-        endRun(Text::tr("the terms or the sensor in the profile were changed"), true);
+    if ((otherTerms || (other && m_runs.running() != CalibrationRun::CrossScan)) && m_runs.runs()) {
+        m_runs.breakOff(Text::tr("the terms or the sensor in the profile were changed"));
     }
     m_profile = profile;
-    m_wanted = profile;
+    m_changes.setWanted(profile);
     m_follower.setProfile(profile);
-    m_changed = true;
+    m_report.expire();
     if (other) {
-        m_book.fit(m_profile.pointing, known());
-        if (otherSensor) {
-            m_proposedAt = Angle::fromTurns(1.0);  // what was found with the settings of before holds no more
-            dropStale();
+        m_points.fit();
+        m_proposals.profileChanged(otherSensor);
+    }
+}
+
+// Also the points that wait for both drives may count now.
+void CalibrationDesk::noteDrives()
+{
+    if (m_mount.update()) {
+        m_report.expire();
+        if (m_points.leaveOutOthers()) {
+            m_proposals.pointsChanged();
         }
-        // What is proposed is told against what is in force; what the points say may be that now.
-        propose(m_by == ProposedBy::Points && !pointsSayOther() ? ProposedBy::Nothing : m_by);
+        if (m_points.countRestored()) {
+            m_proposals.pointsRestored();
+        }
+    }
+}
+
+void CalibrationDesk::watchPoints()
+{
+    if (m_points.leaveOutOthers()) {
+        m_proposals.pointsChanged();
+    }
+    if (m_points.noteTurns()) {
+        m_proposals.renewPoints();
     }
 }
 
 Result<> CalibrationDesk::handle(const request::FollowBody& wanted)
 {
-    return nothingRuns().and_then([&] { return m_follower.follow(wanted.body, wanted.refraction, wanted.overTheTop); });
+    return m_runs.isIdle().and_then(
+        [&] { return m_follower.follow(wanted.body, wanted.refraction, wanted.overTheTop); });
 }
 
-Result<> CalibrationDesk::stands() const
-{
-    return m_control.measured().and_then([&](const AxisPosition&) -> Result<> {
-        const auto axes = m_trace.now();
-        if (!axes || std::max(abs(axes->rates.azimuth), abs(axes->rates.elevation)) > kStanding) {
-            return failure(ErrorCode::Refused, Text::tr("the mount still moves"));
-        }
-        return {};
-    });
-}
-
-// What follows a body turns on, and its motors would turn the needle.
-Result<> CalibrationDesk::followsNothing() const
-{
-    if (m_follower.following()) {
-        return failure(ErrorCode::Refused,
-                       Text::tr("the mount follows the %1: hold it first").arg(bodyName(*m_follower.body())));
-    }
-    return {};
-}
-
-Result<> CalibrationDesk::roomForPoint() const
-{
-    if (m_book.points().size() >= kMostPoints) {
-        return failure(ErrorCode::Refused, Text::tr("there are %1 points already: drop some").arg(kMostPoints));
-    }
-    return {};
-}
-
-Result<> CalibrationDesk::mayTakePoint() const
-{
-    return nothingRuns().and_then([this] { return stands(); }).and_then([this] { return roomForPoint(); });
-}
-
-Result<> CalibrationDesk::mayTakeBody()
-{
-    if (!m_follower.body()) {
-        return failure(ErrorCode::Refused, Text::tr("follow the Sun or the Moon first, and centre it"));
-    }
-    return m_follower.direction(*m_follower.body()).and_then([&](const SkyPointing& place) -> Result<> {
-        if (place.elevation < Angle{}) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("the %1 is below the horizon").arg(bodyName(*m_follower.body())));
-        }
-        return mayTakePoint();
-    });
-}
-
-// Where the axes are now, not where they were told to be, and where the body is now.
 Result<> CalibrationDesk::handle(const request::TakePoint&)
 {
-    return mayTakeBody().and_then([&] {
-        const ephemeris::Body body = *m_follower.body();
-        const SkyPointing truth = *m_follower.direction(body);
-        return addPoint(m_trace.now()->place, truth, kCentred, bodyName(body)).map([&] { warnOfFarPoint(truth); });
-    });
-}
-
-// The operator sees the shadow, the model does not: it is taken all the same.
-void CalibrationDesk::warnOfFarPoint(const SkyPointing& truth)
-{
-    const std::optional<Angle> north = sheet().sigmas[calibration::indexOf(calibration::Term::AzimuthOffset)];
-    const auto beam = m_control.direction();
-    if (!north || !beam) {
-        return;
-    }
-    if (const Angle distance = angleBetween(*beam, truth); distance > std::max(kFarPoint, 3.0 * *north)) {
-        m_log.add(Severity::Warning, kDeskSource,
-                  Text::tr("by the model in force the beam is %1° beside it: if it was not centred, drop point %2")
-                      .arg(distance.degrees(), 0, 'f', 1)
-                      .arg(m_book.points().size()));
-    }
+    return m_taker.takeBody().map([this] { m_proposals.pointsChanged(); });
 }
 
 Result<> CalibrationDesk::handle(const request::TakeKnownPoint& wanted)
 {
-    if (!wanted.truth.azimuth.isFinite() || abs(wanted.truth.azimuth) > 360_deg ||
-        !(abs(wanted.truth.elevation) <= 90_deg)) {
-        return failure(ErrorCode::OutOfRange,
-                       Text::tr("an azimuth within 360° and an elevation within 90° are expected"));
-    }
-    return mayTakePoint().and_then([&] {
-        const QString label = wanted.label.trimmed();
-        return addPoint(m_trace.now()->place, {wanted.truth.azimuth.wrapped360(), wanted.truth.elevation}, kKnownPoint,
-                        label.isEmpty() ? Text::tr("landmark") : label);
-    });
-}
-
-Result<> CalibrationDesk::addPoint(const AxisPosition& axes, const SkyPointing& truth, Angle sigma,
-                                   const QString& label)
-{
-    m_book.add({.axes = axes, .truth = truth, .sigma = sigma, .when = m_clock.utc(), .label = label.toStdString()});
-    m_log.add(Severity::Advisory, kDeskSource,
-              Text::tr("point %1: %2 at azimuth %3°, elevation %4°; axes %5° %6°")
-                  .arg(m_book.points().size())
-                  .arg(label)
-                  .arg(truth.azimuth.degrees(), 0, 'f', 2)
-                  .arg(truth.elevation.degrees(), 0, 'f', 2)
-                  .arg(axes.azimuth.degrees(), 0, 'f', 2)
-                  .arg(axes.elevation.degrees(), 0, 'f', 2));
-    pointsChanged();
-    return {};
-}
-
-void CalibrationDesk::pointsChanged()
-{
-    m_control.alarms().clear(alarmEntry("points.other-drive"));
-    m_pointsMount = m_book.points().empty() ? calibration::RecordMount{} : updated(m_pointsMount, mountToday());
-    m_file.keepPoints({.when = std::chrono::floor<std::chrono::milliseconds>(m_clock.utc()),
-                       .title = "Points",
-                       .mount = m_pointsMount,
-                       .terms = {.before = m_profile.pointing, .after = m_profile.pointing},
-                       .points = m_book.points()});
-    m_book.fit(m_profile.pointing, known());
-    m_fitDiscarded = false;
-    const ProposedBy other = m_by == ProposedBy::Points ? ProposedBy::Nothing : m_by;
-    propose(m_book.fitted() ? ProposedBy::Points : other);
+    return m_taker.takeKnown(wanted.truth, wanted.label).map([this] { m_proposals.pointsChanged(); });
 }
 
 Result<> CalibrationDesk::handle(const request::DropPoint& wanted)
 {
-    return m_book.drop(wanted.index).map([this] { pointsChanged(); });
+    return m_points.drop(wanted.index).map([this] { m_proposals.pointsChanged(); });
 }
 
 Result<> CalibrationDesk::handle(const request::UsePoint& wanted)
 {
-    return m_book.use(wanted.index, wanted.used).map([this] { pointsChanged(); });
+    return m_points.use(wanted.index, wanted.used).map([this] { m_proposals.pointsChanged(); });
 }
 
 Result<> CalibrationDesk::handle(const request::DropAllPoints&)
 {
-    m_book.clear();
-    pointsChanged();
+    m_points.clear();
+    m_proposals.pointsChanged();
     return {};
 }
 
 Result<> CalibrationDesk::handle(const request::MeasureSensorOffset&)
 {
-    return nothingRuns()
-        .and_then([this] { return sensorTells(); })
-        .and_then([this] { return stands(); })
-        .and_then([this] { return followsNothing(); })
-        .and_then([this]() -> Result<> {
-            const QString obstacle = compassObstacle(m_control.measured()->elevation);
-            if (!obstacle.isEmpty()) {
-                return failure(ErrorCode::Refused, obstacle);
-            }
-            m_offsetRun = OffsetRun{.started = m_clock.now(), .readings = {}};
-            return {};
-        });
+    return m_runs.startOffset();
 }
 
 Result<> CalibrationDesk::handle(const request::PlanSwing& wanted)
 {
-    m_swingWish = {.rate = wanted.rate, .headings = wanted.headings};
+    m_runs.planSwing({.rate = wanted.rate, .headings = wanted.headings});
     return {};
 }
 
 Result<> CalibrationDesk::handle(const request::StartSwing& wanted)
 {
-    m_swingWish = {.rate = wanted.rate, .headings = wanted.headings};
-    return maySwing().and_then([&]() -> Result<> {
-        const SwingPlan plan = planned(m_swingWish);
-        if (!plan.obstacle.isEmpty()) {
-            return failure(ErrorCode::Refused, plan.obstacle);
-        }
-        m_follower.end();
-        m_swingRestarts = m_restarts;
-        m_swing.emplace(plan, *m_control.measured(), m_profile.azimuth.limits, m_profile.sensor, m_clock.now());
-        m_log.add(Severity::Advisory, kDeskSource, Text::tr("swings the compass: %1").arg(plan.text));
-        stepSwing();
-        return {};
+    return m_runs.startSwing({.rate = wanted.rate, .headings = wanted.headings});
+}
+
+Result<> CalibrationDesk::handle(const request::StartCrossScan& wanted)
+{
+    return ScanPilot::isWidth(wanted.width)
+        .and_then([&] { return m_runs.isIdle(); })
+        .and_then([&] { return m_points.hasRoom(); })
+        .and_then([&] { return m_runs.startScan(wanted.body, wanted.width); });
+}
+
+Result<> CalibrationDesk::handle(const request::GivePower& wanted)
+{
+    return m_runs.givePower(wanted.decibels);
+}
+
+Result<> CalibrationDesk::handle(const request::ProposeTerms& wanted)
+{
+    return m_runs.isIdle().and_then([&] {
+        return m_proposals.propose(
+            {.title = Text::tr("Typed terms"), .reason = Text::tr("typed"), .terms = wanted.terms});
+    });
+}
+
+Result<> CalibrationDesk::handle(const request::ImportTerms& wanted)
+{
+    const auto read = calibration::parseTerms(wanted.text, wanted.name.toStdString());
+    if (!read) {
+        return tl::unexpected(read.error());
+    }
+    return m_runs.isIdle().and_then([&] {
+        return m_proposals.propose({.title = Text::tr("Terms from %1").arg(wanted.name),
+                                    .reason = Text::tr("from a file"),
+                                    .terms = read->terms,
+                                    .sigmas = read->sigmas,
+                                    .warnings = otherMountWarnings(*read, m_model.sheet())});
     });
 }
 
 Result<> CalibrationDesk::handle(const request::EndCalibration&)
 {
-    if (run() != CalibrationRun::None) {
-        holdMount();
-        endRun(Text::tr("ended by the operator"), true);
+    if (m_runs.runs()) {
+        m_runs.breakOff(Text::tr("ended by the operator"));
     }
     m_follower.end();
     return {};
 }
 
-// A model that comes into force moves nothing that stands, but a stream of directions would be led elsewhere.
-Result<> CalibrationDesk::mayChange() const
-{
-    return nothingRuns().and_then([&]() -> Result<> {
-        if (m_wanted.bus != m_profile.bus) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("the mount at %1 waits for Reconnect, and this was found of the one at %2: "
-                                    "reconnect first")
-                               .arg(toQString(m_wanted.bus), toQString(m_profile.bus)));
-        }
-        if (m_control.followsClient()) {
-            return failure(ErrorCode::Refused, Text::tr("the mount follows a client, which the change would move: hold "
-                                                        "the mount first"));
-        }
-        return m_follower.following() ? Result<>{} : m_control.mayChangePointing();  // the body is let go
-    });
-}
-
-// A horizon or keep-out that now lies elsewhere over the axes may forbid the place to park: such a profile would not
-// even be loaded again.
-Result<> CalibrationDesk::makesSense(const CalibrationChange& change) const
-{
-    for (profile::Profile wanted : {m_profile, m_wanted}) {
-        change.applyTo(wanted);
-        const auto problems = profile::problemsOf(wanted);
-        if (!problems.empty() && problems.front().key.starts_with("park.")) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("the place to park would then be forbidden, %1: set another one "
-                                    "first (tab Mount, Profile, \"park\"), then apply")
-                               .arg(toQString(problems.front().text)));
-        }
-        if (!problems.empty()) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("with this the profile would not make sense, %1: change that first")
-                               .arg(toQString(problems.front().key + ": " + problems.front().text)));
-        }
-    }
-    return {};
-}
-
-Result<> CalibrationDesk::isProposed(std::uint64_t number) const
-{
-    return m_proposal && m_proposal->number == number
-               ? Result<>{}
-               : failure(ErrorCode::Refused, Text::tr("this is not what is proposed any more: look at it again first"));
-}
-
 Result<> CalibrationDesk::handle(const request::ApplyCalibration& wanted)
 {
-    dropStale();
-    if (const Result<> same = isProposed(wanted.proposal); !same) {
-        return same;
-    }
-    const Proposal proposal = *m_proposal;
-    const CalibrationChange change{.terms = proposal.terms, .sensor = proposal.sensor};
-    return mayChange().and_then([&] { return makesSense(change); }).map([&] {
-        calibration::CalibrationRecord record{.when = std::chrono::floor<std::chrono::milliseconds>(m_clock.utc()),
-                                              .title = proposal.title.toStdString(),
-                                              .mount = mountToday(),
-                                              .terms = {.before = m_profile.pointing, .after = proposal.terms},
-                                              .sigmas = proposal.sigmas,
-                                              .points = proposal.points};
-        if (proposal.sensor) {
-            record.sensor = {.before = mountingOf(m_profile.sensor), .after = *proposal.sensor};
-        }
-        m_file.add(std::move(record));
-        bringIntoForce(
-            change,
-            Text::tr("applies \"%1\": %2")
-                .arg(proposal.title, changeText(m_profile.pointing, proposal.terms, proposal.sensor.has_value())),
-            ProposedBy::Nothing);
-    });
+    m_proposals.dropStale();
+    return m_proposals.isCurrent(wanted.proposal)
+        .and_then([&] { return m_changes.apply(*m_proposals.current()); })
+        .map([&] { m_proposals.clear(Proposals::Next::Nothing); });
 }
 
 Result<> CalibrationDesk::handle(const request::DiscardCalibration& wanted)
 {
-    return isProposed(wanted.proposal).map([&] {
-        m_log.add(Severity::Advisory, QStringLiteral("operator"), Text::tr("discards \"%1\"").arg(m_proposal->title));
-        m_fitDiscarded = m_fitDiscarded || m_by == ProposedBy::Points;
-        propose(ProposedBy::Nothing);
-    });
+    return m_proposals.discard(wanted.proposal);
 }
 
 Result<> CalibrationDesk::handle(const request::UndoCalibration&)
 {
-    const calibration::CalibrationHistory& history = m_file.history();
-    if (!history.canUndo()) {
-        return failure(ErrorCode::Refused, Text::tr("there is no calibration to take back"));
-    }
-    const calibration::CalibrationRecord& record = history.entries()[history.inForce() - 1];
-    CalibrationChange change{.terms = record.terms.before};
-    std::optional<calibration::SensorMounting> now;
-    if (record.sensor) {
-        change.sensor = record.sensor->before;
-        now = record.sensor->after;
-    }
-    const auto may = mayChange().and_then([&] { return stillInForce(record.terms.after, now); });
-    return may.and_then([&] { return makesSense(change); }).map([&] {
-        warnOfOtherMount(record);
-        bringIntoForce(change, Text::tr("takes back \"%1\"").arg(toQString(m_file.undo().title)), ProposedBy::Points);
-    });
+    return m_changes.undo().map([&] { m_proposals.clear(Proposals::Next::Points); });
 }
 
 Result<> CalibrationDesk::handle(const request::RedoCalibration&)
 {
-    const calibration::CalibrationHistory& history = m_file.history();
-    if (!history.canRedo()) {
-        return failure(ErrorCode::Refused, Text::tr("there is no calibration to bring back"));
-    }
-    const calibration::CalibrationRecord& record = history.entries()[history.inForce()];
-    CalibrationChange change{.terms = record.terms.after};
-    std::optional<calibration::SensorMounting> now;
-    if (record.sensor) {
-        change.sensor = record.sensor->after;
-        now = record.sensor->before;
-    }
-    const auto may = mayChange().and_then([&] { return stillInForce(record.terms.before, now); });
-    return may.and_then([&] { return makesSense(change); }).map([&] {
-        warnOfOtherMount(record);
-        bringIntoForce(change, Text::tr("applies \"%1\" again").arg(toQString(m_file.redo().title)),
-                       ProposedBy::Points);
-    });
-}
-
-// Where `next` are the points, they are proposed as soon as the change is in force.
-void CalibrationDesk::bringIntoForce(const CalibrationChange& change, const QString& what, ProposedBy next)
-{
-    m_follower.end();  // the body would be followed elsewhere from now on
-    m_by = next;
-    m_proposal.reset();
-    m_change = change;
-    m_log.add(Severity::Advisory, QStringLiteral("operator"), what);
-}
-
-void CalibrationDesk::propose(ProposedBy by)
-{
-    m_by = by;
-    m_proposedAt = m_declination;
-    m_proposal = proposed();
-    if (m_proposal && m_axesTold && std::ranges::any_of(m_proposal->points, [this](const auto& point) {
-            return point.isUsed && point.when < *m_axesTold;
-        })) {
-        m_proposal->warnings.push_back(Text::tr(
-            "the turn of an axis had to be told anew since the first of these points: if it was told otherwise than it "
-            "stood before, the points do not fit together; drop those from before"));
-    }
-    if (m_proposal) {
-        m_proposal->number = ++m_proposals;
-    }
-    m_changed = true;
-}
-
-Proposal CalibrationDesk::swungProposal() const
-{
-    Proposal proposal = proposalOf(*m_swung, m_profile, toldByPoints());
-    if (!m_swingDoubt.isEmpty()) {
-        proposal.warnings.push_back(m_swingDoubt);
-    }
-    return proposal;
-}
-
-std::optional<Proposal> CalibrationDesk::proposed() const
-{
-    switch (m_by) {
-        case ProposedBy::SensorOffset:
-            return proposalOf(*m_sensorOffset, m_profile, toldByPoints());
-        case ProposedBy::Swing:
-            return swungProposal();
-        case ProposedBy::Points:
-            return m_book.fitted() && !m_fitDiscarded
-                       ? std::optional(proposalOf(*m_book.fitted(), m_book.points(), m_profile))
-                       : std::nullopt;
-        case ProposedBy::Given:
-            return proposalOf(m_given, m_profile);
-        case ProposedBy::Nothing:
-            break;
-    }
-    return std::nullopt;
-}
-
-// A tilt that a swing has found is known apart from any point; one that was fitted to points would be these very points
-// again, and one that was typed or read says not what it was found from. A swing always changes the sensor. By the
-// first `entries` of the history.
-calibration::TermKnowledge CalibrationDesk::knownBy(std::size_t entries) const
-{
-    calibration::TermKnowledge known = calibration::TermKnowledge::usual();
-    for (std::size_t i = entries; i > 0; --i) {
-        const calibration::CalibrationRecord& record = m_file.history().entries()[i - 1];
-        const auto& north = record.sigmas[calibration::indexOf(calibration::Term::TiltNorth)];
-        const auto& east = record.sigmas[calibration::indexOf(calibration::Term::TiltEast)];
-        if (record.points.empty() && record.sensor && north && east &&
-            calibration::difference(record.mount, mountToday()) == calibration::MountDifference::None) {
-            known.of(calibration::Term::TiltNorth) = {record.terms.after.tiltNorth, *north};
-            known.of(calibration::Term::TiltEast) = {record.terms.after.tiltEast, *east};
-            break;
-        }
-    }
-    return known;
-}
-
-// The memory has the drive whose turn was told last: a new one is in it only when the operator has answered.
-calibration::RecordMount CalibrationDesk::mountToday() const
-{
-    const auto drive = [this](Axis axis) {
-        const QString told = m_drives[index(axis)].value_or(QString());
-        return (told.isEmpty() ? m_control.mount().lastIdentity(axis) : told).toStdString();
-    };
-    calibration::RecordMount mount{.azimuthDrive = drive(Axis::Azimuth), .elevationDrive = drive(Axis::Elevation)};
-    if (m_profile.site.known) {
-        mount.site = calibration::RecordSite{.latitude = m_profile.site.latitude,
-                                             .longitude = m_profile.site.longitude,
-                                             .heightMetres = m_profile.site.heightMetres};
-    }
-    return mount;
+    return m_changes.redo().map([&] { m_proposals.clear(Proposals::Next::Points); });
 }
 
 }  // namespace boresight

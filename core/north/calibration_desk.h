@@ -2,37 +2,17 @@
 #pragma once
 
 #include "core/messages/request.h"
-#include "core/north/axis_trace.h"
-#include "core/north/body_follower.h"
-#include "core/north/calibration_file.h"
-#include "core/north/calibration_proposal.h"
-#include "core/north/point_book.h"
-#include "core/north/scan_run.h"
-#include "core/north/swing_run.h"
-#include "core/orientation/orientation.h"
-#include "core/power/power_line.h"
+#include "core/north/calibration_report.h"
 
-#include <array>
 #include <memory>
 #include <optional>
-#include <utility>
-#include <vector>
 
-// Where the mount is calibrated: takes the operator's requests, leads the runs (sensor average, swing of the compass,
-// Sun and Moon, cross scan), keeps what they found as a proposal, and the history of what was applied. It stands beside
-// StationControl and moves the mount only by asking it, so limits, STOP, faults and authority hold for it like for
-// everybody; whatever else is asked of the mount ends a run at once. Only Apply, Undo and Redo change anything, and
-// they move nothing. Station thread.
+// Where the mount is calibrated: takes the operator's requests and calls its parts. CalibrationRuns leads what runs,
+// KeptPoints keeps the points, Proposals holds what waits for Apply, ModelChanges brings it into force and
+// CalibrationReport shows all of it. The desk stands beside StationControl and moves the mount only by asking it, so
+// limits, STOP, faults and authority hold for it like for everybody. Whatever else is asked of the mount ends a run at
+// once. Only Apply, Undo and Redo change anything, and they move nothing. Station thread.
 namespace boresight {
-
-// What comes into force of a profile by Apply, Undo or Redo.
-struct CalibrationChange
-{
-    pointing::PointingTerms terms;
-    std::optional<calibration::SensorMounting> sensor;
-
-    void applyTo(profile::Profile& profile) const;
-};
 
 class CalibrationDesk
 {
@@ -46,43 +26,26 @@ public:
     // Its newest value, if that is a new one.
     void take(const SensorStatus& sensor);
     // From the line of the received power: what it says, and how it does.
-    void take(const power::Value& value);
-    void show(const power::LineStatus& line) { m_powerLine = line; }
+    void take(const power::Value& value) { m_runs.take(value); }
+    void show(const power::LineStatus& line) { m_runs.show(line); }
     // Once per tick, before StationControl's.
     void tick();
     void setProfile(const profile::Profile& profile);
     // What is saved: with all that is in force only after Reconnect.
-    void setWanted(const profile::Profile& wanted) { m_wanted = wanted; }
+    void setWanted(const profile::Profile& wanted) { m_changes.setWanted(wanted); }
     // To be put into force at once, as a profile that the operator applies is.
-    [[nodiscard]] std::optional<CalibrationChange> takeChange() { return std::exchange(m_change, std::nullopt); }
+    [[nodiscard]] std::optional<CalibrationChange> takeChange() { return m_changes.take(); }
 
     // What the sensor has told and waits for Apply, with its mounting and curve as they are or would be.
-    [[nodiscard]] std::optional<CalibrationChange> proposedOfSensor() const;
+    [[nodiscard]] std::optional<CalibrationChange> proposedOfSensor() const { return m_proposals.ofSensor(); }
 
-    [[nodiscard]] const std::shared_ptr<const CalibrationStatus>& status() const { return m_status; }
+    [[nodiscard]] const std::shared_ptr<const CalibrationStatus>& status() const { return m_report.status(); }
     // A run moves the mount.
-    [[nodiscard]] bool moves() const { return m_swing.has_value() || m_scan.has_value(); }
+    [[nodiscard]] bool moves() const { return m_runs.moves(); }
     // Its part of the station's; while a run moves the mount the state is CALIBRATE, not what the motion is like.
     void fill(StationStatus& status) const;
 
 private:
-    // Of a sensor that speaks once a second: twice as many readings as its average must have.
-    static constexpr Seconds kOffsetTime{20.0};
-
-    struct OffsetRun
-    {
-        SteadyTime started;
-        std::vector<calibration::SensorReading> readings;
-    };
-    enum class ProposedBy
-    {
-        Nothing,
-        SensorOffset,
-        Swing,
-        Points,
-        Given  // typed, or read from a text
-    };
-
     Result<> handle(const request::FollowBody& wanted);
     Result<> handle(const request::TakePoint& wanted);
     Result<> handle(const request::TakeKnownPoint& wanted);
@@ -102,120 +65,23 @@ private:
     Result<> handle(const request::UndoCalibration& wanted);
     Result<> handle(const request::RedoCalibration& wanted);
 
-    [[nodiscard]] CalibrationRun run() const;
-    [[nodiscard]] Result<> nothingRuns() const;
-    [[nodiscard]] Result<> sensorTells() const;
-    [[nodiscard]] Result<> sensorSpeaks() const;
-    [[nodiscard]] Result<> maySwing() const;
-    [[nodiscard]] Result<> stands() const;
-    [[nodiscard]] Result<> followsNothing() const;
-    [[nodiscard]] Result<> roomForPoint() const;
-    [[nodiscard]] Result<> mayTakePoint() const;
-    [[nodiscard]] Result<> mayTakeBody();
-    [[nodiscard]] Result<> isProposed(std::uint64_t number) const;
-    [[nodiscard]] Result<> mayChange() const;
-    [[nodiscard]] Result<> makesSense(const CalibrationChange& change) const;
-    [[nodiscard]] Result<> stillInForce(const pointing::PointingTerms& terms,
-                                        const std::optional<calibration::SensorMounting>& sensor) const;
-    void warnOfOtherMount(const calibration::CalibrationRecord& record);
-    void dropStale();
-    void noteTurns();
+    void useWhatEnded();
     void noteDrives();
-    void restorePoints();
-    void countRestored();
-    void leaveOutOtherPoints();
-    [[nodiscard]] SwingPlan planned(const SwingWish& wish) const;
+    void watchPoints();
 
-    void noteAxes();
-    void stepOffset();
-    void stepSwing();
-    [[nodiscard]] QString endOfSwing() const;
-    void leadSwing(const AxesThen& axes);
-    void tellOfWait(const QString& why);
-    void stepScan();
-    [[nodiscard]] QString endOfScan() const;
-    Result<> giveScan(double decibels);
-    Result<> lookOn();
-    void finishSwing();
-    void finishScan(const AxisPosition& middle);
-    void endRun(const QString& outcome, bool failed);
-    void holdMount();
-    [[nodiscard]] QString whoEnded() const;
-    void takeForOffset(const orientation::Orientation& value, const AxesThen& about);
-    Result<> addPoint(const AxisPosition& axes, const SkyPointing& truth, Angle sigma, const QString& label);
-    void pointsChanged();
-
-    void propose(ProposedBy by);
-    [[nodiscard]] std::optional<Proposal> proposed() const;
-    [[nodiscard]] Proposal swungProposal() const;
-    [[nodiscard]] calibration::TermKnowledge known() const { return knownBy(m_file.history().inForce()); }
-    [[nodiscard]] calibration::TermKnowledge knownBy(std::size_t entries) const;
-    [[nodiscard]] calibration::RecordMount mountToday() const;
-    [[nodiscard]] calibration::TermSheet sheet() const;
-    [[nodiscard]] TermSigmas toldByPoints() const;
-    [[nodiscard]] const calibration::CalibrationRecord* recordInForce() const;
-    [[nodiscard]] QString changedSince() const;
-    [[nodiscard]] bool pointsSayOther() const;
-    [[nodiscard]] QString otherMount() const;
-    void warnOfOtherMount();
-    void warnOfFile();
-    [[nodiscard]] bool beamAtSun();
-    void warnOfSun();
-    void warnOfFarPoint(const SkyPointing& truth);
-    Result<> proposeGiven(GivenTerms given);
-    void bringIntoForce(const CalibrationChange& change, const QString& what, ProposedBy next);
-
-    void publish();
-    [[nodiscard]] CalibrationProgress progress() const;
-    [[nodiscard]] std::optional<CalibrationProposal> proposalStatus() const;
-    [[nodiscard]] bool isTold(calibration::Term term) const;
-    [[nodiscard]] std::vector<CalibrationHistoryEntry> historyStatus() const;
-    void fillBodies(CalibrationStatus& status);
-
-    StationControl& m_control;
     profile::Profile m_profile;
-    profile::Profile m_wanted;
-    const Clock& m_clock;
-    EventLog& m_log;
-    CalibrationFile& m_file;
+    LiveSensor m_sensor;
+    AxisObserver m_axes;
+    MountIdentity m_mount;
+    ModelInForce m_model;
+    KeptPoints m_points;
+    Proposals m_proposals;
     BodyFollower m_follower;
-    AxisTrace m_trace;
-    std::optional<SteadyTime> m_unseenSince;          // the axes are not
-    std::optional<orientation::Orientation> m_value;  // of the sensor, the last
-    QString m_sensorProblem;                          // of its port or broker
-    Angle m_declination;
-
-    std::optional<OffsetRun> m_offsetRun;
-    std::optional<SwingRun> m_swing;
-    std::uint64_t m_restarts = 0;       // of the sensor
-    std::uint64_t m_swingRestarts = 0;  // when the swing began
-    std::optional<ScanRun> m_scan;
-    ephemeris::Refraction m_beforeScan = ephemeris::Refraction::Light;
-    SwingWish m_swingWish;
-    QString m_outcome;
-    bool m_failed = false;
-
-    std::optional<calibration::SensorOffset> m_sensorOffset;
-    std::shared_ptr<const SwingOutcome> m_swung;
-    QString m_swingDoubt;  // of what it found
-    std::optional<calibration::CrossScan> m_scanned;
-    std::optional<double> m_power;
-    power::LineStatus m_powerLine;
-    GivenTerms m_given;
-    PointBook m_book;
-    std::array<std::optional<QString>, 2> m_drives;  // their UUIDs, empty if a drive told none; nothing: not read yet
-    calibration::RecordMount m_pointsMount;          // of whom the points are
-    std::optional<UtcTime> m_axesTold;               // the operator was last asked where an axis stands
-    ProposedBy m_by = ProposedBy::Nothing;
-    bool m_fitDiscarded = false;  // what the points say, until they say otherwise
-    Angle m_proposedAt;           // the declination that was in force when it was found
-    std::optional<Proposal> m_proposal;
-    std::uint64_t m_proposals = 0;
-    std::optional<CalibrationChange> m_change;
-
-    std::shared_ptr<const CalibrationStatus> m_status = std::make_shared<const CalibrationStatus>();
-    SteadyTime m_published{};
-    bool m_changed = true;  // since the status was made
+    CalibrationRuns m_runs;
+    PointTaker m_taker;
+    ModelChanges m_changes;
+    CalibrationAlarms m_alarms;
+    CalibrationReport m_report;
 };
 
 }  // namespace boresight

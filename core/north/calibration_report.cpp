@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of CalibrationDesk that tells the screen what it does and knows.
-#include "core/alarms/catalogue.h"
+#include "core/north/calibration_report.h"
+
 #include "core/base/text.h"
-#include "core/north/calibration_desk.h"
-#include "core/units/angle_between.h"
-#include "core/witness/sensor_curve.h"
 
 #include <algorithm>
 
 namespace boresight {
 namespace {
 
-// A beam that is sharper than this gathers the Sun's light in the feed, or beside it.
-constexpr Angle kNearSun = Angle::fromDegrees(1.0);
-// The alarm must not come and go with the noise of an encoder.
-constexpr Angle kClearOfSun = Angle::fromDegrees(0.05);
+constexpr std::chrono::milliseconds kPeriod{250};
 
 QString reasonOf(const Result<>& result)
 {
@@ -36,174 +30,90 @@ QString placeText(calibration::MountDifference difference)
 
 }  // namespace
 
-void CalibrationDesk::publish()
+bool CalibrationReport::isDue() const
 {
-    m_published = m_clock.now();
-    warnOfOtherMount();
-    warnOfFile();
-    warnOfSun();
-    dropStale();
-    leaveOutOtherPoints();
-    noteTurns();
-    m_changed = false;
-    CalibrationStatus status{.progress = progress(),
-                             .present = m_profile.pointing,
-                             .sheet = sheet(),
-                             .otherMount = otherMount(),
-                             .sensorOffset = m_sensorOffset,
-                             .sensorObstacle = reasonOf(sensorTells()),
-                             .swingPlan = planned(m_swingWish),
-                             .swing = m_swung};
-    if (m_swing) {
-        status.swingSoFar = m_swing->dots(mountingOf(m_profile.sensor).sense);
-    }
-    if (const auto may = maySwing(); !may) {
-        status.swingPlan.obstacle = toQString(may.error().text);
-    }
+    return m_expired || m_clock.now() - m_made >= kPeriod;
+}
+
+void CalibrationReport::renew()
+{
+    m_made = m_clock.now();
+    m_expired = false;
+    const calibration::CalibrationHistory& history = m_of.file.history();
+    CalibrationStatus status{.progress = m_of.runs.progress(),
+                             .present = m_of.profile.pointing,
+                             .sheet = m_of.model.sheet(),
+                             .otherMount = m_of.model.otherMount(),
+                             .sensorOffset = m_of.proposals.sensorOffset(),
+                             .sensorObstacle = reasonOf(m_of.sensor.isUsable()),
+                             .swingPlan = m_of.runs.swingPlan(),
+                             .swingSoFar = m_of.runs.swingSoFar(),
+                             .swing = m_of.proposals.swing()};
     fillBodies(status);
-    status.pointObstacle = reasonOf(mayTakeBody());
-    status.points = m_book.status();
-    status.fit = m_book.fitStatus(m_profile.pointing);
-    status.noFit = m_book.problem();
-    status.scan = m_scanned;
-    status.power = m_power;
-    status.powerLine = m_powerLine;
-    status.wantsPower = m_scan && m_scan->wantsPower(m_clock.now());
+    fillPoints(status);
     status.proposal = proposalStatus();
-    status.history = historyStatus();
-    status.historyProblem = m_file.problem();
-    status.canUndo = m_file.history().canUndo();
-    status.canRedo = m_file.history().canRedo();
+    status.history = historyEntries();
+    status.historyProblem = m_of.file.problem();
+    status.canUndo = history.canUndo();
+    status.canRedo = history.canRedo();
     m_status = std::make_shared<const CalibrationStatus>(std::move(status));
 }
 
-void CalibrationDesk::warnOfFile()
+void CalibrationReport::fillPoints(CalibrationStatus& status) const
 {
-    if (m_file.problem().isEmpty()) {
-        m_control.alarms().clear(alarmEntry("calibration.not-stored"));
-        return;
-    }
-    m_control.alarms().raise(alarmEntry("calibration.not-stored"), {m_file.problem()});
+    const PointBook& book = m_of.points.book();
+    const ScanPilot& scan = m_of.runs.scan();
+    status.pointObstacle = reasonOf(m_of.taker.mayTakeBody());
+    status.points = book.status();
+    status.fit = book.fitStatus(m_of.profile.pointing);
+    status.noFit = book.problem();
+    status.scan = scan.scanned();
+    status.power = scan.power();
+    status.powerLine = scan.line();
+    status.wantsPower = m_of.runs.wantsPower();
 }
 
-// Led there, or standing there whoever has led it; what only passes by is not told.
-bool CalibrationDesk::beamAtSun()
+void CalibrationReport::fillBodies(CalibrationStatus& status) const
 {
-    if (m_follower.follows(ephemeris::Body::Sun)) {
-        return true;
-    }
-    const auto sun = m_follower.direction(ephemeris::Body::Sun);
-    if (!sun || sun->elevation < Angle{} || m_profile.sun.keepAway == profile::KeepAway::On) {
-        return false;  // its keep-out has an alarm of its own
-    }
-    const bool told = m_control.alarms().active(alarmEntry("sun.followed"));
-    const auto beam = m_control.direction();
-    if (!beam) {
-        return told;  // and nothing else is known
-    }
-    const Angle distance = angleBetween(*beam, *sun);
-    const Angle near = std::max(m_profile.mount.beamWidth / 2.0, kNearSun);
-    return told ? distance < near + kClearOfSun : distance < near && stands();
-}
-
-void CalibrationDesk::warnOfSun()
-{
-    if (!beamAtSun()) {
-        m_control.alarms().clear(alarmEntry("sun.followed"));
-        return;
-    }
-    m_control.alarms().raise(alarmEntry("sun.followed"),
-                             {m_follower.follows(ephemeris::Body::Sun)
-                                  ? Text::tr("The mount follows the Sun until something else is asked of it")
-                                  : Text::tr("That lasts until the mount is moved or the Sun has passed")});
-}
-
-void CalibrationDesk::fill(StationStatus& status) const
-{
-    status.calibration = m_status;
-    const bool inMotion = status.state == StationState::Hold || status.state == StationState::Slew ||
-                          status.state == StationState::Jog || status.state == StationState::Track;
-    if (moves() && inMotion) {
-        status.state = StationState::Calibrate;
-        if (m_swing) {
-            status.targetText = Text::tr("compass swing");
-        }
-    }
-}
-
-CalibrationProgress CalibrationDesk::progress() const
-{
-    const SteadyTime now = m_clock.now();
-    CalibrationProgress progress{.run = run(), .outcome = m_outcome, .failed = m_failed};
-    if (m_swing) {
-        progress.done = m_swing->part(now);
-        progress.left = m_swing->left(now);
-        progress.text = m_swing->text(now);
-    } else if (m_scan) {
-        progress.done = m_scan->part();
-        progress.text = m_scan->text(now);
-    } else if (m_offsetRun) {
-        const Seconds passed(now - m_offsetRun->started);
-        progress.done = std::min(passed / kOffsetTime, 1.0);
-        progress.left = std::max(kOffsetTime - passed, Seconds(0.0));
-        progress.text = Text::tr("readings: %1").arg(m_offsetRun->readings.size());
-    }
-    return progress;
-}
-
-void CalibrationDesk::fillBodies(CalibrationStatus& status)
-{
-    status.refraction = m_follower.refraction();
-    status.body = m_follower.body();
-    status.following = m_follower.following();
-    status.overTheTop = m_follower.overTheTop();
-    if (const auto known = m_follower.direction(ephemeris::Body::Sun); !known) {
+    status.refraction = m_of.follower.refraction();
+    status.body = m_of.follower.body();
+    status.following = m_of.follower.following();
+    status.overTheTop = m_of.follower.overTheTop();
+    if (const auto known = m_of.follower.direction(ephemeris::Body::Sun); !known) {
         status.noSite = toQString(known.error().text);
         return;
     }
-    m_follower.lookAhead();
+    m_of.follower.lookAhead();
     for (const ephemeris::Body body : kBodies) {
-        status.bodies.push_back(m_follower.now(body));
+        status.bodies.push_back(m_of.follower.now(body));
     }
-    if (m_control.alarms().active(alarmEntry("sun.followed"))) {
+    if (m_of.alarms.isAtSun()) {
         status.warning = Text::tr(
             "The beam looks into the Sun: nobody looks along it, nor through a sight tube "
             "without a solar filter; mind the heat in the feed");
     }
 }
 
-// A term that the points only move within what was known of it is held, not told.
-bool CalibrationDesk::isTold(calibration::Term term) const
+std::optional<CalibrationProposal> CalibrationReport::proposalStatus() const
 {
-    switch (m_by) {
-        case ProposedBy::Points:
-            return m_book.fitted() && m_book.fitted()->of(term).state == calibration::TermState::Fitted;
-        case ProposedBy::Given:
-            return calibration::valueOf(m_proposal->terms, term) != calibration::valueOf(m_profile.pointing, term);
-        default:
-            return m_proposal->sigmas[calibration::indexOf(term)].has_value();
-    }
-}
-
-std::optional<CalibrationProposal> CalibrationDesk::proposalStatus() const
-{
-    if (!m_proposal) {
+    const std::optional<Proposal>& proposal = m_of.proposals.current();
+    if (!proposal) {
         return std::nullopt;
     }
-    CalibrationProposal told{.number = m_proposal->number,
-                             .title = m_proposal->title,
-                             .reason = m_proposal->reason,
-                             .text = m_proposal->text,
-                             .terms = termsBeside(m_profile.pointing, m_proposal->terms),
-                             .residuals = m_book.residuals(m_proposal->terms),
-                             .changesSensor = m_proposal->sensor.has_value(),
-                             .warnings = m_proposal->warnings,
-                             .obstacle = reasonOf(mayChange())};
-    const calibration::TermSheet present = sheet();
+    CalibrationProposal told{.number = proposal->number,
+                             .title = proposal->title,
+                             .reason = proposal->reason,
+                             .text = proposal->text,
+                             .terms = termsBeside(m_of.profile.pointing, proposal->terms),
+                             .residuals = m_of.points.book().residuals(proposal->terms),
+                             .changesSensor = proposal->sensor.has_value(),
+                             .warnings = proposal->warnings,
+                             .obstacle = reasonOf(m_of.changes.mayChange())};
+    const calibration::TermSheet present = m_of.model.sheet();
     for (const calibration::Term term : calibration::kAllTerms) {
         TermStatus& one = told.terms[calibration::indexOf(term)];
-        one.sigma = m_proposal->sigmas[calibration::indexOf(term)];
-        one.isOn = isTold(term);
+        one.sigma = proposal->sigmas[calibration::indexOf(term)];
+        one.isOn = m_of.proposals.isFound(term);
         if (!one.sigma && one.proposed == one.present) {
             one.sigma = present.sigmas[calibration::indexOf(term)];  // what stays is known as well as before
         }
@@ -212,11 +122,11 @@ std::optional<CalibrationProposal> CalibrationDesk::proposalStatus() const
 }
 
 // Newest first; what was superseded stands where it was applied, whatever the clock did to the others.
-std::vector<CalibrationHistoryEntry> CalibrationDesk::historyStatus() const
+std::vector<CalibrationHistoryEntry> CalibrationReport::historyEntries() const
 {
     std::vector<CalibrationHistoryEntry> list;
-    const calibration::CalibrationHistory& history = m_file.history();
-    const calibration::RecordMount today = mountToday();
+    const calibration::CalibrationHistory& history = m_of.file.history();
+    const calibration::RecordMount today = m_of.mount.today();
     const auto told = [&](const calibration::CalibrationRecord& record) {
         const calibration::MountDifference difference = calibration::difference(record.mount, today);
         return CalibrationHistoryEntry{
@@ -230,7 +140,7 @@ std::vector<CalibrationHistoryEntry> CalibrationDesk::historyStatus() const
         list.push_back(told(history.entries()[i]));
         list.back().inForce = i < history.inForce();
     }
-    if (const QString since = changedSince(); !since.isEmpty()) {
+    if (const QString since = m_of.model.changedSince(); !since.isEmpty()) {
         CalibrationHistoryEntry& last = list[history.inForce() - 1];
         last.title = Text::tr("%1, changed by hand since").arg(last.title);
         last.change = Text::tr("%1; since then by hand: %2").arg(last.change, since);

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of CalibrationDesk that runs once per tick: notes the axes, leads what runs, sees what ends it.
-#include "core/alarms/catalogue.h"
+#include "core/north/calibration_runs.h"
+
 #include "core/base/text.h"
-#include "core/north/calibration_desk.h"
+#include "core/control/calibration_source.h"
 #include "core/witness/sensor_curve.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace boresight {
 namespace {
 
 const QString kRunsSource = QStringLiteral("calibration");
-constexpr int kCalibratedMagnetometer = 2;
-constexpr std::chrono::milliseconds kPublishPeriod{250};
-// For how long a swing goes on unseen: a stall of this computer is over by then, and the drives have their own watch.
-constexpr Seconds kUnseen{1.0};
+
 // The heading's mean ends when the elevation is read, just before the sensor sends both.
 Seconds levelAge(const profile::SensorSettings& sensor)
 {
@@ -27,321 +23,222 @@ SteadyTime before(SteadyTime time, Seconds age)
     return time - std::chrono::duration_cast<SteadyTime::duration>(age);
 }
 
-// How it ended, with what Apply will leave.
-QString outcomeText(const QString& used, const std::optional<Proposal>& proposal)
-{
-    return proposal && !proposal->stays.isEmpty() ? QStringLiteral("%1; %2").arg(used, proposal->stays) : used;
-}
-
-QString usedText(const calibration::SwingTally& tally, const calibration::SwingLimits& limits)
-{
-    if (tally.leftOut() == 0) {
-        return Text::tr("done, from %1 readings").arg(tally.all());
-    }
-    return Text::tr("done, from %1 of %2 readings; left out: %3")
-        .arg(tally.of(calibration::SampleFate::Used))
-        .arg(tally.all())
-        .arg(tally.whyLeftOut(limits));
-}
-
 }  // namespace
 
-CalibrationRun CalibrationDesk::run() const
+CalibrationRuns::CalibrationRuns(StationControl& control, const profile::Profile& profile, const LiveSensor& sensor,
+                                 const AxisObserver& axes, BodyFollower& follower, const Clock& clock, EventLog& log)
+    : m_control(control),
+      m_profile(profile),
+      m_sensor(sensor),
+      m_axes(axes),
+      m_follower(follower),
+      m_clock(clock),
+      m_log(log),
+      m_swing(control, profile, sensor, axes, clock, log),
+      m_scan(control, follower, axes, clock)
+{}
+
+CalibrationRun CalibrationRuns::running() const
 {
-    return m_swing       ? CalibrationRun::Swing
-           : m_scan      ? CalibrationRun::CrossScan
-           : m_offsetRun ? CalibrationRun::SensorOffset
-                         : CalibrationRun::None;
+    return m_swing.run()  ? CalibrationRun::Swing
+           : m_scan.run() ? CalibrationRun::CrossScan
+           : m_offset     ? CalibrationRun::SensorOffset
+                          : CalibrationRun::None;
 }
 
-Result<> CalibrationDesk::nothingRuns() const
+Result<> CalibrationRuns::isIdle() const
 {
-    if (run() != CalibrationRun::None) {
+    if (runs()) {
         return failure(ErrorCode::Busy, Text::tr("a calibration is running: end it first"));
     }
     return {};
 }
 
-Result<> CalibrationDesk::sensorSpeaks() const
+// What follows a body turns on, and its motors would turn the needle.
+Result<> CalibrationRuns::followsNothing() const
 {
-    const Seconds age = m_value ? Seconds(m_clock.now() - m_value->arrival) : Seconds(0.0);
-    if (m_value && age <= m_profile.sensor.lost) {
-        return {};
+    if (m_follower.following()) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("the mount follows the %1: hold it first").arg(bodyName(*m_follower.body())));
     }
-    const QString silence =
-        m_value ? Text::tr("the orientation sensor has said nothing for %1 s").arg(age.count(), 0, 'f', 0)
-                : Text::tr("the orientation sensor has said nothing yet");
-    return failure(ErrorCode::NoAnswer,
-                   m_sensorProblem.isEmpty() ? silence : QStringLiteral("%1 (%2)").arg(silence, m_sensorProblem));
+    return {};
 }
 
-Result<> CalibrationDesk::sensorTells() const
+Result<> CalibrationRuns::startOffset()
 {
-    if (m_profile.sensor.source == profile::SensorSource::None) {
-        return failure(ErrorCode::NotAvailable, Text::tr("the profile names no orientation sensor"));
-    }
-    return sensorSpeaks().and_then([this]() -> Result<> {
-        if (m_value->calibration && m_value->calibration->magnetometer < kCalibratedMagnetometer) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("the magnetometer is calibrated to %1 of 3 only, it needs %2: move "
-                                    "the sensor in figures of eight")
-                               .arg(m_value->calibration->magnetometer)
-                               .arg(kCalibratedMagnetometer));
+    return isIdle()
+        .and_then([this] { return m_sensor.isUsable(); })
+        .and_then([this] { return m_axes.standStill(); })
+        .and_then([this] { return followsNothing(); })
+        .and_then([this]() -> Result<> {
+            const QString obstacle = compassObstacle(m_control.measured()->elevation);
+            if (!obstacle.isEmpty()) {
+                return failure(ErrorCode::Refused, obstacle);
+            }
+            m_offset.emplace(m_clock.now());
+            return {};
+        });
+}
+
+Result<> CalibrationRuns::maySwing() const
+{
+    return isIdle().and_then([this] { return m_swing.mayStart(); });
+}
+
+Result<> CalibrationRuns::startSwing(const SwingWish& wish)
+{
+    m_swing.plan(wish);
+    return maySwing().and_then([&]() -> Result<> {
+        const SwingPlan plan = m_swing.planned();
+        if (!plan.obstacle.isEmpty()) {
+            return failure(ErrorCode::Refused, plan.obstacle);
         }
+        m_follower.end();
+        m_swing.start(plan);
+        ended(m_swing.tick());
         return {};
     });
 }
 
-Result<> CalibrationDesk::maySwing() const
+Result<> CalibrationRuns::startScan(ephemeris::Body body, Angle width)
 {
-    return nothingRuns()
-        .and_then([this] { return sensorTells(); })
-        .and_then([this] { return m_control.mayPoint(calibrationSource()); })
-        .and_then([this]() -> Result<> {
-            if (m_control.authority() == Authority::Clients) {
-                return failure(ErrorCode::Refused,
-                               Text::tr("the clients have the control: take it before the mount is swung"));
-            }
-            return m_control.measured().map([](const auto&) {});
-        });
+    return endedBy(m_scan.start(body, width));
 }
 
-SwingPlan CalibrationDesk::planned(const SwingWish& wish) const
+Result<> CalibrationRuns::givePower(double decibels)
 {
-    const auto here = m_control.measured();
-    if (!here) {
-        SwingPlan plan{.rate = wish.rate, .headings = wish.headings};
-        plan.obstacle = toQString(here.error().text);
-        return plan;
+    return ScanPilot::isPower(decibels).and_then([&] { return endedBy(m_scan.give(decibels)); });
+}
+
+// A scan that cannot look at its next place is over.
+Result<> CalibrationRuns::endedBy(const Result<>& scan)
+{
+    if (!scan && m_scan.run()) {
+        ended(failedRun(toQString(scan.error().text)));
     }
-    return planSwing(wish, *here, m_control.region(), m_profile.azimuth.limits);
+    return scan;
 }
 
 // The sensor's value is old and a mean when it arrives: it is laid beside where the axes were then.
-void CalibrationDesk::take(const SensorStatus& sensor)
+void CalibrationRuns::take(const orientation::Orientation& value)
 {
-    m_declination = sensor.declination;
-    m_restarts = sensor.restarts;
-    m_sensorProblem = sensor.problem;
-    if (!sensor.last || (m_value && sensor.last->arrival == m_value->arrival)) {
-        return;
-    }
-    m_value = sensor.last;
     const profile::SensorSettings& settings = m_profile.sensor;
-    const auto about = m_trace.about(before(m_value->arrival, settings.latency), settings.averaging);
-    const auto level = m_trace.about(before(m_value->arrival, levelAge(settings)), Seconds(0.0));
+    const auto about = m_axes.trace().about(before(value.arrival, settings.latency), settings.averaging);
+    const auto level = m_axes.trace().about(before(value.arrival, levelAge(settings)), Seconds(0.0));
     if (!about || !level) {
         return;
     }
-    if (m_swing) {
-        m_swing->take({.value = *m_value, .about = *about, .level = *level});
-    } else if (m_offsetRun) {
-        takeForOffset(*m_value, *about);
+    if (m_swing.run()) {
+        m_swing.take({.value = value, .about = *about, .level = *level});
+    } else if (m_offset) {
+        m_offset->take(value, *about, settings, m_sensor.declination());
     }
 }
 
-void CalibrationDesk::takeForOffset(const orientation::Orientation& value, const AxesThen& about)
+bool CalibrationRuns::tick()
 {
-    calibration::SensorReading reading{
-        .axisAzimuth = about.place.azimuth, .axisRate = about.rates.azimuth, .motorCurrent = about.current};
-    // Without a swing there is no curve for the fit to be told, only a mounting to be dealt with.
-    reading.heading =
-        wasSwung(m_profile.sensor)
-            ? value.heading
-            : orientation::SensorHeading::folded(curveOf(m_profile.sensor, m_declination).corrected(value.heading));
-    reading.axisElevation = about.place.elevation;
-    if (value.calibration) {
-        reading.systemCalibration = value.calibration->system;
-        reading.magnetometerCalibration = value.calibration->magnetometer;
+    if (m_swing.run()) {
+        ended(m_swing.tick());
+    } else if (m_scan.run()) {
+        const ScanPilot::Step step = m_scan.tick();
+        ended(step.end);
+        return step.read;
+    } else if (m_offset) {
+        ended(stepOffset());
     }
-    m_offsetRun->readings.push_back(reading);
+    return false;
 }
 
-void CalibrationDesk::noteAxes()
+std::optional<RunEnd> CalibrationRuns::stepOffset() const
 {
-    const auto sample = m_control.sample();
-    if (!m_control.measured() || !sample) {
-        m_trace.clear();
-        return;
+    if (const auto usable = m_sensor.isUsable(); !usable) {
+        return failedRun(toQString(usable.error().text));
     }
-    const auto& [azimuth, elevation] = sample->axes;
-    if (azimuth.actual && elevation.actual) {
-        m_trace.note(sample->time, {*azimuth.actual, *elevation.actual},
-                     std::max(std::abs(azimuth.current.value_or(0.0)), std::abs(elevation.current.value_or(0.0))));
-    }
-}
-
-void CalibrationDesk::tick()
-{
-    noteDrives();
-    noteAxes();
-    m_unseenSince = m_trace.now() ? std::nullopt : std::optional(m_unseenSince.value_or(m_clock.now()));
-    m_follower.tick();
-    if (m_swing) {
-        stepSwing();
-    } else if (m_scan) {
-        stepScan();
-    } else if (m_offsetRun) {
-        stepOffset();
-    }
-    if (m_changed || m_clock.now() - m_published >= kPublishPeriod) {
-        publish();
-    }
-}
-
-void CalibrationDesk::stepOffset()
-{
-    if (const auto tells = sensorTells(); !tells) {
-        endRun(toQString(tells.error().text), true);
-        return;
-    }
-    if (Seconds(m_clock.now() - m_offsetRun->started) < kOffsetTime) {
-        return;
-    }
-    const auto curve = wasSwung(m_profile.sensor) ? std::optional(curveOf(m_profile.sensor, m_declination))
-                                                  : std::optional<calibration::DeviationCurve>();
-    const calibration::SensorOffsetLimits limits{.motorCurrent = m_profile.sensor.stillCurrent};
-    const auto offset = calibration::sensorOffset(m_offsetRun->readings, limits, curve);
-    if (!offset) {
-        endRun(toQString(offset.error().text), true);
-        return;
-    }
-    m_sensorOffset = *offset;
-    propose(ProposedBy::SensorOffset);
-    endRun(outcomeText(Text::tr("done, from %1 readings").arg(offset->used), m_proposal), false);
-}
-
-void CalibrationDesk::stepSwing()
-{
-    if (const QString reason = endOfSwing(); !reason.isEmpty()) {
-        holdMount();
-        endRun(reason, true);
-        return;
-    }
-    if (const auto axes = m_trace.now()) {
-        leadSwing(*axes);
-    }
-    if (m_swing && m_swing->done()) {
-        finishSwing();
-    }
-}
-
-// A sensor that is silent may come back: that is waited for, standing still.
-QString CalibrationDesk::endOfSwing() const
-{
-    const SteadyTime now = m_clock.now();
-    const auto tells = sensorTells();
-    if (!tells && (sensorSpeaks() || !m_swing->begun() || m_swing->waitedInVain(now))) {
-        return toQString(tells.error().text);
-    }
-    if (m_unseenSince && Seconds(now - *m_unseenSince) > kUnseen) {
-        return Text::tr("where the mount stands is not known any more");
-    }
-    if (m_restarts != m_swingRestarts) {
-        return Text::tr("the sensor was started anew meanwhile: its compass may count otherwise now");
-    }
-    if (m_swing->late(now)) {
-        return Text::tr("the mount does not get on: something holds it");
-    }
-    return m_swing->begun() && !m_control.obeys(calibrationSource()) ? whoEnded() : QString();
-}
-
-void CalibrationDesk::leadSwing(const AxesThen& axes)
-{
-    const auto speaks = sensorSpeaks();
-    const bool waited = m_swing->waits();
-    const auto wanted = m_swing->step(m_clock.now(), axes, speaks.has_value());
-    if (m_swing->waits() && !waited) {
-        tellOfWait(toQString(speaks.error().text));
-    } else if (waited && !m_swing->waits()) {
-        m_control.alarms().clear(alarmEntry("swing.waits"));
-        m_log.add(Severity::Advisory, kRunsSource, Text::tr("the sensor is heard again: the swing goes on"));
-    }
-    if (!wanted) {
-        return;
-    }
-    if (const auto admitted = m_control.request(*wanted, calibrationSource()); !admitted) {
-        holdMount();
-        endRun(toQString(admitted.error().text), true);
-    }
-}
-
-// Who stands at the mast sees it stand: it shall not set off again without a word.
-void CalibrationDesk::tellOfWait(const QString& why)
-{
-    const QString left = QString::number(m_swing->waitLeft(m_clock.now()).count(), 'f', 0);
-    m_log.add(Severity::Warning, kRunsSource, Text::tr("the swing stands still for %1 s at most: %2").arg(left, why));
-    m_control.alarms().raise(alarmEntry("swing.waits"), {left});
-}
-
-void CalibrationDesk::finishSwing()
-{
-    m_swingDoubt = m_swing->heardAllAlong() ? QString()
-                                            : Text::tr(
-                                                  "the sensor was silent meanwhile and does not tell how it is "
-                                                  "calibrated: if it was started anew, repeat the swing");
-    const calibration::SwingLimits limits = m_swing->limits();
-    auto outcome = m_swing->outcome(m_clock.utc(), m_declination);
-    if (!outcome) {
-        endRun(toQString(outcome.error().text), true);
-        return;
-    }
-    m_swung = std::make_shared<const SwingOutcome>(std::move(*outcome));
-    if (m_swung->fit.isUsable()) {
-        propose(ProposedBy::Swing);
-        endRun(outcomeText(usedText(calibration::SwingTally(m_swung->fit.samples), limits), m_proposal), false);
-    } else {
-        endRun(Text::tr("a compass is of no use here: %1").arg(toQString(m_swung->fit.hopeless.front())), true);
-    }
-}
-
-std::optional<CalibrationChange> CalibrationDesk::proposedOfSensor() const
-{
-    const bool bySensor = m_by == ProposedBy::SensorOffset || m_by == ProposedBy::Swing;
-    if (!bySensor || !m_proposal) {
+    if (!m_offset->done(m_clock.now())) {
         return std::nullopt;
     }
-    return CalibrationChange{.terms = m_proposal->terms,
-                             .sensor = m_proposal->sensor.value_or(mountingOf(m_profile.sensor))};
-}
-
-// The mount does not do any more what the run asked of it.
-QString CalibrationDesk::whoEnded() const
-{
-    switch (m_control.state()) {
-        case StationState::Stopped:
-            return Text::tr("STOP ended it: there is no result");
-        case StationState::Fault:
-            return Text::tr("a fault ended it: there is no result");
-        default:
-            return Text::tr("another command to the mount ended it: there is no result");
+    const auto offset = m_offset->outcome(m_profile.sensor, m_sensor.declination());
+    if (!offset) {
+        return failedRun(toQString(offset.error().text));
     }
+    return RunEnd{.outcome = Text::tr("done, from %1 readings").arg(offset->used), .found = *offset};
 }
 
-void CalibrationDesk::holdMount()
+void CalibrationRuns::ended(std::optional<RunEnd> end)
+{
+    if (!end) {
+        return;
+    }
+    if (end->holds) {
+        hold();
+    }
+    m_end = std::move(end);
+}
+
+void CalibrationRuns::hold()
 {
     if (moves() && m_control.obeys(calibrationSource())) {
         [[maybe_unused]] const Result<> held = m_control.request(request::Hold{}, calibrationSource());
     }
 }
 
-void CalibrationDesk::endRun(const QString& outcome, bool failed)
+void CalibrationRuns::close(const QString& outcome, bool failed)
 {
     if (m_follower.looksBeside()) {
         m_follower.end();
     }
-    if (m_scan) {
-        m_follower.setRefraction(m_beforeScan);
-    }
-    m_control.alarms().clear(alarmEntry("swing.waits"));
-    m_swing.reset();
-    m_scan.reset();
-    m_offsetRun.reset();
+    m_scan.end();
+    m_swing.end();
+    m_offset.reset();
     m_outcome = outcome;
     m_failed = failed;
-    m_changed = true;
     m_log.add(failed ? Severity::Warning : Severity::Advisory, kRunsSource,
               failed ? Text::tr("ends without a result: %1").arg(outcome) : outcome);
+}
+
+void CalibrationRuns::breakOff(const QString& why)
+{
+    hold();
+    close(why, true);
+}
+
+SwingPlan CalibrationRuns::swingPlan() const
+{
+    SwingPlan plan = m_swing.planned();
+    if (const auto may = maySwing(); !may) {
+        plan.obstacle = toQString(may.error().text);
+    }
+    return plan;
+}
+
+std::vector<calibration::SwingDot> CalibrationRuns::swingSoFar() const
+{
+    return m_swing.run() ? m_swing.run()->dots(mountingOf(m_profile.sensor).sense)
+                         : std::vector<calibration::SwingDot>{};
+}
+
+bool CalibrationRuns::wantsPower() const
+{
+    return m_scan.run() && m_scan.run()->wantsPower(m_clock.now());
+}
+
+CalibrationProgress CalibrationRuns::progress() const
+{
+    const SteadyTime now = m_clock.now();
+    CalibrationProgress progress{.run = running(), .outcome = m_outcome, .failed = m_failed};
+    if (const auto& swing = m_swing.run()) {
+        progress.done = swing->part(now);
+        progress.left = swing->left(now);
+        progress.text = swing->text(now);
+    } else if (const auto& scan = m_scan.run()) {
+        progress.done = scan->part();
+        progress.text = scan->text(now);
+    } else if (m_offset) {
+        progress.done = m_offset->part(now);
+        progress.left = m_offset->left(now);
+        progress.text = m_offset->text();
+    }
+    return progress;
 }
 
 }  // namespace boresight

@@ -11,6 +11,15 @@
 // speak for. The axes' angles are mechanical, so points stay true whatever model comes into force. Pure.
 namespace boresight {
 
+// A point that is taken now.
+struct NewPoint
+{
+    AxisPosition axes;
+    SkyPointing truth;
+    Angle sigma;
+    QString label;
+};
+
 class PointBook
 {
 public:

@@ -25,6 +25,13 @@ struct SwingReading
     AxesThen level;  // the time of its elevation, which is younger
 };
 
+// What a swing found, also where the compass is of no use.
+struct SwungCompass
+{
+    std::shared_ptr<const SwingOutcome> outcome;
+    QString doubt;  // why it may be wrong; mostly empty
+};
+
 class SwingRun
 {
 public:

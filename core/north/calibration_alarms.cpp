@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/north/calibration_alarms.h"
+
+#include "core/alarms/catalogue.h"
+#include "core/base/text.h"
+#include "core/units/angle_between.h"
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+// A beam that is sharper than this gathers the Sun's light in the feed, or beside it.
+constexpr Angle kNearSun = Angle::fromDegrees(1.0);
+// The alarm must not come and go with the noise of an encoder.
+constexpr Angle kClearOfSun = Angle::fromDegrees(0.05);
+
+}  // namespace
+
+void CalibrationAlarms::update()
+{
+    warnOfOtherMount();
+    warnOfFile();
+    warnOfSun();
+}
+
+bool CalibrationAlarms::isAtSun() const
+{
+    return m_control.alarms().active(alarmEntry("sun.followed"));
+}
+
+void CalibrationAlarms::warnOfOtherMount()
+{
+    const QString what = m_model.otherMount();
+    if (what.isEmpty()) {
+        m_control.alarms().clear(alarmEntry("calibration.other-mount"));
+        return;
+    }
+    m_control.alarms().raise(alarmEntry("calibration.other-mount"), {what});
+}
+
+void CalibrationAlarms::warnOfFile()
+{
+    if (m_file.problem().isEmpty()) {
+        m_control.alarms().clear(alarmEntry("calibration.not-stored"));
+        return;
+    }
+    m_control.alarms().raise(alarmEntry("calibration.not-stored"), {m_file.problem()});
+}
+
+// Led there, or standing there whoever has led it; what only passes by is not told.
+bool CalibrationAlarms::beamAtSun()
+{
+    if (m_follower.follows(ephemeris::Body::Sun)) {
+        return true;
+    }
+    const auto sun = m_follower.direction(ephemeris::Body::Sun);
+    if (!sun || sun->elevation < Angle{} || m_profile.sun.keepAway == profile::KeepAway::On) {
+        return false;  // its keep-out has an alarm of its own
+    }
+    const bool told = isAtSun();
+    const auto beam = m_control.direction();
+    if (!beam) {
+        return told;  // and nothing else is known
+    }
+    const Angle distance = angleBetween(*beam, *sun);
+    const Angle near = std::max(m_profile.mount.beamWidth / 2.0, kNearSun);
+    return told ? distance < near + kClearOfSun : distance < near && m_axes.standStill();
+}
+
+void CalibrationAlarms::warnOfSun()
+{
+    if (!beamAtSun()) {
+        m_control.alarms().clear(alarmEntry("sun.followed"));
+        return;
+    }
+    m_control.alarms().raise(alarmEntry("sun.followed"),
+                             {m_follower.follows(ephemeris::Body::Sun)
+                                  ? Text::tr("The mount follows the Sun until something else is asked of it")
+                                  : Text::tr("That lasts until the mount is moved or the Sun has passed")});
+}
+
+}  // namespace boresight

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/north/offset_run.h"
+#include "core/north/scan_pilot.h"
+#include "core/north/swing_pilot.h"
+
+#include <optional>
+#include <utility>
+
+// What runs now: the average of the sensor, the swing of the compass or the cross scan, one at a time. Starts and leads
+// it, and keeps how the last one ended. A run that ends by itself waits in takeEnd() for whoever uses what it found,
+// and is over with close(). Station thread only.
+namespace boresight {
+
+class CalibrationRuns
+{
+public:
+    // All of them outlive it. The profile may change.
+    CalibrationRuns(StationControl& control, const profile::Profile& profile, const LiveSensor& sensor,
+                    const AxisObserver& axes, BodyFollower& follower, const Clock& clock, EventLog& log);
+
+    [[nodiscard]] CalibrationRun running() const;
+    [[nodiscard]] bool runs() const { return running() != CalibrationRun::None; }
+    [[nodiscard]] Result<> isIdle() const;
+    // A run moves the mount.
+    [[nodiscard]] bool moves() const { return m_swing.run().has_value() || m_scan.run().has_value(); }
+
+    Result<> startOffset();
+    void planSwing(const SwingWish& wish) { m_swing.plan(wish); }
+    Result<> startSwing(const SwingWish& wish);
+    // Only where isIdle() and the width is one of a scan.
+    Result<> startScan(ephemeris::Body body, Angle width);
+    Result<> givePower(double decibels);
+
+    // A new value of the sensor.
+    void take(const orientation::Orientation& value);
+    void take(const power::Value& value) { m_scan.take(value); }
+    void show(const power::LineStatus& line) { m_scan.show(line); }
+    // Once per tick, after the axes were observed and the body was followed. True: there is something new to show.
+    [[nodiscard]] bool tick();
+
+    // Of the run that has ended by itself.
+    [[nodiscard]] std::optional<RunEnd> takeEnd() { return std::exchange(m_end, std::nullopt); }
+    void close(const QString& outcome, bool failed);
+    // Somebody else ends what runs: the mount holds.
+    void breakOff(const QString& why);
+
+    // With what stands in the way.
+    [[nodiscard]] SwingPlan swingPlan() const;
+    [[nodiscard]] std::vector<calibration::SwingDot> swingSoFar() const;
+    [[nodiscard]] bool wantsPower() const;
+    [[nodiscard]] CalibrationProgress progress() const;
+    [[nodiscard]] const SwingPilot& swing() const { return m_swing; }
+    [[nodiscard]] const ScanPilot& scan() const { return m_scan; }
+
+private:
+    [[nodiscard]] Result<> followsNothing() const;
+    [[nodiscard]] Result<> maySwing() const;
+    [[nodiscard]] std::optional<RunEnd> stepOffset() const;
+    void ended(std::optional<RunEnd> end);
+    Result<> endedBy(const Result<>& scan);
+    void hold();
+
+    StationControl& m_control;
+    const profile::Profile& m_profile;
+    const LiveSensor& m_sensor;
+    const AxisObserver& m_axes;
+    BodyFollower& m_follower;
+    const Clock& m_clock;
+    EventLog& m_log;
+    std::optional<OffsetRun> m_offset;
+    SwingPilot m_swing;
+    ScanPilot m_scan;
+    std::optional<RunEnd> m_end;
+    QString m_outcome;  // of the last run
+    bool m_failed = false;
+};
+
+}  // namespace boresight

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/north/live_sensor.h"
+
+#include "core/base/text.h"
+
+namespace boresight {
+namespace {
+
+// Of the levels 0 to 3 that a sensor reports.
+constexpr int kCalibratedMagnetometer = 2;
+
+}  // namespace
+
+const orientation::Orientation* LiveSensor::take(const SensorStatus& sensor)
+{
+    m_declination = sensor.declination;
+    m_restarts = sensor.restarts;
+    m_problem = sensor.problem;
+    if (!sensor.last || (m_last && sensor.last->arrival == m_last->arrival)) {
+        return nullptr;
+    }
+    m_last = sensor.last;
+    return &*m_last;
+}
+
+Result<> LiveSensor::isHeard() const
+{
+    const Seconds age = m_last ? Seconds(m_clock.now() - m_last->arrival) : Seconds(0.0);
+    if (m_last && age <= m_profile.sensor.lost) {
+        return {};
+    }
+    const QString silence =
+        m_last ? Text::tr("the orientation sensor has said nothing for %1 s").arg(age.count(), 0, 'f', 0)
+               : Text::tr("the orientation sensor has said nothing yet");
+    return failure(ErrorCode::NoAnswer,
+                   m_problem.isEmpty() ? silence : QStringLiteral("%1 (%2)").arg(silence, m_problem));
+}
+
+Result<> LiveSensor::isUsable() const
+{
+    if (m_profile.sensor.source == profile::SensorSource::None) {
+        return failure(ErrorCode::NotAvailable, Text::tr("the profile names no orientation sensor"));
+    }
+    return isHeard().and_then([this]() -> Result<> {
+        if (m_last->calibration && m_last->calibration->magnetometer < kCalibratedMagnetometer) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("the magnetometer is calibrated to %1 of 3 only, it needs %2: move "
+                                    "the sensor in figures of eight")
+                               .arg(m_last->calibration->magnetometer)
+                               .arg(kCalibratedMagnetometer));
+        }
+        return {};
+    });
+}
+
+}  // namespace boresight

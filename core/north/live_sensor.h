@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/base/result.h"
+#include "core/messages/sensor_status.h"
+#include "core/profile/profile.h"
+
+#include <cstdint>
+#include <optional>
+
+// What the orientation sensor reports now, and whether a calibration can rely on it. Pure; station thread.
+namespace boresight {
+
+class LiveSensor
+{
+public:
+    // Profile and clock outlive it. The profile may change.
+    LiveSensor(const profile::Profile& profile, const Clock& clock) : m_profile(profile), m_clock(clock) {}
+
+    // The value, if it is a new one.
+    const orientation::Orientation* take(const SensorStatus& sensor);
+
+    // A value came within the time that the profile allows.
+    [[nodiscard]] Result<> isHeard() const;
+    // There is a sensor, it is heard, and its compass is calibrated as far as it reports that.
+    [[nodiscard]] Result<> isUsable() const;
+    [[nodiscard]] Angle declination() const { return m_declination; }
+    [[nodiscard]] std::uint64_t restarts() const { return m_restarts; }
+
+private:
+    const profile::Profile& m_profile;
+    const Clock& m_clock;
+    std::optional<orientation::Orientation> m_last;
+    QString m_problem;  // of its port or broker
+    Angle m_declination;
+    std::uint64_t m_restarts = 0;
+};
+
+}  // namespace boresight

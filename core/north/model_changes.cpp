@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/north/model_changes.h"
+
+#include "core/base/text.h"
+#include "core/north/same_terms.h"
+#include "core/profile/setting.h"
+#include "core/witness/sensor_curve.h"
+
+namespace boresight {
+namespace {
+
+const QString kChangesSource = QStringLiteral("calibration");
+
+}  // namespace
+
+ModelChanges::ModelChanges(const StationControl& control, const profile::Profile& profile, CalibrationFile& file,
+                           const MountIdentity& mount, const CalibrationRuns& runs, BodyFollower& follower,
+                           const Clock& clock, EventLog& log)
+    : m_control(control),
+      m_profile(profile),
+      m_wanted(profile),
+      m_file(file),
+      m_mount(mount),
+      m_runs(runs),
+      m_follower(follower),
+      m_clock(clock),
+      m_log(log)
+{}
+
+// A model that comes into force moves nothing that stands, but a stream of directions would be led elsewhere.
+Result<> ModelChanges::mayChange() const
+{
+    return m_runs.isIdle().and_then([&]() -> Result<> {
+        if (m_wanted.bus != m_profile.bus) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("the mount at %1 waits for Reconnect, and this was found of the one at %2: "
+                                    "reconnect first")
+                               .arg(toQString(m_wanted.bus), toQString(m_profile.bus)));
+        }
+        if (m_control.followsClient()) {
+            return failure(ErrorCode::Refused, Text::tr("the mount follows a client, which the change would move: hold "
+                                                        "the mount first"));
+        }
+        return m_follower.following() ? Result<>{} : m_control.mayChangePointing();  // the body is let go
+    });
+}
+
+// A horizon or keep-out that now lies elsewhere over the axes may forbid the place to park: such a profile would not
+// even be loaded again.
+Result<> ModelChanges::makesSense(const CalibrationChange& change) const
+{
+    for (profile::Profile wanted : {m_profile, m_wanted}) {
+        change.applyTo(wanted);
+        const auto problems = profile::problemsOf(wanted);
+        if (!problems.empty() && problems.front().key.starts_with("park.")) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("the place to park would then be forbidden, %1: set another one "
+                                    "first (tab Mount, Profile, \"park\"), then apply")
+                               .arg(toQString(problems.front().text)));
+        }
+        if (!problems.empty()) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("with this the profile would not make sense, %1: change that first")
+                               .arg(toQString(problems.front().key + ": " + problems.front().text)));
+        }
+    }
+    return {};
+}
+
+Result<> ModelChanges::apply(const Proposal& proposal)
+{
+    const CalibrationChange change{.terms = proposal.terms, .sensor = proposal.sensor};
+    return mayChange().and_then([&] { return makesSense(change); }).map([&] {
+        calibration::CalibrationRecord record{.when = std::chrono::floor<std::chrono::milliseconds>(m_clock.utc()),
+                                              .title = proposal.title.toStdString(),
+                                              .mount = m_mount.today(),
+                                              .terms = {.before = m_profile.pointing, .after = proposal.terms},
+                                              .sigmas = proposal.sigmas,
+                                              .points = proposal.points};
+        if (proposal.sensor) {
+            record.sensor = {.before = mountingOf(m_profile.sensor), .after = *proposal.sensor};
+        }
+        m_file.add(std::move(record));
+        bringIntoForce(change, Text::tr("applies \"%1\": %2")
+                                   .arg(proposal.title,
+                                        changeText(m_profile.pointing, proposal.terms, proposal.sensor.has_value())));
+    });
+}
+
+Result<> ModelChanges::undo()
+{
+    const calibration::CalibrationHistory& history = m_file.history();
+    if (!history.canUndo()) {
+        return failure(ErrorCode::Refused, Text::tr("there is no calibration to take back"));
+    }
+    const calibration::CalibrationRecord& record = history.entries()[history.inForce() - 1];
+    CalibrationChange change{.terms = record.terms.before};
+    std::optional<calibration::SensorMounting> now;
+    if (record.sensor) {
+        change.sensor = record.sensor->before;
+        now = record.sensor->after;
+    }
+    const auto may = mayChange().and_then([&] { return stillInForce(record.terms.after, now); });
+    return may.and_then([&] { return makesSense(change); }).map([&] {
+        warnOfOtherMount(record);
+        bringIntoForce(change, Text::tr("takes back \"%1\"").arg(toQString(m_file.undo().title)));
+    });
+}
+
+Result<> ModelChanges::redo()
+{
+    const calibration::CalibrationHistory& history = m_file.history();
+    if (!history.canRedo()) {
+        return failure(ErrorCode::Refused, Text::tr("there is no calibration to bring back"));
+    }
+    const calibration::CalibrationRecord& record = history.entries()[history.inForce()];
+    CalibrationChange change{.terms = record.terms.after};
+    std::optional<calibration::SensorMounting> now;
+    if (record.sensor) {
+        change.sensor = record.sensor->after;
+        now = record.sensor->before;
+    }
+    const auto may = mayChange().and_then([&] { return stillInForce(record.terms.before, now); });
+    return may.and_then([&] { return makesSense(change); }).map([&] {
+        warnOfOtherMount(record);
+        bringIntoForce(change, Text::tr("applies \"%1\" again").arg(toQString(m_file.redo().title)));
+    });
+}
+
+// What was typed since would be lost without a word.
+Result<> ModelChanges::stillInForce(const pointing::PointingTerms& terms,
+                                    const std::optional<calibration::SensorMounting>& sensor) const
+{
+    if (!isSame(terms, m_profile.pointing)) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("the pointing model was changed since, %1, and that would be lost: take it back on the "
+                                "page Profile first, or type the terms that you want")
+                           .arg(changeText(terms, m_profile.pointing)));
+    }
+    if (sensor && !isSame(*sensor, mountingOf(m_profile.sensor))) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("the sensor's mounting or deviation was changed since, and that would be lost: take it "
+                                "back on the page Profile first"));
+    }
+    return {};
+}
+
+void ModelChanges::warnOfOtherMount(const calibration::CalibrationRecord& record)
+{
+    if (calibration::difference(record.mount, m_mount.today()) != calibration::MountDifference::None) {
+        m_log.add(
+            Severity::Warning, kChangesSource,
+            Text::tr("\"%1\" was applied with another drive or at another site: see where north is before you rely "
+                     "on what comes into force")
+                .arg(toQString(record.title)));
+    }
+}
+
+void ModelChanges::bringIntoForce(const CalibrationChange& change, const QString& what)
+{
+    m_follower.end();  // the body would be followed elsewhere from now on
+    m_change = change;
+    m_log.add(Severity::Advisory, QStringLiteral("operator"), what);
+}
+
+}  // namespace boresight

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/north/calibration_change.h"
+#include "core/north/calibration_runs.h"
+#include "core/north/proposals.h"
+
+#include <optional>
+#include <utility>
+
+// Apply, Undo and Redo: decides whether a change of the model may come into force now, and writes it into the history.
+// The change itself waits in take() for whoever changes the profile. Moves nothing, but a followed body is released.
+// Station thread only.
+namespace boresight {
+
+class ModelChanges
+{
+public:
+    // All of them outlive it. The profile may change.
+    ModelChanges(const StationControl& control, const profile::Profile& profile, CalibrationFile& file,
+                 const MountIdentity& mount, const CalibrationRuns& runs, BodyFollower& follower, const Clock& clock,
+                 EventLog& log);
+
+    // What is saved, with all that is in force only after Reconnect.
+    void setWanted(const profile::Profile& wanted) { m_wanted = wanted; }
+
+    [[nodiscard]] Result<> mayChange() const;
+    Result<> apply(const Proposal& proposal);
+    Result<> undo();
+    Result<> redo();
+    // To be put into force at once.
+    [[nodiscard]] std::optional<CalibrationChange> take() { return std::exchange(m_change, std::nullopt); }
+
+private:
+    [[nodiscard]] Result<> makesSense(const CalibrationChange& change) const;
+    [[nodiscard]] Result<> stillInForce(const pointing::PointingTerms& terms,
+                                        const std::optional<calibration::SensorMounting>& sensor) const;
+    void warnOfOtherMount(const calibration::CalibrationRecord& record);
+    void bringIntoForce(const CalibrationChange& change, const QString& what);
+
+    const StationControl& m_control;
+    const profile::Profile& m_profile;
+    profile::Profile m_wanted;
+    CalibrationFile& m_file;
+    const MountIdentity& m_mount;
+    const CalibrationRuns& m_runs;
+    BodyFollower& m_follower;
+    const Clock& m_clock;
+    EventLog& m_log;
+    std::optional<CalibrationChange> m_change;
+};
+
+}  // namespace boresight

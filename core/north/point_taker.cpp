@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/north/point_taker.h"
+
+#include "core/base/text.h"
+#include "core/units/angle_between.h"
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+using namespace boresight::literals;
+
+const QString kTakerSource = QStringLiteral("calibration");
+// A body that is centred by hand, by shadow or sight tube.
+constexpr Angle kCentred = Angle::fromDegrees(0.03);
+// Where north was found, nothing that is centred is this far from where the model says; nor from three sigmas of it.
+constexpr Angle kFarPoint = Angle::fromDegrees(5.0);
+// A landmark from a map, and a hand that points the beam at it.
+constexpr Angle kKnownPoint = Angle::fromDegrees(0.1);
+
+}  // namespace
+
+PointTaker::PointTaker(const StationControl& control, const CalibrationRuns& runs, const AxisObserver& axes,
+                       const ModelInForce& model, BodyFollower& follower, KeptPoints& points, EventLog& log)
+    : m_control(control), m_runs(runs), m_axes(axes), m_model(model), m_follower(follower), m_points(points), m_log(log)
+{}
+
+Result<> PointTaker::mayTake() const
+{
+    return m_runs.isIdle().and_then([this] { return m_axes.standStill(); }).and_then([this] {
+        return m_points.hasRoom();
+    });
+}
+
+Result<> PointTaker::mayTakeBody() const
+{
+    if (!m_follower.body()) {
+        return failure(ErrorCode::Refused, Text::tr("follow the Sun or the Moon first, and centre it"));
+    }
+    return m_follower.direction(*m_follower.body()).and_then([&](const SkyPointing& place) -> Result<> {
+        if (place.elevation < Angle{}) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("the %1 is below the horizon").arg(bodyName(*m_follower.body())));
+        }
+        return mayTake();
+    });
+}
+
+// Where the axes are now, not where they were told to be, and where the body is now.
+Result<> PointTaker::takeBody()
+{
+    return mayTakeBody().map([&] {
+        const ephemeris::Body body = *m_follower.body();
+        const SkyPointing truth = *m_follower.direction(body);
+        m_points.add({.axes = m_axes.now()->place, .truth = truth, .sigma = kCentred, .label = bodyName(body)});
+        warnOfFarPoint(truth);
+    });
+}
+
+// The operator sees the shadow, the model does not: it is taken all the same.
+void PointTaker::warnOfFarPoint(const SkyPointing& truth)
+{
+    const std::optional<Angle> north = m_model.sheet().sigmas[calibration::indexOf(calibration::Term::AzimuthOffset)];
+    const auto beam = m_control.direction();
+    if (!north || !beam) {
+        return;
+    }
+    if (const Angle distance = angleBetween(*beam, truth); distance > std::max(kFarPoint, 3.0 * *north)) {
+        m_log.add(Severity::Warning, kTakerSource,
+                  Text::tr("by the model in force the beam is %1° beside it: if it was not centred, drop point %2")
+                      .arg(distance.degrees(), 0, 'f', 1)
+                      .arg(m_points.book().points().size()));
+    }
+}
+
+Result<> PointTaker::takeKnown(const SkyPointing& truth, const QString& label)
+{
+    if (!truth.azimuth.isFinite() || abs(truth.azimuth) > 360_deg || !(abs(truth.elevation) <= 90_deg)) {
+        return failure(ErrorCode::OutOfRange,
+                       Text::tr("an azimuth within 360° and an elevation within 90° are expected"));
+    }
+    return mayTake().map([&] {
+        const QString name = label.trimmed();
+        m_points.add({.axes = m_axes.now()->place,
+                      .truth = {truth.azimuth.wrapped360(), truth.elevation},
+                      .sigma = kKnownPoint,
+                      .label = name.isEmpty() ? Text::tr("landmark") : name});
+    });
+}
+
+}  // namespace boresight

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/north/proposals.h"
+
+#include "core/base/text.h"
+#include "core/north/same_terms.h"
+#include "core/witness/sensor_curve.h"
+
+#include <utility>
+
+namespace boresight {
+namespace {
+
+const QString kProposalsSource = QStringLiteral("calibration");
+// A declination that moved by more has moved north.
+constexpr Angle kSameDeclination = Angle::fromDegrees(0.05);
+
+}  // namespace
+
+Proposals::Proposals(const profile::Profile& profile, const LiveSensor& sensor, const ModelInForce& model,
+                     const KeptPoints& points, EventLog& log)
+    : m_profile(profile), m_sensor(sensor), m_model(model), m_points(points), m_log(log)
+{}
+
+void Proposals::propose(const calibration::SensorOffset& offset)
+{
+    m_sensorOffset = offset;
+    proposeFrom(From::SensorOffset);
+}
+
+void Proposals::propose(const SwungCompass& swung)
+{
+    m_swung = swung;
+    if (m_swung.outcome->fit.isUsable()) {
+        proposeFrom(From::Swing);
+    }
+}
+
+Result<> Proposals::propose(GivenTerms given)
+{
+    return asSettings(given.terms).and_then([&](const auto& terms) -> Result<> {
+        if (isSame(terms, m_profile.pointing)) {
+            return failure(ErrorCode::Refused, Text::tr("these are the terms that are in force already"));
+        }
+        given.terms = changedOnly(terms, m_profile.pointing);
+        m_given = std::move(given);
+        proposeFrom(From::Entered);
+        return {};
+    });
+}
+
+void Proposals::pointsChanged()
+{
+    m_fitDiscarded = false;
+    const From other = m_from == From::Points ? From::Nothing : m_from;
+    proposeFrom(m_points.book().fitted() ? From::Points : other);
+}
+
+void Proposals::pointsRestored()
+{
+    if (m_points.contradictModel() && m_from == From::Nothing) {
+        proposeFrom(From::Points);
+    }
+}
+
+void Proposals::renewPoints()
+{
+    if (m_from == From::Points) {
+        proposeFrom(m_from);
+    }
+}
+
+// What is proposed is shown against what is in force. What the points say may be in force now.
+void Proposals::profileChanged(bool otherSensor)
+{
+    if (otherSensor) {
+        m_declination = Angle::fromTurns(1.0);  // what was found with the settings of before holds no more
+        dropStale();
+    }
+    proposeFrom(m_from == From::Points && !m_points.contradictModel() ? From::Nothing : m_from);
+}
+
+// A sensor's north holds with the mounting, the sense and the declination that it was found with.
+void Proposals::dropStale()
+{
+    if (isOfSensor() && abs(m_sensor.declination() - m_declination) > kSameDeclination) {
+        m_sensorOffset.reset();
+        proposeFrom(From::Nothing);
+        m_log.add(Severity::Warning, kProposalsSource,
+                  Text::tr("the settings of the sensor or the declination have changed: what was found with the former "
+                           "is not proposed any more; measure again"));
+    }
+}
+
+Result<> Proposals::discard(std::uint64_t number)
+{
+    return isCurrent(number).map([&] {
+        m_log.add(Severity::Advisory, QStringLiteral("operator"), Text::tr("discards \"%1\"").arg(m_proposal->title));
+        m_fitDiscarded = m_fitDiscarded || m_from == From::Points;
+        proposeFrom(From::Nothing);
+    });
+}
+
+void Proposals::clear(Next next)
+{
+    m_from = next == Next::Points ? From::Points : From::Nothing;
+    m_proposal.reset();
+}
+
+Result<> Proposals::isCurrent(std::uint64_t number) const
+{
+    return m_proposal && m_proposal->number == number
+               ? Result<>{}
+               : failure(ErrorCode::Refused, Text::tr("this is not what is proposed any more: look at it again first"));
+}
+
+bool Proposals::isFound(calibration::Term term) const
+{
+    switch (m_from) {
+        case From::Points:
+            return m_points.book().fitted() &&
+                   m_points.book().fitted()->of(term).state == calibration::TermState::Fitted;
+        case From::Entered:
+            return calibration::valueOf(m_proposal->terms, term) != calibration::valueOf(m_profile.pointing, term);
+        default:
+            return m_proposal->sigmas[calibration::indexOf(term)].has_value();
+    }
+}
+
+std::optional<CalibrationChange> Proposals::ofSensor() const
+{
+    if (!isOfSensor() || !m_proposal) {
+        return std::nullopt;
+    }
+    return CalibrationChange{.terms = m_proposal->terms,
+                             .sensor = m_proposal->sensor.value_or(mountingOf(m_profile.sensor))};
+}
+
+void Proposals::proposeFrom(From from)
+{
+    m_from = from;
+    m_declination = m_sensor.declination();
+    m_proposal = made();
+    if (!m_proposal) {
+        return;
+    }
+    if (m_points.axesMayDiffer(m_proposal->points)) {
+        m_proposal->warnings.push_back(Text::tr(
+            "the turn of an axis had to be told anew since the first of these points: if it was told otherwise than it "
+            "stood before, the points do not fit together; drop those from before"));
+    }
+    m_proposal->number = ++m_count;
+}
+
+Proposal Proposals::madeOfSwing() const
+{
+    Proposal proposal = proposalOf(*m_swung.outcome, m_profile, m_model.toldByPoints());
+    if (!m_swung.doubt.isEmpty()) {
+        proposal.warnings.push_back(m_swung.doubt);
+    }
+    return proposal;
+}
+
+std::optional<Proposal> Proposals::made() const
+{
+    switch (m_from) {
+        case From::SensorOffset:
+            return proposalOf(*m_sensorOffset, m_profile, m_model.toldByPoints());
+        case From::Swing:
+            return madeOfSwing();
+        case From::Points:
+            return m_points.book().fitted() && !m_fitDiscarded
+                       ? std::optional(proposalOf(*m_points.book().fitted(), m_points.book().points(), m_profile))
+                       : std::nullopt;
+        case From::Entered:
+            return proposalOf(m_given, m_profile);
+        case From::Nothing:
+            break;
+    }
+    return std::nullopt;
+}
+
+}  // namespace boresight

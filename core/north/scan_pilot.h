@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/north/axis_observer.h"
+#include "core/north/body_follower.h"
+#include "core/north/run_end.h"
+#include "core/north/scan_run.h"
+#include "core/power/power_line.h"
+
+#include <optional>
+
+// Leads the beam through a cross scan of a body: sends it beside the body place by place, gives the power to ScanRun,
+// and sees what ends the scan. Station thread only.
+namespace boresight {
+
+class ScanPilot
+{
+public:
+    // All of them outlive it.
+    ScanPilot(const StationControl& control, BodyFollower& follower, const AxisObserver& axes, const Clock& clock);
+
+    [[nodiscard]] static Result<> isWidth(Angle width);
+    // Refused before it runs, or at its first place: then it runs, and has to end.
+    Result<> start(ephemeris::Body body, Angle width);
+    [[nodiscard]] static Result<> isPower(double decibels);
+    // What the operator has read. An error while it runs: it has to end.
+    Result<> give(double decibels);
+    // From the line of the received power: what it says, and how it does.
+    void take(const power::Value& value);
+    void show(const power::LineStatus& line) { m_line = line; }
+
+    struct Step
+    {
+        bool read = false;  // a power at this place
+        std::optional<RunEnd> end;
+    };
+    // Once per tick while it runs, after the axes were observed. Call end() after it has ended.
+    [[nodiscard]] Step tick();
+    void end();
+
+    // Empty: it does not run.
+    [[nodiscard]] const std::optional<ScanRun>& run() const { return m_run; }
+    // The last, from one start to the next.
+    [[nodiscard]] const std::optional<calibration::CrossScan>& scanned() const { return m_scanned; }
+    [[nodiscard]] const std::optional<double>& power() const { return m_power; }
+    [[nodiscard]] const power::LineStatus& line() const { return m_line; }
+
+private:
+    Result<> giveToRun(double decibels);
+    [[nodiscard]] Result<> lookOn();
+    [[nodiscard]] QString ending() const;
+    [[nodiscard]] RunEnd finish(const AxisPosition& middle);
+
+    const StationControl& m_control;
+    BodyFollower& m_follower;
+    const AxisObserver& m_axes;
+    const Clock& m_clock;
+    std::optional<ScanRun> m_run;
+    ephemeris::Refraction m_before = ephemeris::Refraction::Light;  // the scan
+    std::optional<calibration::CrossScan> m_scanned;
+    std::optional<double> m_power;  // dB, given or read last
+    power::LineStatus m_line;
+};
+
+}  // namespace boresight

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/north/live_sensor.h"
+
+#include "tests/fakes/manual_clock.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight {
+namespace {
+
+struct LiveSensorRig
+{
+    LiveSensorRig() { profile.sensor.source = profile::SensorSource::Simulated; }
+
+    // What the sensor reports now. True: as a new value.
+    bool report(std::optional<int> magnetometer = 3)
+    {
+        status.last = orientation::Orientation{};
+        status.last->arrival = clock.now();
+        if (magnetometer) {
+            status.last->calibration = orientation::Calibration{.system = 3, .magnetometer = *magnetometer};
+        }
+        return sensor.take(status) != nullptr;
+    }
+
+    profile::Profile profile;
+    fakes::ManualClock clock;
+    SensorStatus status;
+    LiveSensor sensor{profile, clock};
+};
+
+std::string refusalOf(const Result<>& result)
+{
+    return result ? std::string() : result.error().text;
+}
+
+TEST(LiveSensor, ASensorCountsOnceItWasHeard)
+{
+    LiveSensorRig rig;
+    EXPECT_EQ("the orientation sensor has said nothing yet", refusalOf(rig.sensor.isHeard()));
+    rig.status.problem = QStringLiteral("no port");
+    EXPECT_EQ(nullptr, rig.sensor.take(rig.status));
+    EXPECT_EQ("the orientation sensor has said nothing yet (no port)", refusalOf(rig.sensor.isHeard()));
+    rig.status.problem.clear();
+    EXPECT_TRUE(rig.report());
+    EXPECT_TRUE(rig.sensor.isHeard());
+    EXPECT_TRUE(rig.sensor.isUsable());
+}
+
+TEST(LiveSensor, TheSameValueIsNewOnlyOnce)
+{
+    LiveSensorRig rig;
+    EXPECT_TRUE(rig.report());
+    EXPECT_EQ(nullptr, rig.sensor.take(rig.status));
+    rig.clock.advance(Seconds(1.0));
+    EXPECT_TRUE(rig.report());
+}
+
+TEST(LiveSensor, ASilentSensorIsNoEvidence)
+{
+    LiveSensorRig rig;
+    EXPECT_TRUE(rig.report());
+    rig.clock.advance(rig.profile.sensor.lost);
+    EXPECT_TRUE(rig.sensor.isHeard());
+    rig.clock.advance(Seconds(0.1));
+    EXPECT_FALSE(rig.sensor.isHeard());
+    EXPECT_FALSE(rig.sensor.isUsable());
+}
+
+TEST(LiveSensor, ACompassThatIsNotCalibratedIsHeardButNotUsable)
+{
+    LiveSensorRig rig;
+    EXPECT_TRUE(rig.report(1));
+    EXPECT_TRUE(rig.sensor.isHeard());
+    EXPECT_FALSE(rig.sensor.isUsable());
+    rig.clock.advance(Seconds(1.0));
+    EXPECT_TRUE(rig.report(2));
+    EXPECT_TRUE(rig.sensor.isUsable());
+    rig.clock.advance(Seconds(1.0));
+    EXPECT_TRUE(rig.report(std::nullopt));
+    EXPECT_TRUE(rig.sensor.isUsable()) << "by MQTT it does not report that";
+}
+
+TEST(LiveSensor, AProfileWithoutASensorHasNoEvidence)
+{
+    LiveSensorRig rig;
+    EXPECT_TRUE(rig.report());
+    rig.profile.sensor.source = profile::SensorSource::None;
+    EXPECT_EQ("the profile names no orientation sensor", refusalOf(rig.sensor.isUsable()));
+}
+
+}  // namespace
+}  // namespace boresight
