@@ -121,6 +121,7 @@ TEST_F(OptionsTest, ABusWithoutAnyProfileIsTheReferenceMountThere)
     EXPECT_EQ(read({QStringLiteral("--bus"), QStringLiteral("simulated")})->profile, profile::Profile{});
 }
 
+// REQ-AXES-15a
 TEST_F(OptionsTest, WhereTheMountStandsIsToldWithTheTimeAtWhichSomebodyLooked)
 {
     const auto standing = [this](const char* text) {

@@ -129,6 +129,7 @@ TEST_F(NorthTest, TheRmsIsThatOfWhatIsProposed)
 }
 
 // Story: six kept points waited for a drive, and only "No fit of these points" was to be read.
+// REQ-NORTH-38i
 TEST_F(NorthTest, WhyThereIsNoFitIsSaid)
 {
     StationStatus status = samples::sixPoints();

@@ -7,6 +7,7 @@
 namespace boresight {
 namespace {
 
+// REQ-CONTROL-39a (Clock.*)
 TEST(Clock, IsSynchronisedWhenTheKernelSaysSo)
 {
     EXPECT_TRUE(isSynchronised(TIME_OK, 0));

@@ -9,6 +9,9 @@ namespace {
 const QString kCause = QStringLiteral("bus");
 const AlarmText kText{.what = QStringLiteral("w"), .action = QStringLiteral("a"), .remedy = QStringLiteral("r")};
 
+// REQ-ALARMS-29 (AlarmList.*): A lasting alarm stands before one that is over, and a cause before its symptom. Silence
+// never hides a bus that is gone, or two boards with one id, which are looked for where nobody answers. A silence is
+// reported each time, also before the re-arm and beside a fault.
 TEST(AlarmList, AnAlarmIsNewOnlyOnce)
 {
     AlarmList alarms;
