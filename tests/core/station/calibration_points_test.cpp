@@ -144,6 +144,7 @@ TEST(CalibrationPoints, ASwingThenThreeAndSixSunsMakeTheModel)
 }
 
 // One of three, two of six, with the boom past the zenith: the terms themselves are true, on any day.
+// REQ-CALIBRATION-17a
 TEST(CalibrationPoints, SunsFromBothSidesTellTheTermsApart)
 {
     CalibrationRig rig({}, profileOverTheTop());

@@ -37,6 +37,7 @@ TEST(CalibrationSwing, FindsNorthAndTheTilt)
 // REQ-NORTH-36a: At every rate that is offered a healthy mount's readings are used. While the mount turns, and in the
 // end, the screen shows how many are left out and why. The readings are seen as they come. How much current is too
 // much is a setting.
+// REQ-CALIBRATION-04
 TEST(CalibrationSwing, UsesItsReadingsAtEveryRateThatIsOffered)
 {
     for (const double rate : {1.0, 3.0, 6.0}) {
@@ -54,6 +55,7 @@ TEST(CalibrationSwing, UsesItsReadingsAtEveryRateThatIsOffered)
 
 // Story: the plot stayed empty for the four minutes in which the mount turned.
 // REQ-NORTH-36a
+// REQ-CALIBRATION-04a
 TEST(CalibrationSwing, ShowsItsReadingsAsTheyCome)
 {
     CalibrationRig rig;

@@ -106,6 +106,7 @@ class SwingAtEveryRate : public ::testing::TestWithParam<double>
 // With drives that have physics, and a sensor that averages. Story: a limit of 3 A, below what such a mount draws when
 // it turns, threw away a fifth of the readings at every rate.
 // REQ-NORTH-36a
+// REQ-CALIBRATION-04
 TEST_P(SwingAtEveryRate, UsesItsReadings)
 {
     const double rate = GetParam();
