@@ -22,6 +22,7 @@ struct Inside : QObject
     QThread*& destroyedOn;
 };
 
+// REQ-MQTT-09d (EdgeThread.*)
 TEST(EdgeThread, JobsRunInOrderOnTheThreadAndNobodyWaits)
 {
     QThread* destroyedOn = nullptr;

@@ -29,6 +29,7 @@ struct PacedOutletTest : testing::Test
     PacedOutlet outlet{&owner, [this] { ++sent; }};
 };
 
+// REQ-MQTT-09c (PacedOutletTest.*)
 TEST_F(PacedOutletTest, TheFirstReportGoesOutAtOnceAndTheNextAfterThePause)
 {
     QElapsedTimer time;
