@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// REQ-POWER-02 (Fuzz.calibration)
 // REQ-CALIBRATION-19 (Fuzz.calibration)
 // REQ-CALIBRATION-20 (Fuzz.calibration)
 // The file of a mount's calibrations: any bytes to parseHistory(); what it accepts can be written, and then reads back

@@ -30,6 +30,7 @@ struct PacedOutletTest : testing::Test
 };
 
 // REQ-MQTT-09c (PacedOutletTest.*)
+// REQ-POWER-08 (PacedOutletTest.*)
 TEST_F(PacedOutletTest, TheFirstReportGoesOutAtOnceAndTheNextAfterThePause)
 {
     QElapsedTimer time;
