@@ -260,6 +260,7 @@ TEST_F(ProfileDraftTest, WhatWaitsForAReconnectIsAppliedAndGoesWithIt)
 }
 
 // Story: the bus typed in the table took the simulated mount's north along, and the real one pointed 37.4° beside.
+// REQ-PROFILE-17a
 TEST_F(ProfileDraftTest, ABusTypedByHandLeavesWhatWasFoundOfTheSimulatedMount)
 {
     inForce.pointing.azimuthOffset = 37.4_deg;
@@ -285,6 +286,7 @@ TEST_F(ProfileDraftTest, ABusTypedByHandLeavesWhatWasFoundOfTheSimulatedMount)
 }
 
 // North applied from elsewhere while the bus is being edited, and the edits then kept.
+// REQ-PROFILE-17a
 TEST_F(ProfileDraftTest, KeptEditsLeaveTheSimulatedMountToo)
 {
     draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
@@ -296,6 +298,7 @@ TEST_F(ProfileDraftTest, KeptEditsLeaveTheSimulatedMountToo)
     EXPECT_EQ(draft.edited().pointing.azimuthOffset, Angle{});
 }
 
+// REQ-PROFILE-17b
 TEST_F(ProfileDraftTest, AProfileThatIsTakenOverKeepsItsOwn)
 {
     inForce.pointing = {.azimuthOffset = 12_deg, .tiltNorth = 2_deg};
@@ -309,6 +312,7 @@ TEST_F(ProfileDraftTest, AProfileThatIsTakenOverKeepsItsOwn)
 }
 
 // Story: the bus was mistyped and typed back before Apply, which wrote the defaults over north and zeros.
+// REQ-PROFILE-17a
 TEST_F(ProfileDraftTest, ABusThatIsTypedBackBringsBackWhatWasSetBackWithIt)
 {
     inForce.pointing.azimuthOffset = 37.4_deg;
@@ -329,6 +333,8 @@ TEST_F(ProfileDraftTest, ABusThatIsTypedBackBringsBackWhatWasSetBackWithIt)
 
 // Story: a calibrated mount was turned into the simulated one to look around, and all that was found of it was set back
 // as the simulated mount's when its bus was typed again.
+// REQ-PROFILE-17c: The profile of a real mount on which something was found does not become the simulated one's by
+// another bus. `--simulate` tries that one and leaves the file alone.
 TEST_F(ProfileDraftTest, ARealMountOfWhichSomethingWasFoundDoesNotBecomeTheSimulatedOne)
 {
     Profile real;

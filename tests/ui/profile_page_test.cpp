@@ -395,6 +395,7 @@ TEST_F(ProfilePageTest, ABusThatLeavesTheSimulatedMountSaysWhatIsSetBack)
     EXPECT_EQ(asked<request::ApplyProfile>().front().profile.pointing, pointing::PointingTerms{});
 }
 
+// REQ-PROFILE-17b
 TEST_F(ProfilePageTest, ARealMountsProfileImportedOverTheSimulatedOneKeepsItsOwn)
 {
     roof.pointing.azimuthOffset = 12_deg;  // as it was tried with
