@@ -224,6 +224,7 @@ TEST_P(FalsePlaces, TheFirstMotionBeginsWhereTheAxisStands)
 INSTANTIATE_TEST_SUITE_P(All, FalsePlaces, ::testing::ValuesIn(cases()));
 
 // REQ-AXES-19a (FalsePlace.*)
+// REQ-SUPERVISION-05
 TEST(FalsePlace, OneIsToldAndTheMotionGoesOn)
 {
     FalsePlaceRig rig(100.0, 45.0);
@@ -343,6 +344,8 @@ TEST_P(BlindDrive, TwoRepliesWithoutAPlaceAreChance)
 
 INSTANTIATE_TEST_SUITE_P(Kinds, BlindDrive, ::testing::Range(0, 4));
 
+// REQ-SUPERVISION-13a: Supply, temperatures and torque are judged without a place, too. A value that is no number is
+// unknown: it changes no trend and no comparison.
 TEST(BlindDrive, SupplyAndHeatAreJudgedWithoutAPlace)
 {
     FalsePlaceRig rig(100.0, 20.0);
@@ -354,6 +357,7 @@ TEST(BlindDrive, SupplyAndHeatAreJudgedWithoutAPlace)
     EXPECT_THAT(rig.alarms(), HasSubstr("The drive board of the azimuth is at 65 °C"));
 }
 
+// REQ-SUPERVISION-13a
 TEST(BlindDrive, ValuesThatAreNoNumbersAreUnknown)
 {
     FalsePlaceRig rig(100.0, 20.0);
@@ -408,6 +412,7 @@ class SlipInASlew : public ::testing::TestWithParam<double>
 {};
 
 // REQ-AXES-19a (SlipInASlew.*)
+// REQ-SUPERVISION-16 (SlipInASlew.*)
 TEST_P(SlipInASlew, StopsTheMountAndMakesTheTurnUnknown)
 {
     FalsePlaceRig rig(100.0, 20.0);
