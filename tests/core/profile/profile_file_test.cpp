@@ -274,6 +274,7 @@ TEST(ProfileFile, ErrorsShowNoControlCharacters)
 
 // Found by the fuzzer: TOML has no raw control characters, so a profile with one in a name was written but never read
 // again.
+// REQ-BASE-07: Names and texts of a profile hold no control characters, so that a written profile can be read.
 TEST(ProfileFile, RefusesControlCharacters)
 {
     EXPECT_EQ(errorsOf("version = 1\nmount.name = \"mast\\u007f\"\n"),
