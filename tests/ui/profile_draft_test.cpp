@@ -60,6 +60,8 @@ protected:
     std::vector<std::optional<Error>> answers;
 };
 
+// REQ-UI-16: The profile in force is only read from the status. Edits stay edits until the station has taken them.
+// They are checked while they are made, and are lost neither to a refusal nor to a change from elsewhere.
 TEST_F(ProfileDraftTest, AnEditChangesNothingInForceUntilItIsAppliedAndSeenInTheStatus)
 {
     setParkAzimuth(12_deg);
@@ -81,6 +83,7 @@ TEST_F(ProfileDraftTest, AnEditChangesNothingInForceUntilItIsAppliedAndSeenInThe
     EXPECT_FALSE(draft.hasEdits());
 }
 
+// REQ-UI-16
 TEST_F(ProfileDraftTest, ARefusalGoesToTheAskerAndTheEditsStay)
 {
     setParkAzimuth(12_deg);
@@ -93,6 +96,7 @@ TEST_F(ProfileDraftTest, ARefusalGoesToTheAskerAndTheEditsStay)
     EXPECT_FALSE(draft.whyNoUndo().isEmpty());
 }
 
+// REQ-UI-16
 TEST_F(ProfileDraftTest, WhatTheLiveCheckFindsIsNotSent)
 {
     draft.edit([](Profile& p) { p.elevation.id = p.azimuth.id; });
@@ -119,6 +123,7 @@ TEST_F(ProfileDraftTest, WithoutEditsThereIsNothingToApplyRevertOrUndo)
 }
 
 // A preset saved while the limits are being edited: it alone is applied, and nothing is overtaken by it.
+// REQ-UI-02c
 TEST_F(ProfileDraftTest, AChangeAppliedAloneLeavesTheEditsEdits)
 {
     setParkAzimuth(12_deg);
@@ -197,6 +202,7 @@ TEST_F(ProfileDraftTest, EditsMadeWhileTheAnswerIsUnderWayStayEdits)
     EXPECT_EQ(draft.edited().park.azimuth, 12_deg);
 }
 
+// REQ-UI-16
 TEST_F(ProfileDraftTest, AChangeFromElsewhereIsTakenOverSilentlyOnlyWithoutEdits)
 {
     Profile other = inForce;
@@ -213,6 +219,7 @@ TEST_F(ProfileDraftTest, AChangeFromElsewhereIsTakenOverSilentlyOnlyWithoutEdits
     EXPECT_EQ(draft.inForce().jog.slow, 0.1_deg_s);
 }
 
+// REQ-UI-16
 TEST_F(ProfileDraftTest, KeptEditsComeUponWhatWasChangedElsewhere)
 {
     setParkAzimuth(12_deg);

@@ -247,6 +247,7 @@ TEST(Commissioning, ShiftedEndsAreNumbersThatCanBeRead)
     expectMakesSense(profile);
 }
 
+// REQ-UI-43
 TEST(Commissioning, NorthIsSetInThePointingModelAndNoAngleOfAnAxisChanges)
 {
     Profile profile;
