@@ -97,7 +97,7 @@ TEST_F(RotctldSession, RefusesConfiguration)
     EXPECT_EQ(rotator.limits().maxAzimuth, 450_deg);
 }
 
-// Hamlib 4.0 … 4.5.0 takes lines 3 to 6 by position, later ones the tagged lines (core/rotctld/README.md).
+// Hamlib 4.0 … 4.5.0 takes lines 3 to 6 by position, later ones the tagged lines (core/rotctld/HAMLIB.md).
 TEST_F(RotctldSession, DumpsItsStateForOldAndNewClients)
 {
     EXPECT_EQ(answer("\\dump_state\n"),
