@@ -236,8 +236,8 @@ TEST(PointingFit, LeavesOutEachPointInTurn)
     }
 }
 
-// REQ-CALIBRATION-15: A point that disagrees with five others or more is named, good ones are not, and what kind of
-// point is missing is said.
+// REQ-CALIBRATION-15: A point that disagrees with five others or more is named, good ones are not. The kind of point
+// that is missing is named.
 TEST(PointingFit, NamesAPointThatDoesNotAgreeWithTheOthers)
 {
     auto points = allRound(hiddenModel(), 12, 0.01);

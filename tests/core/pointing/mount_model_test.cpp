@@ -43,8 +43,8 @@ double skyDistance(const SkyPointing& a, const SkyPointing& b)
 
 }  // namespace
 
-// REQ-POINTING-04: A direction is reached by the turn inside the travel that is nearest to now, for travels wider and
-// narrower than a full turn.
+// REQ-POINTING-04: A direction is reached on the wrap inside the travel that is nearest to now, for travels wider and
+// narrower than 360°.
 TEST(Resolve, TakesTheTurnNearestToNow)
 {
     const MountModel model = mount({-90_deg, 450_deg});
@@ -58,7 +58,7 @@ TEST(Resolve, TakesTheTurnNearestToNow)
     EXPECT_NEAR(azimuthFor(model, 1e6, 0), 1e6 - 2778 * 360, 1e-6);  // any finite azimuth is a direction
 }
 
-// REQ-POINTING-10: A turn outside the limits of operation is no answer.
+// REQ-POINTING-10: A wrap outside the limits of operation is no answer.
 TEST(Resolve, TakesATurnInsideTheLimitsOfOperation)
 {
     MountModel model = mount({-200_deg, 460_deg});
@@ -87,7 +87,7 @@ TEST(Resolve, OtherTravels)
 }
 
 // A pass goes on through north as long as the cable allows: never a jump, whichever way it runs.
-// REQ-POINTING-05: Going through north never unwinds a turn while the travel goes on.
+// REQ-POINTING-05: Going through north never unwraps the cable while the travel goes on.
 TEST(Resolve, APassThroughNorthNeverUnwinds)
 {
     const MountModel model = mount({-90_deg, 450_deg});
@@ -139,7 +139,7 @@ TEST(Resolve, IsTheNearestTurnInsideTheTravel)
 }
 
 // Story: on a 0…360° mount a target jittering across north sent the antenna round a full turn with every point.
-// REQ-POINTING-06: A jittering target does not make the mount change turns or ends.
+// REQ-POINTING-06: A jittering target does not make the mount change wraps or ends.
 TEST(Resolve, NoiseAtAnEndOfTheTravelDoesNotFlap)
 {
     const MountModel model = mount({0_deg, 360_deg});
@@ -271,7 +271,7 @@ TEST(Resolve, IsThePermittedPointNearestOnTheSky)
     }
 }
 
-// REQ-POINTING-09: Mechanical angles keep their turn.
+// REQ-POINTING-09: Mechanical angles keep their wrap.
 TEST(Resolve, MechanicalAnglesAreTakenAsTheyAre)
 {
     const MountModel model = mount({-180_deg, 450_deg});

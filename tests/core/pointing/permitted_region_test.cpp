@@ -56,8 +56,8 @@ AxisBox widened(const AxisBox& box, double azimuth, double elevation)
 
 }  // namespace
 
-// REQ-POINTING-11: Limits count turns. Horizon and keep-outs hold on every turn, through north and over the top. Edges
-// are permitted.
+// REQ-POINTING-11: Limits are mechanical. Horizon and keep-outs hold on every wrap, through north and over the top.
+// Edges are permitted.
 TEST(PermittedRegion, LimitsAndTravelHoldTogether)
 {
     const PermittedRegion region({.azimuth = {-90_deg, 600_deg}, .elevation = {5_deg, 80_deg}},

@@ -88,7 +88,7 @@ TEST(PointingModel, ALeaningMastLooksPastTheZenith)
     EXPECT_NEAR(zenith.axes.elevation.degrees(), 89.0, kExact);
 }
 
-// REQ-POINTING-19: Sky to axes and axes to sky are inverse to 1e-9°, at the zenith and over the top too, and keep turn
+// REQ-POINTING-19: Sky to axes and axes to sky are inverse to 1e-9°, at the zenith and over the top too, and keep wrap
 // and side.
 TEST(PointingModel, FromTheSkyToTheAxesAndBackIsExact)
 {
