@@ -139,7 +139,7 @@ private:
         m_swing.curve.unreliable = unreliableSectors(m_swing.samples, m_limits.unreliable);
     }
 
-    // What the readings cannot tell (README.md, "What a swing cannot see").
+    // What the readings cannot tell (METHOD.md, "What a swing cannot see").
     [[nodiscard]] Angle systematic() const
     {
         const Angle softIron = m_swing.curve.secondAmplitude() / std::numbers::sqrt2;

@@ -14,7 +14,7 @@
 
 // Swinging the compass: while the mount turns through its azimuths, both ways, the sensor's heading is compared with
 // the azimuth of the axis. Out come north, the curve of the deviation, and what of it is to be believed. Pure;
-// README.md tells what a swing cannot see.
+// METHOD.md tells what a swing cannot see.
 namespace boresight::calibration {
 
 enum class Turning

@@ -17,7 +17,7 @@
 // One point gives the offset of azimuth, two that of elevation too. From three on every other term may move, but only
 // within what was known of it before, and only if the points ask for it: the set of terms is taken that points and
 // knowledge together make most probable (Bayes factors, by Laplace's approximation, exact for a model as linear as
-// this). README.md tells more, and what can be expected of points that all lie on the arc of the Sun.
+// this). METHOD.md tells more, and what can be expected of points that all lie on the arc of the Sun.
 namespace boresight::calibration {
 
 enum class TermState

@@ -8,7 +8,7 @@
 #include <string_view>
 
 // A history of calibrations as a TOML file, and back. One record to be exchanged is a history of one entry. Angles are
-// in degrees, to a billionth; README.md describes the keys. Pure.
+// in degrees, to a billionth; METHOD.md describes the keys. Pure.
 namespace boresight::calibration {
 
 // Refuses what could not be read again: a number that is not finite or out of range.

@@ -7,7 +7,7 @@
 #include <QByteArray>
 
 // A mount's memory as the text of its file: JSON with a version, and a checksum by which a torn or edited file is
-// recognised. The format is described in README.md. Pure, any thread. Doubles survive exactly, times to the
+// recognised. The format is described in JOURNAL.md. Pure, any thread. Doubles survive exactly, times to the
 // millisecond.
 namespace boresight::memory {
 

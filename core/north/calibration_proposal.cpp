@@ -149,7 +149,7 @@ void setTilt(Proposal& proposal, const calibration::AxisTilt& tilt, const std::o
 }
 
 // Of the sensor's elevation against that of the beam: what a box that lies askew explains is the sensor's, and so is
-// everything once Sun or Moon have told the zero; only more than that is the axis's (core/calibration/README.md, Tilt).
+// everything once Sun or Moon have told the zero; only more than that is the axis's (core/calibration/METHOD.md, Tilt).
 void setZero(Proposal& proposal, calibration::SensorMounting& mounting, const calibration::Estimate& zero,
              const pointing::PointingTerms& present, const std::optional<Angle>& presentSigma)
 {

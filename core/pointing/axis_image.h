@@ -10,7 +10,7 @@
 
 // Horizon and keep-outs are true directions; here they become what the axes have to stay out of. Offsets move them
 // exactly. What leans or is not square bends their edges: then they are enclosed, by boxes and by a line above, so that
-// nothing true is lost, and hardly more is forbidden than is true (README.md). Near the zenith, where a small lean
+// nothing true is lost, and hardly more is forbidden than is true (METHOD.md). Near the zenith, where a small lean
 // turns the azimuth by much, a cap is taken as a whole when anything forbidden reaches into it. Pure values, any
 // thread.
 namespace boresight::pointing {

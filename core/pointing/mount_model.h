@@ -8,7 +8,7 @@
 #include <string>
 
 // The one place where a direction in the sky, the mechanical angles of the axes and the turns of the motors become one
-// another. Pure values, any thread. Requirements and their tests: README.md.
+// another. Pure values, any thread. Requirements: tests/REQUIREMENTS.md.
 namespace boresight::pointing {
 
 // Where the gearbox between motor and axis is reckoned with. When the drive knows the ratio it already reports turns of

@@ -77,7 +77,7 @@ inline constexpr std::string_view kPresetKey = "preset";
 
 // One per tenth of a degree: the region is laid out anew whenever it changes.
 inline constexpr std::size_t kMaxHorizonPoints = 3600;
-// More would make the control tick wait for the search for a way (core/pointing/README.md).
+// More would make the control tick wait for the search for a way (core/pointing/METHOD.md).
 inline constexpr std::size_t kMaxKeepOuts = 32;
 
 // Of one row, in the order of the file. They apply at once.

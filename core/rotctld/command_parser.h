@@ -10,7 +10,7 @@
 
 // Bytes of one client -> commands. The protocol is a character stream, not lines: `p` runs before its newline, `P`
 // waits for two words wherever they come, `#` comments. Half a command stays inside until the rest arrives.
-// Other than Hamlib, what follows an unknown or failed command on its line is thrown away, unread (README.md).
+// Other than Hamlib, what follows an unknown or failed command on its line is thrown away, unread (HAMLIB.md).
 // Pure; no I/O, no clock.
 namespace boresight::rotctld {
 

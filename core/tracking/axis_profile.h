@@ -9,7 +9,7 @@
 
 // The set-point of one axis, moved each control tick towards its goal within speed, acceleration, jerk and travel.
 // A time-optimal second-order profile (bang-bang, exact inside the tick) is averaged over the last 2 × acceleration /
-// jerk seconds: the average of a motion is never outside of it, and its jerk is bounded. README.md argues it.
+// jerk seconds: the average of a motion is never outside of it, and its jerk is bounded. METHOD.md argues it.
 // Pure values, one thread.
 namespace boresight::tracking {
 

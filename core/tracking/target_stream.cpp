@@ -8,7 +8,7 @@ namespace boresight::tracking {
 
 namespace {
 
-// How many points make a path. Eight is the best of 4…14 for Gpredict's stream at its finest threshold (README.md).
+// How many points make a path. Eight is the best of 4…14 for Gpredict's stream at its finest threshold (METHOD.md).
 constexpr std::size_t kMostPoints = 8;
 constexpr std::size_t kFewestPoints = 4;
 

@@ -12,7 +12,7 @@
 // smoothly. While the points look like a path in the sky, the target follows that path and runs ahead of the last point
 // for a bounded time: short, unless the client goes on reading the position and has nothing to object. Otherwise, and
 // when the points cease, the target is the last point itself.
-// Pure values, times are steady, any one thread. Bounds and measured errors: README.md.
+// Pure values, times are steady, any one thread. Bounds and measured errors: METHOD.md.
 namespace boresight::tracking {
 
 // Where the target is now and how it moves: what AxisProfile::follow wants, for both axes.

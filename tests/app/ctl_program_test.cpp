@@ -153,6 +153,7 @@ TEST_F(ProfileFile, CheckKnowsRegionPresetsAndSite)
     EXPECT_THAT(bad.errors, HasSubstr("is in the keep-out \"mast\""));
 }
 
+// REQ-PROFILE-04a
 TEST_F(ProfileFile, CheckTellsWhatIsHardlyMeantWithItsNumbers)
 {
     const Outcome told =
@@ -171,6 +172,7 @@ TEST_F(ProfileFile, CheckTellsOfAFileThatIsNotThere)
     EXPECT_THAT(absent.errors, HasSubstr("absent.toml"));
 }
 
+// REQ-PROFILE-06b
 TEST_F(ProfileFile, DirectionsAreConfirmedByTypingYes)
 {
     const std::string before = "# mine\nversion = 1\n[bus]\nname = \"socketcan:can0\"\n";

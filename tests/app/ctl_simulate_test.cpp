@@ -132,6 +132,7 @@ TEST_F(SimulateTest, IsItsOrientationSensorToo)
 }
 
 // Both ways at once, as the box on the boom does it.
+// REQ-SIM-16
 TEST_F(SimulateTest, ItsSensorPublishesAtABrokerAsWell)
 {
     if (!fakes::MqttBroker::isInstalled()) {

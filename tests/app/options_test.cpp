@@ -77,6 +77,7 @@ TEST_F(OptionsTest, TheCurrentMountOfTheStoreIsTaken)
 
 // Story: tried out first, with its sensor and its north applied; the adapter named at the next start then pointed 37.4°
 // beside, and refused every change because a real mount has no simulated sensor.
+// REQ-PROFILE-17a
 TEST_F(OptionsTest, ARealBusLeavesBehindWhatWasFoundOfTheSimulatedMount)
 {
     profile::Profile tried = named("tried");
@@ -121,6 +122,7 @@ TEST_F(OptionsTest, ABusWithoutAnyProfileIsTheReferenceMountThere)
     EXPECT_EQ(read({QStringLiteral("--bus"), QStringLiteral("simulated")})->profile, profile::Profile{});
 }
 
+// REQ-AXES-15a
 TEST_F(OptionsTest, WhereTheMountStandsIsToldWithTheTimeAtWhichSomebodyLooked)
 {
     const auto standing = [this](const char* text) {
@@ -178,6 +180,7 @@ TEST_F(OptionsTest, TheSimulatedMountOfAFirstStartHasItsSensorOnIt)
     EXPECT_EQ(known->startingProfile(), known->profile);
 }
 
+// REQ-PROFILE-13
 TEST_F(OptionsTest, TheSingleProfileOfOldGoesOnWorking)
 {
     ASSERT_TRUE(QDir().mkpath(config()));

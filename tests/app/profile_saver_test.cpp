@@ -58,6 +58,7 @@ TEST(ProfileSaver, WritesWhatTheOperatorChangedAndNotWhatTheCommandLineOverrode)
 }
 
 // Story: after an Apply on the simulated mount the real one pointed by the simulated north.
+// REQ-PROFILE-17a
 TEST(ProfileSaver, WhatWasFoundOfTheSimulatedMountIsNotTheRealOnes)
 {
     Rig rig;
@@ -86,6 +87,7 @@ TEST(ProfileSaver, WhatWasFoundOfTheSimulatedMountIsNotTheRealOnes)
 
 // Story: level set in the guide with --simulate was the real mount's zero at the next start, its ends with it; and a
 // direction confirmed by looking at the simulated mount let the real one go as fast as it can.
+// REQ-PROFILE-17a
 TEST(ProfileSaver, ZeroMotorsAndDirectionsOfTheSimulatedMountAreNotTheRealOnes)
 {
     Rig rig;
@@ -157,6 +159,7 @@ TEST(ProfileSaver, TheSimulatedSensorIsNotTheRealMounts)
 
 // Story: with --simulate a real bus was typed for later, and at the next start the real antenna ran at full rate by the
 // simulated zero and north.
+// REQ-PROFILE-17a
 TEST(ProfileSaver, ABusForLaterLeavesTheSimulatedMountInTheFile)
 {
     Rig rig;
@@ -192,6 +195,7 @@ TEST(ProfileSaver, ABusForLaterLeavesTheSimulatedMountInTheFile)
     EXPECT_EQ(real, *profile::loadProfile(rig.file()));
 }
 
+// REQ-PROFILE-17a
 TEST(ProfileSaver, ABusForLaterLeavesTheSimulatedMountInTheFirstFileToo)
 {
     Rig rig;
@@ -207,6 +211,8 @@ TEST(ProfileSaver, ABusForLaterLeavesTheSimulatedMountInTheFirstFileToo)
 
 // Story: with --simulate another adapter was typed, and then Undo: the calibrated mount's file named the simulated bus,
 // and all that was found of it was set back when its own was typed again.
+// REQ-PROFILE-17a
+// REQ-PROFILE-17c
 TEST(ProfileSaver, ABusForLaterThatIsTakenBackDoesNotMakeARealMountsFileTheSimulatedOnes)
 {
     Rig rig;
@@ -227,6 +233,7 @@ TEST(ProfileSaver, ABusForLaterThatIsTakenBackDoesNotMakeARealMountsFileTheSimul
 }
 
 // The file of the simulated mount, started with --bus: the next start would take its north for the simulated one's.
+// REQ-PROFILE-17a
 TEST(ProfileSaver, WhatIsFoundOfARealMountMakesTheFileItsOwn)
 {
     Rig rig;
@@ -252,6 +259,7 @@ TEST(ProfileSaver, WhatIsFoundOfARealMountMakesTheFileItsOwn)
 }
 
 // Story: started with --bus, another adapter was typed in the table: the file had a real bus and the simulated north.
+// REQ-PROFILE-17a
 TEST(ProfileSaver, AnotherBusMakesTheSimulatedMountsFileARealOnes)
 {
     Rig rig;

@@ -83,6 +83,8 @@ protected:
 };
 
 // Story: SIGHUP, which reloads any other service, ended this one on the spot with the mount in motion.
+// REQ-APP-43a: A profile that is read again (SIGHUP) is applied as the operator's own. What needs a restart is named.
+// A profile that cannot be read leaves all as it was.
 TEST_F(ServiceTest, HangUpReadsTheProfileAgain)
 {
     start();
@@ -96,6 +98,7 @@ TEST_F(ServiceTest, HangUpReadsTheProfileAgain)
     expectOrderlyEnd();
 }
 
+// REQ-APP-43a
 TEST_F(ServiceTest, HangUpDoesNotEndTheMotion)
 {
     start();
@@ -109,6 +112,7 @@ TEST_F(ServiceTest, HangUpDoesNotEndTheMotion)
     expectOrderlyEnd();
 }
 
+// REQ-APP-43a
 TEST_F(ServiceTest, AProfileThatCannotBeReadLeavesTheOldOneInForce)
 {
     start();
@@ -191,6 +195,7 @@ private:
     std::thread m_listener;
 };
 
+// REQ-APP-43d: Every tick can feed the watchdog of the service.
 TEST_F(ServiceTest, TheControlLoopFeedsTheWatchdogOfTheService)
 {
     NotifySocket systemd(folder.filePath(QStringLiteral("notify")));

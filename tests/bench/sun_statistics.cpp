@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// REQ-CALIBRATION-17 (tests/bench/run sun)
+// REQ-CALIBRATION-17a (tests/bench/run sun)
 //
 // sun_statistics [RUNS [SEED]]: how true the pointing model is after so many points of the Sun, for random days and
 // places (tests/fakes/sun_points.h), with the tilt known to 0.05° from a swing. North: the azimuth of a level beam, at

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// REQ-CALIBRATION-08 (tests/bench/run swing)
 //
 // swing_statistics [MOUNTS [SEED]]: how far north and tilt are off after the compass was swung, and how often within
 // the sigmas that are shown, for random mounts (tests/fakes/swung_mount.h): as wide as the issue asks, with the iron of

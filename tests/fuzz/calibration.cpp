@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// REQ-POWER-02 (Fuzz.calibration)
+// REQ-CALIBRATION-19 (Fuzz.calibration)
+// REQ-CALIBRATION-20 (Fuzz.calibration)
 // The file of a mount's calibrations: any bytes to parseHistory(); what it accepts can be written, and then reads back
 // as the same text. So for the terms of a pointing model, parseTerms(). And any line to parsePower().
 #include "core/base/control_characters.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// REQ-MOTEUS-10 (Fuzz.moteus)
 // What drives answer: any frames to the codec, the console client and the station's control, whose next commands must
 // be as sound as if the drives had never lied.
 #include "core/base/hex.h"

@@ -62,6 +62,7 @@ INSTANTIATE_TEST_SUITE_P(Of, BlockedAxis, ::testing::Values(Axis::Azimuth, Axis:
 
 // Story: the window said that both axes had come to rest, and for 19 s, until the obstacle went and through a re-arm,
 // the drive pushed with all the torque allowed: the integrator never unwound.
+// REQ-AXES-19d (BlockedAxis.*)
 TEST_P(BlockedAxis, IsNotPushedOnAfterTheStopNorAfterTheRearm)
 {
     runIntoAnObstacle();

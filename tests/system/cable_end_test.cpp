@@ -50,6 +50,7 @@ private:
     double m_now = 0.0;
 };
 
+// REQ-CONTROL-31 (CableEndTest.*)
 TEST_F(CableEndTest, IsToldAheadThenTheMountTurnsBackAndFollowsOn)
 {
     SimulatedStation rig;  // -90…450°

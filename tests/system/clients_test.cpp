@@ -57,6 +57,7 @@ private:
     int m_way = 0;
 };
 
+// REQ-CONTROL-27 (ClientsTest.*)
 TEST_F(ClientsTest, OnlyTheDriverMovesTheAntenna)
 {
     EXPECT_EQ(bothAsk(15), std::pair(kDone, kRefused));
@@ -139,6 +140,7 @@ TEST_F(ClientsTest, AProgramThatConnectsForEachCommandKeepsTheLead)
 }
 
 // Each step of the profile's choice, with the same two clients.
+// REQ-CONTROL-27 (ClientsByProfile.*)
 TEST(ClientsByProfile, LastAsHamlibAndLocked)
 {
     profile::Profile profile = anyPort();
@@ -184,6 +186,7 @@ TEST(ClientsByProfile, TheRuleAndWhoMayConnectChangeWhileRunning)
 }
 
 // As Gpredict is delivered, with a Threshold of 5°, and after its user has followed the advice.
+// REQ-CONTROL-28 (ClientsAdvice.*): A Gpredict that leaps gets advice on what to set, until it no longer leaps.
 TEST(ClientsAdvice, AGpredictThatLeapsIsToldWhatToSet)
 {
     const SatellitePass pass({.maxElevation = 40_deg, .culmination = 180_deg});

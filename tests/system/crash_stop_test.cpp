@@ -66,6 +66,7 @@ protected:
     std::array<Truth, 2> truth;
 };
 
+// REQ-AXES-20 (CrashStop.*)
 TEST_F(CrashStop, ReportsWhatTheAntennaDid)
 {
     place(100.0, 45.0);

@@ -160,6 +160,7 @@ private:
     std::map<std::string, int> m_ended;
 };
 
+// REQ-SUPERVISION-19 (EditedReplies.*)
 TEST_F(EditedReplies, MoveNothingBeforeTheFirstAct)
 {
     stand(Seconds(60.0));

@@ -134,6 +134,7 @@ protected:
     }
 };
 
+// REQ-TRACKING-14b (GpredictPass.*)
 TEST_P(GpredictPass, IsFollowedThroughNorthWithoutUnwinding)
 {
     Tracking run(GetParam());

@@ -127,6 +127,7 @@ protected:
     std::unique_ptr<PublishingSensor> sensor;
 };
 
+// REQ-NORTH-42 (MqttSensorTest.*)
 TEST_F(MqttSensorTest, ASwingWaitsForABrokerThatIsStartedAgain)
 {
     swing();
@@ -192,6 +193,8 @@ std::vector<AxisPosition> tracked(SimulatedStation& rig)
     return places;
 }
 
+// REQ-STATION-43: A broker that is not there at the start is one line of the log. The tracking is the same to the last
+// digit.
 TEST_F(MqttSensorTest, ABrokerThatIsNotThereAtTheStartIsOneLineAndTheTrackingDoesNotMindIt)
 {
     rig = std::make_unique<SimulatedStation>(heardBy(*broker));  // nobody has started it

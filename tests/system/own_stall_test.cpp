@@ -28,6 +28,7 @@ private:
 };
 
 // Story: a stall of more than a second while a drive was taken over counted as a second in which it did not obey.
+// REQ-CONTROL-06a (OwnStalls.*)
 TEST(OwnStalls, WhileDrivesAreTakenOverTheyDoNotCountAsDisobedience)
 {
     for (const double after : {0.0, 0.02, 0.04, 0.06, 0.1}) {

@@ -42,6 +42,7 @@ protected:
     std::unique_ptr<fakes::TcpPeer> client;
 };
 
+// REQ-CONTROL-21 (ReleasedBus.*)
 TEST_F(ReleasedBus, IsRefusedInMotion)
 {
     EXPECT_EQ(client->ask("P 200 60\n"), "RPRT 0\n");

@@ -54,6 +54,7 @@ protected:
     bool m_limited = false;
 };
 
+// REQ-AXES-26 (RoofTest.*)
 TEST_F(RoofTest, SlewsGoAround)
 {
     for (const AxisPosition& place : {AxisPosition{299_deg, 26_deg}, AxisPosition{335_deg, 26_deg},

@@ -47,6 +47,7 @@ fakes::RotctldDifferences differences()
 class StationCases : public ::testing::TestWithParam<std::string>
 {};
 
+// REQ-ROTCTLD-01
 TEST_P(StationCases, MatchHamlib)
 {
     fakes::expectGroupAsRecorded(GetParam(), differences(), &play);

@@ -152,6 +152,9 @@ protected:
     MountOnCan mount{QStringLiteral("vcan1"), QStringLiteral("vcan0")};
 };
 
+// REQ-CAN-20 (SocketCanOutage.*): On a real interface a mount in a slew stops when the interface goes down or is
+// removed, reports it within 300 ms, and moves again only after re-arming. A bus flooded by another program leaves the
+// mount under control or stopped, with a report.
 TEST_F(SocketCanOutage, InterfaceDownInMotionStopsTheMountUntilReArmed)
 {
     expectStop("interface down", "ip link set vcan0 down",
@@ -177,6 +180,7 @@ struct Flood
 class SocketCanFlood : public testing::TestWithParam<Flood>
 {};
 
+// REQ-CAN-20 (SocketCanFlood.*)
 TEST_P(SocketCanFlood, MountStaysUnderControlOrStopsAndSaysSo)
 {
     MountOnCan mount(QStringLiteral("vcan0"), QStringLiteral("vcan0"));

@@ -61,6 +61,7 @@ protected:
     Angle nearest = 180_deg;
 };
 
+// REQ-CONTROL-44 (SunKeepAway.*): The Sun's keep-out holds for the true direction of the beam, however the axes count.
 TEST_F(SunKeepAway, HoldsForTheTrueDirectionOfTheBeam)
 {
     sun = sunNow();
@@ -80,6 +81,7 @@ TEST_F(SunKeepAway, HoldsForTheTrueDirectionOfTheBeam)
 
 // Story: at 1 January 2000 the beam went into the Sun without a word. Now a client is refused from every place where
 // the Sun may be, and what it is led to is none of them.
+// REQ-CONTROL-39a
 TEST_F(SunKeepAway, WithoutASynchronisedClockTheBeamStaysAwayFromItToo)
 {
     rig.clock.setSynchronised(false);

@@ -80,6 +80,7 @@ private:
     int m_looks = 0;
 };
 
+// REQ-SUPERVISION-11 (SupervisedStation.*)
 TEST(SupervisedStation, FindsNothingInAWholePass)
 {
     const SatellitePass pass({.maxElevation = 80_deg, .culmination = 350_deg});

@@ -82,6 +82,8 @@ protected:
     }
 };
 
+// REQ-UI-37 (AccessibleTest.*): A screen reader gets the name and role of each control and the value of each readout.
+// Tab reaches all, from above to below, and is never caught. The focus is seen in every theme.
 TEST_F(AccessibleTest, EveryControlHasANameAndARole)
 {
     everywhere([](QWidget& top) {
@@ -187,6 +189,7 @@ protected:
     }
 };
 
+// REQ-UI-37 (FocusIsSeen.*)
 TEST_P(FocusIsSeen, OnEveryControl)
 {
     applyTheme(GetParam());

@@ -56,6 +56,9 @@ protected:
     static constexpr const char* kChoice = "Alarms of now and since the start of the window";
 };
 
+// REQ-UI-28: Every alarm is shown whole (what happened, what Boresight did, what to do), until its end, and kept for
+// the session, also across a new station. One or all are acknowledged. A new one sounds once unless silence was
+// chosen.
 TEST_F(AlarmsTest, SaysWhatHappenedWhatWasDoneAndWhatToDo)
 {
     show(samples::faulted());
@@ -75,6 +78,7 @@ TEST_F(AlarmsTest, SaysWhatHappenedWhatWasDoneAndWhatToDo)
     EXPECT_TRUE(reading().contains(QStringLiteral("Boresight: The drive gives less than it was asked for.")));
 }
 
+// REQ-UI-28
 TEST_F(AlarmsTest, AcknowledgesTheSelectedOne)
 {
     show(samples::faulted());
@@ -96,6 +100,7 @@ TEST_F(AlarmsTest, AcknowledgesTheSelectedOne)
     EXPECT_EQ(asked<request::AcknowledgeAlarm>().size(), 2u);
 }
 
+// REQ-UI-28
 TEST_F(AlarmsTest, AcknowledgesAllByButtonAndKey)
 {
     EXPECT_FALSE(named<CommandButton>("Acknowledge all")->isEnabled());
@@ -106,6 +111,7 @@ TEST_F(AlarmsTest, AcknowledgesAllByButtonAndKey)
     EXPECT_EQ(asked<request::AcknowledgeAlarms>().size(), 2u);
 }
 
+// REQ-UI-28
 TEST_F(AlarmsTest, FollowsAnAlarmToItsEndAndKeepsIt)
 {
     const StationStatus both = samples::faulted();
@@ -127,6 +133,7 @@ TEST_F(AlarmsTest, FollowsAnAlarmToItsEndAndKeepsIt)
 }
 
 // Story: a new station counts its alarms from 1 again, as it does its lines.
+// REQ-UI-28
 TEST_F(AlarmsTest, TakesTheAlarmsOfANewStationForNewOnes)
 {
     StationStatus first = samples::faulted();
@@ -147,6 +154,7 @@ TEST_F(AlarmsTest, TakesTheAlarmsOfANewStationForNewOnes)
     EXPECT_TRUE(reading().startsWith(QStringLiteral("2026-11-21 17:06:52"))) << "not about one that is over";
 }
 
+// REQ-UI-28
 TEST_F(AlarmsTest, SoundsOnceForEachNewAlarmUnlessSilenceIsChosen)
 {
     QSignalSpy beeps(window.findChild<LogPanel*>(), &LogPanel::beepWanted);

@@ -29,6 +29,8 @@ StationStatus pointed(const pointing::PointingTerms& terms)
     return status;
 }
 
+// REQ-UI-39 (AxisReadout.*): Numbers and plot show true directions. What counts the axis (the readout's second line,
+// cable, limits) says so. Limits are drawn and dragged where the beam looks.
 TEST(AxisReadout, TheNumbersAreTrueAndTheAxisStandsBelow)
 {
     AxisReadout readout;

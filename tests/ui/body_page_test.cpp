@@ -14,6 +14,8 @@
 namespace boresight::ui {
 namespace {
 
+// REQ-UI-41: As long as the Sun is chosen the warning for eyes and feed stands there whole, in every language. STOP
+// works and is covered in no step. The tests also write the pictures to look at.
 TEST_F(NorthTest, AsLongAsTheSunIsMeantTheWarningStandsThere)
 {
     show(CalibrationStep::Body, samples::beforeCalibration());
@@ -250,6 +252,7 @@ TEST_F(NorthTest, TheScanTellsAndShowsWhatItFound)
     EXPECT_FALSE(plot->isVisible());
 }
 
+// REQ-UI-40a
 TEST_F(NorthTest, TheScanTellsWhatTheReceiverSays)
 {
     StationStatus status = samples::followingSun();

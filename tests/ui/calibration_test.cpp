@@ -35,6 +35,7 @@ TEST_F(NorthTest, TheQuestionAboutATurnTakesItsPlaceAndItsKeyWhileItIsOpen)
     EXPECT_TRUE(panel->isVisible());
 }
 
+// REQ-UI-41
 TEST_F(NorthTest, StopWorksInEveryStepAndIsNotCovered)
 {
     auto* const stop = window.findChild<StopButton*>();
@@ -68,6 +69,8 @@ TEST_F(NorthTest, WithoutACalibrationDeskNothingIsOffered)
     expectBlocked("Follow Sun", "it is not known where the Sun is");
 }
 
+// REQ-UI-40: Finding north: each step asks only what its control says, and shows beside it why it cannot. What Apply
+// sends is the proposal that was seen when it was pressed, with every figure before and after.
 TEST_F(NorthTest, ApplySendsTheProposalThatWasSeenWhenItWasPressed)
 {
     StationStatus status = samples::swung();

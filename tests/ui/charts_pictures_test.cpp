@@ -34,6 +34,7 @@ protected:
     }
 };
 
+// REQ-UI-15 (ChartsPictures.*)
 TEST_P(ChartsPictures, AreTakenOfEverySpanAndOfTheLargeOnes)
 {
     pass(1400s);

@@ -97,6 +97,7 @@ TEST_F(ChartsTest, TheWindowButtonsChooseTheTime)
                 strip(Strip::Position).columns() * 400.0 / 1800.0, 2.0);
 }
 
+// REQ-UI-17
 TEST_F(ChartsTest, OneTicksPeakIsPaintedInEveryWindow)
 {
     tick(20.0, 20.0, 4000);
@@ -125,6 +126,8 @@ TEST_F(ChartsTest, OneTicksPeakIsPaintedInEveryWindow)
     }
 }
 
+// REQ-UI-18: Paused charts stand still and keep collecting. Cursor and keys read time and values. Large charts take
+// the sky's place and cover nothing else.
 TEST_F(ChartsTest, PauseHoldsThePictureAndCollectsOn)
 {
     tick(10.0, 10.0, 500);
@@ -142,6 +145,7 @@ TEST_F(ChartsTest, PauseHoldsThePictureAndCollectsOn)
     EXPECT_EQ(text("Remark on the charts"), QString());
 }
 
+// REQ-UI-17
 TEST_F(ChartsTest, SilenceIsAGapAndNeverALine)
 {
     tick(10.0, 10.0, 500);
@@ -170,6 +174,7 @@ TEST_F(ChartsTest, OldDataMoveAwayFromNow)
     EXPECT_TRUE(strip(Strip::Position).caption().endsWith(QStringLiteral("actual –")));
 }
 
+// REQ-UI-18
 TEST_F(ChartsTest, TheCursorReadsTimeAndValuesOfAllStrips)
 {
     tick(10.0, 9.5, 1500);
@@ -195,6 +200,7 @@ TEST_F(ChartsTest, TheCursorShowsThePeaksThatItsColumnHolds)
     EXPECT_TRUE(strip(Strip::Error).caption().contains(QStringLiteral("…")));
 }
 
+// REQ-UI-18
 TEST_F(ChartsTest, KeysAloneMoveTheCursorAndPause)
 {
     pass(60s);
@@ -265,6 +271,7 @@ TEST_F(ChartsTest, AnUnknownTurnIsSaid)
     EXPECT_EQ(text("Remark on the charts"), QString());
 }
 
+// REQ-UI-18
 TEST_F(ChartsTest, LargeTheyTakeThePlaceOfTheSkyAndCoverNothing)
 {
     pass(60s);

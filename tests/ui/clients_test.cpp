@@ -51,6 +51,9 @@ protected:
     }
 };
 
+// REQ-UI-25: The panel Clients shows which clients are there, which of them moves the mount, and by which rule. The
+// rule shown is the one in force. A client that asks in vain is asked about over the plot, whichever panel is open,
+// until that is answered.
 TEST_F(ClientsPanelTest, ShowsWhoIsThereAndWhatEachMayDo)
 {
     ASSERT_EQ(table().model()->rowCount(), 3);
@@ -156,6 +159,7 @@ TEST_F(ClientsPanelTest, LocksToTheHostOfTheSelectedOne)
     EXPECT_EQ(otherwise, *samples::fighting().profile) << "nothing else is changed";
 }
 
+// REQ-UI-25
 TEST_F(ClientsPanelTest, TheRuleFollowsTheStatusNotTheClick)
 {
     choose(QStringLiteral("Last"));
@@ -232,6 +236,7 @@ protected:
     void click(const char* name) { QTest::mouseClick(findNamed<QPushButton>(prompt(), name), Qt::LeftButton); }
 };
 
+// REQ-UI-25 (LeadPromptTest.*)
 TEST_F(LeadPromptTest, AsksOverThePlotWhateverPanelIsOpen)
 {
     EXPECT_TRUE(prompt().isVisible());

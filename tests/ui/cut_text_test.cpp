@@ -84,6 +84,8 @@ protected:
     }
 };
 
+// REQ-UI-36 (CutTextTest.*): A question, a banner and what a client may do are read whole at 1024×700, in every
+// language.
 TEST_P(CutTextTest, TheQuestionBeforeClosingIsWhole)
 {
     give(samples::update(samples::tracking(10)));

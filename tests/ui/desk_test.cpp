@@ -100,6 +100,7 @@ protected:
 };
 
 // The limit that is dragged is the limit that the antenna obeys.
+// REQ-UI-02d: The limit dragged on the plot is the limit that the antenna obeys.
 TEST_F(DeskTest, AnAzimuthLimitDraggedOnThePlotIsEnforcedAfterApply)
 {
     goTo("310", "30");  // -50°, permitted still
@@ -134,6 +135,7 @@ TEST_F(DeskTest, AnAzimuthLimitDraggedOnThePlotIsEnforcedAfterApply)
     EXPECT_GE(leftmost, limit.degrees() - 0.2) << "and was never beyond";
 }
 
+// REQ-UI-02
 TEST_F(DeskTest, AJogEndsWithTheHandTheFocusTheWindowAndTheMouseLeaving)
 {
     goTo("90", "30");
@@ -204,6 +206,7 @@ TEST_F(DeskTest, PresetHorizonParkAndUnparkMoveTheAntennaWhereTheySay)
 }
 
 // A step while a client is followed shifts the client's target, and the client keeps the mount.
+// REQ-UI-02b
 TEST_F(DeskTest, AStepDuringAPassTrimsItAndClearTakesItAway)
 {
     const auto client = rig.connect();

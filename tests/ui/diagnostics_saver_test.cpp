@@ -55,6 +55,8 @@ protected:
     }
 };
 
+// REQ-UI-32 (DiagnosticsSaverTest.*): Diagnostics are saved by a worker, from anywhere by Ctrl+B. An unwritable place
+// is reported. The telemetry is taken within one frame.
 TEST_F(DiagnosticsSaverTest, AreSavedByKeyWithLogAndTelemetry)
 {
     const QString path = folder.filePath(QStringLiteral("bundle.tar.gz"));
@@ -92,6 +94,7 @@ TEST_F(DiagnosticsSaverTest, AreSavedFromTheLogAndAnUnwritablePlaceIsTold)
     EXPECT_TRUE(says("Diagnostics not saved: /proc/none.tar.gz: "));
 }
 
+// REQ-UI-32 (TelemetryExcerpt.*)
 TEST(TelemetryExcerpt, HasTheValuesAndTheirTimes)
 {
     TelemetryStore store;

@@ -133,6 +133,8 @@ TEST_F(DrivesTest, TheBusCanBeReleasedWhileTheDrivesAreRead)
     expectBlocked("Release bus", "settings are being written");
 }
 
+// REQ-UI-11: The drives' safety settings are shown, wanted beside found. What writes, switches off or moves asks first
+// and lists what it will do.
 TEST_F(DrivesTest, TheTableSetsFoundAgainstWantedWithShapeAndWord)
 {
     give(samples::update(samples::factoryDrives()));
@@ -255,6 +257,7 @@ TEST_F(DrivesTest, ReadAgainAsksAtOnceAndWaitsWhileReading)
     EXPECT_EQ(text("Survey of the drives"), QStringLiteral("reading servo.timeout_mode of elevation"));
 }
 
+// REQ-UI-11
 TEST_F(DrivesTest, FixListsWhatItWritesAndWritesOnlyAfterASecondPress)
 {
     give(samples::update(samples::factoryDrives()));
@@ -310,6 +313,7 @@ TEST_F(DrivesTest, AnOpenQuestionIsBlockedWhenItCanNotBeDoneAnyMore)
     EXPECT_TRUE(asked<request::FixDrives>().empty());
 }
 
+// REQ-UI-11
 TEST_F(DrivesTest, SwitchOffWarnsOfTheFallAndCancelHasTheFocus)
 {
     auto& panel = open<ProtectionPanel>();
@@ -381,6 +385,7 @@ TEST_F(DrivesTest, TheBusIsReleasedAndTakenBackByOneButton)
     expectBlocked("Release bus", "the mount moves");
 }
 
+// REQ-UI-11
 TEST_F(DrivesTest, ReleasingTheBusOfDrivesThatAreOnAsksFirst)
 {
     open<DrivesPanel>();
@@ -392,6 +397,7 @@ TEST_F(DrivesTest, ReleasingTheBusOfDrivesThatAreOnAsksFirst)
     EXPECT_EQ(asked<request::ReleaseBus>().size(), 1u);
 }
 
+// REQ-UI-11
 TEST_F(DrivesTest, TheProofRunsAtTheChosenRateAfterASecondPressAndEndsAtOnce)
 {
     auto& panel = open<DrivesPanel>();
@@ -435,6 +441,7 @@ TEST_F(DrivesTest, EachAxisShowsItsLastProofWithTheDate)
     EXPECT_EQ(named<ValueLabel>("Crash stop of the azimuth")->symbol(), Symbol::Warning) << "another drive";
 }
 
+// REQ-UI-12
 TEST_F(DrivesTest, NoProofWhileTheMountMovesOrATurnIsUnknown)
 {
     give(samples::update(samples::tracking(100)));
@@ -443,6 +450,7 @@ TEST_F(DrivesTest, NoProofWhileTheMountMovesOrATurnIsUnknown)
     expectBlocked("Run (both axes) …", "which turn the elevation is on");
 }
 
+// REQ-UI-12: Nothing is offered that the drives, an unknown wrap or a released bus forbid, and the reason is shown.
 TEST_F(DrivesTest, AnArmingObstacleDisablesEveryMotionControlWithItsReason)
 {
     give(samples::update(samples::factoryDrives()));

@@ -21,6 +21,7 @@ protected:
     void leave() { show(samples::idle(), '1'); }
 };
 
+// REQ-UI-15 (EditingPictures.*)
 TEST_P(EditingPictures, AreTakenOfTheQuestions)
 {
     const std::tuple<const char*, StationStatus (*)(), char, const char*> questions[] = {

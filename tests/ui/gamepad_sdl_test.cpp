@@ -46,6 +46,7 @@ protected:
     std::optional<GamepadSample> last;
 };
 
+// REQ-UI-02a (GamepadSdlTest.*)
 TEST_F(GamepadSdlTest, IsFoundReadAndMissedWhenItGoes)
 {
     ASSERT_NE(gamepad, nullptr);

@@ -17,6 +17,8 @@ GamepadSample held(double right, double up)
     return {.right = right, .up = up, .deadMan = true};
 }
 
+// REQ-UI-02a (GamepadPilot.*): A gamepad jogs only with its own dead-man, freshly pressed, in the active window on the
+// Jog panel. Unplugging it ends the jog.
 TEST(GamepadPilot, TheStickCountsOnlyWhileTheDeadManIsHeld)
 {
     GamepadPilot pilot;
@@ -83,6 +85,7 @@ protected:
     bool ended() const { return !jogs().empty() && jogs().back().rates == AxisRates{}; }
 };
 
+// REQ-UI-02a (GamepadTest.*)
 TEST_F(GamepadTest, AHeldDeadManRepeatsTheStickAndReleaseEndsWithZero)
 {
     push();

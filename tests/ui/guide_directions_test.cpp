@@ -8,6 +8,9 @@
 namespace boresight::ui {
 namespace {
 
+// REQ-UI-35: The guide's moves are dead-man, by mouse and by key. A mount is confirmed only after both axes were seen
+// to move. A change that needs a new connection is announced, refused in motion, and leaves nothing behind when it is
+// refused.
 TEST_F(GuideTest, AHeldTestMoveIsSlowAndEndsOnRelease)
 {
     open<GuideDirections>(GuideStep::Directions);
@@ -24,6 +27,7 @@ TEST_F(GuideTest, AHeldTestMoveIsSlowAndEndsOnRelease)
     }
 }
 
+// REQ-UI-35
 TEST_F(GuideTest, SpaceHoldsATestMoveAndEverythingThatTakesItAwayEndsIt)
 {
     open<GuideDirections>(GuideStep::Directions);
@@ -72,6 +76,7 @@ TEST_F(GuideTest, ARepeatedKeyIsOneHold)
     QTest::keyRelease(&button, Qt::Key_Space);
 }
 
+// REQ-UI-35
 TEST_F(GuideTest, TheArrowFollowsTheMotionAndConfirmingNeedsBothToBeSeen)
 {
     open<GuideDirections>(GuideStep::Directions);

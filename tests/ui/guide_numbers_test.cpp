@@ -58,6 +58,7 @@ TEST_F(GuideTest, LevelIsSetHereAndItsEffectToldBefore)
     EXPECT_EQ(stepButton(GuideStep::Level).state(), StepState::Done);
 }
 
+// REQ-UI-43: North set by a landmark in the guide changes the pointing model alone, at once.
 TEST_F(GuideTest, NorthIsSetInThePointingModelAtOnceAndTheCableKeepsItsNumbers)
 {
     open<GuideNorth>(GuideStep::North);

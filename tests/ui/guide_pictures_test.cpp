@@ -29,6 +29,7 @@ protected:
     }
 };
 
+// REQ-UI-15 (GuidePictures.*)
 TEST_P(GuidePictures, AreTakenOfEveryStep)
 {
     for (const GuideStep step : kGuideSteps) {

@@ -19,6 +19,9 @@
 namespace boresight::ui {
 namespace {
 
+// REQ-UI-34: The guide covers neither STOP nor state nor plot, asks nothing that the panels could not ask, and goes on
+// where it was left. What can be seen in the station is never remembered instead. Nothing that was seen on the
+// simulated mount counts for the real one.
 TEST_F(GuideTest, TakesThePlaceOfThePanelsAndCoversNothing)
 {
     ASSERT_TRUE(isOpen());
@@ -75,6 +78,7 @@ TEST_F(GuideTest, NextNeedsWhatCanBeSeenAndSkipLeavesItForLater)
     EXPECT_TRUE(requests.empty()) << "looking at the steps asks nothing of the station";
 }
 
+// REQ-UI-34
 TEST_F(GuideTest, FinishLaterGoesToThePanelsAndComesBackToTheSameStep)
 {
     open<QWidget>(GuideStep::North);
@@ -109,6 +113,7 @@ TEST_F(GuideTest, AnotherMountBeginsAnew)
 }
 
 // Story: level and ends were ticked on the simulated mount, and stayed ticked when the real one was connected.
+// REQ-UI-34
 TEST_F(GuideTest, TheRealMountBeginsAnewAfterTheSimulatedOne)
 {
     open<GuideDirections>(GuideStep::Travel);
@@ -178,6 +183,7 @@ TEST_F(GuideTest, AdaptersAreListedByTheirNamesAndScannedWithoutMovingAnything)
     EXPECT_TRUE(page.isVisible());
 }
 
+// REQ-UI-35
 TEST_F(GuideTest, WhatIsRefusedStandsBesideTheButtonAndLeavesNoEditBehind)
 {
     open<GuideConnect>(GuideStep::Connect);
@@ -235,6 +241,7 @@ TEST_F(GuideTest, ChangesThatWaitOnAnotherPanelAreNotAppliedWithIt)
     EXPECT_TRUE(swap.toolTip().contains(QStringLiteral("another panel")));
 }
 
+// REQ-UI-34 (GuideProgressText.*)
 TEST(GuideProgressText, SurvivesTheSettingsFile)
 {
     const GuideProgress progress{.open = true,
@@ -247,6 +254,7 @@ TEST(GuideProgressText, SurvivesTheSettingsFile)
 }
 
 // A window that was closed with the guide on the screen opens with it, at the same step.
+// REQ-UI-34 (GuideAtStart.*)
 TEST(GuideAtStart, OpensWhereItWas)
 {
     const fakes::ManualClock clock;

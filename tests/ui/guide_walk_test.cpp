@@ -156,6 +156,7 @@ protected:
     std::unique_ptr<Station> station;  // goes before the window
 };
 
+// REQ-UI-35 (GuideWalk.*)
 TEST_F(GuideWalk, FromTheFirstStartToTheFirstSafeMove)
 {
     ASSERT_TRUE(until([this] { return fit(); }, Seconds(15.0)));

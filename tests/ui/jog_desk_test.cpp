@@ -118,6 +118,7 @@ TEST_F(JogDeskTest, EachStepSizeIsWhatOnePressMoves)
     }
 }
 
+// REQ-UI-02b: A step during a pass trims the client's target, is shown in every panel and taken away by one button.
 TEST_F(JogDeskTest, ATrimIsShownByTheReadoutsInEveryPanelAndCleared)
 {
     StationStatus status = samples::tracking(200);
@@ -158,6 +159,8 @@ TEST_F(JogDeskTest, AWoundCableIsUnwoundByOneClick)
     EXPECT_FALSE(named<CommandButton>("Unwind")->isEnabled());
 }
 
+// REQ-UI-02c: Go-tos that were accepted are remembered. Presets live in the profile and are applied without other
+// edits.
 TEST_F(JogDeskTest, TheLastTenDirectionsThatWereAcceptedCanBeChosenAgain)
 {
     QSignalSpy kept(&window, &MainWindow::recentGoTosChanged);
@@ -185,6 +188,7 @@ TEST_F(JogDeskTest, TheLastTenDirectionsThatWereAcceptedCanBeChosenAgain)
     EXPECT_NEAR(asked<request::PointSky>().front().direction.azimuth.degrees(), 130.0, 1e-9);
 }
 
+// REQ-UI-02c
 TEST_F(JogDeskTest, ARefusedDirectionIsNotRemembered)
 {
     named<QLineEdit>("Azimuth")->setText(QStringLiteral("10"));
@@ -207,6 +211,7 @@ TEST_F(JogDeskTest, DirectionsOfAnEarlierStartComeBackAndRubbishDoesNot)
     }
 }
 
+// REQ-UI-02c
 TEST_F(JogDeskTest, APresetIsSavedWhereTheMountPointsUnderATypedName)
 {
     EXPECT_FALSE(named<CommandButton>("Save here")->isEnabled());

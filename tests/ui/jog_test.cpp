@@ -56,6 +56,8 @@ protected:
     }
 };
 
+// REQ-UI-02: Jog is dead-man. It ends on release, sliding off, loss of focus, window, panel or permission, and on
+// refusal.
 TEST_F(JogTest, AHeldButtonRepeatsAndReleaseEndsWithZero)
 {
     QTest::mousePress(&button(JogDirection::Right), Qt::LeftButton);
@@ -81,6 +83,7 @@ TEST_F(JogTest, EachButtonMovesItsOwnWay)
     }
 }
 
+// REQ-UI-02
 TEST_F(JogTest, SlidingOffEndsItAndComingBackDoesNotMoveAgain)
 {
     JogButton& up = button(JogDirection::Up);
@@ -96,6 +99,7 @@ TEST_F(JogTest, SlidingOffEndsItAndComingBackDoesNotMoveAgain)
     expectQuiet();
 }
 
+// REQ-UI-02
 TEST_F(JogTest, LosingTheWindowThePanelOrThePermissionEndsIt)
 {
     JogButton& right = button(JogDirection::Right);
@@ -121,6 +125,7 @@ TEST_F(JogTest, LosingTheWindowThePanelOrThePermissionEndsIt)
     holdThen("STOP", [&] { give(samples::update(samples::stopped())); });
 }
 
+// REQ-UI-02
 TEST_F(JogTest, ARefusalEndsItAndSaysWhy)
 {
     QTest::mousePress(&button(JogDirection::Left), Qt::LeftButton);
@@ -134,6 +139,7 @@ TEST_F(JogTest, ARefusalEndsItAndSaysWhy)
     EXPECT_TRUE(shown);
 }
 
+// REQ-UI-03: Arrow keys need arming. Auto-repeat is ignored. A minute without use disarms.
 TEST_F(JogTest, ArrowKeysMoveNothingUntilArmed)
 {
     pad().setFocus();
@@ -148,6 +154,7 @@ TEST_F(JogTest, ArrowKeysMoveNothingUntilArmed)
     EXPECT_TRUE(jogEnds());
 }
 
+// REQ-UI-03
 TEST_F(JogTest, AutoRepeatIsIgnored)
 {
     arm();
@@ -219,6 +226,7 @@ TEST_F(JogTest, TwoKeysMoveBothAxesUntilTheLastIsReleased)
     EXPECT_TRUE(jogEnds());
 }
 
+// REQ-UI-03
 TEST_F(JogTest, DisarmsAfterAMinuteWithoutUseAndWithTheFocus)
 {
     arm();
@@ -259,6 +267,7 @@ TEST_F(JogTest, StepModeMovesOneStepPerPress)
     EXPECT_EQ(asked<request::Nudge>().front().elevation, -5_deg);
 }
 
+// REQ-UI-06
 TEST_F(JogTest, AtALimitOnlyTheWayBackIsOffered)
 {
     StationStatus status = samples::limited();  // azimuth at its upper end, elevation at its lower
@@ -270,6 +279,7 @@ TEST_F(JogTest, AtALimitOnlyTheWayBackIsOffered)
     EXPECT_TRUE(button(JogDirection::Up).isEnabled());
 }
 
+// REQ-UI-06: What cannot act is disabled and shows why. At a limit only the way back is offered.
 TEST_F(JogTest, WhatCannotActSaysWhy)
 {
     const std::pair<StationStatus, const char*> cases[] = {{samples::stopped(), "STOP is latched"},

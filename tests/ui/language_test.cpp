@@ -87,6 +87,7 @@ TEST_P(EveryTranslation, KeepsPlacesMnemonicsEdgesAndStop)
 
 INSTANTIATE_TEST_SUITE_P(All, EveryTranslation, ::testing::Values("pt"));
 
+// REQ-BASE-08 (Language.*): What people read can be translated. Without a translation it is the English of the source.
 TEST(Language, TextsAreEnglishWithoutATranslationAndAfterIt)
 {
     EXPECT_EQ(Text::tr("the horizon"), QStringLiteral("the horizon"));

@@ -81,6 +81,8 @@ protected:
 // A pixel of this plot is about half a degree: what is drawn is within one step of where the hand was.
 constexpr double kStep = 0.76;
 
+// REQ-UI-21: Limits, horizon and keep-outs change on the plot only in Edit mode. What was dragged is exactly what
+// Apply sends. Esc cancels a drag first. The STOP keys stop also then.
 TEST_F(LimitsTest, WithoutEditModeNoDragChangesAnything)
 {
     drag({180_deg, 28_deg}, {180_deg, 50_deg});
@@ -101,6 +103,7 @@ TEST_F(LimitsTest, InEditModeAClickPicksNoDirectionAndMovesNothing)
     EXPECT_TRUE(requests.empty());
 }
 
+// REQ-UI-21
 TEST_F(LimitsTest, ADraggedHorizonPointIsWhatApplySends)
 {
     edit();
@@ -116,6 +119,7 @@ TEST_F(LimitsTest, ADraggedHorizonPointIsWhatApplySends)
     EXPECT_EQ(rest, inForce()) << "and nothing else";
 }
 
+// REQ-UI-21
 TEST_F(LimitsTest, ADraggedElevationLimitIsWhatApplySends)
 {
     edit();
@@ -148,6 +152,7 @@ TEST_F(LimitsTest, ADraggedEdgeCornerAndWholeOfAKeepOut)
     EXPECT_NEAR((mast.elevationMax - mast.elevationMin).degrees(), 48.0, 1e-9);
 }
 
+// REQ-UI-21
 TEST_F(LimitsTest, EscDuringADragCancelsItAndTheNextStops)
 {
     edit();
@@ -164,6 +169,7 @@ TEST_F(LimitsTest, EscDuringADragCancelsItAndTheNextStops)
     EXPECT_EQ(asked<request::Stop>().size(), 1u);
 }
 
+// REQ-UI-21
 TEST_F(LimitsTest, TheStopKeysStopAlsoDuringADrag)
 {
     edit();
@@ -217,6 +223,8 @@ TEST_F(LimitsTest, ShiftDrawsFiner)
     EXPECT_NEAR(tenths, std::round(tenths), 1e-6);
 }
 
+// REQ-UI-22: Plot, fields and tables change one draft. A text that is no value, or a horizon file that cannot be read,
+// changes nothing and shows why.
 TEST_F(LimitsTest, AFieldOrACellChangesTheSameDraft)
 {
     auto* const field = named<QDoubleSpinBox>("Lowest elevation");
@@ -241,6 +249,7 @@ TEST_F(LimitsTest, AFieldOrACellChangesTheSameDraft)
     EXPECT_EQ(sent.keepOuts.at(0).name, "flag pole");
 }
 
+// REQ-UI-22
 TEST_F(LimitsTest, ATextThatIsNoValueIsRefusedWithTheReason)
 {
     auto* const horizon = named<QTableView>("Horizon");
@@ -321,6 +330,7 @@ TEST_F(LimitsTest, KeepOutsAreAddedAndRemovedByButtons)
     EXPECT_FALSE(named<CommandButton>("Apply")->isEnabled());
 }
 
+// REQ-UI-24: A place that the profile in force forbids is not offered, with the reason.
 TEST_F(LimitsTest, TheBarSaysWhyAPickedPlaceIsForbiddenAndOffersNoWayThere)
 {
     const auto pick = [&](Angle azimuth, Angle elevation) {
@@ -354,6 +364,7 @@ TEST_F(LimitsTest, AHorizonGoesOutAsTextAndComesBack)
     EXPECT_TRUE(text("Why the text was not taken").contains(QStringLiteral("points read")));
 }
 
+// REQ-UI-22
 TEST_F(LimitsTest, AHorizonFileThatCannotBeReadChangesNothingAndSaysWhichLine)
 {
     QTemporaryDir folder;

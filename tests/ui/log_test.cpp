@@ -106,6 +106,8 @@ TEST_F(LogTest, NamesAClientByItsPortInTheNarrowColumn)
     EXPECT_EQ(rows(), 1) << "the filter looks at the whole source";
 }
 
+// REQ-UI-27: Every start of a motion is found with who asked and why. No line is lost or out of order when a new
+// station begins to count again.
 TEST_F(LogTest, TellsWhyItMovedFromTheMotionStartsAlone)
 {
     show();
@@ -130,6 +132,7 @@ TEST_F(LogTest, TellsWhyItMovedFromTheMotionStartsAlone)
 }
 
 // Story: in the window's narrow column half of the lines ended in dots, and below the list after the third line.
+// REQ-UI-26
 TEST_F(LogTest, ShowsTheCurrentLineWholeHoweverLong)
 {
     show();
@@ -156,6 +159,8 @@ TEST_F(LogTest, ShowsTheCurrentLineWholeHoweverLong)
 }
 
 // Story: lines that came while another panel was open stood below the edge of the list when it was opened.
+// REQ-UI-26: The log opens at its newest line, stays there until it is scrolled away, and shows the selected line
+// whole, however long.
 TEST_F(LogTest, OpensAtTheNewestLineAndStaysThereUntilScrolledAway)
 {
     std::vector<LogEntry> many;
@@ -215,6 +220,7 @@ TEST_F(LogTest, SavesTheShownLinesToAFileOrSaysWhyNot)
 }
 
 // Story: after Reconnect a new station counts its lines from 1 again.
+// REQ-UI-27
 TEST_F(LogTest, KeepsEveryLineInItsOrderWhenANewStationCountsFromOneAgain)
 {
     panel.append({samples::logEntry(1, Severity::Advisory, QStringLiteral("station"), QStringLiteral("begins anew")),

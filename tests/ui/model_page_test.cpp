@@ -13,6 +13,9 @@
 namespace boresight::ui {
 namespace {
 
+// REQ-UI-40a: Terms are typed or exchanged with a file like any other result: proposed, beside those in force and with
+// what the points show. A term that nobody typed into keeps all its decimals. The scan shows what the receiver sent
+// last, how old that is, and what is wrong with its line.
 TEST_F(NorthTest, TermsAreTypedAndProposed)
 {
     const StationStatus status = samples::sixPoints();
@@ -40,6 +43,7 @@ TEST_F(NorthTest, TermsAreTypedAndProposed)
     EXPECT_NEAR(north->value(), status.calibration->present.azimuthOffset.degrees(), 1e-4);
 }
 
+// REQ-UI-40a
 TEST_F(NorthTest, WhatIsTypedIsShownWithWhatThePointsSayOfIt)
 {
     StationStatus status = samples::sixPoints();
@@ -63,6 +67,7 @@ TEST_F(NorthTest, WhatIsTypedIsShownWithWhatThePointsSayOfIt)
 }
 
 // Story: a fit has more decimals than the field; a term stepped up and down again counted as given, and lost them.
+// REQ-UI-40a
 TEST_F(NorthTest, WhatReadsTheSameWasNotTyped)
 {
     StationStatus status = samples::sixPoints();
@@ -129,6 +134,7 @@ TEST_F(NorthTest, TheRmsIsThatOfWhatIsProposed)
 }
 
 // Story: six kept points waited for a drive, and only "No fit of these points" was to be read.
+// REQ-NORTH-38i
 TEST_F(NorthTest, WhyThereIsNoFitIsSaid)
 {
     StationStatus status = samples::sixPoints();
@@ -175,6 +181,7 @@ TEST_F(NorthTest, APointShowsItsSigma)
     EXPECT_TRUE(points.data(points.index(3, 0), Qt::ToolTipRole).toString().contains(QStringLiteral("not used")));
 }
 
+// REQ-UI-40a
 TEST_F(NorthTest, TermsAreExchangedWithAFile)
 {
     const QTemporaryDir folder;
@@ -208,6 +215,7 @@ TEST_F(NorthTest, TermsAreNotTakenWhileACalibrationRuns)
     EXPECT_TRUE(named<CommandButton>("Export terms")->isEnabled());
 }
 
+// REQ-UI-40
 TEST_F(NorthTest, TheModelShowsEachTermInForceAndProposed)
 {
     show(CalibrationStep::Model, samples::sixPoints());

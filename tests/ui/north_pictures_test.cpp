@@ -70,6 +70,7 @@ protected:
     const ValueLabel* sunWarning = nullptr;
 };
 
+// REQ-UI-41 (NorthPictures.*)
 TEST_P(NorthPictures, AreTakenOfEveryStep)
 {
     for (const NorthScene& scene : kScenes) {

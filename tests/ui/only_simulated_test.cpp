@@ -42,6 +42,8 @@ protected:
     OnlySimulatedTest() : WindowFixture(simulatedWith(*this)) {}
 };
 
+// REQ-UI-38 (OnlySimulatedTest.*): Started with --simulate the window shows that no other mount's bus is used, and
+// offers no adapter.
 TEST_F(OnlySimulatedTest, TheQuestionBeforeASwitchSaysThatTheOtherBusIsNotUsed)
 {
     openPanel('8');

@@ -81,6 +81,8 @@ protected:
     }
 };
 
+// REQ-UI-15 (PanelPictures.*): Nothing that must be read is cut off at 1024×700. The tests also write the pictures to
+// look at.
 TEST_P(PanelPictures, AreTakenOfEveryPanel)
 {
     takeAll(kHealthy);

@@ -27,6 +27,7 @@ void expectNear(QPointF actual, QPointF expected, double tolerance)
     EXPECT_NEAR(actual.y(), expected.y(), tolerance);
 }
 
+// REQ-UI-08 (SkyProjection.*): The plot has north up and east right. Qwt's grid lies where the markers are.
 TEST(SkyProjection, NorthIsUpAndEastIsRight)
 {
     const SkyProjection sky{QPointF(100, 100), 90.0};
@@ -74,6 +75,7 @@ protected:
 };
 
 // A wrong origin or direction of Qwt's azimuth scale would put the grid elsewhere than the markers.
+// REQ-UI-08
 TEST_F(PlotTest, QwtAndTheMarkersAgree)
 {
     const SkyProjection& sky = plot.markers().projection();
@@ -86,6 +88,7 @@ TEST_F(PlotTest, QwtAndTheMarkersAgree)
     }
 }
 
+// REQ-UI-04
 TEST_F(PlotTest, ActualIsPaintedWhereItPointsAndOnlyWhileItIsLive)
 {
     applyTheme(ThemeKind::Day);
@@ -189,6 +192,7 @@ TEST_F(PlotTest, IsDescribedInWords)
     EXPECT_TRUE(plot.accessibleDescription().startsWith(QStringLiteral("Last seen at az 62.0°")));
 }
 
+// REQ-UI-20 (SkyLimits.*)
 TEST(SkyLimits, OnlyWhatTheAxesCannotReach)
 {
     EXPECT_TRUE(unreachable({{-90_deg, 450_deg}, {0_deg, 90_deg}}).empty());
@@ -242,6 +246,8 @@ TEST(SkyLimits, TheHorizonIsClosedThroughNorth)
     EXPECT_FALSE(line.contains(sky.toPixel({270_deg, 39.5_deg})));
 }
 
+// REQ-UI-20: The plot draws the region of the profile in force, again only when it changes. What is edited is dashed
+// until applied.
 TEST_F(PlotTest, TheRegionInForceIsDrawnAndItsNewOneWithTheNextStatus)
 {
     applyTheme(ThemeKind::Day);
@@ -287,6 +293,7 @@ TEST_F(PlotTest, TheSunIsDrawnWhileTheBeamIsKeptAwayFromIt)
     EXPECT_FALSE(isShaded({.azimuth = 220_deg, .elevation = 55_deg}));
 }
 
+// REQ-UI-20
 TEST_F(PlotTest, TheGroundIsDrawnAgainOnlyWhenSomethingOfItChanged)
 {
     plot.showStatus(samples::bounded());
@@ -325,6 +332,7 @@ TEST_F(PlotTest, ThePastPathIsAQuarterOfAnHourLong)
     EXPECT_LE(plot.markers().pathLength(), 17u);
 }
 
+// REQ-UI-23: The magnified plot is framed, with its scale, and moves only when the target leaves its inner half.
 TEST_F(PlotTest, ZoomMagnifiesAroundTheTargetAndSaysSo)
 {
     applyTheme(ThemeKind::Day);
@@ -344,6 +352,7 @@ TEST_F(PlotTest, ZoomMagnifiesAroundTheTargetAndSaysSo)
     EXPECT_FALSE(plot.zoom().isOn());
 }
 
+// REQ-UI-23
 TEST_F(PlotTest, TheMagnifiedViewFollowsInStepsOnly)
 {
     StationStatus status = samples::bounded();
@@ -375,6 +384,7 @@ TEST_F(PlotTest, TheWheelMagnifiesAndComesBackToTheWholeSky)
     EXPECT_FALSE(plot.zoom().isOn());
 }
 
+// REQ-UI-23 (SkyZoom.*)
 TEST(SkyZoom, TheGridIsFineEnoughAndOnlyWhereItIsSeen)
 {
     SkyZoom zoom;

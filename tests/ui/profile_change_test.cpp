@@ -78,6 +78,7 @@ TEST_F(ProfileChangeTest, WhatAppliesAtOnceDoesSoWithABusForLater)
 }
 
 // Story: "Use this" with the simulated mount selected began to lose what had been found of the real one.
+// REQ-PROFILE-17c
 TEST_F(ProfileChangeTest, ARealMountOfWhichSomethingWasFoundIsNotMadeTheSimulatedOne)
 {
     profile::Profile real;

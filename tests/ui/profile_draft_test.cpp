@@ -60,6 +60,8 @@ protected:
     std::vector<std::optional<Error>> answers;
 };
 
+// REQ-UI-16: The profile in force is only read from the status. Edits stay edits until the station has taken them.
+// They are checked while they are made, and are lost neither to a refusal nor to a change from elsewhere.
 TEST_F(ProfileDraftTest, AnEditChangesNothingInForceUntilItIsAppliedAndSeenInTheStatus)
 {
     setParkAzimuth(12_deg);
@@ -81,6 +83,7 @@ TEST_F(ProfileDraftTest, AnEditChangesNothingInForceUntilItIsAppliedAndSeenInThe
     EXPECT_FALSE(draft.hasEdits());
 }
 
+// REQ-UI-16
 TEST_F(ProfileDraftTest, ARefusalGoesToTheAskerAndTheEditsStay)
 {
     setParkAzimuth(12_deg);
@@ -93,6 +96,7 @@ TEST_F(ProfileDraftTest, ARefusalGoesToTheAskerAndTheEditsStay)
     EXPECT_FALSE(draft.whyNoUndo().isEmpty());
 }
 
+// REQ-UI-16
 TEST_F(ProfileDraftTest, WhatTheLiveCheckFindsIsNotSent)
 {
     draft.edit([](Profile& p) { p.elevation.id = p.azimuth.id; });
@@ -119,6 +123,7 @@ TEST_F(ProfileDraftTest, WithoutEditsThereIsNothingToApplyRevertOrUndo)
 }
 
 // A preset saved while the limits are being edited: it alone is applied, and nothing is overtaken by it.
+// REQ-UI-02c
 TEST_F(ProfileDraftTest, AChangeAppliedAloneLeavesTheEditsEdits)
 {
     setParkAzimuth(12_deg);
@@ -197,6 +202,7 @@ TEST_F(ProfileDraftTest, EditsMadeWhileTheAnswerIsUnderWayStayEdits)
     EXPECT_EQ(draft.edited().park.azimuth, 12_deg);
 }
 
+// REQ-UI-16
 TEST_F(ProfileDraftTest, AChangeFromElsewhereIsTakenOverSilentlyOnlyWithoutEdits)
 {
     Profile other = inForce;
@@ -213,6 +219,7 @@ TEST_F(ProfileDraftTest, AChangeFromElsewhereIsTakenOverSilentlyOnlyWithoutEdits
     EXPECT_EQ(draft.inForce().jog.slow, 0.1_deg_s);
 }
 
+// REQ-UI-16
 TEST_F(ProfileDraftTest, KeptEditsComeUponWhatWasChangedElsewhere)
 {
     setParkAzimuth(12_deg);
@@ -260,6 +267,7 @@ TEST_F(ProfileDraftTest, WhatWaitsForAReconnectIsAppliedAndGoesWithIt)
 }
 
 // Story: the bus typed in the table took the simulated mount's north along, and the real one pointed 37.4° beside.
+// REQ-PROFILE-17a
 TEST_F(ProfileDraftTest, ABusTypedByHandLeavesWhatWasFoundOfTheSimulatedMount)
 {
     inForce.pointing.azimuthOffset = 37.4_deg;
@@ -285,6 +293,7 @@ TEST_F(ProfileDraftTest, ABusTypedByHandLeavesWhatWasFoundOfTheSimulatedMount)
 }
 
 // North applied from elsewhere while the bus is being edited, and the edits then kept.
+// REQ-PROFILE-17a
 TEST_F(ProfileDraftTest, KeptEditsLeaveTheSimulatedMountToo)
 {
     draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
@@ -296,6 +305,7 @@ TEST_F(ProfileDraftTest, KeptEditsLeaveTheSimulatedMountToo)
     EXPECT_EQ(draft.edited().pointing.azimuthOffset, Angle{});
 }
 
+// REQ-PROFILE-17b
 TEST_F(ProfileDraftTest, AProfileThatIsTakenOverKeepsItsOwn)
 {
     inForce.pointing = {.azimuthOffset = 12_deg, .tiltNorth = 2_deg};
@@ -309,6 +319,7 @@ TEST_F(ProfileDraftTest, AProfileThatIsTakenOverKeepsItsOwn)
 }
 
 // Story: the bus was mistyped and typed back before Apply, which wrote the defaults over north and zeros.
+// REQ-PROFILE-17a
 TEST_F(ProfileDraftTest, ABusThatIsTypedBackBringsBackWhatWasSetBackWithIt)
 {
     inForce.pointing.azimuthOffset = 37.4_deg;
@@ -329,6 +340,8 @@ TEST_F(ProfileDraftTest, ABusThatIsTypedBackBringsBackWhatWasSetBackWithIt)
 
 // Story: a calibrated mount was turned into the simulated one to look around, and all that was found of it was set back
 // as the simulated mount's when its bus was typed again.
+// REQ-PROFILE-17c: The profile of a real mount on which something was found does not become the simulated one's by
+// another bus. `--simulate` tries that one and leaves the file alone.
 TEST_F(ProfileDraftTest, ARealMountOfWhichSomethingWasFoundDoesNotBecomeTheSimulatedOne)
 {
     Profile real;

@@ -140,6 +140,9 @@ protected:
     }
 };
 
+// REQ-UI-29: The profile is shown whole: each setting once, with unit, range and when it applies. A setting is found
+// by words of its name or meaning, and edited by keyboard. What is no value is refused with the reason. What clashes
+// is marked and not applied. A bus that leaves the simulated mount shows beside it what that sets back.
 TEST_F(ProfilePageTest, EverySettingIsThereOnceWithItsUnitRangeAndWhenItApplies)
 {
     const QAbstractItemModel& model = *tree()->model();
@@ -157,6 +160,7 @@ TEST_F(ProfilePageTest, EverySettingIsThereOnceWithItsUnitRangeAndWhenItApplies)
     EXPECT_EQ(firstCell(SettingTree::AppliesWhen), QStringLiteral("at once"));
 }
 
+// REQ-UI-29
 TEST_F(ProfilePageTest, TheSearchLooksThroughNamesAndMeanings)
 {
     QTest::keyClicks(search(), QStringLiteral("watchdog"));
@@ -169,6 +173,7 @@ TEST_F(ProfilePageTest, TheSearchLooksThroughNamesAndMeanings)
     EXPECT_GT(tree()->model()->rowCount(tree()->model()->index(0, 0)), 5);
 }
 
+// REQ-UI-29
 TEST_F(ProfilePageTest, AValueIsEditedByKeyboardAppliedAndReverted)
 {
     edit("azimuth.max_speed", "8");
@@ -185,6 +190,7 @@ TEST_F(ProfilePageTest, AValueIsEditedByKeyboardAppliedAndReverted)
     EXPECT_EQ(firstCell(SettingTree::Value), QStringLiteral("8.0 °/s"));
 }
 
+// REQ-UI-29
 TEST_F(ProfilePageTest, WhatIsNoValueIsRefusedAndWhatClashesIsMarked)
 {
     edit("azimuth.max_speed", "fast");
@@ -244,6 +250,8 @@ TEST_F(ProfilePageTest, WhatWaitsForAReconnectIsMarkedAndShownAlone)
     EXPECT_TRUE(says("Waits for a reconnect: tick_hz (Control)"));
 }
 
+// REQ-UI-30: Choosing a mount does nothing. Switching asks with the differences, is one Reconnect, and is offered
+// neither in motion nor over edits.
 TEST_F(ProfilePageTest, SwitchingAsksWithTheDifferencesAndIsOneRequest)
 {
     EXPECT_FALSE(named<CommandButton>("Switch …")->isEnabled()) << "Roof is in force";
@@ -278,6 +286,7 @@ TEST_F(ProfilePageTest, TheSettingsHaveTheRoomThatNothingElseNeeds)
     EXPECT_TRUE(tree()->viewport()->rect().contains(current.center())) << "what was changed stays in sight";
 }
 
+// REQ-UI-30
 TEST_F(ProfilePageTest, NothingIsSwitchedInMotionNorOverEdits)
 {
     choose("Field");
@@ -384,6 +393,7 @@ TEST_F(ProfilePageTest, AnImportIntoTheMountInForceComesAsEdits)
     EXPECT_EQ(asked<request::ApplyProfile>().front().profile, changed);
 }
 
+// REQ-UI-29
 TEST_F(ProfilePageTest, ABusThatLeavesTheSimulatedMountSaysWhatIsSetBack)
 {
     roof.pointing.azimuthOffset = 37.4_deg;
@@ -395,6 +405,7 @@ TEST_F(ProfilePageTest, ABusThatLeavesTheSimulatedMountSaysWhatIsSetBack)
     EXPECT_EQ(asked<request::ApplyProfile>().front().profile.pointing, pointing::PointingTerms{});
 }
 
+// REQ-PROFILE-17b
 TEST_F(ProfilePageTest, ARealMountsProfileImportedOverTheSimulatedOneKeepsItsOwn)
 {
     roof.pointing.azimuthOffset = 12_deg;  // as it was tried with
@@ -412,6 +423,8 @@ TEST_F(ProfilePageTest, ARealMountsProfileImportedOverTheSimulatedOneKeepsItsOwn
     EXPECT_EQ(asked<request::ApplyProfile>().front().profile, real);
 }
 
+// REQ-UI-31: What overwrites a profile shows the differences first and keeps the version before. A wrong file is
+// refused with line and reason. What the command line overrides is not taken back.
 TEST_F(ProfilePageTest, AnImportOverAnotherMountShowsWhatItWouldChangeAndKeepsTheVersionBefore)
 {
     Profile changed = field;
@@ -429,6 +442,7 @@ TEST_F(ProfilePageTest, AnImportOverAnotherMountShowsWhatItWouldChangeAndKeepsTh
     EXPECT_EQ(*profile::loadProfile(profile::previousOf(fieldFile)), field);
 }
 
+// REQ-UI-31
 TEST_F(ProfilePageTest, AWrongFileIsRefusedWithItsLineAndReason)
 {
     const QString path = folder.filePath(QStringLiteral("wrong.toml"));
@@ -442,6 +456,7 @@ TEST_F(ProfilePageTest, AWrongFileIsRefusedWithItsLineAndReason)
     EXPECT_FALSE(page().isAsking());
 }
 
+// REQ-UI-31
 TEST_F(ProfilePageTest, TheLastSavedChangeIsTakenBackKeyByKey)
 {
     Profile changed = roof;

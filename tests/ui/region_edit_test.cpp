@@ -32,6 +32,7 @@ Region dragged(const Region& region, const Grip& grip, SkyPointing from, SkyPoin
     return RegionDrag(region, kTravel, grip, from).to(to, snap);
 }
 
+// REQ-UI-21 (RegionGrip.*)
 TEST(RegionGrip, FindsEveryPartWhereItIsDrawn)
 {
     const Region region = sample();
@@ -67,6 +68,7 @@ TEST(RegionGrip, OfTwoAzimuthLimitsInOneDirectionThePermittedSideTells)
     EXPECT_EQ(at(region, 359_deg, 5_deg), (Grip{RegionPart::AzimuthMax}));
 }
 
+// REQ-UI-21 (RegionDrag.*)
 TEST(RegionDrag, AnAzimuthLimitKeepsItsTurnAndStopsAtTheTravel)
 {
     const Region region = sample();
@@ -156,6 +158,7 @@ TEST(RegionEdit, SaysWhatIsHeld)
 }
 
 // A mount that does not know north: its limits lie where the beam looks there, and are dragged there.
+// REQ-UI-39
 TEST(RegionDrag, LimitsOfAMountThatLeansAreHeldWhereTheyLook)
 {
     const pointing::PointingModel model(

@@ -80,6 +80,7 @@ TEST_F(NorthTest, TheNeedlesAreWhatIsReadAndTheBarsSayWhatRaisesThem)
     EXPECT_FALSE(dial.sensor().has_value()) << "an old heading is not shown as a live one";
 }
 
+// REQ-UI-40
 TEST_F(NorthTest, ASensorThatIsNoEvidenceIsNotAveragedAndSaysWhy)
 {
     show(CalibrationStep::Sensor, samples::beforeCalibration());
@@ -104,6 +105,7 @@ TEST_F(NorthTest, TheSwingIsPlannedInWordsBeforeItStarts)
     EXPECT_EQ(wanted<request::StartSwing>().front().headings, 10);
 }
 
+// REQ-UI-40
 TEST_F(NorthTest, ARefusedSwingSaysWhyBesideItsButtonAndKeepsWhatWasTyped)
 {
     show(CalibrationStep::Swing, samples::sixPoints());
@@ -132,6 +134,8 @@ TEST_F(NorthTest, ASwingThatRunsShowsHowFarItIsAndCanBeEnded)
     expectBlocked("Follow Sun", "a calibration is running");
 }
 
+// REQ-UI-42: The deviation curve lies where Qwt's own scale puts it. The ways of turning, what was left out and
+// unreliable sectors differ in shape.
 TEST_F(NorthTest, TheDeviationCurveLiesWhereItsSamplesAreAndShowsBothWays)
 {
     const StationStatus status = samples::swung();

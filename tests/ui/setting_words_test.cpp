@@ -9,6 +9,7 @@ namespace {
 using profile::findSetting;
 using profile::Profile;
 
+// REQ-UI-29 (SettingWords.*)
 TEST(SettingWords, ValuesAreReadWithTheirUnits)
 {
     Profile profile;

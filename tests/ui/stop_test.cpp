@@ -23,6 +23,8 @@ protected:
     std::size_t stops() const { return asked<request::Stop>().size(); }
 };
 
+// REQ-UI-01 (StopTest.*): STOP acts on press, in every state, panel and size, through dialogs and menus. Esc stops
+// unless it closes something.
 TEST_F(StopTest, ActsOnPressNotOnRelease)
 {
     QTest::mousePress(&stop(), Qt::LeftButton);
@@ -203,6 +205,7 @@ TEST_F(StopTest, AHeldKeyStopsOnce)
     EXPECT_EQ(stops(), 0u);
 }
 
+// REQ-UI-05
 TEST_F(StopTest, ShowsRequestedUntilTheStatusSaysSoThenLatchedWithReset)
 {
     QTest::mousePress(&stop(), Qt::LeftButton);

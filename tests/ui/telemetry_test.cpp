@@ -49,6 +49,8 @@ struct RandomWalk
     std::int64_t bin = 123'456;
 };
 
+// REQ-UI-17 (PeakRing.*): The charts show every peak of the last half hour in every window, and never join what lies
+// on either side of a gap.
 TEST(PeakRing, AnyRangeHasThePeaksOfBruteForce)
 {
     RandomWalk walk(1);
@@ -135,6 +137,7 @@ TickSample sampleAt(SteadyTime time, Angle commanded, Angle actual)
     return sample;
 }
 
+// REQ-UI-17 (TelemetryStore.*)
 TEST(TelemetryStore, MemoryIsBoundedAndHoldsHalfAnHour)
 {
     EXPECT_LT(TelemetryStore::bytes(), 25'000'000U);

@@ -34,6 +34,7 @@ TEST(Contrast, OfBlackAndWhiteIs21)
     EXPECT_NEAR(contrast(Qt::black, Qt::white), 21.0, 1e-6);
 }
 
+// REQ-UI-10 (ThemeTest.*): Text contrast is 4.5:1 or better in every theme.
 TEST_P(ThemeTest, EveryToneIsReadableOnTheGroundsItIsWrittenOn)
 {
     const Theme& colours = theme(GetParam());

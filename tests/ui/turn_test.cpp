@@ -57,6 +57,8 @@ protected:
     }
 };
 
+// REQ-UI-14: The question about a wrap opens once, covers nothing, preselects only what is proposed, and one press
+// answers one axis.
 TEST_F(TurnTest, OpensByItselfOnceAndWaitsBehindItsTab)
 {
     EXPECT_FALSE(panels().isTabVisible(panels().indexOf(&page())));
@@ -72,6 +74,7 @@ TEST_F(TurnTest, OpensByItselfOnceAndWaitsBehindItsTab)
     EXPECT_FALSE(panels().isTabVisible(panels().indexOf(&page())));
 }
 
+// REQ-UI-14
 TEST_F(TurnTest, CoversNeitherStopNorStateNorAlarmsAndStopWorks)
 {
     give(samples::update(fewPlaces()));
@@ -88,6 +91,7 @@ TEST_F(TurnTest, CoversNeitherStopNorStateNorAlarmsAndStopWorks)
     EXPECT_EQ(asked<request::Stop>().size(), 3u);
 }
 
+// REQ-UI-14
 TEST_F(TurnTest, TheProposedPlaceIsSelectedAndOnePressAnswers)
 {
     give(samples::update(fewPlaces()));
@@ -100,6 +104,7 @@ TEST_F(TurnTest, TheProposedPlaceIsSelectedAndOnePressAnswers)
     expectAnswered(Axis::Azimuth, 45.1);
 }
 
+// REQ-UI-14
 TEST_F(TurnTest, WithoutAProposalNothingIsSelectedAndNothingCanBeSent)
 {
     give(samples::update(fewPlaces(false)));
@@ -169,6 +174,7 @@ TEST_F(TurnTest, WithoutPlacesTheAngleItselfIsTheAnswer)
 }
 
 // The second press of a double click must not answer for the other axis.
+// REQ-UI-14
 TEST_F(TurnTest, AxesAreAskedOneAfterTheOtherAndADoubleClickAnswersOnlyOne)
 {
     StationStatus both = samples::asking(Axis::Elevation, 3, 30_deg, true);
@@ -263,6 +269,7 @@ TEST_F(TurnTest, SaysHowFarTheAxisMovedSince)
     EXPECT_EQ(text("Moved since the question"), QStringLiteral("moved -12.3° since"));
 }
 
+// REQ-UI-13: A position on an unknown wrap never looks like a known one.
 TEST_F(TurnTest, AnUnknownTurnDoesNotLookKnown)
 {
     give(samples::update(fewPlaces()));
@@ -300,6 +307,7 @@ TEST_F(TurnTest, WorseThanAnUnknownTurnIsSaidFirst)
     EXPECT_EQ(text("Detail of azimuth"), QStringLiteral("the turn is not known"));
 }
 
+// REQ-UI-12
 TEST_F(TurnTest, GoToIsDisabledAndJoggingIsSlow)
 {
     give(samples::update(fewPlaces()));
@@ -355,6 +363,7 @@ memory::TurnQuestion question(std::vector<Angle> candidates, std::optional<Angle
         .candidates = std::move(candidates), .proposed = proposed, .evidence = {}, .period = 30_deg, .movedSince = {}};
 }
 
+// REQ-UI-14 (TurnChoice.*)
 TEST(TurnChoice, FollowsThePickedPlaceWhileTheAxisIsJogged)
 {
     TurnChoice choice;

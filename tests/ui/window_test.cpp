@@ -80,6 +80,7 @@ TEST_F(WindowTest, TheErrorFollowsTheWayTheAxisGoes)
     EXPECT_EQ(text("Error of azimuth"), QStringLiteral("+20.00°"));
 }
 
+// REQ-UI-04
 TEST_F(WindowTest, OldNumbersAreDimmedWithTheirAgeThenNotShown)
 {
     const StationStatus status = samples::tracking(100);
@@ -101,6 +102,7 @@ TEST_F(WindowTest, OldNumbersAreDimmedWithTheirAgeThenNotShown)
 }
 
 // The station thread itself may hang: then no status says that the numbers are old.
+// REQ-UI-04
 TEST_F(WindowTest, ASilentStationAgesTheScreenByItself)
 {
     give(samples::update(samples::tracking(100)));
@@ -138,6 +140,8 @@ TEST_F(WindowTest, GoToByKeyboardAlone)
     EXPECT_NEAR(asked<request::PointSky>().front().direction.elevation.degrees(), 10.0, 1e-9);
 }
 
+// REQ-UI-05: A pressed control shows "requested" until the answer. A refusal stands next to it and the typed value
+// stays.
 TEST_F(WindowTest, ARefusedGoToKeepsTheValueAndShowsTheReason)
 {
     named<QLineEdit>("Azimuth")->setText(QStringLiteral("10"));
@@ -156,6 +160,7 @@ TEST_F(WindowTest, ARefusedGoToKeepsTheValueAndShowsTheReason)
     EXPECT_FALSE(somethingSays("Go: elevation 95.0° above limit 90.0°"));
 }
 
+// REQ-UI-07
 TEST_F(WindowTest, AnUnreadableNumberIsNotSent)
 {
     for (const char* const bad : {"", "abc", "1,5", "nan", "1e999"}) {
@@ -188,6 +193,7 @@ TEST_F(WindowTest, ParkHomeAndHoldHaveTheirRequests)
     EXPECT_TRUE(requests.empty());
 }
 
+// REQ-UI-07: Motion begins only by an explicit act. Typing, letters and a click on the plot move nothing.
 TEST_F(WindowTest, LettersAloneNeverMoveTheAntenna)
 {
     for (int key = Qt::Key_A; key <= Qt::Key_Z; ++key) {
@@ -199,6 +205,7 @@ TEST_F(WindowTest, LettersAloneNeverMoveTheAntenna)
     EXPECT_TRUE(requests.empty());
 }
 
+// REQ-UI-07
 TEST_F(WindowTest, AClickOnThePlotOffersGoHereAsASecondAct)
 {
     auto* const plot = window.findChild<PolarPlot*>();
@@ -249,6 +256,7 @@ TEST_F(WindowTest, TheListOfAlarmsSaysWhichAreOver)
     EXPECT_GT(list.indexOf(QStringLiteral(", over")), list.indexOf(QStringLiteral("fault 38")));
 }
 
+// REQ-UI-05
 TEST_F(WindowTest, AnOldRefusalNextToAnotherControlStaysThere)
 {
     StationStatus holding = samples::idle();
@@ -286,6 +294,7 @@ TEST_F(WindowTest, ATargetOutsideTheLimitsIsToldWithTheReason)
     EXPECT_EQ(named<ValueLabel>("What was done and what to do")->toolTip(), QString()) << "beside \"No alarm\"";
 }
 
+// REQ-UI-09: Closing asks once, only while the mount moves.
 TEST_F(WindowTest, ClosingAsksOnceOnlyWhileTheMountMoves)
 {
     QSignalSpy close(&window, &MainWindow::closeRequested);
@@ -309,6 +318,7 @@ TEST_F(WindowTest, ClosingAsksOnceOnlyWhileTheMountMoves)
     EXPECT_FALSE(window.isVisible());
 }
 
+// REQ-UI-33: Panels and charts chosen are there again at the next start. A magnified plot is not.
 TEST_F(WindowTest, TheChosenPanelsAndChartsAreRemembered)
 {
     openPanel('2');
@@ -336,6 +346,7 @@ TEST_F(WindowTest, TheChosenPanelsAndChartsAreRemembered)
     EXPECT_EQ(wrong.arrangement().charts.window, std::chrono::seconds(60));
 }
 
+// REQ-UI-09
 TEST_F(WindowTest, ClosingAStandingMountDoesNotAsk)
 {
     QSignalSpy close(&window, &MainWindow::closeRequested);

@@ -6,6 +6,7 @@
 namespace boresight {
 namespace {
 
+// REQ-BASE-06 (BusName.*): Bus names are read in one way, for the profile, the command line and the tools.
 TEST(BusName, ReadsTheThreeKindsAndWritesThemBack)
 {
     EXPECT_EQ(parseBusName("simulated"), (BusName{BusKind::Simulated, {}}));

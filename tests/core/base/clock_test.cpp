@@ -7,6 +7,8 @@
 namespace boresight {
 namespace {
 
+// REQ-CONTROL-39a (Clock.*)
+// REQ-BASE-09 (Clock.*): Whether the kernel's clock is synchronised is read from the kernel.
 TEST(Clock, IsSynchronisedWhenTheKernelSaysSo)
 {
     EXPECT_TRUE(isSynchronised(TIME_OK, 0));

@@ -22,6 +22,9 @@ struct Inside : QObject
     QThread*& destroyedOn;
 };
 
+// REQ-MQTT-09d (EdgeThread.*)
+// REQ-BASE-04 (EdgeThread.*): An edge that others can keep busy has a thread of its own. Nobody waits for it but at
+// its end, and what was posted is done then.
 TEST(EdgeThread, JobsRunInOrderOnTheThreadAndNobodyWaits)
 {
     QThread* destroyedOn = nullptr;

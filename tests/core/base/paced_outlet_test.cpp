@@ -29,6 +29,10 @@ struct PacedOutletTest : testing::Test
     PacedOutlet outlet{&owner, [this] { ++sent; }};
 };
 
+// REQ-MQTT-09c (PacedOutletTest.*)
+// REQ-POWER-08 (PacedOutletTest.*)
+// REQ-BASE-05 (PacedOutletTest.*): From one thread to another goes one report every 20 ms at most, and none before the
+// last was taken.
 TEST_F(PacedOutletTest, TheFirstReportGoesOutAtOnceAndTheNextAfterThePause)
 {
     QElapsedTimer time;

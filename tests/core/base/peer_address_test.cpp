@@ -22,6 +22,8 @@ TEST(PeerAddress, ComparesHostsNotSpellings)
     EXPECT_FALSE(sameHost("unknown", "unknown"));
 }
 
+// REQ-ROTCTLD-09 (AllowList.*): Only the addresses and networks of `rotctld.allow` may connect. Others are
+// disconnected at once, with a line in the log, also when the list changes while they are connected.
 TEST(AllowList, EmptyAdmitsEverybody)
 {
     EXPECT_TRUE(AllowList().admits("203.0.113.5"));

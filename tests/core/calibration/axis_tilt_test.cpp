@@ -36,6 +36,8 @@ std::string reason(const std::vector<LevelSample>& samples)
     return tilt ? "accepted" : tilt.error().text;
 }
 
+// REQ-CALIBRATION-10 (AxisTilt.*): Elevations over the same turn give size and direction of the tilt, and the zero of
+// elevation.
 TEST(AxisTilt, IsFoundWithItsDirection)
 {
     const auto tilt = fitAxisTilt(levels(leaning()), {37.4_deg, 1_deg});

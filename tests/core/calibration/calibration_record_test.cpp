@@ -15,6 +15,9 @@ CalibrationRecord step(int north)
     return record;
 }
 
+// REQ-CALIBRATION-18 (CalibrationHistory.*): What was applied is kept with what it replaced, date, site and drives.
+// One can go back and forth in it. What was taken back and then replaced stays to be read. Another drive or site is
+// noticed.
 TEST(CalibrationHistory, GoesBackAndForth)
 {
     CalibrationHistory history;
@@ -51,6 +54,7 @@ TEST(CalibrationHistory, NoMoreIsInForceThanThereIs)
     EXPECT_EQ(CalibrationHistory({step(1)}, 7).inForce(), 1U);
 }
 
+// REQ-CALIBRATION-18 (MountDifference.*)
 TEST(MountDifference, IsAnotherDriveOrAnotherSite)
 {
     const RecordMount then{.azimuthDrive = "a", .elevationDrive = "b", .site = RecordSite{48_deg, 11_deg, 500.0}};

@@ -65,6 +65,8 @@ std::ptrdiff_t count(const CompassSwing& swing, SampleFate fate)
                          [&](const SwingResidual& sample) { return sample.fate == fate; });
 }
 
+// REQ-CALIBRATION-03: A swing finds north, two harmonics, the sense in which the sensor counts, and hysteresis. A
+// still mount cannot find the sense: it is entered.
 TEST(CompassSwing, FindsNorthAndTheCurve)
 {
     const SwungMount mount = hidden();
@@ -81,6 +83,7 @@ TEST(CompassSwing, FindsNorthAndTheCurve)
     EXPECT_NEAR(swing.curve.firstAmplitude().degrees(), 8.0, 0.7);
 }
 
+// REQ-CALIBRATION-09
 TEST(CompassSwing, LaterReadingsAreCorrectedByTheCurve)
 {
     const SwungMount mount = hidden();
@@ -93,6 +96,7 @@ TEST(CompassSwing, LaterReadingsAreCorrectedByTheCurve)
     }
 }
 
+// REQ-CALIBRATION-03
 TEST(CompassSwing, FindsWhichWayTheSensorCounts)
 {
     SwungMount mount = hidden();
@@ -103,6 +107,8 @@ TEST(CompassSwing, FindsWhichWayTheSensorCounts)
     EXPECT_EQ(fitted(hidden()).curve.sense, AzimuthSense::Clockwise);
 }
 
+// REQ-CALIBRATION-04: What is left out is listed and counted with its reason: outlier, magnetometer, motor current
+// above `sensor.swing_current_a`, too fast. At every rate that is offered a healthy mount loses less than a tenth.
 TEST(CompassSwing, ListsWhatItLeavesOut)
 {
     Swung given = swung(hidden());
@@ -123,6 +129,7 @@ TEST(CompassSwing, ListsWhatItLeavesOut)
 
 // Sydney: the compass shows 12.83° too little, and a box face up counts that backwards. The declination is added to
 // north.
+// REQ-CALIBRATION-09
 TEST(CompassSwing, TheDeclinationIsAddedToNorthWhicheverWayTheSensorCounts)
 {
     for (const AzimuthSense sense : {AzimuthSense::Clockwise, AzimuthSense::CounterClockwise}) {
@@ -155,6 +162,7 @@ TEST(CompassSwing, TheCurveKnowsItsElevationAndTheSigmaOfItsConstant)
     EXPECT_FALSE(fitCompassSwing(samples)->curve.elevation.has_value());
 }
 
+// REQ-CALIBRATION-03
 TEST(CompassSwing, ALatencyIsSeenAsHysteresisAndDoesNotMoveNorth)
 {
     SwungMount mount = hidden();
@@ -174,6 +182,7 @@ TEST(CompassSwing, ALatencyIsSeenAsHysteresisAndDoesNotMoveNorth)
     EXPECT_NEAR(oneWay.systematic.degrees(), std::hypot(std::hypot(1.0, softIron), std::hypot(0.5, latency)), 1e-9);
 }
 
+// REQ-CALIBRATION-06: A sector in which steel deflects the needle is painted, not fitted.
 TEST(CompassSwing, PaintsASectorWhereSteelIs)
 {
     SwungMount mount = hidden();
@@ -191,6 +200,7 @@ TEST(CompassSwing, PaintsASectorWhereSteelIs)
     EXPECT_TRUE(swing.curve.isReliable(100_deg));
 }
 
+// REQ-CALIBRATION-06
 TEST(CompassSwing, ASectorMayLieAcrossNorth)
 {
     SwungMount mount = hidden();
@@ -203,6 +213,7 @@ TEST(CompassSwing, ASectorMayLieAcrossNorth)
     EXPECT_NEAR(swing.curve.unreliable.front().residual.degrees(), -15.0, 1.5);
 }
 
+// REQ-CALIBRATION-07: A place where a compass is of no use is reported as such, with plain reasons.
 TEST(CompassSwing, SaysWhenThePlaceIsHopeless)
 {
     SwungMount noisy = hidden();
@@ -223,6 +234,7 @@ TEST(CompassSwing, SaysWhenThePlaceIsHopeless)
     EXPECT_THAT(fitted(flips).hopeless, Contains(HasSubstr("readings are far off the curve")));
 }
 
+// REQ-CALIBRATION-07
 TEST(CompassSwing, SaysWhenTheNeedleFollowsTheMotors)
 {
     Swung given = swung(hidden());
@@ -236,6 +248,7 @@ TEST(CompassSwing, SaysWhenTheNeedleFollowsTheMotors)
     EXPECT_THAT(swing->hints, Contains(HasSubstr("the compass follows the motors' current")));
 }
 
+// REQ-CALIBRATION-05: It fits no more than the part of the circle that was seen supports, and reports it.
 TEST(CompassSwing, FitsLessWhereLessOfTheCircleWasSeen)
 {
     const SwungMount mount = hidden();
@@ -249,6 +262,7 @@ TEST(CompassSwing, FitsLessWhereLessOfTheCircleWasSeen)
                 HasSubstr("a swing has to see more of the circle"));
 }
 
+// REQ-CALIBRATION-05
 TEST(CompassSwing, ToldOfUnequalFilling)
 {
     Swung given = swung(hidden());
@@ -264,6 +278,7 @@ TEST(CompassSwing, ToldOfUnequalFilling)
     EXPECT_THAT(swing->hints, Contains(HasSubstr("unequally filled")));
 }
 
+// REQ-CALIBRATION-05
 TEST(CompassSwing, StopsAtEightHeadingsAreEnough)
 {
     const SwungMount mount = hidden();
@@ -315,6 +330,8 @@ TEST(CompassSwing, IsRefusedWithTheReason)
 }
 
 // The bench program "swing" does the same with 1000 mounts.
+// REQ-CALIBRATION-08: North is within 2° after the swing. The true error is within two of the sigmas shown in 95 % of
+// random mounts.
 TEST(CompassSwing, TheSigmaIsHonestForRandomMounts)
 {
     for (const Needle needle : {Needle::Harmonics, Needle::Iron}) {

@@ -21,6 +21,8 @@ DeviationCurve strong(AzimuthSense sense = AzimuthSense::Clockwise)
             .unreliable = {{.from = 200_deg, .to = 230_deg, .residual = 15_deg}}};
 }
 
+// REQ-CALIBRATION-09 (DeviationCurve.*): Later readings are corrected by the exact inverse of the curve, which is a
+// curve of the true heading. Declination is added to north, whichever way the sensor counts.
 TEST(DeviationCurve, IsWhatTheFormulaSays)
 {
     const DeviationCurve curve = strong();

@@ -73,6 +73,7 @@ Angle offsetBySensor(const SwungMount& mount, const DeviationCurve& curve, doubl
     return offset->offset.value;
 }
 
+// REQ-CALIBRATION-21: The whole way holds together: swing, tilt, points of the Sun, sensor corrected by the Sun.
 TEST(Procedure, FromNothingToTheSun)
 {
     std::mt19937_64 random(37);

@@ -90,6 +90,9 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return at == std::string::npos ? text : text.replace(at, what.size(), with);
 }
 
+// REQ-CALIBRATION-19 (RecordText.*): A history is a TOML file, in degrees. Everything survives to a billionth of a
+// degree. Unknown, missing or wrong keys are all reported at once with their lines. What could not be read again is
+// not written.
 TEST(RecordText, EverythingSurvives)
 {
     const CalibrationHistory history({full(), bare(), full()}, 2, {full()});

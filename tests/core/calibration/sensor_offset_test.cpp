@@ -44,6 +44,8 @@ std::string offsetReason(const std::vector<SensorReading>& readings)
     return offset ? "accepted" : offset.error().text;
 }
 
+// REQ-CALIBRATION-01: North from a still mount is a mean over the circle. It is refused, with the reason, while the
+// calibration is below 2, a motor draws current, the mount moves, or readings are few, drift or disagree.
 TEST(SensorOffset, IsTheMeanOverTheCircle)
 {
     const auto offset = sensorOffset(readings(99.9, 0.5, 60));  // the headings are on both sides of the axis
@@ -55,6 +57,7 @@ TEST(SensorOffset, IsTheMeanOverTheCircle)
     EXPECT_EQ(throughNorth->used, 60U);
 }
 
+// REQ-CALIBRATION-02
 TEST(SensorOffset, IsAsUncertainAsTheDeviationThatIsNotSeen)
 {
     const auto offset = sensorOffset(readings(137.4, 0.5, 100));
@@ -63,6 +66,7 @@ TEST(SensorOffset, IsAsUncertainAsTheDeviationThatIsNotSeen)
     EXPECT_NEAR(offset->offset.sigma.degrees(), std::hypot(6.0, 0.5), 0.01);
 }
 
+// REQ-CALIBRATION-02
 TEST(SensorOffset, UsesTheCurveOfASwing)
 {
     DeviationCurve curve;
@@ -91,6 +95,7 @@ TEST(SensorOffset, UsesTheCurveOfASwing)
 }
 
 // A box face up counts against the compass. Nothing in a still mount's readings tells that: it has to be known.
+// REQ-CALIBRATION-03
 TEST(SensorOffset, ASensorMayCountAgainstTheCompass)
 {
     const auto still = readings(360.0 - 137.4, 0.5, 60);
@@ -116,6 +121,7 @@ TEST(SensorOffset, TheDeclinationIsAddedToNorthWhicheverWayTheSensorCounts)
 }
 
 // At another elevation other parts of the iron lie across the needle.
+// REQ-CALIBRATION-02
 TEST(SensorOffset, IsLessCertainAwayFromTheElevationOfTheSwing)
 {
     DeviationCurve curve;
@@ -137,6 +143,9 @@ TEST(SensorOffset, IsLessCertainAwayFromTheElevationOfTheSwing)
 
 // Noise that lasts from one reading to the next does not average out as fast: the true error is within two of the
 // statistical sigmas nearly always, and would not be if the readings were taken as independent.
+// REQ-CALIBRATION-02: Its sigma allows for noise that lasts from one reading to the next, and for the deviation that
+// one heading does not show. After a swing the curve is used, with the sigma of its constant and of what another
+// elevation changes.
 TEST(SensorOffset, ReckonsWithNoiseThatLasts)
 {
     int inside = 0;
@@ -164,6 +173,7 @@ TEST(SensorOffset, LeavesOutWhatPointsAnywhere)
     EXPECT_NEAR(offBy(*offset, 37.4), 0.0, 0.25);
 }
 
+// REQ-CALIBRATION-01
 TEST(SensorOffset, IsRefusedWithTheReason)
 {
     auto still = readings(137.4, 0.5, 30);

@@ -35,6 +35,7 @@ double worst(const std::vector<SwingDot>& dots)
     return largest;
 }
 
+// REQ-CALIBRATION-04 (SwingTally.*)
 TEST(SwingTally, SaysHowManyAndWhy)
 {
     auto samples = swung();
@@ -68,6 +69,7 @@ TEST(SwingTally, ManyThatAreLeftOutAreToldWithTheResult)
 }
 
 // What is drawn while it turns lies where the fit will put it, but for the mean of the deviation.
+// REQ-CALIBRATION-04a (SwingDots.*): Its readings are seen as they come, around the heading that they show so far.
 TEST(SwingDots, LieAboutTheTrueHeadingWhicheverWayTheSensorCounts)
 {
     for (const AzimuthSense sense : {AzimuthSense::Clockwise, AzimuthSense::CounterClockwise}) {

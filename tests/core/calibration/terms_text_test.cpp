@@ -53,6 +53,8 @@ std::string with(const std::string& what, const std::string& instead)
     return at == std::string::npos ? text : text.replace(at, what.size(), instead);
 }
 
+// REQ-CALIBRATION-20 (TermsText.*): Terms can be exchanged as a small text with their mount, date, site and drives.
+// What is wrong in a text is reported with its line.
 TEST(TermsText, EverythingSurvives)
 {
     const TermSheet sheet = fullTerms();

@@ -75,6 +75,8 @@ protected:
     }
 };
 
+// REQ-CAN-15 (InterfaceReportTest.*): A wrong bit rate, sample point or a classic mode of a real interface is
+// reported, found beside wanted, with the commands. A virtual interface has no timing.
 TEST_F(InterfaceReportTest, QuestionNamesTheInterface)
 {
     EXPECT_EQ(interfaceQuestion(3, 1), bytesOf("20000000 1200 0100 01000000 00000000"      // RTM_GETLINK, NLM_F_REQUEST
@@ -130,6 +132,7 @@ TEST_F(InterfaceReportTest, OtherMessagesAreRefused)
                      .has_value());
 }
 
+// REQ-CAN-15 (BitTimingTest.*)
 TEST(BitTimingTest, WhatAdaptersCanMakeOfTheWantedTimingIsRight)
 {
     EXPECT_EQ(timingTrouble(adapter()), QString());
@@ -174,6 +177,7 @@ TEST(BitTimingTest, ClassicModeIsSaidOnce)
     EXPECT_THAT(timingTrouble(report).toStdString(), HasSubstr(": CAN-FD off (wanted on); `ip"));
 }
 
+// REQ-CAN-16: Silence on a bus that is up has one advice for every kind of bus.
 TEST(BusAdviceTest, SilenceNamesTimingWiringPowerAndIds)
 {
     const std::string onCan = silenceAdvice({BusKind::SocketCan, "can0"}).toStdString();

@@ -78,6 +78,7 @@ protected:
     QSignalSpy changes{&link, &CanLink::statusChanged};
 };
 
+// REQ-CAN-05: Both axes' frames leave in one write. A batch that stops half-way reports how far it came.
 TEST_F(FdcanusbLinkTest, BothAxesGoOutInOneWriteAndRepliesComeIn)
 {
     ASSERT_TRUE(link.send(std::array{frameTo(0x8001, {0x11, 0x00}), frameTo(0x8002, {0x11, 0x00})}).has_value());
@@ -105,6 +106,7 @@ TEST_F(FdcanusbLinkTest, HalfALineWaitsForItsRestWhereverItIsCut)
     EXPECT_EQ(link.status().dropped, 0U);
 }
 
+// REQ-CAN-03
 TEST_F(FdcanusbLinkTest, GarbageIsCountedAndNeverUsed)
 {
     adapter.write("rcv 0100 21 e B F r x-1 *00\r\n\x01\xff\xfe nonsense\nrcv 0100 2\n" + QByteArray(1000, 'x') +
@@ -115,6 +117,8 @@ TEST_F(FdcanusbLinkTest, GarbageIsCountedAndNeverUsed)
     EXPECT_EQ(link.status().state, LinkState::Up);
 }
 
+// REQ-CAN-06: An OK that does not come within 50 ms, and every ERR, is counted and reported until a frame is confirmed
+// again.
 TEST_F(FdcanusbLinkTest, MissingOkIsCountedAndSaidUntilTheNextOk)
 {
     ASSERT_TRUE(link.send(std::array{frameTo(0x8001, {0x50}), frameTo(0x8002, {0x50})}).has_value());
@@ -132,6 +136,7 @@ TEST_F(FdcanusbLinkTest, MissingOkIsCountedAndSaidUntilTheNextOk)
     EXPECT_EQ(link.status().busErrors, 2U);  // the third was confirmed
 }
 
+// REQ-CAN-06
 TEST_F(FdcanusbLinkTest, ErrIsShownWithTheAdaptersWords)
 {
     sendOne();
@@ -157,6 +162,7 @@ TEST_F(FdcanusbLinkTest, ShowsADamagedRefusalPrintable)
                           ": the adapter refuses a frame: inv?[2Jalid?; check its firmware and its can.* settings");
 }
 
+// REQ-CAN-07
 TEST_F(FdcanusbLinkTest, AdapterOffTheBusIsDownAndIsSwitchedOn)
 {
     sendOne();
@@ -183,6 +189,8 @@ TEST_F(FdcanusbLinkTest, AdapterOffTheBusIsDownAndIsSwitchedOn)
 
 // The firmware confirms frames with OK although its controller is bus-off: only "can status" tells. Asked after 200 ms
 // of silence, so that it is on the screen within 300 ms.
+// REQ-CAN-07: A silent adapter is asked for its bus status after 200 ms. Bus-off is reported, and restarted at most
+// once a second.
 TEST_F(FdcanusbLinkTest, SilentBusIsAskedForItsStatusAndRestarted)
 {
     clock.advance(199ms);
@@ -229,6 +237,7 @@ TEST_F(FdcanusbLinkTest, BusOffIsNotHiddenByTheRefusalsThatFollow)
 }
 
 // Down for good: asked five times a second, restarted once.
+// REQ-CAN-07
 TEST_F(FdcanusbLinkTest, ControllerIsRestartedOnceASecond)
 {
     int restarts = 0;
@@ -269,6 +278,7 @@ TEST_F(FdcanusbLinkTest, StatusThatIsNotKnownToTheAdapterIsNoTrouble)
     EXPECT_EQ(text(), "");
 }
 
+// REQ-CAN-09: Unplugging is noticed at once. A killed program does not keep the port.
 TEST_F(FdcanusbLinkTest, UnpluggedAdapterIsLostAtOnceAndOpensAgain)
 {
     QElapsedTimer timer;
@@ -299,6 +309,7 @@ TEST_F(FdcanusbLinkTest, AdapterGoneBetweenTwoSendsIsLost)
 }
 
 // Neither the lock file nor the kernel's exclusive mark of a killed program keeps the next one out.
+// REQ-CAN-09
 TEST_F(FdcanusbLinkTest, PortOfAKilledProgramOpensAgain)
 {
     link.close();
@@ -350,6 +361,7 @@ TEST_F(FdcanusbLinkTest, AdapterThatTakesNoDataIsReported)
     EXPECT_THAT(result.error().text, HasSubstr("takes no more data"));
 }
 
+// REQ-CAN-04: An impossible frame is refused before any frame of its batch is sent.
 TEST_F(FdcanusbLinkTest, ImpossibleFrameIsRefusedAndNothingOfTheBatchIsSent)
 {
     const auto result = link.send(std::array{frameTo(0x8001, {0x50}), frameTo(0x2000'0000, {0x50})});
@@ -359,6 +371,7 @@ TEST_F(FdcanusbLinkTest, ImpossibleFrameIsRefusedAndNothingOfTheBatchIsSent)
     EXPECT_TRUE(written("can send 8001 50 BF\n"));
 }
 
+// REQ-CAN-08: Checksum mode adds checksums and takes no line without.
 TEST_F(FdcanusbLinkTest, ChecksumModeAddsAndDemandsChecksums)
 {
     link.close();
@@ -396,6 +409,8 @@ TEST_F(FdcanusbLinkTest, OpenErrorsNameTheRemedy)
 }
 
 // The maker's tools take no lock: the kernel tells who has the port open.
+// REQ-CAN-19: A port that another program of any user has open or locked is not shared: that program is named. The
+// kernel's exclusive mark stays on a real port.
 TEST_F(FdcanusbLinkTest, PortInUseNamesTheProgramThatHoldsIt)
 {
     link.close();
@@ -451,6 +466,8 @@ protected:
     FdcanusbLink link{port.path(), clock};
 };
 
+// REQ-CAN-23 (FdcanusbProbeTest.*): A port behind which no adapter answers gets one question and nothing else, and is
+// given back, until the operator acts or another device takes its place. A stall of this computer is no silence.
 TEST_F(FdcanusbProbeTest, SilentPortHearsOneQuestionAndNothingElse)
 {
     openPort();
@@ -563,6 +580,7 @@ TEST_F(FdcanusbProbeTest, StallOfThisComputerIsNoSilenceOfTheAdapter)
 // Story: a second program of another user took the adapter of the running service. It sees neither the open files of
 // the service nor the folder of its lock file. Here the holder is this program itself, which the look at /proc leaves
 // out.
+// REQ-CAN-19
 TEST_F(FdcanusbLinkTest, PortThatIsLockedInAnyWayIsRefused)
 {
     link.close();
@@ -578,6 +596,7 @@ TEST_F(FdcanusbLinkTest, PortThatIsLockedInAnyWayIsRefused)
     open(link);
 }
 
+// REQ-CAN-19
 TEST_F(FdcanusbLinkTest, OpenPortIsLockedForOthersUntilItIsClosed)
 {
     const FileDescriptor other(::open(adapter.path().toLocal8Bit().constData(), O_RDWR | O_NOCTTY | O_CLOEXEC));
@@ -587,6 +606,7 @@ TEST_F(FdcanusbLinkTest, OpenPortIsLockedForOthersUntilItIsClosed)
 }
 
 // The kernel's exclusive mark stays on real ports: those of USB adapters (166, 188) and of the board (4).
+// REQ-CAN-19 (SerialPortCheck.*)
 TEST(SerialPortCheck, OnlyAPseudoTerminalIsOne)
 {
     EXPECT_FALSE(isPseudoTerminal(makedev(166, 0)));
@@ -599,6 +619,7 @@ TEST(SerialPortCheck, OnlyAPseudoTerminalIsOne)
     EXPECT_TRUE(isPseudoTerminal(end.number()));
 }
 
+// REQ-CAN-13
 TEST_F(FdcanusbLinkTest, MissingPermissionNamesTheUdevRule)
 {
     link.close();

@@ -130,6 +130,7 @@ TEST(FdcanusbProtocol, ChecksumIsVerifiedWhenPresentAndDemandedInChecksumMode)
 }
 
 // CRC-8 finds every error confined to 8 bits, so every single character.
+// REQ-CAN-08
 TEST(FdcanusbProtocol, NoSingleDamagedCharacterPassesTheChecksum)
 {
     const std::string good = withChecksum("rcv 0100 429F64 e B F r x-1");
@@ -144,6 +145,7 @@ TEST(FdcanusbProtocol, NoSingleDamagedCharacterPassesTheChecksum)
 }
 
 // Whatever the mutation, the parser survives, and what it lets through is a frame that a bus can carry.
+// REQ-CAN-03: A damaged, half, over-long or unknown line is counted and never used.
 TEST(FdcanusbProtocol, MutatedLinesNeverYieldAnImpossibleFrame)
 {
     const std::vector<std::string> seeds{"rcv 0100 CEBDE68D7DB39AD27643196A0173BCEB32294EAB e B F r x-1",
@@ -214,6 +216,7 @@ void expectSameCommand(const std::string& ours, const std::string& golden)
     }
 }
 
+// REQ-CAN-01
 TEST(FdcanusbGolden, LinesToTheAdapter)
 {
     const QJsonArray lines = goldenLines();
@@ -234,6 +237,7 @@ TEST(FdcanusbGolden, LinesToTheAdapter)
     }
 }
 
+// REQ-CAN-02
 TEST(FdcanusbGolden, LinesFromTheAdapter)
 {
     const QJsonArray lines = goldenLines();

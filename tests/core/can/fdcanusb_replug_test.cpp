@@ -67,6 +67,9 @@ protected:
     FdcanusbLink link{StablePort(first.path(), folder.filePath(QStringLiteral("by-id"))), clock};
 };
 
+// REQ-CAN-18 (FdcanusbReplugTest.*): An adapter configured by a name of the kernel's (`/dev/ttyACM0`) is found again
+// under its name in `/dev/serial/by-id`, whatever the kernel calls it now. Another device under the old name is left
+// alone.
 TEST_F(FdcanusbReplugTest, AdapterIsFoundAgainUnderItsStableName)
 {
     unplugFirst();

@@ -37,6 +37,7 @@ TEST(LineChecksum, IsTakenOffAndJudged)
     }
 }
 
+// REQ-CAN-03 (LineSplitter.*)
 TEST(LineSplitter, AnySplitGivesTheSameLines)
 {
     const std::string stream = "OK\r\nrcv 0100 11 E\n\n\rERR x\rhalf";

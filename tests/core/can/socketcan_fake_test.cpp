@@ -159,6 +159,7 @@ TEST_F(SocketCanFakeTest, BusOffIsDownUntilTheControllerRestarts)
     EXPECT_EQ(link.status().busErrors, 1U);
 }
 
+// REQ-CAN-11
 TEST_F(SocketCanFakeTest, ErrorPassiveAndMissingAcknowledgeAreSaidUntilAFrameComesThrough)
 {
     putError(CAN_ERR_CRTL, CAN_ERR_CRTL_TX_PASSIVE);
@@ -187,6 +188,7 @@ TEST_F(SocketCanFakeTest, FloodOfErrorFramesIsSaidOnceAndCounted)
 }
 
 // Frames come through between the damaged ones: the text must not flicker, and goes when the damage is over.
+// REQ-CAN-11
 TEST_F(SocketCanFakeTest, DamagedFramesAreForgottenAfterASecondWithout)
 {
     qsizetype count = 0;
@@ -208,6 +210,7 @@ TEST_F(SocketCanFakeTest, DamagedFramesAreForgottenAfterASecondWithout)
 }
 
 // Some drivers report a missing acknowledge as a violation of the protocol in the acknowledge slot.
+// REQ-CAN-11
 TEST_F(SocketCanFakeTest, MissingAcknowledgeIsKnownByItsPlaceInTheFrame)
 {
     RawFrame raw;
@@ -221,6 +224,7 @@ TEST_F(SocketCanFakeTest, MissingAcknowledgeIsKnownByItsPlaceInTheFrame)
 }
 
 // A flood is a warning after one window of 200 ms and stays one until the bus is quiet again.
+// REQ-CAN-20
 TEST_F(SocketCanFakeTest, FloodOfAnotherProgramIsSaid)
 {
     qsizetype count = 0;
@@ -265,6 +269,7 @@ protected:
     }
 };
 
+// REQ-CAN-15 (SocketCanTimingTest.*)
 TEST_F(SocketCanTimingTest, WrongBitRateIsAWarningUntilTheInterfaceIsSetRight)
 {
     can.told = adapter();
@@ -292,6 +297,7 @@ TEST_F(SocketCanTimingTest, WrongTimingIsToldBesideWhatItCauses)
 }
 
 // A bus that was off before the program started sends no error frame about it.
+// REQ-CAN-11
 TEST_F(SocketCanTimingTest, BusOffFromBeforeIsSeenAtOpening)
 {
     can.told = adapter();
@@ -327,6 +333,7 @@ TEST_F(SocketCanFakeTest, FullTransmitQueueTellsHowManyFramesLeft)
     EXPECT_EQ(text(), "");
 }
 
+// REQ-CAN-04
 TEST_F(SocketCanFakeTest, ImpossibleFrameIsRefusedAndNothingOfTheBatchIsSent)
 {
     EXPECT_EQ(link.send(std::array{frameTo(0x8001), frameTo(0x20000000)}).error().code, ErrorCode::InvalidInput);
@@ -339,6 +346,7 @@ TEST_F(SocketCanFakeTest, BrokenSocketIsLostNotIgnored)
     EXPECT_TRUE(becomes(LinkState::Lost));
 }
 
+// REQ-CAN-14: The receiver of a frame may close the link.
 TEST_F(SocketCanFakeTest, ReceiverMayCloseTheLink)
 {
     QObject::connect(&link, &CanLink::frameReceived, &link, &CanLink::close);

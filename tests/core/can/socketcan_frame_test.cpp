@@ -18,6 +18,8 @@ CanFrame frameOf(std::uint32_t id, std::size_t size)
     return frame;
 }
 
+// REQ-CAN-01 (SocketCanFrame.*): Frames reach the wire as CAN-FD with bit-rate switch, extended identifier above
+// 0x7FF, padded with 0x50.
 TEST(SocketCanFrame, RequestIsExtendedFdWithBitRateSwitchPaddedWithNop)
 {
     const RawFrame raw = toRaw(frameOf(0x8001, 9)).value();
@@ -102,6 +104,8 @@ ErrorReport reportOf(canid_t errorClass, std::uint8_t controller = 0)
     return readErrorFrame(raw);
 }
 
+// REQ-CAN-11: Bus-off, error-passive, missing acknowledge and damaged frames are told apart, each with its remedy. So
+// is a bus-off from before we came.
 TEST(SocketCanFrame, ErrorFramesAreToldApart)
 {
     EXPECT_EQ(reportOf(CAN_ERR_BUSOFF), ErrorReport{.busOff = true});

@@ -99,6 +99,7 @@ TEST_F(SocketCanLinkTest, TwoLinksOnOneBusHearEachOtherAndNotThemselves)
     EXPECT_EQ(link.status().received, 1U);
 }
 
+// REQ-CAN-01
 TEST_F(SocketCanLinkTest, CandumpSeesFlagsIdentifiersAndPadding)
 {
     if (QStandardPaths::findExecutable(QStringLiteral("candump")).isEmpty()) {
@@ -133,6 +134,7 @@ TEST_F(SocketCanLinkTest, CandumpSeesFlagsIdentifiersAndPadding)
     EXPECT_THAT(lines, testing::ContainsRegex("boresight0 102#1111\n"));
 }
 
+// REQ-CAN-02: What is received comes out bit for bit, stamped with the time of arrival.
 TEST_F(SocketCanLinkTest, FramesOfCansendAreRead)
 {
     if (QStandardPaths::findExecutable(QStringLiteral("cansend")).isEmpty()) {
@@ -150,6 +152,7 @@ TEST_F(SocketCanLinkTest, FramesOfCansendAreRead)
     EXPECT_TRUE(!received(2).flexibleData && !received(2).bitRateSwitch && !received(2).extended);
 }
 
+// REQ-CAN-11
 TEST_F(SocketCanLinkTest, ErrorFramesOfTheKernelAreUnderstood)
 {
     if (QStandardPaths::findExecutable(QStringLiteral("cansend")).isEmpty()) {
@@ -167,6 +170,7 @@ TEST_F(SocketCanLinkTest, ErrorFramesOfTheKernelAreUnderstood)
 }
 
 // The screen shows what the link says within one of its updates (50 ms), so that 250 ms are left for noticing.
+// REQ-CAN-17: A change of the interface is noticed within 250 ms.
 TEST_F(SocketCanLinkTest, ChangesAreNoticedInTime)
 {
     const std::array<std::pair<const char*, LinkState>, 3> changes{{{"ip link set boresight0 down", LinkState::Down},
@@ -182,6 +186,7 @@ TEST_F(SocketCanLinkTest, ChangesAreNoticedInTime)
     }
 }
 
+// REQ-CAN-10: Interface down, up, removed or replaced is noticed at once, also when nothing is sent.
 TEST_F(SocketCanLinkTest, DownAndUpAreNoticedWithoutSending)
 {
     ASSERT_TRUE(run("ip link set boresight0 down"));
@@ -214,6 +219,7 @@ TEST_F(SocketCanLinkTest, OpensAnInterfaceThatIsDownAndComesUpWithIt)
     EXPECT_TRUE(link.send(std::array{frameTo(0x8001)}).has_value());
 }
 
+// REQ-CAN-10
 TEST_F(SocketCanLinkTest, RemovedInterfaceIsLostAndOpensAgainWhenItIsBack)
 {
     ASSERT_TRUE(run("ip link del boresight0"));
@@ -233,12 +239,14 @@ TEST_F(SocketCanLinkTest, SendIntoARemovedInterfaceIsLost)
 }
 
 // An interface of the same name is another one: the old socket hears nothing of it.
+// REQ-CAN-10
 TEST_F(SocketCanLinkTest, ReplacedInterfaceIsLost)
 {
     ASSERT_TRUE(run("ip link del boresight0 && ip link add boresight0 type vcan && ip link set boresight0 mtu 72 up"));
     EXPECT_TRUE(becomes(LinkState::Lost));
 }
 
+// REQ-CAN-13: Open errors name the port or interface and the remedy.
 TEST_F(SocketCanLinkTest, OpenErrorsNameTheRemedy)
 {
     SocketCanLink loopback(QStringLiteral("lo"), clock);
@@ -248,6 +256,7 @@ TEST_F(SocketCanLinkTest, OpenErrorsNameTheRemedy)
     EXPECT_THAT(link.open().error().text, HasSubstr("boresight0 is not a CAN-FD interface (mtu 16): `ip link set"));
 }
 
+// REQ-CAN-15
 TEST_F(SocketCanLinkTest, KernelTellsThatAVirtualInterfaceHasNoTiming)
 {
     socketcan::KernelCanInterface access(QStringLiteral("boresight0"));
@@ -263,6 +272,7 @@ TEST_F(SocketCanLinkTest, KernelTellsThatAVirtualInterfaceHasNoTiming)
 
 // A serial-line adapter on a pseudo-terminal is a real controller to the kernel, though without CAN-FD: what it tells
 // of its timing is read, and opening it is refused with the remedy.
+// REQ-CAN-15
 TEST_F(SocketCanLinkTest, KernelTellsTheBitTimingOfAController)
 {
     constexpr int kSerialLineCan = 17;  // N_SLCAN
@@ -293,6 +303,7 @@ TEST_F(SocketCanLinkTest, KernelTellsTheBitTimingOfAController)
     std::printf("the kernel says of %s: %s\n", name.c_str(), trouble.c_str());
 }
 
+// REQ-CAN-12: Frames that the kernel dropped are counted, none twice.
 TEST_F(SocketCanLinkTest, FramesThatTheKernelDropsAreCounted)
 {
     SocketCanLink talker(QStringLiteral("boresight0"), clock);
@@ -313,6 +324,7 @@ TEST_F(SocketCanLinkTest, FramesThatTheKernelDropsAreCounted)
 
 // A token bucket of one small frame in front of the interface: the kernel answers ENOBUFS, as a real adapter does when
 // nothing on the bus acknowledges.
+// REQ-CAN-05
 TEST_F(SocketCanLinkTest, FullTransmitQueueStopsTheBatchAndIsSaid)
 {
     if (!run("modprobe -d /run/uml sch_tbf 2>/dev/null && "

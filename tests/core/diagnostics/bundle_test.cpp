@@ -78,6 +78,8 @@ struct Rig
     Snapshot snapshot;
 };
 
+// REQ-DIAGNOSTICS-01: The archive is a .tar.gz with one folder, which `tar` unpacks. A README.txt in it names every
+// file and what it is.
 TEST(DiagnosticsBundle, IsUnpackedByTarAndTellsWhatEachFileIs)
 {
     Rig rig;
@@ -95,6 +97,9 @@ TEST(DiagnosticsBundle, IsUnpackedByTarAndTellsWhatEachFileIs)
     EXPECT_EQ(proposedName(kWhen), QStringLiteral("boresight-20261121T181730Z.tar.gz"));
 }
 
+// REQ-DIAGNOSTICS-02: The archive holds: versions of program, Qt, kernel and drive firmware, the drives' configuration
+// as read, crash-stop proofs, the profile, also the one that waits, state, clients and alarms, logs, the position
+// journal, the time in UTC.
 TEST(DiagnosticsBundle, HasWhatABugReportNeeds)
 {
     Rig rig;
@@ -120,6 +125,7 @@ TEST(DiagnosticsBundle, HasWhatABugReportNeeds)
 }
 
 // Whatever file of it one looks into.
+// REQ-DIAGNOSTICS-03: The archive holds no passwords.
 TEST(DiagnosticsBundle, HasNoPasswords)
 {
     Rig rig;
@@ -136,6 +142,7 @@ TEST(DiagnosticsBundle, HasNoPasswords)
     EXPECT_TRUE(shown->file.bytes.contains("password = \"(hidden)\"\n"));
 }
 
+// REQ-DIAGNOSTICS-04: A state folder without files, or with one that cannot be read, spoils nothing.
 TEST(DiagnosticsBundle, AMissingLogIsLeftOutAndAnUnreadableOneIsTold)
 {
     Rig rig;
@@ -146,6 +153,7 @@ TEST(DiagnosticsBundle, AMissingLogIsLeftOutAndAnUnreadableOneIsTold)
     EXPECT_FALSE(dir.exists(QStringLiteral("events.log.1")));
 }
 
+// REQ-DIAGNOSTICS-05: A place that cannot be written to is reported with path and reason. What was there stays.
 TEST(DiagnosticsBundle, AnUnwritablePlaceIsToldAndLeavesWhatWasThere)
 {
     Rig rig;

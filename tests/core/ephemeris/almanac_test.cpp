@@ -39,6 +39,7 @@ std::map<Body, Worst> compareWithTheTable()
 }  // namespace
 
 // 120 times of 2024 to 2030 at three sites each, and one whole day.
+// REQ-EPHEMERIS-01: Sun within 0.05′, Moon within 0.3′ of the reference table, 2024 to 2030, at three latitudes.
 TEST(Almanac, MeetsTheTableOfSunAndMoon)
 {
     const auto worst = compareWithTheTable();
@@ -54,6 +55,7 @@ TEST(Almanac, MeetsTheTableOfSunAndMoon)
 
 // The worked example of Reda and Andreas, "Solar Position Algorithm for Solar Radiation Applications",
 // NREL/TP-560-34302 (2008), table A5.1: it knows nothing of ERFA, and lies before two of the leap seconds.
+// REQ-EPHEMERIS-02: The Sun agrees with a published example that was computed in another way.
 TEST(Almanac, MeetsThePublishedExampleOfTheSun)
 {
     Almanac golden({.latitude = 39.742476_deg, .longitude = -105.1786_deg, .heightMetres = 1830.14});
@@ -65,6 +67,7 @@ TEST(Almanac, MeetsThePublishedExampleOfTheSun)
 }
 
 // From the distance of the day, 3 January and 6 July 2026: the Sun is widest and narrowest then (32.5′ and 31.5′).
+// REQ-EPHEMERIS-03: The almanac knows how wide the discs are.
 TEST(Almanac, TellsHowWideTheDiscsAre)
 {
     Almanac lisbon(siteOf("Lisbon"));
@@ -78,6 +81,7 @@ TEST(Almanac, TellsHowWideTheDiscsAre)
 }
 
 // What is remembered for a minute changes no answer, in whatever order the times come.
+// REQ-EPHEMERIS-04: What is remembered from call to call changes no answer.
 TEST(Almanac, RemembersNothingThatShows)
 {
     Almanac used(siteOf("Sydney"));
@@ -91,6 +95,7 @@ TEST(Almanac, RemembersNothingThatShows)
 }
 
 // And nothing leaps when one minute's axis takes over from another's: from second to second the way is the same.
+// REQ-EPHEMERIS-04
 TEST(Almanac, MovesEvenlyFromMinuteToMinute)
 {
     Almanac sydney(siteOf("Sydney"));

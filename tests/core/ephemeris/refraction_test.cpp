@@ -24,6 +24,7 @@ double bennett(double degrees)
 }  // namespace
 
 // Sæmundsson's values at 1010 hPa and 10 °C.
+// REQ-EPHEMERIS-05: Refraction of light as published, of radio waves larger with moisture.
 TEST(Refraction, OfLightHasItsKnownValues)
 {
     EXPECT_NEAR(arcMinutes(0_deg), 29.0, 0.1);
@@ -36,12 +37,14 @@ TEST(Refraction, OfLightHasItsKnownValues)
     EXPECT_NEAR(arcMinutes(90_deg), 0.0, 0.003);
 }
 
+// REQ-EPHEMERIS-05
 TEST(Refraction, GrowsWithTheDensityOfTheAir)
 {
     EXPECT_NEAR(arcMinutes(10_deg, Refraction::Light, {.pressureHectopascal = 505.0}), arcMinutes(10_deg) / 2.0, 1e-9);
     EXPECT_GT(arcMinutes(10_deg, Refraction::Light, {.temperatureCelsius = -20.0}), arcMinutes(10_deg));
 }
 
+// REQ-EPHEMERIS-06
 TEST(Refraction, CanBeLeftOut)
 {
     const SkyPointing low{.azimuth = 123_deg, .elevation = 0.5_deg};
@@ -50,6 +53,7 @@ TEST(Refraction, CanBeLeftOut)
 }
 
 // 13.5′ at 5° for radio waves where it is hot and moist, 5 to 10 % more than light where it is not.
+// REQ-EPHEMERIS-05
 TEST(Refraction, OfRadioWavesGrowsWithMoisture)
 {
     const Air tropics{.pressureHectopascal = 1010.0, .temperatureCelsius = 30.0, .relativeHumidity = 0.8};
@@ -61,6 +65,7 @@ TEST(Refraction, OfRadioWavesGrowsWithMoisture)
     EXPECT_NEAR(arcMinutes(5_deg, Refraction::Radio, dry) / arcMinutes(5_deg), 1.0, 0.03);
 }
 
+// REQ-EPHEMERIS-05
 TEST(Refraction, AgreesWithBennettTheOtherWay)
 {
     for (double seen = 0.0; seen <= 90.0; seen += 0.25) {
@@ -70,6 +75,7 @@ TEST(Refraction, AgreesWithBennettTheOtherWay)
     }
 }
 
+// REQ-EPHEMERIS-06: From true to apparent and back is exact to 1e-9° everywhere. Nothing leaps.
 TEST(Refraction, ThereAndBackIsExact)
 {
     const Air heavy{.pressureHectopascal = 1060.0, .temperatureCelsius = 35.0, .relativeHumidity = 1.0};
@@ -84,6 +90,7 @@ TEST(Refraction, ThereAndBackIsExact)
 }
 
 // What is higher appears higher, and nothing leaps where it fades below the horizon.
+// REQ-EPHEMERIS-06
 TEST(Refraction, NeverLeapsOrTurnsRound)
 {
     const Angle step = Angle::fromDegrees(0.01);

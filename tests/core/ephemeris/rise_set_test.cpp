@@ -34,6 +34,8 @@ std::optional<std::pair<UtcTime, UtcTime>> passage(Body body, Angle elevation, b
 
 }  // namespace
 
+// REQ-EPHEMERIS-07 (RiseSet.*): Rises and sets are found to the second, and days without any. Only a body that is up
+// or down for less than 10 min may be passed over.
 TEST(RiseSet, LieWhereTheTablePassesTheElevation)
 {
     Almanac lisbon(siteOf("Lisbon"));

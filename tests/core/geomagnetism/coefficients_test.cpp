@@ -42,6 +42,8 @@ std::string refusal(const std::string& text)
 
 }  // namespace
 
+// REQ-GEOMAGNETISM-01 (Coefficients.*): A file that is not exactly a model of degree 12 is refused with its line:
+// header, order of the terms, numbers, end lines, breaking off.
 TEST(Coefficients, AreReadAsTheyStand)
 {
     const auto read = parseCoefficients(goodText());
@@ -104,6 +106,7 @@ TEST(Coefficients, AFileThatBreaksOffIsRefused)
     }
 }
 
+// REQ-GEOMAGNETISM-01
 TEST(CoefficientFile, ErrorsNameTheFile)
 {
     const QTemporaryDir folder;

@@ -16,6 +16,8 @@ Declination lisbon(DeclinationBy by)
 }  // namespace
 
 // 0.87° west in Lisbon; the sensor's firmware, made for Berlin, has added 5.07°.
+// REQ-GEOMAGNETISM-07: A declination is applied once: by the sensor, by Boresight or not at all. One that is not known
+// is never 0.
 TEST(Declination, IsAppliedOnce)
 {
     EXPECT_NEAR(declinationCorrection(lisbon(DeclinationBy::Boresight))->degrees(), -5.94, 1e-9);
@@ -26,6 +28,7 @@ TEST(Declination, IsAppliedOnce)
     EXPECT_NEAR(declinationCorrection(plain)->degrees(), -0.87, 1e-9);
 }
 
+// REQ-GEOMAGNETISM-07
 TEST(Declination, OneThatIsNotKnownIsNeverZero)
 {
     const Declination unknown{.by = DeclinationBy::Boresight};
@@ -37,6 +40,7 @@ TEST(Declination, OneThatIsNotKnownIsNeverZero)
     EXPECT_TRUE(declinationCorrection({.by = DeclinationBy::Sensor})) << "nothing is needed";
 }
 
+// REQ-GEOMAGNETISM-08: What is done is reported with its numbers. A sensor made for another place is doubted.
 TEST(Declination, IsSaidInWordsWithTheNumbers)
 {
     EXPECT_EQ(describe(lisbon(DeclinationBy::Sensor)),
@@ -51,6 +55,7 @@ TEST(Declination, IsSaidInWordsWithTheNumbers)
               "No declination: the heading stays as it comes, with the sensor's +5.07° in it");
 }
 
+// REQ-GEOMAGNETISM-08
 TEST(Declination, ASensorMadeForAnotherPlaceIsDoubted)
 {
     const std::string wrong =

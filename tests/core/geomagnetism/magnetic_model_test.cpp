@@ -54,6 +54,8 @@ MagneticModel mixed()
 }  // namespace
 
 // A dipole along the axis: north of the equator its needle points down, and it is twice as strong at the pole.
+// REQ-GEOMAGNETISM-03: Closed forms of single terms, on the ellipsoid, at the equator, between and exactly at the
+// poles.
 TEST(MagneticModel, AnAxialDipoleHasItsClosedForm)
 {
     const MagneticModel dipole = fieldOf(1, 0, -30000.0, 0.0);
@@ -70,6 +72,7 @@ TEST(MagneticModel, AnAxialDipoleHasItsClosedForm)
 }
 
 // In between: tan of the geocentric latitude is (b/a)² that of the geodetic one, and the strength follows from it.
+// REQ-GEOMAGNETISM-03
 TEST(MagneticModel, TheGroundIsThatOfTheEllipsoid)
 {
     const double latitude = std::atan(std::pow(kPole / kEquator, 2) * std::tan(Angle::fromDegrees(50.0).radians()));
@@ -84,6 +87,7 @@ TEST(MagneticModel, TheGroundIsThatOfTheEllipsoid)
 
 // Across the axis a dipole is horizontal at the poles, where every direction is a meridian: nothing is lost or infinite
 // there, and the declination is the longitude.
+// REQ-GEOMAGNETISM-03
 TEST(MagneticModel, ThePolesAreExact)
 {
     for (const double longitude : {-150.0, 0.0, 33.0, 90.0}) {
@@ -106,6 +110,7 @@ TEST(MagneticModel, ThePolesAreExact)
     }
 }
 
+// REQ-GEOMAGNETISM-03
 TEST(MagneticModel, HigherTermsHaveTheirClosedForms)
 {
     EXPECT_NEAR(at(fieldOf(2, 0, 1000.0, 0.0), kZeroZero).down, 1500.0 * shrunk(kEquator, 4), 1e-6);
@@ -123,6 +128,7 @@ TEST(MagneticModel, HigherTermsHaveTheirClosedForms)
 }
 
 // The changes told are those that the years bring.
+// REQ-GEOMAGNETISM-04: The yearly change is what the years bring.
 TEST(MagneticModel, TellsTheChangeThatTheYearsBring)
 {
     const MagneticModel model = mixed();
@@ -142,6 +148,8 @@ TEST(MagneticModel, TellsTheChangeThatTheYearsBring)
     }
 }
 
+// REQ-GEOMAGNETISM-05: A model is used for its five years and one more. The end is reported from the last half year
+// on. Outside it is refused with the reason.
 TEST(MagneticModel, IsRefusedOutsideItsFiveYearsAndTheOneAfter)
 {
     const MagneticModel model = mixed();
@@ -158,6 +166,7 @@ TEST(MagneticModel, IsRefusedOutsideItsFiveYearsAndTheOneAfter)
     EXPECT_FALSE(model.at(kZeroZero, std::nan("")));
 }
 
+// REQ-GEOMAGNETISM-05
 TEST(MagneticModel, WarnsFromItsLastHalfYearOn)
 {
     const MagneticModel model = mixed();
@@ -169,6 +178,7 @@ TEST(MagneticModel, WarnsFromItsLastHalfYearOn)
 }
 
 // 2000 and 6000 nT, the limits of the World Magnetic Model's report.
+// REQ-GEOMAGNETISM-06: Below 6000 nT horizontally a compass is doubtful, below 2000 nT no evidence.
 TEST(MagneticModel, TellsWhereACompassIsNoEvidence)
 {
     const auto zone = [](double horizontal) { return compassZone({.horizontal = horizontal}); };

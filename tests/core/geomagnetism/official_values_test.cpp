@@ -66,6 +66,7 @@ protected:
 }  // namespace
 
 // The angles are published to 0.01°, the changes of angles to 0.000001° and all else to 0.000001 nT.
+// REQ-GEOMAGNETISM-02: The 100 official test values of WMM2025 are met to 0.001 nT, the angles to their last digit.
 TEST_F(OfficialValues, AreMetInAllRows)
 {
     const auto rows = rowsOf(referenceFile("WMM2025_TEST_VALUES.txt"));
@@ -106,6 +107,7 @@ TEST_F(OfficialValues, TellTheDeclinationOfKnownPlaces)
 }
 
 // The north magnetic pole of the model lies near 86° N, 139° E in 2025 (World Magnetic Model 2025, report): blackout.
+// REQ-GEOMAGNETISM-06
 TEST_F(OfficialValues, KnowWhereACompassFails)
 {
     const auto zone = [&](double latitude, double longitude) {
@@ -119,6 +121,7 @@ TEST_F(OfficialValues, KnowWhereACompassFails)
     EXPECT_EQ(zone(38.757, -9.117), CompassZone::Good);
 }
 
+// REQ-GEOMAGNETISM-05
 TEST_F(OfficialValues, ArePastFrom2030)
 {
     EXPECT_EQ(m_model->name(), "WMM-2025");

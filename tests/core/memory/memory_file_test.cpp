@@ -81,6 +81,7 @@ protected:
     QTemporaryDir m_dir;
 };
 
+// REQ-MEMORY-04
 TEST_F(MemoryFileTest, AMissingFileIsAnEmptyMemoryAndSaid)
 {
     const LoadedMemory loaded = load();
@@ -89,6 +90,7 @@ TEST_F(MemoryFileTest, AMissingFileIsAnEmptyMemoryAndSaid)
 }
 
 // After a power cut a file whose folder was not written has its old name, or none.
+// REQ-MEMORY-04a: After a saving the folder is on the disk too, so that a power cut leaves the new names.
 TEST_F(MemoryFileTest, TheFolderIsOnTheDiskAfterTheRenamings)
 {
     MemoryFile file(m_dir.path(), QStringLiteral("mast"));
@@ -103,6 +105,7 @@ TEST_F(MemoryFileTest, TheFolderIsOnTheDiskAfterTheRenamings)
 
 // Story: a start with a pipe or /dev/zero in the place of the journal never ended, or filled the memory. And two that
 // were kept aside within a millisecond had one name.
+// REQ-MEMORY-04b: A pipe, a device or an endless file in the place of the journal is refused at once, and kept aside.
 TEST_F(MemoryFileTest, WhatIsNoRegularFileIsRefusedAtOnceAndKeptAside)
 {
     ASSERT_EQ(mkfifo(path().toLocal8Bit().constData(), 0600), 0);
@@ -120,6 +123,8 @@ TEST_F(MemoryFileTest, WhatIsNoRegularFileIsRefusedAtOnceAndKeptAside)
 }
 
 // Story: two programs with one mount's name and one state folder overwrote each other's journal.
+// REQ-MEMORY-04c: One program at a time uses the journal of a mount. The second reports the name and the process of
+// the first.
 TEST_F(MemoryFileTest, ASecondProgramIsKeptOutAndToldByWhom)
 {
     MemoryFile first(m_dir.path(), QStringLiteral("mast"));
@@ -133,6 +138,7 @@ TEST_F(MemoryFileTest, ASecondProgramIsKeptOutAndToldByWhom)
     EXPECT_TRUE(MemoryFile(m_dir.path(), QStringLiteral("other")).claim()) << "another mount";
 }
 
+// REQ-MEMORY-04c
 TEST_F(MemoryFileTest, AKilledProgramKeepsNobodyOut)
 {
     const pid_t child = fork();
@@ -172,6 +178,7 @@ TEST_F(MemoryFileTest, ALockOfAnotherUserKeepsOthersOut)
 }
 
 // Without a place for a journal there is nothing to be kept apart; saving tells it.
+// REQ-MEMORY-04c
 TEST_F(MemoryFileTest, AFolderThatIsNotThereNeedsNoLock)
 {
     EXPECT_TRUE(MemoryFile(m_dir.filePath(QStringLiteral("none")), QStringLiteral("mast")).claim());
@@ -197,6 +204,8 @@ TEST_F(MemoryFileTest, WhatWasSavedIsLoaded)
     EXPECT_EQ(loaded.problem, QString());
 }
 
+// REQ-MEMORY-03: Saving never blocks. The newest value wins. A failure is reported. The last value is on the disk when
+// the program ends.
 TEST_F(MemoryFileTest, TheNewestValueWinsAndNoQueueGrows)
 {
     MemoryFile file(m_dir.path(), QStringLiteral("mast"));
@@ -211,6 +220,7 @@ TEST_F(MemoryFileTest, TheNewestValueWinsAndNoQueueGrows)
     EXPECT_EQ(saved.count(), 2);
 }
 
+// REQ-MEMORY-03
 TEST_F(MemoryFileTest, FlushWaitsForTheLastValueWithoutAnEventLoop)
 {
     MemoryFile file(m_dir.path(), QStringLiteral("mast"));
@@ -224,6 +234,7 @@ TEST_F(MemoryFileTest, FlushWaitsForTheLastValueWithoutAnEventLoop)
     EXPECT_EQ(load().memory, at(4.0));
 }
 
+// REQ-MEMORY-03
 TEST_F(MemoryFileTest, TheDestructorFlushes)
 {
     {
@@ -234,6 +245,8 @@ TEST_F(MemoryFileTest, TheDestructorFlushes)
     EXPECT_EQ(load().memory, at(2.0));
 }
 
+// REQ-MEMORY-04: At every moment a whole file is on the disk. A missing one, a corrupt one and the use of the one
+// before are reported. A corrupt one is kept.
 TEST_F(MemoryFileTest, ACorruptFileIsKeptAsideAndThePreviousOneTaken)
 {
     put(path(), QByteArrayLiteral("{ \"boresight_mem"));
@@ -252,6 +265,7 @@ TEST_F(MemoryFileTest, ACorruptFileIsKeptAsideAndThePreviousOneTaken)
     EXPECT_THAT(problem, HasSubstr("the one before it was taken: " + previous().toStdString()));
 }
 
+// REQ-MEMORY-04
 TEST_F(MemoryFileTest, BothCorruptIsAnEmptyMemoryAndBothAreKept)
 {
     put(path(), QByteArrayLiteral("{}"));
@@ -264,6 +278,7 @@ TEST_F(MemoryFileTest, BothCorruptIsAnEmptyMemoryAndBothAreKept)
 }
 
 // Killed between the two renamings: the previous generation is all there is, and beside it the unfinished new one.
+// REQ-MEMORY-04
 TEST_F(MemoryFileTest, KilledBetweenTheRenamingsThePreviousOneIsTaken)
 {
     put(previous(), *toText(at(30.0)));
@@ -275,6 +290,8 @@ TEST_F(MemoryFileTest, KilledBetweenTheRenamingsThePreviousOneIsTaken)
 }
 
 // The program is killed at any moment of its writing: there is always a whole file, at most one save behind.
+// REQ-MEMORY-04
+// REQ-MEMORY-04c
 TEST_F(MemoryFileTest, AKilledProgramLeavesAWholeFile)
 {
     for (int round = 1; round <= 25; ++round) {
@@ -319,6 +336,7 @@ TEST_F(MemoryFileTest, AHugeFileDoesNotFillTheMemory)
     EXPECT_EQ(corruptFiles().size(), 1);
 }
 
+// REQ-MEMORY-03
 TEST_F(MemoryFileTest, AFailureIsTold)
 {
     MemoryFile file(m_dir.filePath(QStringLiteral("nowhere")), QStringLiteral("mast"));

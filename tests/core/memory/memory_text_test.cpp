@@ -27,6 +27,8 @@ std::string problemOf(const QByteArray& text)
     return parsed ? "accepted" : parsed.error().text;
 }
 
+// REQ-MEMORY-01: What is written reads back the same: doubles to the last bit, times to the millisecond. Nothing is
+// written that could not be read.
 TEST(MemoryText, SurvivesTheRoundTripExactly)
 {
     for (const MountMemory& memory : {MountMemory(), exampleMemory()}) {
@@ -94,6 +96,7 @@ TEST(MemoryText, ReadsAFileOfVersionOne)
     EXPECT_FALSE(parsed->crashStops[1]);
 }
 
+// REQ-MEMORY-01
 TEST(MemoryText, KeepsEveryDoubleToTheLastBit)
 {
     std::mt19937_64 random(3);
@@ -122,6 +125,8 @@ TEST(MemoryText, TimesAreUtcToTheMillisecond)
     EXPECT_EQ(parseMemory(*text)->turns[0]->when, kWhen);
 }
 
+// REQ-MEMORY-02: A file that is empty, torn, edited, of another version or out of range is recognised, with the
+// reason. It is never taken for something else.
 TEST(MemoryText, TellsWhyAFileIsOfNoUse)
 {
     const QByteArray good = *toText(exampleMemory());
@@ -159,6 +164,7 @@ class MemoryTextRefuses : public testing::TestWithParam<Broken>
 {};
 
 // Refused when written, so that the good file stays; what was written can always be read.
+// REQ-MEMORY-01 (MemoryTextRefuses.*)
 TEST_P(MemoryTextRefuses, WhatNoAxisCanBe)
 {
     MountMemory memory = exampleMemory();
@@ -253,6 +259,7 @@ protected:
     std::mt19937_64 m_random{2026};
 };
 
+// REQ-MEMORY-02 (MemoryTextRubbish.*)
 TEST_F(MemoryTextRubbish, IsNeverAcceptedAsSomethingElse)
 {
     const MountMemory memory = exampleMemory();

@@ -283,6 +283,7 @@ private:
     double m_utcOffset = 0.0;
 };
 
+// REQ-MEMORY-10: What is certain is true, whatever happened to drive, computer, clocks and profile.
 TEST(ReconcileProperty, WhatIsCertainIsTrue)
 {
     constexpr int kCases = 200000;

@@ -18,6 +18,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
+// REQ-MEMORY-08 (ReconcileQuestion.*): Else the operator is asked: all places, one of them proposed only where the
+// journal agrees, with the evidence in words.
 TEST(ReconcileQuestion, SaysWhatScenario10Says)
 {
     Scene scene;
@@ -63,6 +65,7 @@ struct ProposalCase
 class ReconcileProposal : public testing::TestWithParam<ProposalCase>
 {};
 
+// REQ-MEMORY-08 (ReconcileProposal.*)
 TEST_P(ReconcileProposal, IsTheJournalsTurnWhereItAgrees)
 {
     const ProposalCase& test = GetParam();
@@ -183,6 +186,8 @@ class ReconcileOnlyPlace : public testing::TestWithParam<OnlyCase>
 
 // An elevation of 0…90° that stands at 30° when its power comes back. Another tool may have set its position since: one
 // look of the operator, one press.
+// REQ-MEMORY-07 (ReconcileOnlyPlace.*): The only wrap within the travel is proposed, where the encoder is on the
+// output and no journal contradicts it.
 TEST_P(ReconcileOnlyPlace, IsProposedUnlessTheJournalSpeaksAgainstIt)
 {
     const OnlyCase& test = GetParam();

@@ -69,6 +69,8 @@ INSTANTIATE_TEST_SUITE_P(All, ReconcileKinds,
                          [](const testing::TestParamInfo<KindCase>& test) { return test.param.name; });
 
 // The program was killed or ended, or the bus was cut: a powered drive counts on, clean or not, moved by hand or not.
+// REQ-MEMORY-05 (ReconcileKinds.*): A drive that kept its power, and whose position nobody set, counts on: also with
+// an axis that was moving, also when moved by hand.
 TEST_P(ReconcileKinds, APoweredDriveCountsOn)
 {
     for (const bool moving : {false, true}) {
@@ -234,6 +236,7 @@ TEST(Reconcile, AnOutputEncoderThatWasNotFoundYetTellsNoDirection)
 
 // The drive lost its power 10 min ago and the axis was turned by 360° meanwhile, so 405° would be wrong. The clock of
 // the computer says whatever it likes.
+// REQ-MEMORY-06 (ReconcileClock.*): No step or restart of a clock makes a restarted drive certain.
 TEST(ReconcileClock, NoStepOfTheClockMakesARestartedDriveCertain)
 {
     for (int step = -100000; step <= 100000; step += 7) {

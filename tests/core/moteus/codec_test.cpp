@@ -26,6 +26,7 @@ Request trackingRequest()
     return {.destination = 2, .command = command, .query = rotatorQuery()};
 }
 
+// REQ-MOTEUS-07: The tracking command with watchdog, limits and the full report fits one frame.
 TEST(MoteusCodec, TrackingCommandAndFullReportFitOneFrame)
 {
     const auto frame = encode(trackingRequest());
@@ -88,6 +89,7 @@ TEST(MoteusCodec, BenchModesWriteTheirRegisters)
     EXPECT_EQ(payload(VoltageDqCommand{.d = {}, .q = volts}), "010008011b18");
 }
 
+// REQ-MOTEUS-08: UUID masks come first, broadcast reaches every drive, a mismatch discards the frame.
 TEST(MoteusCodec, UuidMaskComesBeforeTheCommand)
 {
     const auto frame = encode({.destination = kBroadcastId,
@@ -109,6 +111,9 @@ TEST(MoteusCodec, HighUuidWordsKeepTheirBits)
     EXPECT_EQ(toHex(frame->payload()), "09d40298badcfe");
 }
 
+// REQ-MOTEUS-06: Refused with a reason: a request over 64 bytes, an unanswerable query (over 64 bytes, or a block that
+// would begin after byte 41, which the drive drops without a word), a register that cannot be read, an impossible id.
+// What is not refused is answered in full.
 TEST(MoteusCodec, RefusesWhatDoesNotFitTheRequest)
 {
     Request request = trackingRequest();
@@ -123,6 +128,7 @@ TEST(MoteusCodec, RefusesWhatDoesNotFitTheRequest)
     EXPECT_NE(frame.error().text.find("of 64 bytes"), std::string::npos) << frame.error().text;
 }
 
+// REQ-MOTEUS-06
 TEST(MoteusCodec, RefusesAQueryWhoseTailWouldBeMissing)
 {
     Query query = rotatorQuery();  // 42 bytes: one more block would start too late
@@ -133,6 +139,7 @@ TEST(MoteusCodec, RefusesAQueryWhoseTailWouldBeMissing)
     EXPECT_EQ(frame.error().text, "the last part of the reply would start after byte 41 and be left out");
 }
 
+// REQ-MOTEUS-06
 TEST(MoteusCodec, RefusesImpossibleQueries)
 {
     const auto refused = [](const Request& request) { return !encode(request).has_value(); };

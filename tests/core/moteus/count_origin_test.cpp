@@ -28,6 +28,8 @@ std::string telemetry(const std::vector<std::uint8_t>& end, std::size_t before =
     return '\0' + std::string(before, '\x5a') + std::string(end.begin(), end.end());
 }
 
+// REQ-MOTEUS-11 (CountOrigin.*): What a drive's position counts from is read from the end of its telemetry record,
+// whatever comes before, and from nothing that is no such record. Telemetry comes as lines or as a block of bytes.
 TEST(CountOrigin, IsReadFromTheEndWhateverTheEncodersTake)
 {
     for (const std::size_t before : {std::size_t{0}, std::size_t{1}, std::size_t{178}, std::size_t{500}}) {

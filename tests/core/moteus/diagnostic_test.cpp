@@ -80,6 +80,9 @@ protected:
     std::string received;
 };
 
+// REQ-MOTEUS-09 (MoteusDiagnostic.*): Console answers arrive whole through lost replies. Old firmware without flow
+// control works, and a lost reply there is an error, not a shortened answer. Every wait ends.
+// REQ-MOTEUS-11
 TEST_F(MoteusDiagnostic, TelemetryIsABlockOfBytesOrLines)
 {
     const std::string bytes("\x01\n\r\nOK\r\nERR\0", 13);

@@ -23,6 +23,7 @@ std::vector<int> definedCodes()
     return codes;
 }
 
+// REQ-MOTEUS-05 (MoteusFaults.*)
 TEST(MoteusFaults, EveryDefinedCodeTellsNameMeaningCauseAndRemedy)
 {
     std::set<std::string_view> names;

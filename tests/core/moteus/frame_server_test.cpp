@@ -79,6 +79,7 @@ TEST_F(MoteusFrameServer, ManyWriteErrorsNeverOverfillTheReply)
     EXPECT_LE(reply->size, 64);
 }
 
+// REQ-MOTEUS-08
 TEST_F(MoteusFrameServer, TellsTheDeviceWhetherTheFrameCounts)
 {
     device.registers[Register::Uuid] = 0x11223344;
@@ -123,6 +124,7 @@ TEST_F(MoteusFrameServer, TextStaysWithinTheRoomOfItsReply)
 }
 
 // 8 x f32 (35 bytes) and one i32 (6): the next block starts at byte 41, the last place where one may.
+// REQ-MOTEUS-06
 TEST_F(MoteusFrameServer, TheLastBlockMayStartAtByte41ButNotLater)
 {
     Query query;
@@ -145,6 +147,7 @@ TEST_F(MoteusFrameServer, TheLastBlockMayStartAtByte41ButNotLater)
 }
 
 // A query the client thinks answerable is answered in full, with the predicted size.
+// REQ-MOTEUS-06
 TEST_F(MoteusFrameServer, EveryAnswerableQueryIsAnsweredInFull)
 {
     std::mt19937 random(4);

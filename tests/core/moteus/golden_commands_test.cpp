@@ -146,6 +146,7 @@ void forEachRegisterCommand(Check check)
     }
 }
 
+// REQ-MOTEUS-01 (GoldenCommands.*): Commands become exactly the recorded bytes, identifier and padding, and read back.
 TEST(GoldenCommands, EncodeToTheRecordedFrames)
 {
     forEachRegisterCommand([](const QJsonObject& vector, const Request& request) {

@@ -10,6 +10,9 @@ namespace boresight::moteus {
 namespace {
 
 // exercise() aborts on a broken promise, and the sanitizers on a bad access.
+// REQ-MOTEUS-10 (GoldenMutation.*): Nothing received can crash: every truncation of every recorded frame, 20,000
+// seeded mutations, and random inputs. The latter found an identity register sent as f32 whose value did not fit an
+// integer, and an infinite position that counted as measured.
 TEST(GoldenMutation, EveryTruncationIsSurvived)
 {
     int tried = 0;

@@ -31,6 +31,8 @@ void expectSame(double expected, double actual)
     }
 }
 
+// REQ-MOTEUS-02 (GoldenReplies.*): Recorded replies decode to their values and encode back. Every recorded frame,
+// taken apart into subframes, writes back byte for byte.
 TEST(GoldenReplies, DecodeToTheRecordedValues)
 {
     for (const QJsonValue& value : golden::vectors("replies")) {

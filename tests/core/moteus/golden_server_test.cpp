@@ -85,6 +85,8 @@ bool isTunnel(const QJsonObject& vector)
 }
 
 // The tunnel cases at the end are one conversation, so one server plays them all.
+// REQ-MOTEUS-03: A drive answers the recorded requests with the recorded replies, accepts the recorded writes, and
+// keeps silent where the recording does.
 TEST(GoldenServer, AnswersAsRecorded)
 {
     FrameServer server;

@@ -25,6 +25,8 @@ std::int32_t asInt32(double value, Kind kind, Side side = Side::Client)
     return static_cast<std::int32_t>(toWire(value, kind, Resolution::Int32, side));
 }
 
+// REQ-MOTEUS-04 (MoteusScaling.*): Both sides truncate towards zero. Finite values saturate, the others become the
+// most negative integer. Whole-number registers have no such sentinel.
 TEST(MoteusScaling, TruncatesTowardsZeroOnBothSides)
 {
     EXPECT_EQ(asInt8(0.29, Kind::Position), 28);  // 0.29 / 0.01 is just under 29 in double
@@ -81,6 +83,7 @@ TEST(MoteusScaling, EveryValueComesBackWithinOneStep)
     }
 }
 
+// REQ-MOTEUS-05 (MoteusRegisters.*): The map is complete. Faults, limits and modes have words. Limits are no faults.
 TEST(MoteusRegisters, EveryRegisterHasItsOwnNameAndTheMapsAccess)
 {
     std::set<std::string> names;

@@ -22,6 +22,7 @@ const QString kTopic = QStringLiteral("antenna/orientation");
 
 using MqttClient = fakes::MqttTest;
 
+// REQ-MQTT-01: Messages arrive whole and in order. A subscription survives reconnects.
 TEST_F(MqttClient, BringsWhatOthersPublish)
 {
     ASSERT_TRUE(startBroker());
@@ -45,6 +46,7 @@ TEST_F(MqttClient, BringsWhatOthersPublish)
 }
 
 // Twice the rate that the sensor would have if it sent each reading.
+// REQ-MQTT-01
 TEST_F(MqttClient, LosesNothingOfABurst)
 {
     ASSERT_TRUE(startBroker());
@@ -62,6 +64,7 @@ TEST_F(MqttClient, LosesNothingOfABurst)
 }
 
 // Story: it was kept in memory, up to 256 MB. A broker that keeps such a message sends it at each connection.
+// REQ-MQTT-09e
 TEST_F(MqttClient, AMessageThatIsTooLargeIsDroppedAndTheConnectionGoesOn)
 {
     for (const Door door : {Door::Open, Door::Tls}) {
@@ -106,6 +109,7 @@ TEST_F(MqttClient, IsLetInByItsPassword)
     EXPECT_THAT(rig.problems, IsEmpty());
 }
 
+// REQ-MQTT-03: Each trouble is reported in one line with what to do, once, however often it is tried.
 TEST_F(MqttClient, AWrongPasswordIsToldOnceHoweverOftenItIsTried)
 {
     ASSERT_TRUE(startBroker(Door::Password));
@@ -159,6 +163,9 @@ protected:
     }
 };
 
+// REQ-MQTT-02
+// REQ-MQTT-06 (MqttTls.*): With TLS only a broker is accepted whose certificate is signed by the right authority, for
+// the right name or address. A corrected file of authorities is read again.
 TEST_F(MqttTls, TrustsTheAuthorityOfTheFileByNameAndByAddress)
 {
     ASSERT_TRUE(startBroker(Door::Tls));
@@ -241,6 +248,7 @@ TEST_F(MqttTls, RefusesAListOfManyAuthorities)
     EXPECT_THAT(refused(to(*broker, "localhost", list.fileName())), HasSubstr("leave mqtt.ca_file empty"));
 }
 
+// REQ-MQTT-01
 TEST_F(MqttClient, ComesBackAfterTheBrokerDiedInTheMiddleOfAStream)
 {
     ASSERT_TRUE(startBroker());
@@ -276,6 +284,7 @@ TEST_F(MqttClient, ComesBackAfterTheBrokerDiedInTheMiddleOfAStream)
 }
 
 // A connection that was good makes the next attempt come soon; of one that ends at once nobody knows why.
+// REQ-MQTT-04
 TEST_F(MqttClient, TheDelayBeginsAnewOnlyAfterAGoodConnection)
 {
     ASSERT_TRUE(startBroker());
@@ -296,6 +305,7 @@ TEST_F(MqttClient, TheDelayBeginsAnewOnlyAfterAGoodConnection)
     EXPECT_EQ(*rig.client.nextAttempt() - rig.clock.now(), RetryDelay::kFirst);
 }
 
+// REQ-MQTT-10: Two programs with one client id, which disconnect each other, are reported.
 TEST_F(MqttClient, OfTwoOfOneNameTheFirstIsThrownOut)
 {
     ASSERT_TRUE(startBroker());
@@ -312,6 +322,7 @@ TEST_F(MqttClient, OfTwoOfOneNameTheFirstIsThrownOut)
     EXPECT_TRUE(second.client.isConnected());
 }
 
+// REQ-MQTT-07: Availability is retained: "online", "offline" at the end of the program and, by the will, at its death.
 TEST_F(MqttClient, TheWillIsToldWhenTheProgramDiesAndNotWhenItSaysGoodbye)
 {
     ASSERT_TRUE(startBroker());
@@ -345,6 +356,7 @@ TEST_F(MqttClient, TheWillIsToldWhenTheProgramDiesAndNotWhenItSaysGoodbye)
     EXPECT_EQ(late.messages.front().payload, "offline");
 }
 
+// REQ-MQTT-09: A connection may be closed in the middle of anything.
 TEST_F(MqttClient, MayBeClosedByWhoReceivesAMessage)
 {
     ASSERT_TRUE(startBroker());

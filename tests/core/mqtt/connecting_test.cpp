@@ -100,6 +100,8 @@ std::uint16_t closedPort()
     return server.serverPort();
 }
 
+// REQ-MQTT-02
+// REQ-MQTT-03 (MqttConnecting.*)
 TEST(MqttConnecting, AClosedPortIsToldWithAndWithoutTls)
 {
     const Broker broker = onLoopback(closedPort());
@@ -115,6 +117,7 @@ TEST(MqttConnecting, AClosedPortIsToldWithAndWithoutTls)
 }
 
 // "localhost" is ::1 first on most machines.
+// REQ-MQTT-05: Every address of a name is tried.
 TEST(MqttConnecting, EveryAddressOfANameIsTried)
 {
     StandIn broker([](QTcpSocket&) {},
@@ -148,6 +151,7 @@ void waitForTheUnreachable(const Broker& broker, LoopWatch& watch)
     EXPECT_EQ(rig.problems.size(), 1U);
 }
 
+// REQ-MQTT-02: Whatever is at the other end, the event loop goes on: no gap of 50 ms, no busy loop.
 TEST(MqttConnecting, AnUnreachableAddressDoesNotHoldTheLoopUp)
 {
     const DeafPort port;
@@ -157,6 +161,7 @@ TEST(MqttConnecting, AnUnreachableAddressDoesNotHoldTheLoopUp)
     }
 }
 
+// REQ-MQTT-02
 TEST(MqttConnecting, SomebodyWhoSaysNothingIsGivenUp)
 {
     const StandIn somebody = silent();
@@ -245,6 +250,7 @@ TEST(MqttConnecting, ANameThatIsNoneIsTold)
     EXPECT_THAT(rig.problems, ElementsAre(HasSubstr("the name cannot be resolved")));
 }
 
+// REQ-MQTT-09
 TEST(MqttConnecting, ClosingEndsAnAttemptInEveryPhase)
 {
     const DeafPort deaf;

@@ -18,6 +18,7 @@ const Broker kBroker{
     .host = QStringLiteral("shack"), .user = QStringLiteral("mount"), .clientId = QStringLiteral("b1")};
 
 // One line each, which names the broker, is told apart from all others and never shows the password.
+// REQ-MQTT-03 (MqttEnding.*)
 TEST(MqttEnding, EachHasALineOfItsOwn)
 {
     Broker broker = kBroker;

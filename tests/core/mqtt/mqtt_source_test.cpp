@@ -115,6 +115,8 @@ TEST_F(MqttSourceTest, WhatMakesNoSenseIsCountedAndNotUsed)
 }
 
 // Story: what `mosquitto_pub -r` left an hour ago was the sensor's direction of now, at every connect.
+// REQ-MQTT-09a: What the broker has kept from before is told apart. A retained message of the sensor is counted and
+// never used.
 TEST_F(MqttSourceTest, WhatTheBrokerHasKeptIsNotLive)
 {
     sensor.client.subscribe(QStringLiteral("roof/#"));
@@ -152,6 +154,8 @@ TEST_F(MqttSourceTest, SaysWhenNothingComesAndWhenItIsNothingOfTheSensor)
 }
 
 // Story: the broker refused, and the line said that the sensor might have no power.
+// REQ-MQTT-09b: A subscription that the broker refuses is reported once, with its topic and the remedy, and asked for
+// again every 30 s.
 TEST_F(MqttSourceTest, ATopicThatTheBrokerRefusesIsToldUntilItIsPermitted)
 {
     if (!fakes::MqttBroker::canBeGuarded()) {
@@ -185,6 +189,7 @@ TEST_F(MqttSourceTest, ATopicThatTheBrokerRefusesIsToldUntilItIsPermitted)
     EXPECT_EQ(broker->count("roof/orientation (QoS 0)"), 3) << "granted is granted";
 }
 
+// REQ-MQTT-09b
 TEST_F(MqttSourceTest, ATopicBesideItThatIsRefusedIsToldAndTheRestWorks)
 {
     if (!fakes::MqttBroker::canBeGuarded()) {

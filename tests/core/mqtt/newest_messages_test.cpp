@@ -11,6 +11,7 @@ Message numbered(int number, qsizetype bytes = 4)
     return {.topic = QString::number(number), .payload = QByteArray(bytes, 'x')};
 }
 
+// REQ-MQTT-09c (NewestMessages.*)
 TEST(NewestMessages, KeepsTheOrder)
 {
     NewestMessages messages;

@@ -9,6 +9,7 @@ namespace {
 // 2026-11-21T18:17:30.250Z
 const UtcTime kWhen{std::chrono::milliseconds{1795285050250}};
 
+// REQ-MQTT-08 (MqttStateMessage.*)
 TEST(MqttStateMessage, IsOneLineInTheSensorsStyle)
 {
     const PublishedState state{.utc = kWhen,

@@ -62,6 +62,7 @@ protected:
     std::unique_ptr<StatePublisher> publisher;
 };
 
+// REQ-MQTT-08 (MqttStatePublisher.*): The state goes out each second and at every change, at once after a reconnect.
 TEST_F(MqttStatePublisher, TellsEachSecondAndAtEveryChangeOfState)
 {
     publisher->show(in("HOLD"));
@@ -84,6 +85,7 @@ TEST_F(MqttStatePublisher, TellsEachSecondAndAtEveryChangeOfState)
     EXPECT_THAT(published(), ElementsAre(telling(stopped)));
 }
 
+// REQ-MQTT-07
 TEST_F(MqttStatePublisher, SaysOfflineWhenItEndsAndTheBrokerSaysItWhenItDies)
 {
     const Message online{.topic = kAvailability, .payload = "online"};

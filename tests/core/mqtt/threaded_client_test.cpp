@@ -106,6 +106,7 @@ constexpr int kConnect = 0x10;
 constexpr int kSubscribe = 0x82;
 constexpr int kDisconnect = 0xE0;
 
+// REQ-MQTT-09d: The broker is served while the station's thread is busy, and the station never waits for the broker.
 TEST(ThreadedClient, ServesTheBrokerWhileItsOwnerDoesNotRun)
 {
     BlockingBroker broker;
@@ -124,6 +125,7 @@ TEST(ThreadedClient, ServesTheBrokerWhileItsOwnerDoesNotRun)
 }
 
 // By addresses only: how Qt looks up a name is its own affair, and what ThreadSanitizer says of it, too.
+// REQ-MQTT-09d
 TEST(ThreadedClient, MayBeClosedInEveryPhase)
 {
     const BlockingBroker silent;
@@ -144,6 +146,8 @@ TEST(ThreadedClient, MayBeClosedInEveryPhase)
 
 using MqttThreaded = fakes::MqttTest;
 
+// REQ-MQTT-09f: What was asked for before the end is done: "offline", the goodbye. Without a goodbye the broker sends
+// the will.
 TEST_F(MqttThreaded, DoesAllThatAClientDoes)
 {
     ASSERT_TRUE(startBroker());
@@ -215,6 +219,7 @@ TEST_F(MqttThreaded, WithAnotherBrokerNothingOfTheOneBeforeIsReported)
 }
 
 // Its owner takes no report meanwhile.
+// REQ-MQTT-09c: The station gets at most 32 messages and 64 kB every 20 ms, the newest. A flood never becomes a queue.
 TEST_F(MqttThreaded, OfAFloodTheNewestAreReportedInOneReport)
 {
     ASSERT_TRUE(startBroker());

@@ -19,6 +19,8 @@ Declination bySite(Angle here)
     return {.by = DeclinationBy::Boresight, .here = here};
 }
 
+// REQ-ORIENTATION-08 (Correction.*): No declination is applied twice, also with a sensor that counts against the
+// compass.
 TEST(Correction, WithoutSettingsTheSensorIsRight)
 {
     EXPECT_NEAR(Correction().trueHeading(SensorHeading::folded(-12.67_deg)).degrees(), 347.33, 1e-9);

@@ -35,6 +35,8 @@ std::string reasonOf(const QByteArray& payload)
     return value ? "accepted" : toText(value.error());
 }
 
+// REQ-ORIENTATION-05 (JsonPayload.*): The JSON of the three topics is read, with time as text or number. "nan" is
+// refused. Calibration and temperature are joined to the next orientation while they are young.
 TEST(JsonPayload, TheOrientationOfTheFirmwareIsRead)
 {
     const auto value = parseOrientation(kOrientation, at(3));
@@ -111,6 +113,7 @@ bool bringsNothing(const Parsed<std::optional<Orientation>>& taken)
     return taken && !*taken;
 }
 
+// REQ-ORIENTATION-05 (PayloadReader.*)
 TEST(PayloadReader, JoinsWhatTheOtherTopicsSaidWhileItIsYoung)
 {
     PayloadReader reader;

@@ -31,6 +31,9 @@ Orientation deadValue(double second)
     return dead;
 }
 
+// REQ-ORIENTATION-07 (Judge.*): The sensor is late after 3 s and lost after 5 s (settable). The mark of a dead sensor,
+// single jumps, restarts and frozen values are found. Turns are counted from headings, and gaps in this count are
+// known.
 TEST(Judge, LateAfterThreeSecondsLostAfterFive)
 {
     Judge judge;

@@ -46,6 +46,8 @@ void expectAsTold(const NmeaSample& sample, const Heard& heard)
     }
 }
 
+// REQ-ORIENTATION-01 (NmeaSamples.*): All three forms of the sentence are read. More fields behind the last are kept
+// as text and the rest used.
 TEST(NmeaSamples, EachIsAcceptedRefusedOrIgnoredAsTold)
 {
     for (const NmeaSample& sample : allSamples()) {
@@ -68,6 +70,8 @@ TEST(NmeaSamples, OursAreComplete)
     EXPECT_EQ(refused, 9U);
 }
 
+// REQ-ORIENTATION-02: A wrong, missing or unreadable checksum, wrong units, too few fields, a number that is not
+// finite or that no sensor sends: the sentence is refused with its reason, counted by reason, and no part is used.
 TEST(NmeaSamples, TheReasonsAreThoseOfTheFile)
 {
     for (const NmeaSample& sample : ownSamples()) {
@@ -77,6 +81,8 @@ TEST(NmeaSamples, TheReasonsAreThoseOfTheFile)
     }
 }
 
+// REQ-ORIENTATION-03: Bytes may be split or joined anywhere. A `$` begins a new sentence. Noise, start-up text and
+// sentences of others are counted, not reported. A sentence has at most 128 bytes.
 TEST(NmeaSamples, AnySplitGivesTheSame)
 {
     for (const NmeaSample& sample : allSamples()) {
@@ -89,6 +95,7 @@ TEST(NmeaSamples, AnySplitGivesTheSame)
     }
 }
 
+// REQ-ORIENTATION-03
 TEST(NmeaSamples, JoinedToOneReadTheyGiveTheSame)
 {
     std::string all;

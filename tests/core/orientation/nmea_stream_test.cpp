@@ -32,6 +32,7 @@ std::string reasonOf(const std::string& body)
     return value ? "accepted" : toText(value.error());
 }
 
+// REQ-ORIENTATION-02 (NmeaSentence.*)
 TEST(NmeaSentence, SaysWhenAndHowItCame)
 {
     SentenceStream stream;
@@ -42,6 +43,7 @@ TEST(NmeaSentence, SaysWhenAndHowItCame)
     EXPECT_EQ(values[0].unknown, "");
 }
 
+// REQ-ORIENTATION-01
 TEST(NmeaSentence, WhatAnotherFirmwareAddsIsKeptAndTheRestUsed)
 {
     const auto more = parsed(kBody + ",12.5,hPa");
@@ -100,6 +102,8 @@ TEST(NmeaSentence, LowerCaseHexMeansTheSameAndIsCounted)
     EXPECT_EQ(stream.counts().lowerCaseChecksum, 1U);
 }
 
+// REQ-ORIENTATION-02
+// REQ-ORIENTATION-03 (NmeaStream.*)
 TEST(NmeaStream, CountsEveryKind)
 {
     SentenceStream stream;
@@ -168,6 +172,8 @@ bool hasRightSum(std::string_view sentence)
            std::stoul(digits, nullptr, 16) == sum;
 }
 
+// REQ-ORIENTATION-04 (NmeaFuzz.*): However the bytes are damaged, nothing with a wrong sum is used, and the next good
+// sentence is.
 TEST(NmeaFuzz, NothingDamagedIsUsedAndTheNextSentenceIs)
 {
     std::mt19937 random(20260219);

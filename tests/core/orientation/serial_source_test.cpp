@@ -70,6 +70,11 @@ struct SerialSourceTest : testing::Test
 };
 
 // An adapter that ignores the baud rate may send as much as it likes.
+// REQ-ORIENTATION-06 (SerialSourceTest.*): A port that is absent, busy, silent or gone is one line with its remedy,
+// tried again with growing pauses. What comes in place of sentences is reported again when it changes for good. Which
+// program has the port is looked up beside the thread. Nothing is ever sent.
+// REQ-ORIENTATION-06a: Whatever a port sends, 2 kB are read every 10 ms at most, because the drives are served on the
+// same thread.
 TEST_F(SerialSourceTest, AFloodIsReadInSmallHelpings)
 {
     source.open();

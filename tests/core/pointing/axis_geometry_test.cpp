@@ -16,6 +16,7 @@ const AxisGeometry kReferenceElevation{.sign = -1, .offset = 90_deg, .travel = {
 }  // namespace
 
 // The numbers of the reference mount, as its motors report them.
+// REQ-POINTING-01: The reference mount: azimuth 0…360° is 0…1 turn, elevation 0° is -0.25 turn, 90° is -0.5 turn.
 TEST(AxisGeometry, ReferenceMount)
 {
     EXPECT_DOUBLE_EQ(kReferenceAzimuth.toMotor(0_deg).turns(), 0.0);
@@ -31,6 +32,7 @@ TEST(AxisGeometry, ReferenceMount)
     EXPECT_DOUBLE_EQ(kReferenceElevation.toAxis(MotorRate::fromTurns(-0.1)).degrees(), 36.0);
 }
 
+// REQ-POINTING-02: The gear ratio counts in the host or in the drive, never twice.
 TEST(AxisGeometry, GearRatioCountsInTheHostOnly)
 {
     AxisGeometry gear{.sign = -1, .offset = 10_deg, .gearRatio = 60.0, .gearIn = GearIn::Host};
@@ -41,6 +43,7 @@ TEST(AxisGeometry, GearRatioCountsInTheHostOnly)
     EXPECT_DOUBLE_EQ(gear.toMotor(36_deg_s).turns(), -0.1);
 }
 
+// REQ-POINTING-03: There and back is exact to 1e-9°.
 TEST(AxisGeometry, RoundTripIsExactToANanodegree)
 {
     std::mt19937 random(1);

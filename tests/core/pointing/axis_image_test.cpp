@@ -65,6 +65,7 @@ bool atAnEnd(const PermittedRegion& region, const AxisPosition& place, Angle ske
 
 }  // namespace
 
+// REQ-POINTING-24: Offsets move what is forbidden exactly. With other terms hardly more is forbidden than is true.
 TEST(AxisImage, AnOffsetMovesWhatIsForbiddenExactly)
 {
     const PermittedRegion region({.horizon = {{0_deg, 10_deg}, {90_deg, 20_deg}}, .keepOuts = {mast()}}, kAzimuths,
@@ -82,6 +83,7 @@ TEST(AxisImage, AnOffsetMovesWhatIsForbiddenExactly)
 }
 
 // Its own 0° look to -0.42° there, and the mast begins at 0°.
+// REQ-POINTING-24
 TEST(AxisImage, ThereIsNoWayBelowAMastForAMountThatLeans)
 {
     const Region region{.keepOuts = {mast()}};
@@ -91,6 +93,7 @@ TEST(AxisImage, ThereIsNoWayBelowAMastForAMountThatLeans)
     EXPECT_TRUE(PermittedRegion(region, kAzimuths, kFlipping, leaning).permits(at(290, 0)));
 }
 
+// REQ-POINTING-24
 TEST(AxisImage, AHorizonUpToTheZenithTakesTheCapOfALeaningMount)
 {
     const Region region{.horizon = {{0_deg, 10_deg}, {10_deg, 90_deg}, {20_deg, 10_deg}}};
@@ -103,6 +106,7 @@ TEST(AxisImage, AHorizonUpToTheZenithTakesTheCapOfALeaningMount)
 }
 
 // The promise: whatever the axes may do, the beam does not come into what is forbidden.
+// REQ-POINTING-23: Whatever the model, no place that is permitted looks into a keep-out or below the horizon (1e-9°).
 TEST(AxisImage, NothingForbiddenIsPermitted)
 {
     std::mt19937 random(20261121);
@@ -130,6 +134,7 @@ TEST(AxisImage, NothingForbiddenIsPermitted)
 
 // And not much more is forbidden than is true: about twice what the beam can be moved. Near the zenith the cap goes as
 // a whole, and a cliff in the horizon takes what it leans over; both are kept away.
+// REQ-POINTING-24
 TEST(AxisImage, HardlyMoreIsForbiddenThanIsTrue)
 {
     std::mt19937 random(4);
@@ -163,6 +168,7 @@ TEST(AxisImage, HardlyMoreIsForbiddenThanIsTrue)
 }
 
 // Routes are found by the boxes of the axes, so that a way is permitted with all of its legs for a leaning mount, too.
+// REQ-POINTING-23
 TEST(AxisImage, RoutesOfALeaningMountKeepTheBeamOut)
 {
     const PointingModel model({.azimuthOffset = 37.4_deg, .tiltNorth = 2_deg, .collimation = 1_deg});

@@ -43,6 +43,8 @@ double skyDistance(const SkyPointing& a, const SkyPointing& b)
 
 }  // namespace
 
+// REQ-POINTING-04: A direction is reached on the wrap inside the travel that is nearest to now, for travels wider and
+// narrower than 360°.
 TEST(Resolve, TakesTheTurnNearestToNow)
 {
     const MountModel model = mount({-90_deg, 450_deg});
@@ -56,6 +58,7 @@ TEST(Resolve, TakesTheTurnNearestToNow)
     EXPECT_NEAR(azimuthFor(model, 1e6, 0), 1e6 - 2778 * 360, 1e-6);  // any finite azimuth is a direction
 }
 
+// REQ-POINTING-10: A wrap outside the limits of operation is no answer.
 TEST(Resolve, TakesATurnInsideTheLimitsOfOperation)
 {
     MountModel model = mount({-200_deg, 460_deg});
@@ -71,6 +74,7 @@ TEST(Resolve, TakesATurnInsideTheLimitsOfOperation)
     EXPECT_EQ(resolveDegrees(model, 200, 30, 100).reason, "azimuth 200.0° outside limits 0.0°…180.0°");
 }
 
+// REQ-POINTING-04
 TEST(Resolve, OtherTravels)
 {
     EXPECT_NEAR(azimuthFor(mount({-180_deg, 180_deg}), 190, 170), -170, 1e-9);
@@ -83,6 +87,7 @@ TEST(Resolve, OtherTravels)
 }
 
 // A pass goes on through north as long as the cable allows: never a jump, whichever way it runs.
+// REQ-POINTING-05: Going through north never unwraps the cable while the travel goes on.
 TEST(Resolve, APassThroughNorthNeverUnwinds)
 {
     const MountModel model = mount({-90_deg, 450_deg});
@@ -99,6 +104,7 @@ TEST(Resolve, APassThroughNorthNeverUnwinds)
     }
 }
 
+// REQ-POINTING-04
 TEST(Resolve, IsTheNearestTurnInsideTheTravel)
 {
     std::mt19937 random(2);
@@ -133,6 +139,7 @@ TEST(Resolve, IsTheNearestTurnInsideTheTravel)
 }
 
 // Story: on a 0…360° mount a target jittering across north sent the antenna round a full turn with every point.
+// REQ-POINTING-06: A jittering target does not make the mount change wraps or ends.
 TEST(Resolve, NoiseAtAnEndOfTheTravelDoesNotFlap)
 {
     const MountModel model = mount({0_deg, 360_deg});
@@ -155,6 +162,7 @@ TEST(Resolve, NoiseAtAnEndOfTheTravelDoesNotFlap)
 }
 
 // The turn once chosen is kept: `now` is then the target, so noise around "equally far" cannot turn it.
+// REQ-POINTING-06
 TEST(Resolve, OppositeTargetDoesNotFlap)
 {
     const MountModel model = mount({-90_deg, 450_deg});
@@ -167,6 +175,7 @@ TEST(Resolve, OppositeTargetDoesNotFlap)
     }
 }
 
+// REQ-POINTING-08: A direction out of reach gives the permitted point nearest on the sky, with the reason in words.
 TEST(Resolve, ElevationBeyondItsTravelIsLimitedWithTheReason)
 {
     const MountModel model = mount({-90_deg, 450_deg}, {5_deg, 80_deg});
@@ -183,6 +192,7 @@ TEST(Resolve, ElevationBeyondItsTravelIsLimitedWithTheReason)
     EXPECT_FALSE(resolveDegrees(model, 100, 80, 90).limited);
 }
 
+// REQ-POINTING-07: Above 90°: over the top if elevation travels that far, else the equal direction.
 TEST(Resolve, OverTheTop)
 {
     const MountModel flips = mount({-90_deg, 450_deg}, {0_deg, 180_deg});
@@ -203,6 +213,7 @@ TEST(Resolve, OverTheTop)
     EXPECT_NEAR(outOfReach.position.elevation.degrees(), 30, 1e-9);
 }
 
+// REQ-POINTING-08
 TEST(Resolve, InAGapTheNearerEndIsTaken)
 {
     const MountModel model = mount({-90_deg, 90_deg});
@@ -215,6 +226,7 @@ TEST(Resolve, InAGapTheNearerEndIsTaken)
     EXPECT_EQ(both.reason, "azimuth 180.0° outside travel -90.0°…90.0°, elevation -5.0° below limit 0.0°");
 }
 
+// REQ-POINTING-06
 TEST(Resolve, InTheMiddleOfAGapItDoesNotFlap)
 {
     const MountModel model = mount({-90_deg, 90_deg});
@@ -228,6 +240,7 @@ TEST(Resolve, InTheMiddleOfAGapItDoesNotFlap)
 
 // Whatever is asked, the answer is inside the travel, and no permitted point is nearer on the sky by more than the
 // preference for the end where the mount already is (1°).
+// REQ-POINTING-08
 TEST(Resolve, IsThePermittedPointNearestOnTheSky)
 {
     std::mt19937 random(3);
@@ -258,6 +271,7 @@ TEST(Resolve, IsThePermittedPointNearestOnTheSky)
     }
 }
 
+// REQ-POINTING-09: Mechanical angles keep their wrap.
 TEST(Resolve, MechanicalAnglesAreTakenAsTheyAre)
 {
     const MountModel model = mount({-180_deg, 450_deg});
@@ -279,6 +293,7 @@ TEST(ToSky, FoldsTurnsAndOverTheTop)
     EXPECT_NEAR(flipped.elevation.degrees(), 30, 1e-9);
 }
 
+// REQ-POINTING-03
 TEST(ToSky, IsTheInverseOfResolve)
 {
     std::mt19937 random(4);
@@ -297,6 +312,7 @@ TEST(ToSky, IsTheInverseOfResolve)
 
 // wrap_cases.csv tells for whole passes where one that fits the travel starts and ends. Started there, the turns chosen
 // point by point must lead to that end without going round.
+// REQ-POINTING-05
 TEST(Resolve, FollowsPlannedPassesToTheirEnd)
 {
     std::ifstream file(BORESIGHT_TEST_DATA "/wrap_cases.csv");
@@ -330,6 +346,8 @@ TEST(Resolve, FollowsPlannedPassesToTheirEnd)
 }
 
 // A mount as of issue 5, and worse ones: whatever true direction is asked for, the beam comes to look there.
+// REQ-POINTING-22: Directions are true and places mechanical: with any model the beam looks where it was asked to. The
+// cable decides the wrap.
 TEST(Resolve, WithAPointingModelTheBeamLooksWhereItWasAsked)
 {
     std::mt19937 random(5);
@@ -346,6 +364,7 @@ TEST(Resolve, WithAPointingModelTheBeamLooksWhereItWasAsked)
     }
 }
 
+// REQ-POINTING-22
 TEST(Resolve, WithAPointingModelTheTurnIsChosenByTheCable)
 {
     MountModel model = mount({-90_deg, 450_deg});
@@ -357,6 +376,7 @@ TEST(Resolve, WithAPointingModelTheTurnIsChosenByTheCable)
     EXPECT_EQ(low.reason, "elevation -2.0° below limit 0.0° (mechanical angles)");
 }
 
+// REQ-POINTING-20
 TEST(Resolve, TheHoleAtTheZenithIsToleratedOrTold)
 {
     MountModel model = mount({-90_deg, 450_deg});

@@ -56,6 +56,8 @@ AxisBox widened(const AxisBox& box, double azimuth, double elevation)
 
 }  // namespace
 
+// REQ-POINTING-11: Limits are mechanical. Horizon and keep-outs hold on every wrap, through north and over the top.
+// Edges are permitted.
 TEST(PermittedRegion, LimitsAndTravelHoldTogether)
 {
     const PermittedRegion region({.azimuth = {-90_deg, 600_deg}, .elevation = {5_deg, 80_deg}},
@@ -79,6 +81,7 @@ TEST(PermittedRegion, LimitsWithNothingInCommonPermitNothing)
     EXPECT_FALSE(region.nearest(at(460, 10)));
 }
 
+// REQ-POINTING-11
 TEST(PermittedRegion, AKeepOutHoldsOnEveryTurnAndOverTheTop)
 {
     const PermittedRegion region({.keepOuts = {regionMast()}}, kPermittedRegionAzimuths, kPermittedRegionFlipping);
@@ -98,6 +101,7 @@ TEST(PermittedRegion, AKeepOutHoldsOnEveryTurnAndOverTheTop)
     EXPECT_EQ(region.obstacle(at(135, 170)), "the keep-out \"regionMast\"");
 }
 
+// REQ-POINTING-11
 TEST(PermittedRegion, AKeepOutThroughNorth)
 {
     const PermittedRegion region({.keepOuts = {{"chimney", 350_deg, 10_deg, 20_deg, 50_deg}}}, kPermittedRegionAzimuths,
@@ -110,6 +114,7 @@ TEST(PermittedRegion, AKeepOutThroughNorth)
     }
 }
 
+// REQ-POINTING-13
 TEST(PermittedRegion, AKeepOutAllRoundTheZenithHasNoEdgeInItsMiddle)
 {
     const PermittedRegion region({.keepOuts = {{"ice", 0_deg, 360_deg, 80_deg, 90_deg}}}, kPermittedRegionAzimuths,
@@ -120,6 +125,7 @@ TEST(PermittedRegion, AKeepOutAllRoundTheZenithHasNoEdgeInItsMiddle)
     EXPECT_TRUE(region.permits(at(10, 100)));
 }
 
+// REQ-POINTING-11
 TEST(PermittedRegion, TheHorizonIsStraightBetweenItsPoints)
 {
     const PermittedRegion region({.horizon = valley()}, kPermittedRegionAzimuths, kPermittedRegionFlipping);
@@ -137,6 +143,7 @@ TEST(PermittedRegion, TheHorizonIsStraightBetweenItsPoints)
     EXPECT_EQ(region.obstacle(at(200, 3)), "the horizon");
 }
 
+// REQ-POINTING-12: A box is permitted only with all of it, and can be widened exactly to what is in the way.
 TEST(PermittedRegion, ABoxIsPermittedOnlyWithAllOfIt)
 {
     const PermittedRegion region({.horizon = valley(), .keepOuts = {regionMast()}}, kPermittedRegionAzimuths, kUpright);
@@ -148,6 +155,7 @@ TEST(PermittedRegion, ABoxIsPermittedOnlyWithAllOfIt)
     EXPECT_FALSE(region.permits(box(-200, 460, 39.9, 90)));
 }
 
+// REQ-POINTING-13: What touches leaves no way between.
 TEST(PermittedRegion, ThereIsNoWayBetweenWhatTouches)
 {
     const KeepOut left{"left", 300_deg, 310_deg, 10_deg, 40_deg};
@@ -161,6 +169,7 @@ TEST(PermittedRegion, ThereIsNoWayBetweenWhatTouches)
     EXPECT_TRUE(region.permits(at(305, 5)));
 }
 
+// REQ-POINTING-13
 TEST(PermittedRegion, ThereIsNoWayBelowAKeepOutThatStandsOnTheHorizon)
 {
     const KeepOut roof{"roof", 40_deg, 80_deg, 20_deg, 30_deg};
@@ -172,6 +181,7 @@ TEST(PermittedRegion, ThereIsNoWayBelowAKeepOutThatStandsOnTheHorizon)
     EXPECT_TRUE(region.permits(at(40, 20)));
 }
 
+// REQ-POINTING-14: For a forbidden place the nearest permitted one is found, with the reason.
 TEST(PermittedRegion, NearestPlaces)
 {
     const PermittedRegion region({.horizon = valley(), .keepOuts = {regionMast()}}, kPermittedRegionAzimuths,
@@ -191,6 +201,7 @@ TEST(PermittedRegion, NearestPlaces)
 }
 
 // Random regions against the plain truth.
+// REQ-POINTING-11
 TEST(PermittedRegion, AgreesWithThePlainTruth)
 {
     std::mt19937 random(20261121);
@@ -217,6 +228,7 @@ TEST(PermittedRegion, AgreesWithThePlainTruth)
     EXPECT_GT(forbidden, 10000);
 }
 
+// REQ-POINTING-12
 TEST(PermittedRegion, WidestBoxesArePermittedAndNoWiderOnes)
 {
     std::mt19937 random(7);
@@ -247,6 +259,7 @@ TEST(PermittedRegion, WidestBoxesArePermittedAndNoWiderOnes)
     EXPECT_GT(checked, 3000);
 }
 
+// REQ-POINTING-14
 TEST(PermittedRegion, NothingPermittedIsNearerThanTheNearest)
 {
     std::mt19937 random(11);

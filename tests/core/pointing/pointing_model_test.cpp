@@ -28,6 +28,7 @@ void expectSky(const PointingTerms& terms, const AxisPosition& axes, double azim
 
 }  // namespace
 
+// REQ-POINTING-17: Without terms the axes show the truth, to the last bit.
 TEST(PointingModel, WithoutTermsEveryBitIsPassedThrough)
 {
     std::mt19937 random(1);
@@ -46,6 +47,7 @@ TEST(PointingModel, WithoutTermsEveryBitIsPassedThrough)
 
 // Each term alone, a hundredth of a degree, at an azimuth of 30° or 90° and an elevation of 60°: sin 30° = cos 60° =
 // 1/2, tan 60° = 1.7320508, 1 / cos 60° = 2. What is left is of second order, 1e-5° here.
+// REQ-POINTING-18: Each term does what the textbook says of it.
 TEST(PointingModel, SmallTermsAreThoseOfTheTextbook)
 {
     constexpr Angle k = 0.01_deg;
@@ -65,6 +67,7 @@ TEST(PointingModel, SmallTermsAreThoseOfTheTextbook)
 // 45° from the azimuth, 0.3° of collimation add 0.3° / cos 45° = 0.42426°, and 62.6° + 37.4° = 100° is where the lean
 // to the north takes 0.6° × cos 100° = -0.10419° from the elevation and only 0.6° × sin 100° = 0.59088° from the
 // azimuth.
+// REQ-POINTING-18
 TEST(PointingModel, TheMountOfTheScenario)
 {
     const PointingTerms terms{.azimuthOffset = 37.4_deg, .tiltNorth = 0.6_deg, .collimation = 0.3_deg};
@@ -73,6 +76,7 @@ TEST(PointingModel, TheMountOfTheScenario)
 }
 
 // With the mast leaning 1° to the east the beam that is raised to 90° looks 1° past the zenith to the east.
+// REQ-POINTING-18
 TEST(PointingModel, ALeaningMastLooksPastTheZenith)
 {
     const PointingModel model({.tiltEast = 1_deg});
@@ -84,6 +88,8 @@ TEST(PointingModel, ALeaningMastLooksPastTheZenith)
     EXPECT_NEAR(zenith.axes.elevation.degrees(), 89.0, kExact);
 }
 
+// REQ-POINTING-19: Sky to axes and axes to sky are inverse to 1e-9°, at the zenith and over the top too, and keep wrap
+// and side.
 TEST(PointingModel, FromTheSkyToTheAxesAndBackIsExact)
 {
     std::mt19937 random(20261121);
@@ -103,6 +109,7 @@ TEST(PointingModel, FromTheSkyToTheAxesAndBackIsExact)
 
 // There and back in axis angles, turns and the side of the zenith included. At 90° the elevation hardly moves a beam
 // that a collimation keeps off the zenith, so that a direction of 64 bits does not tell the last digits of the axes.
+// REQ-POINTING-19
 TEST(PointingModel, FromTheAxesToTheSkyAndBackIsExact)
 {
     std::mt19937 random(7);
@@ -123,6 +130,8 @@ TEST(PointingModel, FromTheAxesToTheSkyAndBackIsExact)
     }
 }
 
+// REQ-POINTING-20: A direction that the axes cannot reach is missed by as little as possible, and the miss is
+// reported.
 TEST(PointingModel, ADirectionInTheHoleIsMissedByWhatIsSaid)
 {
     const PointingModel model({.azimuthOffset = 37.4_deg, .collimation = 2_deg, .nonPerpendicularity = 0.5_deg});
@@ -137,6 +146,7 @@ TEST(PointingModel, ADirectionInTheHoleIsMissedByWhatIsSaid)
     EXPECT_TRUE(model.toAxes({123_deg, 87.4_deg}).exact());
 }
 
+// REQ-POINTING-19
 TEST(PointingModel, TheTurnGoesOnWithTheAxes)
 {
     const PointingModel model({.azimuthOffset = 37.4_deg, .tiltNorth = 0.6_deg});

@@ -157,6 +157,7 @@ TEST(Route, PassesBelowWhatHangsInTheSky)
     EXPECT_EQ(*way, (std::vector{at(80, 20), at(120, 20), at(130, 30)}));
 }
 
+// REQ-POINTING-16: Where there is no way, what is in between is named.
 TEST(Route, SaysWhatIsInTheWayWhenThereIsNone)
 {
     const PermittedRegion wall({.keepOuts = {routeMast(90_deg)}}, {0_deg, 360_deg}, {0_deg, 90_deg});
@@ -181,6 +182,7 @@ TEST(Route, LeadsOutOfAForbiddenPlaceFirst)
 
 // Every leg is permitted; where there is no way, cells of a grid lead none either; and no way is longer than the way
 // over the top of everything.
+// REQ-POINTING-15: A way exists wherever a grid finds one, each leg is permitted as a box, and none is a detour.
 TEST(Route, FindsAWayWhereThereIsOne)
 {
     std::mt19937 random(3);
@@ -217,6 +219,7 @@ TEST(Route, FindsAWayWhereThereIsOne)
 }
 
 // Where one can go round by the top of what is in the way, the way takes no longer than that.
+// REQ-POINTING-15
 TEST(Route, IsNoDetour)
 {
     std::mt19937 random(5);
@@ -249,6 +252,8 @@ TEST(Route, IsNoDetour)
 }
 
 // Story: 60 keep-outs around a target held the control tick up for 0.15 s.
+// REQ-POINTING-16a: A search ends after a fixed number of steps, also without a way, and its error names the cause.
+// With as many keep-outs as a profile may have it ends earlier.
 TEST(Route, GivesUpAfterSoManySteps)
 {
     const PermittedRegion region({.keepOuts = {routeMast()}}, kRouteAzimuths, {0_deg, 90_deg});
@@ -261,6 +266,7 @@ TEST(Route, GivesUpAfterSoManySteps)
 }
 
 // As many as a profile may have, all around, on a mount that leans: a way is found in the steps there are.
+// REQ-POINTING-16a
 TEST(Route, FindsItsWayAmongAsManyKeepOutsAsThereMayBe)
 {
     std::mt19937 random(11);

@@ -41,6 +41,8 @@ SkyPointing beside(const SkyPointing& sun, Angle distance, double around)
 }  // namespace
 
 // Wherever the Sun is up, no place of the axes looks into the circle: on no turn, and not over the top.
+// REQ-POINTING-21 (SunKeepOut.*): The Sun is a keep-out: nothing looks into the circle around it, near the zenith from
+// no azimuth. There is none while it is down.
 TEST(SunKeepOut, NoPlaceLooksIntoTheCircle)
 {
     std::mt19937 random(1);
@@ -128,6 +130,8 @@ TEST(SunKeepOut, HoldsForStepsAndWays)
 
 // The Sun at any declination and hour angle, while it is up: what looks into the circle around it is forbidden, on a
 // mount that leans, too.
+// REQ-POINTING-21a (SunBand.*): Without a clock nothing looks into the circle around any place that the Sun can have
+// at this latitude. What the Sun never reaches stays free.
 TEST(SunBand, NoPlaceLooksIntoTheCircleAtAnyTime)
 {
     std::mt19937 random(2);

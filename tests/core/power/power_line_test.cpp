@@ -83,6 +83,8 @@ struct UdpEar : Ear
     QUdpSocket sender;
 };
 
+// REQ-POWER-03: Each value has its time of arrival. Lines may be split or joined anywhere. A line of more than 300
+// bytes is dropped.
 TEST(PowerLine, UdpIsReadLineByLineWithItsTimeOfArrival)
 {
     UdpEar ear;
@@ -106,6 +108,7 @@ TEST(PowerLine, UdpIsReadLineByLineWithItsTimeOfArrival)
     EXPECT_EQ("", ear.problem());
 }
 
+// REQ-POWER-04
 TEST(PowerLine, RubbishIsOneLineThatSaysWhatCame)
 {
     UdpEar ear;
@@ -128,6 +131,8 @@ TEST(PowerLine, RubbishIsOneLineThatSaysWhatCame)
     EXPECT_EQ("", ear.problem());
 }
 
+// REQ-POWER-04: Silence or rubbish for 5 s is one sentence that shows what comes, the same until a value comes. A slip
+// now and then is only counted.
 TEST(PowerLine, SilenceIsSaid)
 {
     UdpEar ear;
@@ -143,6 +148,7 @@ TEST(PowerLine, SilenceIsSaid)
     EXPECT_NEAR(6.0, ear.line.status().age.count(), 1e-9);
 }
 
+// REQ-POWER-03
 TEST(PowerLine, LinesThatAreTooLongAreDropped)
 {
     UdpEar ear;
@@ -155,6 +161,7 @@ TEST(PowerLine, LinesThatAreTooLongAreDropped)
     EXPECT_EQ(2U, ear.line.status().refused);
 }
 
+// REQ-POWER-03
 TEST(PowerLine, ABurstIsReadWhole)
 {
     UdpEar ear;
@@ -166,6 +173,8 @@ TEST(PowerLine, ABurstIsReadWhole)
 }
 
 // Story: a flood held up the drives for 0.37 s, for all that was there was read at once.
+// REQ-POWER-08: A flood on the line delays nobody: 4 kB or 50 datagrams are read every 10 ms on a thread of its own,
+// and the station gets the newest 32 values every 20 ms.
 TEST(PowerLine, AFloodOfDatagramsIsReadInSmallHelpings)
 {
     UdpEar ear;
@@ -179,6 +188,7 @@ TEST(PowerLine, AFloodOfDatagramsIsReadInSmallHelpings)
     EXPECT_LE(ear.longestHelping(), PowerLine::kDatagramsAtOnce);
 }
 
+// REQ-POWER-06: UDP is listened for at the one address that the profile names.
 TEST(PowerLine, OtherAddressesOfThisComputerAreNotListenedAt)
 {
     UdpEar ear;
@@ -189,6 +199,8 @@ TEST(PowerLine, OtherAddressesOfThisComputerAreNotListenedAt)
     EXPECT_EQ(-2.0, ear.values.front().decibels);
 }
 
+// REQ-POWER-05: A port that is taken, or a program that is not there or hangs up, is one sentence. It is tried again
+// after 1, 2, 4, 8, 10 s.
 TEST(PowerLine, APortThatIsTakenIsSaidAndTriedAgain)
 {
     auto holder = std::make_unique<QUdpSocket>();
@@ -204,6 +216,7 @@ TEST(PowerLine, APortThatIsTakenIsSaidAndTriedAgain)
 }
 
 // As a script of an operator does it.
+// REQ-POWER-07: A script of a line or two is source enough.
 TEST(PowerLine, AProgramThatSendsByUdpIsHeard)
 {
     UdpEar ear;
@@ -234,6 +247,7 @@ struct Receiver
     QTcpServer server;
 };
 
+// REQ-POWER-03
 TEST(PowerLine, TcpMayBeSplitAnywhere)
 {
     Receiver receiver;
@@ -255,6 +269,7 @@ TEST(PowerLine, TcpMayBeSplitAnywhere)
     EXPECT_EQ(0, socket->bytesAvailable()) << "nothing is ever sent";
 }
 
+// REQ-POWER-08
 TEST(PowerLine, AFloodByTcpIsReadInSmallHelpingsAndHeldUp)
 {
     Receiver receiver;
@@ -268,6 +283,7 @@ TEST(PowerLine, AFloodByTcpIsReadInSmallHelpingsAndHeldUp)
     EXPECT_LE(ear.longestHelping(), PowerLine::kBytesAtOnce / 4);
 }
 
+// REQ-POWER-05
 TEST(PowerLine, TcpConnectsAgain)
 {
     const std::uint16_t port = freePort();
@@ -294,6 +310,7 @@ TEST(PowerLine, TcpConnectsAgain)
     EXPECT_EQ("", ear.problem());
 }
 
+// REQ-POWER-05
 TEST(PowerLine, AProgramThatHangsUpAtOnceIsOneLine)
 {
     Receiver receiver;

@@ -12,6 +12,7 @@ std::optional<double> read(std::string_view line)
     return power ? std::optional(*power) : std::nullopt;
 }
 
+// REQ-POWER-01: A number in dB is read, alone, after a name, beside a frequency. A comma may stand for the point.
 TEST(PowerText, ANumberOrANameWithIt)
 {
     EXPECT_EQ(read("-73.2"), -73.2);
@@ -25,6 +26,7 @@ TEST(PowerText, ANumberOrANameWithIt)
     EXPECT_EQ(read("CH2 -40.5"), -40.5);  // 2 is part of a name
 }
 
+// REQ-POWER-01
 TEST(PowerText, ACommaMayStandForThePoint)
 {
     EXPECT_EQ(read("-73,2"), -73.2);  // as a German or Portuguese program writes it
@@ -33,6 +35,7 @@ TEST(PowerText, ACommaMayStandForThePoint)
     EXPECT_EQ(read("-73,-74"), std::nullopt);
 }
 
+// REQ-POWER-01
 TEST(PowerText, TheOneInDecibelsAmongOthers)
 {
     EXPECT_EQ(read("VFO 14.074 MHz -73 dBm"), -73.0);
@@ -43,6 +46,8 @@ TEST(PowerText, TheOneInDecibelsAmongOthers)
 }
 
 // The first number used to be taken for it.
+// REQ-POWER-02: What is not sure is refused with the reason and never guessed: "S7", two numbers, another unit, a
+// date.
 TEST(PowerText, WhatIsNotSureIsRefused)
 {
     for (const char* const line : {"",
@@ -73,6 +78,7 @@ TEST(PowerText, WhatIsNotSureIsRefused)
     }
 }
 
+// REQ-POWER-02
 TEST(PowerText, TheReasonIsTold)
 {
     EXPECT_EQ("there is no number in it", parsePower("S7").error().text);

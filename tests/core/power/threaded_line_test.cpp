@@ -29,6 +29,7 @@ LineSettings settingsOf(Transport transport, std::uint16_t port)
 }
 
 // The receiver's program is served without an event loop of this thread.
+// REQ-POWER-08 (ThreadedLine.*)
 TEST(ThreadedLine, IsServedWhileItsOwnerDoesNotRun)
 {
     QTcpServer server;  // whose connections are accepted here, by blocking system calls

@@ -21,6 +21,9 @@ Profile with(double speed, double acceleration, double torque = 50.0)
     return profile;
 }
 
+// REQ-PROFILE-04a (Advice.*): What is permitted and hardly meant is advice with its numbers, not an error: more than
+// 3 s and 10° to stop from full speed, or full speed within 0.1 s, with the inertia that the torque could do that
+// with.
 TEST(Advice, HasNothingOnOrdinaryMounts)
 {
     EXPECT_TRUE(adviceOn({}).empty());

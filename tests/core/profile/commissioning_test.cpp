@@ -22,6 +22,8 @@ void expectMakesSense(const Profile& profile)
     }
 }
 
+// REQ-PROFILE-17 (Commissioning.*): Each act of commissioning (another bus, motors swapped or reversed, a travel, a
+// zero) changes together what belongs together, and doubts the directions where it must.
 TEST(Commissioning, AnotherBusHasItsDirectionsUnconfirmedAndTakesTheIdsThatAnswer)
 {
     Profile profile;
@@ -54,6 +56,9 @@ TEST(Commissioning, ARealMountHasNoSimulatedSensor)
 }
 
 // Story: tried out on the simulated mount, north applied; the real mount connected then pointed 37.4° beside.
+// REQ-PROFILE-17a: What was found on the simulated mount (zeros, north, pointing model, mounting and iron of the
+// sensor) does not go to a real one, nor the other way round: in the guide, in the table, by `--bus` or by a file.
+// Ends that were typed stay.
 TEST(Commissioning, NothingFoundOfTheSimulatedMountHoldsOnARealOne)
 {
     Profile profile;
@@ -82,6 +87,7 @@ TEST(Commissioning, NothingFoundOfTheSimulatedMountHoldsOnARealOne)
 
 // Story: the encoders' zeros set by standing on the simulated mount would have been the real one's, whose ends are
 // counted from them.
+// REQ-PROFILE-17a
 TEST(Commissioning, TheSimulatedMountsZeroIsLeftAndTheTravelThatWasTypedStays)
 {
     Profile profile;
@@ -98,6 +104,7 @@ TEST(Commissioning, TheSimulatedMountsZeroIsLeftAndTheTravelThatWasTypedStays)
     expectMakesSense(real);
 }
 
+// REQ-PROFILE-17a
 TEST(Commissioning, WhatComesWithTheBusIsNotTheSimulatedMounts)
 {
     Profile simulated;
@@ -120,6 +127,8 @@ TEST(Commissioning, WhatComesWithTheBusIsNotTheSimulatedMounts)
 
 // An exported profile of a real mount, taken over while the simulated one runs, never was simulated; what it has in
 // common with that one neither.
+// REQ-PROFILE-17b: A real mount's profile that is imported, taken back or undone while the simulated one runs keeps
+// its own.
 TEST(Commissioning, AProfileTakenOverBringsWhatWasFoundOfItsMount)
 {
     Profile simulated;
@@ -238,6 +247,7 @@ TEST(Commissioning, ShiftedEndsAreNumbersThatCanBeRead)
     expectMakesSense(profile);
 }
 
+// REQ-UI-43
 TEST(Commissioning, NorthIsSetInThePointingModelAndNoAngleOfAnAxisChanges)
 {
     Profile profile;

@@ -39,6 +39,9 @@ void write(const QString& path, const char* text)
 
 }  // namespace
 
+// REQ-PROFILE-16 (GpredictQth.*): Gpredict's stations are found, and an incomplete place is refused. Its satellite
+// data are found with their number and the epoch of the newest elements, in its usual folder or the one that the
+// profile names.
 TEST(GpredictQth, IsReadAsGpredictWritesIt)
 {
     const auto station = parseQth(kHome, QStringLiteral("home"));

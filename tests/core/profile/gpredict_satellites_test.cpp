@@ -40,6 +40,7 @@ protected:
 
 }  // namespace
 
+// REQ-PROFILE-16 (ElementEpoch.*)
 TEST(ElementEpoch, IsReadFromItsColumns)
 {
     using namespace std::chrono;
@@ -68,6 +69,7 @@ TEST(ElementEpoch, RubbishHasNone)
     }
 }
 
+// REQ-PROFILE-16 (SatelliteFolder.*)
 TEST_F(SatelliteFolder, CountsItsFilesAndTellsTheNewestElements)
 {
     EXPECT_EQ(findGpredictSatellites(home.path()),

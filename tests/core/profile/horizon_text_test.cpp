@@ -29,6 +29,8 @@ std::string pointsOf(std::string_view text)
 }  // namespace
 
 // The forms in which other programs write it.
+// REQ-PROFILE-14 (HorizonText.*): Horizons of other programs are read, with all errors by line, and written so that
+// they can read them.
 TEST(HorizonText, ReadsWhatOthersWrite)
 {
     EXPECT_EQ(pointsOf("# N.I.N.A.\n0 10\n90 20\n180 30\n270 20\n360 10\n"),

@@ -43,6 +43,7 @@ const Reference kReferences[] = {
 
 }  // namespace
 
+// REQ-PROFILE-15 (Locator.*): Locators of 4 to 10 characters, both ways, agree with published values.
 TEST(Locator, AgreesWithPublishedValues)
 {
     for (const Reference& reference : kReferences) {

@@ -14,6 +14,8 @@ using Keys = std::vector<std::string>;
 
 }  // namespace
 
+// REQ-PROFILE-10 (ProfileDiff.*): Two profiles are compared key by key, with both values and when it applies. Lists
+// and the site are one line each.
 TEST(ProfileDiff, TellsEachKeyWithBothValuesAndWhenItApplies)
 {
     const Profile from;
@@ -32,6 +34,7 @@ TEST(ProfileDiff, TellsEachKeyWithBothValuesAndWhenItApplies)
     EXPECT_TRUE(changesBetween(to, to).empty());
 }
 
+// REQ-PROFILE-19
 TEST(ProfileDiff, DoesNotSaySecrets)
 {
     Profile from;
@@ -111,6 +114,8 @@ TEST(ProfileDiff, WhatIsWrittenAlikeIsTheSame)
     EXPECT_TRUE(changesBetween(from, *read).empty());
 }
 
+// REQ-PROFILE-11 (Applied.*): Of a wanted profile, what needs a reconnect waits, with what makes sense only together
+// with it.
 TEST(Applied, WhatNeedsAReconnectWaits)
 {
     const Profile inForce;

@@ -26,6 +26,8 @@ QByteArray contentOf(const QString& path)
 
 }  // namespace
 
+// REQ-PROFILE-01: The defaults are the reference mount. Azimuth 0…360° is 0…1 turn, travel -90…450°. Elevation is
+// inverted, 0° is -0.25 turn, 90° is -0.5 turn, travel 0…90°.
 TEST(ProfileFile, NothingButTheVersionIsTheReferenceMount)
 {
     const auto profile = parseProfile("version = 1\n", "m.toml");
@@ -39,6 +41,7 @@ TEST(ProfileFile, NothingButTheVersionIsTheReferenceMount)
     EXPECT_EQ(profile->rotctld.listen, (ListenAddress{"127.0.0.1", 4533}));
 }
 
+// REQ-PROFILE-08: What is written reads back as the same values. What could not be read again is not written.
 TEST(ProfileFile, TheDefaultFileReadsBackAsTheDefault)
 {
     const std::string text = toToml(Profile{});
@@ -55,6 +58,9 @@ TEST(ProfileFile, TheDefaultFileReadsBackAsTheDefault)
 
 // Story: "profile --default" said that the directions were confirmed. With the name of a real bus in it, a mount that
 // nobody had seen turn went to its first target at 10 °/s.
+// REQ-PROFILE-06a: The directions of a real mount are unconfirmed until its file says that they are confirmed. The
+// file that the program prints for the simulated mount says nothing of them, so that another bus in it does not
+// confirm them.
 TEST(ProfileFile, TheDirectionsOfARealMountAreUnconfirmedUntilItsFileSaysSo)
 {
     const auto directionsOf = [](const std::string& toml) { return parseProfile(toml, "m.toml")->mount.directions; };
@@ -73,6 +79,7 @@ TEST(ProfileFile, TheDirectionsOfARealMountAreUnconfirmedUntilItsFileSaysSo)
     EXPECT_EQ(directionsOf(toToml(seen)), Directions::Unconfirmed);
 }
 
+// REQ-PROFILE-08
 TEST(ProfileFile, EveryValueSurvivesTheRoundTrip)
 {
     Profile changed;
@@ -119,6 +126,8 @@ TEST(ProfileFile, EveryValueSurvivesTheRoundTrip)
     EXPECT_EQ(*again, changed);
 }
 
+// REQ-PROFILE-03: Unknown key or table, wrong type, out of range, not finite, an incomplete row or site: refused with
+// file, line, key and reason, all at once, in the order of lines.
 TEST(ProfileFile, TellsAllErrorsAtOnceInTheOrderOfTheirLines)
 {
     EXPECT_EQ(errorsOf("version = 1\n"                          // 1
@@ -158,6 +167,7 @@ TEST(ProfileFile, TellsAllErrorsAtOnceInTheOrderOfTheirLines)
               "m.toml:21: rotctld.max_clients: 9223372036854775808 is outside 1…5000");
 }
 
+// REQ-PROFILE-03
 TEST(ProfileFile, TellsWhichRowsCannotBeRead)
 {
     EXPECT_EQ(errorsOf("version = 1\n"                                   // 1
@@ -199,6 +209,7 @@ TEST(ProfileFile, TellsWhichRowsCannotBeRead)
               "m.toml:22: rotctld.locked_to: a text in quotes is expected");
 }
 
+// REQ-PROFILE-03
 TEST(ProfileFile, TellsWhichRowsMakeNoSense)
 {
     EXPECT_EQ(errorsOf("version = 1\n"                                       // 1
@@ -231,6 +242,7 @@ TEST(ProfileFile, TellsWhichRowsMakeNoSense)
     EXPECT_EQ(errorsOf("version = 1\nkeep_out = [1]\n"), "m.toml:2: keep_out[1]: a table is expected");
 }
 
+// REQ-PROFILE-07: The file has a version. Another version is refused, not guessed at.
 TEST(ProfileFile, IsVersioned)
 {
     EXPECT_EQ(errorsOf(""), "m.toml:1: version: \"version = 1\" is expected");
@@ -238,6 +250,7 @@ TEST(ProfileFile, IsVersioned)
     EXPECT_EQ(errorsOf("version = 2\n"), "m.toml:1: version: 2 is not known to this program, which reads version 1");
 }
 
+// REQ-PROFILE-03
 TEST(ProfileFile, ASettingInTheWrongPlaceIsUnknown)
 {
     EXPECT_EQ(errorsOf("version = 1\nid = 1\n"), "m.toml:2: id: unknown key");
@@ -261,6 +274,7 @@ TEST(ProfileFile, ErrorsShowNoControlCharacters)
 
 // Found by the fuzzer: TOML has no raw control characters, so a profile with one in a name was written but never read
 // again.
+// REQ-BASE-07: Names and texts of a profile hold no control characters, so that a written profile can be read.
 TEST(ProfileFile, RefusesControlCharacters)
 {
     EXPECT_EQ(errorsOf("version = 1\nmount.name = \"mast\\u007f\"\n"),
@@ -299,6 +313,7 @@ TEST(ProfileFile, TheDummyLikeProfileOfTheTestsIsValid)
     EXPECT_EQ(profile->park, AxisPosition{});
 }
 
+// REQ-PROFILE-09: Saving is all or nothing. The last change can be undone, and the undo too.
 TEST(ProfileFile, SavesAllOrNothing)
 {
     const QTemporaryDir folder;

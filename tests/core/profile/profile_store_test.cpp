@@ -69,6 +69,8 @@ protected:
 
 }  // namespace
 
+// REQ-PROFILE-12 (ProfileStoreTest.*): Several mounts are listed, duplicated, removed without loss, imported and
+// exported as the same file. One is the current one. No two have one name.
 TEST_F(ProfileStoreTest, IsEmptyAtFirst)
 {
     EXPECT_EQ(listed(), "");
@@ -111,6 +113,7 @@ TEST_F(ProfileStoreTest, ABrokenFileIsListedWithItsReason)
     EXPECT_TRUE(store.list().front().problem.contains(QLatin1String("bad.toml:1: version: ")));
 }
 
+// REQ-PROFILE-09
 TEST_F(ProfileStoreTest, TheLastChangeCanBeUndoneAndThatToo)
 {
     const QString file = added("one");
@@ -219,6 +222,7 @@ TEST_F(ProfileStoreTest, ExportsAndImportsTheSameFile)
 }
 
 // Also the version before, once there was a password in it, and a copy for others.
+// REQ-PROFILE-19
 TEST_F(ProfileStoreTest, OnlyTheOwnerReadsAFileWithAPassword)
 {
     const auto mine = [](const QString& file) { return readersOf(file) == Readers::OnlyOwner; };
@@ -240,6 +244,7 @@ TEST_F(ProfileStoreTest, OnlyTheOwnerReadsAFileWithAPassword)
     EXPECT_TRUE(mine(exported));
 }
 
+// REQ-PROFILE-13: The single `profile.toml` of earlier versions goes on working.
 TEST_F(ProfileStoreTest, TakesInTheSingleProfileWithItsComments)
 {
     const QByteArray text = "# by hand\nversion = 1\nmount.name = \"old\"\n";
@@ -264,6 +269,7 @@ TEST_F(ProfileStoreTest, ABrokenSingleProfileIsToldAndLeftAlone)
     EXPECT_TRUE(QFileInfo::exists(path("profile.toml")));
 }
 
+// REQ-PROFILE-13
 TEST_F(ProfileStoreTest, ASingleProfileThatCannotBeMovedIsUsedWhereItIs)
 {
     ASSERT_TRUE(writeFile(path("profile.toml"), "version = 1\nmount.name = \"old\"\n"));
@@ -272,6 +278,7 @@ TEST_F(ProfileStoreTest, ASingleProfileThatCannotBeMovedIsUsedWhereItIs)
     EXPECT_EQ(nameIn(path("profile.toml")), "old");
 }
 
+// REQ-PROFILE-08
 TEST_F(ProfileStoreTest, WritesNothingThatCannotBeReadAgain)
 {
     const QString file = added("one");

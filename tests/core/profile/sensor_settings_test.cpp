@@ -20,6 +20,8 @@ std::vector<std::string> keysOf(const Profile& profile)
     return keys;
 }
 
+// REQ-PROFILE-18 (SensorSettings.*): An orientation sensor is described whole or not used. Its settings that make no
+// sense together are reported.
 TEST(SensorSettings, WithoutThemThereIsNoSensor)
 {
     EXPECT_EQ(Profile().sensor.source, SensorSource::None);

@@ -24,6 +24,8 @@ std::vector<std::string> keysOf(const std::vector<Problem>& problems)
 
 }  // namespace
 
+// REQ-PROFILE-02: Every key is described once: table, type, unit, range, text, when it applies. Its default, and the
+// ends of its range, lie in that range.
 TEST(Settings, AreDescribedOnceEach)
 {
     std::set<std::string> keys;
@@ -36,6 +38,7 @@ TEST(Settings, AreDescribedOnceEach)
 }
 
 // What get() returns, set() takes and leaves the profile as it was: defaults are inside their own ranges.
+// REQ-PROFILE-02
 TEST(Settings, DefaultsAreValid)
 {
     Profile profile;
@@ -49,6 +52,7 @@ TEST(Settings, DefaultsAreValid)
     }
 }
 
+// REQ-PROFILE-03
 TEST(Settings, RefuseTheWrongTypeAndLeaveTheProfile)
 {
     for (const Setting& setting : settings()) {
@@ -61,6 +65,7 @@ TEST(Settings, RefuseTheWrongTypeAndLeaveTheProfile)
     }
 }
 
+// REQ-PROFILE-03
 TEST(Settings, RefuseWhatIsOutOfRange)
 {
     for (const Setting& setting : settings()) {
@@ -107,6 +112,7 @@ TEST(Settings, ChoicesAreAllTaken)
 }
 
 // The names of a row's keys, and that they are described like every setting.
+// REQ-PROFILE-02
 TEST(Settings, RowsAreDescribedToo)
 {
     const auto check = [](const auto& fields) {
@@ -149,6 +155,7 @@ TEST(Settings, TheSiteIsKnownOnceItIsSet)
     EXPECT_EQ(profile.site.latitude, -33.5_deg);
 }
 
+// REQ-PROFILE-06: Clients are real addresses and networks. A mount locked to one client names it.
 TEST(Settings, ClientsAreAddressesAndNetworks)
 {
     Profile profile;
@@ -170,6 +177,7 @@ TEST(Settings, ClientsAreAddressesAndNetworks)
 }
 
 // Degrees become radians and degrees again; the ends of a range must still be inside it.
+// REQ-PROFILE-02
 TEST(Settings, TheEndsOfARangeStayInside)
 {
     for (const Setting& setting : settings()) {
@@ -183,6 +191,9 @@ TEST(Settings, TheEndsOfARangeStayInside)
     }
 }
 
+// REQ-PROFILE-04: What settings mean together is checked with the rest: min below max, park inside the travel,
+// different ids, three ticks within the watchdog, jog rates in order, jerk not below acceleration per second, hints of
+// the supervision before its stops, two ticks within the reply age.
 TEST(CrossCheck, FindsEveryClashAtOnce)
 {
     Profile profile;
@@ -199,6 +210,7 @@ TEST(CrossCheck, FindsEveryClashAtOnce)
                                         "jog.normal_deg_s"}));
 }
 
+// REQ-PROFILE-04
 TEST(CrossCheck, ThreeTicksMustFitIntoTheWatchdog)
 {
     Profile profile;
@@ -209,6 +221,7 @@ TEST(CrossCheck, ThreeTicksMustFitIntoTheWatchdog)
     EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"control.watchdog_s"});
 }
 
+// REQ-PROFILE-04
 TEST(CrossCheck, SupervisionHintsComeBeforeStops)
 {
     Profile profile;
@@ -224,6 +237,9 @@ TEST(CrossCheck, SupervisionHintsComeBeforeStops)
                                         "supervision.supply_low_v", "supervision.board_hot_c"}));
 }
 
+// REQ-PROFILE-05: Limits of operation leave something of the travel. Points of the horizon ascend, each azimuth once.
+// Names of keep-outs and presets are used once. 3600 points and 32 keep-outs are the most. The mount parks where
+// limits, horizon and keep-outs permit it.
 TEST(CrossCheck, LimitsLeaveSomethingOfTheTravel)
 {
     Profile profile;
@@ -236,6 +252,7 @@ TEST(CrossCheck, LimitsLeaveSomethingOfTheTravel)
     EXPECT_TRUE(crossCheck(profile).empty()) << "as much as is left of the travel counts";
 }
 
+// REQ-PROFILE-05
 TEST(CrossCheck, TheMountParksWhereItMayBe)
 {
     Profile profile;
@@ -258,6 +275,8 @@ TEST(CrossCheck, TheMountParksWhereItMayBe)
     EXPECT_TRUE(crossCheck(profile).empty()) << "its edge is permitted";
 }
 
+// REQ-PROFILE-05a: The terms of the pointing model are settings of their own, all but the azimuth offset of 10° at
+// most. They apply at once, and the park place is checked with them.
 TEST(Settings, ThePointingModelAppliesAtOnce)
 {
     Profile profile;
@@ -277,6 +296,7 @@ TEST(Settings, ThePointingModelAppliesAtOnce)
 }
 
 // Parked at mechanical 0° the beam looks to 37.4°, where the mast is.
+// REQ-PROFILE-05a
 TEST(CrossCheck, TheMountParksWhereTheBeamMayBe)
 {
     Profile profile;
@@ -300,6 +320,7 @@ TEST(CrossCheck, AHorizonHasNoMorePointsThanCanBeChecked)
     EXPECT_EQ(keysOf(crossCheck(profile)), std::vector<std::string>{"limits.horizon"});
 }
 
+// REQ-PROFILE-05
 TEST(CrossCheck, RowsMakeSenseTogether)
 {
     Profile profile;
@@ -312,6 +333,7 @@ TEST(CrossCheck, RowsMakeSenseTogether)
                                   "keep_out[1].elevation_min_deg", "keep_out[2].azimuth_to_deg", "preset[3].name"}));
 }
 
+// REQ-PROFILE-06
 TEST(CrossCheck, ALockedMountSaysToWhom)
 {
     Profile profile;
@@ -352,6 +374,8 @@ TEST(CrossCheck, APasswordNeedsAUser)
     EXPECT_TRUE(crossCheck(profile).empty());
 }
 
+// REQ-PROFILE-19: A secret is in the profile's own file only, which nobody but its owner may then read. It is neither
+// in the log's lines about changes nor in diagnostics.
 TEST(Settings, ThePasswordIsTheOnlySecret)
 {
     std::vector<std::string> secrets;
@@ -373,6 +397,7 @@ TEST(Settings, ThePasswordIsTheOnlySecret)
 }
 
 // The screen makes profiles without the file's reader; nothing may be applied that could not be read again.
+// REQ-PROFILE-08
 TEST(ProblemsOf, CountRangesToo)
 {
     Profile profile;
@@ -391,6 +416,7 @@ TEST(ProblemsOf, CountRangesToo)
     EXPECT_EQ(problemsOf(profile).size(), 7U);
 }
 
+// REQ-PROFILE-05
 TEST(CrossCheck, KeepOutsHaveAMaximum)
 {
     Profile profile;
@@ -404,6 +430,7 @@ TEST(CrossCheck, KeepOutsHaveAMaximum)
     EXPECT_EQ(problems.front().text, "33 keep-outs are more than 32");
 }
 
+// REQ-PROFILE-05b: The Sun is kept away from only where the site is given.
 TEST(CrossCheck, TheSunNeedsTheSite)
 {
     Profile profile;
@@ -414,6 +441,7 @@ TEST(CrossCheck, TheSunNeedsTheSite)
     EXPECT_TRUE(crossCheck(profile).empty());
 }
 
+// REQ-PROFILE-18a: The line of the received power names an address to listen at.
 TEST(CrossCheck, UdpIsListenedForAtAnAddress)
 {
     Profile profile;
@@ -427,6 +455,7 @@ TEST(CrossCheck, UdpIsListenedForAtAnAddress)
     EXPECT_TRUE(crossCheck(profile).empty());
 }
 
+// REQ-PROFILE-04
 TEST(CrossCheck, TwoTicksMustFitIntoTheReplyAge)
 {
     Profile profile;

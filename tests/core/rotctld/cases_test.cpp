@@ -19,6 +19,8 @@ std::string play(const QJsonObject& exchange)
 class RotctldCases : public ::testing::TestWithParam<std::string>
 {};
 
+// REQ-ROTCTLD-01: Replies are Hamlib 4.5.4's, byte for byte, except for the differences that core/rotctld/HAMLIB.md
+// lists.
 TEST_P(RotctldCases, MatchHamlib)
 {
     fakes::expectGroupAsRecorded(GetParam(), fakes::rotctldDifferences(), &play);

@@ -12,6 +12,7 @@ using namespace std::chrono_literals;
 
 constexpr SteadyTime kBegin{1h};
 
+// REQ-ROTCTLD-10 (CommandRate.*)
 TEST(CommandRate, IsSteadyForASteadyClient)
 {
     CommandRate rate(kBegin);
@@ -59,6 +60,7 @@ protected:
     SteadyTime now = kBegin;
 };
 
+// REQ-ROTCTLD-10 (PointStepsTest.*)
 TEST_F(PointStepsTest, LeapsOfAnUnhurriedClientShow)
 {
     point(340.0, 10.0, 0s);

@@ -58,6 +58,8 @@ const std::vector<Rubbish>& corpus()
 class RotctldRubbish : public ::testing::TestWithParam<Rubbish>
 {};
 
+// REQ-ROTCTLD-03 (RotctldRubbish.*): Nothing that a browser, a port scanner or a program with another protocol sends
+// moves or stops the mount.
 TEST_P(RotctldRubbish, MovesNothing)
 {
     for (const std::size_t piece : {std::size_t{100'000}, std::size_t{50}, std::size_t{7}, std::size_t{2}}) {

@@ -44,6 +44,11 @@ Descriptor connectAs(const char* own, std::uint16_t port)
     return socket;
 }
 
+// REQ-ROTCTLD-02: Each reply leaves in one write, in the order of the commands, without waiting for a drive. Default
+// replies to `p` and `P` have less than 128 bytes.
+// REQ-ROTCTLD-05 (RotctldServer.*): One client cannot harm another or the tick: one pass of the event loop runs at
+// most 96 commands. A pause, half a line, a flood, unread replies or a line without end stay with their client, which
+// is dropped with a reason where it must be.
 TEST(RotctldServer, AnswersInOneSegmentEach)
 {
     ServerFixture fixture;
@@ -58,6 +63,7 @@ TEST(RotctldServer, AnswersInOneSegmentEach)
 }
 
 // The best of several: who waits for a drive does so each time.
+// REQ-ROTCTLD-02
 TEST(RotctldServer, AnswersAtOnceWithoutDrive)
 {
     ServerFixture fixture;
@@ -218,6 +224,8 @@ TEST(RotctldServer, DeliversRepliesBeforeItCloses)
     EXPECT_FALSE(fixture.rotator.lastRequest.has_value());
 }
 
+// REQ-ROTCTLD-07: `M` ends with the connection, a `P` stands. The Rotator learns of each end with its reason, within
+// 10 s also when the other computer vanished (TCP keep-alive).
 TEST(RotctldServer, TellsWhoLeftAndWhy)
 {
     ServerFixture fixture;
@@ -271,6 +279,7 @@ TEST(RotctldServer, RefusesClientsAboveItsLimit)
 }
 
 // Story: one computer held every slot, and the tracking program of another one could not connect.
+// REQ-ROTCTLD-09a: One host holds at most three quarters of the slots.
 TEST(RotctldServer, OneHostLeavesSlotsToTheOthers)
 {
     ServerFixture fixture({.host = "0.0.0.0", .maxClients = 4});
@@ -308,6 +317,7 @@ TEST(RotctldServer, HangsUpOnOneClientOnRequest)
     EXPECT_EQ(other->ask("p\n", 2), "0.00\n0.00\n");
 }
 
+// REQ-ROTCTLD-09
 TEST(RotctldServer, TurnsAwayWhoMayNotConnect)
 {
     ServerFixture fixture({.allow = {"10.0.0.0/8"}});
@@ -351,6 +361,8 @@ TEST(RotctldServer, AnIpv4ClientOfADualListenerIsAnIpv4Client)
     EXPECT_EQ(fixture.server->clients().at(0).address.substr(0, 10), "127.0.0.1:");
 }
 
+// REQ-ROTCTLD-10: Of each client the station knows which program it probably is, how often it asks, when it last asked
+// for a motion, and whether it leaps, also while it is refused.
 TEST(RotctldServer, TellsHowAClientBehaves)
 {
     ServerFixture fixture;
@@ -391,6 +403,8 @@ TEST(RotctldServer, QueuesConnectsBackToBack)
     }
 }
 
+// REQ-ROTCTLD-06: A shortage of descriptors leaves connected clients alone and new ones waiting. 32 descriptors are
+// left to the journal, the log and the bus.
 TEST(RotctldServer, SurvivesDescriptorShortage)
 {
     ServerFixture fixture;
@@ -414,6 +428,7 @@ TEST(RotctldServer, SurvivesDescriptorShortage)
 }
 
 // Story: with a limit of 64 descriptors the clients held all of them, and the journal could not be written any more.
+// REQ-ROTCTLD-06
 TEST(RotctldServer, LeavesDescriptorsForTheJournal)
 {
     const auto lowestFree = [] { return Descriptor(::dup(0)).get(); };

@@ -30,6 +30,8 @@ struct SessionFixture : public ::testing::Test
 
 using RotctldSession = SessionFixture;
 
+// REQ-ROTCTLD-04: A position is a direction: azimuth -3600°…3600°, elevation -90°…180°. Anything else is RPRT -1 and
+// never reaches the Rotator.
 TEST_F(RotctldSession, RefusesWhatIsNoPosition)
 {
     for (const char* command :
@@ -44,6 +46,7 @@ TEST_F(RotctldSession, RefusesWhatIsNoPosition)
 }
 
 // Story: the log showed "elevation 200.00.. is outside -90........180..".
+// REQ-ROTCTLD-09b: The log shows what a client sent and why it was refused, with every printable character.
 TEST_F(RotctldSession, RefusedLinesKeepTheirDegreeSigns)
 {
     EXPECT_EQ(answer("P 10° 200\n"), "RPRT -1\n");
@@ -83,6 +86,7 @@ TEST_F(RotctldSession, HandsTheRotatorsErrorsOn)
     EXPECT_EQ(session.ending(), "");
 }
 
+// REQ-ROTCTLD-08: Clients cannot change limits or anything else of the profile.
 TEST_F(RotctldSession, RefusesConfiguration)
 {
     for (const char* token : {"min_az", "max_az", "min_el", "max_el", "south_zero"}) {
@@ -93,7 +97,7 @@ TEST_F(RotctldSession, RefusesConfiguration)
     EXPECT_EQ(rotator.limits().maxAzimuth, 450_deg);
 }
 
-// Hamlib 4.0 … 4.5.0 takes lines 3 to 6 by position, later ones the tagged lines (core/rotctld/README.md).
+// Hamlib 4.0 … 4.5.0 takes lines 3 to 6 by position, later ones the tagged lines (core/rotctld/HAMLIB.md).
 TEST_F(RotctldSession, DumpsItsStateForOldAndNewClients)
 {
     EXPECT_EQ(answer("\\dump_state\n"),

@@ -52,6 +52,8 @@ protected:
     SimulatedMoteus drive{settings()};
 };
 
+// REQ-SIM-08 (DiagnosticConsoleTest.*): The console has `conf`, `tel` and `d` with binary schemas. Written
+// configuration survives a power cycle.
 TEST_F(DiagnosticConsoleTest, ConfigurationIsReadAndSet)
 {
     EXPECT_EQ(say("conf get servo.default_timeout_s"), "0.100000\r\n") << "the value alone, no OK";

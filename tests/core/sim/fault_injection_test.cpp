@@ -6,6 +6,7 @@
 namespace boresight::sim {
 namespace {
 
+// REQ-SIM-10 (FaultSchedule.*)
 TEST(FaultSchedule, ActiveFromStartToEnd)
 {
     FaultSchedule schedule;

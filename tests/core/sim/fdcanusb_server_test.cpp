@@ -20,6 +20,8 @@ std::string stdText(const QJsonObject& object, const char* key)
     return object.value(QLatin1String(key)).toString().toStdString();
 }
 
+// REQ-SIM-11 (FdcanusbServerGolden.*): Adapter lines are as recorded, each answered in its own style, also half lines
+// and ERR texts.
 TEST(FdcanusbServerGolden, ReadsTheClientsLines)
 {
     for (const QJsonValue& value : golden::vectors("serial_lines")) {
@@ -95,6 +97,8 @@ protected:
 constexpr const char* kAskMode = "can send 8001 1100 BF";  // mode as i8
 constexpr const char* kModeStopped = "OK\r\nrcv 0100 210000 e B F r x-1\r\n";
 
+// REQ-SIM-10 (FdcanusbServerTest.*)
+// REQ-SIM-11 (FdcanusbServerTest.*)
 TEST_F(FdcanusbServerTest, AnswersOkThenTheReply)
 {
     EXPECT_EQ(say(kAskMode), kModeStopped);

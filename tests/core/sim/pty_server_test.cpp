@@ -63,6 +63,7 @@ protected:
     std::unique_ptr<PtyServer> server;
 };
 
+// REQ-SIM-12 (PtyServerTest.*): A client may close the terminal and come back. The link goes with the server.
 TEST_F(PtyServerTest, AnswersRealBytes)
 {
     Client client(link);

@@ -65,6 +65,8 @@ protected:
     std::unique_ptr<SensorPublisher> publisher;
 };
 
+// REQ-SIM-16 (SensorPublisherTest.*): The sensor publishes at a real broker on the topics, at the rates and in the
+// manner of its firmware, and comes back.
 TEST_F(SensorPublisherTest, PublishesThreeTopicsAtTheRatesOfTheFirmware)
 {
     begin();

@@ -115,6 +115,7 @@ class ModeSequenceGolden : public testing::TestWithParam<double>
 {};
 
 // Modes and faults must be the same; times within two steps and the 0.1 ms the vectors are rounded to.
+// REQ-SIM-02 (ModeSequenceGolden.*): Modes and fault codes are the firmware's, times within two steps.
 TEST_P(ModeSequenceGolden, ChangesModeLikeTheFirmware)
 {
     const double dt = GetParam();

@@ -59,6 +59,7 @@ constexpr double degrees(double turns)
 }
 
 // 30 Nm against 5.5 Nm of friction on 12 kg·m² for the 13.5 ms without power: ½·a·t² = 0.009°.
+// REQ-SIM-03: While the driver is enabled there are 13 ms without power: an unbalanced elevation sags.
 TEST_F(ServoOnPlant, UnbalancedElevationSagsWhileTheDriverIsEnabled)
 {
     unbalance();
@@ -81,6 +82,7 @@ TEST_F(ServoOnPlant, ReferenceElevationStaysWithoutPower)
     EXPECT_DOUBLE_EQ(plant.position(), start);
 }
 
+// REQ-SIM-04
 TEST_F(ServoOnPlant, LoadedAxisCreepsInZeroVelocity)
 {
     unbalance();
@@ -93,6 +95,7 @@ TEST_F(ServoOnPlant, LoadedAxisCreepsInZeroVelocity)
     EXPECT_GT(degrees(plant.position() - start), 1.0) << "down is towards positive turns";
 }
 
+// REQ-SIM-04: Time-out modes 0, 10, 12, 15 let fall, hold, creep, damp.
 TEST_F(ServoOnPlant, TimeoutModeHoldKeepsALoadedAxis)
 {
     unbalance();
@@ -103,6 +106,7 @@ TEST_F(ServoOnPlant, TimeoutModeHoldKeepsALoadedAxis)
     EXPECT_NEAR(degrees(plant.position()), -135.0, 0.1) << "at 45° of elevation as before, but for the sag";
 }
 
+// REQ-SIM-04
 TEST_F(ServoOnPlant, TimeoutModeOffLetsALoadedAxisFall)
 {
     unbalance();
@@ -112,6 +116,7 @@ TEST_F(ServoOnPlant, TimeoutModeOffLetsALoadedAxisFall)
     EXPECT_NEAR(plant.position(), plant.settings().stopMax, 1e-9) << "falls to the end stop";
 }
 
+// REQ-SIM-04
 TEST_F(ServoOnPlant, TimeoutModeBrakeDampsButDoesNotHold)
 {
     unbalance();
@@ -126,6 +131,7 @@ TEST_F(ServoOnPlant, TimeoutModeBrakeDampsButDoesNotHold)
 }
 
 // 6 °/s when the last command arrives: watchdog 0.1 s, then the default deceleration.
+// REQ-SIM-05: 0.2 s after the last command at full speed the axis has less than 0.3°/s.
 TEST_F(ServoOnPlant, WatchdogStopsAMovingAxisWithinTwoTenths)
 {
     const ServoCommand full{.mode = Mode::Position,
@@ -172,6 +178,7 @@ TEST_F(ServoOnPlant, BrakingFeedsPowerBack)
     EXPECT_LT(lowestPower, -0.3);
 }
 
+// REQ-SIM-06
 TEST_F(ServoOnPlant, StalledAxisRunsIntoTheTorqueLimit)
 {
     hold();
@@ -306,6 +313,7 @@ TEST_F(ServoOnPlant, ShiftedFrameMovesNothing)
 }
 
 // Kv 300 at 100:1: 2.76 Nm/A, so 30 A make 82.7 Nm.
+// REQ-SIM-06 (CurrentLimits.*): Limits 96…104 act and show. A blocked axis shows torque.
 TEST(CurrentLimits, TorqueFollowsKvAndRatio)
 {
     const DriveConfig config = commissionedDrive(Axis::Azimuth);

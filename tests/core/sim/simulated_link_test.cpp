@@ -85,6 +85,7 @@ protected:
     std::vector<CanFrame> received;
 };
 
+// REQ-SIM-10 (SimulatedLinkTest.*): Each fault comes on request, at a time, for a time, or switched live.
 TEST_F(SimulatedLinkTest, CommissionedPairAnswersReferenced)
 {
     for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
@@ -148,6 +149,7 @@ TEST_F(SimulatedLinkTest, StartOutsideTheBoundsFaults)
 }
 
 // A pass crossing the zenith sector: azimuth up to 8°/s, elevation up to 1°/s, streamed at 50 Hz with rates.
+// REQ-SIM-13
 TEST_F(SimulatedLinkTest, FollowsAStreamedPassInCalmAir)
 {
     const auto azimuth = [](double t) { return 180.0 + std::atan((t - 60.0) / 9.0) * 180.0 / M_PI; };
@@ -187,6 +189,7 @@ TEST_F(SimulatedLinkTest, FollowsAStreamedPassInCalmAir)
 }
 
 // What the reference mount must be able to do: 12 °/s and 20 °/s² on both axes.
+// REQ-SIM-13: Both axes do 12 °/s and 20 °/s². A streamed pass is tracked within 0.02° rms of the antenna itself.
 TEST_F(SimulatedLinkTest, BothAxesDoTwelveDegreesPerSecond)
 {
     const moteus::PositionCommand fast{.position = moteus::kKeepControlPosition,
@@ -304,6 +307,8 @@ TEST_F(SimulatedLinkTest, ALimitIsToldWhileTheDriveWorksOn)
     EXPECT_NEAR(*reply->value(Register::Position), 0.01, 1e-3);
 }
 
+// REQ-SIM-09: After power-up the home state is 1 and the position within half a rotor turn. An output encoder knows
+// the direction only.
 TEST_F(SimulatedLinkTest, PowerCycleForgetsTheTurn)
 {
     drive(4.0, 1, moveTo(0.3));
@@ -324,6 +329,7 @@ TEST_F(SimulatedLinkTest, PowerCycleForgetsTheTurn)
     EXPECT_NEAR(*ask(1)->value(Register::Position) * 360.0, 200.0, 0.02);
 }
 
+// REQ-SIM-09
 TEST_F(SimulatedLinkTest, OutputEncoderKnowsTheDirectionButNotTheTurn)
 {
     sim::PairSettings settings = sim::commissionedPair({.azimuth = 405.0_deg, .elevation = 50.0_deg});
@@ -357,6 +363,7 @@ TEST_F(SimulatedLinkTest, StallShowsAsTorque)
 }
 
 // The drive's integrator keeps what it has gathered: an order to stay where the axis is does not end it.
+// REQ-SIM-10b: A stalled axis is pushed on by the drive's integrator when it is ordered to stay where it is.
 TEST_F(SimulatedLinkTest, AStalledAxisIsPushedOnWhenItIsOrderedToStayWhereItIs)
 {
     drive(0.5, 1, moveTo(0.0));
@@ -469,6 +476,7 @@ TEST_F(SimulatedLinkTest, FactoryPairCollidesUntilAddressedByUuid)
 }
 
 // Asking more often must not change what happens.
+// REQ-SIM-14: The same calls give the same run, however often it is asked in between.
 TEST(SimulatedPair, RunsTheSameHoweverOftenItIsAsked)
 {
     const auto run = [](int polls) {

@@ -50,6 +50,8 @@ protected:
     SimulatedMoteus drive{settings()};
 };
 
+// REQ-SIM-07 (SimulatedMoteusTest.*): Every readable register answers. A reply shows the state before the command.
+// Masked frames leave no trace.
 TEST_F(SimulatedMoteusTest, EveryReadableRegisterAnswers)
 {
     int readable = 0;
@@ -175,6 +177,7 @@ TEST_F(SimulatedMoteusTest, FactoryBoardCountsRotorTurns)
 }
 
 // Hard work against a blocked gear warms the board, first to derating, then to the fault.
+// REQ-SIM-06
 TEST_F(SimulatedMoteusTest, OverloadHeatsTheBoard)
 {
     drive.plant().setStalled(true);

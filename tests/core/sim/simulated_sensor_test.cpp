@@ -48,6 +48,8 @@ struct SensorRig
     std::vector<double> arrivals;
 };
 
+// REQ-SIM-15 (SimulatedSensor.*): The sensor on the antenna prints as its firmware does, averages, counts turns, is
+// steered by iron and fails on request.
 TEST(SimulatedSensor, SpeaksAboutOnceASecondWhatIsRead)
 {
     SensorRig rig;

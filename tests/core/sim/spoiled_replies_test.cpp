@@ -56,6 +56,9 @@ protected:
     Seconds now{0.0};
 };
 
+// REQ-SIM-10a (SpoiledReplies.*): Replies come with a false, unset, infinite or missing position, without voltage or
+// temperatures, under another id, exchanged, doubled, stale. A share of them is edited at random by the seed alone. An
+// encoder slips.
 TEST_F(SpoiledReplies, AFalsePositionIsInTheReplyOnly)
 {
     inject(FaultKind::FalsePosition, 90.0);

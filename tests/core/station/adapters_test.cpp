@@ -35,6 +35,8 @@ std::vector<QString> busesOf(const std::vector<Adapter>& adapters)
     return buses;
 }
 
+// REQ-CAN-21 (Adapters.*): The adapters of this computer are listed under their stable names, those made for the
+// drives first.
 TEST(Adapters, WhatIsMadeForTheDrivesComesFirstAndTheSimulatedMountIsAlwaysThere)
 {
     EXPECT_THAT(
@@ -72,6 +74,7 @@ TEST(Adapters, AnAdapterIsKnownByItsNumbersToo)
 }
 
 // Story: a scan of a mistyped port sent its questions to a radio.
+// REQ-CAN-24: A scan sends nothing to a USB device that is not known to be an adapter.
 TEST(Adapters, AnotherUsbDeviceIsNotScanned)
 {
     const auto refused = mayBeScanned(kRadio);
@@ -90,6 +93,7 @@ TEST(Adapters, AnotherUsbDeviceIsNotScanned)
 }
 
 // A moteus at a soldered port, a pseudo-terminal of `boresightctl simulate`, a CAN interface: named by the operator.
+// REQ-CAN-24
 TEST(Adapters, WhatIsNoUsbDeviceMayBeScanned)
 {
     EXPECT_TRUE(mayBeScanned(QStringLiteral("fdcanusb:/dev/ptmx")).has_value());
@@ -129,6 +133,7 @@ protected:
     QTemporaryDir folder;
 };
 
+// REQ-CAN-21 (NetFolder.*)
 TEST_F(NetFolder, ACanInterfaceIsToldByItsTypeAndUpByItsFlags)
 {
     add(QStringLiteral("eth0"), "1\n", "0x1003\n");

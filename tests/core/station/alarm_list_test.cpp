@@ -11,6 +11,9 @@ namespace {
 const AlarmEntry& kEntry = alarmEntry("bus.down");
 const QStringList kText{QStringLiteral("can0 does not exist")};
 
+// REQ-ALARMS-29 (AlarmList.*): A lasting alarm stands before one that is over, and a cause before its symptom. Silence
+// never hides a bus that is gone, or two boards with one id, which are looked for where nobody answers. A silence is
+// reported each time, also before the re-arm and beside a fault.
 TEST(AlarmList, AnAlarmIsNewOnlyOnce)
 {
     AlarmList alarms;

@@ -93,6 +93,8 @@ private:
     }
 };
 
+// REQ-CONTROL-23 (Arming.*): What stands in the way of any motion is reported, the first obstacle first. A lost drive
+// waits for a re-arm. Heat or a sagging supply of either drive refuses the re-arm, with value and limit.
 TEST(Arming, WaitsForBothDrivesAndTheirFitness)
 {
     ArmingRig rig;

@@ -28,6 +28,8 @@ protected:
     QTemporaryDir m_folder;
 };
 
+// REQ-NORTH-38b (CalibrationFileTest.*): The history is written by a worker, never in a tick, and is on the disk
+// before the program ends. A history that cannot be read or written is an alarm, and is not written over.
 TEST_F(CalibrationFileTest, SavingWritesNothingInTheCallersThread)
 {
     CalibrationFile file(path());
@@ -66,6 +68,7 @@ TEST_F(CalibrationFileTest, WhatCannotBeWrittenIsToldUntilItCan)
     EXPECT_EQ(2U, entries());
 }
 
+// REQ-NORTH-38h
 TEST_F(CalibrationFileTest, ThePointsLieBesideTheHistory)
 {
     {

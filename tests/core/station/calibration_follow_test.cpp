@@ -16,6 +16,8 @@ using namespace boresight::literals;
 using ephemeris::Body;
 
 // The first time from the network makes the Sun leap over the sky; the mount does not leap after it.
+// REQ-NORTH-37b: When the computed position of a body jumps, because a clock or a site was set, the mount holds, with
+// the reason. No point is taken of that body until it is tracked again.
 TEST(CalibrationFollow, AClockThatIsSetMovesNothing)
 {
     CalibrationRig rig = swungRig();
@@ -36,6 +38,7 @@ TEST(CalibrationFollow, AClockThatIsSetMovesNothing)
     EXPECT_TRUE(again) << again.error().text;
 }
 
+// REQ-NORTH-37b
 TEST(CalibrationFollow, ASecondOfTheClockIsFollowed)
 {
     CalibrationRig rig = swungRig();
@@ -47,6 +50,7 @@ TEST(CalibrationFollow, ASecondOfTheClockIsFollowed)
 }
 
 // What follows would lead the mount to the new north.
+// REQ-NORTH-38
 TEST(CalibrationFollow, TermsTypedMeanwhileAreRefused)
 {
     CalibrationRig rig = swungRig();
@@ -64,6 +68,7 @@ TEST(CalibrationFollow, TermsTypedMeanwhileAreRefused)
     EXPECT_TRUE(rig.ask(request::ApplyProfile{typed}));
 }
 
+// REQ-NORTH-38
 TEST(CalibrationFollow, TermsTypedWhileAClientIsFollowedAreRefused)
 {
     CalibrationRig rig = swungRig();
@@ -76,6 +81,7 @@ TEST(CalibrationFollow, TermsTypedWhileAClientIsFollowedAreRefused)
 }
 
 // The readings before are of another sensor, or of another mount.
+// REQ-NORTH-38
 TEST(CalibrationFollow, TermsTypedInMidSwingEndIt)
 {
     CalibrationRig rig;
@@ -93,6 +99,8 @@ TEST(CalibrationFollow, TermsTypedInMidSwingEndIt)
 }
 
 // The control was given away: nothing of the operator's takes it back a second later.
+// REQ-NORTH-35a: Giving control to the clients, or to one of them, ends what a calibration moves. No request of the
+// operator takes it back.
 TEST(CalibrationFollow, EndsWhenTheClientsAreGivenControl)
 {
     CalibrationRig rig = swungRig();
@@ -106,6 +114,7 @@ TEST(CalibrationFollow, EndsWhenTheClientsAreGivenControl)
     EXPECT_TRUE(rig.point(120.0, 30.0, kClient));
 }
 
+// REQ-NORTH-35a
 TEST(CalibrationFollow, ASwingEndsWhenAClientIsGivenTheLead)
 {
     for (const int headings : {0, 16}) {
@@ -124,6 +133,7 @@ TEST(CalibrationFollow, ASwingEndsWhenAClientIsGivenTheLead)
 }
 
 // A motion of the operator's own is not one that asks on: it may end, and the clients take over when they ask.
+// REQ-NORTH-35a
 TEST(CalibrationFollow, ASlewMayEndAfterTheClientsWereGivenControl)
 {
     CalibrationRig rig;
@@ -136,6 +146,7 @@ TEST(CalibrationFollow, ASlewMayEndAfterTheClientsWereGivenControl)
 }
 
 // It would arrive at a direction that nobody asked for.
+// REQ-NORTH-38
 TEST(CalibrationFollow, ApplyWaitsUntilASlewHasArrived)
 {
     CalibrationRig rig;
@@ -190,6 +201,9 @@ TEST(CalibrationFollow, WhatIsRefusedChangesNothing)
 }
 
 // Story: the Sun was followed, then the mount was sent to 300° 40°; one click took a "Sun" 66° beside the beam.
+// REQ-NORTH-37c: Once a body was tracked a point is taken of it as long as the mount was only held, stopped, jogged
+// and stepped since, however far by the model. A point far from a north that was found is reported in the log.
+// Whatever sends the mount elsewhere, or gives it away, ends that.
 TEST(CalibrationFollow, NoPointIsTakenOnceTheMountWasSentElsewhere)
 {
     const AxisPosition elsewhere{.azimuth = 300_deg, .elevation = 40_deg};
@@ -222,6 +236,7 @@ TEST(CalibrationFollow, NoPointIsTakenOnceTheMountWasSentElsewhere)
     }
 }
 
+// REQ-NORTH-37c
 TEST(CalibrationFollow, NoPointIsTakenAfterAClientLedTheMount)
 {
     CalibrationRig rig = swungRig();
@@ -237,6 +252,7 @@ TEST(CalibrationFollow, NoPointIsTakenAfterAClientLedTheMount)
 }
 
 // From a north that is 37° wrong the body is centred by hand, however far that is.
+// REQ-NORTH-37c
 TEST(CalibrationFollow, APointIsTakenWhatWasCentredByHand)
 {
     CalibrationRig rig;
@@ -263,6 +279,7 @@ TEST(CalibrationFollow, APointIsTakenWhatWasCentredByHand)
 }
 
 // Where north was found, a point far from it is taken, for the operator sees what they see, but not without a word.
+// REQ-NORTH-37c
 TEST(CalibrationFollow, APointFarFromTheNorthThatWasFoundIsToldOf)
 {
     CalibrationRig rig = swungRig();
@@ -297,6 +314,7 @@ TEST(CalibrationFollow, TheMoonBearsNoAlarmOfTheSun)
 }
 
 // Story: sun.keep_away was switched on, and the mount drove 5° in the next second.
+// REQ-CONTROL-39
 TEST(CalibrationFollow, KeepingAwayFromTheSunMovesNothing)
 {
     CalibrationRig rig = swungRig();
@@ -318,6 +336,8 @@ TEST(CalibrationFollow, KeepingAwayFromTheSunMovesNothing)
 }
 
 // Story: Hold and Apply ended the following, and the alarm said "over" with the beam 0.01° beside the Sun.
+// REQ-NORTH-37d: The warning for eyes and feed lasts from the request to go to the Sun until the beam has left it. It
+// also comes when anybody else points the beam there: within half its width, or 1°.
 TEST(CalibrationFollow, TheWarningStaysWhileTheBeamLooksIntoTheSun)
 {
     CalibrationRig rig = swungRig();
@@ -337,6 +357,7 @@ TEST(CalibrationFollow, TheWarningStaysWhileTheBeamLooksIntoTheSun)
     EXPECT_FALSE(warnsOfTheSun(rig)) << "the beam went away";
 }
 
+// REQ-NORTH-37d
 TEST(CalibrationFollow, WhoeverLedTheBeamToTheSunIsWarned)
 {
     CalibrationRig rig = swungRig();

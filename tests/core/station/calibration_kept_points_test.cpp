@@ -12,6 +12,10 @@ namespace {
 
 using namespace boresight::literals;
 
+// REQ-NORTH-37 (CalibrationPoints.*): The Sun or the Moon is tracked as a client's stream is, trimmed by nudges. After
+// a swing and three centred Suns the beam is right to 0.15°, after six to 0.05°.
+// REQ-NORTH-38h: The points outlive a Reconnect and the program until they are dropped: the same worker writes
+// STATE_DIR/NAME.points.toml. When the wrap of an axis was asked since, the proposal warns.
 TEST(CalibrationPoints, ThePointsOutliveTheConnection)
 {
     QTemporaryDir folder;
@@ -60,6 +64,11 @@ void replaceDrive(CalibrationRig& rig)
 }
 
 // Points that were kept on the disk, of a mast that was moved or a drive that was replaced meanwhile.
+// REQ-NORTH-38i: Points that were kept are in the list at once. They count when both drives have been read, also one
+// that reports no UUID. Until then the page Model says what they wait for. Points of another drive than the one that
+// was read, or of a site more than a kilometre away, are left out with an alarm until the operator uses them again.
+// What is not known today (no site, a silent drive) leaves them with their owner. What was taken back before another
+// was applied stays to be read.
 TEST(CalibrationPoints, ThoseOfAnotherDriveOrSiteAreLeftOut)
 {
     QTemporaryDir folder;
@@ -99,6 +108,7 @@ TEST(CalibrationPoints, ThoseOfAnotherDriveOrSiteAreLeftOut)
 }
 
 // Until a drive has said who it is, it may be another than the one that the kept points were taken with.
+// REQ-NORTH-38i
 TEST(CalibrationPoints, ThoseThatWereKeptWaitUntilTheDrivesAreKnown)
 {
     CalibrationRig rig;
@@ -122,6 +132,7 @@ TEST(CalibrationPoints, ThoseThatWereKeptWaitUntilTheDrivesAreKnown)
 }
 
 // Story: a drive of a firmware without a UUID kept the points waiting for ever, and new ones with them.
+// REQ-NORTH-38i
 TEST(CalibrationPoints, ThoseThatWereKeptCountWithADriveThatTellsNoUuid)
 {
     CalibrationRig rig;
@@ -146,6 +157,7 @@ TEST(CalibrationPoints, ThoseThatWereKeptCountWithADriveThatTellsNoUuid)
 }
 
 // Those that come after them are of the mount of today.
+// REQ-NORTH-38i
 TEST(CalibrationPoints, WithThoseThatWaitedTheWaitingGoes)
 {
     const calibration::CalibrationPoint point{.axes = {.azimuth = 200_deg, .elevation = 30_deg},
@@ -168,6 +180,7 @@ TEST(CalibrationPoints, WithThoseThatWaitedTheWaitingGoes)
 }
 
 // Story: a point was dropped while the site was not known; the others were nobody's from then on.
+// REQ-NORTH-38i
 TEST(CalibrationPoints, AreNotTornFromTheirSiteWhileNoneIsKnown)
 {
     CalibrationRig rig;

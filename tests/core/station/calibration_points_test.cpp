@@ -144,6 +144,7 @@ TEST(CalibrationPoints, ASwingThenThreeAndSixSunsMakeTheModel)
 }
 
 // One of three, two of six, with the boom past the zenith: the terms themselves are true, on any day.
+// REQ-CALIBRATION-17a
 TEST(CalibrationPoints, SunsFromBothSidesTellTheTermsApart)
 {
     CalibrationRig rig({}, profileOverTheTop());
@@ -172,6 +173,10 @@ TEST(CalibrationPoints, SunsFromBothSidesTellTheTermsApart)
     EXPECT_LT(worstOnItsWay(rig), 0.05);
 }
 
+// REQ-NORTH-38: Only Apply puts a result into effect, and Apply moves nothing. It is refused for what the operator has
+// not seen, and while a client is tracked. Undo and Redo restore exactly the profile that was. Terms that are typed
+// into the profile move nothing either: while directions are tracked, or slewed to, both are refused, and a run that
+// is under way ends.
 TEST(CalibrationPoints, ApplyMovesNothing)
 {
     CalibrationRig rig = swungRig();
@@ -199,6 +204,7 @@ TEST(CalibrationPoints, ApplyWaitsWhileAClientIsFollowed)
     EXPECT_TRUE(rig.apply());
 }
 
+// REQ-NORTH-38
 TEST(CalibrationPoints, UndoAndRedoGiveExactlyWhatWas)
 {
     QTemporaryDir folder;
@@ -265,6 +271,11 @@ TEST(CalibrationPoints, WhatIsDiscardedIsProposedNoMoreAndChangesNothing)
 }
 
 // Story: 37.4° applied, 50° and a collimation typed; Undo and Redo lost both without a word.
+// REQ-NORTH-38
+// REQ-NORTH-38f: Undo and Redo lose nothing that was typed since: they are refused with what was changed, and the
+// history shows it too. They warn of an entry of another drive or site. After them the points are proposed again if
+// they say otherwise. Apply is refused for what makes no sense with settings that wait for Reconnect, and while
+// another bus waits.
 TEST(CalibrationPoints, UndoAndRedoLoseNothingThatWasTypedSince)
 {
     CalibrationRig rig = swungRig();
@@ -287,6 +298,7 @@ TEST(CalibrationPoints, UndoAndRedoLoseNothingThatWasTypedSince)
 }
 
 // What only comes into force with Reconnect is saved, too: Apply must not make a profile that is not loaded again.
+// REQ-NORTH-38f
 TEST(CalibrationPoints, WhatMakesNoSenseWithWhatWaitsIsRefused)
 {
     CalibrationRig rig = swungRig();
@@ -300,6 +312,7 @@ TEST(CalibrationPoints, WhatMakesNoSenseWithWhatWaitsIsRefused)
 }
 
 // Story: the drive lost its turn between two points; nobody said that the operator's answer may have mixed two frames.
+// REQ-NORTH-38h
 TEST(CalibrationPoints, PointsFromBeforeTheTurnWasToldWarn)
 {
     CalibrationRig rig;
@@ -324,6 +337,7 @@ TEST(CalibrationPoints, PointsFromBeforeTheTurnWasToldWarn)
     EXPECT_TRUE(rig.status().proposal->warnings.front().contains(QStringLiteral("told anew")));
 }
 
+// REQ-NORTH-38
 TEST(CalibrationPoints, WhatWasNotSeenIsNotApplied)
 {
     CalibrationRig rig = swungRig();
@@ -337,6 +351,7 @@ TEST(CalibrationPoints, WhatWasNotSeenIsNotApplied)
     EXPECT_TRUE(rig.apply());
 }
 
+// REQ-NORTH-38b
 TEST(CalibrationPoints, AHistoryThatCannotBeReadIsNotWrittenOver)
 {
     QTemporaryDir folder;

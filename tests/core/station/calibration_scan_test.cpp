@@ -49,6 +49,11 @@ void startScan(CalibrationRig& rig, Angle width = 8_deg, bool overTheTop = false
     ASSERT_TRUE(started) << started.error().text;
 }
 
+// REQ-NORTH-38d
+// REQ-NORTH-38e (CalibrationScan.*): A reading counts at the place to which the beam was sent, once it is there. The
+// cross through the middle has to be permitted before the scan begins, and each place, also of the second line, when
+// the beam is sent there. A scan whose beam is held off, nudged or stopped ends. A beam that the scan leaves beside
+// the body no longer tracks it, and gives no point.
 TEST(CalibrationScan, FindsTheSun)
 {
     CalibrationRig rig = swungRig();
@@ -61,6 +66,7 @@ TEST(CalibrationScan, FindsTheSun)
 }
 
 // A peak of the last scan would be taken for one of this.
+// REQ-NORTH-38d
 TEST(CalibrationScan, ForgetsWhatTheLastOneFound)
 {
     CalibrationRig rig = swungRig();
@@ -74,6 +80,7 @@ TEST(CalibrationScan, ForgetsWhatTheLastOneFound)
 }
 
 // A Sun of 2 dB in a beam of 6°: the usual case with a small dish.
+// REQ-NORTH-38d
 TEST(CalibrationScan, FindsAWeakSun)
 {
     CalibrationRig rig = swungRig();

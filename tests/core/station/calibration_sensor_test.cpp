@@ -6,6 +6,7 @@
 namespace boresight {
 namespace {
 
+// REQ-NORTH-35b (CalibrationSensor.*)
 TEST(CalibrationSensor, TheStillMountTellsNorthAsWellAsOneHeadingCan)
 {
     CalibrationRig rig;
@@ -18,6 +19,8 @@ TEST(CalibrationSensor, TheStillMountTellsNorthAsWellAsOneHeadingCan)
 }
 
 // Story: measured with a mounting of 0°, 90° typed, and the north of before was still proposed, under a new number.
+// REQ-NORTH-38g: A result of the sensor is not proposed any more when the sensor's settings or the declination have
+// changed.
 TEST(CalibrationSensor, WhatWasFoundWithOtherSettingsIsNotProposedAnyMore)
 {
     CalibrationRig rig;
@@ -48,6 +51,7 @@ TEST(CalibrationSensor, WhatWasFoundWithOtherSettingsIsNotProposedAnyMore)
     EXPECT_FALSE(rig.status().proposal);
 }
 
+// REQ-NORTH-36a
 TEST(CalibrationSensor, TheProfileSaysHowMuchCurrentIsTooMuch)
 {
     for (const auto& [limit, accepted] : {std::pair(1.5, false), std::pair(2.5, true)}) {

@@ -7,6 +7,9 @@
 namespace boresight {
 namespace {
 
+// REQ-NORTH-35 (CalibrationSwing.*): A calibration moves the mount only as everybody does: within the limits, below
+// STOP and faults, with the operator's authority. STOP, Hold, a jog, any other motion or a fault ends it at once, with
+// the reason. Before it starts it shows where it turns and how long.
 TEST(CalibrationSwing, StopEndsItAtOnceAndLatches)
 {
     CalibrationRig rig;
@@ -85,6 +88,7 @@ TEST(CalibrationSwing, OutlastsAStallOfThisComputer)
     EXPECT_LT(std::abs(northError(rig)), 2.0);
 }
 
+// REQ-NORTH-42
 TEST(CalibrationSwing, ASensorThatIsLostEndsItAndHolds)
 {
     CalibrationRig rig;
@@ -105,6 +109,7 @@ TEST(CalibrationSwing, ASensorThatIsLostEndsItAndHolds)
 }
 
 // Its compass may have another calibration now: readings from before and after are of two sensors.
+// REQ-NORTH-42
 TEST(CalibrationSwing, ASensorThatWasRestartedEndsIt)
 {
     CalibrationRig rig;
@@ -118,6 +123,7 @@ TEST(CalibrationSwing, ASensorThatWasRestartedEndsIt)
 }
 
 // Without word of its calibration nobody sees a restart: what came before and after a silence may be of two compasses.
+// REQ-NORTH-42
 TEST(CalibrationSwing, ASilenceOfASensorThatTellsNoCalibrationIsADoubt)
 {
     for (const bool tells : {true, false}) {
@@ -139,6 +145,7 @@ TEST(CalibrationSwing, ASilenceOfASensorThatTellsNoCalibrationIsADoubt)
 }
 
 // Story: a WiFi that was away for ten seconds cost a swing of four minutes.
+// REQ-NORTH-42
 TEST(CalibrationSwing, WaitsAtRestForASensorThatFallsSilent)
 {
     for (const int headings : {0, 16}) {
@@ -163,6 +170,11 @@ TEST(CalibrationSwing, WaitsAtRestForASensorThatFallsSilent)
 }
 
 // The broker's WiFi comes and goes: so much patience nobody at the mast has.
+// REQ-NORTH-42: A swing whose sensor falls silent (a broker that is restarted, WiFi) turns on for as long as the
+// sensor is not lost, then stands still and waits. It counts down 30 s in all, while an alarm says that it will go on
+// by itself, and goes on from there when the sensor is received again. Else it ends, holds and gives the reason, the
+// broker's trouble included. STOP, every other end, and a sensor that was restarted end the waiting too. What has
+// ended does not begin again by itself.
 TEST(CalibrationSwing, WaitsNoLongerInAllThanOnce)
 {
     CalibrationRig rig;
@@ -179,6 +191,7 @@ TEST(CalibrationSwing, WaitsNoLongerInAllThanOnce)
     EXPECT_LT(waits, 5);
 }
 
+// REQ-NORTH-42
 TEST(CalibrationSwing, StopEndsTheWaitingToo)
 {
     CalibrationRig rig;
@@ -202,6 +215,7 @@ bool warnsOfTheWait(const CalibrationRig& rig)
         alarms, [](const Alarm& alarm) { return alarm.active && alarm.action.contains(QStringLiteral("BY ITSELF")); });
 }
 
+// REQ-NORTH-42
 TEST(CalibrationSwing, WhoStandsAtTheMastIsToldThatItWillGoOn)
 {
     CalibrationRig rig;

@@ -9,6 +9,8 @@
 namespace boresight {
 namespace {
 
+// REQ-NORTH-36: A reading of the sensor is laid beside where the axes were when it was measured. The swing finds north
+// within 2° and corrects the later readings.
 TEST(CalibrationSwing, FindsNorthAndTheTilt)
 {
     CalibrationRig rig;
@@ -32,6 +34,10 @@ TEST(CalibrationSwing, FindsNorthAndTheTilt)
 
 // Story: at 6°/s, the fastest that was offered and the fastest that was used, every other reading was "too fast" by a
 // hair, and thrown away.
+// REQ-NORTH-36a: At every rate that is offered a healthy mount's readings are used. While the mount turns, and in the
+// end, the screen shows how many are left out and why. The readings are seen as they come. How much current is too
+// much is a setting.
+// REQ-CALIBRATION-04
 TEST(CalibrationSwing, UsesItsReadingsAtEveryRateThatIsOffered)
 {
     for (const double rate : {1.0, 3.0, 6.0}) {
@@ -48,6 +54,8 @@ TEST(CalibrationSwing, UsesItsReadingsAtEveryRateThatIsOffered)
 }
 
 // Story: the plot stayed empty for the four minutes in which the mount turned.
+// REQ-NORTH-36a
+// REQ-CALIBRATION-04a
 TEST(CalibrationSwing, ShowsItsReadingsAsTheyCome)
 {
     CalibrationRig rig;
@@ -70,6 +78,7 @@ TEST(CalibrationSwing, ShowsItsReadingsAsTheyCome)
     EXPECT_TRUE(rig.status().swingSoFar.empty()) << "the curve is there now";
 }
 
+// REQ-NORTH-36a
 TEST(CalibrationSwing, SaysAsItTurnsHowManyReadingsAreLeftOutAndWhy)
 {
     CalibrationRig rig;
@@ -86,6 +95,7 @@ TEST(CalibrationSwing, SaysAsItTurnsHowManyReadingsAreLeftOutAndWhy)
     EXPECT_NE(std::string::npos, outcome.find("with a motor above 5.0 A (sensor.swing_current_a)")) << outcome;
 }
 
+// REQ-NORTH-36a
 TEST(CalibrationSwing, TheProfileSaysHowMuchCurrentIsTooMuch)
 {
     for (const auto& [limit, accepted] : {std::pair(1.5, false), std::pair(2.5, true)}) {
@@ -114,6 +124,7 @@ TEST(CalibrationSwing, StopsAtHeadingsFindNorthToo)
 }
 
 // A still mount whose compass was swung knows its deviation, and how well.
+// REQ-WITNESS-41
 TEST(CalibrationSwing, KeepsHowFarItIsToBeBelieved)
 {
     CalibrationRig rig;
@@ -142,6 +153,7 @@ TEST(CalibrationSwing, KeepsHowFarItIsToBeBelieved)
 }
 
 // As long as it waits for Apply the sensor is compared by it, too; and the screen says what turns.
+// REQ-WITNESS-40a
 TEST(CalibrationSwing, IsToldAsWhatTurnsAndThenAsWhatIsProposed)
 {
     CalibrationRig rig;
@@ -163,6 +175,7 @@ TEST(CalibrationSwing, IsToldAsWhatTurnsAndThenAsWhatIsProposed)
 }
 
 // The sensor's later readings are true: its curve came into force with north.
+// REQ-NORTH-36
 TEST(CalibrationSwing, CorrectsTheSensor)
 {
     CalibrationRig rig;
@@ -262,6 +275,8 @@ TEST(CalibrationSwing, IsRefusedWithTheReason)
 }
 
 // Near the zenith the compass says nothing, over the top it says the opposite.
+// REQ-NORTH-35b: With the boom above 75° and over the top the compass is no evidence, and is not used. A mount that
+// moves is not averaged.
 TEST(CalibrationSwing, IsRefusedWithTheBoomTooHigh)
 {
     profile::Profile over = calibratedProfile();

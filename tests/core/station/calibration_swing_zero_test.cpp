@@ -64,6 +64,7 @@ TEST(CalibrationSwing, AZeroThatPointsHaveToldStays)
 }
 
 // Story: after ten points a swing proposed a north that it knew twenty times worse, and there was no curve without it.
+// REQ-NORTH-36b
 TEST(CalibrationSwing, ANorthThatPointsHaveToldStaysAndTheCurveCanBeHad)
 {
     CalibrationRig rig;
@@ -89,6 +90,7 @@ TEST(CalibrationSwing, ANorthThatPointsHaveToldStaysAndTheCurveCanBeHad)
 
 // Story: a swing found the tilt to 0.05°, three points left it at 0.045°; the next swing was told that it is known to
 // that, and its own, as good and newer, could not be had.
+// REQ-NORTH-36b
 TEST(CalibrationSwing, ATiltThatPointsHaveOnlyHeldIsNoneThatTheyHaveTold)
 {
     CalibrationRig rig;

@@ -47,6 +47,10 @@ bool isWarned(CalibrationRig& rig)
     return rig.control.alarms().active(alarmEntry("calibration.other-mount"));
 }
 
+// REQ-NORTH-38a (CalibrationTerms.*): Terms may be typed, or read from a text. They become a proposal like any other,
+// with what the points show before and after. Out of range they are refused by name with the range. Terms of another
+// mount, drive or site give a warning. A term that nobody changed keeps its value and its sigma exactly. What is in
+// force is shown with its sigmas, to be exported.
 TEST(CalibrationTerms, WhatIsTypedIsProposedAppliedAndTakenBack)
 {
     CalibrationRig rig;
@@ -104,6 +108,7 @@ TEST(CalibrationTerms, WhatWasNotTypedKeepsItsValueAndItsSigma)
 }
 
 // Story: five points were fitted, a term was typed, applied and taken back; the fit could not be applied any more.
+// REQ-NORTH-38f
 TEST(CalibrationTerms, AfterUndoThePointsAreProposedAgainIfTheySayOtherwise)
 {
     CalibrationRig rig;
@@ -128,6 +133,7 @@ TEST(CalibrationTerms, AfterUndoThePointsAreProposedAgainIfTheySayOtherwise)
 }
 
 // Story: north was set by hand in the guide, and the history went on to say that the former is in force.
+// REQ-NORTH-38f
 TEST(CalibrationTerms, WhatWasChangedByHandSinceIsTold)
 {
     CalibrationRig rig;
@@ -346,6 +352,8 @@ TEST(CalibrationTerms, AreNoKnowledgeForTheFit)
     EXPECT_NEAR(rig.truth.terms.tiltNorth.degrees(), rig.terms().tiltNorth.degrees(), 0.05);
 }
 
+// REQ-NORTH-38c: Terms in force that were applied with another drive or at another site are amber until something is
+// applied here.
 TEST(CalibrationTerms, AnotherSiteWarnsUntilSomethingIsAppliedThere)
 {
     CalibrationRig rig;
@@ -375,6 +383,7 @@ TEST(CalibrationTerms, AnotherSiteWarnsUntilSomethingIsAppliedThere)
 }
 
 // The program was ended, a drive was changed, the program is started again.
+// REQ-NORTH-38c
 TEST(CalibrationTerms, AnotherDriveWarns)
 {
     const QTemporaryDir folder;
@@ -406,6 +415,7 @@ TEST(CalibrationTerms, AnotherDriveWarns)
 
 // Story: what was taken back, with the points of six hours of Sun in it, was gone from the file once another was
 // applied.
+// REQ-NORTH-38i
 TEST(CalibrationTerms, WhatWasTakenBackStaysToBeRead)
 {
     CalibrationRig rig;

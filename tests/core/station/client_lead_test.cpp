@@ -48,6 +48,10 @@ protected:
 
 // Story: Gpredict with a threshold of 0.1° says nothing for 12 to 16 s while a satellite moves slowly, and lost the
 // mount in mid-pass to a program that asked just then.
+// REQ-CONTROL-27 (ClientLeadTest.*): Of several clients one moves the mount, by the profile's rule: the first, until
+// for 10 s it neither asked for a motion nor read the position while it is tracking, or until it left; the newest; or
+// one host. The others' motions are refused with the reason. Reading and stopping stay open to all. The operator gives
+// control to a client, makes it read-only, or disconnects it.
 TEST_F(ClientLeadTest, WhoIsFollowedAndReadsKeepsTheLead)
 {
     EXPECT_EQ(moves(1), "");
@@ -202,6 +206,7 @@ TEST_F(ClientLeadTest, NobodyThereCannotBeToldAnything)
 }
 
 // Story: a client without the lead re-armed, and the stream that had gone on through the fault moved the mount at once.
+// REQ-CONTROL-23a
 TEST_F(ClientLeadTest, AfterAClientsRearmTheOthersThatKeptSendingWait)
 {
     asks(1);
@@ -219,6 +224,7 @@ TEST_F(ClientLeadTest, AfterAClientsRearmTheOthersThatKeptSendingWait)
     EXPECT_EQ(asks(1), "");
 }
 
+// REQ-CONTROL-23a
 TEST_F(ClientLeadTest, APauseANewConnectionOrTheOperatorEndsTheWait)
 {
     asks(1);
@@ -248,6 +254,7 @@ TEST_F(ClientLeadTest, WhoAskedForNothingBeforeTheRearmDoesNotWait)
     EXPECT_EQ(asks(1), "") << "its stream had ended";
 }
 
+// REQ-CONTROL-23a
 TEST_F(ClientLeadTest, AProgramThatConnectsForEachCommandWaitsUnderItsAddress)
 {
     asks(1);

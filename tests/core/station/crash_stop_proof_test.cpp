@@ -84,6 +84,7 @@ CrashStopProof proofAt(AngularRate rate)
     return *proof;
 }
 
+// REQ-AXES-20 (CrashStopProof.*): A crash stop can be proven: the drive really receives no commands.
 TEST(CrashStopProof, MeasuresWhereAndWhenBothAxesStand)
 {
     Mount mount;

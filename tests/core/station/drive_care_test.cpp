@@ -146,6 +146,9 @@ sim::PairSettings dampingElevation()
     return pair;
 }
 
+// REQ-CONTROL-18 (DriveCare.*): Nothing moves before the drives were checked and their safety settings are right, nor
+// any longer than they are.
+// REQ-CONTROL-21 (DriveCare.*): The bus can be left to other tools. On return the drives are read again.
 TEST(DriveCare, NothingMovesBeforeTheDrivesWereSurveyed)
 {
     CareRig rig;
@@ -296,6 +299,7 @@ TEST(DriveCare, OnAReleasedBusNothingIsSaidAndChangesAreToldAfterwards)
 
 // Story: the screen said "no reply" for ever: each of two boards with the id 1 destroyed the other's answers, and the
 // survey that knows the one question both can answer waited for a drive to answer.
+// REQ-ALARMS-29
 TEST(DriveCare, TwoBoardsWithOneIdAreRecognisedByThemselves)
 {
     CareRig rig(sim::factoryPair());

@@ -72,6 +72,10 @@ protected:
     QString m_path;
 };
 
+// REQ-ALARMS-47 (EventFileTest.*): The log file is written by a worker, never in a tick: a slow disk delays nobody. A
+// write that fails is an alarm, is tried again every 5 s, and the alarm goes when it works. The newest 2000 entries
+// wait meanwhile, and the file says how many were lost beyond them. The last entries are on the disk before the
+// program ends, unless the disk hangs for 2 s.
 TEST_F(EventFileTest, EachEntryIsOneLine)
 {
     build(dir.path());

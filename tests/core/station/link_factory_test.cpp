@@ -86,6 +86,7 @@ TEST(LinkMaker, ASwappedProfileDoesNotSwapTheSimulatedMotors)
     EXPECT_NEAR(pair.elevation.config.positionMax, 453.0 / 360.0, 1e-6) << "as the azimuth it is taken for";
 }
 
+// REQ-CAN-22: A name that means no bus still makes a link, which reports it when it is opened.
 TEST(LinkMaker, ARealBusIsMadeByItsNameAndNonsenseSaysSoWhenItIsOpened)
 {
     fakes::ManualClock clock;

@@ -24,6 +24,10 @@ struct LostReplies : ::testing::Test
 };
 
 // Story: set-points went out blind for a quarter of a second, at full speed, to a drive that may have been blocked.
+// REQ-AXES-24 (LostReplies.*): An axis that does not answer is stopped. After three frames in a row without a reply
+// its drive is ordered to brake as hard as by its own watchdog, and the other axis decelerates. Both go on if replies
+// return before the silence is a fault and show a drive that was on all the time. One or two lost in a row, and a late
+// tick of this computer, change nothing.
 TEST_F(LostReplies, AnAxisThatNobodySeesIsBroughtToRestByCommand)
 {
     const double cruise = rate();

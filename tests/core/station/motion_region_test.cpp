@@ -115,6 +115,9 @@ void expectAt(const Motion& motion, double azimuth, double elevation, double tol
 
 }  // namespace
 
+// REQ-AXES-25 (MotionRegion.*): Limits, horizon and keep-outs hold for every motion, whoever asks. Set-points never
+// enter them. A jog stops at the edge or slides along it. A moved edge is braked for. From inside only the way out is
+// open.
 TEST(MotionRegion, GoesAroundAKeepOutAndArrives)
 {
     Ride run(mount({.keepOuts = {mast()}}), at(290, 10));

@@ -38,6 +38,8 @@ double cpuSeconds()
 }
 
 // Whatever this machine allows, what is said is what is so; and a thread that never pauses gives the computer back.
+// REQ-STATION-06b (RealTime.*, tests/bench/stalls): The thread of the control ticks asks for real-time scheduling. The
+// status shows what was granted. A thread that computes for 0.1 s without a pause gives it back.
 TEST(RealTime, SaysWhatTheKernelDoes)
 {
     std::thread([] {

@@ -15,6 +15,10 @@ SteadyTime scanTime(double seconds)
     return kStart + std::chrono::duration_cast<SteadyTime::duration>(Seconds(seconds));
 }
 
+// REQ-NORTH-38d (ScanRun.*): A cross scan takes the power as typed, or receives it from a receiver: nothing that came
+// before the mount stood still and the receiver settled, and the middle of what came within a second. Its second line
+// goes through the peak of the first. Silence, or a first line without a peak, ends it with the reason. It forgets
+// what the last one found.
 TEST(ScanRun, WhatCameBeforeItHadSettledIsNeverUsed)
 {
     ScanRun scan(8_deg, kStart);

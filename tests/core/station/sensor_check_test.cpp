@@ -79,6 +79,10 @@ double slewing(double second)
     return 300.0 + 12.0 * (phase < 30.0 ? phase : 60.0 - phase);
 }
 
+// REQ-WITNESS-40 (SensorCheck.*): The orientation sensor is compared with the axes, with its latency and their motion
+// allowed for. A lasting difference is amber within 3 s and goes with its cause. Loss of the sensor is amber. Neither
+// moves anything. A calibrated sensor is shown as evidence when a wrap is asked. Before north was found, and while the
+// sensor has never agreed, a difference in azimuth is no warning but an advisory that names the panel North.
 TEST(SensorCheck, MotionIsNoDisagreement)
 {
     CheckRig rig(slewing, [](double second) { return 30.0 + 20.0 * std::sin(second / 2.0); });

@@ -9,6 +9,7 @@ namespace {
 
 using testing::HasSubstr;
 
+// REQ-WITNESS-40 (SensorWatch.*)
 TEST(SensorWatch, APersistentDifferenceIsAmberWithItsLikelyCauses)
 {
     SensorWatchRig rig;
@@ -28,6 +29,10 @@ TEST(SensorWatch, APersistentDifferenceIsAmberWithItsLikelyCauses)
 }
 
 // Story: 3 s after a swing an amber alarm blamed a coupling, while the very curve that explained it waited for Apply.
+// REQ-WITNESS-40a: What a swing, or the average, has found and waits for Apply explains a difference too. The sensor
+// is compared by it as well, and amber is only what differs by both. A new proposal is judged after some seconds, in
+// which an alarm may go and come again. After that nothing is hidden by more than the threshold, however long it
+// waits.
 TEST(SensorWatch, WhatAProposalExplainsIsNoAlarm)
 {
     SensorWatchRig rig;
@@ -45,6 +50,7 @@ TEST(SensorWatch, WhatAProposalExplainsIsNoAlarm)
     EXPECT_THAT(rig.alarmText(), HasSubstr("differ by 30.0° in azimuth")) << "it was dropped";
 }
 
+// REQ-WITNESS-40a
 TEST(SensorWatch, WhatAProposalDoesNotExplainIsAnAlarm)
 {
     SensorWatchRig rig;
@@ -66,6 +72,7 @@ TEST(SensorWatch, WhatAProposalDoesNotExplainIsAnAlarm)
 }
 
 // What differed before is none of what was proposed since.
+// REQ-WITNESS-40a
 TEST(SensorWatch, AProposalTakesAnAlarmAwayOnlyIfItExplainsIt)
 {
     SensorWatchRig rig;

@@ -101,6 +101,7 @@ TEST(SensorWatch, TheDeclinationOfAnotherSiteIsForgotten)
 }
 
 // Whole turns, whichever way the sensor counts: the mount turns clockwise by 500°.
+// REQ-WITNESS-46
 TEST(SensorWatch, ItsCourseIsThatOfTheMount)
 {
     for (const bool clockwise : {true, false}) {
@@ -126,6 +127,7 @@ TEST(SensorWatch, ItsCourseIsThatOfTheMount)
     }
 }
 
+// REQ-WITNESS-46
 TEST(SensorWatch, ItsCourseBreaksWhereItProvesNothing)
 {
     SensorWatchRig rig;
@@ -199,6 +201,8 @@ TEST(SensorWatch, WhatASwingFoundStandsForTheMounting)
 }
 
 // A swing tells how far it is to be believed, and where steel steers the needle.
+// REQ-WITNESS-41: What a swing reports of its own quality is kept with its curve: the sigma of north, the elevation at
+// which it holds, and where steel deflects the needle. There the sensor is no evidence for a wrap and raises no alarm.
 TEST(SensorWatch, WhatASwingFoundSaysHowFarItIsToBeBelieved)
 {
     profile::Profile profile;

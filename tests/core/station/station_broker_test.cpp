@@ -198,6 +198,9 @@ TEST_F(StationBrokerTest, IsSwitchedOnAndOffWithoutAReconnectOfTheMount)
     EXPECT_FALSE(station->status().broker.wanted);
 }
 
+// REQ-STATION-48: Broker and power line have threads of their own. The station gets a bounded number of values every
+// 20 ms, the newest.
+// REQ-MQTT-09e
 TEST_F(StationBrokerTest, AMessageThatIsTooLargeIsALineInTheLog)
 {
     profile::Profile profile = publishing(broker->port());

@@ -71,6 +71,8 @@ constexpr const char* kTurnsBack = "turns back by 360°: the cable ends at 450.0
 constexpr const char* kDetail = "cable ends: turns back by 360°";
 
 // Story: at the end of the cable the mount set off for a whole turn, and neither the log nor the screen said why.
+// REQ-CONTROL-31a: Unwrapping at the cable end is a motion of its own in the log, with source and reason, and stands
+// below the state for as long as it lasts. This holds for a go-to as well.
 TEST_F(StationCable, ATurnBackIsToldWithWhoAndWhyForAsLongAsItLasts)
 {
     standAt(440_deg);
@@ -96,6 +98,7 @@ TEST_F(StationCable, ATurnBackIsToldWithWhoAndWhyForAsLongAsItLasts)
 }
 
 // Faster than a satellite: no path is forecast, so no alarm came before it either.
+// REQ-CONTROL-31a
 TEST_F(StationCable, ATurnBackAfterTargetsFasterThanASatelliteIsToldAlike)
 {
     standAt(400_deg);
@@ -128,6 +131,7 @@ TEST_F(StationCable, HalfATurnIsNoTurnBack)
     EXPECT_NEAR(std::abs(rig.azimuthDegrees() - 90.0), 180.0, 0.01);
 }
 
+// REQ-CONTROL-31a
 TEST_F(StationCable, WhatEndsTheTurnBackEndsItsWords)
 {
     standAt(440_deg);
@@ -141,6 +145,7 @@ TEST_F(StationCable, WhatEndsTheTurnBackEndsItsWords)
     EXPECT_EQ(reason().substr(0, 4), "park");
 }
 
+// REQ-CONTROL-31a
 TEST_F(StationCable, AGoToTheOtherWayRoundSaysWhy)
 {
     standAt(400_deg);
@@ -167,6 +172,7 @@ TEST_F(StationCable, UnwindingIsNoTurnBackByTheCable)
 }
 
 // Story: "ends in 38 s" stood there until the end, and as over after it.
+// REQ-CONTROL-31
 TEST_F(StationCable, TheHeadlineTellsWhenAndStaysTrue)
 {
     standAt(390_deg);
@@ -176,6 +182,7 @@ TEST_F(StationCable, TheHeadlineTellsWhenAndStaysTrue)
     EXPECT_LE(lines(LogKind::Alarm, QStringLiteral("Ends at 450.0°")).size(), 3U);
 }
 
+// REQ-CONTROL-31
 TEST_F(StationCable, AnEndThatComesLaterIsToldAnewButNotEachSecond)
 {
     standAt(390_deg);

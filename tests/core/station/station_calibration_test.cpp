@@ -107,6 +107,8 @@ class SwingAtEveryRate : public ::testing::TestWithParam<double>
 
 // With drives that have physics, and a sensor that averages. Story: a limit of 3 A, below what such a mount draws when
 // it turns, threw away a fifth of the readings at every rate.
+// REQ-NORTH-36a
+// REQ-CALIBRATION-04
 TEST_P(SwingAtEveryRate, UsesItsReadings)
 {
     const double rate = GetParam();
@@ -131,6 +133,7 @@ TEST_P(SwingAtEveryRate, UsesItsReadings)
 INSTANTIATE_TEST_SUITE_P(Offered, SwingAtEveryRate, ::testing::Values(0.5, 3.0, 6.0));
 
 // Story: applied while the real mount's bus waited for its reconnect, the simulated north went there with it.
+// REQ-NORTH-38f
 TEST(StationCalibration, WhatIsFoundIsNotAppliedForAMountThatWaitsForItsReconnect)
 {
     CalibratedStation rig;
@@ -203,6 +206,7 @@ Result<> applyNorth(CalibratedStation& rig, Angle north)
 }
 
 // Story: only the list of the history said so, and after a restart nothing could be taken back.
+// REQ-NORTH-38b
 TEST(StationCalibration, AHistoryThatIsNotWrittenIsAnAlarm)
 {
     CalibratedStation rig;
@@ -312,6 +316,7 @@ void scanTheSun(CalibratedStation& rig)
     ASSERT_TRUE(started) << started.error().text;
 }
 
+// REQ-NORTH-38d
 TEST(StationCalibration, ACrossScanHearsTheReceiverAndFindsTheSun)
 {
     const std::uint16_t port = freePort();
@@ -340,6 +345,7 @@ TEST(StationCalibration, ACrossScanHearsTheReceiverAndFindsTheSun)
 }
 
 // The receiver went on speaking while the beam was on its way: nothing of that is of the place that it came to.
+// REQ-NORTH-38d
 TEST(StationCalibration, ASilentReceiverEndsTheScanWithTheReason)
 {
     const std::uint16_t port = freePort();

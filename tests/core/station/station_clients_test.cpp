@@ -30,6 +30,7 @@ protected:
     StationRig rig;
 };
 
+// REQ-CONTROL-27 (StationClients.*)
 TEST_F(StationClients, OnlyTheFirstMovesTheMount)
 {
     ASSERT_TRUE(rig.point(40.0, 30.0));
@@ -59,6 +60,8 @@ TEST_F(StationClients, AnybodyStops)
 }
 
 // Story: "P 90 -5" was answered RPRT 0, and nobody could see why the mount stood at 0°.
+// REQ-CONTROL-33: A target that is reached only as far as the limits permit is never silently clipped. For as long as
+// it lasts the status, an advisory and the client's line give the reason. The log has it once.
 TEST_F(StationClients, ATargetOutsideIsToldForAsLongAsItLasts)
 {
     const auto limitedLines = [this] {
@@ -95,6 +98,7 @@ TEST_F(StationClients, ATargetOutsideIsToldForAsLongAsItLasts)
     EXPECT_EQ(limitedLines(), 2) << "outside again";
 }
 
+// REQ-CONTROL-33
 TEST_F(StationClients, ATrimThatLeadsOutsideIsTold)
 {
     ASSERT_TRUE(rig.point(90.0, 1.0));
@@ -215,6 +219,9 @@ void failInMidMotion(StationRig& rig, const Source& streaming, int seconds)
 }
 
 // Story: "R 1" of a client that the lock refused was accepted, and the locked client's stream moved the mount at once.
+// REQ-CONTROL-23a: A client re-arms only if it may move the mount. The other clients that kept sending through the
+// fault wait for an act of their own: `R 1`, a pause of 10 s, a new connection, or the operator's permission. A client
+// that may not move the mount does not set the speed either.
 TEST_F(StationClients, WhoMayNotMoveMayNotRearm)
 {
     rig.profile.rotctld.lead = profile::Lead::Locked;
@@ -228,6 +235,7 @@ TEST_F(StationClients, WhoMayNotMoveMayNotRearm)
     EXPECT_TRUE(rig.ask(request::Rearm{}, kClient));
 }
 
+// REQ-CONTROL-23a
 TEST_F(StationClients, WhileAnotherLeadsAClientMayNotRearm)
 {
     failInMidMotion(rig, kClient, 3);
@@ -235,6 +243,7 @@ TEST_F(StationClients, WhileAnotherLeadsAClientMayNotRearm)
               "rotctld 1 has the lead: it sent its last command 5 s ago");
 }
 
+// REQ-CONTROL-23a
 TEST_F(StationClients, AStreamThatWentOnThroughTheFaultWaitsForAnActOfItsOwn)
 {
     failInMidMotion(rig, kClient, 12);
@@ -249,6 +258,7 @@ TEST_F(StationClients, AStreamThatWentOnThroughTheFaultWaitsForAnActOfItsOwn)
     EXPECT_TRUE(rig.point(80.0, 30.0));
 }
 
+// REQ-CONTROL-23a
 TEST_F(StationClients, WhoRearmsItselfGoesOnAtOnce)
 {
     failInMidMotion(rig, kClient, 3);

@@ -38,6 +38,8 @@ TEST(StationDesk, ATrimIsACorrectionNotAnotherTarget)
     EXPECT_FALSE(rig.ask(request::ClearTrim{}, kClient));
 }
 
+// REQ-ALARMS-23c: A permitted setting that is hardly meant (`profile::adviceOn`) is an advisory for as long as it is
+// in force.
 TEST(StationDesk, AProfileWithoutBrakesIsAnAdvisoryForAsLongAsItIsInForce)
 {
     StationRig rig;
@@ -66,6 +68,7 @@ TEST(StationDesk, ANudgeWithoutAStreamIsAStep)
     EXPECT_FALSE(rig.control.status().trim);
 }
 
+// REQ-CONTROL-34: Unwrap turns back by whole turns to where the azimuth cable is wound least, inside the limits.
 TEST(StationDesk, UnwindTurnsBackToTheSameDirection)
 {
     StationRig rig;  // travel -90…450°
@@ -82,6 +85,7 @@ TEST(StationDesk, UnwindTurnsBackToTheSameDirection)
     EXPECT_EQ(again.error().text, "in this direction the azimuth cable can not be wound less than it is");
 }
 
+// REQ-CONTROL-34
 TEST(StationDesk, UnwindStaysInsideTheLimits)
 {
     profile::Profile profile;
@@ -128,6 +132,9 @@ TEST(StationDesk, NewSettingsAreInForceWithTheNextRequest)
     EXPECT_NEAR(rig.azimuthDegrees(), 33.0, 0.05);
 }
 
+// REQ-CONTROL-30: Before the directions are confirmed the mount is only moved by hand (a jog, or `M` of a client where
+// there is no window), at 5 °/s and 2° at most from where that began. Directions that are doubted again allow the same
+// from where the mount stands then. The log says at the start how they are confirmed.
 TEST(StationDesk, BeforeItsDirectionsAreConfirmedAMountIsJoggedALittleAndSlowly)
 {
     profile::Profile fresh;
@@ -153,6 +160,7 @@ TEST(StationDesk, BeforeItsDirectionsAreConfirmedAMountIsJoggedALittleAndSlowly)
 }
 
 // Without a window the person at the mast sees the directions by a client's "M".
+// REQ-CONTROL-30
 TEST(StationDesk, BeforeItsDirectionsAreConfirmedAClientMovesItALittleAndSlowly)
 {
     profile::Profile fresh;
@@ -196,6 +204,7 @@ TEST(StationDesk, AnAxisAtTheEndOfItsSmallWayKeepsNeitherTheOtherNorTheWayBack)
     EXPECT_GE(rig.azimuthDegrees(), -2.0);
 }
 
+// REQ-CONTROL-30
 TEST(StationDesk, DirectionsThatAreDoubtedAgainAllowASmallWayFromWhereTheMountStandsNow)
 {
     profile::Profile fresh;

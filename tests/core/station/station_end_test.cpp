@@ -8,6 +8,8 @@ namespace {
 
 using moteus::Mode;
 
+// REQ-CONTROL-14: Closing decelerates and then leaves the drives as the profile says. Drives that were never commanded
+// are left alone.
 TEST(StationControl, ClosingDeceleratesThenLeavesTheDrivesAsTheProfileSays)
 {
     for (const auto& [how, mode] :
@@ -64,6 +66,7 @@ TEST(StationControl, ClosingWhileADriveIsCapturedLeavesItAsTheProfileSays)
     EXPECT_EQ(rig.elevation.mode, Mode::Brake);
 }
 
+// REQ-CONTROL-14
 TEST(StationControl, ClosingLeavesDrivesAloneThatWereNeverCommanded)
 {
     profile::Profile profile;
@@ -88,6 +91,7 @@ TEST(StationControl, AClientCannotPushTheRestOutOfTheLog)
     EXPECT_LE(rig.log.lastNumber() - before, 5U);
 }
 
+// REQ-CONTROL-16: Every start of a motion has a log line that names source and reason.
 TEST(StationControl, EveryMotionStartNamesSourceAndReason)
 {
     StationRig rig;

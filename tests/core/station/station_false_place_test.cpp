@@ -138,6 +138,10 @@ protected:
 
 // Story: one reply that was false by 90° moved a standing antenna by 2.8°, and one by -60° led the elevation below its
 // travel: the set-point was put where the false reply said.
+// REQ-AXES-19a (FalsePlaces.*): Motion uses the place that is believed (`PlaceBelief`), never a single reply. No false
+// reply moves an axis by more than 0.3°, makes it leave its travel, makes its drive ignore its bounds, or is written
+// down. One or two in a row change no motion. After three the axis is braked (REQ-AXES-24). Six that agree with each
+// other are a jump: the drive is Held, its wrap is doubted, and no set-point goes out before an act.
 TEST_P(FalsePlaces, NothingMovesThatStands)
 {
     const auto& [pattern, axis, by] = GetParam();
@@ -219,6 +223,8 @@ TEST_P(FalsePlaces, TheFirstMotionBeginsWhereTheAxisStands)
 
 INSTANTIATE_TEST_SUITE_P(All, FalsePlaces, ::testing::ValuesIn(cases()));
 
+// REQ-AXES-19a (FalsePlace.*)
+// REQ-SUPERVISION-05
 TEST(FalsePlace, OneIsToldAndTheMotionGoesOn)
 {
     FalsePlaceRig rig(100.0, 45.0);
@@ -282,6 +288,8 @@ protected:
     }
 };
 
+// REQ-AXES-19b (BlindDrive.*): A drive that answers without a place that can be believed is braked after three such
+// replies, like a silent drive. After 0.2 s it is lost like a silent one.
 TEST_P(BlindDrive, IsBrakedAfterThreeRepliesAndLostLikeASilentOne)
 {
     FalsePlaceRig rig(100.0, 20.0);
@@ -336,6 +344,8 @@ TEST_P(BlindDrive, TwoRepliesWithoutAPlaceAreChance)
 
 INSTANTIATE_TEST_SUITE_P(Kinds, BlindDrive, ::testing::Range(0, 4));
 
+// REQ-SUPERVISION-13a: Supply, temperatures and torque are judged without a place, too. A value that is no number is
+// unknown: it changes no trend and no comparison.
 TEST(BlindDrive, SupplyAndHeatAreJudgedWithoutAPlace)
 {
     FalsePlaceRig rig(100.0, 20.0);
@@ -347,6 +357,7 @@ TEST(BlindDrive, SupplyAndHeatAreJudgedWithoutAPlace)
     EXPECT_THAT(rig.alarms(), HasSubstr("The drive board of the azimuth is at 65 °C"));
 }
 
+// REQ-SUPERVISION-13a
 TEST(BlindDrive, ValuesThatAreNoNumbersAreUnknown)
 {
     FalsePlaceRig rig(100.0, 20.0);
@@ -371,6 +382,8 @@ TEST(BlindDrive, ValuesThatAreNoNumbersAreUnknown)
 
 // Story: from 10°/s the mount ran on by 3.5°, came back, and raised a false "following error": its set-point had been
 // put where it was when the supply fell.
+// REQ-AXES-19c (StopInMidMotion.*): A stop brakes from the present set-point and never comes back. Only an axis that
+// cannot follow is held where it stands: blocked, pushed, or moving the wrong way.
 TEST(StopInMidMotion, BrakesFromTheSetPoint)
 {
     FalsePlaceRig rig(100.0, 20.0);
@@ -398,6 +411,8 @@ TEST(StopInMidMotion, BrakesFromTheSetPoint)
 class SlipInASlew : public ::testing::TestWithParam<double>
 {};
 
+// REQ-AXES-19a (SlipInASlew.*)
+// REQ-SUPERVISION-16 (SlipInASlew.*)
 TEST_P(SlipInASlew, StopsTheMountAndMakesTheTurnUnknown)
 {
     FalsePlaceRig rig(100.0, 20.0);

@@ -11,6 +11,7 @@ namespace {
 
 using moteus::Mode;
 
+// REQ-CONTROL-07: A lost drive ends the motion. The healthy axis holds. Only an explicit act re-arms.
 TEST(StationControl, AFaultOnOneAxisHoldsTheOtherAndWaitsForRearm)
 {
     StationRig rig;
@@ -60,6 +61,7 @@ TEST(StationControl, WhoHasHadNoQuestionIsNotSilent)
     EXPECT_EQ(rig.control.status().alarms.front().what, QStringLiteral("No reply from the azimuth drive."));
 }
 
+// REQ-CONTROL-07
 TEST(StationControl, ASilentBusInMidMotionNeedsRearm)
 {
     StationRig rig;
@@ -88,6 +90,7 @@ TEST(StationControl, ASilentBusInMidMotionNeedsRearm)
 }
 
 // Story: the drives had answered for ten seconds, and FAULT still said "no reply from the azimuth drive".
+// REQ-ALARMS-29
 TEST(StationControl, ADriveThatAnswersAgainSaysSoWhileItWaitsForTheRearm)
 {
     StationRig rig;
@@ -154,6 +157,7 @@ constexpr const char* kBack = "The azimuth drive fell silent; it answers again."
 
 // Story: of two losses without a re-arm between, the second was never told: 41 s later the alarm still said that the
 // drive answered again.
+// REQ-ALARMS-29
 TEST(StationControl, EverySilenceBeforeTheRearmIsTold)
 {
     SilenceRig rig;
@@ -178,6 +182,7 @@ TEST(StationControl, EverySilenceBeforeTheRearmIsTold)
 }
 
 // A loose plug: more changes than the log takes in a second.
+// REQ-ALARMS-29
 TEST(StationControl, ASilenceThatLastsIsToldAfterAFlicker)
 {
     SilenceRig rig;
@@ -193,6 +198,7 @@ TEST(StationControl, ASilenceThatLastsIsToldAfterAFlicker)
     EXPECT_EQ(rig.logged(), kNoReply);
 }
 
+// REQ-ALARMS-29
 TEST(StationControl, ADriveInFaultThatFallsSilentIsToldBesideItsFault)
 {
     SilenceRig rig;
@@ -213,6 +219,7 @@ TEST(StationControl, ADriveInFaultThatFallsSilentIsToldBesideItsFault)
     EXPECT_TRUE(std::ranges::none_of(rig.control.status().alarms, &Alarm::active));
 }
 
+// REQ-CONTROL-05: A fault is latched in every phase, also at the start.
 TEST(StationControl, AFaultAtStartIsShownAndNeedsRearm)
 {
     StationRig rig;
@@ -230,6 +237,7 @@ TEST(StationControl, AFaultAtStartIsShownAndNeedsRearm)
     EXPECT_EQ(rig.azimuth.mode, Mode::Stopped);
 }
 
+// REQ-CONTROL-05
 TEST(StationControl, AFaultInStandbyIsShownToo)
 {
     StationRig rig;
@@ -259,6 +267,7 @@ TEST(StationControl, ReArmingIsTheOperatorsWhileTheOperatorHasTakenOver)
 }
 
 // Story: a machine that stopped for 0.3 s blamed the cable, although the replies lay unread in its own buffers.
+// REQ-CONTROL-06: A stall of this computer is not silence of the drives.
 TEST(StationControl, AStallOfThisComputerIsNotSilenceOfTheDrives)
 {
     StationRig rig;
@@ -304,6 +313,7 @@ TEST(StationControl, ATimeOutLeftFromAnEarlierProgramIsClearedByTheFirstCommand)
     EXPECT_NEAR(rig.azimuthDegrees(), 10.0, 0.001);
 }
 
+// REQ-CONTROL-07
 TEST(StationControl, ADriveThatIgnoresUsIsAFault)
 {
     StationRig rig;
@@ -346,6 +356,7 @@ TEST(StationControl, ADriveWithoutAPositionIsNotMoved)
     EXPECT_EQ(rig.commands(), 0U);
 }
 
+// REQ-CONTROL-07
 TEST(StationControl, ADriveThatWasPowerCycledIsNotCommandedOn)
 {
     StationRig rig;
@@ -375,6 +386,7 @@ TEST(StationControl, AnActiveLimitIsAHintNotAFault)
 }
 
 // Story: a random walk took the fitness away in mid-motion, and the mount went on.
+// REQ-CONTROL-18
 TEST(StationControl, DrivesThatAreNotFitAnyMoreAreNotMovedOn)
 {
     StationRig rig;

@@ -54,6 +54,9 @@ struct ModelRig : StationRig
 
 // The tilt of 0.6° to the north, where true azimuth is 100°: the axis stands 0.6° sin 100° tan 20° = 0.215° further,
 // and 0.6° cos 100° = -0.104° lower.
+// REQ-CONTROL-32 (StationPointingModel.*): Directions that are asked for, reported and shown are true. Travel, limits,
+// cable, trim, park and journal are mechanical. Applying a pointing model moves nothing. A client's stream uses it
+// from its next point on.
 TEST(StationPointingModel, AClientsTargetIsATrueDirection)
 {
     ModelRig rig;

@@ -37,6 +37,8 @@ TEST(StationControl, CrossingNorthDoesNotUnwind)
     EXPECT_NEAR(rig.azimuthDegrees(), 370.0, 0.01);
 }
 
+// REQ-CONTROL-10: The operator is refused a target outside the limits. A client gets the nearest point or a refusal,
+// as the profile says.
 TEST(StationControl, TheOperatorIsRefusedWhatIsOutside)
 {
     StationRig rig;
@@ -61,6 +63,7 @@ TEST(StationControl, TheOperatorIsNotSentOverTheTop)
     EXPECT_TRUE(rig.point(10.0, 95.0, kClient)) << "to a client it is a direction";
 }
 
+// REQ-CONTROL-10
 TEST(StationControl, AClientGetsTheNearestPermittedPoint)
 {
     StationRig rig;
@@ -163,6 +166,7 @@ TEST(StationControl, StepsAddUpFromTheTarget)
     EXPECT_FALSE(rig.ask(request::Step{.azimuth = 0_deg, .elevation = -2_deg}));
 }
 
+// REQ-CONTROL-13: A jog ends with its keep-alive. A client's `M` ends with its connection.
 TEST(StationControl, JogEndsWhenTheKeepAliveStops)
 {
     StationRig rig;
@@ -203,6 +207,7 @@ TEST(StationControl, JogEndsAtTheEndOfTheTravel)
     EXPECT_EQ(rig.control.status().elevation.state, AxisState::Limit);
 }
 
+// REQ-CONTROL-13
 TEST(StationControl, AMoveOfAClientEndsWithTheClient)
 {
     StationRig rig;

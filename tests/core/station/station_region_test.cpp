@@ -61,6 +61,10 @@ struct RegionRig : StationRig
     }
 };
 
+// REQ-AXES-25 (StationRegion.*)
+// REQ-AXES-26 (StationRegion.*): A forbidden target is refused with the reason and the nearest permitted place, or the
+// mount goes there and shows LIMITED. A free target behind something forbidden is reached around it, on another wrap
+// if need be, or refused with the obstacle.
 TEST(StationRegion, TheOperatorIsRefusedAForbiddenPlaceAndToldTheNearest)
 {
     RegionRig rig({.keepOuts = {stationMast()}});
@@ -130,6 +134,7 @@ TEST(StationRegion, AClientGetsTheNearestPermittedPlace)
     EXPECT_NEAR(rig.elevationDegrees(), 5, 0.001);
 }
 
+// REQ-CONTROL-10
 TEST(StationRegion, AClientIsRefusedWhereTheProfileSaysSo)
 {
     profile::Profile profile = profileWith(roof());

@@ -91,6 +91,7 @@ TEST(StationRotator, MoveRunsAtAShareOfTheFastestJogRate)
 }
 
 // Story: a client that the operator had made read-only still chose how fast the other one moved.
+// REQ-CONTROL-23a
 TEST(StationRotator, OnlyWhoMayMoveSetsTheSpeed)
 {
     RotatorRig rig;
@@ -215,6 +216,7 @@ StationState afterSilence(RotatorRig& rig, const rotctld::Client& reader)
     return rig.state();
 }
 
+// REQ-CONTROL-12: A client that reads the position keeps its own stream alive, and nobody else's.
 TEST(StationRotator, AClientThatReadsOnIsContentWithThePathOfItsStream)
 {
     RotatorRig rig;
@@ -225,6 +227,7 @@ TEST(StationRotator, AClientThatReadsOnIsContentWithThePathOfItsStream)
     EXPECT_NEAR(rig.elevationDegrees(), 14.5, 0.001);
 }
 
+// REQ-CONTROL-12
 TEST(StationRotator, AnotherClientThatReadsSaysNothingAboutAStream)
 {
     RotatorRig rig;

@@ -95,6 +95,7 @@ struct SensedRig
 
 constexpr double kSurvey = 4.0;  // s; it takes 2.4
 
+// REQ-WITNESS-40 (StationSensor.*)
 TEST(StationSensor, AgreesWithTheAxesAtRestAndInMotion)
 {
     SensedRig rig;
@@ -134,6 +135,7 @@ TEST(StationSensor, ADisturbedCompassIsToldWithinThreeSecondsAndMovesNothing)
 }
 
 // Story: amber beside the very north that was found and waited for Apply.
+// REQ-WITNESS-40a
 TEST(StationSensor, ADifferenceThatTheFoundNorthExplainsIsNoAlarm)
 {
     profile::Profile profile = withSimulatedSensor();
@@ -155,6 +157,7 @@ TEST(StationSensor, ADifferenceThatTheFoundNorthExplainsIsNoAlarm)
 }
 
 // The field of the motors turns the needle while they work: slews to and fro show it.
+// REQ-WITNESS-45
 TEST(StationSensor, ADisturbanceThatGoesWithTheMotorsCurrentIsToldAsThat)
 {
     SensedRig rig;

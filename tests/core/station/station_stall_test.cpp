@@ -24,6 +24,11 @@ bool logHas(const StationRig& rig, const QString& text)
 }
 
 // Story: one hiccup of 0.1 s on a busy computer ended a pass, and every later target of the client was refused.
+// REQ-CONTROL-06a (StationStall.*): After a stall of at most 2 s, from tick to tick or from frame to frame, that let
+// the drives' watchdogs act, the motion is resumed within 1 s, unless the profile says "wait". Any doubt waits for a
+// re-arm: a drive in fault or power-cycled, a wrap that is not proven, an axis that moved by 2°, a latched STOP, a
+// drive that does not come back. Requests made meanwhile count. Stalls in a row, or a stall while drives are taken
+// over, change nothing of that.
 TEST(StationStall, TheMotionGoesOnByItself)
 {
     for (const double seconds : {0.08, 0.15, 1.0, 1.97}) {
@@ -139,6 +144,7 @@ class StallDoubt : public testing::TestWithParam<Doubt>
 {};
 
 // Anything in doubt waits for a re-arm, and nothing moves.
+// REQ-CONTROL-06a (StallDoubt.*)
 TEST_P(StallDoubt, WaitsForARearm)
 {
     StationRig rig;

@@ -11,6 +11,7 @@ namespace {
 using moteus::Mode;
 using moteus::Register;
 
+// REQ-AXES-01: Connecting sends queries only. The first command holds the measured position.
 TEST(StationControl, ConnectingSendsQueriesOnly)
 {
     StationRig rig;
@@ -21,6 +22,7 @@ TEST(StationControl, ConnectingSendsQueriesOnly)
     EXPECT_EQ(rig.control.status().azimuth.state, AxisState::Off);
 }
 
+// REQ-AXES-01
 TEST(StationControl, TheFirstCommandHoldsTheMeasuredPosition)
 {
     StationRig rig;
@@ -37,6 +39,7 @@ TEST(StationControl, TheFirstCommandHoldsTheMeasuredPosition)
     }
 }
 
+// REQ-AXES-02: Every motion frame carries the watchdog time and all limits.
 TEST(StationControl, EveryMotionFrameCarriesWatchdogAndLimits)
 {
     StationRig rig;
@@ -67,6 +70,7 @@ TEST(StationControl, WithoutDrivesRequestsAreAnsweredAtOnce)
     EXPECT_EQ(rig.control.status().alarms.size(), 2U);
 }
 
+// REQ-CONTROL-08: A position older than 1 s is no position.
 TEST(StationControl, APositionOlderThanASecondIsNoPosition)
 {
     StationRig rig;

@@ -11,6 +11,9 @@ namespace {
 using moteus::Mode;
 using moteus::Register;
 
+// REQ-CONTROL-03: STOP decelerates, holds and latches. It brakes as hard as a drive that is left alone, with the jerk
+// bounded by the averaging of the profile: 0.3 s from full speed on the reference mount. After its reset nothing comes
+// back by itself. Clients that kept sending must first be given control.
 TEST(StationControl, StopDeceleratesHoldsAndLatches)
 {
     StationRig rig;
@@ -38,6 +41,7 @@ profile::Profile withoutBrakes()
 }
 
 // Story: with 0.5°/s² in the profile STOP took 14 s and 49°.
+// REQ-CONTROL-03
 TEST(StationControl, StopBrakesHarderThanAProfileWithoutBrakes)
 {
     StationRig rig(withoutBrakes());
@@ -60,6 +64,7 @@ TEST(StationControl, StopBrakesHarderThanAProfileWithoutBrakes)
 }
 
 // The reference mount from full speed: 0.3 s and 1.4° instead of 1.2 s and 6°, still without a jerk.
+// REQ-CONTROL-03
 TEST(StationControl, StopFromFullSpeedTakesAThirdOfASecond)
 {
     StationRig rig;
@@ -85,6 +90,7 @@ TEST(StationControl, StopFromFullSpeedTakesAThirdOfASecond)
         << "Hold is as gentle as before";
 }
 
+// REQ-CONTROL-03
 TEST(StationControl, AfterResetOfStopNothingComesBackByItself)
 {
     StationRig rig;
@@ -101,6 +107,7 @@ TEST(StationControl, AfterResetOfStopNothingComesBackByItself)
     EXPECT_TRUE(rig.point(200.0, 60.0));
 }
 
+// REQ-CONTROL-11: The operator goes before the clients. Everybody may stop the mount.
 TEST(StationControl, TheOperatorGoesBeforeTheClients)
 {
     StationRig rig;
@@ -121,6 +128,7 @@ TEST(StationControl, HoldFromAClientEndsTheMotionWithoutLatching)
 }
 
 // Story: STOP was logged and shown while the mount went on turning by an order that somebody else had left.
+// REQ-CONTROL-04: STOP takes over a drive that moves without our orders. STOP cannot be reset while the mount brakes.
 TEST(StationControl, StopTakesOverWhatMovesWithoutOurOrders)
 {
     StationRig rig;
@@ -174,6 +182,7 @@ TEST(StationControl, StopWithoutConnectionTakesADriveOverWhenItAnswers)
     EXPECT_TRUE(rig.elevation.seen.empty());
 }
 
+// REQ-CONTROL-04
 TEST(StationControl, StopIsNotResetWhileTheMountStillBrakes)
 {
     StationRig rig;

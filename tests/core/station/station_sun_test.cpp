@@ -69,6 +69,9 @@ struct SunRig : StationRig
     }
 };
 
+// REQ-CONTROL-39 (StationSun.*): The beam stays away from the Sun where the profile says so: a keep-out that is
+// renewed every 20 s holds for every motion. A mount that stands while the Sun comes over it stays, with an alarm.
+// From inside only the way out is open. Where keep-away is switched on while the Sun is tracked, the mount holds.
 TEST(StationSun, IsAKeepOutWhileItIsUp)
 {
     SunRig rig;
@@ -193,6 +196,7 @@ TEST(StationSun, IsFoundAnewWhenTheClockIsSet)
 }
 
 // A beam at its edge is out of the circle until the keep-out is renewed, at any time of the day.
+// REQ-CONTROL-39 (SunWatch.*)
 TEST(SunWatch, ServesUntilItIsRenewed)
 {
     SunWatch watch(sunny());
@@ -250,6 +254,11 @@ struct DoubtedRig : StationRig
 };
 
 // Story: at 1 January 2000 the beam went into the Sun without a word.
+// REQ-CONTROL-39a (StationSunClock.*): Without a clock that a time source vouches for, keep-away refuses every place
+// that the Sun can have at this latitude, and an alarm and the refusals name the clock. From inside this band only the
+// operator moves the mount, by the slow jog. When the clock is synchronised the band goes, and what it held back stays
+// where it is. A clock that was synchronised is trusted for 24 h more unless it is set. `sun.clock = "trusted"`
+// vouches for a computer without a time source. No date before 2026 is trusted.
 TEST(StationSunClock, WithoutASynchronisedClockNothingMovesToWhereTheSunCanBe)
 {
     DoubtedRig rig;
@@ -348,6 +357,7 @@ TEST(StationSunClock, TheOperatorMayVouchForIt)
 }
 
 // Story: a field station loses its network; the kernel calls the clock unsynchronised nine hours later, in mid-pass.
+// REQ-CONTROL-39a (ClockTrust.*)
 TEST(ClockTrust, OutlivesTheTimeSourceForADay)
 {
     constexpr auto kNeeded = profile::SunClock::Synchronised;

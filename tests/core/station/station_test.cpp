@@ -108,6 +108,8 @@ constexpr int kStationSurvey = 200;  // ticks; it takes 2.4 s
 
 const request::PointSky kFarAway{{.azimuth = 200_deg, .elevation = 60_deg}};
 
+// REQ-STATION-17: A stalled screen gets the newest status and no queue. STOP does not wait for a tick. A bus or port
+// that does not open is an alarm, and the rest works.
 TEST(Station, AStalledScreenGetsTheNewestStatusAndNoQueue)
 {
     Rig rig;
@@ -124,6 +126,8 @@ TEST(Station, AStalledScreenGetsTheNewestStatusAndNoQueue)
     EXPECT_EQ(rig.updates.back().status.tick, 105U);
 }
 
+// REQ-STATION-22: Each tick is sampled once, the set-point beside the answer to it. A tick without an answer gives no
+// sample. A stalled screen misses what is older than 10 s.
 TEST(Station, EveryTickIsSampledOnceWithTheAnswerToIt)
 {
     SurveyedRig rig;
@@ -151,6 +155,7 @@ TEST(Station, EveryTickIsSampledOnceWithTheAnswerToIt)
     }
 }
 
+// REQ-STATION-22
 TEST(Station, ALostReplyIsNotSampledAsTheOldValue)
 {
     Rig rig;
@@ -168,6 +173,7 @@ TEST(Station, ALostReplyIsNotSampledAsTheOldValue)
     EXPECT_TRUE(samples[1].axes[1].actual);
 }
 
+// REQ-STATION-22
 TEST(Station, AStalledScreenMissesTheSamplesBeyondTenSeconds)
 {
     Rig rig;
@@ -214,6 +220,7 @@ TEST(Station, AnswersFindTheControlThatAsked)
     EXPECT_EQ(answers[1].error->code, ErrorCode::OutOfRange);
 }
 
+// REQ-STATION-17
 TEST(Station, StopDoesNotWaitForTheNextTick)
 {
     Rig rig;
@@ -227,6 +234,7 @@ TEST(Station, StopDoesNotWaitForTheNextTick)
     EXPECT_EQ(rig.station->status().state, StationState::Stopped);
 }
 
+// REQ-STATION-17
 TEST(Station, ABusThatDoesNotOpenIsAnAlarmAndIsTriedAgain)
 {
     Rig rig;
@@ -272,6 +280,8 @@ TEST(Station, ABusThatIsTriedAgainKeepsItsAlarm)
 }
 
 // Story: a second program took the journal, and with it the turn of each axis, from the one that moved the mount.
+// REQ-STATION-43b: A mount that another program controls is left alone: no bus, no clients, and an alarm with the name
+// of that program.
 TEST(Station, AMountThatAnotherProgramControlsIsLeftAlone)
 {
     profile::Profile profile = anyPort();
@@ -299,6 +309,7 @@ TEST(Station, AMountThatAnotherProgramControlsIsLeftAlone)
     EXPECT_EQ(second.status().alarms.front().severity, Severity::Alarm);
 }
 
+// REQ-STATION-43c: A port for every computer without a list of who may connect is an advisory.
 TEST(Station, APortForEveryComputerIsAnAdvisory)
 {
     profile::Profile profile = anyPort();
@@ -327,6 +338,7 @@ TEST(Station, AWrongPortIsNotSaidToBeTriedAgain)
               QStringLiteral("Nothing can be commanded. Boresight sends nothing more to this port."));
 }
 
+// REQ-STATION-17
 TEST(Station, AnOccupiedPortIsSaidAndTheRestWorks)
 {
     QTcpServer other;
@@ -440,6 +452,7 @@ bool ticksUntil(Rig& rig, const std::function<bool()>& condition)
     return condition();
 }
 
+// REQ-ALARMS-47
 TEST(Station, TheLogIsOnDisk)
 {
     Rig rig;
@@ -451,6 +464,7 @@ TEST(Station, TheLogIsOnDisk)
     }));
 }
 
+// REQ-ALARMS-47
 TEST(Station, TheLastLinesAreOnDisk)
 {
     Rig rig;
@@ -464,6 +478,7 @@ TEST(Station, TheLastLinesAreOnDisk)
     EXPECT_TRUE(file.readAll().contains("Boresight is being closed"));
 }
 
+// REQ-ALARMS-47
 TEST(Station, ALogThatCannotBeWrittenIsAnAlarmUntilItCan)
 {
     Rig rig;

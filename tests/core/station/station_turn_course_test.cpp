@@ -61,6 +61,9 @@ struct SensedRig : StationRig
     memory::SensorCourse course{.unbroken = 3, .azimuth = {}};
 };
 
+// REQ-WITNESS-46 (StationTurnCourse.*): A sensor that ran without a gap since the azimuth's wrap was known shows in
+// the question of the wrap how far it has turned. It takes back a proposal that it contradicts.
+// REQ-MEMORY-09 (StationTurnCourse.*)
 TEST(StationTurnCourse, AgreesWithTheJournalWhereNobodyTurnedTheMast)
 {
     SensedRig rig;

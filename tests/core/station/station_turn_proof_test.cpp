@@ -53,6 +53,8 @@ memory::MountMemory withTheClockRight(memory::MountMemory journal)
 
 // Story: while the question stood, the drive had been set to the middle of its travel; the program was started anew,
 // the journal's date was right again, and the setting of the zero was counted as a motion: 180°, for certain.
+// REQ-AXES-15 (StationTurns.*): The wrap of an axis is shown or asked, never guessed. While it is unknown there is no
+// pointing and no position for clients, and only the operator jogs, slowly.
 TEST(StationTurns, CountingFromTheMiddleIsNeverTakenForAMotion)
 {
     const StationRig standing;

@@ -62,6 +62,7 @@ TEST(StationTurns, AfterAPowerCutTheOperatorIsAsked)
     EXPECT_EQ(rig.ask(request::ProveCrashStop{2_deg_s}).error().code, ErrorCode::Refused);
 }
 
+// REQ-WITNESS-40
 TEST(StationTurns, ASensorOnTheAntennaSpeaksInTheQuestion)
 {
     RestartedRig rig;
@@ -252,6 +253,10 @@ struct LostRig : StationRig
 };
 
 // Story: "--standing-at 4050,10" for 405, and the next target ran through the end of the cable into the stop.
+// REQ-AXES-15a: A place that is entered, in the window or by `--standing-at`, is refused farther than 15° outside the
+// travel (an axis that was let go coasts less far). The wrap stays asked, and a refused place of the command line is
+// an alarm. A place of the command line counts once, for ten minutes after somebody looked, also over a restart: the
+// journal keeps the time of the last one that was used.
 TEST(StationTurns, APlaceFarOutsideTheTravelIsRefused)
 {
     LostRig rig;
@@ -269,6 +274,7 @@ TEST(StationTurns, APlaceFarOutsideTheTravelIsRefused)
     EXPECT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 405_deg}));
 }
 
+// REQ-AXES-15a
 TEST(StationTurns, APlaceOfTheCommandLineFarOutsideTheTravelIsAnAlarmAndTheWrapStaysAsked)
 {
     LostRig rig(4050_deg);
@@ -299,6 +305,8 @@ struct OutsideRig : StationRig
     }
 };
 
+// REQ-CONTROL-15b: While an axis stands farther outside its travel than its drive's bounds
+// (`control.drive_limit_margin_deg`) only the operator jogs, inwards, at `jog.unwind_deg_s` at most.
 TEST(StationTurns, FarOutsideTheTravelOnlyTheOperatorJogsSlowlyAndInwards)
 {
     OutsideRig rig;
@@ -408,6 +416,7 @@ TEST(StationTurns, TheCommandLineAnswersOnlyTheFirstQuestion)
 }
 
 // Story: "--standing-at 0,0" was left in the unit file, and after a power cut it was believed anew.
+// REQ-AXES-15a
 TEST(StationTurns, APlaceOfTheCommandLineIsForgottenAfterTenMinutes)
 {
     using std::chrono::minutes;
@@ -427,6 +436,7 @@ TEST(StationTurns, APlaceOfTheCommandLineIsForgottenAfterTenMinutes)
     }
 }
 
+// REQ-AXES-15a
 TEST(StationTurns, APlaceOfTheCommandLineCountsAtOneStartOnly)
 {
     const TurnKeeper::Start told{.standingAt = {100_deg, 10_deg}, .looked = now()};
@@ -449,6 +459,7 @@ TEST(StationTurns, APlaceOfTheCommandLineCountsAtOneStartOnly)
 }
 
 // The mount moved since, and only then lost its power.
+// REQ-AXES-15a
 TEST(StationTurns, APlaceThatWasNotNeededIsUsedUpToo)
 {
     StationRig rig(profile::Profile{}, {.trustFirstContact = true, .standingAt = {100_deg, 10_deg}, .looked = now()});

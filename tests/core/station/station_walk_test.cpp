@@ -374,6 +374,11 @@ protected:
     }
 };
 
+// REQ-CONTROL-09 (StationWalk.*): Whatever is asked, and whatever happens to drives, drive check, bus and computer:
+// set-points never leave the travel, never jump and never exceed the speed. Nothing moves unasked, STOP wins, and a
+// fault waits for a re-arm.
+// REQ-AXES-19a (StationWalk.*)
+// REQ-CONTROL-27 (StationWalk.*)
 TEST_P(StationWalk, PromisesHoldAmongHillsAndMasts)
 {
     profile::Profile profile;

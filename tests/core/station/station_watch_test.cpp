@@ -60,6 +60,9 @@ struct WatchRig : StationRig
     }
 };
 
+// REQ-AXES-19 (StationWatch.*): What the drive does not report is noticed all the same, and stops the mount with its
+// reason.
+// REQ-AXES-19c
 TEST(StationWatch, AStalledAxisStopsTheMountWithinASecond)
 {
     WatchRig rig;
@@ -79,6 +82,8 @@ TEST(StationWatch, AStalledAxisStopsTheMountWithinASecond)
 }
 
 // Story: the integrator of a blocked drive pushed on with all its torque, through the re-arm.
+// REQ-AXES-19d: A blocked axis is not pushed on after the stop, nor after the re-arm, and an unbalanced one does not
+// fall: its drive restarts its control where it measures the axis, without its integrator until the next motion.
 TEST(StationWatch, ABlockedDriveDropsWhatItsIntegratorHasWoundUpUntilItMovesAgain)
 {
     using moteus::Register;
@@ -113,6 +118,7 @@ TEST(StationWatch, ABlockedDriveDropsWhatItsIntegratorHasWoundUpUntilItMovesAgai
 }
 
 // Every field at once still fits into a frame.
+// REQ-AXES-19d
 TEST(Drive, YieldsBeyondItsBounds)
 {
     using moteus::Register;
@@ -151,6 +157,7 @@ TEST(Drive, YieldsBeyondItsBounds)
 }
 
 // Story: a mount that was stopped at 11.5 V was re-armed at 11.5 V, and its alarm was called over.
+// REQ-CONTROL-23
 TEST(StationWatch, ASupplyThatStoppedTheMountIsNotOverBeforeItIsBack)
 {
     WatchRig rig;
@@ -173,6 +180,8 @@ TEST(StationWatch, ASupplyThatStoppedTheMountIsNotOverBeforeItIsBack)
     EXPECT_TRUE(std::ranges::none_of(rig.control.status().alarms, &Alarm::active));
 }
 
+// REQ-ALARMS-23b: An alarm whose cause outlasts the re-arm is not over. It is raised again, and stops the mount again
+// if it must.
 TEST(StationWatch, AnAlarmWhoseCauseLastsIsNotOverWithTheRearm)
 {
     WatchRig rig;

@@ -39,6 +39,10 @@ bool warns(const Proposal& proposal)
     });
 }
 
+// REQ-NORTH-36b (SwingProposal.*): What the sensor reports of the zero of elevation is attributed to the sensor box as
+// far as that may lie askew, and beyond that to the axis. A north and a tilt that points have found better stay, and
+// Apply takes the curve only, unless the compass contradicts them. A term that points only held belongs to the swing
+// before them, and the next swing's is as good.
 TEST(SwingProposal, WhatABoxAskewExplainsIsTheSensors)
 {
     profile::Profile profile;
@@ -204,6 +208,7 @@ TEST(SwingProposal, ATiltThatPointsHaveToldBetterStays)
 }
 
 // Of the still sensor there is no curve: it is turned so that it agrees.
+// REQ-NORTH-36b (SensorProposal.*)
 TEST(SensorProposal, ANorthThatPointsHaveToldBetterStays)
 {
     calibration::SensorOffset offset;

@@ -77,6 +77,7 @@ protected:
     std::vector<Observed> last;
 };
 
+// REQ-SUPERVISION-13
 TEST_F(AxisSupervisorTest, ASetpointThatIsPutSomewhereElseIsNoMotion)
 {
     ticks(50);
@@ -111,6 +112,7 @@ TEST_F(AxisSupervisorTest, AnAxisThatGetsFasterAgainstItsCommandIsTheWrongWayWha
 }
 
 // Story: without it a re-arm would be followed at once by the alarm that it has just acknowledged.
+// REQ-SUPERVISION-13: Re-arming and engaging are new beginnings. A set-point that is put somewhere else is no motion.
 TEST_F(AxisSupervisorTest, ReArmingForgetsWhatWasFoundInTheMotion)
 {
     ticks(50);
@@ -150,6 +152,7 @@ TEST_F(AxisSupervisorTest, StopsComeFirstAndEachKindOnce)
     EXPECT_TRUE(found(Finding::SupplyLow));
 }
 
+// REQ-SUPERVISION-05
 TEST_F(AxisSupervisorTest, ALateReplyIsNoJumpOfTheEncoder)
 {
     ticks(50, 10_deg_s);
@@ -166,6 +169,7 @@ TEST_F(AxisSupervisorTest, ALateReplyIsNoJumpOfTheEncoder)
     EXPECT_FALSE(stops(Finding::FollowingError));
 }
 
+// REQ-SUPERVISION-05
 TEST_F(AxisSupervisorTest, ATurnThatIsSetIsNoJumpOfTheEncoder)
 {
     seen.turnKnown = false;
@@ -209,6 +213,7 @@ TEST_F(AxisSupervisorTest, NoiseOfADirectDriveIsNoMotion)
     }
 }
 
+// REQ-SUPERVISION-01
 TEST_F(AxisSupervisorTest, AFastAxisMayBeTwoTicksBehind)
 {
     profile.azimuth.limits.speed = 60_deg_s;
@@ -237,6 +242,7 @@ TEST_F(AxisSupervisorTest, ATextIsRenewedWhenAnAxisWasTurnedTwiceAsFar)
                 ::testing::MatchesRegex("the azimuth has moved by 1[0-5]\\.[0-9]°.*not by us: by its weight.*"));
 }
 
+// REQ-SUPERVISION-08
 TEST_F(AxisSupervisorTest, TheSupplyMustReturnByHalfAVoltAndStayThere)
 {
     seen.voltage = 19.9;
@@ -252,6 +258,7 @@ TEST_F(AxisSupervisorTest, TheSupplyMustReturnByHalfAVoltAndStayThere)
     EXPECT_FALSE(found(Finding::SupplyLow));
 }
 
+// REQ-SUPERVISION-08
 TEST_F(AxisSupervisorTest, AnEmptySupplyOfADriveThatIsOffIsAHint)
 {
     seen.engaged = false;
@@ -261,6 +268,7 @@ TEST_F(AxisSupervisorTest, AnEmptySupplyOfADriveThatIsOffIsAHint)
     EXPECT_FALSE(stops(Finding::SupplyLow));
 }
 
+// REQ-SUPERVISION-09
 TEST_F(AxisSupervisorTest, BoardAndMotorAreHot)
 {
     seen.boardTemperature = 61.0;
@@ -272,6 +280,7 @@ TEST_F(AxisSupervisorTest, BoardAndMotorAreHot)
     EXPECT_FALSE(stops(Finding::BoardHot));
 }
 
+// REQ-SUPERVISION-09
 TEST_F(AxisSupervisorTest, AMotorThatWarmsUpIsToldWithTheTimeLeft)
 {
     for (int i = 0; i < 45 * 50; ++i) {
@@ -291,6 +300,7 @@ TEST_F(AxisSupervisorTest, AMotorThatWarmsUpIsToldWithTheTimeLeft)
     }
 }
 
+// REQ-SUPERVISION-06
 TEST_F(AxisSupervisorTest, WithoutTheTurnTheTravelIsNotJudged)
 {
     seen.turnKnown = false;
@@ -316,6 +326,7 @@ TEST_F(AxisSupervisorTest, AJumpOutOfTheTravelIsNoMotionOutwards)
 class AtTickRate : public AxisSupervisorTest, public ::testing::WithParamInterface<int>
 {};
 
+// REQ-SUPERVISION-02 (AtTickRate.*)
 TEST_P(AtTickRate, AStallIsFoundInTheSameTime)
 {
     const Seconds period(1.0 / GetParam());

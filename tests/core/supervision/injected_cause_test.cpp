@@ -48,6 +48,8 @@ class StallAt : public InjectedCause, public ::testing::WithParamInterface<Stall
 {};
 
 // A moving axis that something stops: found within a second, at any rate from 0.5 °/s to the fastest.
+// REQ-SUPERVISION-02 (StallAt.*): An axis that is commanded and does not move stops the mount within 1.0 s from 0.5
+// °/s on, at any tick rate. Slower motion does when 0.3° are missing.
 TEST_P(StallAt, IsFoundWithinASecond)
 {
     mount.engage();
@@ -66,6 +68,7 @@ INSTANTIATE_TEST_SUITE_P(Rate, StallAt,
                          ::testing::Values(StallCase{0.5, 0.6}, StallCase{2.0, 2.0}, StallCase{-6.0, 6.0},
                                            StallCase{10.0, 10.0}));
 
+// REQ-SUPERVISION-02
 TEST_F(InjectedCause, AJamInASlewStopsTheMount)
 {
     mount.engage();
@@ -82,6 +85,7 @@ TEST_F(InjectedCause, AJamInASlewStopsTheMount)
 }
 
 // An axis that is blocked before it was told to move at all.
+// REQ-SUPERVISION-02
 TEST_F(InjectedCause, ABlockedAxisIsFoundWhenItIsFirstCommanded)
 {
     mount.inject(FaultKind::Stall, Axis::Elevation);
@@ -93,6 +97,8 @@ TEST_F(InjectedCause, ABlockedAxisIsFoundWhenItIsFirstCommanded)
     EXPECT_FALSE(mount.first(Finding::MovesUncommanded, Weight::Stop));
 }
 
+// REQ-SUPERVISION-01: A following error of 1.5° for 0.5 s is a hint, 3° for 0.5 s stops. 0.05 s of the commanded rate
+// are allowed.
 TEST_F(InjectedCause, WindAtTheLimitOfTheTorqueIsAFollowingError)
 {
     mount.engage();
@@ -113,6 +119,8 @@ TEST_F(InjectedCause, WindAtTheLimitOfTheTorqueIsAFollowingError)
     EXPECT_THAT(text(Finding::FollowingError, Weight::Stop), HasSubstr("away from its set-point for 0.50 s"));
 }
 
+// REQ-SUPERVISION-03: Motion of 0.5° against the command stops. An axis that slows down while its drive reports a
+// limit is only reversing.
 TEST_F(InjectedCause, AnAxisDrivenBackIsMovingTheWrongWay)
 {
     mount.engage();
@@ -126,6 +134,8 @@ TEST_F(InjectedCause, AnAxisDrivenBackIsMovingTheWrongWay)
     EXPECT_THAT(text(Finding::WrongWay, Weight::Stop), HasSubstr("the azimuth moves the wrong way"));
 }
 
+// REQ-SUPERVISION-04: An axis that was to hold and moved by 1° stops the mount. An axis whose drive is off gives a
+// hint.
 TEST_F(InjectedCause, AStormTurnsAnAxisThatHolds)
 {
     mount.engage();
@@ -137,6 +147,7 @@ TEST_F(InjectedCause, AStormTurnsAnAxisThatHolds)
     EXPECT_THAT(text(Finding::MovesUncommanded, Weight::Stop), HasSubstr("was to hold its place and has moved by"));
 }
 
+// REQ-SUPERVISION-04
 TEST_F(InjectedCause, WindTurnsAnAxisThatIsOffAndThatIsAHint)
 {
     mount.engage();
@@ -153,6 +164,8 @@ TEST_F(InjectedCause, WindTurnsAnAxisThatIsOffAndThatIsAHint)
     EXPECT_EQ(mount.report(), "") << "engaging there is a new beginning";
 }
 
+// REQ-SUPERVISION-05: An angle that has jumped (`PlaceBelief`) stops. A wrap that is set is no jump. A reply that was
+// false is a hint.
 TEST_F(InjectedCause, AnotherProgramShiftsTheAngleOfADrive)
 {
     mount.engage();
@@ -165,6 +178,8 @@ TEST_F(InjectedCause, AnotherProgramShiftsTheAngleOfADrive)
     EXPECT_THAT(text(Finding::EncoderJump, Weight::Stop), HasSubstr("jumped by"));
 }
 
+// REQ-SUPERVISION-06 (OutsideTravel.*): Outside the travel is a hint from 0.5°, a stop from 1.5° while moving farther
+// out. The way back is free. It is not judged while the wrap is unknown.
 TEST(OutsideTravel, IsAHintAtRestAndOnTheWayBack)
 {
     SupervisedMount mount(sim::commissionedPair({.azimuth = 452_deg, .elevation = -0.4_deg}));
@@ -200,6 +215,7 @@ TEST(OutsideTravel, StopsWhileMovingFartherOut)
                 HasSubstr("moves farther out"));
 }
 
+// REQ-SUPERVISION-07: A reply older than 0.1 s is a hint. Silence, 0.2 s, is judged by the station.
 TEST_F(InjectedCause, AReplyThatIsLateIsToldWhenItComes)
 {
     mount.inject(FaultKind::Silence, Axis::Elevation, {}, Seconds(0.2));
@@ -207,6 +223,8 @@ TEST_F(InjectedCause, AReplyThatIsLateIsToldWhenItComes)
     EXPECT_EQ(mount.found().size(), 1U) << "the other axis is heard";
 }
 
+// REQ-SUPERVISION-08: The supply gives hints below 20 V and above 42 V, and a stop below 12 V while the drives still
+// can. A battery that runs empty is reported up to 5 minutes ahead.
 TEST_F(InjectedCause, ASupplyThatSags)
 {
     mount.engage();
@@ -217,6 +235,7 @@ TEST_F(InjectedCause, ASupplyThatSags)
     EXPECT_THAT(text(Finding::SupplyLow, Weight::Stop), HasSubstr(" V, below 12.0 V"));
 }
 
+// REQ-SUPERVISION-08
 TEST_F(InjectedCause, ASupplyThatIsTooHigh)
 {
     mount.inject(FaultKind::SupplyVoltage, Axis::Azimuth, 43.0);
@@ -225,6 +244,7 @@ TEST_F(InjectedCause, ASupplyThatIsTooHigh)
 }
 
 // A battery that runs empty by 0.6 V per minute: told minutes before the absolute limit.
+// REQ-SUPERVISION-08
 TEST_F(InjectedCause, ABatteryThatRunsEmpty)
 {
     mount.engage();
@@ -240,6 +260,8 @@ TEST_F(InjectedCause, ABatteryThatRunsEmpty)
 }
 
 // Three quarters of the torque all the time: the board warms up, which is told before it is hot.
+// REQ-SUPERVISION-09: Temperatures give hints at 60 °C (board) and 80 °C (motor), and up to 5 minutes before a limit
+// is reached.
 TEST(BoardHot, IsToldBeforeItIsHot)
 {
     profile::Profile strong;
@@ -257,6 +279,8 @@ TEST(BoardHot, IsToldBeforeItIsHot)
     RecordProperty("what", what);
 }
 
+// REQ-SUPERVISION-10: 70 % of the torque for 2 s is a hint. So is 40 % of an axis that stands: more than weight and
+// friction explain, reported in Nm. 40 % while the wrap is unknown stops: a cable may be pulling.
 TEST_F(InjectedCause, WindThatTakesMuchOfTheTorque)
 {
     mount.engage();
@@ -270,6 +294,8 @@ TEST_F(InjectedCause, WindThatTakesMuchOfTheTorque)
 
 // Story: 0.2° before its target an axis stood against an obstacle with all its torque, and nothing was said: too little
 // was asked to call it blocked.
+// REQ-SUPERVISION-02a: An axis that stands 0.05° beside its set-point while its drive gives 90 % of its torque for 2 s
+// is blocked, too.
 TEST_F(InjectedCause, AnAxisThatPushesJustBeforeItsTargetIsBlocked)
 {
     mount.engage();
@@ -281,6 +307,7 @@ TEST_F(InjectedCause, AnAxisThatPushesJustBeforeItsTargetIsBlocked)
     EXPECT_THAT(text(Finding::Stalled, Weight::Stop), HasSubstr("limit 102 of the drive"));
 }
 
+// REQ-SUPERVISION-10
 TEST_F(InjectedCause, WindOnAStandingAxisIsToldFromASmallerTorqueOn)
 {
     mount.engage();
@@ -292,6 +319,9 @@ TEST_F(InjectedCause, WindOnAStandingAxisIsToldFromASmallerTorqueOn)
     EXPECT_FALSE(mount.stopped()) << mount.report();
 }
 
+// REQ-SUPERVISION-02
+// REQ-SUPERVISION-03a: A limit that the drive reported within the last 0.5 s (torque 102, velocity 96) is named with a
+// following error and a blocked axis.
 TEST_F(InjectedCause, ABlockedAxisIsToldWithTheLimitOfItsDrive)
 {
     mount.engage();
@@ -304,6 +334,7 @@ TEST_F(InjectedCause, ABlockedAxisIsToldWithTheLimitOfItsDrive)
 }
 
 // A cable that comes tight during the guided unwind pulls harder and harder.
+// REQ-SUPERVISION-10 (TorqueGuard.*)
 TEST(TorqueGuard, StopsAnUnwindThatPullsTheCableTight)
 {
     sim::PairSettings pair = sim::commissionedPair();

@@ -28,6 +28,7 @@ protected:
 };
 
 // Story: after minutes of rest an axis that needed 0.2 s to break away counted as blocked since it last moved.
+// REQ-SUPERVISION-02 (MotionMemoryTest.*)
 TEST_F(MotionMemoryTest, TimeAtRestIsNotTimeUnderCommand)
 {
     Progress progress;
@@ -70,6 +71,7 @@ TEST_F(MotionMemoryTest, MotionAgainstTheCommandIsMeasured)
 
 // Story: of ten replies one was false. When that was by less than can be doubted just as the axis was to set off, it
 // counted as the place where it set off, and the mount was stopped: "does not move".
+// REQ-SUPERVISION-19
 TEST_F(MotionMemoryTest, AReplyThatIsFalseByLittleIsNotWhereTheMotionBegan)
 {
     Progress progress;
@@ -84,6 +86,7 @@ TEST_F(MotionMemoryTest, AReplyThatIsFalseByLittleIsNotWhereTheMotionBegan)
     }
 }
 
+// REQ-SUPERVISION-19
 TEST_F(MotionMemoryTest, AReplyThatIsFalseByLittleDoesNotHideAStall)
 {
     Progress progress;
@@ -108,6 +111,7 @@ TEST_F(MotionMemoryTest, AfterAGapNothingIsCompared)
     EXPECT_FALSE(progress.missing());
 }
 
+// REQ-SUPERVISION-04
 TEST_F(MotionMemoryTest, AnAxisThatCoastsHasNotComeToStand)
 {
     Standing standing;
@@ -123,6 +127,7 @@ TEST_F(MotionMemoryTest, AnAxisThatCoastsHasNotComeToStand)
 }
 
 // An elevation that sinks slowly by its own weight never comes to stand, and is told all the same.
+// REQ-SUPERVISION-04
 TEST_F(MotionMemoryTest, AnAxisThatCreepsIsMeasuredFromTheLongestStop)
 {
     Standing standing;

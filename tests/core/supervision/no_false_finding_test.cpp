@@ -12,6 +12,9 @@ namespace {
 
 using sim::FaultKind;
 
+// REQ-SUPERVISION-11 (NoFalseFinding.*): A healthy mount finds nothing: standing, slews at full speed, jogs and
+// reversals, sidereal crawl, steps of 0.1°, gusts of 150 % and 300 % of the tracking torque, one lost reply in a
+// hundred, a whole pass.
 TEST(NoFalseFinding, StandingStillForTwentyMinutes)
 {
     SupervisedMount mount;
@@ -54,6 +57,7 @@ TEST(NoFalseFinding, JogsAndReversalsAtAnyRate)
 
 // Story: 300°/s² with 50 Nm. Each reversal overshot, and the operator was told not to re-arm before the motor had been
 // calibrated.
+// REQ-SUPERVISION-03
 TEST(NoFalseFinding, AReversalWithTooLittleTorqueIsNoWrongWay)
 {
     profile::Profile fast;
@@ -153,6 +157,7 @@ TEST(NoFalseFinding, GustsDoNotStopTheMount)
 }
 
 // The guided unwind, against a gust.
+// REQ-SUPERVISION-10
 TEST(NoFalseFinding, JoggingSlowlyWithAnUnknownTurn)
 {
     sim::PairSettings pair = sim::commissionedPair();

@@ -48,6 +48,9 @@ protected:
     double rate = 0.0;
 };
 
+// REQ-SUPERVISION-15: A place is believed if the axis can have got there since the last believed one. Else it is
+// doubted, until six replies in a row agree with each other: then the angle has jumped. A first place needs three
+// replies that agree.
 TEST_F(PlaceBeliefTest, TheFirstPlaceIsBelievedWhenThreeRepliesAgree)
 {
     reply(100.0);
@@ -63,6 +66,7 @@ TEST_F(PlaceBeliefTest, TheFirstPlaceIsBelievedWhenThreeRepliesAgree)
     EXPECT_FALSE(belief.takeJump()) << "there was no place to jump from";
 }
 
+// REQ-SUPERVISION-15
 TEST_F(PlaceBeliefTest, AFalseReplyIsNotBelievedAndIsTold)
 {
     for (const double speed : {0.0, 10.0, -10.0}) {
@@ -87,6 +91,7 @@ TEST_F(PlaceBeliefTest, AFalseReplyIsNotBelievedAndIsTold)
     }
 }
 
+// REQ-SUPERVISION-15
 TEST_F(PlaceBeliefTest, PlacesThatDoNotAgreeAreNeverBelieved)
 {
     replies(10);
@@ -100,6 +105,7 @@ TEST_F(PlaceBeliefTest, PlacesThatDoNotAgreeAreNeverBelieved)
     EXPECT_FALSE(belief.takeJump());
 }
 
+// REQ-SUPERVISION-15
 TEST_F(PlaceBeliefTest, EverySecondReplyMayBeFalse)
 {
     rate = 7.0;
@@ -114,6 +120,7 @@ TEST_F(PlaceBeliefTest, EverySecondReplyMayBeFalse)
 }
 
 // Story: a slip of 2° in mid-slew was within what a reply can be late.
+// REQ-SUPERVISION-16: A slip of 1° between two replies, in either direction and at any speed up to 10 °/s, is a jump.
 TEST_F(PlaceBeliefTest, ASlipOfOneDegreeIsAJumpAtAnySpeed)
 {
     for (const double speed : {0.0, 1.0, 5.0, 10.0, -10.0}) {
@@ -173,6 +180,8 @@ TEST_F(PlaceBeliefTest, ASlipOfTwoDegreesIsAJumpWithRepliesLostOrFalseAfterIt)
     }
 }
 
+// REQ-SUPERVISION-18: After three replies in a row without a place that is believed the next one needs three that
+// agree, one other between two of them allowed. After 0.2 s without there is no place.
 TEST_F(PlaceBeliefTest, ADriveWithoutAPlaceHasNoneAfterAFifthOfASecond)
 {
     replies(10);
@@ -201,6 +210,8 @@ TEST_F(PlaceBeliefTest, ADriveWithoutAPlaceHasNoneAfterAFifthOfASecond)
 
 // Story: of ten replies one was false. Two in a row, each by less than can be doubted, were believed; then the true
 // ones counted as a jump.
+// REQ-SUPERVISION-19: A reply that continues the course of one of the last four believed places is believed: one or
+// two that were false by too little to be doubted do no harm.
 TEST_F(PlaceBeliefTest, AfterTwoRepliesThatAreFalseByLittleTheTrueOnesAreBelieved)
 {
     for (const double speed : {0.0, -2.0, 10.0}) {
@@ -221,6 +232,7 @@ TEST_F(PlaceBeliefTest, AfterTwoRepliesThatAreFalseByLittleTheTrueOnesAreBelieve
 
 // Story: of ten replies one was false. Three in a row left the axis without a place; then single ones kept it so, and
 // the drive counted as blind.
+// REQ-SUPERVISION-18
 TEST_F(PlaceBeliefTest, AfterThreeRepliesWithoutAPlaceOneMoreDoesNotBreakTheRow)
 {
     for (const std::optional<double> between : {std::optional<double>(), std::optional(-250.0)}) {
@@ -279,6 +291,7 @@ TEST_F(PlaceBeliefTest, WhatIsForgottenIsNoJump)
 }
 
 // A reply of some ticks ago, and one that is false by little, are believed or not; the true ones after it are.
+// REQ-SUPERVISION-17
 TEST_F(PlaceBeliefTest, AReplyThatIsALittleOffIsNoJump)
 {
     for (const double speed : {0.0, 3.0, 10.0, -10.0}) {
@@ -295,6 +308,7 @@ TEST_F(PlaceBeliefTest, AReplyThatIsALittleOffIsNoJump)
     }
 }
 
+// REQ-SUPERVISION-17
 TEST_F(PlaceBeliefTest, AnAxisThatIsStoppedAtOnceIsNotDoubted)
 {
     for (const double speed : {2.0, 10.0, 60.0}) {
@@ -354,6 +368,8 @@ protected:
     }
 };
 
+// REQ-SUPERVISION-17 (HealthyAxis.*): A healthy axis is never doubted: full speed, reversals as hard as a drive
+// brakes, something in its way, replies up to 30 ms late, ticks up to 0.12 s late, one reply in fifty lost.
 TEST_P(HealthyAxis, IsNeverDoubted)
 {
     belief.setLimits({.allowance = degrees(0.5), .speed = degrees(GetParam()) / Seconds(1.0)});

@@ -21,6 +21,8 @@ profile::RecoverySettings always(Retry retry)
     return {.overTemperature = retry, .supply = retry, .bus = retry, .interval = Seconds(60.0)};
 }
 
+// REQ-SUPERVISION-21: Every fault code has a class. 33 and 44 are driver faults, because the code alone does not tell
+// a sagging supply from a burnt bridge. An unknown code is never retried.
 TEST(ClassOfFault, FollowsTheTable)
 {
     const std::map<LossClass, std::set<int>> table{
@@ -39,6 +41,8 @@ TEST(ClassOfFault, FollowsTheTable)
     EXPECT_EQ(classOfFault(77), LossClass::Driver) << "an unknown code is never retried";
 }
 
+// REQ-SUPERVISION-20: Nothing is re-armed without a person unless the profile says so, and never after encoder,
+// configuration, driver or motion faults, a release by another program or a stop of our own.
 TEST(RetryPolicy, NothingIsRetriedByDefault)
 {
     for (int loss = 0; loss <= static_cast<int>(LossClass::Bus); ++loss) {
@@ -48,6 +52,7 @@ TEST(RetryPolicy, NothingIsRetriedByDefault)
     }
 }
 
+// REQ-SUPERVISION-20
 TEST(RetryPolicy, OnlyHeatSupplyAndBusMayEverBeRetried)
 {
     for (const LossClass loss :
@@ -63,6 +68,7 @@ TEST(RetryPolicy, OnlyHeatSupplyAndBusMayEverBeRetried)
     }
 }
 
+// REQ-SUPERVISION-20
 TEST(RetryPolicy, EachClassHasItsOwnSetting)
 {
     const profile::RecoverySettings onlyBus{.bus = Retry::Once, .interval = Seconds(5.0)};
@@ -74,6 +80,7 @@ TEST(RetryPolicy, EachClassHasItsOwnSetting)
     EXPECT_FALSE(supply.nextTry());
 }
 
+// REQ-SUPERVISION-23: "interval" tries again, each time so long after the loss or the last attempt.
 TEST(RetryPolicy, IntervalGoesOnForEver)
 {
     RetryPolicy policy(always(Retry::Interval));
@@ -89,6 +96,7 @@ TEST(RetryPolicy, IntervalGoesOnForEver)
     EXPECT_FALSE(policy.nextTry()) << "nothing is lost";
 }
 
+// REQ-SUPERVISION-22: "once" is once per episode. A person's re-arm or an hour of health begins a new one.
 TEST(RetryPolicy, OnceIsOncePerEpisode)
 {
     RetryPolicy policy(always(Retry::Once));
@@ -108,6 +116,7 @@ TEST(RetryPolicy, OnceIsOncePerEpisode)
     EXPECT_EQ(policy.nextTry(), at(1260)) << "a person has re-armed";
 }
 
+// REQ-SUPERVISION-22
 TEST(RetryPolicy, AnHourOfHealthRenewsOnce)
 {
     RetryPolicy policy(always(Retry::Once));
@@ -125,6 +134,7 @@ TEST(RetryPolicy, AnHourOfHealthRenewsOnce)
     EXPECT_EQ(policy.nextTry(), at(8060));
 }
 
+// REQ-SUPERVISION-22
 TEST(RetryPolicy, TwoTimesHalfAnHourIsNoHourOfHealth)
 {
     RetryPolicy policy(always(Retry::Once));
@@ -139,6 +149,7 @@ TEST(RetryPolicy, TwoTimesHalfAnHourIsNoHourOfHealth)
     EXPECT_FALSE(policy.nextTry());
 }
 
+// REQ-SUPERVISION-24: Of several losses the strictest decides.
 TEST(RetryPolicy, TheStrictestLossDecides)
 {
     RetryPolicy policy(always(Retry::Interval));
@@ -161,6 +172,9 @@ protected:
     profile::SupervisionSettings settings;
 };
 
+// REQ-SUPERVISION-25 (ClearRefusal.*): A re-arm is refused with value and limit while the heat or the supply that led
+// to the stop is still there, whatever the loss is called. The heat is gone 5 °C below fault and limit of the part
+// that was hot. The motor must be below `motor_hot_c` in any case.
 TEST_F(ClearRefusal, ABoardMustCoolDownByFiveDegrees)
 {
     const DriveConditions hot{.voltage = 24.0, .boardTemperature = 76.0};
@@ -250,6 +264,8 @@ TEST_F(ClearRefusal, OtherLossesHaveNothingToWaitFor)
     }
 }
 
+// REQ-SUPERVISION-26 (StandingRefusal.*): A re-arm is refused while either drive measures what would stop the mount
+// again at once: board or supply beyond their limits.
 TEST(StandingRefusal, WhatWouldStopTheMountAgainAtOnce)
 {
     const profile::SupervisionSettings settings;

@@ -20,6 +20,7 @@ Trend after(Seconds time, const std::function<double(double)>& value)
     return trend;
 }
 
+// REQ-SUPERVISION-14 (Trend.*): Only values along a line are a trend: steps and swings of the load are none.
 TEST(Trend, FindsARampWithinATwentiethOfIt)
 {
     const auto line = after(Seconds(61.0), [](double t) { return 42.0 + 6.0 * t / 60.0; }).line();

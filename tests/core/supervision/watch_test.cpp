@@ -29,6 +29,8 @@ protected:
     SteadyTime now{std::chrono::hours(1)};
 };
 
+// REQ-SUPERVISION-12 (WatchTest.*): No alarm flickers. A text keeps its numbers until it becomes a stop or has
+// doubled.
 TEST_F(WatchTest, BeginsAfterItsTimeAndEndsWhenQuiet)
 {
     stay(1.1, Seconds(0.48));

@@ -18,6 +18,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
+// REQ-SURVEY-01: The reference mount is right in every line. A complete drive check takes less than 3 s at a tick of
+// 20 ms (2.6 s on the simulated pair), with at most one frame for each drive and tick.
 TEST(DriveSurvey, TheReferenceMountIsRightInEveryLine)
 {
     SurveyRig rig;
@@ -36,6 +38,7 @@ TEST(DriveSurvey, TheReferenceMountIsRightInEveryLine)
     EXPECT_THAT(rig.drives.takeChanges(), IsEmpty());
 }
 
+// REQ-SURVEY-01
 TEST(DriveSurvey, ReadsBothDrivesWithinThreeSeconds)
 {
     SurveyRig rig;
@@ -62,6 +65,7 @@ TEST(DriveSurvey, TellsWhoTheDrivesAre)
 }
 
 // Writes of registers are motion commands, all but the mask that addresses a board by its UUID.
+// REQ-SURVEY-02: Nothing that the drive check sends is a motion command.
 TEST(DriveSurvey, NeverCommandsAnything)
 {
     SurveyRig rig(freshFromTheBox());
@@ -79,6 +83,7 @@ TEST(DriveSurvey, NeverCommandsAnything)
     EXPECT_EQ(rig.pair.truth(Axis::Azimuth).mode, moteus::Mode::Stopped);
 }
 
+// REQ-SURVEY-03: The factory's settings are refused with what each would do.
 TEST(DriveSurvey, SaysWhatTheFactorySettingsWouldDo)
 {
     SurveyRig rig(freshFromTheBox());
@@ -101,6 +106,8 @@ TEST(DriveSurvey, SaysWhatTheFactorySettingsWouldDo)
     EXPECT_THAT(obstacle(rig.drives), HasSubstr("4 settings of the azimuth drive are dangerous"));
 }
 
+// REQ-SURVEY-04: Two boards with one id, a missing, swapped, replaced or third board, and an unknown register map are
+// told apart.
 TEST(DriveSurvey, NoticesTwoBoardsWithOneId)
 {
     SurveyRig rig(sim::factoryPair());
@@ -111,6 +118,7 @@ TEST(DriveSurvey, NoticesTwoBoardsWithOneId)
     EXPECT_FALSE(rig.drives.facts(Axis::Azimuth));
 }
 
+// REQ-SURVEY-04
 TEST(DriveSurvey, NoticesABoardThatAnswersUnderTheOthersId)
 {
     SurveyRig rig;
@@ -122,6 +130,7 @@ TEST(DriveSurvey, NoticesABoardThatAnswersUnderTheOthersId)
     EXPECT_THAT(causes(rig.drives), IsEmpty());
 }
 
+// REQ-SURVEY-04
 TEST(DriveSurvey, NoticesAMissingAndAnUnknownBoard)
 {
     sim::PairSettings pair = sim::commissionedPair();
@@ -135,6 +144,8 @@ TEST(DriveSurvey, NoticesAMissingAndAnUnknownBoard)
     EXPECT_EQ(line(rig.drives, Axis::Elevation, "servo.timeout_mode").verdict, Verdict::Unread);
 }
 
+// REQ-SURVEY-04
+// REQ-SURVEY-06
 TEST(DriveSurvey, NoticesASilentBus)
 {
     SurveyRig rig;
@@ -146,6 +157,8 @@ TEST(DriveSurvey, NoticesASilentBus)
 }
 
 // Story: the page changed between "not read", "looking" and "reading …" every two seconds.
+// REQ-SURVEY-13: While it repeats itself, because a drive is missing, it is `NotDone` with one text. Unknown boards
+// are listed.
 TEST(DriveSurvey, RepeatsItselfWithOneTextAndListsStrangers)
 {
     profile::Profile profile;
@@ -166,6 +179,7 @@ TEST(DriveSurvey, RepeatsItselfWithOneTextAndListsStrangers)
     EXPECT_EQ(rig.drives.state(), SurveyState::Running) << "when somebody asks for it";
 }
 
+// REQ-SURVEY-04
 TEST(DriveSurvey, RefusesAnUnknownRegisterMap)
 {
     SurveyRig rig;
@@ -177,6 +191,7 @@ TEST(DriveSurvey, RefusesAnUnknownRegisterMap)
     EXPECT_TRUE(rig.reaches(SurveyState::Done)) << "after other firmware was installed";
 }
 
+// REQ-SURVEY-04
 TEST(DriveSurvey, RefusesSwappedBoards)
 {
     SurveyRig once;
@@ -190,6 +205,7 @@ TEST(DriveSurvey, RefusesSwappedBoards)
     EXPECT_EQ(obstacle(rig.drives), "");
 }
 
+// REQ-SURVEY-04
 TEST(DriveSurvey, WarnsOfAnotherBoardThanBefore)
 {
     SurveyRig rig(sim::commissionedPair(), {}, {QString(), QStringLiteral("00000000-0000-0000-0000-000000000001")});
@@ -198,6 +214,8 @@ TEST(DriveSurvey, WarnsOfAnotherBoardThanBefore)
     EXPECT_EQ(obstacle(rig.drives), "") << "a warning only";
 }
 
+// REQ-SURVEY-05: A tenth of all replies or orders lost, late replies, and telemetry or half a line of another tool do
+// not change the result.
 TEST(DriveSurvey, LostFramesDoNotBreakAReading)
 {
     for (const FaultKind kind : {FaultKind::LostReply, FaultKind::LostCommand}) {
@@ -214,6 +232,7 @@ TEST(DriveSurvey, LostFramesDoNotBreakAReading)
     }
 }
 
+// REQ-SURVEY-05
 TEST(DriveSurvey, LateRepliesDoNotConfuseAReading)
 {
     for (const double delay : {0.03, 0.06, 0.09}) {
@@ -225,6 +244,7 @@ TEST(DriveSurvey, LateRepliesDoNotConfuseAReading)
     }
 }
 
+// REQ-SURVEY-05
 TEST(DriveSurvey, TelemetryOfAnotherToolIsStoppedFirst)
 {
     SurveyRig rig;
@@ -237,6 +257,8 @@ TEST(DriveSurvey, TelemetryOfAnotherToolIsStoppedFirst)
     EXPECT_EQ(obstacle(rig.drives), "");
 }
 
+// REQ-SURVEY-06: A drive that falls silent ends the drive check with a reason. The check is repeated until the drive
+// is back.
 TEST(DriveSurvey, ADriveThatFallsSilentEndsTheReadingUntilItIsBack)
 {
     SurveyRig rig;
@@ -251,6 +273,7 @@ TEST(DriveSurvey, ADriveThatFallsSilentEndsTheReadingUntilItIsBack)
     EXPECT_EQ(obstacle(rig.drives), "");
 }
 
+// REQ-SURVEY-11: After `forget()` nothing is known and nothing is sent.
 TEST(DriveSurvey, ForgettingLeavesNothingKnown)
 {
     SurveyRig rig;
@@ -265,6 +288,8 @@ TEST(DriveSurvey, ForgettingLeavesNothingKnown)
     EXPECT_THAT(rig.sent, IsEmpty()) << "silent until begin()";
 }
 
+// REQ-SURVEY-09: What another tool changed is reported, also when the bus was lost in between, and apart from what Fix
+// wrote.
 TEST(DriveSurvey, TellsWhatAnotherToolChanged)
 {
     SurveyRig rig;
@@ -290,6 +315,8 @@ moteus::CountOrigin originOf(const SurveyRig& rig, Axis axis)
 }
 
 // Whoever sets a drive's position leaves this trace, and no motion does.
+// REQ-SURVEY-14: What a drive's position counts from is reported after every reading, and again on request. No motion
+// changes it, every setting does.
 TEST(DriveSurvey, TellsWhatThePositionCountsFrom)
 {
     SurveyRig rig;
@@ -314,6 +341,7 @@ TEST(DriveSurvey, TellsWhatThePositionCountsFrom)
     EXPECT_EQ(rig.drives.state(), SurveyState::Done);
 }
 
+// REQ-SURVEY-14
 TEST(DriveSurvey, TellsThatTheEncoderSettingsBeganTheCountAnew)
 {
     SurveyRig rig;
@@ -352,6 +380,7 @@ CanFrame rubbish(std::minstd_rand& random)
     return frame;
 }
 
+// REQ-SURVEY-12: No reply can crash it or spoil a later drive check (200,000 random ones).
 TEST(DriveSurvey, SurvivesAnyReply)
 {
     SurveyRig rig;

@@ -22,6 +22,8 @@ int wrongLines(const DriveSurvey& survey, Axis axis)
         survey.protections(axis), [](const ProtectionLine& line) { return line.verdict != Verdict::Right; }));
 }
 
+// REQ-SURVEY-07 (Fix.*): Fix writes only what it may. It is stored for the power-up, and nothing is stored unless all
+// of it reads back as written: a drive takes garbage for 0 without an error.
 TEST(Fix, WritesAllButWhatOnlyAPersonMayChange)
 {
     SurveyRig rig(freshFromTheBox());
@@ -85,6 +87,7 @@ TEST(Fix, IsRefusedBeforeEverythingIsRead)
     EXPECT_FALSE(rig.drives.fix(rig.now()));
 }
 
+// REQ-SURVEY-05
 TEST(Fix, LostFramesDoNotBreakIt)
 {
     for (std::uint32_t seed = 1; seed <= 10; ++seed) {
@@ -102,6 +105,7 @@ TEST(Fix, LostFramesDoNotBreakIt)
 }
 
 // Story: the log blamed another tool for what Fix itself had written.
+// REQ-SURVEY-09
 TEST(Fix, WhatItWroteIsToldApartFromWhatAnotherToolChanged)
 {
     sim::PairSettings pair = sim::commissionedPair();
@@ -128,6 +132,7 @@ TEST(Fix, WhatItWroteIsToldApartFromWhatAnotherToolChanged)
 }
 
 // What is in force but not stored would be gone after a power-up: Fix is offered again, though every line is right.
+// REQ-SURVEY-08: A Fix that was interrupted before it was stored is reported and can be repeated.
 TEST(Fix, AnInterruptedOneIsSaidAndCanBeRepeated)
 {
     sim::PairSettings pair = sim::commissionedPair();
@@ -152,6 +157,8 @@ TEST(Fix, AnInterruptedOneIsSaidAndCanBeRepeated)
     EXPECT_THAT(causes(rig.drives), IsEmpty());
 }
 
+// REQ-SURVEY-10 (PowerUp.*): A power-up is noticed within a second, also behind a lost bus. The end of the counter (49
+// days) and a drifting clock are no power-ups. A suspended computer counts as one, because it cannot know.
 TEST(PowerUp, IsNoticedByTheUptimeAndEverythingIsReadAgain)
 {
     SurveyRig rig;

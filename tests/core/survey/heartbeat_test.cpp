@@ -31,6 +31,7 @@ protected:
 
 constexpr std::int64_t kWrap = std::int64_t{1} << 32;
 
+// REQ-SURVEY-10 (HeartbeatTest.*)
 TEST_F(HeartbeatTest, TellsWhenTheDriveWasSwitchedOn)
 {
     beat(0ms, 5000);

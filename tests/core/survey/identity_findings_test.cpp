@@ -42,6 +42,7 @@ std::vector<std::string> causesOf(const std::vector<FoundController>& found, con
     return causes;
 }
 
+// REQ-SURVEY-04 (Identity.*)
 TEST(Identity, TheExpectedBoardsAreNoFinding)
 {
     EXPECT_THAT(causesOf({board(1, 11), board(2, 12)}), IsEmpty());

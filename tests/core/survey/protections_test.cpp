@@ -34,6 +34,7 @@ Verdict verdict(const std::string& key, const std::string& found, const profile:
 }
 
 // -90…450° of azimuth is -0.25…1.25 turns, the margin of 3° is 0.008333.
+// REQ-SURVEY-03 (Protections.*)
 TEST(Protections, BoundsLieBetweenHalfAndOneDegreeAboveTheMargin)
 {
     const std::string key = "servopos.position_max";
@@ -71,6 +72,7 @@ TEST(Protections, BoundsFollowMarginGearAndSign)
         << "geared in the host, the drive counts turns of the rotor";
 }
 
+// REQ-SURVEY-07
 TEST(Protections, WhatFixWritesIsRight)
 {
     profile::Profile profile;

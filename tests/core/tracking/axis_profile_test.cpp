@@ -87,6 +87,7 @@ void expectWithin(const Watch& watch, const MotionLimits& bound)
 
 }  // namespace
 
+// REQ-TRACKING-03: A constant target is reached exactly, from rest without overshoot, then nothing moves.
 TEST(AxisProfile, GoesThereInTheExpectedTimeAndRests)
 {
     AxisProfile profile(kLimits, kTravel, 0_deg);
@@ -122,6 +123,8 @@ TEST(AxisProfile, UsesWhatTheLimitsAllow)
     EXPECT_GT(watch.jerk, 45.0);  // a ramp from rest takes the filter length: half the limit
 }
 
+// REQ-TRACKING-05a: Where it is asked to brake harder than the limits, the averaging still bounds the jerk: it takes
+// speed / deceleration + 2 × acceleration / jerk.
 TEST(AxisProfile, BrakesHarderWhereItIsAskedTo)
 {
     AxisProfile profile(kLimits, kTravel, 0_deg);
@@ -155,6 +158,7 @@ TEST(AxisProfile, AWeakerBrakeThanTheLimitsIsTheirs)
     }
 }
 
+// REQ-TRACKING-06: Position and rate belong together.
 TEST(AxisProfile, TheRateSentIsThatOfTheSetpoints)
 {
     AxisProfile profile(kLimits, kTravel, 0_deg);
@@ -169,6 +173,7 @@ TEST(AxisProfile, TheRateSentIsThatOfTheSetpoints)
     }
 }
 
+// REQ-TRACKING-04: A steadily moving target is tracked without lag, an 80° LEO pass within 0.01° in azimuth.
 TEST(AxisProfile, FollowsASteadyTargetWithoutLag)
 {
     AxisProfile profile(kLimits, kTravel, 0_deg);
@@ -186,6 +191,7 @@ TEST(AxisProfile, FollowsASteadyTargetWithoutLag)
 }
 
 // Azimuth of a straight fly-by at 7.4 km/s: 80° maximum elevation, 420 km up. Its peak rate is 5.8 °/s.
+// REQ-TRACKING-04
 TEST(AxisProfile, FollowsALeoPassWithinAHundredthOfADegree)
 {
     const double perSecond = 7.4 / (420.0 * std::tan(10.0 * std::numbers::pi / 180.0));
@@ -201,6 +207,7 @@ TEST(AxisProfile, FollowsALeoPassWithinAHundredthOfADegree)
     }
 }
 
+// REQ-TRACKING-05: A stop takes speed / acceleration + 2 × acceleration / jerk.
 TEST(AxisProfile, BrakesToRestAsFastAsTheLimitsAllow)
 {
     AxisProfile profile(kLimits, kTravel, 0_deg);
@@ -222,6 +229,8 @@ TEST(AxisProfile, BrakesToRestAsFastAsTheLimitsAllow)
     EXPECT_EQ(profile.setpoint().position, rest);
 }
 
+// REQ-TRACKING-02: A set-point never leaves the travel: it brakes before the end, also when jogging, chasing, or after
+// limits or travel were narrowed in flight.
 TEST(AxisProfile, RunsIntoTheEndOfTheTravelAndRestsExactlyThere)
 {
     for (const double rate : {-25.0, -10.0, -0.3, 0.3, 10.0, 25.0}) {
@@ -239,6 +248,7 @@ TEST(AxisProfile, RunsIntoTheEndOfTheTravelAndRestsExactlyThere)
     }
 }
 
+// REQ-TRACKING-02
 TEST(AxisProfile, AMovingTargetDoesNotPullItBeyondTheTravel)
 {
     AxisProfile profile(kLimits, {-20_deg, 20_deg}, 0_deg);
@@ -252,6 +262,7 @@ TEST(AxisProfile, AMovingTargetDoesNotPullItBeyondTheTravel)
     expectWithin(watch, kLimits);
 }
 
+// REQ-TRACKING-08: An axis found outside the travel is held there. Only motion inwards is possible.
 TEST(AxisProfile, OutsideTheTravelItIsHeldAndComesBackOnlyWhenTold)
 {
     AxisProfile profile(kLimits, {-20_deg, 20_deg}, 25_deg);
@@ -272,6 +283,8 @@ TEST(AxisProfile, OutsideTheTravelItIsHeldAndComesBackOnlyWhenTold)
 }
 
 // Everything at once: targets, moving targets, jogs and stops at random moments, ticks of 10…100 ms.
+// REQ-TRACKING-01: No set-point ever exceeds speed, acceleration or jerk, whatever is asked when, with ticks of
+// 10…100 ms.
 TEST(AxisProfile, KeepsEveryLimitWhateverIsAsked)
 {
     for (unsigned seed = 0; seed < 40; ++seed) {
@@ -300,6 +313,7 @@ TEST(AxisProfile, KeepsEveryLimitWhateverIsAsked)
     }
 }
 
+// REQ-TRACKING-03
 TEST(AxisProfile, NeverOvershootsAConstantTarget)
 {
     std::mt19937 random(7);
@@ -340,6 +354,8 @@ TEST(AxisProfile, DoesNotDependOnTheTicks)
     EXPECT_EQ(even.run(Seconds(-0.1), 10_deg_s), before);
 }
 
+// REQ-TRACKING-07: New limits count from the next tick on. A longer or shorter filter waits until the axis stands
+// still.
 TEST(AxisProfile, NewLimitsInFlight)
 {
     AxisProfile profile(limits(10, 10, 100), kTravel, 0_deg);
@@ -366,6 +382,7 @@ TEST(AxisProfile, NewLimitsInFlight)
 }
 
 // Story: half the acceleration doubles the way to stop, and the end of the travel does not move away.
+// REQ-TRACKING-02
 TEST(AxisProfile, TheTravelHoldsWhenLimitsOrTravelAreNarrowedInFlight)
 {
     AxisProfile profile(kLimits, {-20_deg, 20_deg}, -20_deg);
@@ -403,6 +420,7 @@ TEST(AxisProfile, ResetForgetsTheMotion)
 }
 
 // What is guarded beneath a motion relies on it: all that a braking axis passes is known before.
+// REQ-TRACKING-07a: What a braking axis still passes is known beforehand.
 TEST(AxisProfile, TellsAllThatItStillPassesUntilRest)
 {
     std::mt19937 random(42);

@@ -14,6 +14,10 @@ MovingTarget moving(Angle azimuth, Angle elevation, AngularRate azimuthRate, Ang
 }
 
 // Along the horizon a great circle is a constant azimuth rate.
+// REQ-CONTROL-31 (CableForecast.*): The azimuth's range may end before the path that is tracked does. This is reported
+// 60 s or 30° ahead, whichever is earlier, with what will happen there (unwrapping by 360°, or waiting at the end) and
+// the UTC of the end. That stays true while it is read, and is reported again when it moves by 10 s, or by a fifth of
+// what is left.
 TEST(CableForecast, OnTheHorizonItIsTheWayDividedByTheRate)
 {
     const auto forecast = forecastCableEnd(moving(410_deg, 0_deg, 1_deg_s), kRange);

@@ -200,6 +200,8 @@ std::string text(const Score& score)
 
 // Story: Gpredict, well followed, was silent; the target went back to its last point, Gpredict woke up, and so on
 // through all of the slow part of the pass, by 1.5° at worst.
+// REQ-TRACKING-14b: A live Gpredict of the finest threshold is tracked by one stream from rise to set, without going
+// back, and left at its last point.
 TEST(ClosedLoop, FollowsGpredictAtItsFinestThresholdWithoutGoingBack)
 {
     auto passes = table("track_truth.csv", 1);
@@ -218,6 +220,7 @@ TEST(ClosedLoop, FollowsGpredictAtItsFinestThresholdWithoutGoingBack)
     EXPECT_LE(track({passes["A45"], 0.1}).reversals, 5);
 }
 
+// REQ-TRACKING-14c: With a coarse threshold, of few points, it is tracked as by its points, within 2 %.
 TEST(ClosedLoop, ACoarseThresholdIsFollowedAsByItsPoints)
 {
     for (const auto& [name, pass] : table("track_truth.csv", 1)) {
@@ -229,6 +232,7 @@ TEST(ClosedLoop, ACoarseThresholdIsFollowedAsByItsPoints)
     }
 }
 
+// REQ-TRACKING-14b
 TEST(ClosedLoop, ComesToRestExactlyAtTheLastPointWhenTheSatelliteHasSet)
 {
     for (const auto& [name, pass] : table("track_truth.csv", 1)) {

@@ -74,6 +74,8 @@ TargetStream risingStream(double rate)
 
 }  // namespace
 
+// REQ-TRACKING-11: Points along a path in the sky become a smooth target: no stop-and-go, closer to the truth than the
+// points.
 TEST(TargetStream, FollowsRecordedStreamsCloserThanTheirPoints)
 {
     const auto streams = table("track_streams.csv", 2);
@@ -93,6 +95,7 @@ TEST(TargetStream, FollowsRecordedStreamsCloserThanTheirPoints)
     }
 }
 
+// REQ-TRACKING-12: One command, or points that are no path, mean the last point itself.
 TEST(TargetStream, OneCommandIsItsPoint)
 {
     TargetStream stream;
@@ -112,6 +115,7 @@ TEST(TargetStream, OneCommandIsItsPoint)
 }
 
 // Gpredict repeats a P every 0.8 s as long as the antenna is under way, for some settings for ever.
+// REQ-TRACKING-13: Equal or nearly equal points do not disturb.
 TEST(TargetStream, ARepeatedPointIsThatPoint)
 {
     TargetStream stream;
@@ -123,6 +127,7 @@ TEST(TargetStream, ARepeatedPointIsThatPoint)
     }
 }
 
+// REQ-TRACKING-13
 TEST(TargetStream, NearlyEqualPointsDoNotDisturb)
 {
     TargetStream stream;
@@ -136,6 +141,7 @@ TEST(TargetStream, NearlyEqualPointsDoNotDisturb)
     }
 }
 
+// REQ-TRACKING-11
 TEST(TargetStream, RunsAheadSmoothlyBetweenThePoints)
 {
     const TargetStream stream = risingStream(0.5);
@@ -149,6 +155,8 @@ TEST(TargetStream, RunsAheadSmoothlyBetweenThePoints)
 }
 
 // However fast it was, the target stays within two pauses and 2° of the last point, and then it is that point.
+// REQ-TRACKING-14: When the points cease the target is exactly the last one, after two pauses at most. It is never
+// more than 2° ahead of it.
 TEST(TargetStream, AStreamThatStopsEndsExactlyAtItsLastPoint)
 {
     for (const double rate : {0.01, 0.1, 0.5, 1.0, 1.5, 2.3}) {
@@ -168,6 +176,8 @@ TEST(TargetStream, AStreamThatStopsEndsExactlyAtItsLastPoint)
 
 // Story: a Gpredict that was followed well says nothing but reads on; going back to its last point swung the antenna
 // 1.5° backwards. It runs on for 12 s or 5° and waits as long again; only then has the stream ended.
+// REQ-TRACKING-14a: A client that reads the position every 2 s and sends no point is content: the target runs on for
+// 12 s or 5° at most, waits there for 12 s more, and only then is the last point.
 TEST(TargetStream, ASilentClientThatReadsOnIsContent)
 {
     for (const double rate : {0.02, 0.1, 0.4, 1.0, 2.3}) {
@@ -197,6 +207,7 @@ TEST(TargetStream, ASilentClientThatReadsOnIsContent)
     }
 }
 
+// REQ-TRACKING-14a
 TEST(TargetStream, AClientThatReadsNoMoreIsNot)
 {
     TargetStream stream = risingStream(0.5);
@@ -208,6 +219,7 @@ TEST(TargetStream, AClientThatReadsNoMoreIsNot)
 }
 
 // Else the mount would start again by itself, seconds after it came to rest.
+// REQ-TRACKING-14a
 TEST(TargetStream, ReadingDoesNotBringAnEndedStreamBack)
 {
     TargetStream stream = risingStream(0.5);
@@ -217,6 +229,7 @@ TEST(TargetStream, ReadingDoesNotBringAnEndedStreamBack)
     EXPECT_EQ(stream.target(at(25.5))->position, *stream.lastPoint());
 }
 
+// REQ-TRACKING-12
 TEST(TargetStream, AnotherTargetIsTakenAtOnce)
 {
     TargetStream stream = risingStream(0.5);
@@ -230,6 +243,7 @@ TEST(TargetStream, AnotherTargetIsTakenAtOnce)
     EXPECT_FALSE(told.target(at(21.5))->streaming);
 }
 
+// REQ-TRACKING-12
 TEST(TargetStream, WhatIsTooFastOrTooSparseIsNoStream)
 {
     TargetStream hand;  // somebody clicks through the sky
@@ -243,6 +257,7 @@ TEST(TargetStream, WhatIsTooFastOrTooSparseIsNoStream)
 }
 
 // Pauses of Gpredict with its default threshold of 5° and with its finest, both reading on.
+// REQ-TRACKING-14c
 TEST(TargetStream, SparsePointsOfAReaderAreAStreamIfTheirStepsAreFine)
 {
     for (const double step : {0.2, 2.0}) {
@@ -259,6 +274,7 @@ TEST(TargetStream, SparsePointsOfAReaderAreAStreamIfTheirStepsAreFine)
 
 // Story: a client that floods with P makes eight points out of eight milliseconds; a step of 0.1° between two of them
 // was a satellite at 12 °/s.
+// REQ-TRACKING-15: A flood of points does not turn rounding into speed.
 TEST(TargetStream, AFloodOfPointsIsThinned)
 {
     TargetStream stream;
@@ -276,6 +292,8 @@ TEST(TargetStream, AFloodOfPointsIsThinned)
     }
 }
 
+// REQ-TRACKING-16: The wrap of the azimuth and the side of the zenith are kept. At the zenith the target does not run
+// ahead.
 TEST(TargetStream, KeepsTheTurnAndTheSideOfTheZenith)
 {
     TargetStream turned;
@@ -296,6 +314,7 @@ TEST(TargetStream, KeepsTheTurnAndTheSideOfTheZenith)
 }
 
 // Right through the zenith azimuth turns by half a circle at once: the target must not run after it.
+// REQ-TRACKING-16
 TEST(TargetStream, AtTheZenithItDoesNotRunAhead)
 {
     TargetStream stream;

@@ -25,6 +25,7 @@ TEST(Quantity, UnitsAgree)
     EXPECT_DOUBLE_EQ(MotorTurns::fromTurns(1.5).turns(), 1.5);
 }
 
+// REQ-UNITS-02: A rate is an angle divided by a time, and back.
 TEST(Quantity, RateIsAngleDividedByTime)
 {
     const AngularRate rate = 10_deg / Seconds(2.0);
@@ -33,6 +34,7 @@ TEST(Quantity, RateIsAngleDividedByTime)
     EXPECT_DOUBLE_EQ((rate / Seconds(0.5)).degrees(), 10.0);
 }
 
+// REQ-UNITS-03: Wrapping is explicit: 370° stays 370° until somebody calls `wrapped360()`.
 TEST(Quantity, WrappingIsExplicit)
 {
     EXPECT_NEAR((370_deg).wrapped360().degrees(), 10.0, 1e-12);
@@ -44,6 +46,7 @@ TEST(Quantity, WrappingIsExplicit)
     EXPECT_NEAR((350_deg).nearestTo(5_deg).degrees(), -10.0, 1e-12);
 }
 
+// REQ-UNITS-05: A travel range includes its ends.
 TEST(Quantity, TravelRangeIncludesItsEnds)
 {
     const TravelRange range{.min = -90_deg, .max = 450_deg};
