@@ -4,6 +4,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/control/status_report.h"
+#include "core/moteus/registers.h"
 #include "core/units/degrees_text.h"
 
 #include <algorithm>
@@ -28,16 +29,21 @@ Result<> Gates::mayMove(const Source& source) const
     });
 }
 
+Result<> Gates::isPlaced(Axis axis) const
+{
+    if (!m_of.turns.known(axis)) {
+        return failure(ErrorCode::Refused, Text::tr("it is not known on which turn the axis of the %1 stands: "
+                                                    "the operator must tell; slow jogging only")
+                                               .arg(m_of.drives.drive(axis).label()));
+    }
+    return {};
+}
+
 Result<> Gates::axesPlaced() const
 {
-    for (const Axis axis : kAxes) {
-        if (!m_of.turns.known(axis)) {
-            return failure(ErrorCode::Refused, Text::tr("it is not known on which turn the axis of the %1 stands: "
-                                                        "the operator must tell; slow jogging only")
-                                                   .arg(m_of.drives.drive(axis).label()));
-        }
-    }
-    return insideTravel();
+    return isPlaced(Axis::Azimuth).and_then([this] { return isPlaced(Axis::Elevation); }).and_then([this] {
+        return insideTravel();
+    });
 }
 
 Result<> Gates::mayPoint(const Source& source) const
@@ -125,6 +131,67 @@ Result<> Gates::mayJogSlowly(const AxisRates& rates) const
     return {};
 }
 
+// Where somebody must watch, no faster than that; and no farther wrong than a hand can mend while it is not confirmed
+// which way the axes turn.
+AngularRate Gates::fastestJog() const
+{
+    const profile::JogSettings& jog = m_of.profile.jog;
+    if (!axesPlaced() || isInSunBand(m_of.standing())) {
+        return std::min(jog.slow, jog.unwind);
+    }
+    const bool confirmed = m_of.profile.mount.directions == profile::Directions::Confirmed;
+    return confirmed ? jog.fast : std::min(jog.fast, profile::kFastestUnconfirmed);
+}
+
+Result<> Gates::isWayOn(Axis axis, bool upwards) const
+{
+    const auto place = m_of.drives.measured(axis);
+    const TravelRange& travel = m_of.model.axis(axis).travel;
+    if (!place || !m_of.turns.known(axis) || travel.max <= travel.min) {
+        return {};
+    }
+    if (upwards && *place > travel.max - kAtTravelEnd) {
+        return failure(ErrorCode::OutOfRange, Text::tr("at the upper limit %1").arg(degreesText(travel.max)));
+    }
+    if (!upwards && *place < travel.min + kAtTravelEnd) {
+        return failure(ErrorCode::OutOfRange, Text::tr("at the lower limit %1").arg(degreesText(travel.min)));
+    }
+    return {};
+}
+
+Result<> Gates::mayBeAt(const AxisPosition& place) const
+{
+    const pointing::Resolved resolved = m_of.model.resolve(place);
+    const std::string why = resolved.limited ? resolved.reason : m_of.motion.region().reason(resolved.position);
+    return why.empty() ? Result<>{} : failure(ErrorCode::OutOfRange, why);
+}
+
+AxisPosition Gates::home() const
+{
+    const pointing::AxisBox& ranges = m_of.motion.region().ranges();
+    return {.azimuth = ranges.azimuth.clamped(0_deg), .elevation = ranges.elevation.clamped(0_deg)};
+}
+
+Result<AxisPosition> Gates::unwound() const
+{
+    const auto place = CableGuard::leastWound(m_of.standing(), m_of.motion.region().ranges().azimuth);
+    if (!place) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("in this direction the azimuth cable can not be wound less than it is"));
+    }
+    return *place;
+}
+
+Result<> Gates::maySet(Axis axis) const
+{
+    const auto& place = m_of.drives.drive(axis).place();
+    if (!place || m_of.clock.now() - place->received > kOldestPosition) {
+        return failure(ErrorCode::NoAnswer,
+                       Text::tr("no fresh position from the %1").arg(m_of.drives.drive(axis).label()));
+    }
+    return isPlaced(axis).and_then([this] { return drivesRest(); });
+}
+
 Result<> Gates::drivesRest() const
 {
     if (m_of.drives.anyUnderOrders() && !m_of.motion.atRest()) {
@@ -134,6 +201,43 @@ Result<> Gates::drivesRest() const
         return failure(ErrorCode::Refused, Text::tr("a drive is being taken over: try again in a second"));
     }
     return {};
+}
+
+Result<> Gates::mayReadDrives() const
+{
+    if (m_of.arming.released()) {
+        return failure(ErrorCode::NoAnswer, Text::tr("the bus is left to other tools: take it back first"));
+    }
+    return drivesRest();
+}
+
+// Whatever is written while a drive is active ends in its fault 41, and the axis falls.
+Result<> Gates::mayFixDrives() const
+{
+    if (!m_of.arming.connected()) {
+        return failure(ErrorCode::NoAnswer, Text::tr("both drives must answer"));
+    }
+    for (const Axis axis : kAxes) {
+        const Drive& drive = m_of.drives.drive(axis);
+        if (drive.phase() != Drive::Phase::Listening || drive.report()->mode != moteus::Mode::Stopped) {
+            return failure(
+                ErrorCode::Refused,
+                Text::tr("the %1 is switched on: support the elevation, switch the drives off").arg(drive.label()));
+        }
+    }
+    return {};
+}
+
+Result<> Gates::maySwitchOff() const
+{
+    return drivesRest().and_then([this]() -> Result<> {
+        return m_of.arming.connected() ? Result<>{} : failure(ErrorCode::NoAnswer, Text::tr("both drives must answer"));
+    });
+}
+
+Result<> Gates::mayProve(const Source& source) const
+{
+    return mayPoint(source).and_then([this] { return drivesRest(); });
 }
 
 bool Gates::isInSunBand(const AxisPosition& place) const
@@ -162,6 +266,11 @@ Result<> Gates::mayGiveControl() const
         return failure(ErrorCode::Refused, Text::tr("STOP is latched: reset STOP first"));
     }
     return {};
+}
+
+Result<> Gates::mayGiveLead(std::uint64_t clientId) const
+{
+    return mayGiveControl().and_then([&] { return m_of.lead.mayBeGiven(m_of.profile.rotctld, clientId); });
 }
 
 // The axes that belong to a direction are others then: what follows directions would set off for them, and what is on

@@ -35,7 +35,7 @@ Result<> StationControl::handle(const request::GiveAuthority&, const Source& sou
 Result<> StationControl::handle(const request::GiveLead& wanted, const Source& source)
 {
     return operatorOnly(source)
-        .and_then([&] { return gates().mayGiveControl(); })
+        .and_then([&] { return gates().mayGiveLead(wanted.clientId); })
         .and_then([&] { return m_lead.give(m_profile.rotctld, wanted.clientId, m_now); })
         .map([&] {
             if (m_current.commander().clientId != wanted.clientId) {
@@ -118,10 +118,26 @@ void StationControl::describe(ClientStatus& client, const std::optional<SteadyTi
     const bool kept = rules.lead == profile::Lead::Locked && !client.locked;  // as the operator wants it
     client.wanting = lastMotion && m_now - *lastMotion < kStillWanting && m_arming.authority() == Authority::Clients &&
                      !client.readOnly && !kept && !m_lead.admits(rules, source, m_now);
+    client.leadObstacle = leadObstacle(client);
     if (const QString reason = limitedReason(); client.driving && !reason.isEmpty()) {
         client.advice =
             Text::tr("asks for a place outside the limits: %1; the nearest permitted one is driven").arg(reason);
     }
+}
+
+// What would be refused, and what would change nothing.
+QString StationControl::leadObstacle(const ClientStatus& client) const
+{
+    if (const Result<> may = gates().mayGiveLead(client.id); !may) {
+        return toQString(may.error().text);
+    }
+    if (m_arming.authority() == Authority::Operator || client.readOnly) {
+        return {};
+    }
+    if (m_profile.rotctld.lead == profile::Lead::Last) {
+        return Text::tr("whoever sends last moves the mount");
+    }
+    return client.leading ? Text::tr("it has the control") : QString();
 }
 
 // The protocol has no word for it: a client is answered "done". So the screen must say it, for as long as it lasts.

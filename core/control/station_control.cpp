@@ -10,7 +10,6 @@
 namespace boresight {
 namespace {
 
-constexpr std::chrono::seconds kOldestPosition{1};
 constexpr int kClientLinesPerSecond = 4;
 
 QString text(const AxisPosition& place)
@@ -144,15 +143,11 @@ Result<> StationControl::goTo(const AxisPosition& place, Activity activity, cons
 Result<> StationControl::mayGoTo(const AxisPosition& place) const
 {
     const pointing::Resolved resolved = m_model.resolve(place);
-    if (resolved.limited) {
-        return failure(ErrorCode::OutOfRange, resolved.reason);
-    }
-    if (const std::string why = m_motion.region().reason(resolved.position); !why.empty()) {
-        const auto nearest = m_motion.region().nearest(resolved.position);
-        return failure(ErrorCode::OutOfRange,
-                       nearest
-                           ? Text::tr("%1; permitted nearest to it: %2").arg(toQString(why), directionText(*nearest))
-                           : toQString(why));
+    if (const Result<> may = gates().mayBeAt(place); !may) {
+        const auto nearest = resolved.limited ? std::nullopt : m_motion.region().nearest(resolved.position);
+        return nearest ? failure(ErrorCode::OutOfRange, Text::tr("%1; permitted nearest to it: %2")
+                                                            .arg(toQString(may.error().text), directionText(*nearest)))
+                       : may;
     }
     return m_motion.route(standing(), resolved.position).map([](const auto&) {});
 }
@@ -266,21 +261,15 @@ Result<> StationControl::handle(const request::Park&, const Source& source)
 
 Result<> StationControl::handle(const request::Unwind&, const Source& source)
 {
-    return mayPoint(source).and_then([&]() -> Result<> {
-        const auto place = CableGuard::leastWound(standing(), m_motion.region().ranges().azimuth);
-        if (!place) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("in this direction the azimuth cable can not be wound less than it is"));
-        }
-        return goTo(*place, Activity::Pointing, source,
-                    Text::tr("unwind the cable, azimuth to %1").arg(degreesText(place->azimuth, 1)));
+    return mayPoint(source).and_then([&] { return gates().unwound(); }).and_then([&](const AxisPosition& place) {
+        return goTo(place, Activity::Pointing, source,
+                    Text::tr("unwind the cable, azimuth to %1").arg(degreesText(place.azimuth, 1)));
     });
 }
 
 Result<> StationControl::handle(const request::Home&, const Source& source)
 {
-    const pointing::AxisBox& ranges = m_motion.region().ranges();
-    const AxisPosition home{.azimuth = ranges.azimuth.clamped(0_deg), .elevation = ranges.elevation.clamped(0_deg)};
+    const AxisPosition home = gates().home();
     return goTo(home, Activity::Pointing, source, Text::tr("home to %1").arg(directionText(home)));
 }
 

@@ -180,6 +180,7 @@ private:
     Result<> handle(const CalibrationRequest& wanted, const Source& source);
 
     [[nodiscard]] ControlParts parts() const;
+    [[nodiscard]] QString leadObstacle(const ClientStatus& client) const;
     [[nodiscard]] StatusReport report() const { return StatusReport(parts()); }
     [[nodiscard]] Gates gates() const { return Gates(parts()); }
     [[nodiscard]] bool moves() const { return m_current.moves(); }

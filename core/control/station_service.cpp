@@ -15,42 +15,25 @@ constexpr AngularRate kFastestProof = AngularRate::fromDegrees(5.0);
 
 Result<> StationControl::handle(const request::ReadDrives&, const Source& source)
 {
-    return operatorOnly(source).and_then([this] { return gates().drivesRest(); });
+    return operatorOnly(source).and_then([this] { return gates().mayReadDrives(); });
 }
 
-// Whatever is written while a drive is active ends in its fault 41, and the axis falls.
 Result<> StationControl::handle(const request::FixDrives&, const Source& source)
 {
-    return operatorOnly(source).and_then([&]() -> Result<> {
-        if (!m_arming.connected()) {
-            return failure(ErrorCode::NoAnswer, Text::tr("both drives must answer"));
-        }
-        for (const Axis axis : kAxes) {
-            const Drive& drive = m_drives.drive(axis);
-            if (drive.phase() != Drive::Phase::Listening || drive.report()->mode != moteus::Mode::Stopped) {
-                return failure(
-                    ErrorCode::Refused,
-                    Text::tr("the %1 is switched on: support the elevation, switch the drives off").arg(drive.label()));
-            }
-        }
+    return operatorOnly(source).and_then([this] { return gates().mayFixDrives(); }).map([&] {
         takeOver(source);  // else the next target of a client would switch them on in the middle of it
-        return {};
     });
 }
 
 Result<> StationControl::handle(const request::SwitchOff&, const Source& source)
 {
-    return operatorOnly(source).and_then([this] { return gates().drivesRest(); }).and_then([&]() -> Result<> {
-        if (!m_arming.connected()) {
-            return failure(ErrorCode::NoAnswer, Text::tr("both drives must answer"));
-        }
+    return operatorOnly(source).and_then([this] { return gates().maySwitchOff(); }).map([&] {
         takeOver(source);  // else the next target of a client would switch them on again
         holdHere(Activity::None);
         for (const Axis axis : kAxes) {
             m_drives.drive(axis).release();
         }
         m_log.add(Severity::Warning, source.name, Text::tr("switches both drives off: nothing holds the axes"));
-        return {};
     });
 }
 
@@ -93,7 +76,7 @@ Result<> StationControl::handle(const request::ChooseTurn& wanted, const Source&
 
 Result<> StationControl::handle(const request::ProveCrashStop& wanted, const Source& source)
 {
-    if (const Result<> may = operatorOnly(source).and_then([&] { return mayPoint(source); }); !may) {
+    if (const Result<> may = operatorOnly(source).and_then([&] { return gates().mayProve(source); }); !may) {
         return may;
     }
     const AngularRate rate = abs(wanted.rate);

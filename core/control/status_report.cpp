@@ -2,6 +2,7 @@
 #include "core/control/status_report.h"
 
 #include "core/base/text.h"
+#include "core/control/permission_report.h"
 #include "core/moteus/registers.h"
 
 #include <algorithm>
@@ -11,7 +12,6 @@ namespace {
 
 // Slower than this counts as standing: below the noise of the drive's velocity, far below any jog rate.
 constexpr AngularRate kReportStanding = AngularRate::fromDegrees(0.02);
-constexpr Angle kAtTravelEnd = Angle::fromDegrees(0.05);
 // A target within this of the measured direction counts as tracked, not as slewed to.
 constexpr Angle kOnTarget = Angle::fromDegrees(1.0);
 // A place is reached when the set-points rest there and the antenna is this near.
@@ -273,6 +273,7 @@ StationStatus StatusReport::status() const
     if (const AxisPosition& trim = m_of.motion.trim(); trim != AxisPosition{}) {
         status.trim = SkyPointing{.azimuth = trim.azimuth, .elevation = trim.elevation};
     }
+    status.permissions = PermissionReport(m_of).permissions();
     status.sunKeepOuts = m_of.sun.keepOuts();
     if (const auto& asked = m_of.current.limitedDirection()) {
         status.target = asked;

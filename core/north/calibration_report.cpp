@@ -62,6 +62,7 @@ void CalibrationDesk::publish()
     }
     fillBodies(status);
     status.pointObstacle = reasonOf(mayTakeBody());
+    status.knownPointObstacle = reasonOf(mayTakePoint());
     status.points = m_book.status();
     status.fit = m_book.fitStatus(m_profile.pointing);
     status.noFit = m_book.problem();

@@ -4,6 +4,7 @@
 #include "core/base/bus_name.h"
 #include "core/base/text.h"
 #include "core/can/bus_advice.h"
+#include "core/north/calibration_gates.h"
 #include "core/profile/commissioning.h"
 
 #include <QHostAddress>
@@ -521,6 +522,7 @@ StationStatus Station::status() const
     status.waitingKeys = m_profile.waitingKeys();
     status.simulated = simulated();
     m_care.fill(status.drives);
+    m_care.judge(status.permissions);
     status.listening = QString::fromStdString(m_server.address());
     status.clients = clients();
     status.timing = {.lateP50 = m_lateness.percentile(0.5),
@@ -530,6 +532,7 @@ StationStatus Station::status() const
     status.broker = m_broker.status();
     status.sensor = m_sensor.status();
     m_calibration.fill(status);
+    judgeCalibration(status);
     return status;
 }
 

@@ -5808,6 +5808,50 @@ do eixo</translation>
         <source>ends at %1, about %2</source>
         <translation>acaba a %1, por volta das %2</translation>
     </message>
+    <message>
+        <source>the drives are being read</source>
+        <translation>os acionamentos estão sendo lidos</translation>
+    </message>
+    <message>
+        <source>at the upper limit %1</source>
+        <translation>no limite superior %1</translation>
+    </message>
+    <message>
+        <source>at the lower limit %1</source>
+        <translation>no limite inferior %1</translation>
+    </message>
+    <message>
+        <source>whoever sends last moves the mount</source>
+        <translation>move a montagem quem envia por último</translation>
+    </message>
+    <message>
+        <source>it has the control</source>
+        <translation>já tem o controle</translation>
+    </message>
+    <message>
+        <source>it is not known where the %1 is</source>
+        <translation>não se sabe onde está: %1</translation>
+    </message>
+    <message>
+        <source>follow the %1 first</source>
+        <translation>primeiro é preciso seguir: %1</translation>
+    </message>
+    <message>
+        <source>nothing is proposed yet</source>
+        <translation>ainda não há nada proposto</translation>
+    </message>
+    <message>
+        <source>no scan waits for a power now</source>
+        <translation>nenhuma varredura espera agora por uma potência</translation>
+    </message>
+    <message>
+        <source>there are no points</source>
+        <translation>não há pontos</translation>
+    </message>
+    <message>
+        <source>every setting is right</source>
+        <translation>todos os parâmetros estão certos</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -21,16 +21,11 @@ bool nothingDiffers(const StationStatus& status)
 {
     return std::none_of(kAxes.begin(), kAxes.end(), [&status](Axis axis) {
         const auto& lines = driveOf(status, axis).protections;
-        return std::any_of(lines.begin(), lines.end(), differs);
+        return std::any_of(lines.begin(), lines.end(), survey::differs);
     });
 }
 
 }  // namespace
-
-bool differs(const survey::ProtectionLine& line)
-{
-    return line.verdict == survey::Verdict::Advised || line.verdict == survey::Verdict::Dangerous;
-}
 
 QString whyNoReading(const StationStatus& status)
 {

@@ -9,8 +9,6 @@
 // it can. The station decides again.
 namespace boresight::ui {
 
-[[nodiscard]] bool differs(const survey::ProtectionLine& line);  // Fix would write it
-
 [[nodiscard]] QString whyNoReading(const StationStatus& status);
 [[nodiscard]] QString whyNoFix(const StationStatus& status);
 [[nodiscard]] QString whyNoSwitchOff(const StationStatus& status);
