@@ -11,7 +11,6 @@
 #include "ui/kit/guide_fields.h"
 #include "ui/kit/push_button.h"
 #include "ui/kit/value_label.h"
-#include "ui/link/motion_permission.h"
 #include "ui/north/calibration_words.h"
 
 #include <QCheckBox>
@@ -188,7 +187,7 @@ AxisPosition GuideNorth::axes() const
 QString GuideNorth::whyNot() const
 {
     for (const Axis axis : kAxes) {
-        if (const QString reason = whyNoPlace(m_status, axis); !reason.isEmpty()) {
+        if (const QString reason = m_status.permissions.reason(setAction(axis)); !reason.isEmpty()) {
             return reason;
         }
     }
