@@ -194,6 +194,27 @@ AxisStatus StatusReport::axisStatus(Axis axis) const
     return status;
 }
 
+// One angle of a skewed model needs both of the axes.
+void StatusReport::addBeam(StationStatus& status) const
+{
+    const pointing::PointingModel& model = m_of.model.pointing();
+    const auto add = [&](std::optional<Angle> AxisStatus::*axis, std::optional<Angle> BeamAngles::*beam) {
+        const std::optional<Angle>& azimuth = status.azimuth.*axis;
+        const std::optional<Angle>& elevation = status.elevation.*axis;
+        if (model.isIdentity()) {
+            status.azimuth.beam.*beam = azimuth;
+            status.elevation.beam.*beam = elevation;
+        } else if (azimuth && elevation) {
+            const SkyPointing direction = model.toSky({*azimuth, *elevation});
+            status.azimuth.beam.*beam = direction.azimuth;
+            status.elevation.beam.*beam = direction.elevation;
+        }
+    };
+    add(&AxisStatus::actual, &BeamAngles::actual);
+    add(&AxisStatus::commanded, &BeamAngles::commanded);
+    add(&AxisStatus::target, &BeamAngles::target);
+}
+
 // Only an answer to this very tick counts: an older one would be drawn as if it were new.
 AxisSample StatusReport::axisSample(Axis axis) const
 {
@@ -260,6 +281,7 @@ StationStatus StatusReport::status() const
                          .alarms = m_of.alarms.list(),
                          .utc = m_of.clock.utc(),
                          .tick = m_of.tick};
+    addBeam(status);
     status.stopLatched = m_of.arming.stopLatched();
     status.stateReason = m_of.arming.released()
                              ? Text::tr("the bus is left to other tools")

@@ -27,6 +27,7 @@ public:
 
 private:
     [[nodiscard]] AxisStatus axisStatus(Axis axis) const;
+    void addBeam(StationStatus& status) const;
     [[nodiscard]] AxisSample axisSample(Axis axis) const;
     [[nodiscard]] AxisState axisState(Axis axis) const;
     [[nodiscard]] AxisState ownState(Axis axis) const;

@@ -93,6 +93,15 @@ struct Source
     bool operator==(const Source&) const = default;
 };
 
+// Where the beam points, as the angle that belongs to an axis: the true azimuth, unwrapped like the axis, or the true
+// elevation, which is above 90° over the top.
+struct BeamAngles
+{
+    std::optional<Angle> actual;
+    std::optional<Angle> commanded;
+    std::optional<Angle> target;
+};
+
 struct AxisStatus
 {
     AxisState state = AxisState::NoData;
@@ -103,6 +112,7 @@ struct AxisStatus
     std::optional<AngularRate> commandedRate;      // of the set-point
     std::optional<Angle> target;                   // where the set-point is heading
     TravelRange travel;
+    BeamAngles beam;                         // the same three of the beam
     std::optional<double> busVoltage;        // V
     std::optional<double> boardTemperature;  // °C
     std::optional<double> motorTemperature;  // °C, empty without a sensor
