@@ -35,7 +35,7 @@ Result<> ClientDesk::ask(const request::GiveLead& wanted, const Source& by)
 {
     const ControlParts view = m_helm.view();
     return operatorOnly(by)
-        .and_then([&] { return Gates(view).mayGiveControl(); })
+        .and_then([&] { return Gates(view).mayGiveLead(wanted.clientId); })
         .and_then([&] { return m_lead.give(view.profile.rotctld, wanted.clientId, view.now); })
         .map([&] {
             if (m_helm.current().commander().clientId != wanted.clientId) {
@@ -95,6 +95,22 @@ bool ClientDesk::isWanting(const ClientStatus& client, const std::optional<Stead
            !client.readOnly && !kept && !m_lead.admits(rules, source, view.now);
 }
 
+// What would be refused, and what would change nothing.
+QString ClientDesk::leadObstacle(const ClientStatus& client) const
+{
+    const ControlParts view = m_helm.view();
+    if (const Result<> may = Gates(view).mayGiveLead(client.id); !may) {
+        return toQString(may.error().text);
+    }
+    if (m_arming.authority() == Authority::Operator || client.readOnly) {
+        return {};
+    }
+    if (view.profile.rotctld.lead == profile::Lead::Last) {
+        return Text::tr("whoever sends last moves the mount");
+    }
+    return client.leading ? Text::tr("it has the control") : QString();
+}
+
 void ClientDesk::describe(ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const
 {
     const ControlParts view = m_helm.view();
@@ -104,6 +120,7 @@ void ClientDesk::describe(ClientStatus& client, const std::optional<SteadyTime>&
     client.readOnly = m_lead.readOnly(client.id);
     client.locked = m_lead.locked(rules, client.id);
     client.wanting = isWanting(client, lastMotion);
+    client.leadObstacle = leadObstacle(client);
     if (const QString reason = StatusReport(view).limitedReason(); client.driving && !reason.isEmpty()) {
         client.advice =
             Text::tr("asks for a place outside the limits: %1; the nearest permitted one is driven").arg(reason);

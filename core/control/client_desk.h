@@ -37,6 +37,7 @@ private:
     void letClientsMove();
     void endClientMotion();
     void endCalibrationMotion();
+    [[nodiscard]] QString leadObstacle(const ClientStatus& client) const;
     [[nodiscard]] bool isWanting(const ClientStatus& client, const std::optional<SteadyTime>& lastMotion) const;
 
     Helm& m_helm;

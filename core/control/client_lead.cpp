@@ -155,7 +155,7 @@ void ClientLead::followed(std::uint64_t clientId, SteadyTime now)
     }
 }
 
-Result<> ClientLead::give(const Rules& rules, std::uint64_t clientId, SteadyTime now)
+Result<> ClientLead::mayBeGiven(const Rules& rules, std::uint64_t clientId) const
 {
     const auto found = m_clients.find(clientId);
     if (found == m_clients.end()) {
@@ -165,11 +165,17 @@ Result<> ClientLead::give(const Rules& rules, std::uint64_t clientId, SteadyTime
         return failure(ErrorCode::Refused,
                        Text::tr("the mount is locked to %1: unlock it first").arg(toQString(rules.lockedTo)));
     }
-    found->second.readOnly = false;
-    found->second.waits = false;
-    m_leader =
-        Leader{.client = found->second.client, .host = found->second.host, .since = now, .seen = now, .given = true};
     return {};
+}
+
+Result<> ClientLead::give(const Rules& rules, std::uint64_t clientId, SteadyTime now)
+{
+    return mayBeGiven(rules, clientId).map([&] {
+        Connected& one = m_clients.at(clientId);
+        one.readOnly = false;
+        one.waits = false;
+        m_leader = Leader{.client = one.client, .host = one.host, .since = now, .seen = now, .given = true};
+    });
 }
 
 Result<> ClientLead::setReadOnly(std::uint64_t clientId, bool readOnly)

@@ -47,6 +47,8 @@ public:
     // It sent R 1: it knows of the re-arm.
     void acted(const Source& client);
 
+    // Whether it is here, and not locked out.
+    [[nodiscard]] Result<> mayBeGiven(const Rules& rules, std::uint64_t clientId) const;
     // The operator's word: this client leads from now on, for kRelease even if it says nothing.
     Result<> give(const Rules& rules, std::uint64_t clientId, SteadyTime now);
     Result<> setReadOnly(std::uint64_t clientId, bool readOnly);

@@ -4,6 +4,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text.h"
 #include "core/control/status_report.h"
+#include "core/mount/mount_service.h"
 #include "core/units/degrees_text.h"
 
 #include <algorithm>
@@ -27,16 +28,21 @@ Result<> Gates::mayMove(const Source& source) const
     });
 }
 
+Result<> Gates::isPlaced(Axis axis) const
+{
+    if (!m_of.mount.report(axis).wrapKnown) {
+        return failure(ErrorCode::Refused, Text::tr("it is not known on which turn the axis of the %1 stands: "
+                                                    "the operator must tell; slow jogging only")
+                                               .arg(m_of.mount.label(axis)));
+    }
+    return {};
+}
+
 Result<> Gates::axesPlaced() const
 {
-    for (const Axis axis : kAxes) {
-        if (!m_of.mount.report(axis).wrapKnown) {
-            return failure(ErrorCode::Refused, Text::tr("it is not known on which turn the axis of the %1 stands: "
-                                                        "the operator must tell; slow jogging only")
-                                                   .arg(m_of.mount.label(axis)));
-        }
-    }
-    return insideTravel();
+    return isPlaced(Axis::Azimuth).and_then([this] { return isPlaced(Axis::Elevation); }).and_then([this] {
+        return insideTravel();
+    });
 }
 
 Result<> Gates::mayPoint(const Source& source) const
@@ -124,6 +130,71 @@ Result<> Gates::mayJogSlowly(const AxisRates& rates) const
     return {};
 }
 
+// Where somebody must watch, no faster than that; and no farther wrong than a hand can mend while it is not confirmed
+// which way the axes turn.
+AngularRate Gates::fastestJog() const
+{
+    const profile::JogSettings& jog = m_of.profile.jog;
+    if (!axesPlaced() || isInSunBand(m_of.standing())) {
+        return std::min(jog.slow, jog.unwind);
+    }
+    const bool confirmed = m_of.profile.mount.directions == profile::Directions::Confirmed;
+    return confirmed ? jog.fast : std::min(jog.fast, profile::kFastestUnconfirmed);
+}
+
+Result<> Gates::isWayOn(Axis axis, bool upwards) const
+{
+    const auto place = m_of.mount.measured(axis);
+    const TravelRange& travel = m_of.model.axis(axis).travel;
+    if (!place || !m_of.mount.report(axis).wrapKnown || travel.max <= travel.min) {
+        return {};
+    }
+    if (upwards && *place > travel.max - kAtTravelEnd) {
+        return failure(ErrorCode::OutOfRange, Text::tr("at the upper limit %1").arg(degreesText(travel.max)));
+    }
+    if (!upwards && *place < travel.min + kAtTravelEnd) {
+        return failure(ErrorCode::OutOfRange, Text::tr("at the lower limit %1").arg(degreesText(travel.min)));
+    }
+    return {};
+}
+
+Result<> Gates::mayBeAt(const AxisPosition& place) const
+{
+    const pointing::Resolved resolved = m_of.model.resolve(place);
+    const std::string why = resolved.limited ? resolved.reason : m_of.motion.region().reason(resolved.position);
+    return why.empty() ? Result<>{} : failure(ErrorCode::OutOfRange, why);
+}
+
+AxisPosition Gates::home() const
+{
+    const pointing::AxisBox& ranges = m_of.motion.region().ranges();
+    return {.azimuth = ranges.azimuth.clamped(0_deg), .elevation = ranges.elevation.clamped(0_deg)};
+}
+
+Result<AxisPosition> Gates::unwound() const
+{
+    const auto place = CableGuard::leastWound(m_of.standing(), m_of.motion.region().ranges().azimuth);
+    if (!place) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("in this direction the azimuth cable can not be wound less than it is"));
+    }
+    return *place;
+}
+
+Result<> Gates::isFresh(Axis axis) const
+{
+    const AxisReport report = m_of.mount.report(axis);
+    if (!report.place || m_of.clock.now() - report.placed > kOldestPosition) {
+        return failure(ErrorCode::NoAnswer, Text::tr("no fresh position from the %1").arg(m_of.mount.label(axis)));
+    }
+    return {};
+}
+
+Result<> Gates::maySet(Axis axis) const
+{
+    return isFresh(axis).and_then([&] { return isPlaced(axis); }).and_then([this] { return drivesRest(); });
+}
+
 Result<> Gates::drivesRest() const
 {
     if (m_of.mount.underOrders() && !m_of.motion.atRest()) {
@@ -133,6 +204,45 @@ Result<> Gates::drivesRest() const
         return failure(ErrorCode::Refused, Text::tr("a drive is being taken over: try again in a second"));
     }
     return {};
+}
+
+Result<> Gates::hasService() const
+{
+    return m_of.mount.service() != nullptr
+               ? Result<>{}
+               : failure(ErrorCode::NotAvailable, Text::tr("this rotator does not offer this"));
+}
+
+Result<> Gates::drivesAnswer() const
+{
+    return m_of.arming.connected() ? Result<>{} : failure(ErrorCode::NoAnswer, Text::tr("both drives must answer"));
+}
+
+Result<> Gates::mayReadDrives() const
+{
+    return hasService().and_then([this] { return m_of.mount.available(); }).and_then([this] { return drivesRest(); });
+}
+
+Result<> Gates::mayFixDrives() const
+{
+    return hasService().and_then([this] { return drivesAnswer(); }).and_then([this] {
+        return m_of.mount.service()->mayBeWritten();
+    });
+}
+
+Result<> Gates::maySwitchOff() const
+{
+    return hasService().and_then([this] { return drivesRest(); }).and_then([this] { return drivesAnswer(); });
+}
+
+Result<> Gates::mayLeaveBus() const
+{
+    return hasService().and_then([this] { return drivesRest(); });
+}
+
+Result<> Gates::mayProve(const Source& source) const
+{
+    return hasService().and_then([&] { return mayPoint(source); }).and_then([this] { return drivesRest(); });
 }
 
 bool Gates::isInSunBand(const AxisPosition& place) const
@@ -161,6 +271,11 @@ Result<> Gates::mayGiveControl() const
         return failure(ErrorCode::Refused, Text::tr("STOP is latched: reset STOP first"));
     }
     return {};
+}
+
+Result<> Gates::mayGiveLead(std::uint64_t clientId) const
+{
+    return mayGiveControl().and_then([&] { return m_of.lead.mayBeGiven(m_of.profile.rotctld, clientId); });
 }
 
 // The axes that belong to a direction are others then: what follows directions would set off for them, and what is on

@@ -5,9 +5,15 @@
 #include "core/control/control_parts.h"
 #include "core/messages/station_status.h"
 
+#include <chrono>
+#include <cstdint>
+
 // May it move now, whatever moves it? Each gate gives the reason in words. Reads the parts of the control and changes
 // nothing. Station thread only.
 namespace boresight {
+
+// A measured position older than this tells nothing.
+inline constexpr std::chrono::seconds kOldestPosition{1};
 
 class Gates
 {
@@ -23,8 +29,27 @@ public:
     // While the clock is doubted: from where the Sun can be only the operator's slow jog leads out.
     [[nodiscard]] Result<> mayLeaveSunBand(const AxisRates& rates, const Source& source) const;
     [[nodiscard]] bool isInSunBand(const AxisPosition& place) const;
+    // At most this fast by hand, whatever the direction.
+    [[nodiscard]] AngularRate fastestJog() const;
+    // The axis is not at the end of its travel, as measured. On an unknown wrap the numbers say nothing of that.
+    [[nodiscard]] Result<> isWayOn(Axis axis, bool upwards) const;
+    [[nodiscard]] Result<> mayBeAt(const AxisPosition& place) const;  // travel, limits, horizon and keep-outs
+    [[nodiscard]] AxisPosition home() const;
+    // The same direction, where the azimuth cable is wound least.
+    [[nodiscard]] Result<AxisPosition> unwound() const;
+    [[nodiscard]] Result<> isFresh(Axis axis) const;  // measured within kOldestPosition
+    // It stands still at an angle that is known and fresh, which may be given another number.
+    [[nodiscard]] Result<> maySet(Axis axis) const;
+
     [[nodiscard]] Result<> drivesRest() const;  // for what is done to the drives themselves
+    [[nodiscard]] Result<> mayReadDrives() const;
+    [[nodiscard]] Result<> mayFixDrives() const;
+    [[nodiscard]] Result<> maySwitchOff() const;
+    [[nodiscard]] Result<> mayLeaveBus() const;
+    [[nodiscard]] Result<> hasService() const;                    // something can be done to the mount itself
+    [[nodiscard]] Result<> mayProve(const Source& source) const;  // how the axes stop
     [[nodiscard]] Result<> mayGiveControl() const;
+    [[nodiscard]] Result<> mayGiveLead(std::uint64_t clientId) const;
     // Whether other terms of the pointing model would leave the motion what it is.
     [[nodiscard]] Result<> mayChangePointing() const;
 
@@ -32,6 +57,8 @@ public:
     [[nodiscard]] int farOutside(Axis axis) const;
 
 private:
+    [[nodiscard]] Result<> isPlaced(Axis axis) const;
+    [[nodiscard]] Result<> drivesAnswer() const;
     [[nodiscard]] Result<> mayJogSlowly(const AxisRates& rates) const;
     [[nodiscard]] Result<> insideTravel() const;
 

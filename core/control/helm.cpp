@@ -15,16 +15,11 @@ QString Helm::directionText(const AxisPosition& place) const
 Result<> Helm::mayGoTo(const AxisPosition& place) const
 {
     const pointing::Resolved resolved = view().model.resolve(place);
-    if (resolved.limited) {
-        return failure(ErrorCode::OutOfRange, resolved.reason);
-    }
-    const pointing::PermittedRegion& region = m_of.motion.region();
-    if (const std::string why = region.reason(resolved.position); !why.empty()) {
-        const auto nearest = region.nearest(resolved.position);
-        return failure(ErrorCode::OutOfRange,
-                       nearest
-                           ? Text::tr("%1; permitted nearest to it: %2").arg(toQString(why), directionText(*nearest))
-                           : toQString(why));
+    if (const Result<> may = Gates(view()).mayBeAt(place); !may) {
+        const auto nearest = resolved.limited ? std::nullopt : m_of.motion.region().nearest(resolved.position);
+        return nearest ? failure(ErrorCode::OutOfRange, Text::tr("%1; permitted nearest to it: %2")
+                                                            .arg(toQString(may.error().text), directionText(*nearest)))
+                       : may;
     }
     return m_of.motion.route(standing(), resolved.position).map([](const auto&) {});
 }

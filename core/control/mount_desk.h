@@ -3,7 +3,6 @@
 
 #include "core/alarms/event_log.h"
 #include "core/base/result.h"
-#include "core/control/arming.h"
 #include "core/control/helm.h"
 #include "core/messages/request.h"
 #include "core/mount/mount_driver.h"
@@ -16,9 +15,7 @@ namespace boresight {
 class MountDesk
 {
 public:
-    MountDesk(MountDriver& mount, Helm& helm, const Arming& arming, EventLog& log)
-        : m_mount(mount), m_helm(helm), m_arming(arming), m_log(log)
-    {}
+    MountDesk(MountDriver& mount, Helm& helm, EventLog& log) : m_mount(mount), m_helm(helm), m_log(log) {}
 
     // Only whether it may be: the connection of the mount reads and writes.
     Result<> ask(const request::ReadDrives& wanted, const Source& by);
@@ -31,13 +28,11 @@ public:
     Result<> ask(const request::EndProof& wanted, const Source& by);
 
 private:
-    [[nodiscard]] Result<MountService*> serviceFor(const Source& by) const;
-    [[nodiscard]] Result<> drivesRest() const { return Gates(m_helm.view()).drivesRest(); }
-    [[nodiscard]] Result<> drivesAnswer() const;
+    [[nodiscard]] Gates gates() const { return Gates(m_helm.view()); }
+    [[nodiscard]] MountService& service() { return *m_mount.service(); }  // where a gate has seen one
 
     MountDriver& m_mount;
     Helm& m_helm;
-    const Arming& m_arming;
     EventLog& m_log;
 };
 

@@ -10,7 +10,6 @@
 namespace boresight {
 namespace {
 
-constexpr std::chrono::seconds kOldestPosition{1};
 // A late tick (a stalled machine) makes the mount slower, never jump.
 constexpr Seconds kLongestStep{0.1};
 
@@ -54,7 +53,7 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
                 .alarms = m_alarms,
                 .log = log}),
       m_clientDesk(m_helm, m_arming, m_lead, log),
-      m_mountDesk(mount, m_helm, m_arming, log),
+      m_mountDesk(mount, m_helm, log),
       m_targetAlarm(m_alarms),
       m_adviceAlarms(m_alarms),
       m_now(clock.now()),
@@ -247,9 +246,8 @@ void StationControl::watchFirstMoves()
 Result<AxisPosition> StationControl::measured() const
 {
     for (const Axis axis : kAxes) {
-        const AxisReport report = m_mount.report(axis);
-        if (!report.place || m_clock.now() - report.placed > kOldestPosition) {
-            return failure(ErrorCode::NoAnswer, Text::tr("no fresh position from the %1").arg(m_mount.label(axis)));
+        if (const Result<> fresh = gates().isFresh(axis); !fresh) {
+            return tl::unexpected(fresh.error());
         }
     }
     if (!turnsKnown()) {

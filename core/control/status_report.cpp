@@ -2,6 +2,7 @@
 #include "core/control/status_report.h"
 
 #include "core/base/text.h"
+#include "core/control/permission_report.h"
 
 #include <algorithm>
 
@@ -10,7 +11,6 @@ namespace {
 
 // Slower than this counts as standing: below the noise of the drive's velocity, far below any jog rate.
 constexpr AngularRate kReportStanding = AngularRate::fromDegrees(0.02);
-constexpr Angle kAtTravelEnd = Angle::fromDegrees(0.05);
 // A target within this of the measured direction counts as tracked, not as slewed to.
 constexpr Angle kOnTarget = Angle::fromDegrees(1.0);
 // A place is reached when the set-points rest there and the antenna is this near.
@@ -197,6 +197,27 @@ AxisStatus StatusReport::axisStatus(Axis axis) const
     return status;
 }
 
+// One angle of a skewed model needs both of the axes.
+void StatusReport::addBeam(StationStatus& status) const
+{
+    const pointing::PointingModel& model = m_of.model.pointing();
+    const auto add = [&](std::optional<Angle> AxisStatus::*axis, std::optional<Angle> BeamAngles::*beam) {
+        const std::optional<Angle>& azimuth = status.azimuth.*axis;
+        const std::optional<Angle>& elevation = status.elevation.*axis;
+        if (model.isIdentity()) {
+            status.azimuth.beam.*beam = azimuth;
+            status.elevation.beam.*beam = elevation;
+        } else if (azimuth && elevation) {
+            const SkyPointing direction = model.toSky({*azimuth, *elevation});
+            status.azimuth.beam.*beam = direction.azimuth;
+            status.elevation.beam.*beam = direction.elevation;
+        }
+    };
+    add(&AxisStatus::actual, &BeamAngles::actual);
+    add(&AxisStatus::commanded, &BeamAngles::commanded);
+    add(&AxisStatus::target, &BeamAngles::target);
+}
+
 // Only an answer to this very tick counts: an older one would be drawn as if it were new.
 AxisSample StatusReport::axisSample(Axis axis) const
 {
@@ -245,6 +266,7 @@ StationStatus StatusReport::status() const
                          .alarms = m_of.alarms.list(),
                          .utc = m_of.clock.utc(),
                          .tick = m_of.tick};
+    addBeam(status);
     status.stopLatched = m_of.arming.stopLatched();
     status.stateReason = !m_of.mount.available()
                              ? Text::tr("the bus is left to other tools")
@@ -258,6 +280,7 @@ StationStatus StatusReport::status() const
     if (const AxisPosition& trim = m_of.motion.trim(); trim != AxisPosition{}) {
         status.trim = SkyPointing{.azimuth = trim.azimuth, .elevation = trim.elevation};
     }
+    status.permissions = PermissionReport(m_of).permissions();
     status.sunKeepOuts = m_of.sun.keepOuts();
     if (const auto& asked = m_of.current.limitedDirection()) {
         status.target = asked;

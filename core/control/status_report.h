@@ -27,6 +27,7 @@ public:
 
 private:
     [[nodiscard]] AxisStatus axisStatus(Axis axis) const;
+    void addBeam(StationStatus& status) const;
     [[nodiscard]] AxisSample axisSample(Axis axis) const;
     [[nodiscard]] std::optional<std::chrono::milliseconds> age(const AxisReport& report) const;
     [[nodiscard]] AxisState axisState(Axis axis, const AxisReport& report) const;

@@ -171,6 +171,7 @@ struct CalibrationStatus
     bool overTheTop = false;              // with the boom past the zenith
     QString warning;                      // of eyes and feed, while the beam is at the Sun
     QString pointObstacle;                // why TakePoint would be refused now; empty: it would not
+    QString knownPointObstacle;           // the same for TakeKnownPoint
     std::vector<PointStatus> points;
     std::optional<PointFitStatus> fit;
     QString noFit;  // why the points that are used speak for no model; empty: they do, or there are none

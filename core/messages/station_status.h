@@ -6,6 +6,7 @@
 #include "core/can/can_link.h"
 #include "core/messages/calibration_status.h"
 #include "core/messages/drives_status.h"
+#include "core/messages/permissions.h"
 #include "core/messages/sensor_status.h"
 #include "core/profile/profile.h"
 #include "core/units/sky.h"
@@ -92,6 +93,15 @@ struct Source
     bool operator==(const Source&) const = default;
 };
 
+// Where the beam points, as the angle that belongs to an axis: the true azimuth, unwrapped like the axis, or the true
+// elevation, which is above 90° over the top.
+struct BeamAngles
+{
+    std::optional<Angle> actual;
+    std::optional<Angle> commanded;
+    std::optional<Angle> target;
+};
+
 struct AxisStatus
 {
     AxisState state = AxisState::NoData;
@@ -102,6 +112,7 @@ struct AxisStatus
     std::optional<AngularRate> commandedRate;      // of the set-point
     std::optional<Angle> target;                   // where the set-point is heading
     TravelRange travel;
+    BeamAngles beam;                         // the same three of the beam
     std::optional<double> busVoltage;        // V
     std::optional<double> boardTemperature;  // °C
     std::optional<double> motorTemperature;  // °C, empty without a sensor
@@ -125,6 +136,7 @@ struct ClientStatus
     bool locked = false;   // the one that the profile names
     bool wanting = false;  // it goes on asking for motions, which are refused for another's lead
     QString advice;        // what would make it work better; mostly empty
+    QString leadObstacle;  // why control cannot be given to it now, or need not; empty: it can
 };
 
 // The MQTT broker, as far as somebody needs it: the sensor, or the publishing of the station's state.
@@ -178,6 +190,7 @@ struct StationStatus
     std::optional<SkyPointing> trim;   // what the operator's nudges add to a client's targets
     std::optional<CableEnd> cableEnd;  // told in time: at least 30° or 30 s ahead
     Authority authority = Authority::Clients;
+    Permissions permissions;  // of the operator
     DrivesStatus drives;
     LinkStatus bus;
     QString busName;

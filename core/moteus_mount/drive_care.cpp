@@ -161,15 +161,35 @@ void DriveCare::tellChanges()
     }
 }
 
-Result<> DriveCare::admits(const Request& request) const
+Result<> DriveCare::mayTouch() const
 {
-    const bool touches = std::holds_alternative<request::ReadDrives>(request) ||
-                         std::holds_alternative<request::FixDrives>(request) ||
-                         std::holds_alternative<request::ReleaseBus>(request);
-    if (touches && m_survey.state() == survey::SurveyState::Fixing) {
+    if (m_survey.state() == survey::SurveyState::Fixing) {
         return failure(ErrorCode::Refused, Text::tr("the drives' settings are being written: wait until that is done"));
     }
     return {};
+}
+
+Result<> DriveCare::mayRead() const
+{
+    return mayTouch().and_then([this]() -> Result<> {
+        return m_survey.state() == survey::SurveyState::Running
+                   ? failure(ErrorCode::Busy, Text::tr("the drives are being read"))
+                   : Result<>{};
+    });
+}
+
+Result<> DriveCare::mayFix() const
+{
+    return mayRead().and_then([this] { return m_survey.mayFix(); });
+}
+
+Result<> DriveCare::admits(const Request& request) const
+{
+    return std::visit(Overloaded{[this](const request::ReadDrives&) { return mayRead(); },
+                                 [this](const request::FixDrives&) { return mayFix(); },
+                                 [this](const request::ReleaseBus&) { return mayTouch(); },
+                                 [](const auto&) -> Result<> { return {}; }},
+                      request);
 }
 
 Result<> DriveCare::carryOut(const Request& request, SteadyTime now)
@@ -183,6 +203,16 @@ Result<> DriveCare::carryOut(const Request& request, SteadyTime now)
                                      request);
     tellMount();  // at once: a client's command may come before the next tick
     return done;
+}
+
+void DriveCare::judge(Permissions& may) const
+{
+    const auto add = [&may](Action action, const Result<>& answer) {
+        may.refuse(action, answer ? QString() : toQString(answer.error().text));
+    };
+    add(Action::ReadDrives, mayRead());
+    add(Action::FixDrives, mayFix());
+    add(Action::ReleaseBus, mayTouch());
 }
 
 void DriveCare::fill(DrivesStatus& drives) const

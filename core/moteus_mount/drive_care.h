@@ -4,6 +4,7 @@
 #include "core/alarms/alarm_board.h"
 #include "core/alarms/event_log.h"
 #include "core/base/can_frame.h"
+#include "core/messages/permissions.h"
 #include "core/messages/request.h"
 #include "core/moteus_mount/moteus_mount.h"
 #include "core/profile/profile.h"
@@ -32,8 +33,13 @@ public:
 
     // Its part of the status.
     void fill(DrivesStatus& drives) const;
+    // Adds why it would not admit what the operator may ask of the drives.
+    void judge(Permissions& may) const;
 
 private:
+    [[nodiscard]] Result<> mayTouch() const;  // nothing is being written
+    [[nodiscard]] Result<> mayRead() const;
+    [[nodiscard]] Result<> mayFix() const;
     void watchConnection(SteadyTime now);
     void watchSilence(SteadyTime now);
     void tellMount();

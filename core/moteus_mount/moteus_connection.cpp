@@ -150,6 +150,7 @@ void MoteusConnection::describe(StationStatus& status) const
     status.bus = m_link->status();
     status.busName = m_link->name();
     m_care.fill(status.drives);
+    m_care.judge(status.permissions);
 }
 
 MountMaker twoMoteus(std::unique_ptr<CanLink> link, const MoteusConnection::Start& start)

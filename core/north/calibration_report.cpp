@@ -64,6 +64,7 @@ void CalibrationReport::fillPoints(CalibrationStatus& status) const
     const PointBook& book = m_of.points.book();
     const ScanPilot& scan = m_of.runs.scan();
     status.pointObstacle = reasonOf(m_of.taker.mayTakeBody());
+    status.knownPointObstacle = reasonOf(m_of.taker.mayTake());
     status.points = book.status();
     status.fit = book.fitStatus(m_of.profile.pointing);
     status.noFit = book.problem();

@@ -19,8 +19,9 @@ public:
     Result<> takeBody();
     Result<> takeKnown(const SkyPointing& truth, const QString& label);
 
-private:
     [[nodiscard]] Result<> mayTake() const;
+
+private:
     void warnOfFarPoint(const SkyPointing& truth);
 
     const StationControl& m_control;

@@ -10,8 +10,7 @@ namespace boresight::sources {
 
 Result<> KnownPlaces::ask(const request::Home&, const Source& by)
 {
-    const pointing::AxisBox& ranges = helm().view().motion.region().ranges();
-    const AxisPosition home{.azimuth = ranges.azimuth.clamped(0_deg), .elevation = ranges.elevation.clamped(0_deg)};
+    const AxisPosition home = Gates(helm().view()).home();
     return helm().goTo(home, Activity::Pointing, by, Text::tr("home to %1").arg(helm().directionText(home)));
 }
 
@@ -29,15 +28,10 @@ Result<> KnownPlaces::ask(const request::Horizon&, const Source& by)
 
 Result<> KnownPlaces::ask(const request::Unwind&, const Source& by)
 {
-    return helm().mayPoint(by).and_then([&]() -> Result<> {
-        const TravelRange& range = helm().view().motion.region().ranges().azimuth;
-        const auto place = CableGuard::leastWound(helm().standing(), range);
-        if (!place) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("in this direction the azimuth cable can not be wound less than it is"));
-        }
-        return helm().goTo(*place, Activity::Pointing, by,
-                           Text::tr("unwind the cable, azimuth to %1").arg(degreesText(place->azimuth, 1)));
+    const auto unwound = helm().mayPoint(by).and_then([this] { return Gates(helm().view()).unwound(); });
+    return unwound.and_then([&](const AxisPosition& place) {
+        return helm().goTo(place, Activity::Pointing, by,
+                           Text::tr("unwind the cable, azimuth to %1").arg(degreesText(place.azimuth, 1)));
     });
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
+#include "core/north/calibration_gates.h"
 #include "core/profile/commissioning.h"
 #include "core/sources/motion_sources.h"
 
@@ -411,6 +412,7 @@ StationStatus Station::status() const
     status.broker = m_broker.status();
     status.sensor = m_sensor.status();
     m_calibration.fill(status);
+    judgeCalibration(status);
     return status;
 }
 

@@ -87,16 +87,27 @@ void DriveSurvey::forget()
     }
 }
 
-Result<> DriveSurvey::fix(SteadyTime)
+Result<> DriveSurvey::mayFix() const
 {
     if (m_state != SurveyState::Done) {
         return failure(ErrorCode::Busy, Text::tr("the drives are not read yet"));
     }
-    if (!isFixable()) {
-        return failure(
-            ErrorCode::NotAvailable,
-            Text::tr(
-                "there is nothing that can be written: what is wrong is for a person to change, as its line says"));
+    if (isFixable()) {
+        return {};
+    }
+    const bool right = std::ranges::none_of(
+        m_sides, [](const Side& side) { return std::ranges::any_of(side.drive.lines(), differs); });
+    return failure(
+        ErrorCode::NotAvailable,
+        right ? Text::tr("every setting is right")
+              : Text::tr(
+                    "there is nothing that can be written: what is wrong is for a person to change, as its line says"));
+}
+
+Result<> DriveSurvey::fix(SteadyTime)
+{
+    if (const Result<> may = mayFix(); !may) {
+        return may;
     }
     for (Side& side : m_sides) {
         if (side.drive.isFixable()) {

@@ -40,6 +40,8 @@ public:
     void begin(SteadyTime now);
     // The bus or a drive was lost: nothing is known until begin().
     void forget();
+    // The drives are read, and something differs that can be written.
+    [[nodiscard]] Result<> mayFix() const;
     // Writes what differs and can be written. Both drives must be in mode 0: the caller sees to that.
     [[nodiscard]] Result<> fix(SteadyTime now);
     // Reads anew what the drive's position counts from, unless the drives are being read anyway.

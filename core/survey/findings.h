@@ -29,6 +29,12 @@ struct ProtectionLine
     bool operator==(const ProtectionLine&) const = default;
 };
 
+// Worth fixing, by Fix or by a person.
+[[nodiscard]] inline bool differs(const ProtectionLine& line)
+{
+    return line.verdict == Verdict::Advised || line.verdict == Verdict::Dangerous;
+}
+
 enum class SurveyState
 {
     NotDone,  // nobody answers, or the bus was lost since

@@ -21,45 +21,6 @@
     </message>
 </context>
 <context>
-    <name>CalibrationPermission</name>
-    <message>
-        <source>a calibration is running: end it first</source>
-        <translation>há uma calibração em curso: termine-a primeiro</translation>
-    </message>
-    <message>
-        <source>it is not known where the %1 is</source>
-        <translation>não se sabe onde está: %1</translation>
-    </message>
-    <message>
-        <source>follow the %1 first</source>
-        <translation>primeiro é preciso seguir: %1</translation>
-    </message>
-    <message>
-        <source>no scan waits for a power now</source>
-        <translation>nenhuma varredura espera agora por uma potência</translation>
-    </message>
-    <message>
-        <source>there are no points</source>
-        <translation>não há pontos</translation>
-    </message>
-    <message>
-        <source>nothing is proposed yet</source>
-        <translation>ainda não há nada proposto</translation>
-    </message>
-    <message>
-        <source>nothing applied here can be taken back</source>
-        <translation>não há aqui nada aplicado que se possa desfazer</translation>
-    </message>
-    <message>
-        <source>nothing was taken back</source>
-        <translation>nada foi desfeito</translation>
-    </message>
-    <message>
-        <source>the station does not calibrate</source>
-        <translation>a estação não calibra</translation>
-    </message>
-</context>
-<context>
     <name>CalibrationWords</name>
     <message>
         <source>North %1: %2 of it from the readings, %3 that no swing can see.</source>
@@ -207,68 +168,6 @@
     </message>
 </context>
 <context>
-    <name>ClientsPermission</name>
-    <message>
-        <source>select a client first</source>
-        <translation>selecione primeiro um cliente</translation>
-    </message>
-    <message>
-        <source>STOP is latched, press &quot;Reset stop&quot; first</source>
-        <translation>STOP está ativo, clique primeiro em &quot;Liberar STOP&quot;</translation>
-    </message>
-    <message>
-        <source>the mount is locked to %1</source>
-        <translation>a montagem está reservada a %1</translation>
-    </message>
-    <message>
-        <source>whoever sends last moves the mount</source>
-        <translation>move a montagem quem envia por último</translation>
-    </message>
-    <message>
-        <source>it has the control</source>
-        <translation>já tem o controle</translation>
-    </message>
-</context>
-<context>
-    <name>DrivesPermission</name>
-    <message>
-        <source>the bus is released to other tools</source>
-        <translation>o barramento está entregue a outras ferramentas</translation>
-    </message>
-    <message>
-        <source>the drives are being read</source>
-        <translation>os acionamentos estão sendo lidos</translation>
-    </message>
-    <message>
-        <source>settings are being written</source>
-        <translation>estão sendo escritos parâmetros</translation>
-    </message>
-    <message>
-        <source>the drives have not been read</source>
-        <translation>os acionamentos não foram lidos</translation>
-    </message>
-    <message>
-        <source>every setting is right</source>
-        <translation>todos os parâmetros estão certos</translation>
-    </message>
-    <message>
-        <source>what differs is for a person to change: select its line</source>
-        <translation>o que difere cabe a uma pessoa alterar: selecione a linha</translation>
-    </message>
-    <message>
-        <source>the drives are switched on, press &quot;Switch drives off&quot; first</source>
-        <translation>os acionamentos estão ligados, clique primeiro em &quot;Desligar acionamentos&quot;</translation>
-    </message>
-    <message>
-        <source>no connection to the drives</source>
-        <translation>sem conexão aos acionamentos</translation>
-    </message>
-    <message>
-        <source>the mount moves, press &quot;Hold&quot; first</source>
-        <translation>a montagem move-se, clique primeiro em &quot;Manter&quot;</translation>
-    </message>
-</context>
-<context>
     <name>Forbidden</name>
     <message>
         <source>forbidden: %1</source>
@@ -412,65 +311,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     </message>
 </context>
 <context>
-    <name>MotionPermission</name>
-    <message>
-        <source>at the upper limit %1</source>
-        <translation>no limite superior %1</translation>
-    </message>
-    <message>
-        <source>at the lower limit %1</source>
-        <translation>no limite inferior %1</translation>
-    </message>
-    <message>
-        <source>the bus is released to other tools, press &quot;Take bus back&quot; first</source>
-        <translation>o barramento está entregue a outras ferramentas, clique primeiro em &quot;Retomar barramento&quot;</translation>
-    </message>
-    <message>
-        <source>no connection to the drives</source>
-        <translation>sem conexão aos acionamentos</translation>
-    </message>
-    <message>
-        <source>STOP is latched, press &quot;Reset stop&quot; first</source>
-        <translation>STOP está ativo, clique primeiro em &quot;Liberar STOP&quot;</translation>
-    </message>
-    <message>
-        <source>drive fault, press &quot;Re-arm&quot; first</source>
-        <translation>falha do acionamento, clique primeiro em &quot;Rearmar&quot;</translation>
-    </message>
-    <message>
-        <source>a calibration is running</source>
-        <translation>há uma calibração em curso</translation>
-    </message>
-    <message>
-        <source>the crash-stop proof moves the mount</source>
-        <translation>o ensaio de parada brusca move a montagem</translation>
-    </message>
-    <message>
-        <source>which turn the %1 is on is not known: answer the question (Ctrl+9)</source>
-        <translation>não se sabe em que volta está o eixo de %1: responda à pergunta (Ctrl+9)</translation>
-    </message>
-    <message>
-        <source>which turn the %1 is on is not known yet</source>
-        <translation>ainda não se sabe em que volta está o eixo de %1</translation>
-    </message>
-    <message>
-        <source>it is not confirmed yet which way the axes turn: jog each a little and confirm it first</source>
-        <translation>ainda não está confirmado para que lado giram os eixos: mova um pouco cada um e confirme primeiro</translation>
-    </message>
-    <message>
-        <source>the azimuth cable is not wound by more than half a turn</source>
-        <translation>o cabo de azimute não está enrolado mais de meia volta</translation>
-    </message>
-    <message>
-        <source>the drive does not say where the %1 is</source>
-        <translation>o acionamento não diz onde está o eixo de %1</translation>
-    </message>
-    <message>
-        <source>the mount moves: stop it first</source>
-        <translation>a montagem move-se: pare-a primeiro</translation>
-    </message>
-</context>
-<context>
     <name>PlotPicture</name>
     <message>
         <source>Sky plot</source>
@@ -482,10 +322,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
     <message>
         <source>another panel has changes that are not applied: apply or revert them first</source>
         <translation>outro painel tem alterações por aplicar: aplique-as ou reverta-as primeiro</translation>
-    </message>
-    <message>
-        <source>the mount moves: stop it first</source>
-        <translation>a montagem move-se: pare-a primeiro</translation>
     </message>
     <message>
         <source>Boresight was started with --simulate and stays so: start it with --bus %1 for this one</source>
@@ -5832,6 +5668,50 @@ do eixo</translation>
         <source>ends at %1, about %2</source>
         <translation>acaba a %1, por volta das %2</translation>
     </message>
+    <message>
+        <source>the drives are being read</source>
+        <translation>os acionamentos estão sendo lidos</translation>
+    </message>
+    <message>
+        <source>at the upper limit %1</source>
+        <translation>no limite superior %1</translation>
+    </message>
+    <message>
+        <source>at the lower limit %1</source>
+        <translation>no limite inferior %1</translation>
+    </message>
+    <message>
+        <source>whoever sends last moves the mount</source>
+        <translation>move a montagem quem envia por último</translation>
+    </message>
+    <message>
+        <source>it has the control</source>
+        <translation>já tem o controle</translation>
+    </message>
+    <message>
+        <source>it is not known where the %1 is</source>
+        <translation>não se sabe onde está: %1</translation>
+    </message>
+    <message>
+        <source>follow the %1 first</source>
+        <translation>primeiro é preciso seguir: %1</translation>
+    </message>
+    <message>
+        <source>nothing is proposed yet</source>
+        <translation>ainda não há nada proposto</translation>
+    </message>
+    <message>
+        <source>no scan waits for a power now</source>
+        <translation>nenhuma varredura espera agora por uma potência</translation>
+    </message>
+    <message>
+        <source>there are no points</source>
+        <translation>não há pontos</translation>
+    </message>
+    <message>
+        <source>every setting is right</source>
+        <translation>todos os parâmetros estão certos</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -6726,6 +6606,10 @@ modo moteus %1, falha %2</translation>
     <message>
         <source> (tried again in %1 s)</source>
         <translation> (nova tentativa em %1 s)</translation>
+    </message>
+    <message>
+        <source>select a client first</source>
+        <translation>selecione primeiro um cliente</translation>
     </message>
 </context>
 <context>
@@ -8908,6 +8792,10 @@ emergência por cabo junto ao mastro.</translation>
         <source>Diagnostics not saved: %1</source>
         <translation>Diagnóstico não gravado: %1</translation>
     </message>
+    <message>
+        <source>no connection to the drives</source>
+        <translation>sem conexão aos acionamentos</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::ModelPage</name>
@@ -9507,10 +9395,6 @@ el %2</translation>
     <message>
         <source>apply or revert the edits first</source>
         <translation>aplique ou reverta primeiro as alterações</translation>
-    </message>
-    <message>
-        <source>the mount moves, press &quot;Hold&quot; first</source>
-        <translation>a montagem move-se, clique primeiro em &quot;Manter&quot;</translation>
     </message>
     <message>
         <source>Different: %1</source>

@@ -2,6 +2,7 @@
 #include "ui/window/axis_readout.h"
 
 #include "tests/ui/find_widget.h"
+#include "tests/ui/sample_permissions.h"
 #include "tests/ui/sample_status.h"
 #include "ui/kit/value_label.h"
 
@@ -26,7 +27,7 @@ StationStatus pointed(const pointing::PointingTerms& terms)
     status.azimuth.target = 72.6_deg;
     status.elevation.actual = 20_deg;
     status.elevation.target = 20_deg;
-    return status;
+    return samples::judged(status);
 }
 
 // REQ-UI-39 (AxisReadout.*): Numbers and plot show true directions. What counts the axis (the readout's second line,

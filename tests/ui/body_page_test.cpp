@@ -3,7 +3,6 @@
 #include "ui/hold/jog_button.h"
 #include "ui/kit/format.h"
 #include "ui/kit/touch_combo.h"
-#include "ui/north/calibration_permission.h"
 #include "ui/north/calibration_words.h"
 #include "ui/north/scan_plot.h"
 

@@ -65,7 +65,7 @@ TEST_F(NorthTest, WithoutACalibrationDeskNothingIsOffered)
     EXPECT_EQ(text("What Apply changes"), QStringLiteral("Steps 1 to 3 find north"));
     expectBlocked("Apply north", "nothing is proposed yet");
     expectBlocked("Discard what is proposed", "nothing is proposed yet");
-    expectBlocked("Undo the calibration", "nothing applied here");
+    expectBlocked("Undo the calibration", "there is no calibration to take back");
     expectBlocked("Follow Sun", "it is not known where the Sun is");
 }
 
@@ -125,7 +125,7 @@ TEST_F(NorthTest, UndoAndRedoAreOfferedWhereThereIsSomethingAndTheHistoryWarnsOf
     EXPECT_EQ(text("Calibration in force"), QStringLiteral("In force: North from the compass swing"));
     click("Undo the calibration");
     EXPECT_EQ(wanted<request::UndoCalibration>().size(), 1u);
-    expectBlocked("Redo the calibration", "nothing was taken back");
+    expectBlocked("Redo the calibration", "there is no calibration to bring back");
     auto* const table = named<QTableView>("Calibrations that were applied");
     ASSERT_EQ(table->model()->rowCount(), 2);
     QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(table->model()->index(1, 1)).center());

@@ -284,17 +284,17 @@ TEST_F(DrivesTest, FixNeedsDrivesThatAreReadSwitchedOffAndWrong)
     StationStatus status = samples::factoryDrives();
     status.drives.switchedOn = true;
     give(samples::update(status));
-    expectBlocked("Fix …", "the drives are switched on");
+    expectBlocked("Fix …", "is switched on");
     give(samples::update(samples::idle()));
     expectBlocked("Fix …", "every setting is right");
     status.drives.fixable = false;
     give(samples::update(status));
-    expectBlocked("Fix …", "what differs is for a person to change");
+    expectBlocked("Fix …", "what is wrong is for a person to change");
     status.drives.survey = survey::SurveyState::NotDone;
     give(samples::update(status));
-    expectBlocked("Fix …", "the drives have not been read");
+    expectBlocked("Fix …", "the drives are not read yet");
     give(samples::update(samples::released()));
-    expectBlocked("Fix …", "the bus is released to other tools");
+    expectBlocked("Fix …", "the drives are not read yet");
 }
 
 TEST_F(DrivesTest, AnOpenQuestionIsBlockedWhenItCanNotBeDoneAnyMore)
@@ -378,7 +378,7 @@ TEST_F(DrivesTest, TheBusIsReleasedAndTakenBackByOneButton)
     EXPECT_EQ(text("Reason of the state"), QStringLiteral("bus released to other tools"));
     EXPECT_EQ(text("Station state"), QStringLiteral("DISCONNECTED"));
     EXPECT_NE(named<ValueLabel>("Station state")->tone(), Tone::Alarm) << "the operator wanted it";
-    expectBlocked("Go", "the bus is released to other tools");
+    expectBlocked("Go", "the bus is left to other tools");
     click("Take bus back");
     EXPECT_EQ(asked<request::TakeBus>().size(), 1u);
     give(samples::update(samples::tracking(100)));
@@ -447,7 +447,7 @@ TEST_F(DrivesTest, NoProofWhileTheMountMovesOrATurnIsUnknown)
     give(samples::update(samples::tracking(100)));
     expectBlocked("Run (both axes) …", "the mount moves");
     give(samples::update(samples::asking(Axis::Elevation, 3, 30_deg, false)));
-    expectBlocked("Run (both axes) …", "which turn the elevation is on");
+    expectBlocked("Run (both axes) …", "on which turn the axis of the elevation drive stands");
 }
 
 // REQ-UI-12: Nothing is offered that the drives, an unknown wrap or a released bus forbid, and the reason is shown.

@@ -53,6 +53,7 @@ protected:
     void putInForce(const profile::Profile& profile)
     {
         status.profile = std::make_shared<const profile::Profile>(profile);
+        aim();
         give(samples::update(status));
     }
     // Applied, connected anew, in force: as the station does with all that needs a reconnect.
@@ -71,7 +72,14 @@ protected:
         status.elevation.actual = place.elevation;
         status.azimuth.state = state;
         status.elevation.state = state;
+        aim();
         give(samples::update(status));
+    }
+    // The beam is where the axes are.
+    void aim()
+    {
+        const AxisPosition axes{.azimuth = *status.azimuth.actual, .elevation = *status.elevation.actual};
+        status.actual = pointing::upright(pointing::PointingModel(status.profile->pointing).toSky(axes));
     }
     JogButton& hold(Axis axis, bool upwards)
     {

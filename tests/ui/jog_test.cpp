@@ -283,8 +283,8 @@ TEST_F(JogTest, AtALimitOnlyTheWayBackIsOffered)
 TEST_F(JogTest, WhatCannotActSaysWhy)
 {
     const std::pair<StationStatus, const char*> cases[] = {{samples::stopped(), "STOP is latched"},
-                                                           {samples::faulted(), "Re-arm"},
-                                                           {samples::disconnected(), "no connection"}};
+                                                           {samples::faulted(), "re-arm first"},
+                                                           {samples::disconnected(), "no reply"}};
     for (const auto& [status, reason] : cases) {
         give(samples::update(status));
         for (const char* const name : {"Go", "Home", "Horizon", "Park", "Hold"}) {

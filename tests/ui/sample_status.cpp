@@ -2,6 +2,7 @@
 #include "tests/ui/sample_status.h"
 
 #include "tests/ui/sample_drives.h"
+#include "tests/ui/sample_permissions.h"
 
 #include <cmath>
 
@@ -359,7 +360,7 @@ std::vector<TickSample> ticks(SteadyTime begin, double seconds)
 StationUpdate update(const StationStatus& status)
 {
     StationUpdate update;
-    update.status = status;
+    update.status = judged(status);
     return update;
 }
 

@@ -3,7 +3,6 @@
 
 #include "core/base/peer_address.h"
 #include "ui/clients/client_model.h"
-#include "ui/clients/clients_permission.h"
 #include "ui/clients/gpredict_settings.h"
 #include "ui/kit/caption.h"
 #include "ui/kit/choice_button.h"
@@ -27,6 +26,12 @@ namespace boresight::ui {
 
 namespace {
 constexpr int kCellMargins = 10;  // px beside the text of a cell, both together
+
+QString whyNoClient(const ClientStatus* client)
+{
+    return client == nullptr ? ClientsPanel::tr("select a client first") : QString();
+}
+
 }  // namespace
 
 ClientsPanel::ClientsPanel(ProfileDraft& draft, RequestDesk& desk, QWidget* parent)
@@ -244,7 +249,7 @@ void ClientsPanel::showBroker()
 void ClientsPanel::showSelected()
 {
     const ClientStatus* const client = selected();
-    m_give->setBlocked(whyNoGiving(m_status, client));
+    m_give->setBlocked(client == nullptr ? whyNoClient(client) : client->leadObstacle);
     m_disconnect->setBlocked(whyNoClient(client));
     m_readOnly->setBlocked(whyNoClient(client));
     const bool readOnly = client != nullptr && client->readOnly;

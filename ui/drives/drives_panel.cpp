@@ -7,7 +7,6 @@
 #include "ui/kit/decimal_box.h"
 #include "ui/kit/format.h"
 #include "ui/kit/value_label.h"
-#include "ui/link/drives_permission.h"
 #include "ui/link/survey_words.h"
 
 #include <QGridLayout>
@@ -205,7 +204,7 @@ void DrivesPanel::showStatus(const StationStatus& status)
                           released ? tr("Open the adapter again and read the drives anew")
                                    : tr("Leave the adapter to other tools (tview, moteus_tool). Nothing moves until it "
                                         "is taken back."));
-    m_release->setBlocked(released ? QString() : whyNoRelease(status));
+    m_release->setBlocked(released ? QString() : status.permissions.reason(Action::ReleaseBus));
     showProof();
     showWhetherPossible(status);
 }
@@ -232,7 +231,7 @@ void DrivesPanel::showProof()
     m_run->setCommand(running ? tr("End proof") : tr("Run (both axes) …"),
                       running ? tr("Feed the drives again and hold")
                               : tr("Move each axis, stop feeding its drive, measure; asks first"));
-    m_run->setBlocked(running ? QString() : whyNoProof(m_status));
+    m_run->setBlocked(running ? QString() : m_status.permissions.reason(Action::ProveCrashStop));
     m_rate->setEnabled(!running);
     m_proof->setValue(m_status.drives.proofText, running ? Tone::Advisory : Tone::Secondary,
                       running ? Symbol::Advisory : Symbol::None);
@@ -252,7 +251,7 @@ void DrivesPanel::release()
                     "unbalanced elevation then drops a little."),
          .act = tr("Leave the bus"),
          .request = request::ReleaseBus{},
-         .whyNot = whyNoRelease},
+         .action = Action::ReleaseBus},
         m_status);
 }
 
@@ -273,7 +272,7 @@ void DrivesPanel::prove()
                      .arg(rateText(rate)),
          .act = tr("Move the mount"),
          .request = request::ProveCrashStop{rate},
-         .whyNot = whyNoProof},
+         .action = Action::ProveCrashStop},
         m_status);
 }
 

@@ -4,7 +4,6 @@
 #include "core/base/numbers.h"
 #include "ui/kit/axes.h"
 #include "ui/kit/symbol.h"
-#include "ui/link/drives_permission.h"
 
 #include <QCoreApplication>
 #include <QIcon>

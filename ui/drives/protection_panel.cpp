@@ -5,7 +5,6 @@
 #include "ui/kit/command_button.h"
 #include "ui/kit/read_table.h"
 #include "ui/kit/value_label.h"
-#include "ui/link/drives_permission.h"
 #include "ui/link/survey_words.h"
 
 #include <QHeaderView>
@@ -81,17 +80,18 @@ void ProtectionPanel::showStatus(const StationStatus& status)
     m_status = status;
     m_model->show(status.drives);
     showSurvey(status.drives);
-    m_read->setBlocked(whyNoReading(status));
-    m_fix->setBlocked(whyNoFix(status));
-    m_switchOff->setBlocked(whyNoSwitchOff(status));
+    m_read->setBlocked(status.permissions.reason(Action::ReadDrives));
+    m_fix->setBlocked(status.permissions.reason(Action::FixDrives));
+    m_switchOff->setBlocked(status.permissions.reason(Action::SwitchOff));
     showWhetherPossible(status);
 }
 
 // What stops the mount goes before how far the reading is; both fit nowhere else when the table is long.
 void ProtectionPanel::showSurvey(const DrivesStatus& drives)
 {
-    const bool resting = whyNoReading(m_status).isEmpty();
-    const Sentence line = resting && !drives.armingObstacle.isEmpty() ? armingSentence(drives) : surveySentence(drives);
+    const bool busy = drives.survey == survey::SurveyState::Running || drives.survey == survey::SurveyState::Fixing;
+    const Sentence line =
+        !busy && !drives.released && !drives.armingObstacle.isEmpty() ? armingSentence(drives) : surveySentence(drives);
     m_survey->setValue(line.text, line.tone, line.symbol);
 }
 
@@ -125,7 +125,7 @@ void ProtectionPanel::fix()
               .text = text,
               .act = tr("Write"),
               .request = request::FixDrives{},
-              .whyNot = whyNoFix},
+              .action = Action::FixDrives},
              m_status);
 }
 
@@ -136,7 +136,7 @@ void ProtectionPanel::switchOff()
                          "Keep people away from the antenna, or support it first."),
               .act = tr("Switch off"),
               .request = request::SwitchOff{},
-              .whyNot = whyNoSwitchOff},
+              .action = Action::SwitchOff},
              m_status);
 }
 

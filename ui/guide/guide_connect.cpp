@@ -7,7 +7,6 @@
 #include "ui/kit/format.h"
 #include "ui/kit/push_button.h"
 #include "ui/kit/value_label.h"
-#include "ui/link/drives_permission.h"
 #include "ui/link/host_desk.h"
 #include "ui/link/survey_words.h"
 
@@ -162,7 +161,7 @@ void GuideConnect::showButtons()
     const QString none = bus.isEmpty() ? tr("select an adapter first") : QString();
     m_scan->setBlocked(!none.isEmpty()         ? none
                        : !m_scanning.isEmpty() ? tr("%1 is being looked at").arg(m_scanning)
-                       : inUse                 ? whyNoReading(m_status)
+                       : inUse                 ? m_status.permissions.reason(Action::ReadDrives)
                                                : QString());
     const auto take = [bus = bus.toStdString(), ids = idsFound()](profile::Profile& profile) {
         profile::useBus(profile, bus, ids);

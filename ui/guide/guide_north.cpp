@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/guide/guide_north.h"
 
-#include "core/pointing/pointing_model.h"
 #include "core/profile/commissioning.h"
 #include "ui/hold/hold_buttons.h"
 #include "ui/kit/axes.h"
@@ -11,7 +10,6 @@
 #include "ui/kit/guide_fields.h"
 #include "ui/kit/push_button.h"
 #include "ui/kit/value_label.h"
-#include "ui/link/motion_permission.h"
 #include "ui/north/calibration_words.h"
 
 #include <QCheckBox>
@@ -188,7 +186,7 @@ AxisPosition GuideNorth::axes() const
 QString GuideNorth::whyNot() const
 {
     for (const Axis axis : kAxes) {
-        if (const QString reason = whyNoPlace(m_status, axis); !reason.isEmpty()) {
+        if (const QString reason = m_status.permissions.reason(setAction(axis)); !reason.isEmpty()) {
             return reason;
         }
     }
@@ -215,12 +213,12 @@ void GuideNorth::showEffect()
 {
     const profile::Profile& now = m_change.applied();
     const bool known = isBeamKnown();
-    const SkyPointing beam = pointing::upright(pointing::PointingModel(now.pointing).toSky(axes()));
+    const Angle beam = known ? m_status.actual->azimuth : Angle{};
     if (known && !m_typed && m_truth->hasAcceptableInput()) {  // else somebody is typing
         const QSignalBlocker silent(m_truth);
-        m_truth->setValue(beam.azimuth.degrees());
+        m_truth->setValue(beam.degrees());
     }
-    m_pointing->setValue(tr("It says it points to %1").arg(known ? angleText(beam.azimuth) : noValue()));
+    m_pointing->setValue(tr("It says it points to %1").arg(known ? angleText(beam) : noValue()));
     m_set->setBlocked(whyNot());
     if (!known || !m_typed) {
         m_effect->setValue({});

@@ -15,7 +15,6 @@
 #include "ui/kit/command_button.h"
 #include "ui/kit/push_button.h"
 #include "ui/kit/value_label.h"
-#include "ui/link/motion_permission.h"
 
 #include <QButtonGroup>
 #include <QShortcut>
@@ -290,7 +289,7 @@ void GuidePage::showHint()
                m_status.drives.survey == survey::SurveyState::Done) {
         hint = tr("Nothing may move before step 2, Protect, is done: %1").arg(m_status.drives.armingObstacle);
     } else if (moves(step)) {
-        hint = whyNoMotion(m_status);
+        hint = m_status.permissions.reason(Action::Move);
     }
     m_hint->setValue(hint, Tone::Warning, hint.isEmpty() ? Symbol::None : Symbol::Warning);
     m_hint->setVisible(!hint.isEmpty());

@@ -9,7 +9,6 @@
 #include "ui/kit/format.h"
 #include "ui/kit/guide_fields.h"
 #include "ui/kit/value_label.h"
-#include "ui/link/motion_permission.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -102,7 +101,7 @@ Angle GuideZero::truth() const
 QString GuideZero::whyNot() const
 {
     // The zero is read from a standing axis, also where its limits would allow the change in motion.
-    const QString reason = whyNoPlace(m_status, kAxis);
+    const QString reason = m_status.permissions.reason(setAction(kAxis));
     return reason.isEmpty() ? m_change.whyNot(m_status, edit()) : reason;
 }
 

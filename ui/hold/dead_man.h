@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/messages/request.h"
-#include "ui/link/motion_permission.h"
 
 #include <QObject>
 #include <QTimer>

@@ -6,6 +6,7 @@
 #include "ui/kit/command_button.h"
 #include "ui/kit/request_desk.h"
 #include "ui/kit/value_label.h"
+#include "ui/link/motion_state.h"
 
 #include <QGridLayout>
 #include <QKeyEvent>
@@ -102,7 +103,7 @@ void JogPad::connectButton(JogDirection direction)
 
 void JogPad::press(JogDirection direction, bool oneStep)
 {
-    const QString reason = oneStep ? whyNoStep(m_status, direction) : whyNoJog(m_status, direction);
+    const QString reason = m_status.permissions.reason(oneStep ? stepAction(direction) : jogAction(direction));
     if (!reason.isEmpty()) {
         if (oneStep) {  // the button does not look as if it could not: it would jog
             m_notice.setValue(tr("Step: %1").arg(reason), Tone::Warning, Symbol::Warning);
@@ -176,13 +177,13 @@ void JogPad::showStatus(const StationStatus& status)
 {
     m_status = status;
     for (const auto& [direction, button] : m_buttons) {
-        const QString reason = m_stepMode ? whyNoStep(status, direction) : whyNoJog(status, direction);
+        const QString reason = status.permissions.reason(m_stepMode ? stepAction(direction) : jogAction(direction));
         button->setBlocked(reason);
         if (!reason.isEmpty()) {
             m_deadMan.letGo(direction);
         }
     }
-    m_hold->setBlocked(whyNoMotion(status));
+    m_hold->setBlocked(status.permissions.reason(Action::Move));
     applyRate();
     showCaption();
 }
@@ -190,7 +191,7 @@ void JogPad::showStatus(const StationStatus& status)
 void JogPad::steer(double azimuth, double elevation)
 {
     const auto permitted = [this](double part, JogDirection plus, JogDirection minus) {
-        return part != 0.0 && whyNoJog(m_status, part > 0.0 ? plus : minus).isEmpty() ? part : 0.0;
+        return part != 0.0 && m_status.permissions.allows(jogAction(part > 0.0 ? plus : minus)) ? part : 0.0;
     };
     const bool held = m_deadMan.isHeld();
     m_deadMan.steer(permitted(azimuth, JogDirection::Right, JogDirection::Left),
@@ -237,7 +238,7 @@ void JogPad::setNarrow()
 void JogPad::applyRate()
 {
     const AngularRate wanted = m_shift ? m_status.profile->jog.fast : m_rate;
-    m_deadMan.setRate(std::min(wanted, fastestJog(m_status)));
+    m_deadMan.setRate(std::min(wanted, m_status.permissions.fastestJog));
 }
 
 void JogPad::showCaption()

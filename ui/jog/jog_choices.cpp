@@ -7,7 +7,6 @@
 #include "ui/kit/choice_button.h"
 #include "ui/kit/format.h"
 #include "ui/kit/value_label.h"
-#include "ui/link/motion_permission.h"
 
 #include <QButtonGroup>
 #include <QVBoxLayout>
@@ -79,7 +78,7 @@ QWidget* JogChoices::makeSteps()
 void JogChoices::showStatus(const StationStatus& status)
 {
     const profile::JogSettings& rates = status.profile->jog;
-    const AngularRate fastest = fastestJog(status);
+    const AngularRate fastest = status.permissions.fastestJog;
     if (rates == m_rates && fastest == m_fastest) {
         return;
     }

@@ -7,8 +7,6 @@
 #include "ui/kit/command_button.h"
 #include "ui/kit/format.h"
 #include "ui/kit/value_label.h"
-#include "ui/link/forbidden.h"
-#include "ui/link/motion_permission.h"
 
 #include <QGridLayout>
 
@@ -85,18 +83,15 @@ QWidget* JogPanel::makeLowest()
 
 void JogPanel::showStatus(const StationStatus& status)
 {
-    if (status.profile != m_status.profile || status.sunKeepOuts != m_status.sunKeepOuts) {
-        m_homeForbidden = whyHomeForbidden(status);
-    }
     m_status = status;
     m_choices->showStatus(status);
     m_pad->showStatus(status);
     m_presets->showStatus(status);
-    const QString reason = whyNoPointing(status);
+    const QString reason = status.permissions.reason(Action::Point);
     m_goTo->setBlocked(reason);
     m_horizon->setBlocked(reason);
-    m_home->setBlocked(reason.isEmpty() ? m_homeForbidden : reason);
-    m_unwind->setBlocked(whyNoUnwind(status));
+    m_home->setBlocked(status.permissions.reason(Action::Home));
+    m_unwind->setBlocked(status.permissions.reason(Action::Unwind));
     showPark();
     showTrim();
 }
@@ -105,10 +100,10 @@ void JogPanel::showPark()
 {
     if (m_status.state == StationState::Parked) {
         m_park->setCommand(tr("Unpark"), tr("Leave PARKED and hold this position; nothing moves"));
-        m_park->setBlocked(whyNoMotion(m_status));
+        m_park->setBlocked(m_status.permissions.reason(Action::Move));
     } else {
         m_park->setCommand(tr("Park"), tr("Go to the park position %1 (Ctrl+P)").arg(axisText(m_status.profile->park)));
-        m_park->setBlocked(whyNoPointing(m_status));
+        m_park->setBlocked(m_status.permissions.reason(Action::Park));
     }
 }
 
@@ -133,7 +128,7 @@ void JogPanel::parkOrUnpark()
 
 void JogPanel::park()
 {
-    const QString obstacle = whyNoPointing(m_status);
+    const QString obstacle = m_status.permissions.reason(Action::Park);
     const QString reason =
         obstacle.isEmpty() && m_status.state == StationState::Parked ? tr("the mount is parked already") : obstacle;
     if (reason.isEmpty()) {
@@ -156,7 +151,7 @@ void JogPanel::beat()
 // Only where the operator sees what it does: in front of this panel, in the active window.
 void JogPanel::takeGamepad(const GamepadSample& sample)
 {
-    const bool permitted = isVisible() && window()->isActiveWindow() && whyNoMotion(m_status).isEmpty();
+    const bool permitted = isVisible() && window()->isActiveWindow() && m_status.permissions.allows(Action::Move);
     const Steering steering = m_pilot.take(sample, permitted);
     m_pad->steer(steering.azimuth, steering.elevation);
     if (m_pilot.takeStop()) {

@@ -64,7 +64,6 @@ private:
     CommandButton* m_unwind;
     GamepadPilot m_pilot;
     StationStatus m_status;
-    QString m_homeForbidden;
 };
 
 }  // namespace boresight::ui

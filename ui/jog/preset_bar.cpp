@@ -5,7 +5,6 @@
 #include "ui/kit/format.h"
 #include "ui/kit/touch_combo.h"
 #include "ui/link/forbidden.h"
-#include "ui/link/motion_permission.h"
 #include "ui/link/profile_draft.h"
 
 #include <QHBoxLayout>
@@ -111,7 +110,7 @@ void PresetBar::showPermissions()
 
 QString PresetBar::whyNoGo() const
 {
-    const QString reason = whyNoPointing(m_status);
+    const QString reason = m_status.permissions.reason(Action::Point);
     return !reason.isEmpty() ? reason : chosen() ? m_forbidden : tr("there is no preset of this name");
 }
 

@@ -102,7 +102,7 @@ void AskingPanel::carryOut()
 // Once it can not be done, what the question says may be out of date: it must be asked anew.
 void AskingPanel::showWhetherPossible(const StationStatus& status)
 {
-    const QString reason = isAsking() ? m_question.whyNot(status) : QString();
+    const QString reason = isAsking() && m_question.action ? status.permissions.reason(*m_question.action) : QString();
     if (!reason.isEmpty()) {
         m_act->setBlocked(reason);
         m_notice->setValue(tr("Not now: %1").arg(reason), Tone::Warning, Symbol::Warning);

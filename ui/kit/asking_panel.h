@@ -7,6 +7,7 @@
 #include <QStackedWidget>
 
 #include <functional>
+#include <optional>
 
 class QLabel;
 class QLineEdit;
@@ -29,7 +30,7 @@ struct Question
     QString text;
     QString act;  // on the button that does it
     Request request;
-    QString (*whyNot)(const StationStatus&) = nullptr;  // why it can not be done (any more)
+    std::optional<Action> action = {};  // of the station, which may not permit it (any more)
     // In place of the request, where it is nothing for the station; gets what was typed.
     std::function<void(const QString&)> perform = {};
     QString typedName = {};  // of the text to type; empty: there is none

@@ -39,11 +39,4 @@ QString whyForbidden(const StationStatus& status, const SkyPointing& direction)
     return forbidden(resolved.limited ? resolved.reason : region.obstacle(resolved.position));
 }
 
-QString whyHomeForbidden(const StationStatus& status)
-{
-    const pointing::PermittedRegion region = regionOf(status);
-    return forbidden(region.reason(
-        {.azimuth = region.ranges().azimuth.clamped(0_deg), .elevation = region.ranges().elevation.clamped(0_deg)}));
-}
-
 }  // namespace boresight::ui

@@ -10,6 +10,5 @@ namespace boresight::ui {
 // Why the profile in force, or the Sun, does not let the mount point there, in the words of the core; empty if it does.
 // Advice before the click: the station decides again.
 [[nodiscard]] QString whyForbidden(const StationStatus& status, const SkyPointing& direction);
-[[nodiscard]] QString whyHomeForbidden(const StationStatus& status);  // request::Home
 
 }  // namespace boresight::ui

@@ -3,7 +3,6 @@
 
 #include "core/profile/profile_diff.h"
 #include "ui/kit/command_button.h"
-#include "ui/link/motion_permission.h"
 
 namespace boresight::ui {
 
@@ -45,7 +44,7 @@ QString ProfileChange::whyNot(const StationStatus& status, const Edit& edit) con
     if (const auto problems = m_draft.problemsOf(wanted); !problems.empty()) {
         return QString::fromStdString(problems.front().key + ": " + problems.front().text);
     }
-    return needsReconnect(wanted) && isMoving(status) ? tr("the mount moves: stop it first") : QString();
+    return needsReconnect(wanted) ? status.permissions.reason(Action::Reconnect) : QString();
 }
 
 // With --simulate another bus is one for later, and what else is changed meanwhile is the simulated mount's.

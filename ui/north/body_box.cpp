@@ -7,7 +7,6 @@
 #include "ui/kit/format.h"
 #include "ui/kit/touch_combo.h"
 #include "ui/kit/value_label.h"
-#include "ui/north/calibration_permission.h"
 #include "ui/north/calibration_words.h"
 
 #include <QCheckBox>
@@ -84,7 +83,7 @@ bool BodyBox::isFollowed() const
 
 QString BodyBox::whyNotFollowed() const
 {
-    return whyNoBody(m_status, m_body, m_overTheTop->isChecked());
+    return m_status.permissions.reason(followAction(m_body, m_overTheTop->isChecked()));
 }
 
 void BodyBox::describe()
@@ -104,7 +103,7 @@ void BodyBox::describe()
     m_follow->setBlocked(reason);
     m_refraction->setEnabled(!followed);
     m_overTheTop->setEnabled(!followed);
-    m_take->setBlocked(whyNoBodyPoint(m_status, m_body));
+    m_take->setBlocked(m_status.permissions.reason(actionOf(Action::TakeSun, m_body)));
     m_where->setValue(whereText(), reason.isEmpty() ? Tone::Normal : Tone::Secondary);
 }
 

@@ -3,7 +3,6 @@
 
 #include "ui/kit/command_button.h"
 #include "ui/kit/value_label.h"
-#include "ui/north/calibration_permission.h"
 #include "ui/north/calibration_words.h"
 
 #include <QHBoxLayout>
@@ -63,9 +62,9 @@ void CalibrationBar::showStatus(const StationStatus& status)
         calibration.proposal && keepsNorth(*calibration.proposal) ? tr("Apply to sensor") : tr("Apply north"),
         calibration.proposal ? tr("Into force at once, nothing moves: %1").arg(changeText(*calibration.proposal))
                              : QString());
-    m_apply->setBlocked(whyNoApply(status));
-    m_discard->setBlocked(whyNoDiscard(status));
-    m_undo->setBlocked(whyNoUndo(status));
+    m_apply->setBlocked(status.permissions.reason(Action::ApplyCalibration));
+    m_discard->setBlocked(status.permissions.reason(Action::DiscardCalibration));
+    m_undo->setBlocked(status.permissions.reason(Action::UndoCalibration));
 }
 
 // A warning comes first: there is not room for all of it.

@@ -99,6 +99,13 @@ QString noFitText(const CalibrationStatus& calibration)
 
 }  // namespace
 
+const BodyNow* bodyNow(const StationStatus& status, ephemeris::Body body)
+{
+    const auto& bodies = calibrationOf(status).bodies;
+    const auto found = std::ranges::find(bodies, body, &BodyNow::body);
+    return found == bodies.end() ? nullptr : &*found;
+}
+
 const CalibrationStatus& calibrationOf(const StationStatus& status)
 {
     static const CalibrationStatus nothing;

@@ -15,6 +15,7 @@ namespace boresight::ui {
 
 // Never null, whatever the status holds: without a calibration desk there is nothing to tell.
 [[nodiscard]] const CalibrationStatus& calibrationOf(const StationStatus& status);
+[[nodiscard]] const BodyNow* bodyNow(const StationStatus& status, ephemeris::Body body);  // null: not known
 
 [[nodiscard]] QString offsetText(const calibration::Estimate& estimate);    // "+37.40° ± 1.20°", the shorter way
 [[nodiscard]] QString estimateText(const calibration::Estimate& estimate);  // "37.41° ± 1.80°"

@@ -5,7 +5,6 @@
 #include "ui/kit/format.h"
 #include "ui/kit/read_table.h"
 #include "ui/kit/value_label.h"
-#include "ui/north/calibration_permission.h"
 #include "ui/north/calibration_words.h"
 #include "ui/north/history_model.h"
 
@@ -90,7 +89,7 @@ HistoryPage::HistoryPage(RequestDesk& desk, QWidget* parent)
 
 void HistoryPage::showStatus(const StationStatus& status)
 {
-    m_redo->setBlocked(whyNoRedo(status));
+    m_redo->setBlocked(status.permissions.reason(Action::RedoCalibration));
     if (status.calibration == m_shown) {
         return;
     }

@@ -5,7 +5,6 @@
 #include "ui/kit/command_button.h"
 #include "ui/kit/guide_fields.h"
 #include "ui/kit/value_label.h"
-#include "ui/north/calibration_permission.h"
 #include "ui/north/calibration_words.h"
 
 #include <QDoubleSpinBox>
@@ -74,8 +73,8 @@ void LandmarkBox::showStatus(const StationStatus& status)
 
 void LandmarkBox::describe()
 {
-    const QString reason =
-        isTold() ? whyNoLandmark(m_status) : tr("type the direction of the landmark first, 0 and 0 with its name");
+    const QString reason = isTold() ? m_status.permissions.reason(Action::TakeKnownPoint)
+                                    : tr("type the direction of the landmark first, 0 and 0 with its name");
     m_take->setBlocked(reason);
     m_state->setValue(reason.isEmpty() ? tr("points taken: %1").arg(calibrationOf(m_status).points.size())
                                        : tr("Not now: %1").arg(reason),

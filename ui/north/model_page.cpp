@@ -6,7 +6,6 @@
 #include "ui/kit/format.h"
 #include "ui/kit/read_table.h"
 #include "ui/kit/value_label.h"
-#include "ui/north/calibration_permission.h"
 #include "ui/north/calibration_words.h"
 #include "ui/north/point_model.h"
 #include "ui/north/residual_sky.h"
@@ -189,7 +188,7 @@ void ModelPage::showSelected()
     m_use->setCommand(
         isUsed ? tr("Leave out") : tr("Use again"),
         isUsed ? tr("The selected point stays in the list and does not count") : tr("The selected point counts again"));
-    QString reason = whyNoPointChange(m_status);
+    QString reason = m_status.permissions.reason(Action::ChangePoints);
     if (reason.isEmpty() && row < 0) {
         reason = tr("select a point first");
     }

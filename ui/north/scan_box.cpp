@@ -7,7 +7,6 @@
 #include "ui/kit/format.h"
 #include "ui/kit/guide_fields.h"
 #include "ui/kit/value_label.h"
-#include "ui/north/calibration_permission.h"
 #include "ui/north/calibration_words.h"
 #include "ui/north/run_line.h"
 #include "ui/north/scan_plot.h"
@@ -157,7 +156,7 @@ void ScanBox::showStatus(const StationStatus& status)
     m_running = calibration.progress.run == CalibrationRun::CrossScan;
     m_body = m_running ? calibration.body.value_or(m_wanted) : m_wanted;
     const QString body = bodyName(m_body);
-    const QString reason = m_running ? QString() : whyNoScan(status, m_body);
+    const QString reason = m_running ? QString() : status.permissions.reason(actionOf(Action::ScanSun, m_body));
     m_run->showProgress(calibration.progress, idleText(calibration, reason));
     m_start->setCommand(m_running ? tr("End scan") : tr("Scan %1").arg(body),
                         m_running ? tr("No point is taken")
@@ -168,7 +167,7 @@ void ScanBox::showStatus(const StationStatus& status)
     showFound(calibration);
     const Sentence line = lineSentence(calibration.powerLine);
     m_line->setValue(line.text, line.tone, line.symbol);
-    m_give->setBlocked(whyNoPower(status));
+    m_give->setBlocked(status.permissions.reason(Action::GivePower));
 }
 
 void ScanBox::startOrEnd()

@@ -6,7 +6,6 @@
 #include "ui/kit/format.h"
 #include "ui/kit/push_button.h"
 #include "ui/kit/value_label.h"
-#include "ui/north/calibration_permission.h"
 #include "ui/north/calibration_words.h"
 #include "ui/north/compass_dial.h"
 #include "ui/north/run_line.h"
@@ -155,7 +154,7 @@ void SensorPage::showOffer(const StationStatus& status)
 void SensorPage::showAverage(const StationStatus& status)
 {
     const CalibrationStatus& calibration = calibrationOf(status);
-    const QString reason = m_running ? QString() : whyNoSensorAverage(status);
+    const QString reason = m_running ? QString() : status.permissions.reason(Action::AverageSensor);
     m_run->showProgress(calibration.progress,
                         reason.isEmpty()
                             ? tr("The mount stands still, motors at rest; the sensor is averaged for some 20 s")

@@ -5,7 +5,6 @@
 #include "ui/kit/command_button.h"
 #include "ui/kit/guide_fields.h"
 #include "ui/kit/value_label.h"
-#include "ui/north/calibration_permission.h"
 #include "ui/north/calibration_words.h"
 #include "ui/north/deviation_plot.h"
 #include "ui/north/run_line.h"
@@ -100,7 +99,7 @@ void SwingPage::showStatus(const StationStatus& status)
 {
     const CalibrationStatus& calibration = calibrationOf(status);
     const bool wasRunning = std::exchange(m_running, calibration.progress.run == CalibrationRun::Swing);
-    const QString reason = m_running ? QString() : whyNoSwing(status);
+    const QString reason = m_running ? QString() : status.permissions.reason(Action::Swing);
     m_run->showProgress(calibration.progress,
                         reason.isEmpty() ? calibration.swingPlan.text : tr("Not now: %1").arg(reason));
     m_rate->setEnabled(!m_running);

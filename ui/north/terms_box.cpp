@@ -9,7 +9,6 @@
 #include "ui/kit/guide_fields.h"
 #include "ui/kit/text_file.h"
 #include "ui/kit/value_label.h"
-#include "ui/north/calibration_permission.h"
 #include "ui/north/calibration_words.h"
 
 #include <QDoubleSpinBox>
@@ -117,7 +116,7 @@ void TermsBox::showStatus(const StationStatus& status)
             one.box->setValue(one.inForce.degrees());
         }
     }
-    const QString reason = whyNoGivenTerms(status);
+    const QString reason = status.permissions.reason(Action::ProposeTerms);
     m_propose->setBlocked(reason);
     m_import->setBlocked(reason);
     m_export->setBlocked(status.calibration ? QString() : tr("the station has told no terms yet"));

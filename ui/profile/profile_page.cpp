@@ -4,7 +4,6 @@
 #include "ui/kit/command_button.h"
 #include "ui/kit/push_button.h"
 #include "ui/kit/value_label.h"
-#include "ui/link/motion_permission.h"
 #include "ui/link/profile_draft_bar.h"
 #include "ui/profile/settings_view.h"
 
@@ -186,7 +185,7 @@ QString ProfilePage::whyNoSwitch() const
     if (m_draft.hasEdits()) {
         return tr("apply or revert the edits first");
     }
-    return isMoving(m_status) ? tr("the mount moves, press \"Hold\" first") : QString();
+    return m_status.permissions.reason(Action::Reconnect);
 }
 
 void ProfilePage::tell(const QString& text)

@@ -5,7 +5,6 @@
 #include "core/profile/profile_history.h"
 #include "core/profile/setting.h"
 #include "ui/kit/file_dialog.h"
-#include "ui/link/motion_permission.h"
 #include "ui/profile/profile_page.h"
 
 #include <QFileInfo>
@@ -17,16 +16,6 @@ namespace boresight::ui {
 namespace {
 
 const QString kNameKey = QStringLiteral("mount.name");
-
-QString nothingAgainst(const StationStatus&)
-{
-    return {};
-}
-
-QString whyNoReconnect(const StationStatus& status)
-{
-    return isMoving(status) ? ProfilePage::tr("the mount moves, press \"Hold\" first") : QString();
-}
 
 // One line for each setting that differs, as the operator reads it.
 QString differences(const profile::Profile& from, const profile::Profile& to)
@@ -86,8 +75,7 @@ void ProfilePage::write(const Outcome& work, const QString& done)
 
 void ProfilePage::ask(const QString& title, const QString& text, const QString& act, const Perform& perform)
 {
-    askFirst({.title = title, .text = text, .act = act, .request = {}, .whyNot = nothingAgainst, .perform = perform},
-             m_status);
+    askFirst({.title = title, .text = text, .act = act, .request = {}, .perform = perform}, m_status);
 }
 
 void ProfilePage::switchTo()
@@ -107,7 +95,7 @@ void ProfilePage::switchTo()
                   .text = lines,
                   .act = tr("Switch"),
                   .request = request::Reconnect{other},
-                  .whyNot = whyNoReconnect},
+                  .action = Action::Reconnect},
                  m_status);
     });
 }
@@ -131,7 +119,6 @@ void ProfilePage::duplicate()
                     "not copied."),
          .act = tr("Duplicate"),
          .request = {},
-         .whyNot = nothingAgainst,
          .perform = perform,
          .typedName = tr("Name of the new mount"),
          .typed = tr("%1 copy").arg(mount.mountName)},
@@ -165,7 +152,6 @@ void ProfilePage::rename()
                     "for again, unless the drives can tell them."),
          .act = tr("Rename"),
          .request = {},
-         .whyNot = nothingAgainst,
          .perform = perform,
          .typedName = tr("New name of the mount"),
          .typed = mount.mountName},

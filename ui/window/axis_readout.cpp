@@ -141,7 +141,7 @@ void AxisReadout::showStatus(const StationStatus& status)
     m_shown = {status.azimuth, status.elevation};
     m_turnKnown = {isTurnKnown(status, Axis::Azimuth), isTurnKnown(status, Axis::Elevation)};
     m_trim = status.trim;
-    m_pointing = pointing::PointingModel(status.profile->pointing);
+    m_hasModel = status.profile->pointing != pointing::PointingTerms{};
     for (const Axis axis : kAxes) {
         showRow(axis, isTurnKnown(status, axis), isTurnAwaited(status, axis));
     }
@@ -156,8 +156,8 @@ void AxisReadout::showRow(Axis which, bool turnKnown, bool turnAwaited)
     // On an unknown turn the drive counts from anywhere: no number at all.
     const bool known = axis.actual && age != Freshness::NoData && turnKnown;
     const Tone tone = age == Freshness::Live ? Tone::Normal : Tone::Secondary;
-    const auto actual = known ? beam(which, &AxisStatus::actual) : std::nullopt;
-    const auto target = beam(which, &AxisStatus::target);
+    const auto actual = known ? axis.beam.actual : std::nullopt;
+    const auto target = axis.beam.target;
     row.actual->setValue(actual ? angleText(shown(*actual)) : noValue(), actual ? tone : Tone::Secondary);
     row.target->setValue(target ? angleText(shown(*target)) : noValue(), target ? Tone::Normal : Tone::Secondary);
     const bool comparable = known && axis.target;
@@ -170,21 +170,6 @@ void AxisReadout::showRow(Axis which, bool turnKnown, bool turnAwaited)
     row.detail->setValue(detail(which), !live ? Tone::Warning : trimmed ? Tone::Accent : Tone::Secondary);
 }
 
-// What the beam has where the axes are; one angle of a model needs both of the axes.
-std::optional<Angle> AxisReadout::beam(Axis which, std::optional<Angle> AxisStatus::*angle) const
-{
-    const std::optional<Angle>& azimuth = m_shown[0].*angle;
-    const std::optional<Angle>& elevation = m_shown[1].*angle;
-    if (m_pointing.isIdentity()) {
-        return which == Axis::Azimuth ? azimuth : elevation;
-    }
-    if (!azimuth || !elevation) {
-        return std::nullopt;
-    }
-    const SkyPointing direction = m_pointing.toSky({*azimuth, *elevation});
-    return which == Axis::Azimuth ? direction.azimuth : direction.elevation;
-}
-
 QString AxisReadout::detail(Axis which) const
 {
     const AxisStatus& axis = m_shown[axisIndex(which)];
@@ -193,7 +178,7 @@ QString AxisReadout::detail(Axis which) const
     if (const Angle trim = trimOf(m_trim, which); trim != 0_deg) {
         parts << tr("trim %1").arg(signedAngleText(trim));
     }
-    if (axis.actual && turnKnown && !m_pointing.isIdentity() && freshness(axis.age) != Freshness::NoData) {
+    if (axis.actual && turnKnown && m_hasModel && freshness(axis.age) != Freshness::NoData) {
         parts << tr("axis %1").arg(angleText(*axis.actual));
     }
     if (const QString text = detailText(axis, turnKnown); !text.isEmpty()) {

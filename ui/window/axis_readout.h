@@ -41,13 +41,12 @@ private:
     Row makeRow(Axis axis);
     void showRow(Axis which, bool turnKnown, bool turnAwaited);
     [[nodiscard]] QString detail(Axis which) const;
-    [[nodiscard]] std::optional<Angle> beam(Axis which, std::optional<Angle> AxisStatus::*angle) const;
 
     std::array<Row, 2> m_rows;  // by Axis
     std::array<AxisStatus, 2> m_shown;
     std::array<bool, 2> m_turnKnown{};
     std::optional<SkyPointing> m_trim;
-    pointing::PointingModel m_pointing;
+    bool m_hasModel = false;  // the axes do not show the truth
 };
 
 }  // namespace boresight::ui

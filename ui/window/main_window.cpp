@@ -16,7 +16,7 @@
 #include "ui/kit/value_label.h"
 #include "ui/limits/limits_panel.h"
 #include "ui/link/forbidden.h"
-#include "ui/link/motion_permission.h"
+#include "ui/link/motion_state.h"
 #include "ui/log/log_panel.h"
 #include "ui/north/calibration_panel.h"
 #include "ui/sky/polar_plot.h"
@@ -111,6 +111,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(m_panels, &PanelTabs::broughtUp, this, &MainWindow::closeGuide);
     connect(m_panels, &PanelTabs::guideWanted, this, &MainWindow::openGuide);
     m_beat.start(kBeat);
+    m_status.permissions = Permissions::none(tr("no connection to the drives"));  // until the station tells its own
     showStatus(m_status);
     resize(1280, 800);
 }
@@ -245,7 +246,7 @@ void MainWindow::showStatus(const StationStatus& status)
 
 void MainWindow::blockGoHere(const StationStatus& status)
 {
-    const QString reason = whyNoPointing(status);
+    const QString reason = status.permissions.reason(Action::Point);
     m_goHere->setBlocked(reason.isEmpty() ? m_forbidden : reason);
 }
 

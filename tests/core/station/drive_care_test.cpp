@@ -21,6 +21,9 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 constexpr Seconds kDriveCareTick{0.02};
+const std::vector<std::pair<Action, Request>> kOfTheDrives{{Action::ReadDrives, request::ReadDrives{}},
+                                                           {Action::FixDrives, request::FixDrives{}},
+                                                           {Action::ReleaseBus, request::ReleaseBus{}}};
 
 struct CareRig
 {
@@ -75,6 +78,20 @@ struct CareRig
         DrivesStatus status = control.status().drives;
         care.fill(status);
         return status;
+    }
+
+    [[nodiscard]] std::string obstacle(Action action) const
+    {
+        Permissions may = control.status().permissions;
+        care.judge(may);
+        return may.reason(action).toStdString();
+    }
+
+    // Before the control is asked.
+    [[nodiscard]] std::string refusal(const Request& request) const
+    {
+        const Result<> may = care.admits(request);
+        return may ? std::string() : may.error().text;
     }
 
     // As the station does it; empty when accepted.
@@ -186,6 +203,10 @@ TEST(DriveCare, FixingMakesTheDrivesFitAndEndsTheAlarm)
     EXPECT_EQ(wrong->fix, QStringLiteral("10 (hold)")) << "the screen lists it before it is written";
     ASSERT_EQ(rig.ask(request::FixDrives{}), "");
     EXPECT_EQ(rig.drives().survey, SurveyState::Fixing);
+    for (const auto& [action, wanted] : kOfTheDrives) {
+        EXPECT_THAT(rig.obstacle(action), HasSubstr("settings are being written"));
+        EXPECT_EQ(rig.refusal(wanted), rig.obstacle(action));
+    }
     EXPECT_NE(rig.ask(kGo), "");
     ASSERT_TRUE(rig.endsItsSurvey());
     EXPECT_EQ(rig.pair.drive(Axis::Elevation).driveConfig().servo.timeoutMode, 10);
@@ -215,6 +236,20 @@ TEST(DriveCare, TheProtectionsAreThoseOfTheProfileInForce)
     ASSERT_EQ(rig.ask(request::FixDrives{}), "");
     ASSERT_TRUE(rig.endsItsSurvey());
     EXPECT_FALSE(rig.drives().fixable);
+}
+
+TEST(DriveCare, WhatIsReadOrRightIsNotOfferedAgain)
+{
+    CareRig rig;
+    ASSERT_TRUE(rig.reaches(SurveyState::Running));
+    EXPECT_EQ(rig.obstacle(Action::ReadDrives), "the drives are being read");
+    EXPECT_EQ(rig.refusal(request::ReadDrives{}), "the drives are being read");
+    EXPECT_EQ(rig.obstacle(Action::FixDrives), "the drives are being read");
+    ASSERT_TRUE(rig.endsItsSurvey());
+    EXPECT_EQ(rig.obstacle(Action::ReadDrives), "");
+    EXPECT_EQ(rig.obstacle(Action::FixDrives), "every setting is right");
+    EXPECT_EQ(rig.refusal(request::FixDrives{}), "every setting is right");
+    EXPECT_EQ(rig.ask(request::ReadDrives{}), "");
 }
 
 // A drive that is written while it is active lets its axis go (fault 41).

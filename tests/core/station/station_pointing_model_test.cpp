@@ -70,6 +70,11 @@ TEST(StationPointingModel, AClientsTargetIsATrueDirection)
         ASSERT_TRUE(shown);
         EXPECT_NEAR(fakes::separation(*shown, {100_deg, 20_deg}), 0.0, 1e-3);
     }
+    for (const auto beam : {&BeamAngles::actual, &BeamAngles::commanded, &BeamAngles::target}) {
+        ASSERT_TRUE(status.azimuth.beam.*beam && status.elevation.beam.*beam);
+        EXPECT_NEAR((status.azimuth.beam.*beam)->degrees(), 100.0, 1e-3);
+        EXPECT_NEAR((status.elevation.beam.*beam)->degrees(), 20.0, 1e-3);
+    }
     EXPECT_EQ(status.targetText, QStringLiteral("P 100.00° 20.00°"));
 }
 

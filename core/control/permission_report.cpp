@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/control/permission_report.h"
+
+#include "core/base/text.h"
+#include "core/control/gates.h"
+
+namespace boresight {
+namespace {
+
+const Source kTheOperator{.kind = SourceKind::Operator};
+
+void judge(Permissions& may, Action action, const Result<>& answer)
+{
+    may.refuse(action, answer ? QString() : toQString(answer.error().text));
+}
+
+struct Way
+{
+    JogDirection direction;
+    Axis axis;
+    bool upwards;
+};
+constexpr std::array kWays{
+    Way{JogDirection::Up, Axis::Elevation, true}, Way{JogDirection::Down, Axis::Elevation, false},
+    Way{JogDirection::Left, Axis::Azimuth, false}, Way{JogDirection::Right, Axis::Azimuth, true}};
+
+AxisRates ratesOf(const Way& way, AngularRate rate)
+{
+    const AngularRate wanted = way.upwards ? rate : -rate;
+    return way.axis == Axis::Azimuth ? AxisRates{.azimuth = wanted} : AxisRates{.elevation = wanted};
+}
+
+}  // namespace
+
+Permissions PermissionReport::permissions() const
+{
+    Permissions may;
+    judge(may, Action::Move, Gates(m_of).mayMove(kTheOperator));
+    judgePlaces(may);
+    judgeJogs(may);
+    judgeDrives(may);
+    return may;
+}
+
+// Whether there is a way to a place is looked for when the mount is sent there: that takes too long for each status.
+void PermissionReport::judgePlaces(Permissions& may) const
+{
+    const Gates gates(m_of);
+    const Result<> point = gates.mayPoint(kTheOperator);
+    judge(may, Action::Point, point);
+    judge(may, Action::Park, point.and_then([&] { return gates.mayBeAt(m_of.profile.park); }));
+    judge(may, Action::Home, point.and_then([&] { return gates.mayBeAt(gates.home()); }));
+    judge(may, Action::Unwind, point.and_then([&] { return gates.unwound().map([](const AxisPosition&) {}); }));
+}
+
+void PermissionReport::judgeJogs(Permissions& may) const
+{
+    const Gates gates(m_of);
+    may.fastestJog = gates.fastestJog();
+    const QString point = may.reason(Action::Point);
+    for (const Way& way : kWays) {
+        const Result<> jog = gates.mayJog(ratesOf(way, may.fastestJog), kTheOperator).and_then([&] {
+            return gates.isWayOn(way.axis, way.upwards);
+        });
+        judge(may, jogAction(way.direction), jog);
+        judge(may, stepAction(way.direction), jog);
+        may.refuse(stepAction(way.direction), point);
+    }
+}
+
+void PermissionReport::judgeDrives(Permissions& may) const
+{
+    const Gates gates(m_of);
+    for (const Axis axis : kAxes) {
+        judge(may, setAction(axis), gates.maySet(axis));
+    }
+    const Result<> rest = gates.drivesRest();
+    judge(may, Action::ReadDrives, gates.mayReadDrives());
+    judge(may, Action::FixDrives, gates.mayFixDrives());
+    judge(may, Action::SwitchOff, gates.maySwitchOff());
+    judge(may, Action::ReleaseBus, gates.mayLeaveBus());
+    judge(may, Action::Reconnect, rest);
+    judge(may, Action::ProveCrashStop, gates.mayProve(kTheOperator));
+}
+
+}  // namespace boresight

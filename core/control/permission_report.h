@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/control/control_parts.h"
+#include "core/messages/permissions.h"
+
+// What the operator may ask of the control now: the answer of its gates to every action, without asking for it. Made
+// anew from the parts each time that it is asked for. Station thread only.
+namespace boresight {
+
+class PermissionReport
+{
+public:
+    explicit PermissionReport(const ControlParts& parts) : m_of(parts) {}
+
+    [[nodiscard]] Permissions permissions() const;
+
+private:
+    void judgePlaces(Permissions& may) const;
+    void judgeJogs(Permissions& may) const;
+    void judgeDrives(Permissions& may) const;
+
+    ControlParts m_of;
+};
+
+}  // namespace boresight

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/ephemeris/almanac.h"
+#include "core/units/quantity.h"
+#include "core/units/sky.h"
+
+#include <QString>
+
+#include <array>
+#include <cstddef>
+
+// What the operator may ask of the station now: each action with the reason why not, in words. Made on the station
+// thread once per status, from the gates that judge the requests themselves. The screen shows it and has no rules of
+// its own. A refused request is still answered with its reason: this only keeps the screen from offering it.
+namespace boresight {
+
+enum class JogDirection
+{
+    Up,
+    Down,
+    Left,  // counter-clockwise: azimuth gets smaller
+    Right
+};
+
+enum class Action
+{
+    Move,   // anything at all
+    Point,  // to an angle: needs the wrap of both axes
+    Park,
+    Home,
+    Unwind,
+    JogUp,  // in the order of JogDirection, by at most Permissions::fastestJog; not at the end of the travel
+    JogDown,
+    JogLeft,
+    JogRight,
+    StepUp,
+    StepDown,
+    StepLeft,
+    StepRight,
+    SetAzimuth,  // the axis stands at a known angle, which may be given another number
+    SetElevation,
+    ReadDrives,
+    FixDrives,
+    SwitchOff,
+    ReleaseBus,
+    ProveCrashStop,
+    Reconnect,
+    AverageSensor,
+    Swing,
+    FollowSun,  // in the order of ephemeris::Body
+    FollowMoon,
+    FollowSunOverTheTop,
+    FollowMoonOverTheTop,
+    TakeSun,
+    TakeMoon,
+    ScanSun,
+    ScanMoon,
+    GivePower,
+    TakeKnownPoint,
+    ChangePoints,
+    ProposeTerms,
+    ApplyCalibration,
+    DiscardCalibration,
+    UndoCalibration,
+    RedoCalibration,
+    Count
+};
+
+// The action of a row that belongs to one of several.
+template <class Which>
+[[nodiscard]] constexpr Action actionOf(Action first, Which which)
+{
+    return static_cast<Action>(static_cast<int>(first) + static_cast<int>(which));
+}
+
+[[nodiscard]] constexpr Action jogAction(JogDirection direction)
+{
+    return actionOf(Action::JogUp, direction);
+}
+
+[[nodiscard]] constexpr Action stepAction(JogDirection direction)
+{
+    return actionOf(Action::StepUp, direction);
+}
+
+[[nodiscard]] constexpr Action followAction(ephemeris::Body body, bool overTheTop)
+{
+    return actionOf(overTheTop ? Action::FollowSunOverTheTop : Action::FollowSun, body);
+}
+
+[[nodiscard]] constexpr Action setAction(Axis axis)
+{
+    return actionOf(Action::SetAzimuth, axis);
+}
+
+class Permissions
+{
+public:
+    // Nothing is allowed.
+    [[nodiscard]] static Permissions none(const QString& why)
+    {
+        Permissions permissions;
+        permissions.m_reasons.fill(why);
+        return permissions;
+    }
+
+    // Why the action is refused; empty: it is allowed.
+    [[nodiscard]] const QString& reason(Action action) const { return m_reasons[static_cast<std::size_t>(action)]; }
+    [[nodiscard]] bool allows(Action action) const { return reason(action).isEmpty(); }
+    // An empty reason changes nothing.
+    void refuse(Action action, const QString& why)
+    {
+        if (!why.isEmpty()) {
+            m_reasons[static_cast<std::size_t>(action)] = why;
+        }
+    }
+
+    // By hand: less while the wrap of an axis is unknown, or which way the axes turn.
+    AngularRate fastestJog;
+
+private:
+    std::array<QString, static_cast<std::size_t>(Action::Count)> m_reasons;
+};
+
+}  // namespace boresight
