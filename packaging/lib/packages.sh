@@ -22,10 +22,11 @@ readonly qwt_source_packages=(bzip2 debian-archive-keyring)
 readonly sanitizer_packages=(clang-16 libclang-rt-16-dev)
 
 # What the tests run: User-Mode Linux for a real SocketCAN interface and can-utils as the witness there, Hamlib's rotctl
-# and rotctld as peers, one font so that screens look alike, the formatter, and the checkers of shell scripts, of the
-# manual pages, of the menu entry and of the metadata; a real MQTT broker, with certificates made by openssl.
+# and rotctld as peers, the fonts of the usual desktops, the formatter, and the checkers of shell scripts, of the manual
+# pages, of the menu entry and of the metadata; a real MQTT broker, with certificates made by openssl.
 readonly test_packages=(
-    user-mode-linux kmod iproute2 can-utils libhamlib-utils fonts-dejavu-core clang-format-14 shellcheck
+    user-mode-linux kmod iproute2 can-utils libhamlib-utils clang-format-14 shellcheck
+    fonts-dejavu-core fonts-noto-core fonts-noto-mono fonts-liberation fonts-cantarell
     man-db desktop-file-utils appstream mosquitto openssl "${sanitizer_packages[@]}"
 )
 

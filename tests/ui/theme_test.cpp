@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/kit/theme.h"
 
+#include <QApplication>
+#include <QFontMetrics>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -64,6 +67,27 @@ TEST_P(ThemeTest, EveryPairOfThePaletteIsReadable)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ThemeTest, ::testing::Values(ThemeKind::Day, ThemeKind::Night, ThemeKind::Red));
+
+// The layout is made for DejaVu, so there is room for it in every size.
+TEST(Fonts, OfDejaVuHaveTheirLine)
+{
+    for (int points = 6; points <= 40; ++points) {
+        const QFont font(QStringLiteral("DejaVu Sans"), points);
+        EXPECT_EQ(fonts::lineRoom(font), QFontMetrics(font).height()) << points;
+    }
+}
+
+TEST(Fonts, OfWordsHaveNoMoreThanTheirLine)
+{
+    const std::pair<QFont, int> sizes[] = {
+        {fonts::label(), 10}, {fonts::text(), 12}, {fonts::state(), 22}, {fonts::small(), 10}};
+    for (const auto& [font, points] : sizes) {
+        const QFont asked(font.family(), points);
+        EXPECT_LE(QFontMetrics(font).lineSpacing(), fonts::lineRoom(asked)) << points;
+        EXPECT_LE(font.pointSizeF(), points);
+        EXPECT_GE(font.pointSizeF(), 0.75 * points) << "readable";
+    }
+}
 
 TEST(Theme, NextGoesRound)
 {

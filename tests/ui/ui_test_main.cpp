@@ -6,15 +6,26 @@
 
 #include <gtest/gtest.h>
 
+namespace {
+
+// As in tests/environment.cmake.in, for a program that is started without ctest.
+void setUnlessSet(const char* name, const char* value)
+{
+    if (!qEnvironmentVariableIsSet(name)) {
+        qputenv(name, value);
+    }
+}
+
+}  // namespace
+
 // Real widgets without a display: the offscreen platform, and one font on every machine.
 int main(int argc, char* argv[])
 {
-    if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
-        qputenv("QT_QPA_PLATFORM", "offscreen");
-    }
+    setUnlessSet("QT_QPA_PLATFORM", "offscreen");
+    setUnlessSet("FONTCONFIG_FILE", BORESIGHT_TEST_FONTS);
     QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication app(argc, argv);
-    QApplication::setFont(QFont(QStringLiteral("DejaVu Sans"), 10));
+    QApplication::setFont(QFont(qEnvironmentVariable("BORESIGHT_TEST_FONT", QStringLiteral("DejaVu Sans")), 10));
     qRegisterMetaType<boresight::NumberedRequest>();
     ::testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();

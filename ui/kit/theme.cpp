@@ -3,6 +3,11 @@
 
 #include <QApplication>
 #include <QFontDatabase>
+#include <QFontMetrics>
+
+#include <cmath>
+#include <map>
+#include <utility>
 
 namespace boresight::ui {
 
@@ -59,15 +64,53 @@ const Theme kRed{.kind = ThemeKind::Red,
 
 ThemeKind g_current = ThemeKind::Day;
 
+// What a line of DejaVu has above and below its base line, from its table hhea.
+constexpr double kAscent = 1901.0 / 2048.0;  // em
+constexpr double kDescent = 483.0 / 2048.0;
+constexpr int kSmallest = 6;  // px
+
 QFont sized(QFont font, int points)
 {
     font.setPointSize(points);
     return font;
 }
 
-QFont fixed(int points)
+// FreeType counts in 64ths of a pixel, Qt in whole ones.
+int rounded(double pixels)
 {
-    return sized(QFontDatabase::systemFont(QFontDatabase::FixedFont), points);
+    return static_cast<int>(std::lround(std::round(pixels * 64.0) / 64.0));
+}
+
+int pixelsOf(const QFont& font)
+{
+    return static_cast<int>(std::lround(font.pointSizeF() * QFontMetrics(font).fontDpi() / 72.0));
+}
+
+// Smaller until a line has no more than its room.
+QFont shrunk(const QFont& wanted)
+{
+    const int room = fonts::lineRoom(wanted);
+    QFont font = wanted;
+    for (int pixels = pixelsOf(wanted); pixels > kSmallest && QFontMetrics(font).lineSpacing() > room; --pixels) {
+        font.setPointSizeF(72.0 * (pixels - 1) / QFontMetrics(wanted).fontDpi());
+    }
+    return font;
+}
+
+// Painting asks for them many times a second.
+QFont fitted(const QFont& font, int points)
+{
+    static std::map<std::pair<QFont, int>, QFont> known;
+    const auto [found, isNew] = known.try_emplace({font, points});
+    if (isNew) {
+        found->second = shrunk(sized(font, points));
+    }
+    return found->second;
+}
+
+QFont fixedWidth()
+{
+    return QFontDatabase::systemFont(QFontDatabase::FixedFont);
 }
 
 }  // namespace
@@ -169,39 +212,45 @@ void applyTheme(ThemeKind kind)
 
 namespace fonts {
 
+int lineRoom(const QFont& font)
+{
+    const int pixels = pixelsOf(font);
+    return rounded(kAscent * pixels) + rounded(kDescent * pixels);
+}
+
 QFont label()
 {
-    return sized(QApplication::font(), 10);
+    return fitted(QApplication::font(), 10);
 }
 
 QFont text()
 {
-    return sized(QApplication::font(), 12);
+    return fitted(QApplication::font(), 12);
 }
 
 QFont state()
 {
-    return sized(QApplication::font(), 22);
+    return fitted(QApplication::font(), 22);
 }
 
 QFont actual()
 {
-    return fixed(28);
+    return sized(fixedWidth(), 28);
 }
 
 QFont value()
 {
-    return fixed(16);
+    return sized(fixedWidth(), 16);
 }
 
 QFont clock()
 {
-    return fixed(14);
+    return sized(fixedWidth(), 14);
 }
 
 QFont small()
 {
-    return fixed(10);
+    return fitted(fixedWidth(), 10);
 }
 
 }  // namespace fonts

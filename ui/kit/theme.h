@@ -60,15 +60,20 @@ struct Theme
 // Makes the theme current and gives its palette to the application; every widget repaints.
 void applyTheme(ThemeKind kind);
 
-// Sizes of ui.md: readable from two metres. Numbers are fixed-width, so that digits do not dance.
+// Sizes of ui.md: readable from two metres. Numbers are fixed-width, so that digits do not dance. The window is laid
+// out for lines of DejaVu. Fonts for many scripts have taller lines (Noto: 1.36 em instead of 1.16), and 1024×700 has
+// no room for them. Words get smaller until their line fits. Large numbers keep their size: digits do not need the
+// whole line.
 namespace fonts {
-[[nodiscard]] QFont label();   // 10 pt, interface font
-[[nodiscard]] QFont text();    // 12 pt, interface font
-[[nodiscard]] QFont state();   // 22 pt, interface font
+[[nodiscard]] QFont label();   // 10 pt or smaller, interface font
+[[nodiscard]] QFont text();    // 12 pt or smaller, interface font
+[[nodiscard]] QFont state();   // 22 pt or smaller, interface font
 [[nodiscard]] QFont actual();  // 28 pt, fixed width
 [[nodiscard]] QFont value();   // 16 pt, fixed width
 [[nodiscard]] QFont clock();   // 14 pt, fixed width
-[[nodiscard]] QFont small();   // 10 pt, fixed width
+[[nodiscard]] QFont small();   // 10 pt or smaller, fixed width
+
+[[nodiscard]] int lineRoom(const QFont& font);  // px: the line of DejaVu of this size
 }  // namespace fonts
 
 }  // namespace boresight::ui

@@ -95,11 +95,17 @@ int ValueLabel::linesHeight() const
     return fontMetrics().boundingRect(QRect(0, 0, QWIDGETSIZE_MAX, QWIDGETSIZE_MAX), Qt::TextWordWrap, lines).height();
 }
 
+// Room for accents and for letters below the line that its numbers do not have.
+int ValueLabel::excess() const
+{
+    return m_lines > 1 ? 0 : std::max(0, fontMetrics().height() - fonts::lineRoom(font()));
+}
+
 QSize ValueLabel::sizeHint() const
 {
     const int extra = 2 * (m_outlined ? kOutline : kValueLabelMargin) + 2 +  // advances are rounded
                       (m_symbolRoom ? symbolRoom() : 0);
-    return {fontMetrics().horizontalAdvance(m_widest) + extra, linesHeight() + (m_outlined ? 4 : 0)};
+    return {fontMetrics().horizontalAdvance(m_widest) + extra, linesHeight() - excess() + (m_outlined ? 4 : 0)};
 }
 
 QSize ValueLabel::minimumSizeHint() const
@@ -154,7 +160,7 @@ void ValueLabel::paintEvent(QPaintEvent*)
         drawSymbol(painter, m_symbol, QRectF(used.left() - symbolRoom(), top, size, size), colour);
     }
     painter.setPen(colour);
-    painter.drawText(room, flags, shown);
+    painter.drawText(room, excess() > 0 ? flags | Qt::TextDontClip : flags, shown);
     if (m_outlined) {
         painter.drawRect(rect().adjusted(0, 0, -1, -1));
     }

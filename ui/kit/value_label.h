@@ -45,6 +45,7 @@ private:
     [[nodiscard]] QString fitted(QSize room) const;
     [[nodiscard]] double symbolSize() const;
     [[nodiscard]] int linesHeight() const;
+    [[nodiscard]] int excess() const;      // px of a line that is taller than the layout's
     [[nodiscard]] int symbolRoom() const;  // symbol and the gap behind it
 
     QString m_text;
