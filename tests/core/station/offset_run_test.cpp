@@ -50,7 +50,8 @@ TEST(OffsetRun, ItTakesTwentySeconds)
 
 TEST(OffsetRun, TheDeclinationIsPartOfNorth)
 {
-    const OffsetRun run = withReadings(20, standingAt(100.0), 132.4);
+    const double addedBySensor = profile::SensorSettings{}.declinationInSensor.degrees();
+    const OffsetRun run = withReadings(20, standingAt(100.0), 132.4 + addedBySensor);
     const auto offset = run.outcome({}, 5_deg);
     ASSERT_TRUE(offset) << offset.error().text;
     EXPECT_NEAR(37.4, offset->offset.value.degrees(), 1e-6);
