@@ -149,17 +149,32 @@ TEST(Rooms, NoPanelKnowsAnother)
     EXPECT_THAT(wrong(panels, joined(kSeenByTheWindow, kBelowPanels)), IsEmpty());
 }
 
-// Those that still speak of moteus, until the port of the mount is there: none may come to them.
+// What is not behind the port of the mount: the driver itself, its knowledge, and the hardware that is simulated.
 TEST(Rooms, OnlySomeKnowHowTheDrivesSpeak)
 {
     Rooms others = roomsOf("core");
-    for (const char* const room : {"core/moteus", "core/moteus_mount", "core/control", "core/memory", "core/sim",
-                                   "core/sim_bus", "core/supervision", "core/survey"}) {
+    for (const char* const room : {"core/moteus", "core/moteus_mount", "core/memory", "core/sim", "core/sim_bus",
+                                   "core/supervision", "core/survey"}) {
         others.erase(room);
     }
     Rooms permitted = roomsOf("core");
     permitted.erase("core/moteus");
     EXPECT_THAT(wrong(others, permitted), IsEmpty());
+}
+
+TEST(Rooms, TheControlKnowsNoKindOfRotator)
+{
+    Rooms permitted = roomsOf("core");
+    for (const char* const room :
+         {"core/moteus", "core/moteus_mount", "core/can", "core/sim", "core/sim_bus", "core/station"}) {
+        permitted.erase(room);
+    }
+    EXPECT_THAT(wrong({"core/control", "core/sources", "core/motion", "core/mount", "core/north", "core/witness"},
+                      permitted),
+                IsEmpty());
+    permitted.erase("core/survey");
+    permitted.erase("core/memory");
+    EXPECT_THAT(wrong({"core/control", "core/sources"}, permitted), IsEmpty());
 }
 
 TEST(Rooms, AFolderIsSeenAtAGlance)
