@@ -169,9 +169,9 @@ TEST(Rooms, TheControlKnowsNoKindOfRotator)
          {"core/moteus", "core/moteus_mount", "core/can", "core/sim", "core/sim_bus", "core/station"}) {
         permitted.erase(room);
     }
-    EXPECT_THAT(wrong({"core/control", "core/sources", "core/motion", "core/mount", "core/north", "core/witness"},
-                      permitted),
-                IsEmpty());
+    EXPECT_THAT(
+        wrong({"core/control", "core/sources", "core/motion", "core/mount", "core/north", "core/witness"}, permitted),
+        IsEmpty());
     permitted.erase("core/survey");
     permitted.erase("core/memory");
     EXPECT_THAT(wrong({"core/control", "core/sources"}, permitted), IsEmpty());

@@ -4,7 +4,6 @@
 #include "core/alarms/event_log.h"
 #include "core/base/clock.h"
 #include "core/base/result.h"
-#include "core/base/text.h"
 #include "core/messages/station_status.h"
 #include "core/mount/mount_driver.h"
 #include "core/profile/profile.h"

@@ -306,7 +306,7 @@ void StationControl::tick()
 // The motion ends with a trouble: the axes brake from their set-points.
 void StationControl::superviseMount()
 {
-    const MountFindings found = m_mount.supervise({.moves = !m_current.is(Activity::None),
+    const MountFindings found = m_mount.supervise({.wanted = !m_current.is(Activity::None),
                                                    .settled = m_motion.atRest(),
                                                    .faultLatched = faultLatched(),
                                                    .stopLatched = m_arming.stopLatched(),

@@ -133,7 +133,6 @@ private:
     Result<> askSources(const Request& request, const Source& source);
 
     [[nodiscard]] ControlParts parts() const;
-    [[nodiscard]] QString leadObstacle(const ClientStatus& client) const;
     [[nodiscard]] StatusReport report() const { return StatusReport(parts()); }
     [[nodiscard]] Gates gates() const { return Gates(parts()); }
     [[nodiscard]] bool moves() const { return m_current.moves(); }

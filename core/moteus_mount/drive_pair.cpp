@@ -104,7 +104,6 @@ void DrivePair::excuse(Seconds stall, SteadyTime now)
     m_elevation.excuse(stall, now);
 }
 
-// Left alone in the middle of it, a drive would be limp.
 bool DrivePair::changingHands(const Drive& drive)
 {
     const Drive::Phase phase = drive.phase();

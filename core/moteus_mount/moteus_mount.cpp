@@ -171,7 +171,7 @@ void MoteusMount::keepTurns(const MountSituation& known, MountFindings& found)
     if (found.interrupted) {
         interruptProof();
     }
-    m_turnWatch.raiseAlarms(lost && known.moves && !restarted, readable());
+    m_turnWatch.raiseAlarms(lost && known.wanted && !restarted, readable());
 }
 
 // Where a drive does not come back the motion ends.
@@ -261,8 +261,13 @@ std::optional<Angle> MoteusMount::takeFollowing(Axis axis)
     if (!m_drives.drive(axis).takeEngaged()) {
         return std::nullopt;
     }
-    m_watches[index(axis)].engaged();
-    return m_drives.measured(axis);
+    const auto place = m_drives.measured(axis);
+    if (place) {
+        m_watches[index(axis)].engaged();
+    } else {
+        m_drives.drive(axis).hold();  // its set-point is still where it was before
+    }
+    return place;
 }
 
 void MoteusMount::command(Axis axis, const tracking::Setpoint& setpoint)
@@ -355,8 +360,8 @@ Result<> MoteusMount::mayProve(AngularRate rate, const TravelRange& azimuths, co
 
 void MoteusMount::beginProof()
 {
-    if (const auto proof = std::exchange(m_nextProof, std::nullopt)) {
-        m_proof.begin(*proof);
+    if (m_nextProof) {
+        m_proof.begin(*std::exchange(m_nextProof, std::nullopt));
     }
 }
 

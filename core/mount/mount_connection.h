@@ -16,6 +16,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 // A mount with the line that leads to it: opened, closed and served by the station, which knows of no kind of rotator
 // more than this. Made on the main thread, then moved to the station thread with its parent; nothing blocks.
@@ -51,7 +52,7 @@ public:
     virtual void describe(StationStatus& status) const = 0;
 };
 
-// All but the profile outlive what is made.
+// Called once. All but the profile outlive what is made.
 using MountMaker = std::function<std::unique_ptr<MountConnection>(const profile::Profile& profile, const Clock& clock,
                                                                   EventLog& log, AlarmBoard& alarms)>;
 

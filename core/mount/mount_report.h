@@ -52,7 +52,7 @@ struct AxisReport
 // What the control knows and no driver sees.
 struct MountSituation
 {
-    bool moves = false;         // a motion is under way
+    bool wanted = false;        // something is asked of the mount, be it to hold
     bool settled = false;       // the set-points of both axes stand still
     bool faultLatched = false;  // a re-arm is waited for
     bool stopLatched = false;

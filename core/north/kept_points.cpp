@@ -12,7 +12,6 @@ namespace boresight {
 namespace {
 
 const QString kPointsSource = QStringLiteral("calibration");
-// Cause of the alarm that points are left out.
 // A fit of 60 takes 15 ms, in the control tick.
 constexpr std::size_t kMostPoints = 60;
 // The fit of the same points against another model in force ends some ten millionths of a degree beside: less than half

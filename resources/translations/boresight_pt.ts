@@ -5712,6 +5712,10 @@ do eixo</translation>
         <source>every setting is right</source>
         <translation>todos os parâmetros estão certos</translation>
     </message>
+    <message>
+        <source>this rotator does not offer this</source>
+        <translation>este rotor não oferece isto</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/messages/permissions.h"
 #include "core/messages/request.h"
 
 #include <QObject>

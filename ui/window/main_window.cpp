@@ -49,6 +49,15 @@ constexpr std::chrono::milliseconds kBeat{100};
 constexpr int kBeatsPerSecond = 10;
 constexpr std::chrono::seconds kStopUnanswered{1};
 
+// What would be done with the place that the station has reported last.
+void refuseOldPlaces(Permissions& may)
+{
+    const QString why = Text::tr("no fresh position from the %1");
+    may.refuse(Action::SetAzimuth, why.arg(Text::of("azimuth drive")));
+    may.refuse(Action::SetElevation, why.arg(Text::of("elevation drive")));
+    may.refuse(Action::TakeKnownPoint, why.arg(Text::of("azimuth drive")));
+}
+
 }  // namespace
 
 // Before the first of its widgets is made: what a screen reader is told of a widget is settled with it.
@@ -276,6 +285,9 @@ StationStatus MainWindow::aged() const
         }
     }
     status.utc += silent;
+    if (freshness(silent) != Freshness::Live) {
+        refuseOldPlaces(status.permissions);
+    }
     const auto complain = [&status](const AlarmEntry& entry, const QStringList& arguments = {}) {
         const AlarmText text = textOf(entry, arguments);
         const Alarm alarm{.name = QLatin1String(entry.id),

@@ -8,7 +8,7 @@
 namespace boresight {
 namespace {
 
-using Action = CrashStopProof::Action;
+using ProofAction = CrashStopProof::Action;
 
 constexpr TravelRange kAzimuthTravel{-90_deg, 450_deg};
 constexpr TravelRange kElevationTravel{0_deg, 90_deg};
@@ -41,12 +41,12 @@ private:
     void obey(CrashStopProof& proof, std::vector<CrashStopProof::Stop>& stops)
     {
         m_now += std::chrono::duration_cast<SteadyTime::duration>(kCrashStopProofTick);
-        const Action action = proof.step(m_now, {.received = m_now, .angle = m_angle, .settled = m_starved < 0.0});
-        if (action == Action::Run) {
+        const ProofAction action = proof.step(m_now, {.received = m_now, .angle = m_angle, .settled = m_starved < 0.0});
+        if (action == ProofAction::Run) {
             m_rate = proof.rate();
-        } else if (action == Action::Starve) {
+        } else if (action == ProofAction::Starve) {
             m_starved = 0.0;
-        } else if (action == Action::Recover) {
+        } else if (action == ProofAction::Recover) {
             m_starved = -1.0;
             m_rate = {};
             if (const auto stop = proof.takeStop()) {
@@ -54,7 +54,7 @@ private:
             }
             m_angle = 45_deg;  // the other axis
         }
-        over = action == Action::Finish;
+        over = action == ProofAction::Finish;
     }
 
     void move()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/north/kept_points.h"
 
+#include "core/alarms/catalogue.h"
 #include "tests/core/station/north_rig.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +54,7 @@ TEST(KeptPoints, ThoseOfAnEarlierRunCountOnceBothDrivesAreRead)
 {
     NorthRig rig;
     rig.points.add(keptPoint(100_deg));
-    rig.control.learn(Axis::Azimuth, std::nullopt);
+    rig.StationRig::mount.learn(Axis::Azimuth, std::nullopt);
     MountIdentity mount(rig.control, rig.profile);
     EXPECT_TRUE(mount.update());
     KeptPoints again(rig.control, rig.file, mount, rig.model, rig.clock, rig.log);
@@ -78,10 +79,10 @@ TEST(KeptPoints, ThoseOfAnotherDriveAreLeftOutOnce)
     ASSERT_TRUE(rig.mount.update());
     EXPECT_TRUE(rig.points.leaveOutOthers());
     EXPECT_FALSE(rig.points.book().points().front().isUsed);
-    EXPECT_TRUE(rig.control.alarms().active(QStringLiteral("calibration points")));
+    EXPECT_TRUE(rig.control.alarms().active(alarmEntry("points.other-drive")));
     EXPECT_FALSE(rig.points.leaveOutOthers());
     ASSERT_TRUE(rig.points.use(0, true));
-    EXPECT_FALSE(rig.control.alarms().active(QStringLiteral("calibration points"))) << "the operator knows better";
+    EXPECT_FALSE(rig.control.alarms().active(alarmEntry("points.other-drive"))) << "the operator knows better";
     EXPECT_FALSE(rig.points.leaveOutOthers());
 }
 

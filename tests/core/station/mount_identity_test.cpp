@@ -13,7 +13,7 @@ using namespace boresight::literals;
 TEST(MountIdentity, ADriveIsNewOnce)
 {
     StationRig rig;
-    rig.control.learn(Axis::Elevation, std::nullopt);
+    rig.mount.learn(Axis::Elevation, std::nullopt);
     MountIdentity mount(rig.control, rig.profile);
     EXPECT_TRUE(mount.update());
     EXPECT_FALSE(mount.update());
@@ -31,7 +31,7 @@ TEST(MountIdentity, ADriveThatIsSilentStaysTheSame)
     MountIdentity mount(rig.control, rig.profile);
     EXPECT_TRUE(mount.update());
     const calibration::RecordMount before = mount.today();
-    rig.control.learn(Axis::Azimuth, std::nullopt);
+    rig.mount.learn(Axis::Azimuth, std::nullopt);
     EXPECT_FALSE(mount.update());
     EXPECT_TRUE(mount.bothRead());
     EXPECT_EQ(before, mount.today());

@@ -73,7 +73,7 @@ void switchedOff(StationRig& rig)
 void unfit(StationRig& rig)
 {
     standing(rig);
-    rig.control.setFitness(failure(ErrorCode::Refused, "the drives are being read"));
+    rig.mount.setFitness(failure(ErrorCode::Refused, "the drives are being read"));
 }
 
 void unconfirmed(StationRig& rig)
@@ -94,7 +94,7 @@ void homeBelowTheHorizon(StationRig& rig)
 void turnUnknown(StationRig& rig)
 {
     standing(rig);
-    rig.control.driveRestarted(Axis::Azimuth);
+    rig.mount.driveRestarted(Axis::Azimuth);
 }
 
 AxisRates jogging(JogDirection direction, AngularRate rate)
@@ -158,18 +158,18 @@ constexpr std::array kAsked{Action::Point,      Action::Park,       Action::Home
                             Action::StepRight,  Action::ReadDrives, Action::FixDrives,     Action::SwitchOff,
                             Action::ReleaseBus, Action::Reconnect,  Action::ProveCrashStop};
 
-struct Case
+struct Scene
 {
     const char* name;
     Situation situation;
 };
 
-void PrintTo(const Case& one, std::ostream* out)
+void PrintTo(const Scene& one, std::ostream* out)
 {
     *out << one.name;
 }
 
-class PermissionsIn : public ::testing::TestWithParam<Case>
+class PermissionsIn : public ::testing::TestWithParam<Scene>
 {};
 
 // The answer may add where else the mount could go.
@@ -186,13 +186,13 @@ TEST_P(PermissionsIn, AnActionIsAnsweredAsItWasPublished)
 }
 
 INSTANTIATE_TEST_SUITE_P(Permissions, PermissionsIn,
-                         ::testing::Values(Case{"nobodyAnswers", nobodyAnswers}, Case{"standing", standing},
-                                           Case{"wound", wound}, Case{"moving", moving}, Case{"stopped", stopped},
-                                           Case{"faulted", faulted}, Case{"released", released},
-                                           Case{"switchedOff", switchedOff}, Case{"unfit", unfit},
-                                           Case{"unconfirmed", unconfirmed},
-                                           Case{"homeBelowTheHorizon", homeBelowTheHorizon},
-                                           Case{"turnUnknown", turnUnknown}),
+                         ::testing::Values(Scene{"nobodyAnswers", nobodyAnswers}, Scene{"standing", standing},
+                                           Scene{"wound", wound}, Scene{"moving", moving}, Scene{"stopped", stopped},
+                                           Scene{"faulted", faulted}, Scene{"released", released},
+                                           Scene{"switchedOff", switchedOff}, Scene{"unfit", unfit},
+                                           Scene{"unconfirmed", unconfirmed},
+                                           Scene{"homeBelowTheHorizon", homeBelowTheHorizon},
+                                           Scene{"turnUnknown", turnUnknown}),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(Permissions, ThereIsNoWayOnAtTheEndOfTheTravel)
@@ -217,7 +217,7 @@ TEST(Permissions, AJogIsSlowWhereSomebodyMustWatch)
     rig.profile.mount.directions = profile::Directions::Unconfirmed;
     rig.control.setProfile(rig.profile);
     EXPECT_EQ(rig.control.status().permissions.fastestJog, std::min(jog.fast, profile::kFastestUnconfirmed));
-    rig.control.driveRestarted(Axis::Azimuth);
+    rig.mount.driveRestarted(Axis::Azimuth);
     EXPECT_EQ(rig.control.status().permissions.fastestJog, std::min(jog.slow, jog.unwind));
 }
 
@@ -231,7 +231,7 @@ TEST(Permissions, AnAngleIsSetOfAnAxisThatStandsAndIsSeen)
     EXPECT_TRUE(rig.control.status().permissions.allows(Action::SetAzimuth));
     EXPECT_EQ(rig.control.status().permissions.reason(Action::SetElevation),
               QStringLiteral("no fresh position from the elevation drive"));
-    rig.control.driveRestarted(Axis::Azimuth);
+    rig.mount.driveRestarted(Axis::Azimuth);
     EXPECT_TRUE(rig.control.status().permissions.reason(Action::SetAzimuth).contains(QStringLiteral("which turn")));
 }
 

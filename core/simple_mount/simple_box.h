@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/units/sky.h"
+
+#include <array>
+#include <optional>
+
+// A simulated rotator of the plainest kind: it is sent to whole degrees, runs there at one speed, and reports whole
+// degrees. It has no rates, no watchdog and no torque, and its gears hold it when it stands. Pure: time is passed in.
+// Mechanical angles.
+namespace boresight {
+
+class SimpleBox
+{
+public:
+    static constexpr AngularRate kSpeed = AngularRate::fromDegrees(6.0);
+
+    explicit SimpleBox(const AxisPosition& place = {}) : m_place{place.azimuth, place.elevation} {}
+
+    // The orders of its control box. Without power nothing is heard, and the axes stand.
+    void goTo(const AxisPosition& wholeDegrees, SteadyTime now);
+    void stop(SteadyTime now);
+    // Nothing without power.
+    [[nodiscard]] std::optional<AxisPosition> position(SteadyTime now);
+
+    void setPower(bool on, SteadyTime now);
+    // Where it really stands.
+    [[nodiscard]] AxisPosition truth() const { return {.azimuth = m_place[0], .elevation = m_place[1]}; }
+    [[nodiscard]] int orders() const { return m_orders; }  // heard so far
+
+private:
+    void moveOn(SteadyTime now);
+
+    std::array<Angle, 2> m_place;
+    std::array<std::optional<Angle>, 2> m_target;
+    std::optional<SteadyTime> m_moved;
+    bool m_powered = true;
+    int m_orders = 0;
+};
+
+}  // namespace boresight

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simple_mount/simple_mount.h"
+
+#include "core/base/text.h"
+
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+Angle wholeDegrees(Angle angle)
+{
+    return Angle::fromDegrees(std::round(angle.degrees()));
+}
+
+}  // namespace
+
+SimpleMount::SimpleMount(SimpleBox& box)
+    : m_box(box), m_names{QStringLiteral("azimuth drive"), QStringLiteral("elevation drive")}
+{}
+
+QString SimpleMount::label(Axis axis) const
+{
+    return Text::of(name(axis).toStdString());
+}
+
+// Such a box tells nobody who it is.
+std::optional<QString> SimpleMount::identity(Axis /*axis*/) const
+{
+    return m_heard ? std::optional(QString()) : std::nullopt;
+}
+
+AxisReport SimpleMount::report(Axis axis) const
+{
+    AxisReport report{.hand = m_follows ? AxisHand::Follows : AxisHand::HoldsItself,
+                      .answers = answers(),
+                      .seen = answers(),
+                      .latched = m_lost,
+                      .changesHands = m_wanted && !m_follows,
+                      .underOrders = m_follows || m_wanted,
+                      .wrapKnown = m_heard.has_value()};
+    if (m_place) {
+        report.place = axis == Axis::Azimuth ? m_place->azimuth : m_place->elevation;
+        report.placed = *m_heard;
+        report.heard = m_heard;
+    }
+    return report;
+}
+
+void SimpleMount::describe(DrivesStatus& status) const
+{
+    for (DriveStatus* const drive : {&status.azimuth, &status.elevation}) {
+        drive->turnKnown = m_heard.has_value();
+    }
+    status.switchedOn = m_follows;
+}
+
+void SimpleMount::observe(SteadyTime now)
+{
+    m_now = now;
+    if (const auto place = m_box.position(now)) {
+        if (m_lost && !answers()) {
+            m_box.stop(now);  // it may still be on its way to where it was sent before the silence
+        }
+        m_place = place;
+        m_heard = now;
+    }
+}
+
+void SimpleMount::letGo()
+{
+    m_follows = false;
+    m_wanted = false;
+    m_begins = {};
+    m_ordered.reset();
+}
+
+MountFindings SimpleMount::supervise(const MountSituation& /*known*/)
+{
+    MountFindings found;
+    if (m_follows && !answers()) {
+        letGo();
+        m_lost = true;
+        for (const Axis axis : kAxes) {
+            found.troubles.push_back({.axis = axis,
+                                      .loss = supervision::LossClass::Bus,
+                                      .what = Text::tr("the %1 fell silent").arg(label(axis))});
+        }
+    }
+    if (m_wanted && !m_follows && answers()) {
+        m_follows = true;
+        m_begins = {true, true};
+        m_ordered = m_place;
+    }
+    return found;
+}
+
+std::optional<Angle> SimpleMount::takeFollowing(Axis axis)
+{
+    return std::exchange(m_begins[index(axis)], false) ? report(axis).place : std::nullopt;
+}
+
+void SimpleMount::send()
+{
+    if (!m_follows) {
+        return;
+    }
+    const AxisPosition wanted{.azimuth = wholeDegrees(m_setpoints[0].position),
+                              .elevation = wholeDegrees(m_setpoints[1].position)};
+    if (wanted != m_ordered) {
+        m_box.goTo(wanted, m_now);
+        m_ordered = wanted;
+    }
+}
+
+// It moves although it does not follow: what was ordered before goes on, or somebody stands at the box.
+void SimpleMount::seize()
+{
+    if (!m_follows && answers()) {
+        m_box.stop(m_now);
+    }
+}
+
+void SimpleMount::leave(profile::OnExit /*how*/)
+{
+    if (m_follows) {
+        m_box.stop(m_now);
+        letGo();
+    }
+}
+
+}  // namespace boresight
