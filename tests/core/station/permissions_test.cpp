@@ -88,6 +88,7 @@ void homeBelowTheHorizon(StationRig& rig)
     standing(rig);
     pointing::Region region = rig.profile.limits;
     region.horizon = {{0_deg, 10_deg}, {180_deg, 10_deg}};
+    rig.profile.park.elevation = 20_deg;  // else the profile makes no sense
     rig.draw(region);
 }
 
@@ -232,7 +233,7 @@ TEST(Permissions, AnAngleIsSetOfAnAxisThatStandsAndIsSeen)
     EXPECT_EQ(rig.control.status().permissions.reason(Action::SetElevation),
               QStringLiteral("no fresh position from the elevation drive"));
     rig.mount.driveRestarted(Axis::Azimuth);
-    EXPECT_TRUE(rig.control.status().permissions.reason(Action::SetAzimuth).contains(QStringLiteral("which turn")));
+    EXPECT_FALSE(rig.control.status().permissions.allows(Action::SetAzimuth)) << "nobody knows where it stands";
 }
 
 TEST(Permissions, AClientIsToldWhyControlCannotBeGivenToIt)
