@@ -10756,7 +10756,7 @@ This is a function of the program. It does not replace the hard-wired emergency 
     </message>
     <message>
         <source>moved +000.0° since</source>
-        <translation>movido +000.0° desde então</translation>
+        <translation>movido +000.0°</translation>
     </message>
     <message>
         <source>Refused</source>
@@ -10808,7 +10808,7 @@ This is a function of the program. It does not replace the hard-wired emergency 
     </message>
     <message>
         <source>moved %1 since</source>
-        <translation>movido %1 desde então</translation>
+        <translation>movido %1</translation>
     </message>
     <message>
         <source>selects %1, place %2 of %3</source>

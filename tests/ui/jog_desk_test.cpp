@@ -270,9 +270,12 @@ TEST_F(JogDeskTest, HorizonAndHomeAskAndAForbiddenHomeIsNotOffered)
 {
     click("Horizon");
     EXPECT_EQ(asked<request::Horizon>().size(), 1u);
-    // The horizon mask of this profile is 6° at north, home would be 5°.
+    EXPECT_TRUE(named<CommandButton>("Home")->isEnabled());
+    StationStatus status = holding();
+    status.permissions.refuse(Action::Home, QStringLiteral("elevation 5.0° below the horizon 6.0°"));
+    give(samples::acceptance(status, requests.back().id));
     EXPECT_FALSE(named<CommandButton>("Home")->isEnabled());
-    EXPECT_TRUE(named<CommandButton>("Home")->toolTip().contains(QStringLiteral("forbidden")));
+    EXPECT_TRUE(named<CommandButton>("Home")->toolTip().contains(QStringLiteral("below the horizon 6.0°")));
 }
 
 TEST_F(JogDeskTest, ParkBecomesUnparkThatMovesNothing)

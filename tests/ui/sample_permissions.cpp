@@ -48,7 +48,7 @@ QString noMotion(const StationStatus& status)
     if (status.drives.proofRunning) {
         return QStringLiteral("the crash-stop proof moves the mount: end it first");
     }
-    if (status.stopLatched) {
+    if (status.stopLatched || status.state == StationState::Stopped) {
         return QStringLiteral("STOP is latched: reset STOP first");
     }
     return status.state == StationState::Fault ? QStringLiteral("%1: re-arm first").arg(status.stateReason)
