@@ -134,6 +134,21 @@ TEST_P(FontsTest, LargeNumbersAreDrawnWhole)
     }
 }
 
+// Story: with Noto Sans the tails of letters were cut off in the header and in the alarm.
+TEST_P(FontsTest, WordsAreDrawnWhole)
+{
+    give(samples::update(samples::faulted()));
+    QTest::qWait(1);
+    int words = 0;
+    for (const ValueLabel* const label : window.findChildren<ValueLabel*>()) {
+        if (label->isVisible() && !fonts::isOfNumbers(label->font())) {
+            EXPECT_GE(label->height(), label->fontMetrics().height()) << label->accessibleName().toStdString();
+            ++words;
+        }
+    }
+    EXPECT_GT(words, 5);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, FontsTest,
                          ::testing::Values(Desktop{9, "en"}, Desktop{10, "en"}, Desktop{11, "en"}, Desktop{12, "en"},
                                            Desktop{10, "pt"}, Desktop{12, "pt"}));

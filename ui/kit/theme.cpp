@@ -67,7 +67,8 @@ ThemeKind g_current = ThemeKind::Day;
 // What a line of DejaVu has above and below its base line, from its table hhea.
 constexpr double kAscent = 1901.0 / 2048.0;  // em
 constexpr double kDescent = 483.0 / 2048.0;
-constexpr int kSmallest = 6;  // px
+constexpr int kSmallest = 6;         // px
+constexpr int kSmallestNumber = 14;  // pt
 
 QFont sized(QFont font, int points)
 {
@@ -245,7 +246,12 @@ QFont value()
 
 QFont clock()
 {
-    return sized(fixedWidth(), 14);
+    return sized(fixedWidth(), kSmallestNumber);
+}
+
+bool isOfNumbers(const QFont& font)
+{
+    return font.family() == fixedWidth().family() && font.pointSize() >= kSmallestNumber;
 }
 
 QFont small()

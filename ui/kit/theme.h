@@ -73,7 +73,8 @@ namespace fonts {
 [[nodiscard]] QFont clock();   // 14 pt, fixed width
 [[nodiscard]] QFont small();   // 10 pt or smaller, fixed width
 
-[[nodiscard]] int lineRoom(const QFont& font);  // px: the line of DejaVu of this size
+[[nodiscard]] int lineRoom(const QFont& font);      // px: the line of DejaVu of this size
+[[nodiscard]] bool isOfNumbers(const QFont& font);  // actual(), value() or clock()
 }  // namespace fonts
 
 }  // namespace boresight::ui

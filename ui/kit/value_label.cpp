@@ -95,10 +95,12 @@ int ValueLabel::linesHeight() const
     return fontMetrics().boundingRect(QRect(0, 0, QWIDGETSIZE_MAX, QWIDGETSIZE_MAX), Qt::TextWordWrap, lines).height();
 }
 
-// Room for accents and for letters below the line that its numbers do not have.
+// Numbers keep their size and need no room for accents and for letters below the line. Words are smaller instead, where
+// their lines are taller.
 int ValueLabel::excess() const
 {
-    return m_lines > 1 ? 0 : std::max(0, fontMetrics().height() - fonts::lineRoom(font()));
+    return m_lines > 1 || !fonts::isOfNumbers(font()) ? 0
+                                                      : std::max(0, fontMetrics().height() - fonts::lineRoom(font()));
 }
 
 QSize ValueLabel::sizeHint() const
