@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/sensor_factory.h"
 
-#include "core/orientation/mqtt_source.h"
-#include "core/orientation/serial_source.h"
+#include "core/orientation_stream/mqtt_source.h"
+#include "core/orientation_stream/serial_source.h"
 #include "core/sim_sensor/simulated_source.h"
 
 #include <tuple>

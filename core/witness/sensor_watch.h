@@ -6,7 +6,7 @@
 #include "core/memory/sensor_course.h"
 #include "core/messages/sensor_status.h"
 #include "core/orientation/judge.h"
-#include "core/orientation/source.h"
+#include "core/orientation_stream/source.h"
 #include "core/profile/profile.h"
 #include "core/witness/current_link.h"
 #include "core/witness/sensor_check.h"

@@ -2,8 +2,8 @@
 // The simulated pair as a device of its own, found by `scan` and driven by boresightd. What the axes really do is
 // judged by the device's own --print-truth, not by what the drives report.
 #include "core/mqtt/client.h"
-#include "core/orientation/mqtt_source.h"
-#include "core/orientation/serial_source.h"
+#include "core/orientation_stream/mqtt_source.h"
+#include "core/orientation_stream/serial_source.h"
 #include "tests/fakes/mqtt_broker.h"
 #include "tests/fakes/program.h"
 #include "tests/fakes/real_mount.h"

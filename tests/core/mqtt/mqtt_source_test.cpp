@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sensor's messages by a real broker.
-#include "core/orientation/mqtt_source.h"
+#include "core/orientation_stream/mqtt_source.h"
 
 #include "tests/core/mqtt/mqtt_rig.h"
 #include "tests/fakes/mqtt_test.h"

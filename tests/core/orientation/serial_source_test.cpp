@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/orientation/serial_source.h"
+#include "core/orientation_stream/serial_source.h"
 
 #include "core/can/port_holder.h"
 #include "core/sim/simulated_sensor.h"

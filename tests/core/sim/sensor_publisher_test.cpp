@@ -2,7 +2,7 @@
 // The simulated sensor at a real broker, heard by the source that hears the real one.
 #include "core/sim_sensor/sensor_publisher.h"
 
-#include "core/orientation/mqtt_source.h"
+#include "core/orientation_stream/mqtt_source.h"
 #include "tests/core/mqtt/mqtt_rig.h"
 #include "tests/fakes/mqtt_test.h"
 

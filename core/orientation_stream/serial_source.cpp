@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/orientation/serial_source.h"
+#include "core/orientation_stream/serial_source.h"
 
 #include "core/base/control_characters.h"
 #include "core/base/text.h"
