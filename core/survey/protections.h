@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/messages/protection_line.h"
 #include "core/profile/profile.h"
-#include "core/survey/findings.h"
 
 #include <functional>
 #include <optional>
