@@ -184,7 +184,7 @@ supervision::AxisObservation DriveWatch::observation(Drive& drive, const trackin
         .voltage = report.voltage,
         .boardTemperature = report.boardTemperature,
         .motorTemperature = report.motorTemperature,
-        .activeLimit = moteus::isLimit(report.fault) ? report.fault : 0,
+        .limit = moteus::isLimit(report.fault) ? drive_alarms::limitClause(report.fault) : QString(),
         .turnKnown = context.turnKnown};
 }
 
