@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/diagnostics/bundle.h"
 
+#include "core/base/file_name.h"
 #include "core/base/version.h"
 #include "core/diagnostics/report.h"
-#include "core/memory/memory_file.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/setting.h"
 
@@ -80,7 +80,7 @@ std::vector<BundleFile> collect(const Snapshot& snapshot)
     }
     const QString folder = snapshot.stateDir + QLatin1Char('/');
     const QString memory =
-        folder + memory::safeFileName(QString::fromStdString(inForce.mount.name)) + QStringLiteral(".memory.json");
+        folder + safeFileName(QString::fromStdString(inForce.mount.name)) + QStringLiteral(".memory.json");
     addFile(files, memory, QStringLiteral("What the mount remembers: the journal of the turns, crash-stop proofs."));
     addFile(files, memory + QStringLiteral(".previous"), QStringLiteral("The version before it."));
     addFile(files, folder + QStringLiteral("events.log"), QStringLiteral("The log, times in UTC."));

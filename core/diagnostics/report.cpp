@@ -41,16 +41,16 @@ QString driveVersion(const char* axis, const DriveStatus& drive)
         .arg(orUnknown(drive.identity.uuid));
 }
 
-QString verdictText(survey::Verdict verdict)
+QString verdictText(Verdict verdict)
 {
     switch (verdict) {
-        case survey::Verdict::Unread:
+        case Verdict::Unread:
             return QStringLiteral("unread");
-        case survey::Verdict::Right:
+        case Verdict::Right:
             return QStringLiteral("right");
-        case survey::Verdict::Advised:
+        case Verdict::Advised:
             return QStringLiteral("ADVISED");
-        case survey::Verdict::Dangerous:
+        case Verdict::Dangerous:
             return QStringLiteral("DANGEROUS");
     }
     return {};
@@ -67,7 +67,7 @@ QStringList driveLines(const char* axis, const DriveStatus& drive)
                                     .arg(drive.crashStop->time.count())
                                     .arg(drive.crashStop->drive)
                               : QStringLiteral("crash stop: not proven"));
-    for (const survey::ProtectionLine& line : drive.protections) {
+    for (const ProtectionLine& line : drive.protections) {
         lines << QStringLiteral("%1  %2  found %3  wanted %4")
                      .arg(verdictText(line.verdict), line.key, orUnknown(line.found), line.wanted);
     }
@@ -118,13 +118,13 @@ QString drivesText(const StationStatus& status)
 {
     const DrivesStatus& drives = status.drives;
     QStringList lines{QStringLiteral("survey: %1")
-                          .arg(drives.survey == survey::SurveyState::Done
+                          .arg(drives.survey == SurveyState::Done
                                    ? QStringLiteral("done")
                                    : QStringLiteral("not done %1").arg(drives.surveyText))};
     if (!drives.armingObstacle.isEmpty()) {
         lines << QStringLiteral("nothing may move: %1").arg(drives.armingObstacle);
     }
-    for (const survey::Stranger& stranger : drives.strangers) {
+    for (const Stranger& stranger : drives.strangers) {
         lines << QStringLiteral("not in the profile: id %1, firmware %2, UUID %3")
                      .arg(stranger.id)
                      .arg(orUnknown(stranger.identity.firmware), orUnknown(stranger.identity.uuid));

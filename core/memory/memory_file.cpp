@@ -2,10 +2,10 @@
 #include "core/memory/memory_file.h"
 
 #include "core/base/file_descriptor.h"
+#include "core/base/file_name.h"
 #include "core/base/text.h"
 #include "core/memory/memory_text.h"
 
-#include <QCryptographicHash>
 #include <QDateTime>
 #include <QFile>
 #include <QFileInfo>
@@ -133,21 +133,6 @@ QString whatIsWrong(const QString& path, const Error& error)
 }
 
 }  // namespace
-
-QString safeFileName(const QString& mountName)
-{
-    constexpr int kLongest = 64;
-    QString safe = mountName.left(kLongest);
-    for (QChar& c : safe) {
-        const bool plain = c.unicode() < 128 && (c.isLetterOrNumber() || c == u'-' || c == u'_');
-        c = plain ? c : QChar(u'_');
-    }
-    if (safe == mountName && !safe.isEmpty()) {
-        return safe;
-    }
-    const QByteArray hash = QCryptographicHash::hash(mountName.toUtf8(), QCryptographicHash::Sha256).toHex();
-    return safe + u'-' + QString::fromLatin1(hash.left(8));
-}
 
 MemoryFile::MemoryFile(const QString& stateDir, const QString& mountName, QObject* parent)
     : QObject(parent), m_path(QStringLiteral("%1/%2.memory.json").arg(stateDir, safeFileName(mountName)))

@@ -66,8 +66,4 @@ private:
     QThreadPool m_writer;               // one thread; last, so that it ends first
 };
 
-// The mount's name as the name of a file: letters, digits, '-' and '_' stay; a name with anything else also gets a few
-// digits of its hash, so that two mounts never share a file.
-[[nodiscard]] QString safeFileName(const QString& mountName);
-
 }  // namespace boresight::memory

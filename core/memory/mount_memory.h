@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/memory/host_time.h"
+#include "core/messages/crash_stop.h"
 #include "core/moteus/count_origin.h"
 #include "core/moteus/registers.h"
 #include "core/units/quantity.h"
@@ -38,18 +39,6 @@ struct TurnRecord
     // It still tells where the axis may be.
     void proveNothing() { host = {}; }
     [[nodiscard]] bool provesNothing() const { return host == HostTime{}; }
-};
-
-// How an axis stopped when it was really not fed any more.
-struct CrashStop
-{
-    QString drive;                      // its UUID
-    AngularRate rate;                   // at the last order
-    Angle angle;                        // from there to standstill
-    std::chrono::milliseconds time{0};  // from there to standstill
-    UtcTime when;
-
-    bool operator==(const CrashStop&) const = default;
 };
 
 struct MountMemory

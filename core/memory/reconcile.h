@@ -3,7 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/memory/mount_memory.h"
-#include "core/memory/turn_question.h"
+#include "core/messages/turn_question.h"
 #include "core/moteus/registers.h"
 #include "core/pointing/mount_model.h"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/memory/mount_memory.h"
-#include "core/memory/turn_question.h"
-#include "core/survey/findings.h"
+#include "core/messages/crash_stop.h"
+#include "core/messages/drive_identity.h"
+#include "core/messages/protection_line.h"
+#include "core/messages/turn_question.h"
 
 #include <QString>
 
@@ -14,27 +15,35 @@
 // each axis is on, and how they stop when nobody feeds them. Plain values, part of a StationStatus.
 namespace boresight {
 
+enum class SurveyState
+{
+    NotDone,  // nobody answers, or the bus was lost since
+    Running,  // scan, identification or reading
+    Fixing,   // settings are being written
+    Done,
+};
+
 struct DriveStatus
 {
     int id = 0;  // on the bus; 0 until somebody answered
-    survey::DriveIdentity identity;
-    std::vector<survey::ProtectionLine> protections;
+    DriveIdentity identity;
+    std::vector<ProtectionLine> protections;
     bool turnKnown = false;
-    std::optional<memory::TurnQuestion> turnQuestion;  // waits for the operator
-    std::optional<memory::CrashStop> crashStop;        // of the last proof
+    std::optional<TurnQuestion> turnQuestion;  // waits for the operator
+    std::optional<CrashStop> crashStop;        // of the last proof
 };
 
 struct DrivesStatus
 {
-    survey::SurveyState survey = survey::SurveyState::NotDone;
-    QString surveyText;                       // while running: "reading servo.timeout_mode of azimuth"
-    QString armingObstacle;                   // why nothing may move yet; empty when the drives are fit
-    bool released = false;                    // the bus is left to other tools
-    bool switchedOn = false;                  // a drive is under our orders: settings can not be written
-    bool fixable = false;                     // Fix has something to write or to store
-    bool proofRunning = false;                // the crash-stop proof moves the mount
-    QString proofText;                        // what it does now, or how it ended
-    std::vector<survey::Stranger> strangers;  // boards that the profile does not know
+    SurveyState survey = SurveyState::NotDone;
+    QString surveyText;               // while running: "reading servo.timeout_mode of azimuth"
+    QString armingObstacle;           // why nothing may move yet; empty when the drives are fit
+    bool released = false;            // the bus is left to other tools
+    bool switchedOn = false;          // a drive is under our orders: settings can not be written
+    bool fixable = false;             // Fix has something to write or to store
+    bool proofRunning = false;        // the crash-stop proof moves the mount
+    QString proofText;                // what it does now, or how it ended
+    std::vector<Stranger> strangers;  // boards that the profile does not know
     DriveStatus azimuth;
     DriveStatus elevation;
 };

@@ -96,6 +96,12 @@ AlarmCase activeLimit(const QString& drive, int code)
     return {alarmEntry("drive.limit"), {drive, QString::number(code), meaning(limit), Text::of(limit.remedy)}};
 }
 
+QString limitClause(int code)
+{
+    return Text::tr("; limit %1 of the drive: %2")
+        .arg(QString::number(code), Text::of(moteus::faultText(code).meaning));
+}
+
 AlarmCase supervised(const supervision::Observed& observed)
 {
     const bool stopped = observed.weight == Weight::Stop;

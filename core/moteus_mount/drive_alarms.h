@@ -20,6 +20,7 @@ namespace boresight::drive_alarms {
 [[nodiscard]] AlarmCase answersAgain(const QString& drive);                         // and waits for a re-arm
 [[nodiscard]] AlarmCase lost(const QString& drive, DriveLoss loss, int faultCode);  // but not silent
 [[nodiscard]] AlarmCase activeLimit(const QString& drive, int code);
+[[nodiscard]] QString limitClause(int code);  // added to a sentence of the supervision
 [[nodiscard]] AlarmCase supervised(const supervision::Observed& observed);
 // Of the alarm that warns of it, or else stops the mount for it.
 [[nodiscard]] const AlarmEntry& entryOf(supervision::Finding finding);

@@ -163,7 +163,7 @@ void DriveCare::tellChanges()
 
 Result<> DriveCare::mayTouch() const
 {
-    if (m_survey.state() == survey::SurveyState::Fixing) {
+    if (m_survey.state() == SurveyState::Fixing) {
         return failure(ErrorCode::Refused, Text::tr("the drives' settings are being written: wait until that is done"));
     }
     return {};
@@ -172,7 +172,7 @@ Result<> DriveCare::mayTouch() const
 Result<> DriveCare::mayRead() const
 {
     return mayTouch().and_then([this]() -> Result<> {
-        return m_survey.state() == survey::SurveyState::Running
+        return m_survey.state() == SurveyState::Running
                    ? failure(ErrorCode::Busy, Text::tr("the drives are being read"))
                    : Result<>{};
     });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/moteus_mount/drive_pair.h"
 
-#include "core/survey/protections.h"
+#include "core/tracking/emergency_braking.h"
 
 namespace boresight {
 namespace {
@@ -13,9 +13,9 @@ DriveSettings driveSettings(Axis which, const profile::Profile& profile)
     return {.id = axis.id,
             .watchdog = profile.control.watchdog,
             .maxTorque = axis.maxTorque,
-            .velocityLimit = abs(axis.geometry.toMotor(axis.limits.speed)) * survey::kLimitGuard,
-            .accelerationLimit = abs(axis.geometry.toMotor(axis.limits.acceleration)) * survey::kLimitGuard,
-            .emergencyBraking = abs(axis.geometry.toMotor(survey::emergencyBraking(axis.limits))),
+            .velocityLimit = abs(axis.geometry.toMotor(axis.limits.speed)) * tracking::kLimitGuard,
+            .accelerationLimit = abs(axis.geometry.toMotor(axis.limits.acceleration)) * tracking::kLimitGuard,
+            .emergencyBraking = abs(axis.geometry.toMotor(tracking::emergencyBraking(axis.limits))),
             .places = {.allowance = abs(axis.geometry.toMotor(allowance) - axis.geometry.toMotor(Angle{})),
                        .speed = abs(axis.geometry.toMotor(axis.limits.speed))}};
 }

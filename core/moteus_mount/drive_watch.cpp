@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/moteus/faults.h"
 #include "core/moteus_mount/drive_alarms.h"
+#include "core/moteus_mount/fault_class.h"
 
 #include <algorithm>
 #include <utility>
@@ -26,7 +27,7 @@ LossClass classOf(DriveLoss loss, int faultCode)
 {
     switch (loss) {
         case DriveLoss::Fault:
-            return supervision::classOfFault(faultCode);
+            return classOfFault(faultCode);
         case DriveLoss::Silent:
         case DriveLoss::TimedOut:
             return LossClass::Bus;
@@ -183,7 +184,7 @@ supervision::AxisObservation DriveWatch::observation(Drive& drive, const trackin
         .voltage = report.voltage,
         .boardTemperature = report.boardTemperature,
         .motorTemperature = report.motorTemperature,
-        .activeLimit = moteus::isLimit(report.fault) ? report.fault : 0,
+        .limit = moteus::isLimit(report.fault) ? drive_alarms::limitClause(report.fault) : QString(),
         .turnKnown = context.turnKnown};
 }
 

@@ -39,7 +39,7 @@ public:
     [[nodiscard]] Result<> admits(const Request& request) const override { return m_care.admits(request); }
     [[nodiscard]] Result<> carryOut(const Request& request) override;
     void setProfile(const profile::Profile& profile) override { m_care.setProfile(profile); }
-    void setCourse(const std::optional<memory::SensorCourse>& course) override { m_mount.setCourse(course); }
+    void setCourse(const std::optional<SensorCourse>& course) override { m_mount.setCourse(course); }
     void describe(StationStatus& status) const override;
 
 private:

@@ -50,7 +50,7 @@ public:
     [[nodiscard]] const memory::MountMemory& memory() const { return m_turns.memory(); }
     [[nodiscard]] bool takeMemoryChange() { return m_turns.takeChange(); }
     // How a sensor on the antenna has seen the azimuth turn.
-    void setCourse(const std::optional<memory::SensorCourse>& course) { m_turns.setCourse(course); }
+    void setCourse(const std::optional<SensorCourse>& course) { m_turns.setCourse(course); }
 
     [[nodiscard]] const QString& name(Axis axis) const override { return m_names[index(axis)]; }
     [[nodiscard]] QString label(Axis axis) const override { return m_drives.drive(axis).label(); }

@@ -213,7 +213,7 @@ void TurnKeeper::judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& dr
         settle(axis, certain->angle, met.period, drive, QStringLiteral("station"), certain->why);
         return;
     }
-    ask(axis, std::get<memory::TurnQuestion>(judgement), drive);
+    ask(axis, std::get<TurnQuestion>(judgement), drive);
     if (!entered || doubt || !chooseAsEntered(axis, *entered, drive)) {
         countFromTheMiddle(axis, drive);
     }
@@ -256,13 +256,13 @@ bool TurnKeeper::chooseAsEntered(Axis axis, Angle place, Drive& drive)
     return chosen.has_value();
 }
 
-void TurnKeeper::ask(Axis axis, const memory::TurnQuestion& question, const Drive& drive)
+void TurnKeeper::ask(Axis axis, const TurnQuestion& question, const Drive& drive)
 {
     state(axis).phase = Phase::Asked;
     state(axis).question = question;
     state(axis).reportedWhenAsked = drive.place()->position;
     QString text = Text::tr("the turn of the axis is not known: no pointing until the operator has told it");
-    memory::TurnQuestion told = question;
+    TurnQuestion told = question;
     addTurning(axis, told);
     for (const QString& line : told.evidence) {
         text += QStringLiteral(". ") + line;
@@ -298,13 +298,13 @@ Angle TurnKeeper::movedSince(Axis axis, const Drive& drive) const
     return geometry.toAxis(drive.place()->position) - geometry.toAxis(state(axis).reportedWhenAsked);
 }
 
-std::optional<memory::TurnQuestion> TurnKeeper::question(Axis axis, const Drive& drive) const
+std::optional<TurnQuestion> TurnKeeper::question(Axis axis, const Drive& drive) const
 {
     const State& mine = state(axis);
     if (mine.phase != Phase::Asked || !drive.report() || !drive.place()) {
         return std::nullopt;
     }
-    memory::TurnQuestion question = mine.question;
+    TurnQuestion question = mine.question;
     question.evidence.back() = memory::sensorSentence(m_sensor[index(axis)]);  // it may have come, or moved, since
     question.movedSince = drive.phase() == Drive::Phase::Referencing ? Angle{} : movedSince(axis, drive);
     if (question.candidates.empty()) {
@@ -323,7 +323,7 @@ std::optional<memory::TurnQuestion> TurnKeeper::question(Axis axis, const Drive&
     return question;
 }
 
-void TurnKeeper::addTurning(Axis axis, memory::TurnQuestion& question) const
+void TurnKeeper::addTurning(Axis axis, TurnQuestion& question) const
 {
     const auto place = axis == Axis::Azimuth ? memory::placeBySensor(m_anchor, m_course) : std::nullopt;
     if (place) {
@@ -407,7 +407,7 @@ void TurnKeeper::note(Axis axis, const survey::DriveFacts& facts, const Drive& d
     }
 }
 
-void TurnKeeper::keep(Axis axis, const memory::CrashStop& stop)
+void TurnKeeper::keep(Axis axis, const CrashStop& stop)
 {
     m_start.memory.crashStops[index(axis)] = stop;
     m_changed = true;

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/alarms/event_log.h"
+#include "core/memory/course_anchor.h"
 #include "core/memory/mount_memory.h"
 #include "core/memory/reconcile.h"
-#include "core/memory/sensor_course.h"
-#include "core/memory/turn_question.h"
+#include "core/messages/turn_question.h"
 #include "core/moteus_mount/drive_pair.h"
 #include "core/profile/profile.h"
 #include "core/survey/drive_survey.h"
@@ -51,21 +51,21 @@ public:
     void setSensor(Axis axis, const std::optional<Angle>& heading) { m_sensor[index(axis)] = heading; }
 
     // How it has seen the azimuth turn: compared with where the axis was while its turn was known.
-    void setCourse(const std::optional<memory::SensorCourse>& course) { m_course = course; }
+    void setCourse(const std::optional<SensorCourse>& course) { m_course = course; }
 
     [[nodiscard]] bool known(Axis axis) const { return state(axis).phase == Phase::Known; }
     [[nodiscard]] bool asked(Axis axis) const { return state(axis).phase == Phase::Asked; }
     // Why the place that was entered at the start of the program did not count; empty: it did, or there was none.
     [[nodiscard]] const QString& placeProblem(Axis axis) const { return m_placeProblems[index(axis)]; }
     // The question that waits for the operator; the places move along when the axis is jogged.
-    [[nodiscard]] std::optional<memory::TurnQuestion> question(Axis axis, const Drive& drive) const;
+    [[nodiscard]] std::optional<TurnQuestion> question(Axis axis, const Drive& drive) const;
 
     // What the drive's position counts from is to be read (again): nothing can be proved without, and whoever sets the
     // position of a drive whose turn is known changes it.
     [[nodiscard]] bool needsOrigin(Axis axis, const survey::DriveFacts& facts) const;
     // Writes down where a known axis stands.
     void note(Axis axis, const survey::DriveFacts& facts, const Drive& drive, bool moving, SteadyTime now);
-    void keep(Axis axis, const memory::CrashStop& stop);
+    void keep(Axis axis, const CrashStop& stop);
     [[nodiscard]] const memory::MountMemory& memory() const { return m_start.memory; }
     // True once after the memory changed: it is to be saved.
     [[nodiscard]] bool takeChange() { return std::exchange(m_changed, false); }
@@ -84,7 +84,7 @@ private:
         std::optional<QString> doubt{};
         // What was read of the drive up to then is not true any more: it was silent, or its position was set.
         SteadyTime since = SteadyTime::min();
-        memory::TurnQuestion question{};
+        TurnQuestion question{};
         MotorTurns reportedWhenAsked{};
         std::optional<SteadyTime> noted{};
         SteadyTime notBefore{};                                     // when the next judgement may be made
@@ -101,7 +101,7 @@ private:
     [[nodiscard]] bool isFresh(Axis axis, const survey::DriveFacts& facts) const;
     [[nodiscard]] bool ofTheOtherAxis(Axis axis, const survey::DriveFacts& facts) const;
     void judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now);
-    void ask(Axis axis, const memory::TurnQuestion& question, const Drive& drive);
+    void ask(Axis axis, const TurnQuestion& question, const Drive& drive);
     [[nodiscard]] std::optional<Angle> takeEnteredPlace(Axis axis);
     [[nodiscard]] Result<> enteredPlaceCounts() const;
     [[nodiscard]] bool chooseAsEntered(Axis axis, Angle place, Drive& drive);
@@ -113,7 +113,7 @@ private:
     void becomeKnown(Axis axis, const Drive& drive);
     void settle(Axis axis, Angle angle, Angle period, Drive& drive, const QString& source, const QString& why);
     [[nodiscard]] MotorTurns tolerance(Axis axis, Angle period) const;
-    void addTurning(Axis axis, memory::TurnQuestion& question) const;
+    void addTurning(Axis axis, TurnQuestion& question) const;
     [[nodiscard]] Angle movedSince(Axis axis, const Drive& drive) const;
 
     profile::Profile m_profile;
@@ -124,7 +124,7 @@ private:
     std::array<QString, 2> m_placeProblems;
     std::array<State, 2> m_states;
     std::array<std::optional<Angle>, 2> m_sensor;
-    std::optional<memory::SensorCourse> m_course;
+    std::optional<SensorCourse> m_course;
     std::optional<memory::CourseAnchor> m_anchor;  // of the azimuth
     bool m_changed = false;
 };

@@ -2,7 +2,7 @@
 #include "core/motion/motion.h"
 
 #include "core/pointing/route.h"
-#include "core/survey/protections.h"
+#include "core/tracking/emergency_braking.h"
 
 #include <cmath>
 
@@ -36,7 +36,8 @@ bool same(const AxisPosition& a, const AxisPosition& b)
 Motion::Motion(const profile::Profile& profile)
     : m_axes(profile),
       m_speed{.azimuth = profile.azimuth.limits.speed, .elevation = profile.elevation.limits.speed},
-      m_hardest{survey::emergencyBraking(profile.azimuth.limits), survey::emergencyBraking(profile.elevation.limits)}
+      m_hardest{tracking::emergencyBraking(profile.azimuth.limits),
+                tracking::emergencyBraking(profile.elevation.limits)}
 {}
 
 void Motion::start(Axis axis, Angle measured)
@@ -99,7 +100,7 @@ void Motion::setLimits(Axis axis, const tracking::MotionLimits& limits)
 {
     m_axes.setLimits(axis, limits);
     (axis == Axis::Azimuth ? m_speed.azimuth : m_speed.elevation) = limits.speed;
-    m_hardest[axis == Axis::Azimuth ? 0 : 1] = survey::emergencyBraking(limits);
+    m_hardest[axis == Axis::Azimuth ? 0 : 1] = tracking::emergencyBraking(limits);
 }
 
 void Motion::forgetWay()

@@ -5,10 +5,10 @@
 #include "core/alarms/event_log.h"
 #include "core/base/clock.h"
 #include "core/base/result.h"
-#include "core/memory/sensor_course.h"
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
 #include "core/mount/mount_driver.h"
+#include "core/mount/sensor_course.h"
 #include "core/profile/profile.h"
 
 #include <QObject>
@@ -47,7 +47,7 @@ public:
 
     virtual void setProfile(const profile::Profile& profile) = 0;
     // How a sensor on the antenna has seen the azimuth turn.
-    virtual void setCourse(const std::optional<memory::SensorCourse>& course) = 0;
+    virtual void setCourse(const std::optional<SensorCourse>& course) = 0;
     // Its part of the status: the line, and what it found out about the mount.
     virtual void describe(StationStatus& status) const = 0;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/north/calibration_file.h"
 
+#include "core/base/file_name.h"
 #include "core/base/text.h"
 #include "core/calibration/record_text.h"
-#include "core/memory/memory_file.h"
 #include "core/profile/small_file.h"
 
 #include <QFile>
@@ -52,7 +52,7 @@ Result<> write(const QString& path, const calibration::CalibrationHistory& histo
 
 QString calibrationPath(const QString& stateDir, const QString& mountName, bool simulated)
 {
-    return QStringLiteral("%1/%2%3").arg(stateDir, memory::safeFileName(mountName),
+    return QStringLiteral("%1/%2%3").arg(stateDir, safeFileName(mountName),
                                          simulated ? QStringLiteral(".simulated") : QString()) +
            kEnding;
 }

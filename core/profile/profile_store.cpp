@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/profile/profile_store.h"
 
+#include "core/base/file_name.h"
 #include "core/base/text.h"
-#include "core/memory/memory_file.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_history.h"
 #include "core/profile/small_file.h"
@@ -157,7 +157,7 @@ QString ProfileStore::currentFile() const
 // The mount's memory has a file of the same name. Another mount may have had this name before it was renamed.
 QString ProfileStore::freePath(const QString& mountName) const
 {
-    const QString base = m_profiles + QLatin1Char('/') + memory::safeFileName(mountName);
+    const QString base = m_profiles + QLatin1Char('/') + safeFileName(mountName);
     QString path = base + kToml;
     for (int number = 2; QFileInfo::exists(path); ++number) {
         path = base + QStringLiteral("-%1").arg(number) + kToml;

@@ -18,7 +18,7 @@ void protect(sim::DriveConfig& drive, const profile::Profile& profile, Axis axis
     for (const survey::Protection& protection : survey::protectionsOf(profile, axis)) {
         const auto found = sim::configText(drive, protection.key);
         const survey::Reading reading{.state = survey::Reading::State::Read, .text = found.value_or(std::string())};
-        if (found && protection.remedy && survey::judged(protection, reading).verdict != survey::Verdict::Right) {
+        if (found && protection.remedy && survey::judged(protection, reading).verdict != Verdict::Right) {
             (void)sim::setConfigText(drive, protection.key, survey::settingText(*protection.remedy));
         }
     }

@@ -4,6 +4,8 @@
 #include "core/base/clock.h"
 #include "core/units/sky.h"
 
+#include <QString>
+
 #include <optional>
 
 // One axis as seen in one tick. Mechanical angles, Nm, V, °C.
@@ -37,7 +39,7 @@ struct AxisObservation
     std::optional<double> voltage{};
     std::optional<double> boardTemperature{};
     std::optional<double> motorTemperature{};
-    int activeLimit = 0;     // the moteus code (96…105) of what the drive is limited by now; 0: nothing
+    QString limit{};  // of the drive now, to be added to a sentence: "; limit 102 of the drive: …"; empty: none
     bool turnKnown = false;  // else `actual` is right but for whole turns of the rotor
 };
 

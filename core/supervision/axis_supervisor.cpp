@@ -2,7 +2,6 @@
 #include "core/supervision/axis_supervisor.h"
 
 #include "core/base/text.h"
-#include "core/moteus/faults.h"
 #include "core/supervision/finding_words.h"
 
 #include <algorithm>
@@ -137,7 +136,7 @@ void AxisSupervisor::judgeFollowing(const AxisObservation& seen)
         return Text::tr("%1 is %2 away from its set-point for %3 (set-point %4, axis %5)")
                    .arg(m_name, words(apart), words(m_settings.followingTime), words(seen.commanded),
                         words(seen.actual)) +
-               limitText(seen.now);
+               limit(seen.now);
     });
 }
 
@@ -148,36 +147,28 @@ void AxisSupervisor::judgeProgress(const AxisObservation& seen)
                             words(m_progress.underCommand()), words(m_progress.moved()));
     };
     // Told to turn round, an axis runs on for as long as its drive, which gives all it may, needs to stop it.
-    const bool runsOn = limit(seen.now) != 0 && m_progress.slowsDown();
+    const bool runsOn = !limit(seen.now).isEmpty() && m_progress.slowsDown();
     const double against = runsOn ? 0.0 : m_progress.against().degrees();
     m_wrongWay.update(seen.now, against, {.stop = kAgainst.degrees(), .release = kAgainst.degrees()},
                       [&] { return motion(Text::tr("%1 moves the wrong way: %2 at %3 commanded in %4, %5 moved")); });
     const double missing = m_progress.missing() ? m_progress.underCommand().count() : 0.0;
     const double longest = m_settings.stallTime.count();
     m_stalled.update(seen.now, missing, {.stop = longest, .release = longest}, [&] {
-        return motion(Text::tr("%1 does not move: %2 at %3 commanded in %4, %5 moved")) + limitText(seen.now);
+        return motion(Text::tr("%1 does not move: %2 at %3 commanded in %4, %5 moved")) + limit(seen.now);
     });
 }
 
 void AxisSupervisor::noteLimit(const AxisObservation& seen)
 {
-    if (seen.activeLimit != 0) {
-        m_limit = seen.activeLimit;
+    if (!seen.limit.isEmpty()) {
+        m_limit = seen.limit;
         m_limitSeen = seen.now;
     }
 }
 
-int AxisSupervisor::limit(SteadyTime now) const
+QString AxisSupervisor::limit(SteadyTime now) const
 {
-    return m_limit != 0 && now - m_limitSeen <= kLimitExplains ? m_limit : 0;
-}
-
-QString AxisSupervisor::limitText(SteadyTime now) const
-{
-    const int code = limit(now);
-    return code == 0 ? QString()
-                     : Text::tr("; limit %1 of the drive: %2")
-                           .arg(QString::number(code), Text::of(moteus::faultText(code).meaning));
+    return now - m_limitSeen <= kLimitExplains ? m_limit : QString();
 }
 
 void AxisSupervisor::judgeStanding(const AxisObservation& seen)
@@ -273,7 +264,7 @@ void AxisSupervisor::judgePush(const AxisObservation& seen, double share)
         return Text::tr("%1 does not move: %2 from its set-point with %3 Nm of the %4 Nm allowed, for %5")
                    .arg(m_name, words(apart), words(std::abs(seen.torque.value_or(0.0)), 1),
                         words(m_limits.maxTorque, 1), words(kTorqueLasts)) +
-               limitText(seen.now);
+               limit(seen.now);
     });
 }
 

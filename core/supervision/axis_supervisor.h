@@ -60,8 +60,7 @@ private:
     void judgeTorque(const AxisObservation& seen);
     void judgePush(const AxisObservation& seen, double share);
     void noteLimit(const AxisObservation& seen);
-    [[nodiscard]] int limit(SteadyTime now) const;          // code of what the drive is limited by; 0: nothing
-    [[nodiscard]] QString limitText(SteadyTime now) const;  // the same, to be added to a sentence
+    [[nodiscard]] QString limit(SteadyTime now) const;  // of the drive, while it explains something; else empty
     void judgeReplies(const AxisObservation& seen);
     void judgeSupply(const AxisObservation& seen);
     void judgeBoard(const AxisObservation& seen);
@@ -81,7 +80,7 @@ private:
     Trend m_motorTrend;
     bool m_wasEngaged = false;
     bool m_knewTurn = false;
-    int m_limit = 0;
+    QString m_limit;
     SteadyTime m_limitSeen{};
 
     Watch m_following{Finding::FollowingError};

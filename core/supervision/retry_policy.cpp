@@ -89,33 +89,6 @@ QString heatRefusal(double boardLimit, double motorHot, const DriveConditions& a
 // From the table of the moteus facts in core/moteus/faults.cpp. 33 and 44 are mostly a sagging supply, but the code
 // alone does not tell it from a burnt bridge, which a second attempt destroys further: a person must look. 34 and 40
 // are the supply and nothing else. 41 is somebody writing settings; 49 and 50 are a blocked axis or wrong gains.
-LossClass classOfFault(int code)
-{
-    switch (code) {
-        case 35:
-        case 42:
-        case 43:
-            return LossClass::Encoder;
-        case 36:
-        case 39:
-        case 41:
-        case 45:
-        case 47:
-        case 48:
-            return LossClass::Configuration;
-        case 34:
-        case 40:
-            return LossClass::Supply;
-        case 38:
-            return LossClass::OverTemperature;
-        case 49:
-        case 50:
-            return LossClass::Motion;
-        default:
-            return LossClass::Driver;
-    }
-}
-
 void RetryPolicy::lost(LossClass loss, SteadyTime now)
 {
     m_allowed = stricter(policy(loss), m_allowed.value_or(Retry::Interval));

@@ -25,9 +25,6 @@ enum class LossClass
     Bus               // by the profile: silence, a drive's time-out
 };
 
-// Of a moteus fault code (mode 1). Unknown codes are Driver.
-[[nodiscard]] LossClass classOfFault(int code);
-
 class RetryPolicy
 {
 public:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/messages/drives_status.h"
 #include "core/survey/axis_survey.h"
 #include "core/survey/bus_scan.h"
 #include "core/survey/findings.h"

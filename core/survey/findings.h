@@ -3,63 +3,8 @@
 
 #include <QString>
 
-// What a survey of the drives tells the operator: plain values, made on the station thread, shown on the screen.
+// What a survey of the drives found out of order: plain values, made on the station thread, raised as alarms.
 namespace boresight::survey {
-
-enum class Verdict
-{
-    Unread,
-    Right,
-    Advised,    // works, but is worth fixing
-    Dangerous,  // nothing moves before it is right
-};
-
-// One setting of a drive that protects the mount.
-struct ProtectionLine
-{
-    QString key;     // as the drive calls it: "servopos.position_min"
-    QString wanted;  // with its unit: "-0.258 turns"
-    QString found;   // empty while unread
-    QString reason;  // why it matters, for the operator
-    QString fix;     // what Fix would write, with its unit; empty: it is right, or only a person may change it
-    Verdict verdict = Verdict::Unread;
-    // A bound of a drive that counts against the axis: its lower one is the axis's upper.
-    bool reversed = false;
-
-    bool operator==(const ProtectionLine&) const = default;
-};
-
-// Worth fixing, by Fix or by a person.
-[[nodiscard]] inline bool differs(const ProtectionLine& line)
-{
-    return line.verdict == Verdict::Advised || line.verdict == Verdict::Dangerous;
-}
-
-enum class SurveyState
-{
-    NotDone,  // nobody answers, or the bus was lost since
-    Running,  // scan, identification or reading
-    Fixing,   // settings are being written
-    Done,
-};
-
-struct DriveIdentity
-{
-    QString uuid;      // 8-4-4-4-12 digits; empty while unknown
-    QString firmware;  // "1.1.0"
-    int registerMap = 0;
-
-    bool operator==(const DriveIdentity&) const = default;
-};
-
-// A board on the bus that is none of ours.
-struct Stranger
-{
-    int id = 0;
-    DriveIdentity identity;
-
-    bool operator==(const Stranger&) const = default;
-};
 
 enum class FindingWeight
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/messages/drive_identity.h"
 #include "core/profile/profile.h"
 #include "core/survey/bus_scan.h"
 #include "core/survey/findings.h"

@@ -3,6 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/tracking/emergency_braking.h"
 
 #include <algorithm>
 #include <cmath>
@@ -228,10 +229,10 @@ void addLimits(List& list, const profile::AxisSettings& axis, const DriveScale& 
                          .unit = Text::tr("turns/s"),
                          .wanted = scale.range(speed, 2.0 * speed, Text::tr("turns/s"), QStringLiteral("°/s")),
                          .isRight = [speed](double found) { return isWithin(found, speed, 2.0 * speed); },
-                         .remedy = kLimitGuard * speed,
+                         .remedy = tracking::kLimitGuard * speed,
                          .reason = Text::tr("the speed of every order that names none; the factory has no limit"),
                          .explain = scale.asSpan(QStringLiteral("°/s"))});
-    const double braking = scale.turns(Angle::fromDegrees(emergencyBraking(axis.limits).degrees()));
+    const double braking = scale.turns(Angle::fromDegrees(tracking::emergencyBraking(axis.limits).degrees()));
     const double lowest = 0.8 * braking;  // 0.1 s from full speed
     addWithRemedy(list, {.key = "servo.default_accel_limit",
                          .unit = Text::tr("turns/s²"),
@@ -301,14 +302,6 @@ std::optional<double> Reading::value() const
         return std::nullopt;
     }
     return text == "nan" || text == "-nan" ? std::optional(kNone) : parseFinite(text);
-}
-
-AngularAcceleration emergencyBraking(const tracking::MotionLimits& limits)
-{
-    constexpr double kRamp = 0.08;  // s
-    const double asked = limits.acceleration.degrees();
-    return AngularAcceleration::fromDegrees(
-        std::clamp(limits.speed.degrees() / kRamp, kLimitGuard * asked, 15.0 * asked));
 }
 
 std::vector<Protection> protectionsOf(const profile::Profile& profile, Axis which)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/messages/protection_line.h"
 #include "core/profile/profile.h"
-#include "core/survey/findings.h"
 
 #include <functional>
 #include <optional>
@@ -12,14 +12,6 @@
 // The settings of a drive that protect the mount, and what a profile wants of each. The drive is to be a second limit
 // that holds without this program: every line says what happens if it is wrong. Pure values.
 namespace boresight::survey {
-
-// Room of the drive's own planner above what the host's profile asks for: it must never be the slower one.
-inline constexpr double kLimitGuard = 1.5;
-
-// What an axis is stopped with that must not run on: by its drive that is left alone (servo.default_accel_limit), and
-// by order where nobody sees it, or at STOP. From full speed to rest in 0.08 s, behind a watchdog of 0.1 s within 0.2 s
-// of the last order; but with no more than fifteen times what the profile asks of the mount.
-[[nodiscard]] AngularAcceleration emergencyBraking(const tracking::MotionLimits& limits);
 
 inline constexpr int kTimeoutHold = 10;  // servo.timeout_mode: brake, then hold
 

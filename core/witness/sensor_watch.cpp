@@ -412,7 +412,7 @@ SensorEvidence SensorWatch::evidence() const
 }
 
 // The true azimuth, on the turn that the count of the headings says.
-std::optional<memory::SensorCourse> SensorWatch::course(const orientation::Orientation& last) const
+std::optional<SensorCourse> SensorWatch::course(const orientation::Orientation& last) const
 {
     const SkyPointing direction = m_truth.directionOf(last);
     if (!doubtOfCalibration(last).isEmpty() || direction.elevation >= kHighestCourse) {
@@ -422,7 +422,7 @@ std::optional<memory::SensorCourse> SensorWatch::course(const orientation::Orien
     zero.heading = {};
     const bool clockwise = m_settings.mounting.sense == orientation::Sense::Clockwise;
     const Angle about = m_truth.directionOf(zero).azimuth + (clockwise ? m_judge.course() : -m_judge.course());
-    return memory::SensorCourse{.unbroken = m_judge.breaks() + m_breaks, .azimuth = direction.azimuth.nearestTo(about)};
+    return SensorCourse{.unbroken = m_judge.breaks() + m_breaks, .azimuth = direction.azimuth.nearestTo(about)};
 }
 
 }  // namespace boresight

@@ -3,8 +3,8 @@
 
 #include "core/alarms/alarm_board.h"
 #include "core/alarms/event_log.h"
-#include "core/memory/sensor_course.h"
 #include "core/messages/sensor_status.h"
+#include "core/mount/sensor_course.h"
 #include "core/orientation/judge.h"
 #include "core/orientation_stream/source.h"
 #include "core/profile/profile.h"
@@ -22,7 +22,7 @@ struct SensorEvidence
 {
     std::optional<Angle> azimuth;
     std::optional<Angle> elevation;
-    std::optional<memory::SensorCourse> course;  // how the azimuth went, while it can be followed
+    std::optional<SensorCourse> course;  // how the azimuth went, while it can be followed
 
     bool operator==(const SensorEvidence&) const = default;
 };
@@ -61,7 +61,7 @@ private:
     // Why its azimuth is no evidence; empty: it is.
     [[nodiscard]] QString doubtOf(const orientation::Orientation& value) const;
     [[nodiscard]] bool isYoung() const;
-    [[nodiscard]] std::optional<memory::SensorCourse> course(const orientation::Orientation& last) const;
+    [[nodiscard]] std::optional<SensorCourse> course(const orientation::Orientation& last) const;
     void compare(const orientation::Orientation& value);
     [[nodiscard]] static SensorReading readingOf(const orientation::Orientation& value, const SensorTruth& truth);
     void correct();

@@ -2,7 +2,7 @@
 // The whole path on real CAN interfaces: needs vcan0, CAN-FD, up, the right to change it (User-Mode Linux gives both),
 // and can-utils as an independent witness, as the cable and as a rude neighbour.
 #include "core/moteus/diagnostic.h"
-#include "core/survey/protections.h"
+#include "core/tracking/emergency_braking.h"
 #include "tests/system/socketcan_mount.h"
 
 #include <QFile>
@@ -216,7 +216,7 @@ TEST_P(SocketCanFlood, MountStaysUnderControlOrStopsAndSaysSo)
     // profile's. A drive that catches up while the set-point brakes overshoots by at most what it was behind: 0.25 s at
     // 10 °/s, then the replies count as missing.
     for (const Truth& truth : mount.truths()) {
-        EXPECT_LT(std::abs(truth.azimuthRate), 1.05 * survey::kLimitGuard * 10.0);
+        EXPECT_LT(std::abs(truth.azimuthRate), 1.05 * tracking::kLimitGuard * 10.0);
         EXPECT_LT(truth.elevation, 30.0 + 2.5);
     }
     if (stopped) {

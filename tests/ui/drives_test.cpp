@@ -128,7 +128,7 @@ TEST_F(DrivesTest, TheBusCanBeReleasedWhileTheDrivesAreRead)
     give(samples::update(samples::reading()));
     EXPECT_TRUE(named<CommandButton>("Release bus")->isEnabled());
     StationStatus fixing = samples::reading();
-    fixing.drives.survey = survey::SurveyState::Fixing;
+    fixing.drives.survey = SurveyState::Fixing;
     give(samples::update(fixing));
     expectBlocked("Release bus", "settings are being written");
 }
@@ -191,7 +191,7 @@ TEST_F(DrivesTest, AxesThatWantDifferentValuesHaveARowEach)
 TEST_F(DrivesTest, TheLimitsOfAReversedDriveAreShownTheOperatorsWayRound)
 {
     StationStatus status = samples::idle();
-    for (survey::ProtectionLine& line : status.drives.elevation.protections) {
+    for (ProtectionLine& line : status.drives.elevation.protections) {
         if (line.key.startsWith(QLatin1String("servopos.position_"))) {
             const bool lower = line.key.endsWith(QLatin1String("min"));
             line.wanted = line.found =
@@ -208,7 +208,7 @@ TEST_F(DrivesTest, TheLimitsOfAReversedDriveAreShownTheOperatorsWayRound)
 TEST_F(DrivesTest, ARangeIsShownInDegreesNotInTurns)
 {
     StationStatus status = samples::idle();
-    for (survey::ProtectionLine& line : status.drives.elevation.protections) {
+    for (ProtectionLine& line : status.drives.elevation.protections) {
         if (line.key == QLatin1String("servo.default_velocity_limit")) {
             line.wanted = QStringLiteral("0.0222 to 0.0444 turns/s (8 to 16°/s)");
         }
@@ -290,7 +290,7 @@ TEST_F(DrivesTest, FixNeedsDrivesThatAreReadSwitchedOffAndWrong)
     status.drives.fixable = false;
     give(samples::update(status));
     expectBlocked("Fix …", "what is wrong is for a person to change");
-    status.drives.survey = survey::SurveyState::NotDone;
+    status.drives.survey = SurveyState::NotDone;
     give(samples::update(status));
     expectBlocked("Fix …", "the drives are not read yet");
     give(samples::update(samples::released()));

@@ -139,7 +139,7 @@ protected:
     bool fit()
     {
         const StationStatus now = station->status();
-        return now.state != StationState::Disconnected && now.drives.survey == survey::SurveyState::Done &&
+        return now.state != StationState::Disconnected && now.drives.survey == SurveyState::Done &&
                now.drives.armingObstacle.isEmpty() && now.drives.azimuth.turnKnown && now.drives.elevation.turnKnown;
     }
 
@@ -194,7 +194,7 @@ TEST_F(GuideWalk, FromTheFirstStartToTheFirstSafeMove)
     ASSERT_TRUE(until(
         [this] {
             return station->status().profile->elevation.geometry.offset != 90_deg &&
-                   station->status().drives.survey == survey::SurveyState::Done;
+                   station->status().drives.survey == SurveyState::Done;
         },
         Seconds(20.0)));
     EXPECT_LT(farthest.elevation, 0.1_deg) << "nothing moved";

@@ -9,9 +9,6 @@ namespace boresight::samples {
 
 namespace {
 
-using survey::ProtectionLine;
-using survey::Verdict;
-
 struct Setting
 {
     const char* key;
@@ -89,11 +86,11 @@ DriveStatus drive(Axis axis)
                       .registerMap = 5};
     drive.protections = protections(axis, false);
     drive.turnKnown = true;
-    drive.crashStop = memory::CrashStop{.drive = drive.identity.uuid,
-                                        .rate = 2_deg_s,
-                                        .angle = azimuth ? 0.21_deg : 0.16_deg,
-                                        .time = std::chrono::milliseconds(azimuth ? 140 : 120),
-                                        .when = kUtc - std::chrono::minutes(306)};
+    drive.crashStop = CrashStop{.drive = drive.identity.uuid,
+                                .rate = 2_deg_s,
+                                .angle = azimuth ? 0.21_deg : 0.16_deg,
+                                .time = std::chrono::milliseconds(azimuth ? 140 : 120),
+                                .when = kUtc - std::chrono::minutes(306)};
     return drive;
 }
 
@@ -120,7 +117,7 @@ StationStatus factoryDrives()
 StationStatus reading()
 {
     StationStatus status = factoryDrives();
-    status.drives.survey = survey::SurveyState::Running;
+    status.drives.survey = SurveyState::Running;
     status.drives.surveyText = QStringLiteral("reading servo.timeout_mode of elevation");
     status.drives.armingObstacle = QStringLiteral("the drives are being read");
     for (ProtectionLine& line : status.drives.elevation.protections) {
@@ -143,7 +140,7 @@ StationStatus released()
     dropTarget(status);
     status.drives.released = true;
     status.drives.switchedOn = false;
-    status.drives.survey = survey::SurveyState::NotDone;
+    status.drives.survey = SurveyState::NotDone;
     return status;
 }
 
@@ -169,7 +166,7 @@ StationStatus asking(Axis axis, int places, Angle period, bool proposed)
     place(status, {45.1_deg, 20_deg}, {45.1_deg, 20_deg}, {45.1_deg, 20_deg});
     dropTarget(status);
     const Angle at = axis == Axis::Azimuth ? 45.1_deg : 20_deg;
-    memory::TurnQuestion question;
+    TurnQuestion question;
     for (int place = 0; place < places; ++place) {
         question.candidates.push_back(at + period * (place - places / 4));
     }

@@ -135,9 +135,9 @@ void judgeMotions(StationStatus& status)
 QString noFix(const StationStatus& status)
 {
     const auto right = [&status](Axis axis) {
-        return std::ranges::none_of(driveOf(status, axis).protections, survey::differs);
+        return std::ranges::none_of(driveOf(status, axis).protections, differs);
     };
-    if (status.drives.survey != survey::SurveyState::Done) {
+    if (status.drives.survey != SurveyState::Done) {
         return QStringLiteral("the drives are not read yet");
     }
     if (!status.drives.fixable) {
@@ -158,11 +158,11 @@ void judgeDrives(StationStatus& status)
     const DrivesStatus& drives = status.drives;
     const QString released =
         drives.released ? QStringLiteral("the bus is left to other tools: take it back first") : QString();
-    const QString writing = drives.survey == survey::SurveyState::Fixing
+    const QString writing = drives.survey == SurveyState::Fixing
                                 ? QStringLiteral("the drives' settings are being written: wait until that is done")
                                 : QString();
     const QString reading =
-        drives.survey == survey::SurveyState::Running ? QStringLiteral("the drives are being read") : writing;
+        drives.survey == SurveyState::Running ? QStringLiteral("the drives are being read") : writing;
     const QString silent =
         status.state == StationState::Disconnected ? QStringLiteral("both drives must answer") : QString();
     const QString moves = moving(status);

@@ -135,7 +135,7 @@ StationStatus idle()
     status.simulated = true;
     status.listening = QStringLiteral("127.0.0.1:4533");
     status.utc = kUtc;
-    status.drives.survey = survey::SurveyState::Done;
+    status.drives.survey = SurveyState::Done;
     status.drives.switchedOn = true;
     status.drives.azimuth = drive(Axis::Azimuth);
     status.drives.elevation = drive(Axis::Elevation);

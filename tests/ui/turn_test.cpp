@@ -358,7 +358,7 @@ TEST_F(TurnTest, ALimitOfAnUnknownTurnBlocksNoWay)
     EXPECT_TRUE(named<QPushButton>("Turn clockwise at 2.0°/s while held")->isEnabled());
 }
 
-memory::TurnQuestion question(std::vector<Angle> candidates, std::optional<Angle> proposed = {})
+TurnQuestion question(std::vector<Angle> candidates, std::optional<Angle> proposed = {})
 {
     return {
         .candidates = std::move(candidates), .proposed = proposed, .evidence = {}, .period = 30_deg, .movedSince = {}};
@@ -398,7 +398,7 @@ TEST(TurnChoice, KeepsTheChoiceOfTheOperatorAgainstALaterProposal)
 TEST(TurnChoice, AnEnteredAngleHoldsOnlyWhereItWasReadOff)
 {
     TurnChoice choice;
-    memory::TurnQuestion open = question({});
+    TurnQuestion open = question({});
     choice.begin(open);
     choice.enter(12.5_deg);
     EXPECT_EQ(choice.angle(), 12.5_deg);

@@ -54,10 +54,10 @@ QDoubleSpinBox* makeRate(QWidget* parent)
 }
 
 // "Also on the bus, not in the profile: id 5 (3f2a9c1d…e811, 1.1.0)".
-QString strangersText(const std::vector<survey::Stranger>& strangers)
+QString strangersText(const std::vector<Stranger>& strangers)
 {
     QStringList boards;
-    for (const survey::Stranger& one : strangers) {
+    for (const Stranger& one : strangers) {
         boards << DrivesPanel::tr("id %1 (%2, %3)")
                       .arg(one.id)
                       .arg(shortened(one.identity.uuid), known(one.identity.firmware));
@@ -72,7 +72,7 @@ Sentence crashStopSentence(const DriveStatus& drive)
     if (!drive.crashStop) {
         return {DrivesPanel::tr("not proved yet")};
     }
-    const memory::CrashStop& stop = *drive.crashStop;
+    const CrashStop& stop = *drive.crashStop;
     const QString text = DrivesPanel::tr("%1: stopped after %2 in %3 s, %4")
                              .arg(rateText(stop.rate), angleText(stop.angle))
                              .arg(Seconds(stop.time).count(), 0, 'f', 2)

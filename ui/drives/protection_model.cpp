@@ -16,8 +16,6 @@ namespace boresight::ui {
 
 namespace {
 
-using survey::ProtectionLine;
-
 struct Label
 {
     const char* key;
@@ -76,28 +74,28 @@ struct ShownLine
     Symbol symbol = Symbol::None;
 };
 
-ShownLine shown(survey::Verdict verdict)
+ShownLine shown(Verdict verdict)
 {
     switch (verdict) {
-        case survey::Verdict::Right:
+        case Verdict::Right:
             return {ProtectionModel::tr("right")};
-        case survey::Verdict::Advised:
+        case Verdict::Advised:
             return {ProtectionModel::tr("advised"), Tone::Advisory, Symbol::Advisory};
-        case survey::Verdict::Dangerous:
+        case Verdict::Dangerous:
             return {ProtectionModel::tr("dangerous"), Tone::Alarm, Symbol::Alarm};
-        case survey::Verdict::Unread:
+        case Verdict::Unread:
             break;
     }
     return {ProtectionModel::tr("unread"), Tone::Secondary};
 }
 
 // A setting that is not read yet may be anything: it weighs more than one that is right.
-int weight(survey::Verdict verdict)
+int weight(Verdict verdict)
 {
-    return verdict == survey::Verdict::Right ? -1 : static_cast<int>(verdict);
+    return verdict == Verdict::Right ? -1 : static_cast<int>(verdict);
 }
 
-survey::Verdict worse(survey::Verdict a, survey::Verdict b)
+Verdict worse(Verdict a, Verdict b)
 {
     return weight(a) > weight(b) ? a : b;
 }
@@ -200,7 +198,7 @@ ProtectionModel::Row& ProtectionModel::rowFor(Axis axis, const ProtectionLine& l
                         Row{.label = label, .key = line.key, .wanted = line.wanted, .found = {}});
 }
 
-int ProtectionModel::count(survey::Verdict verdict) const
+int ProtectionModel::count(Verdict verdict) const
 {
     std::ptrdiff_t count = 0;
     for (const auto& lines : m_lines) {
@@ -269,7 +267,7 @@ QString ProtectionModel::text(const Row& row, int column) const
     }
 }
 
-survey::Verdict ProtectionModel::verdictOf(const Row& row)
+Verdict ProtectionModel::verdictOf(const Row& row)
 {
     const auto& [azimuth, elevation] = row.found;
     return azimuth && elevation ? worse(azimuth->verdict, elevation->verdict)
@@ -277,7 +275,7 @@ survey::Verdict ProtectionModel::verdictOf(const Row& row)
 }
 
 // The verdict a cell shows, if it shows one.
-std::optional<survey::Verdict> ProtectionModel::verdictIn(const Row& row, int column) const
+std::optional<Verdict> ProtectionModel::verdictIn(const Row& row, int column) const
 {
     const auto of = [](const auto& line) { return line ? std::optional(line->verdict) : std::nullopt; };
     switch (column) {

@@ -35,7 +35,7 @@ public:
     void show(const DrivesStatus& drives);
 
     [[nodiscard]] QString explanation(int row) const;  // the values, and why the setting matters
-    [[nodiscard]] int count(survey::Verdict verdict) const;
+    [[nodiscard]] int count(Verdict verdict) const;
     [[nodiscard]] QStringList changes() const;    // what Fix would write, one line each
     [[nodiscard]] QStringList leftAlone() const;  // what differs and only a person may change
 
@@ -45,22 +45,22 @@ protected:
     [[nodiscard]] std::size_t rows() const override { return m_rows.size(); }
 
 private:
-    using Lines = std::array<std::vector<survey::ProtectionLine>, 2>;
+    using Lines = std::array<std::vector<ProtectionLine>, 2>;
 
     struct Row
     {
         QString label;
         QString key;
         QString wanted;
-        std::array<std::optional<survey::ProtectionLine>, 2> found;  // by axis
+        std::array<std::optional<ProtectionLine>, 2> found;  // by axis
     };
 
     [[nodiscard]] std::vector<Row> arranged() const;
     void reorder(std::vector<Row> rows);
-    [[nodiscard]] static survey::Verdict verdictOf(const Row& row);
-    [[nodiscard]] static Row& rowFor(Axis axis, const survey::ProtectionLine& line, std::vector<Row>& rows);
+    [[nodiscard]] static Verdict verdictOf(const Row& row);
+    [[nodiscard]] static Row& rowFor(Axis axis, const ProtectionLine& line, std::vector<Row>& rows);
     [[nodiscard]] QString text(const Row& row, int column) const;
-    [[nodiscard]] std::optional<survey::Verdict> verdictIn(const Row& row, int column) const;
+    [[nodiscard]] std::optional<Verdict> verdictIn(const Row& row, int column) const;
 
     Lines m_lines;
     std::vector<Row> m_rows;

@@ -89,7 +89,7 @@ void ProtectionPanel::showStatus(const StationStatus& status)
 // What stops the mount goes before how far the reading is; both fit nowhere else when the table is long.
 void ProtectionPanel::showSurvey(const DrivesStatus& drives)
 {
-    const bool busy = drives.survey == survey::SurveyState::Running || drives.survey == survey::SurveyState::Fixing;
+    const bool busy = drives.survey == SurveyState::Running || drives.survey == SurveyState::Fixing;
     const Sentence line =
         !busy && !drives.released && !drives.armingObstacle.isEmpty() ? armingSentence(drives) : surveySentence(drives);
     m_survey->setValue(line.text, line.tone, line.symbol);
@@ -102,8 +102,8 @@ void ProtectionPanel::showReason()
         m_reason->setValue(m_model->explanation(current.row()));
         return;
     }
-    const int dangerous = m_model->count(survey::Verdict::Dangerous);
-    const int advised = m_model->count(survey::Verdict::Advised);
+    const int dangerous = m_model->count(Verdict::Dangerous);
+    const int advised = m_model->count(Verdict::Advised);
     m_reason->setValue(
         dangerous + advised == 0
             ? tr("Select a line to read why it matters")

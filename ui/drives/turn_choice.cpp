@@ -10,14 +10,14 @@ namespace {
 constexpr Angle kMoved = 0.1_deg;
 }  // namespace
 
-void TurnChoice::begin(const memory::TurnQuestion& question)
+void TurnChoice::begin(const TurnQuestion& question)
 {
     m_question = question;
     m_byOperator = false;
     m_angle = proposed();
 }
 
-void TurnChoice::follow(const memory::TurnQuestion& question)
+void TurnChoice::follow(const TurnQuestion& question)
 {
     m_question = question;
     if (!m_byOperator) {

@@ -13,14 +13,14 @@ namespace boresight::ui {
 class TurnChoice
 {
 public:
-    void begin(const memory::TurnQuestion& question);   // a new question
-    void follow(const memory::TurnQuestion& question);  // the same, a moment later
+    void begin(const TurnQuestion& question);   // a new question
+    void follow(const TurnQuestion& question);  // the same, a moment later
 
     void pick(Angle angle);   // one of the candidates
     void enter(Angle about);  // the nearest candidate, if it is one; without candidates the angle itself
     void clear();
 
-    [[nodiscard]] const memory::TurnQuestion& question() const { return m_question; }
+    [[nodiscard]] const TurnQuestion& question() const { return m_question; }
     [[nodiscard]] std::optional<Angle> angle() const { return m_angle; }
     [[nodiscard]] std::optional<std::size_t> index() const;  // of the candidate
 
@@ -28,7 +28,7 @@ private:
     [[nodiscard]] std::optional<Angle> proposed() const;
     [[nodiscard]] std::optional<Angle> nearest(Angle angle) const;
 
-    memory::TurnQuestion m_question;
+    TurnQuestion m_question;
     std::optional<Angle> m_angle;
     Angle m_pickedAt;  // how far the axis had moved when it was picked
     bool m_byOperator = false;

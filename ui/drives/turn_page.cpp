@@ -126,7 +126,7 @@ void TurnPage::showStatus(const StationStatus& status)
         m_axis.reset();
         return;
     }
-    const memory::TurnQuestion& question = *driveOf(status, *axis).turnQuestion;
+    const TurnQuestion& question = *driveOf(status, *axis).turnQuestion;
     if (axis != m_axis) {
         begin(*axis, question);
     } else {
@@ -137,7 +137,7 @@ void TurnPage::showStatus(const StationStatus& status)
     showAnswer();
 }
 
-void TurnPage::begin(Axis axis, const memory::TurnQuestion& question)
+void TurnPage::begin(Axis axis, const TurnQuestion& question)
 {
     m_axis = axis;
     m_choice.begin(question);
@@ -149,7 +149,7 @@ void TurnPage::begin(Axis axis, const memory::TurnQuestion& question)
     m_field->setText(proposed ? QString::number(proposed->degrees(), 'f', 1) : QString());
 }
 
-void TurnPage::showQuestion(const memory::TurnQuestion& question)
+void TurnPage::showQuestion(const TurnQuestion& question)
 {
     QStringList evidence;
     for (const QString& sentence : question.evidence) {

@@ -42,8 +42,8 @@ private:
     void build();
     void makeFew();
     void makeMany();
-    void begin(Axis axis, const memory::TurnQuestion& question);
-    void showQuestion(const memory::TurnQuestion& question);
+    void begin(Axis axis, const TurnQuestion& question);
+    void showQuestion(const TurnQuestion& question);
     void showAnswer();
     void readField();
     void answer();

@@ -179,7 +179,7 @@ std::vector<int> GuideConnect::idsFound() const
     const bool ownSilent = std::ranges::all_of(
         kAxes, [this](Axis axis) { return freshness(axisOf(m_status, axis).age) == Freshness::NoData; });
     if (selectedBus() == busInUse() && ownSilent) {
-        std::ranges::transform(m_status.drives.strangers, std::back_inserter(ids), &survey::Stranger::id);
+        std::ranges::transform(m_status.drives.strangers, std::back_inserter(ids), &Stranger::id);
     } else if (m_result && m_result->bus == selectedBus()) {
         std::ranges::transform(m_result->drives, std::back_inserter(ids), &ScannedDrive::id);
     }
@@ -194,7 +194,7 @@ void GuideConnect::showFound()
         for (const Axis axis : kAxes) {
             lines << line(m_status, axis);
         }
-        for (const survey::Stranger& one : m_status.drives.strangers) {
+        for (const Stranger& one : m_status.drives.strangers) {
             lines << tr("id %1: not in the profile").arg(one.id);
         }
     } else if (selectedBus() == m_scanning) {

@@ -286,7 +286,7 @@ void GuidePage::showHint()
     if (const auto axis = askingAxis(m_status); axis && !full) {
         hint = tr("Boresight asks which turn the %1 is on: press Ctrl+9 to answer, F3 to come back").arg(name(*axis));
     } else if (moves(step) && !m_status.drives.armingObstacle.isEmpty() &&
-               m_status.drives.survey == survey::SurveyState::Done) {
+               m_status.drives.survey == SurveyState::Done) {
         hint = tr("Nothing may move before step 2, Protect, is done: %1").arg(m_status.drives.armingObstacle);
     } else if (moves(step)) {
         hint = m_status.permissions.reason(Action::Move);

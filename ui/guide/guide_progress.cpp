@@ -49,7 +49,7 @@ std::set<GuideStep> stepsIn(const QString& text)
 bool bothAnswer(const StationStatus& status)
 {
     return status.state != StationState::Disconnected && !status.drives.released &&
-           status.drives.survey == survey::SurveyState::Done;
+           status.drives.survey == SurveyState::Done;
 }
 
 }  // namespace

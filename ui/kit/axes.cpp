@@ -39,7 +39,7 @@ bool isTurnKnown(const StationStatus& status, Axis axis)
 
 bool isTurnAwaited(const StationStatus& status, Axis axis)
 {
-    const bool reading = status.drives.survey == survey::SurveyState::Running;
+    const bool reading = status.drives.survey == SurveyState::Running;
     return reading && !isTurnKnown(status, axis) && !driveOf(status, axis).turnQuestion;
 }
 

@@ -25,13 +25,13 @@ Sentence surveySentence(const DrivesStatus& drives)
         return {SurveyWords::tr("The bus is released to other tools"), Tone::Advisory, Symbol::Advisory};
     }
     switch (drives.survey) {
-        case survey::SurveyState::Running:
+        case SurveyState::Running:
             return inWork(drives.surveyText, SurveyWords::tr("reading the drives"));
-        case survey::SurveyState::Fixing:
+        case SurveyState::Fixing:
             return inWork(drives.surveyText, SurveyWords::tr("writing the drives"));
-        case survey::SurveyState::Done:
+        case SurveyState::Done:
             return {drives.surveyText.isEmpty() ? SurveyWords::tr("The drives have been read") : drives.surveyText};
-        case survey::SurveyState::NotDone:
+        case SurveyState::NotDone:
             break;
     }
     return {drives.surveyText.isEmpty() ? SurveyWords::tr("The drives have not been read") : drives.surveyText,

@@ -40,12 +40,12 @@ struct Rig
         drive.protections.push_back({.key = QStringLiteral("servo.timeout_mode"),
                                      .wanted = QStringLiteral("10"),
                                      .found = QStringLiteral("12"),
-                                     .verdict = survey::Verdict::Dangerous});
-        drive.crashStop = memory::CrashStop{.drive = drive.identity.uuid,
-                                            .rate = 2_deg_s,
-                                            .angle = 0.42_deg,
-                                            .time = std::chrono::milliseconds(310),
-                                            .when = kWhen};
+                                     .verdict = Verdict::Dangerous});
+        drive.crashStop = CrashStop{.drive = drive.identity.uuid,
+                                    .rate = 2_deg_s,
+                                    .angle = 0.42_deg,
+                                    .time = std::chrono::milliseconds(310),
+                                    .when = kWhen};
         snapshot.status.alarms.push_back({.what = QStringLiteral("No reply from elevation."),
                                           .remedy = QStringLiteral("Check its cable."),
                                           .since = kWhen});

@@ -375,17 +375,5 @@ TEST_F(MemoryFileTest, LivesInAnotherThreadThanTheOneThatMadeIt)
     EXPECT_EQ(load().memory, at(7.0));
 }
 
-TEST(SafeFileName, KeepsPlainNamesAndTellsTheOthersApart)
-{
-    EXPECT_EQ(safeFileName(QStringLiteral("Mast-2_west")), QStringLiteral("Mast-2_west"));
-    EXPECT_EQ(safeFileName(QStringLiteral("../etc/x")), QStringLiteral("___etc_x-2215be8e"));
-    EXPECT_NE(safeFileName(QStringLiteral("a b")), safeFileName(QStringLiteral("a/b")));
-    EXPECT_NE(safeFileName(QStringLiteral("a b")), safeFileName(QStringLiteral("a_b")));
-    EXPECT_EQ(safeFileName(QStringLiteral("Höhe")).left(5), QStringLiteral("H_he-"));
-    EXPECT_FALSE(safeFileName(QString()).isEmpty());
-    EXPECT_LE(safeFileName(QString(5000, u'x')).size(), 80);
-    EXPECT_NE(safeFileName(QString(5000, u'x')), safeFileName(QString(5001, u'x')));
-}
-
 }  // namespace
 }  // namespace boresight::memory

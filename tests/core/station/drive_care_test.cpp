@@ -15,8 +15,6 @@
 namespace boresight {
 namespace {
 
-using survey::SurveyState;
-using survey::Verdict;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -197,7 +195,7 @@ TEST(DriveCare, FixingMakesTheDrivesFitAndEndsTheAlarm)
     ASSERT_TRUE(rig.endsItsSurvey());
     ASSERT_TRUE(rig.drives().fixable);
     const auto lines = rig.drives().elevation.protections;
-    const auto wrong = std::ranges::find(lines, QStringLiteral("servo.timeout_mode"), &survey::ProtectionLine::key);
+    const auto wrong = std::ranges::find(lines, QStringLiteral("servo.timeout_mode"), &ProtectionLine::key);
     ASSERT_NE(wrong, lines.end());
     EXPECT_EQ(wrong->verdict, Verdict::Dangerous);
     EXPECT_EQ(wrong->fix, QStringLiteral("10 (hold)")) << "the screen lists it before it is written";

@@ -43,7 +43,7 @@ TEST(LinkMaker, TheSimulatedDrivesAreProtectedForTheProfile)
         for (const survey::Protection& protection : survey::protectionsOf(profile, axis)) {
             const auto found = sim::configText(config, protection.key);
             const survey::Reading reading{.state = survey::Reading::State::Read, .text = found.value_or("")};
-            EXPECT_NE(survey::judged(protection, reading).verdict, survey::Verdict::Dangerous) << protection.key;
+            EXPECT_NE(survey::judged(protection, reading).verdict, Verdict::Dangerous) << protection.key;
         }
     }
 }

@@ -2,7 +2,7 @@
 #include "tests/core/station/station_promises.h"
 
 #include "core/base/overloaded.h"
-#include "core/survey/protections.h"
+#include "core/tracking/emergency_braking.h"
 
 #include <algorithm>
 #include <cmath>
@@ -380,7 +380,7 @@ void StationPromises::watchPath(Axis axis, const StationStatus& now, Seconds ste
         fail("a set-point is faster than the limit");
     }
     // STOP may brake as hard as a drive that is left alone.
-    const AngularAcceleration allowed = now.stopLatched ? survey::emergencyBraking(limits) : limits.acceleration;
+    const AngularAcceleration allowed = now.stopLatched ? tracking::emergencyBraking(limits) : limits.acceleration;
     const double moved = (*is.commanded - *was.commanded).degrees();
     const double mean = (is.commandedRate->degrees() + was.commandedRate->degrees()) / 2.0;
     if (std::abs(moved - mean * time) > allowed.degrees() * time * time) {

@@ -45,11 +45,11 @@ struct SensedRig : StationRig
         learn(Axis::Azimuth, restarted);
         run(Seconds(2.0));
     }
-    [[nodiscard]] memory::TurnQuestion question() const
+    [[nodiscard]] TurnQuestion question() const
     {
         const auto asked = control.status().drives.azimuth.turnQuestion;
         EXPECT_TRUE(asked);
-        return asked.value_or(memory::TurnQuestion{});
+        return asked.value_or(TurnQuestion{});
     }
     // All but the last sentence, which is that of the sensor's heading.
     [[nodiscard]] std::string turning() const
@@ -58,7 +58,7 @@ struct SensedRig : StationRig
         return evidence.size() < 2 ? std::string() : evidence[evidence.size() - 2].toStdString();
     }
 
-    memory::SensorCourse course{.unbroken = 3, .azimuth = {}};
+    SensorCourse course{.unbroken = 3, .azimuth = {}};
 };
 
 // REQ-WITNESS-46 (StationTurnCourse.*): A sensor that ran without a gap since the azimuth's wrap was known shows in

@@ -42,10 +42,7 @@ struct RestartedRig : StationRig
         run(Seconds(0.5));
     }
 
-    [[nodiscard]] std::optional<memory::TurnQuestion> question() const
-    {
-        return control.status().drives.azimuth.turnQuestion;
-    }
+    [[nodiscard]] std::optional<TurnQuestion> question() const { return control.status().drives.azimuth.turnQuestion; }
 };
 
 TEST(StationTurns, AfterAPowerCutTheOperatorIsAsked)
@@ -169,7 +166,7 @@ struct CoastedRig : StationRig
         run(Seconds(0.5));
     }
 
-    [[nodiscard]] std::optional<memory::TurnQuestion> question() const
+    [[nodiscard]] std::optional<TurnQuestion> question() const
     {
         return control.status().drives.elevation.turnQuestion;
     }
@@ -246,10 +243,7 @@ struct LostRig : StationRig
         azimuth.home = HomeState::Relative;
         run(Seconds(0.5));
     }
-    [[nodiscard]] std::optional<memory::TurnQuestion> question() const
-    {
-        return control.status().drives.azimuth.turnQuestion;
-    }
+    [[nodiscard]] std::optional<TurnQuestion> question() const { return control.status().drives.azimuth.turnQuestion; }
 };
 
 // Story: "--standing-at 4050,10" for 405, and the next target ran through the end of the cable into the stop.

@@ -100,7 +100,7 @@ TEST_F(AxisSupervisorTest, ASetpointThatIsPutSomewhereElseIsNoMotion)
 TEST_F(AxisSupervisorTest, AnAxisThatGetsFasterAgainstItsCommandIsTheWrongWayWhateverItsDriveReports)
 {
     ticks(50);
-    seen.activeLimit = 102;
+    seen.limit = QStringLiteral("; limit 102 of the drive");
     AngularRate rate;
     for (int i = 0; i < 20 && !stops(Finding::WrongWay); ++i) {
         rate += 3_deg_s;

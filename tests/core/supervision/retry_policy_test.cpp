@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-#include <set>
-
 namespace boresight::supervision {
 namespace {
 
@@ -19,26 +16,6 @@ SteadyTime at(double seconds)
 profile::RecoverySettings always(Retry retry)
 {
     return {.overTemperature = retry, .supply = retry, .bus = retry, .interval = Seconds(60.0)};
-}
-
-// REQ-SUPERVISION-21: Every fault code has a class. 33 and 44 are driver faults, because the code alone does not tell
-// a sagging supply from a burnt bridge. An unknown code is never retried.
-TEST(ClassOfFault, FollowsTheTable)
-{
-    const std::map<LossClass, std::set<int>> table{
-        {LossClass::Encoder, {35, 42, 43}}, {LossClass::Configuration, {36, 39, 41, 45, 47, 48}},
-        {LossClass::Supply, {34, 40}},      {LossClass::OverTemperature, {38}},
-        {LossClass::Motion, {49, 50}},      {LossClass::Driver, {1, 2, 3, 4, 5, 6, 7, 32, 33, 37, 44, 46}},
-    };
-    int seen = 0;
-    for (const auto& [loss, codes] : table) {
-        for (const int code : codes) {
-            EXPECT_EQ(classOfFault(code), loss) << code;
-            ++seen;
-        }
-    }
-    EXPECT_EQ(seen, 26);  // 1..7 and 32..50
-    EXPECT_EQ(classOfFault(77), LossClass::Driver) << "an unknown code is never retried";
 }
 
 // REQ-SUPERVISION-20: Nothing is re-armed without a person unless the profile says so, and never after encoder,

@@ -2,6 +2,7 @@
 #include "tests/core/supervision/supervised_mount.h"
 
 #include "core/moteus/faults.h"
+#include "core/moteus_mount/drive_alarms.h"
 
 #include <gtest/gtest.h>
 
@@ -171,7 +172,7 @@ void SupervisedMount::take(const moteus::Reply& reply, Seconds received)
     seen.voltage = reply.value(Register::Voltage);
     seen.boardTemperature = reply.value(Register::Temperature);
     const int code = reply.fault().value_or(0);
-    seen.activeLimit = moteus::isLimit(code) ? code : 0;
+    seen.limit = moteus::isLimit(code) ? drive_alarms::limitClause(code) : QString();
     seen.turnKnown = reply.homeState() == moteus::HomeState::Output;
 }
 

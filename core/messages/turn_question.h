@@ -10,7 +10,7 @@
 
 // The places an axis may be at when its drive knows the direction only within one turn of its encoder, and what speaks
 // for each: a question that only the operator can answer. Plain value; mechanical angles.
-namespace boresight::memory {
+namespace boresight {
 
 struct TurnQuestion
 {
@@ -23,4 +23,4 @@ struct TurnQuestion
     bool operator==(const TurnQuestion&) const = default;
 };
 
-}  // namespace boresight::memory
+}  // namespace boresight

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/memory/turn_question.h"
+#include "core/messages/turn_question.h"
+#include "core/mount/sensor_course.h"
 
-#include <cstdint>
 #include <optional>
 
 // What a sensor on the antenna that has run through saw of the azimuth's turning: how far the axis has turned since its
@@ -11,14 +11,6 @@
 // but no places that are near each other. It speaks in the question of the turn and against a wrong proposal; it never
 // answers. Pure.
 namespace boresight::memory {
-
-struct SensorCourse
-{
-    std::uint64_t unbroken = 0;  // the same number: the sensor could be followed all the time in between
-    Angle azimuth;               // of the beam, true; 370° is not 10°
-
-    bool operator==(const SensorCourse&) const = default;
-};
 
 // The last moment at which the turn of the axis was known.
 struct CourseAnchor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/memory/sensor_course.h"
+#include "core/memory/course_anchor.h"
 
 #include <gmock/gmock.h>
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+// Who a drive on the bus is. Plain values.
+namespace boresight {
+
+struct DriveIdentity
+{
+    QString uuid;      // 8-4-4-4-12 digits; empty while unknown
+    QString firmware;  // "1.1.0"
+    int registerMap = 0;
+
+    bool operator==(const DriveIdentity&) const = default;
+};
+
+// A board on the bus that is none of ours.
+struct Stranger
+{
+    int id = 0;
+    DriveIdentity identity;
+
+    bool operator==(const Stranger&) const = default;
+};
+
+}  // namespace boresight
