@@ -13,6 +13,7 @@ parallel_jobs() {
 
 # Ninja decides what there is to do, and runs CMake again by itself when a CMakeLists.txt has changed.
 build_preset() {  # PRESET [TARGET…]
+    step "building build/$1"
     local preset=$1 folder=$BORESIGHT_TOP/build/$1 wanted
     shift
     mkdir -p "$folder"
@@ -24,7 +25,6 @@ build_preset() {  # PRESET [TARGET…]
             fail "could not configure the preset $preset (build/$preset/configure.log)"
         printf '%s\n' "$wanted" >"$folder/configured-with"
     fi
-    say "building build/$preset"
-    (cd "$BORESIGHT_TOP" && cmake --build --preset "$preset" --parallel "$(parallel_jobs)" ${1:+--target "$@"}) >&2 ||
+    (cd "$BORESIGHT_TOP" && NINJA_STATUS=$(ninja_status) cmake --build --preset "$preset" --parallel "$(parallel_jobs)" ${1:+--target "$@"}) >&2 ||
         fail "could not build the preset $preset"
 }

@@ -28,3 +28,25 @@ quietly() {  # FILE COMMAND ARG…
         return 1
     fi
 }
+
+# What is being done, the how manieth step of how many, and the time so far. A script says first how many there are; one
+# that does not shows its steps without numbers.
+steps_done=0 steps_in_all=0
+
+begin_steps() {  # NUMBER
+    steps_in_all=$1
+}
+
+step() {  # TEXT
+    steps_done=$((steps_done + 1))
+    say "$(step_number)$(printf '%d:%02d min' $((SECONDS / 60)) $((SECONDS % 60))): $*"
+}
+
+step_number() {
+    [[ $steps_in_all -eq 0 ]] || printf 'step %d of %d, ' "$steps_done" "$steps_in_all"
+}
+
+# What ninja writes in front of each of its lines.
+ninja_status() {
+    printf '%s: %spart %%f of %%t: ' "$BORESIGHT_COMMAND" "$(step_number)"
+}

@@ -21,13 +21,16 @@ readonly qwt_source_packages=(bzip2 debian-archive-keyring)
 # What the presets with sanitizers are built with: clang takes two thirds of the time of g++ there.
 readonly sanitizer_packages=(clang-16 libclang-rt-16-dev)
 
+# What reads the sources beside the compiler: of the same version, as it takes that one's precompiled headers.
+readonly tidy_packages=(clang-tidy-16)
+
 # What the tests run: User-Mode Linux for a real SocketCAN interface and can-utils as the witness there, Hamlib's rotctl
 # and rotctld as peers, the fonts of the usual desktops, the formatter, and the checkers of shell scripts, of the manual
 # pages, of the menu entry and of the metadata; a real MQTT broker, with certificates made by openssl.
 readonly test_packages=(
     user-mode-linux kmod iproute2 can-utils libhamlib-utils clang-format-14 shellcheck
     fonts-dejavu-core fonts-noto-core fonts-noto-mono fonts-liberation fonts-cantarell
-    man-db desktop-file-utils appstream mosquitto openssl "${sanitizer_packages[@]}"
+    man-db desktop-file-utils appstream mosquitto openssl "${sanitizer_packages[@]}" "${tidy_packages[@]}"
 )
 
 # What showing the window on a real display needs beyond the libraries that are linked: with Qt's own texts in other

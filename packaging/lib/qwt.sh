@@ -13,6 +13,7 @@ readonly qwt_sha256=dcb085896c28aaec5518cbc08c0ee2b4e60ada7ac929d82639f6189851a6
 # shellcheck disable=SC2034  # QWT_ARGUMENTS is read by build_preset
 need_qwt() {
     QWT_ARGUMENTS=()
+    step "Qwt, the library of the plots"
     if [[ -n ${QWT_ROOT:-} ]]; then
         QWT_ARGUMENTS=("-DQwt_ROOT=$QWT_ROOT")
     elif qwt_of_the_distribution; then
@@ -78,7 +79,7 @@ compile_qwt() {  # WORK PREFIX
     quietly "$work/configure.log" cmake -S "$BORESIGHT_TOP/packaging/qwt" -B "$work/build" -G Ninja \
         -DCMAKE_BUILD_TYPE=Release -DQWT_SOURCE="$work/source" -DCMAKE_INSTALL_PREFIX="$prefix" ||
         fail "could not configure Qwt"
-    quietly "$work/build.log" cmake --build "$work/build" --parallel "$(parallel_jobs)" || fail "could not build Qwt"
+    NINJA_STATUS=$(ninja_status) cmake --build "$work/build" --parallel "$(parallel_jobs)" >&2 || fail "could not build Qwt"
     rm -rf "$prefix"
     quietly "$work/install.log" cmake --install "$work/build" || fail "could not write $prefix"
     qwt_stamp >"$prefix/stamp"
