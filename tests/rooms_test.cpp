@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -100,6 +101,7 @@ Rooms joined(Rooms one, const Rooms& other)
 
 const Rooms kSeenByTheWindow{"core/base",    "core/units",  "core/pointing",
                              "core/profile", "core/alarms", "core/messages"};
+const Rooms kAboveTheDriver{"core/control", "core/sources", "core/motion", "core/mount", "core/north", "core/witness"};
 const Rooms kBelowPanels{"ui/kit", "ui/link", "ui/hold", "ui/sky"};
 
 TEST(Rooms, NoTwoKnowEachOther)
@@ -153,8 +155,8 @@ TEST(Rooms, NoPanelKnowsAnother)
 TEST(Rooms, OnlySomeKnowHowTheDrivesSpeak)
 {
     Rooms others = roomsOf("core");
-    for (const char* const room : {"core/moteus", "core/moteus_mount", "core/memory", "core/sim", "core/sim_bus",
-                                   "core/supervision", "core/survey"}) {
+    for (const char* const room :
+         {"core/moteus", "core/moteus_mount", "core/memory", "core/sim", "core/sim_bus", "core/survey"}) {
         others.erase(room);
     }
     Rooms permitted = roomsOf("core");
@@ -162,19 +164,84 @@ TEST(Rooms, OnlySomeKnowHowTheDrivesSpeak)
     EXPECT_THAT(wrong(others, permitted), IsEmpty());
 }
 
+// Behind the driver of two moteus: their check and their journal. The wiring sets up the simulated pair by the check.
+TEST(Rooms, OnlyTheirDriverKnowsTheCheckAndTheJournal)
+{
+    Rooms others = roomsOf("core");
+    for (const char* const room : {"core/moteus_mount", "core/memory", "core/survey"}) {
+        others.erase(room);
+    }
+    Rooms permitted = roomsOf("core");
+    permitted.erase("core/memory");
+    EXPECT_THAT(wrong(others, permitted), IsEmpty());
+    others.erase("core/station");
+    permitted.erase("core/survey");
+    EXPECT_THAT(wrong(others, permitted), IsEmpty());
+}
+
+TEST(Rooms, MessagesAreMadeOfValues)
+{
+    EXPECT_THAT(wrong({"core/messages"}, {"core/base", "core/units", "core/pointing", "core/profile",
+                                          "core/calibration", "core/ephemeris", "core/orientation", "core/power"}),
+                IsEmpty());
+}
+
 TEST(Rooms, TheControlKnowsNoKindOfRotator)
 {
     Rooms permitted = roomsOf("core");
-    for (const char* const room :
-         {"core/moteus", "core/moteus_mount", "core/can", "core/sim", "core/sim_bus", "core/station"}) {
+    for (const char* const room : {"core/moteus", "core/moteus_mount", "core/simple_mount", "core/survey",
+                                   "core/memory", "core/can", "core/sim", "core/sim_bus", "core/station"}) {
         permitted.erase(room);
     }
-    EXPECT_THAT(
-        wrong({"core/control", "core/sources", "core/motion", "core/mount", "core/north", "core/witness"}, permitted),
-        IsEmpty());
-    permitted.erase("core/survey");
-    permitted.erase("core/memory");
-    EXPECT_THAT(wrong({"core/control", "core/sources"}, permitted), IsEmpty());
+    EXPECT_THAT(wrong(kAboveTheDriver, permitted), IsEmpty());
+}
+
+bool isPartOfAWord(const std::string& line, std::size_t at)
+{
+    return at < line.size() && (std::isalnum(static_cast<unsigned char>(line[at])) != 0 || line[at] == '_');
+}
+
+// A rotator's hardware, in code, include, text or comment. "CAN" is a word of its own: "can" is another.
+bool namesHardware(const std::string& line)
+{
+    for (const char* const name : {"moteus", "Moteus", "core/can/", "CanLink", "CanFrame", "GS-232", "gs232"}) {
+        if (line.find(name) != std::string::npos) {
+            return true;
+        }
+    }
+    constexpr std::string_view kBus = "CAN";
+    for (std::size_t at = line.find(kBus); at != std::string::npos; at = line.find(kBus, at + 1)) {
+        if ((at == 0 || !isPartOfAWord(line, at - 1)) && !isPartOfAWord(line, at + kBus.size())) {
+            return true;
+        }
+    }
+    return false;
+}
+
+TEST(Rooms, HardwareIsRecognisedByItsName)
+{
+    EXPECT_TRUE(namesHardware("// of a moteus"));
+    EXPECT_TRUE(namesHardware("tr(\"CAN off\")"));
+    EXPECT_TRUE(namesHardware("#include \"core/can/can_link.h\""));
+    EXPECT_FALSE(namesHardware("// It can be left out. CANCEL"));
+}
+
+// The panels of such drives name the keys of their settings, and tools for them.
+TEST(Rooms, NobodyAboveTheDriverNamesItsHardware)
+{
+    Rooms rooms = joined(joined(kAboveTheDriver, {"core/messages"}), roomsOf("ui"));
+    rooms.erase("ui/drives");
+    for (const char* const top : {"core", "ui"}) {
+        for (const std::string& path : sourcesBelow(top)) {
+            if (!rooms.contains(roomOf(path))) {
+                continue;
+            }
+            std::ifstream file(std::filesystem::path(BORESIGHT_SOURCES) / path);
+            for (std::string line; std::getline(file, line);) {
+                EXPECT_FALSE(namesHardware(line)) << path << ": " << line;
+            }
+        }
+    }
 }
 
 TEST(Rooms, AFolderIsSeenAtAGlance)

@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/control/permission_report.h"
+#include "core/mount/mount_service.h"
 
 #include <algorithm>
 
@@ -191,8 +192,7 @@ AxisStatus StatusReport::axisStatus(Axis axis) const
         status.target = axis == Axis::Azimuth ? target->azimuth : target->elevation;
     }
     fillTelemetry(status, report);
-    status.mode = report.mode;
-    status.faultCode = report.faultCode;
+    status.turnKnown = report.wrapKnown;
     status.stateText = axisText(axis, status.state, report);
     return status;
 }
@@ -241,12 +241,16 @@ std::optional<TickSample> StatusReport::sample() const
     return TickSample{.time = m_of.now, .axes = {axisSample(Axis::Azimuth), axisSample(Axis::Elevation)}};
 }
 
-DrivesStatus StatusReport::drivesStatus() const
+std::optional<DrivesStatus> StatusReport::drivesStatus() const
 {
+    const MountService* const service = m_of.mount.service();
+    if (service == nullptr) {
+        return std::nullopt;
+    }
     DrivesStatus status;
     const Result<>& fitness = m_of.mount.fitness();
     status.armingObstacle = fitness ? QString() : toQString(fitness.error().text);
-    m_of.mount.describe(status);
+    service->describe(status);
     return status;
 }
 

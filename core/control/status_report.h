@@ -34,7 +34,7 @@ private:
     [[nodiscard]] QString axisText(Axis axis, AxisState state, const AxisReport& report) const;
     [[nodiscard]] bool atTravelEnd(Axis axis) const;
     [[nodiscard]] bool atLimit(Axis axis) const;
-    [[nodiscard]] DrivesStatus drivesStatus() const;
+    [[nodiscard]] std::optional<DrivesStatus> drivesStatus() const;
 
     ControlParts m_of;
 };

@@ -26,6 +26,12 @@ QString numberText(const std::optional<double>& value, const char* unit)
                  : QStringLiteral("unknown");
 }
 
+// Of a mount without such drives: unknown.
+DrivesStatus drivesOf(const StationStatus& status)
+{
+    return status.drives.value_or(DrivesStatus());
+}
+
 QString orUnknown(const QString& text)
 {
     return text.isEmpty() ? QStringLiteral("unknown") : text;
@@ -56,10 +62,10 @@ QString verdictText(Verdict verdict)
     return {};
 }
 
-QStringList driveLines(const char* axis, const DriveStatus& drive)
+QStringList driveLines(const char* axis, const DriveStatus& drive, bool turnKnown)
 {
     QStringList lines{driveVersion(axis, drive),
-                      drive.turnKnown ? QStringLiteral("turn: known") : QStringLiteral("turn: not known")};
+                      turnKnown ? QStringLiteral("turn: known") : QStringLiteral("turn: not known")};
     lines << (drive.crashStop ? QStringLiteral("crash stop proven %1: from %2°/s stood after %3° and %4 ms (drive %5)")
                                     .arg(utcText(drive.crashStop->when))
                                     .arg(drive.crashStop->rate.degrees(), 0, 'f', 2)
@@ -75,19 +81,17 @@ QStringList driveLines(const char* axis, const DriveStatus& drive)
     return lines;
 }
 
-QString axisLine(const char* name, const AxisStatus& axis)
+QString axisLine(const char* name, const AxisStatus& axis, const DriveStatus& drive)
 {
     return QStringLiteral(
-               "%1: %2, actual %3, commanded %4, target %5, age %6, supply %7, board %8, motor %9, mode %10, "
-               "fault register %11 %12")
+               "%1: %2, actual %3, commanded %4, target %5, age %6, supply %7, board %8, motor %9, "
+               "%10 %11")
         .arg(QLatin1String(name), word(axis.state), angleText(axis.actual), angleText(axis.commanded),
              angleText(axis.target),
              axis.age ? QStringLiteral("%1 ms").arg(axis.age->count()) : QStringLiteral("unknown"),
              numberText(axis.busVoltage, "V"), numberText(axis.boardTemperature, "°C"),
              numberText(axis.motorTemperature, "°C"))
-        .arg(axis.mode)
-        .arg(axis.faultCode)
-        .arg(axis.stateText);
+        .arg(drive.registers, axis.stateText);
 }
 
 QString joined(const QStringList& lines)
@@ -105,18 +109,22 @@ QString utcText(UtcTime time)
 
 QString versionsText(const StationStatus& status)
 {
+    const DrivesStatus drives = drivesOf(status);
     return joined(
         {QStringLiteral("Boresight %1").arg(QString::fromUtf8(kVersion.data(), int(kVersion.size()))),
          QStringLiteral("Qt %1, built with %2").arg(QLatin1String(qVersion()), QStringLiteral(QT_VERSION_STR)),
          QLatin1String(archive_version_string()), QStringLiteral("system: %1").arg(QSysInfo::prettyProductName()),
          QStringLiteral("kernel: %1 %2").arg(QSysInfo::kernelType(), QSysInfo::kernelVersion()),
          QStringLiteral("processor: %1").arg(QSysInfo::currentCpuArchitecture()),
-         driveVersion("azimuth", status.drives.azimuth), driveVersion("elevation", status.drives.elevation)});
+         driveVersion("azimuth", drives.azimuth), driveVersion("elevation", drives.elevation)});
 }
 
 QString drivesText(const StationStatus& status)
 {
-    const DrivesStatus& drives = status.drives;
+    if (!status.drives) {
+        return joined({QStringLiteral("the mount has no drives that can be read")});
+    }
+    const DrivesStatus& drives = *status.drives;
     QStringList lines{QStringLiteral("survey: %1")
                           .arg(drives.survey == SurveyState::Done
                                    ? QStringLiteral("done")
@@ -129,27 +137,29 @@ QString drivesText(const StationStatus& status)
                      .arg(stranger.id)
                      .arg(orUnknown(stranger.identity.firmware), orUnknown(stranger.identity.uuid));
     }
-    lines << QString() << driveLines("azimuth", drives.azimuth) << driveLines("elevation", drives.elevation);
+    lines << QString() << driveLines("azimuth", drives.azimuth, status.azimuth.turnKnown)
+          << driveLines("elevation", drives.elevation, status.elevation.turnKnown);
     return joined(lines);
 }
 
 QString stationText(const StationStatus& status)
 {
-    QStringList lines{
-        QStringLiteral("UTC %1").arg(utcText(status.utc)),
-        QStringLiteral("state %1 (%2)%3")
-            .arg(word(status.state), status.stateReason,
-                 status.stopLatched ? QStringLiteral(", STOP is latched") : QString()),
-        QStringLiteral("target: %1 by %2").arg(orUnknown(status.targetText), status.commander.name),
-        QStringLiteral("bus: %1%2").arg(status.busName, status.simulated ? QStringLiteral(" (simulated)") : QString()),
-        QStringLiteral("control ticks late: median %1 ms, p99 %2 ms, worst %3 ms. %4")
-            .arg(status.timing.lateP50.count() * 1e3, 0, 'f', 1)
-            .arg(status.timing.lateP99.count() * 1e3, 0, 'f', 1)
-            .arg(status.timing.lateWorst.count() * 1e3, 0, 'f', 1)
-            .arg(status.timing.scheduling),
-        QStringLiteral("rotctld: listens on %1").arg(orUnknown(status.listening)),
-        axisLine("azimuth", status.azimuth),
-        axisLine("elevation", status.elevation)};
+    const DrivesStatus drives = drivesOf(status);
+    QStringList lines{QStringLiteral("UTC %1").arg(utcText(status.utc)),
+                      QStringLiteral("state %1 (%2)%3")
+                          .arg(word(status.state), status.stateReason,
+                               status.stopLatched ? QStringLiteral(", STOP is latched") : QString()),
+                      QStringLiteral("target: %1 by %2").arg(orUnknown(status.targetText), status.commander.name),
+                      QStringLiteral("bus: %1%2")
+                          .arg(status.line.name, status.simulated ? QStringLiteral(" (simulated)") : QString()),
+                      QStringLiteral("control ticks late: median %1 ms, p99 %2 ms, worst %3 ms. %4")
+                          .arg(status.timing.lateP50.count() * 1e3, 0, 'f', 1)
+                          .arg(status.timing.lateP99.count() * 1e3, 0, 'f', 1)
+                          .arg(status.timing.lateWorst.count() * 1e3, 0, 'f', 1)
+                          .arg(status.timing.scheduling),
+                      QStringLiteral("rotctld: listens on %1").arg(orUnknown(status.listening)),
+                      axisLine("azimuth", status.azimuth, drives.azimuth),
+                      axisLine("elevation", status.elevation, drives.elevation)};
     if (status.broker.wanted) {
         lines << QStringLiteral("mqtt: %1%2%3")
                      .arg(status.broker.name,

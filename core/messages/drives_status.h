@@ -11,8 +11,9 @@
 #include <optional>
 #include <vector>
 
-// What the station tells about the drives themselves: who they are, whether their own protections are right, which turn
-// each axis is on, and how they stop when nobody feeds them. Plain values, part of a StationStatus.
+// What the station tells about drives that can be read and set: who they are, whether their own protections are right,
+// what the operator is asked about the turn of each axis, and how they stop when nobody feeds them. Plain values, part
+// of a StationStatus where the mount has such drives.
 namespace boresight {
 
 enum class SurveyState
@@ -27,8 +28,8 @@ struct DriveStatus
 {
     int id = 0;  // on the bus; 0 until somebody answered
     DriveIdentity identity;
+    QString registers;  // what it says of itself, in its own words: mode and fault; may be empty
     std::vector<ProtectionLine> protections;
-    bool turnKnown = false;
     std::optional<TurnQuestion> turnQuestion;  // waits for the operator
     std::optional<CrashStop> crashStop;        // of the last proof
 };

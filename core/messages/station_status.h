@@ -3,9 +3,9 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
-#include "core/can/can_link.h"
 #include "core/messages/calibration_status.h"
 #include "core/messages/drives_status.h"
+#include "core/messages/mount_line.h"
 #include "core/messages/permissions.h"
 #include "core/messages/sensor_status.h"
 #include "core/profile/profile.h"
@@ -118,8 +118,7 @@ struct AxisStatus
     std::optional<double> motorTemperature;  // °C, empty without a sensor
     std::optional<double> torque;            // Nm
     std::optional<double> current;           // A, q axis
-    int mode = 0;                            // moteus mode register
-    int faultCode = 0;                       // moteus fault register: fault in mode 1, active limit else
+    bool turnKnown = false;                  // which turn of its cable the axis is on
     QString stateText;                       // e.g. "at travel limit 450.0°"; may be empty
 };
 
@@ -190,10 +189,9 @@ struct StationStatus
     std::optional<SkyPointing> trim;   // what the operator's nudges add to a client's targets
     std::optional<CableEnd> cableEnd;  // told in time: at least 30° or 30 s ahead
     Authority authority = Authority::Clients;
-    Permissions permissions;  // of the operator
-    DrivesStatus drives;
-    LinkStatus bus;
-    QString busName;
+    Permissions permissions;             // of the operator
+    std::optional<DrivesStatus> drives;  // empty: the mount has no drives that can be read or set
+    MountLine line;
     bool simulated = false;
     QString listening;  // "127.0.0.1:4533", empty when the server could not listen
     std::vector<ClientStatus> clients;

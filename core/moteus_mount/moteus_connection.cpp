@@ -16,6 +16,34 @@ namespace {
 
 const QString kJournalSource = QStringLiteral("memory");
 
+MountLine::State stateOf(LinkState state)
+{
+    switch (state) {
+        case LinkState::Up:
+            return MountLine::State::Up;
+        case LinkState::Down:
+            return MountLine::State::Down;
+        case LinkState::Lost:
+            return MountLine::State::Lost;
+        case LinkState::Closed:
+            break;
+    }
+    return MountLine::State::Closed;
+}
+
+MountLine lineOf(const CanLink& link)
+{
+    const LinkStatus status = link.status();
+    return {.state = stateOf(status.state),
+            .kind = QStringLiteral("CAN"),
+            .name = link.name(),
+            .problem = status.text,
+            .sent = status.sent,
+            .received = status.received,
+            .dropped = status.dropped,
+            .errors = status.busErrors};
+}
+
 }  // namespace
 
 MoteusConnection::MoteusConnection(std::unique_ptr<CanLink> link, const Start& start, const profile::Profile& profile,
@@ -147,9 +175,10 @@ Result<> MoteusConnection::carryOut(const Request& request)
 
 void MoteusConnection::describe(StationStatus& status) const
 {
-    status.bus = m_link->status();
-    status.busName = m_link->name();
-    m_care.fill(status.drives);
+    status.line = lineOf(*m_link);
+    if (status.drives) {
+        m_care.fill(*status.drives);
+    }
     m_care.judge(status.permissions);
 }
 

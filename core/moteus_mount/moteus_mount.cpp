@@ -20,6 +20,14 @@ bool isSwitchedOn(const Drive& drive)
            (drive.report() && drive.report()->mode != moteus::Mode::Stopped);
 }
 
+QString registersText(const Drive& drive)
+{
+    const auto& reply = drive.report();
+    return Text::tr("moteus mode %1, fault %2")
+        .arg(reply ? static_cast<int>(reply->mode) : 0)
+        .arg(reply ? reply->fault : 0);
+}
+
 }  // namespace
 
 MoteusMount::MoteusMount(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
@@ -113,8 +121,6 @@ AxisReport MoteusMount::report(Axis axis) const
         report.current = reply->current;
         report.boardTemperature = reply->boardTemperature;
         report.motorTemperature = reply->motorTemperature;
-        report.mode = static_cast<int>(reply->mode);
-        report.faultCode = reply->fault;
     }
     return report;
 }
@@ -135,7 +141,7 @@ void MoteusMount::describe(DrivesStatus& status) const
     for (const Axis axis : kAxes) {
         DriveStatus& drive = axis == Axis::Azimuth ? status.azimuth : status.elevation;
         drive.id = m_profile.axis(axis).id;
-        drive.turnKnown = m_turns.known(axis);
+        drive.registers = registersText(m_drives.drive(axis));
         drive.turnQuestion = readable() ? m_turns.question(axis, m_drives.drive(axis)) : std::nullopt;
         drive.crashStop = memory().crashStops[index(axis)];
     }

@@ -59,7 +59,6 @@ public:
     [[nodiscard]] AxisReport report(Axis axis) const override;
     [[nodiscard]] Result<> available() const override;
     [[nodiscard]] const Result<>& fitness() const override { return m_fitness; }
-    void describe(DrivesStatus& status) const override;
     [[nodiscard]] MountService* service() override { return this; }
     [[nodiscard]] const MountService* service() const override { return this; }
     void observe(SteadyTime now) override;
@@ -75,6 +74,7 @@ public:
     void setProfile(const profile::Profile& profile) override;
     void setSensor(Axis axis, const std::optional<Angle>& heading) override { m_turns.setSensor(axis, heading); }
 
+    void describe(DrivesStatus& status) const override;
     [[nodiscard]] Result<> mayBeWritten() const override;
     void switchOff() override;
     void leaveBus() override;

@@ -3,7 +3,6 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
-#include "core/messages/drives_status.h"
 #include "core/mount/mount_report.h"
 #include "core/profile/profile.h"
 #include "core/tracking/axis_profile.h"
@@ -40,8 +39,6 @@ public:
     [[nodiscard]] virtual Result<> available() const = 0;
     // Why it must not be moved: its own protections are not as they should be.
     [[nodiscard]] virtual const Result<>& fitness() const = 0;
-    // What only this kind of rotator has, for its own panel.
-    virtual void describe(DrivesStatus& status) const = 0;
     // Nullptr: nothing can be done to it but to move it.
     [[nodiscard]] virtual MountService* service() = 0;
     [[nodiscard]] virtual const MountService* service() const = 0;

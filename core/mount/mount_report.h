@@ -45,8 +45,6 @@ struct AxisReport
     std::optional<double> current;           // A
     std::optional<double> boardTemperature;  // °C
     std::optional<double> motorTemperature;  // °C
-    int mode = 0;                            // in the numbers of the drive
-    int faultCode = 0;                       // likewise
 };
 
 // What the control knows and no driver sees.

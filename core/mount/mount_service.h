@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/messages/drives_status.h"
 #include "core/units/sky.h"
 
 #include <QString>
@@ -17,6 +18,8 @@ class MountService
 public:
     virtual ~MountService() = default;
 
+    // What is known of the drives themselves, for their own panels.
+    virtual void describe(DrivesStatus& status) const = 0;
     // Settings of the drives can be written now; else the reason.
     [[nodiscard]] virtual Result<> mayBeWritten() const = 0;
     virtual void switchOff() = 0;

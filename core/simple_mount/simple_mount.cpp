@@ -47,14 +47,6 @@ AxisReport SimpleMount::report(Axis axis) const
     return report;
 }
 
-void SimpleMount::describe(DrivesStatus& status) const
-{
-    for (DriveStatus* const drive : {&status.azimuth, &status.elevation}) {
-        drive->turnKnown = m_heard.has_value();
-    }
-    status.switchedOn = m_follows;
-}
-
 void SimpleMount::observe(SteadyTime now)
 {
     m_now = now;

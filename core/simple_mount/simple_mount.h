@@ -31,7 +31,6 @@ public:
     [[nodiscard]] AxisReport report(Axis axis) const override;
     [[nodiscard]] Result<> available() const override { return {}; }
     [[nodiscard]] const Result<>& fitness() const override { return m_fitness; }
-    void describe(DrivesStatus& status) const override;
     [[nodiscard]] MountService* service() override { return nullptr; }
     [[nodiscard]] const MountService* service() const override { return nullptr; }
     void observe(SteadyTime now) override;

@@ -46,15 +46,15 @@ QString protocolWord(StationState state)
 // As for the rotctld clients: what is older is no position, and neither is one on a turn that nobody knows.
 constexpr std::chrono::seconds kPositionAge{1};
 
-std::optional<Angle> place(const AxisStatus& axis, bool turnKnown)
+std::optional<Angle> place(const AxisStatus& axis)
 {
-    return axis.age && *axis.age < kPositionAge && turnKnown ? axis.actual : std::nullopt;
+    return axis.age && *axis.age < kPositionAge && axis.turnKnown ? axis.actual : std::nullopt;
 }
 
 mqtt::PublishedState published(const StationStatus& status)
 {
-    const auto azimuth = place(status.azimuth, status.drives.azimuth.turnKnown);
-    const auto elevation = place(status.elevation, status.drives.elevation.turnKnown);
+    const auto azimuth = place(status.azimuth);
+    const auto elevation = place(status.elevation);
     return {.utc = status.utc,
             .state = protocolWord(status.state),
             .fault = status.state == StationState::Fault ? status.stateReason : QString(),

@@ -5716,6 +5716,10 @@ do eixo</translation>
         <source>this rotator does not offer this</source>
         <translation>este rotor não oferece isto</translation>
     </message>
+    <message>
+        <source>moteus mode %1, fault %2</source>
+        <translation>modo moteus %1, falha %2</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -5989,12 +5993,6 @@ velocidade %1</translation>
     <message>
         <source>current </source>
         <translation>corrente </translation>
-    </message>
-    <message>
-        <source>
-moteus mode %1, fault %2</source>
-        <translation>
-modo moteus %1, falha %2</translation>
     </message>
     <message>
         <source>ACTUAL</source>
@@ -7104,6 +7102,10 @@ Mantenha pessoas e cordas longe da antena. STOP termina o ensaio.</translation>
         <source>Press Scan to see who answers there. Scanning moves nothing.</source>
         <translation>Clique em Procurar para ver quem responde ali. Procurar não move nada.</translation>
     </message>
+    <message>
+        <source>In use.</source>
+        <translation>Em uso.</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::GuideDirections</name>
@@ -7660,22 +7662,6 @@ trocar os motores</translation>
 <context>
     <name>boresight::ui::HeaderBar</name>
     <message>
-        <source>CAN off</source>
-        <translation>CAN off</translation>
-    </message>
-    <message>
-        <source>CAN</source>
-        <translation>CAN</translation>
-    </message>
-    <message>
-        <source>CAN down</source>
-        <translation>CAN caído</translation>
-    </message>
-    <message>
-        <source>CAN lost</source>
-        <translation>CAN fora</translation>
-    </message>
-    <message>
         <source>%1 silent</source>
         <translation>%1 mudo</translation>
     </message>
@@ -7722,10 +7708,6 @@ trocar os motores</translation>
     <message>
         <source>Target and who gave it</source>
         <translation>Alvo e quem o deu</translation>
-    </message>
-    <message>
-        <source>CAN bus</source>
-        <translation>Barramento CAN</translation>
     </message>
     <message>
         <source>Azimuth drive</source>
@@ -7836,6 +7818,22 @@ trocar os motores</translation>
     <message>
         <source>Orientation sensor</source>
         <translation>Sensor de orientação</translation>
+    </message>
+    <message>
+        <source>%1 off</source>
+        <translation>%1 off</translation>
+    </message>
+    <message>
+        <source>%1 down</source>
+        <translation>%1 caído</translation>
+    </message>
+    <message>
+        <source>%1 lost</source>
+        <translation>%1 fora</translation>
+    </message>
+    <message>
+        <source>Line to the mount</source>
+        <translation>Ligação com a montagem</translation>
     </message>
 </context>
 <context>

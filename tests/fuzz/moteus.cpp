@@ -162,8 +162,7 @@ void checkOrders(StationRig& rig, bool asked)
                 const bool first = fromCanId(frame.id).destination == rig.profile.azimuth.id;
                 const StationStatus status = rig.control.status();
                 const AxisStatus& axis = first ? status.azimuth : status.elevation;
-                const DriveStatus& drive = first ? status.drives.azimuth : status.drives.elevation;
-                const bool lost = !drive.turnKnown || !axis.actual || !axis.travel.contains(*axis.actual);
+                const bool lost = !axis.turnKnown || !axis.actual || !axis.travel.contains(*axis.actual);
                 require(lost || fields.count(Register::CommandIgnorePositionBounds) == 0,
                         "the drive's own limits stay in force");
                 checkMotion(fields, first ? rig.profile.azimuth : rig.profile.elevation, rig.profile.control.watchdog);

@@ -41,7 +41,7 @@ protected:
 
     bool finishes()
     {
-        return rig.runUntil([this] { return !rig.status().drives.proofRunning; }, Seconds(20.0));
+        return rig.runUntil([this] { return !rig.status().drives->proofRunning; }, Seconds(20.0));
     }
 
     // While nobody but we looks: a setting that a survey would refuse, changed behind its back.
@@ -73,8 +73,8 @@ TEST_F(CrashStop, ReportsWhatTheAntennaDid)
     ASSERT_EQ(rig.ask(request::ProveCrashStop{3_deg_s}), "");
     EXPECT_EQ(rig.status().state, StationState::Calibrate);
     ASSERT_TRUE(finishes());
-    EXPECT_EQ(rig.status().drives.proofText, QStringLiteral("done"));
-    const DrivesStatus drives = rig.status().drives;
+    EXPECT_EQ(rig.status().drives->proofText, QStringLiteral("done"));
+    const DrivesStatus drives = *rig.status().drives;
     for (const DriveStatus* const drive : {&drives.azimuth, &drives.elevation}) {
         ASSERT_TRUE(drive->crashStop);
         EXPECT_EQ(drive->crashStop->rate, 3_deg_s);
@@ -101,12 +101,12 @@ TEST_F(CrashStop, StopEndsItAndTheDriveIsTakenBack)
     place(100.0, 45.0);
     ASSERT_EQ(rig.ask(request::ProveCrashStop{3_deg_s}), "");
     rig.run(Seconds(1.0));
-    ASSERT_TRUE(rig.status().drives.proofRunning);
+    ASSERT_TRUE(rig.status().drives->proofRunning);
     ASSERT_EQ(rig.ask(request::Stop{}), "");
     rig.run(Seconds(2.0));
-    EXPECT_FALSE(rig.status().drives.proofRunning);
+    EXPECT_FALSE(rig.status().drives->proofRunning);
     EXPECT_EQ(rig.status().state, StationState::Stopped);
-    EXPECT_FALSE(rig.status().drives.azimuth.crashStop) << "nothing was measured";
+    EXPECT_FALSE(rig.status().drives->azimuth.crashStop) << "nothing was measured";
     const AxisPosition rest = rig.truth();
     rig.run(Seconds(3.0));
     EXPECT_LT(rig.farthestFrom(rest), 0.05_deg);
@@ -119,9 +119,9 @@ TEST_F(CrashStop, ADriveThatLetsGoIsReportedAsFailed)
     ASSERT_EQ(rig.ask(request::ProveCrashStop{5_deg_s}), "");
     setQuietly(Axis::Azimuth, "conf set servo.timeout_mode 0");  // off
     ASSERT_TRUE(finishes());
-    EXPECT_THAT(rig.status().drives.proofText.toStdString(), HasSubstr("azimuth did not stop"));
-    EXPECT_NE(rig.status().drives.proofText, QStringLiteral("done"));
-    EXPECT_FALSE(rig.status().drives.azimuth.crashStop);
+    EXPECT_THAT(rig.status().drives->proofText.toStdString(), HasSubstr("azimuth did not stop"));
+    EXPECT_NE(rig.status().drives->proofText, QStringLiteral("done"));
+    EXPECT_FALSE(rig.status().drives->azimuth.crashStop);
 }
 
 TEST_F(CrashStop, TheOperatorIsTheOnlyOneWhoStartsIt)

@@ -187,13 +187,13 @@ void FaultRun::rearm()
     m_outcome.again = "re-arm";
     EXPECT_EQ(rig.ask(request::Rearm{}), "");
     EXPECT_TRUE(rig.runUntil([&] { return rig.status().state != StationState::Fault; }, kReturn));
-    EXPECT_TRUE(rig.runUntil([&] { return rig.status().drives.armingObstacle.isEmpty(); }, kReturn))
-        << rig.status().drives.armingObstacle.toStdString();
+    EXPECT_TRUE(rig.runUntil([&] { return rig.status().drives->armingObstacle.isEmpty(); }, kReturn))
+        << rig.status().drives->armingObstacle.toStdString();
     rig.run(Seconds(1.0));
     m_outcome.movedByRearming = rig.farthestFrom(here);
     for (const Axis axis : kAxes) {
-        const DrivesStatus drives = rig.status().drives;
-        if (!(axis == Axis::Azimuth ? drives.azimuth : drives.elevation).turnKnown) {
+        const StationStatus status = rig.status();
+        if (!(axis == Axis::Azimuth ? status.azimuth : status.elevation).turnKnown) {
             EXPECT_EQ(rig.ask(request::ChooseTurn{axis, Angle::fromDegrees(rig.truth(axis))}), "");
             rig.run(Seconds(0.5));
             m_outcome.again = "re-arm, tell the turn";

@@ -59,7 +59,7 @@ TEST_F(ReleasedBus, IsClosedAndTheDrivesHoldByThemselves)
     EXPECT_EQ(rig.link->status().state, LinkState::Closed);
     rig.run(Seconds(5.0));
     EXPECT_EQ(rig.link->status().state, LinkState::Closed) << "it is not opened again behind the other tool's back";
-    EXPECT_TRUE(rig.status().drives.released);
+    EXPECT_TRUE(rig.status().drives->released);
     EXPECT_EQ(rig.link->truth(Axis::Elevation).mode, moteus::Mode::PositionTimeout);
     EXPECT_LT(rig.farthestFrom(here), 0.1_deg);
     EXPECT_EQ(client->ask("p\n"), "RPRT -6\n");
@@ -86,7 +86,7 @@ TEST_F(ReleasedBus, TakenBackTheDrivesAreReadAnewAndNothingMovesAtFirst)
     }
     EXPECT_LT(worst, 0.05_deg);
     ASSERT_TRUE(rig.runUntil([this] { return rig.ready(); }, Seconds(10.0)))
-        << rig.status().drives.armingObstacle.toStdString();
+        << rig.status().drives->armingObstacle.toStdString();
     EXPECT_TRUE(
         rig.logSays(QStringLiteral("changed meanwhile: elevation: servo.default_timeout_s was 0.1 s, is 0.15 s")));
     EXPECT_LT(rig.farthestFrom(here), 0.05_deg) << "reading moves nothing";
@@ -117,10 +117,10 @@ TEST_F(ReleasedBus, MovedAndSetBackByTheOtherToolTheOperatorIsAsked)
     otherToolMovesAzimuth();
     otherToolSays(Axis::Azimuth, "d exact " + std::to_string(reported));
     ASSERT_EQ(rig.ask(request::TakeBus{}), "");
-    ASSERT_TRUE(rig.runUntil([this] { return rig.status().drives.azimuth.turnQuestion.has_value(); }, Seconds(10.0)));
-    EXPECT_FALSE(rig.status().drives.azimuth.turnKnown);
-    EXPECT_FALSE(rig.status().drives.azimuth.turnQuestion->proposed);
-    EXPECT_TRUE(rig.status().drives.elevation.turnKnown) << "nobody has set this one";
+    ASSERT_TRUE(rig.runUntil([this] { return rig.status().drives->azimuth.turnQuestion.has_value(); }, Seconds(10.0)));
+    EXPECT_FALSE(rig.status().azimuth.turnKnown);
+    EXPECT_FALSE(rig.status().drives->azimuth.turnQuestion->proposed);
+    EXPECT_TRUE(rig.status().elevation.turnKnown) << "nobody has set this one";
     EXPECT_FALSE(rig.status().actual) << "nobody is shown a place";
 }
 
@@ -131,7 +131,7 @@ TEST_F(ReleasedBus, WhatTheOtherToolBrokeRefusesMotion)
     otherToolSays(Axis::Azimuth, "conf set servo.timeout_mode 12");
     ASSERT_EQ(rig.ask(request::TakeBus{}), "");
     ASSERT_TRUE(rig.runUntil(
-        [this] { return rig.status().drives.armingObstacle.contains(QLatin1String("servo.timeout_mode is 12")); },
+        [this] { return rig.status().drives->armingObstacle.contains(QLatin1String("servo.timeout_mode is 12")); },
         Seconds(10.0)));
     EXPECT_TRUE(rig.alarmSays(QStringLiteral("servo.timeout_mode is 12")));
     const AxisPosition here = rig.truth();

@@ -45,13 +45,13 @@ SimulatedStation::SimulatedStation(const profile::Profile& profile, const sim::P
     station->openAll();
     run(Seconds(0.2));
     EXPECT_TRUE(runUntil([this] { return ready(); }, kReading))
-        << station->status().drives.armingObstacle.toStdString();
+        << station->status().drives->armingObstacle.toStdString();
 }
 
 bool SimulatedStation::ready() const
 {
-    const DrivesStatus drives = status().drives;
-    return drives.armingObstacle.isEmpty() && drives.azimuth.turnKnown && drives.elevation.turnKnown;
+    const StationStatus now = status();
+    return now.drives->armingObstacle.isEmpty() && now.azimuth.turnKnown && now.elevation.turnKnown;
 }
 
 void SimulatedStation::tick()

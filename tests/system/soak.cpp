@@ -216,8 +216,7 @@ void Soak::judge()
     const StationStatus status = m_station->status();
     for (const Axis axis : kAxes) {
         const AxisStatus& told = axis == Axis::Azimuth ? status.azimuth : status.elevation;
-        const DriveStatus& drive = axis == Axis::Azimuth ? status.drives.azimuth : status.drives.elevation;
-        if (drive.turnKnown && told.age && *told.age <= kTick) {
+        if (told.turnKnown && told.age && *told.age <= kTick) {
             m_findings.astray = std::max(m_findings.astray, abs(*told.actual - m_bus.truth(axis).angle));
         }
     }
@@ -241,7 +240,7 @@ void Soak::operate(const StationStatus& status)
     m_nextOperation = m_time + kOperatorPeriod;
     if (status.state == StationState::Fault && m_time - m_lostSince > kBraking) {
         m_counts.rearms += ask(request::Rearm{}).empty() ? 1 : 0;
-    } else if (!lost && (status.drives.azimuth.turnQuestion || status.drives.elevation.turnQuestion)) {
+    } else if (!lost && (status.drives->azimuth.turnQuestion || status.drives->elevation.turnQuestion)) {
         tellTurns(status);
     } else if (!lost && status.authority == Authority::Operator) {
         static_cast<void>(ask(request::AcknowledgeAlarms{}));
@@ -253,10 +252,10 @@ void Soak::operate(const StationStatus& status)
 void Soak::tellTurns(const StationStatus& status)
 {
     const AxisPosition seen = truth();
-    if (status.drives.azimuth.turnQuestion) {
+    if (status.drives->azimuth.turnQuestion) {
         m_counts.turnsTold += ask(request::ChooseTurn{Axis::Azimuth, seen.azimuth}).empty() ? 1 : 0;
     }
-    if (status.drives.elevation.turnQuestion) {
+    if (status.drives->elevation.turnQuestion) {
         m_counts.turnsTold += ask(request::ChooseTurn{Axis::Elevation, seen.elevation}).empty() ? 1 : 0;
     }
 }
@@ -281,7 +280,8 @@ void Soak::trouble()
         ++m_counts.clockSteps;
     }
     const StationStatus status = m_station->status();
-    const bool armed = status.azimuth.commanded && status.elevation.commanded && status.drives.armingObstacle.isEmpty();
+    const bool armed =
+        status.azimuth.commanded && status.elevation.commanded && status.drives->armingObstacle.isEmpty();
     if (!m_troubles || m_time < m_nextTrouble || m_lost || m_outage || !armed || m_time - m_armedSince < kCalm) {
         return;
     }

@@ -105,12 +105,12 @@ TEST(Soak, EndsAsItBegan)
         EXPECT_NEAR(record->angle.degrees(), real.degrees(), 0.2) << "the journal tells the turn";
         EXPECT_FALSE(record->moving);
     }
-    EXPECT_TRUE(soak.status().drives.azimuth.turnKnown) << "the drives kept their power";
-    EXPECT_TRUE(soak.status().drives.elevation.turnKnown);
+    EXPECT_TRUE(soak.status().azimuth.turnKnown) << "the drives kept their power";
+    EXPECT_TRUE(soak.status().elevation.turnKnown);
     EXPECT_NEAR(soak.status().azimuth.actual->degrees(), truth.azimuth.degrees(), 0.2);
 
     soak.powerCycle();
-    const auto question = soak.status().drives.azimuth.turnQuestion;
+    const auto question = soak.status().drives->azimuth.turnQuestion;
     ASSERT_TRUE(question.has_value()) << "after a power cycle only the operator can tell";
     ASSERT_TRUE(question->proposed.has_value());
     EXPECT_NEAR(question->proposed->degrees(), soak.truth().azimuth.degrees(), 0.5)

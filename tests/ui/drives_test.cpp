@@ -79,6 +79,34 @@ TEST_F(DrivesTest, KeysOpenThePanels)
     EXPECT_FALSE(window.findChild<TurnPage*>()->isVisible()) << "no question is open";
 }
 
+// REQ-UI-46: A mount without drives that can be read has no tabs for them, and no line in the header.
+TEST_F(DrivesTest, AMountWithoutSuchDrivesHasNoPanelsForThem)
+{
+    const QTabWidget& mount = *named<QTabWidget>("The mount itself");
+    const auto isOffered = [&](QWidget* panel) { return mount.isTabVisible(mount.indexOf(panel)); };
+    auto* const drives = window.findChild<DrivesPanel*>();
+    auto* const protection = window.findChild<ProtectionPanel*>();
+    EXPECT_TRUE(isOffered(drives));
+    EXPECT_TRUE(isOffered(protection));
+    StationStatus status = samples::idle();
+    status.drives.reset();
+    status.line = {};
+    give(samples::update(status));
+    EXPECT_FALSE(isOffered(drives));
+    EXPECT_FALSE(isOffered(protection));
+    for (const char digit : {'6', '7'}) {
+        openPanel(digit);
+        EXPECT_FALSE(drives->isVisible());
+        EXPECT_FALSE(protection->isVisible());
+    }
+    EXPECT_EQ(text("Line to the mount"), QString());
+    give(samples::update(samples::idle()));
+    EXPECT_TRUE(isOffered(drives));
+    openPanel('6');
+    EXPECT_TRUE(drives->isVisible());
+    EXPECT_EQ(text("Line to the mount"), QStringLiteral("CAN"));
+}
+
 TEST_F(DrivesTest, ShowsWhoTheDrivesAre)
 {
     EXPECT_EQ(text("Id of the elevation drive"), QStringLiteral("2"));
@@ -89,7 +117,8 @@ TEST_F(DrivesTest, ShowsWhoTheDrivesAre)
     EXPECT_EQ(text("Register map of the azimuth drive"), QStringLiteral("5"));
     EXPECT_EQ(text("Turn of the azimuth drive"), QStringLiteral("known"));
     StationStatus unknown = samples::idle();
-    unknown.drives.azimuth = {};
+    unknown.drives->azimuth = {};
+    unknown.azimuth.turnKnown = false;
     give(samples::update(unknown));
     EXPECT_EQ(text("UUID of the azimuth drive"), QStringLiteral("---"));
     EXPECT_EQ(text("Id of the azimuth drive"), QStringLiteral("---"));
@@ -100,10 +129,10 @@ TEST_F(DrivesTest, ABoardThatTheProfileDoesNotKnowIsListed)
 {
     EXPECT_EQ(text("Unknown boards on the bus"), QString());
     StationStatus status = samples::idle();
-    status.drives.strangers = {{.id = 5,
-                                .identity = {.uuid = QStringLiteral("3f2a9c1d-77b0-4e0c-9a52-5b1d20c4e811"),
-                                             .firmware = QStringLiteral("1.1.0"),
-                                             .registerMap = 5}}};
+    status.drives->strangers = {{.id = 5,
+                                 .identity = {.uuid = QStringLiteral("3f2a9c1d-77b0-4e0c-9a52-5b1d20c4e811"),
+                                              .firmware = QStringLiteral("1.1.0"),
+                                              .registerMap = 5}}};
     open<DrivesPanel>();
     give(samples::update(status));
     EXPECT_EQ(text("Unknown boards on the bus"),
@@ -128,7 +157,7 @@ TEST_F(DrivesTest, TheBusCanBeReleasedWhileTheDrivesAreRead)
     give(samples::update(samples::reading()));
     EXPECT_TRUE(named<CommandButton>("Release bus")->isEnabled());
     StationStatus fixing = samples::reading();
-    fixing.drives.survey = SurveyState::Fixing;
+    fixing.drives->survey = SurveyState::Fixing;
     give(samples::update(fixing));
     expectBlocked("Release bus", "settings are being written");
 }
@@ -191,7 +220,7 @@ TEST_F(DrivesTest, AxesThatWantDifferentValuesHaveARowEach)
 TEST_F(DrivesTest, TheLimitsOfAReversedDriveAreShownTheOperatorsWayRound)
 {
     StationStatus status = samples::idle();
-    for (ProtectionLine& line : status.drives.elevation.protections) {
+    for (ProtectionLine& line : status.drives->elevation.protections) {
         if (line.key.startsWith(QLatin1String("servopos.position_"))) {
             const bool lower = line.key.endsWith(QLatin1String("min"));
             line.wanted = line.found =
@@ -208,7 +237,7 @@ TEST_F(DrivesTest, TheLimitsOfAReversedDriveAreShownTheOperatorsWayRound)
 TEST_F(DrivesTest, ARangeIsShownInDegreesNotInTurns)
 {
     StationStatus status = samples::idle();
-    for (ProtectionLine& line : status.drives.elevation.protections) {
+    for (ProtectionLine& line : status.drives->elevation.protections) {
         if (line.key == QLatin1String("servo.default_velocity_limit")) {
             line.wanted = QStringLiteral("0.0222 to 0.0444 turns/s (8 to 16°/s)");
         }
@@ -282,15 +311,15 @@ TEST_F(DrivesTest, FixListsWhatItWritesAndWritesOnlyAfterASecondPress)
 TEST_F(DrivesTest, FixNeedsDrivesThatAreReadSwitchedOffAndWrong)
 {
     StationStatus status = samples::factoryDrives();
-    status.drives.switchedOn = true;
+    status.drives->switchedOn = true;
     give(samples::update(status));
     expectBlocked("Fix …", "is switched on");
     give(samples::update(samples::idle()));
     expectBlocked("Fix …", "every setting is right");
-    status.drives.fixable = false;
+    status.drives->fixable = false;
     give(samples::update(status));
     expectBlocked("Fix …", "what is wrong is for a person to change");
-    status.drives.survey = SurveyState::NotDone;
+    status.drives->survey = SurveyState::NotDone;
     give(samples::update(status));
     expectBlocked("Fix …", "the drives are not read yet");
     give(samples::update(samples::released()));
@@ -303,11 +332,11 @@ TEST_F(DrivesTest, AnOpenQuestionIsBlockedWhenItCanNotBeDoneAnyMore)
     give(samples::update(status));
     open<ProtectionPanel>();
     click("Fix …");
-    status.drives.switchedOn = true;
+    status.drives->switchedOn = true;
     give(samples::update(status));
     EXPECT_FALSE(act("Write")->isEnabled());
     QTest::mouseClick(act("Write"), Qt::LeftButton);
-    status.drives.switchedOn = false;
+    status.drives->switchedOn = false;
     give(samples::update(status));
     EXPECT_FALSE(act("Write")->isEnabled()) << "its list may be out of date";
     EXPECT_TRUE(asked<request::FixDrives>().empty());
@@ -370,7 +399,7 @@ TEST_F(DrivesTest, TheBusIsReleasedAndTakenBackByOneButton)
 {
     open<DrivesPanel>();
     StationStatus off = samples::idle();
-    off.drives.switchedOn = false;
+    off.drives->switchedOn = false;
     give(samples::update(off));
     click("Release bus");
     EXPECT_EQ(asked<request::ReleaseBus>().size(), 1u);
@@ -435,7 +464,7 @@ TEST_F(DrivesTest, EachAxisShowsItsLastProofWithTheDate)
     EXPECT_EQ(text("Crash stop of the azimuth"),
               QStringLiteral("2.0°/s: stopped after 0.21° in 0.14 s, 2026-11-21 11:59Z"));
     StationStatus status = samples::proving();
-    status.drives.azimuth.crashStop->drive = status.drives.elevation.identity.uuid;
+    status.drives->azimuth.crashStop->drive = status.drives->elevation.identity.uuid;
     give(samples::update(status));
     EXPECT_EQ(text("Crash stop of the elevation"), QStringLiteral("not proved yet"));
     EXPECT_EQ(named<ValueLabel>("Crash stop of the azimuth")->symbol(), Symbol::Warning) << "another drive";

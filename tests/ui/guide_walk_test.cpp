@@ -139,8 +139,8 @@ protected:
     bool fit()
     {
         const StationStatus now = station->status();
-        return now.state != StationState::Disconnected && now.drives.survey == SurveyState::Done &&
-               now.drives.armingObstacle.isEmpty() && now.drives.azimuth.turnKnown && now.drives.elevation.turnKnown;
+        return now.state != StationState::Disconnected && now.drives->survey == SurveyState::Done &&
+               now.drives->armingObstacle.isEmpty() && now.azimuth.turnKnown && now.elevation.turnKnown;
     }
 
     fakes::ManualClock clock;
@@ -194,14 +194,14 @@ TEST_F(GuideWalk, FromTheFirstStartToTheFirstSafeMove)
     ASSERT_TRUE(until(
         [this] {
             return station->status().profile->elevation.geometry.offset != 90_deg &&
-                   station->status().drives.survey == SurveyState::Done;
+                   station->status().drives->survey == SurveyState::Done;
         },
         Seconds(20.0)));
     EXPECT_LT(farthest.elevation, 0.1_deg) << "nothing moved";
     EXPECT_EQ(station->status().profile->mount.directions, profile::Directions::Confirmed);
     // The ends stayed on the mount, so the drives' own bounds are right as they are.
     ASSERT_TRUE(until([this] { return fit(); }, Seconds(20.0)))
-        << station->status().drives.armingObstacle.toStdString();
+        << station->status().drives->armingObstacle.toStdString();
     ASSERT_TRUE(station->status().elevation.actual);
     EXPECT_NEAR(station->status().elevation.actual->degrees(), 20.0, 0.2);
 

@@ -85,7 +85,7 @@ DriveStatus drive(Axis axis)
                       .firmware = QStringLiteral("1.1.0"),
                       .registerMap = 5};
     drive.protections = protections(axis, false);
-    drive.turnKnown = true;
+    drive.registers = QStringLiteral("moteus mode 10, fault 0");
     drive.crashStop = CrashStop{.drive = drive.identity.uuid,
                                 .rate = 2_deg_s,
                                 .angle = azimuth ? 0.21_deg : 0.16_deg,
@@ -102,30 +102,30 @@ StationStatus factoryDrives()
     status.azimuth.state = AxisState::Off;
     status.elevation.state = AxisState::Off;
     dropTarget(status);
-    status.drives.switchedOn = false;
-    status.drives.armingObstacle =
+    status.drives->switchedOn = false;
+    status.drives->armingObstacle =
         QStringLiteral("5 settings of each drive are dangerous, first: azimuth servopos.position_min");
     for (const Axis axis : {Axis::Azimuth, Axis::Elevation}) {
-        DriveStatus& one = axis == Axis::Azimuth ? status.drives.azimuth : status.drives.elevation;
+        DriveStatus& one = axis == Axis::Azimuth ? status.drives->azimuth : status.drives->elevation;
         one.protections = protections(axis, true);
         one.crashStop.reset();
     }
-    status.drives.fixable = true;
+    status.drives->fixable = true;
     return status;
 }
 
 StationStatus reading()
 {
     StationStatus status = factoryDrives();
-    status.drives.survey = SurveyState::Running;
-    status.drives.surveyText = QStringLiteral("reading servo.timeout_mode of elevation");
-    status.drives.armingObstacle = QStringLiteral("the drives are being read");
-    for (ProtectionLine& line : status.drives.elevation.protections) {
+    status.drives->survey = SurveyState::Running;
+    status.drives->surveyText = QStringLiteral("reading servo.timeout_mode of elevation");
+    status.drives->armingObstacle = QStringLiteral("the drives are being read");
+    for (ProtectionLine& line : status.drives->elevation.protections) {
         line.verdict = Verdict::Unread;
         line.found.clear();
     }
-    status.drives.azimuth.turnKnown = false;
-    status.drives.elevation.turnKnown = false;
+    status.azimuth.turnKnown = false;
+    status.elevation.turnKnown = false;
     return status;
 }
 
@@ -134,13 +134,13 @@ StationStatus released()
     StationStatus status = withAge(idle(), std::chrono::milliseconds(9000));
     status.state = StationState::Disconnected;
     status.stateReason = QStringLiteral("bus released to other tools");
-    status.bus.state = LinkState::Closed;
+    status.line.state = MountLine::State::Closed;
     status.azimuth.state = AxisState::NoData;
     status.elevation.state = AxisState::NoData;
     dropTarget(status);
-    status.drives.released = true;
-    status.drives.switchedOn = false;
-    status.drives.survey = SurveyState::NotDone;
+    status.drives->released = true;
+    status.drives->switchedOn = false;
+    status.drives->survey = SurveyState::NotDone;
     return status;
 }
 
@@ -152,9 +152,9 @@ StationStatus proving()
     place(status, {31.4_deg, 20_deg}, {31.45_deg, 20_deg}, {34_deg, 20_deg});
     status.azimuth.state = AxisState::Moving;
     dropTarget(status);
-    status.drives.proofRunning = true;
-    status.drives.proofText = QStringLiteral("azimuth at 2.0°/s, not fed since 0.3 s");
-    status.drives.elevation.crashStop.reset();
+    status.drives->proofRunning = true;
+    status.drives->proofText = QStringLiteral("azimuth at 2.0°/s, not fed since 0.3 s");
+    status.drives->elevation.crashStop.reset();
     return status;
 }
 
@@ -184,8 +184,8 @@ StationStatus asking(Axis axis, int places, Angle period, bool proposed)
         QStringLiteral("The drive has lost power since: it counts its turns anew"),
         QStringLiteral("There is no sensor to compare with"),
     };
-    DriveStatus& one = axis == Axis::Azimuth ? status.drives.azimuth : status.drives.elevation;
-    one.turnKnown = false;
+    DriveStatus& one = axis == Axis::Azimuth ? status.drives->azimuth : status.drives->elevation;
+    (axis == Axis::Azimuth ? status.azimuth : status.elevation).turnKnown = false;
     one.turnQuestion = question;
     return status;
 }

@@ -22,9 +22,15 @@ const AxisStatus& axisOf(const StationStatus& status, Axis axis)
     return axis == Axis::Azimuth ? status.azimuth : status.elevation;
 }
 
+const DrivesStatus& drivesOf(const StationStatus& status)
+{
+    static const DrivesStatus none;
+    return status.drives ? *status.drives : none;
+}
+
 const DriveStatus& driveOf(const StationStatus& status, Axis axis)
 {
-    return axis == Axis::Azimuth ? status.drives.azimuth : status.drives.elevation;
+    return axis == Axis::Azimuth ? drivesOf(status).azimuth : drivesOf(status).elevation;
 }
 
 QString driveName(Axis axis)
@@ -39,25 +45,25 @@ QString firstOf(const QString& one, const QString& other)
 
 QString noMotion(const StationStatus& status)
 {
-    if (status.drives.released) {
+    if (drivesOf(status).released) {
         return QStringLiteral("the bus is left to other tools: take it back first");
     }
     if (status.state == StationState::Disconnected) {
         return QStringLiteral("no reply from the azimuth drive");
     }
-    if (status.drives.proofRunning) {
+    if (drivesOf(status).proofRunning) {
         return QStringLiteral("the crash-stop proof moves the mount: end it first");
     }
     if (status.stopLatched || status.state == StationState::Stopped) {
         return QStringLiteral("STOP is latched: reset STOP first");
     }
     return status.state == StationState::Fault ? QStringLiteral("%1: re-arm first").arg(status.stateReason)
-                                               : status.drives.armingObstacle;
+                                               : drivesOf(status).armingObstacle;
 }
 
 QString notPlaced(const StationStatus& status, Axis axis)
 {
-    return driveOf(status, axis).turnKnown
+    return axisOf(status, axis).turnKnown
                ? QString()
                : QStringLiteral(
                      "it is not known on which turn the axis of the %1 stands: the operator must tell; "
@@ -67,7 +73,7 @@ QString notPlaced(const StationStatus& status, Axis axis)
 
 bool arePlaced(const StationStatus& status)
 {
-    return status.drives.azimuth.turnKnown && status.drives.elevation.turnKnown;
+    return status.azimuth.turnKnown && status.elevation.turnKnown;
 }
 
 QString noPointing(const StationStatus& status)
@@ -91,7 +97,7 @@ QString moving(const StationStatus& status)
 QString noWayOn(const StationStatus& status, Axis which, bool upwards)
 {
     const AxisStatus& axis = axisOf(status, which);
-    if (!axis.actual || axis.travel.max <= axis.travel.min || !driveOf(status, which).turnKnown) {
+    if (!axis.actual || axis.travel.max <= axis.travel.min || !axis.turnKnown) {
         return {};
     }
     if (upwards && *axis.actual > axis.travel.max - kAtEnd) {
@@ -137,25 +143,25 @@ QString noFix(const StationStatus& status)
     const auto right = [&status](Axis axis) {
         return std::ranges::none_of(driveOf(status, axis).protections, differs);
     };
-    if (status.drives.survey != SurveyState::Done) {
+    if (drivesOf(status).survey != SurveyState::Done) {
         return QStringLiteral("the drives are not read yet");
     }
-    if (!status.drives.fixable) {
+    if (!drivesOf(status).fixable) {
         return std::ranges::all_of(kBoth, right)
                    ? QStringLiteral("every setting is right")
                    : QStringLiteral(
                          "there is nothing that can be written: what is wrong is for a person to change, "
                          "as its line says");
     }
-    return status.drives.switchedOn ? QStringLiteral(
-                                          "the azimuth drive is switched on: support the elevation, "
-                                          "switch the drives off")
-                                    : QString();
+    return drivesOf(status).switchedOn ? QStringLiteral(
+                                             "the azimuth drive is switched on: support the elevation, "
+                                             "switch the drives off")
+                                       : QString();
 }
 
 void judgeDrives(StationStatus& status)
 {
-    const DrivesStatus& drives = status.drives;
+    const DrivesStatus& drives = drivesOf(status);
     const QString released =
         drives.released ? QStringLiteral("the bus is left to other tools: take it back first") : QString();
     const QString writing = drives.survey == SurveyState::Fixing

@@ -24,7 +24,7 @@ AxisStatus axis(Angle at, TravelRange travel)
     axis.boardTemperature = 38.0;
     axis.torque = 1.25;
     axis.current = 2.1;
-    axis.mode = 10;
+    axis.turnKnown = true;
     return axis;
 }
 
@@ -128,17 +128,19 @@ StationStatus idle()
     place(status, {}, {}, {});
     status.targetText = QStringLiteral("park");
     status.commander = {SourceKind::Operator, 0, QStringLiteral("operator")};
-    status.bus.state = LinkState::Up;
-    status.bus.sent = 120'344;
-    status.bus.received = 120'344;
-    status.busName = QStringLiteral("simulated");
+    status.line = {.state = MountLine::State::Up,
+                   .kind = QStringLiteral("CAN"),
+                   .name = QStringLiteral("simulated"),
+                   .sent = 120'344,
+                   .received = 120'344};
     status.simulated = true;
     status.listening = QStringLiteral("127.0.0.1:4533");
     status.utc = kUtc;
-    status.drives.survey = SurveyState::Done;
-    status.drives.switchedOn = true;
-    status.drives.azimuth = drive(Axis::Azimuth);
-    status.drives.elevation = drive(Axis::Elevation);
+    status.drives.emplace();
+    status.drives->survey = SurveyState::Done;
+    status.drives->switchedOn = true;
+    status.drives->azimuth = drive(Axis::Azimuth);
+    status.drives->elevation = drive(Axis::Elevation);
     return withClients(status, 1);
 }
 
@@ -178,8 +180,7 @@ StationStatus faulted()
     status.stateReason = QStringLiteral("azimuth drive: over temperature");
     status.azimuth.state = AxisState::Fault;
     status.azimuth.stateText = QStringLiteral("over temperature (38)");
-    status.azimuth.mode = 1;
-    status.azimuth.faultCode = 38;
+    status.drives->azimuth.registers = QStringLiteral("moteus mode 1, fault 38");
     status.elevation.state = AxisState::Holding;
     addAlarm(
         status, Severity::Alarm,
@@ -202,8 +203,8 @@ StationStatus disconnected()
     status.stateReason = QStringLiteral("no reply from azimuth and elevation");
     status.azimuth.state = AxisState::NoData;
     status.elevation.state = AxisState::NoData;
-    status.bus.state = LinkState::Lost;
-    status.bus.text = QStringLiteral("can0 is gone: plug the adapter in again");
+    status.line.state = MountLine::State::Lost;
+    status.line.problem = QStringLiteral("can0 is gone: plug the adapter in again");
     status.simulated = false;
     for (const char* const drive : {"azimuth drive", "elevation drive"}) {
         addAlarm(status, Severity::Alarm, QStringLiteral("No reply from the %1.").arg(QLatin1String(drive)),

@@ -178,7 +178,8 @@ TEST_F(TurnTest, WithoutPlacesTheAngleItselfIsTheAnswer)
 TEST_F(TurnTest, AxesAreAskedOneAfterTheOtherAndADoubleClickAnswersOnlyOne)
 {
     StationStatus both = samples::asking(Axis::Elevation, 3, 30_deg, true);
-    both.drives.azimuth = fewPlaces().drives.azimuth;
+    both.drives->azimuth = fewPlaces().drives->azimuth;
+    both.azimuth.turnKnown = false;
     give(samples::update(both));
     ASSERT_TRUE(answerable());
     QTest::mouseClick(&answer(), Qt::LeftButton);
@@ -264,7 +265,7 @@ TEST_F(TurnTest, SaysHowFarTheAxisMovedSince)
     StationStatus status = fewPlaces();
     give(samples::update(status));
     EXPECT_EQ(text("Moved since the question"), QStringLiteral("not moved"));
-    status.drives.azimuth.turnQuestion->movedSince = -12.3_deg;
+    status.drives->azimuth.turnQuestion->movedSince = -12.3_deg;
     give(samples::update(status));
     EXPECT_EQ(text("Moved since the question"), QStringLiteral("moved -12.3° since"));
 }

@@ -57,7 +57,7 @@ TEST_F(WindowTest, ShowsStateTargetSourceLinksAndTime)
     EXPECT_EQ(window.findChild<CableBar*>()->text(), QStringLiteral("62° of -90° to 450°"));
     give(samples::update(samples::disconnected()));
     EXPECT_EQ(text("Simulated mount"), QString());
-    EXPECT_EQ(named<ValueLabel>("CAN bus")->symbol(), Symbol::Alarm);
+    EXPECT_EQ(named<ValueLabel>("Line to the mount")->symbol(), Symbol::Alarm);
 }
 
 TEST_F(WindowTest, TheClientListIsInTheTooltip)

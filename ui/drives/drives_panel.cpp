@@ -193,13 +193,13 @@ void DrivesPanel::showStatus(const StationStatus& status)
     for (const Axis axis : kAxes) {
         showDrive(axis);
     }
-    const QString strangers = strangersText(status.drives.strangers);
+    const QString strangers = strangersText(drivesOf(status).strangers);
     m_strangers->setValue(strangers, Tone::Warning, strangers.isEmpty() ? Symbol::None : Symbol::Warning);
-    const Sentence survey = surveySentence(status.drives);
+    const Sentence survey = surveySentence(drivesOf(status));
     m_survey->setValue(survey.text, survey.tone, survey.symbol);
-    const Sentence arming = armingSentence(status.drives);
+    const Sentence arming = armingSentence(drivesOf(status));
     m_arming->setValue(arming.text, arming.tone, arming.symbol);
-    const bool released = status.drives.released;
+    const bool released = drivesOf(status).released;
     m_release->setCommand(released ? tr("Take bus back") : tr("Release bus"),
                           released ? tr("Open the adapter again and read the drives anew")
                                    : tr("Leave the adapter to other tools (tview, moteus_tool). Nothing moves until it "
@@ -219,28 +219,29 @@ void DrivesPanel::showDrive(Axis axis)
     row.uuid->setToolTip(drive.identity.uuid);
     row.firmware->setValue(known(drive.identity.firmware));
     row.registerMap->setValue(number(drive.identity.registerMap));
-    row.turn->setValue(drive.turnKnown ? tr("known") : tr("unknown"), drive.turnKnown ? Tone::Normal : Tone::Warning,
-                       drive.turnKnown ? Symbol::None : Symbol::Warning);
+    const bool turnKnown = isTurnKnown(m_status, axis);
+    row.turn->setValue(turnKnown ? tr("known") : tr("unknown"), turnKnown ? Tone::Normal : Tone::Warning,
+                       turnKnown ? Symbol::None : Symbol::Warning);
     const Sentence stop = crashStopSentence(drive);
     m_crashStops[axisIndex(axis)]->setValue(stop.text, stop.tone, stop.symbol);
 }
 
 void DrivesPanel::showProof()
 {
-    const bool running = m_status.drives.proofRunning;
+    const bool running = drivesOf(m_status).proofRunning;
     m_run->setCommand(running ? tr("End proof") : tr("Run (both axes) …"),
                       running ? tr("Feed the drives again and hold")
                               : tr("Move each axis, stop feeding its drive, measure; asks first"));
     m_run->setBlocked(running ? QString() : m_status.permissions.reason(Action::ProveCrashStop));
     m_rate->setEnabled(!running);
-    m_proof->setValue(m_status.drives.proofText, running ? Tone::Advisory : Tone::Secondary,
+    m_proof->setValue(drivesOf(m_status).proofText, running ? Tone::Advisory : Tone::Secondary,
                       running ? Symbol::Advisory : Symbol::None);
 }
 
 void DrivesPanel::release()
 {
-    if (m_status.drives.released || !m_status.drives.switchedOn) {
-        m_release->ask(m_status.drives.released ? Request(request::TakeBus{}) : Request(request::ReleaseBus{}));
+    if (drivesOf(m_status).released || !drivesOf(m_status).switchedOn) {
+        m_release->ask(drivesOf(m_status).released ? Request(request::TakeBus{}) : Request(request::ReleaseBus{}));
         return;
     }
     askFirst(
@@ -257,7 +258,7 @@ void DrivesPanel::release()
 
 void DrivesPanel::prove()
 {
-    if (m_status.drives.proofRunning) {
+    if (drivesOf(m_status).proofRunning) {
         m_run->ask(request::EndProof{});
         return;
     }

@@ -198,7 +198,7 @@ ProtectionModel::Row& ProtectionModel::rowFor(Axis axis, const ProtectionLine& l
                         Row{.label = label, .key = line.key, .wanted = line.wanted, .found = {}});
 }
 
-int ProtectionModel::count(Verdict verdict) const
+int ProtectionModel::count(boresight::Verdict verdict) const
 {
     std::ptrdiff_t count = 0;
     for (const auto& lines : m_lines) {

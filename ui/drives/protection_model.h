@@ -35,7 +35,7 @@ public:
     void show(const DrivesStatus& drives);
 
     [[nodiscard]] QString explanation(int row) const;  // the values, and why the setting matters
-    [[nodiscard]] int count(Verdict verdict) const;
+    [[nodiscard]] int count(boresight::Verdict verdict) const;
     [[nodiscard]] QStringList changes() const;    // what Fix would write, one line each
     [[nodiscard]] QStringList leftAlone() const;  // what differs and only a person may change
 
@@ -57,10 +57,10 @@ private:
 
     [[nodiscard]] std::vector<Row> arranged() const;
     void reorder(std::vector<Row> rows);
-    [[nodiscard]] static Verdict verdictOf(const Row& row);
+    [[nodiscard]] static boresight::Verdict verdictOf(const Row& row);
     [[nodiscard]] static Row& rowFor(Axis axis, const ProtectionLine& line, std::vector<Row>& rows);
     [[nodiscard]] QString text(const Row& row, int column) const;
-    [[nodiscard]] std::optional<Verdict> verdictIn(const Row& row, int column) const;
+    [[nodiscard]] std::optional<boresight::Verdict> verdictIn(const Row& row, int column) const;
 
     Lines m_lines;
     std::vector<Row> m_rows;

@@ -2,6 +2,7 @@
 #include "ui/drives/protection_panel.h"
 
 #include "ui/drives/protection_model.h"
+#include "ui/kit/axes.h"
 #include "ui/kit/command_button.h"
 #include "ui/kit/read_table.h"
 #include "ui/kit/value_label.h"
@@ -78,8 +79,8 @@ QTableView* ProtectionPanel::makeTable()
 void ProtectionPanel::showStatus(const StationStatus& status)
 {
     m_status = status;
-    m_model->show(status.drives);
-    showSurvey(status.drives);
+    m_model->show(drivesOf(status));
+    showSurvey(drivesOf(status));
     m_read->setBlocked(status.permissions.reason(Action::ReadDrives));
     m_fix->setBlocked(status.permissions.reason(Action::FixDrives));
     m_switchOff->setBlocked(status.permissions.reason(Action::SwitchOff));

@@ -179,7 +179,7 @@ std::vector<int> GuideConnect::idsFound() const
     const bool ownSilent = std::ranges::all_of(
         kAxes, [this](Axis axis) { return freshness(axisOf(m_status, axis).age) == Freshness::NoData; });
     if (selectedBus() == busInUse() && ownSilent) {
-        std::ranges::transform(m_status.drives.strangers, std::back_inserter(ids), &Stranger::id);
+        std::ranges::transform(drivesOf(m_status).strangers, std::back_inserter(ids), &Stranger::id);
     } else if (m_result && m_result->bus == selectedBus()) {
         std::ranges::transform(m_result->drives, std::back_inserter(ids), &ScannedDrive::id);
     }
@@ -190,11 +190,11 @@ void GuideConnect::showFound()
 {
     QStringList lines;
     if (selectedBus() == busInUse()) {
-        lines << tr("In use. %1.").arg(surveySentence(m_status.drives).text);
+        lines << (m_status.drives ? tr("In use. %1.").arg(surveySentence(*m_status.drives).text) : tr("In use."));
         for (const Axis axis : kAxes) {
             lines << line(m_status, axis);
         }
-        for (const Stranger& one : m_status.drives.strangers) {
+        for (const Stranger& one : drivesOf(m_status).strangers) {
             lines << tr("id %1: not in the profile").arg(one.id);
         }
     } else if (selectedBus() == m_scanning) {

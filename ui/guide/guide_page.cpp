@@ -285,9 +285,9 @@ void GuidePage::showHint()
     QString hint;
     if (const auto axis = askingAxis(m_status); axis && !full) {
         hint = tr("Boresight asks which turn the %1 is on: press Ctrl+9 to answer, F3 to come back").arg(name(*axis));
-    } else if (moves(step) && !m_status.drives.armingObstacle.isEmpty() &&
-               m_status.drives.survey == SurveyState::Done) {
-        hint = tr("Nothing may move before step 2, Protect, is done: %1").arg(m_status.drives.armingObstacle);
+    } else if (moves(step) && !drivesOf(m_status).armingObstacle.isEmpty() &&
+               drivesOf(m_status).survey == SurveyState::Done) {
+        hint = tr("Nothing may move before step 2, Protect, is done: %1").arg(drivesOf(m_status).armingObstacle);
     } else if (moves(step)) {
         hint = m_status.permissions.reason(Action::Move);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/guide/guide_progress.h"
 
+#include "ui/kit/axes.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -48,8 +50,8 @@ std::set<GuideStep> stepsIn(const QString& text)
 
 bool bothAnswer(const StationStatus& status)
 {
-    return status.state != StationState::Disconnected && !status.drives.released &&
-           status.drives.survey == SurveyState::Done;
+    const bool read = !status.drives || (!status.drives->released && status.drives->survey == SurveyState::Done);
+    return status.state != StationState::Disconnected && read;
 }
 
 }  // namespace
@@ -81,7 +83,8 @@ QString whyNotDone(GuideStep step, const StationStatus& status)
         case GuideStep::Connect:
             return bothAnswer(status) ? QString() : GuideWords::tr("both drives must answer and be read first");
         case GuideStep::Protection:
-            return !bothAnswer(status) ? GuideWords::tr("the drives have not been read") : status.drives.armingObstacle;
+            return !bothAnswer(status) ? GuideWords::tr("the drives have not been read")
+                                       : drivesOf(status).armingObstacle;
         case GuideStep::Directions:
             return status.profile->mount.directions == profile::Directions::Confirmed
                        ? QString()

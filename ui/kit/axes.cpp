@@ -27,19 +27,25 @@ const AxisStatus& axisOf(const StationStatus& status, Axis axis)
     return axis == Axis::Azimuth ? status.azimuth : status.elevation;
 }
 
+const DrivesStatus& drivesOf(const StationStatus& status)
+{
+    static const DrivesStatus none;
+    return status.drives ? *status.drives : none;
+}
+
 const DriveStatus& driveOf(const StationStatus& status, Axis axis)
 {
-    return axis == Axis::Azimuth ? status.drives.azimuth : status.drives.elevation;
+    return axis == Axis::Azimuth ? drivesOf(status).azimuth : drivesOf(status).elevation;
 }
 
 bool isTurnKnown(const StationStatus& status, Axis axis)
 {
-    return driveOf(status, axis).turnKnown;
+    return axisOf(status, axis).turnKnown;
 }
 
 bool isTurnAwaited(const StationStatus& status, Axis axis)
 {
-    const bool reading = status.drives.survey == SurveyState::Running;
+    const bool reading = drivesOf(status).survey == SurveyState::Running;
     return reading && !isTurnKnown(status, axis) && !driveOf(status, axis).turnQuestion;
 }
 

@@ -17,6 +17,8 @@ inline constexpr std::array kAxes{Axis::Azimuth, Axis::Elevation};
 [[nodiscard]] QString shortName(Axis axis);      // "AZ"
 [[nodiscard]] std::size_t axisIndex(Axis axis);  // 0, 1
 [[nodiscard]] const AxisStatus& axisOf(const StationStatus& status, Axis axis);
+// A mount without such drives has blank ones: nothing is known of them.
+[[nodiscard]] const DrivesStatus& drivesOf(const StationStatus& status);
 [[nodiscard]] const DriveStatus& driveOf(const StationStatus& status, Axis axis);
 [[nodiscard]] bool isTurnKnown(const StationStatus& status, Axis axis);
 // The survey of the drives, which may tell the turn, has not ended: nothing is said about it yet.

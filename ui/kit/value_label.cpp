@@ -39,6 +39,14 @@ void ValueLabel::setStretching(bool on)
     setSizePolicy(on ? QSizePolicy::Expanding : QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
 
+void ValueLabel::setWidest(const QString& text)
+{
+    if (text != m_widest) {
+        m_widest = text;
+        updateGeometry();
+    }
+}
+
 void ValueLabel::setOutlined(bool on)
 {
     m_outlined = on;

@@ -22,8 +22,9 @@ public:
     void setLines(int lines);     // more than one: words wrap
     void setStretching(bool on);  // takes the width it is given instead of the template's
     void setOutlined(bool on);
-    void setSymbolRoom(bool on);  // the template's width gets room for a symbol
-    void setCollapsing(bool on);  // takes no room while it is empty
+    void setWidest(const QString& text);  // another template
+    void setSymbolRoom(bool on);          // the template's width gets room for a symbol
+    void setCollapsing(bool on);          // takes no room while it is empty
 
     void setValue(const QString& text, Tone tone = Tone::Normal, Symbol symbol = Symbol::None);
     void setSymbolShown(bool on);  // the flashing of an alarm

@@ -60,11 +60,11 @@ QString line(const QString& what, const std::optional<double>& value, const char
 }
 
 // What the drive says of itself: volts, degrees, amperes.
-QString driveHelp(const QString& axisName, const AxisStatus& axis, bool turnKnown)
+QString driveHelp(const QString& axisName, const AxisStatus& axis, const QString& registers)
 {
     QString text =
         AxisReadout::tr("%1 axis, %2 … %3").arg(axisName, angleText(axis.travel.min, 1), angleText(axis.travel.max, 1));
-    if (axis.actual && turnKnown) {
+    if (axis.actual && axis.turnKnown) {
         text += AxisReadout::tr("\nmechanical angle %1").arg(angleText(*axis.actual));
     }
     if (axis.rate) {
@@ -75,8 +75,10 @@ QString driveHelp(const QString& axisName, const AxisStatus& axis, bool turnKnow
     text += line(AxisReadout::tr("motor "), axis.motorTemperature, "%.0f °C");
     text += line(AxisReadout::tr("torque "), axis.torque, "%.2f Nm");
     text += line(AxisReadout::tr("current "), axis.current, "%.1f A");
-    text += AxisReadout::tr("\nmoteus mode %1, fault %2").arg(axis.mode).arg(axis.faultCode);
-    return axis.stateText.isEmpty() ? text : text + QLatin1Char('\n') + axis.stateText;
+    for (const QString& more : {registers, axis.stateText}) {
+        text += more.isEmpty() ? QString() : QLatin1Char('\n') + more;
+    }
+    return text;
 }
 
 Angle trimOf(const std::optional<SkyPointing>& trim, Axis which)
@@ -139,7 +141,7 @@ AxisReadout::Row AxisReadout::makeRow(Axis axis)
 void AxisReadout::showStatus(const StationStatus& status)
 {
     m_shown = {status.azimuth, status.elevation};
-    m_turnKnown = {isTurnKnown(status, Axis::Azimuth), isTurnKnown(status, Axis::Elevation)};
+    m_registers = {driveOf(status, Axis::Azimuth).registers, driveOf(status, Axis::Elevation).registers};
     m_trim = status.trim;
     m_hasModel = status.profile->pointing != pointing::PointingTerms{};
     for (const Axis axis : kAxes) {
@@ -173,7 +175,7 @@ void AxisReadout::showRow(Axis which, bool turnKnown, bool turnAwaited)
 QString AxisReadout::detail(Axis which) const
 {
     const AxisStatus& axis = m_shown[axisIndex(which)];
-    const bool turnKnown = m_turnKnown[axisIndex(which)];
+    const bool turnKnown = axis.turnKnown;
     QStringList parts;
     if (const Angle trim = trimOf(m_trim, which); trim != 0_deg) {
         parts << tr("trim %1").arg(signedAngleText(trim));
@@ -194,7 +196,7 @@ bool AxisReadout::event(QEvent* event)
         const bool lower = help->pos().y() > m_rows[0].detail->geometry().bottom();
         const Axis axis = lower ? Axis::Elevation : Axis::Azimuth;
         const std::size_t i = axisIndex(axis);
-        QToolTip::showText(help->globalPos(), driveHelp(name(axis), m_shown[i], m_turnKnown[i]), this);
+        QToolTip::showText(help->globalPos(), driveHelp(name(axis), m_shown[i], m_registers[i]), this);
         return true;
     }
     return QWidget::event(event);

@@ -44,7 +44,7 @@ private:
 
     std::array<Row, 2> m_rows;  // by Axis
     std::array<AxisStatus, 2> m_shown;
-    std::array<bool, 2> m_turnKnown{};
+    std::array<QString, 2> m_registers;  // what the drives say of themselves
     std::optional<SkyPointing> m_trim;
     bool m_hasModel = false;  // the axes do not show the truth
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/header_bar.h"
 
+#include "ui/kit/axes.h"
 #include "ui/kit/format.h"
 #include "ui/kit/value_label.h"
 #include "ui/kit/widest.h"
@@ -19,22 +20,26 @@ struct Shown
     Symbol symbol = Symbol::Healthy;
 };
 
-Shown busShown(const StationStatus& status)
+Shown lineShown(const StationStatus& status)
 {
-    if (status.drives.released) {
-        return {HeaderBar::tr("CAN off"), Tone::Advisory, Symbol::Advisory};
+    const QString& kind = status.line.kind;
+    if (kind.isEmpty()) {
+        return {QString(), Tone::Secondary, Symbol::None};
     }
-    switch (status.bus.state) {
-        case LinkState::Up:
-            return {HeaderBar::tr("CAN")};
-        case LinkState::Down:
-            return {HeaderBar::tr("CAN down"), Tone::Alarm, Symbol::Alarm};
-        case LinkState::Lost:
-            return {HeaderBar::tr("CAN lost"), Tone::Alarm, Symbol::Alarm};
-        case LinkState::Closed:
+    if (drivesOf(status).released) {
+        return {HeaderBar::tr("%1 off").arg(kind), Tone::Advisory, Symbol::Advisory};
+    }
+    switch (status.line.state) {
+        case MountLine::State::Up:
+            return {kind};
+        case MountLine::State::Down:
+            return {HeaderBar::tr("%1 down").arg(kind), Tone::Alarm, Symbol::Alarm};
+        case MountLine::State::Lost:
+            return {HeaderBar::tr("%1 lost").arg(kind), Tone::Alarm, Symbol::Alarm};
+        case MountLine::State::Closed:
             break;
     }
-    return {HeaderBar::tr("CAN off"), Tone::Warning, Symbol::Warning};
+    return {HeaderBar::tr("%1 off").arg(kind), Tone::Warning, Symbol::Warning};
 }
 
 Shown driveShown(const QString& name, const AxisStatus& axis, bool released)
@@ -87,16 +92,16 @@ QString sensorHelp(const SensorStatus& sensor)
     return text;
 }
 
-QString busHelp(const StationStatus& status)
+QString lineHelp(const StationStatus& status)
 {
-    const LinkStatus& bus = status.bus;
+    const MountLine& line = status.line;
     QString text = HeaderBar::tr("%1: %2 frames sent, %3 received, %4 dropped, %5 bus errors")
-                       .arg(status.busName)
-                       .arg(bus.sent)
-                       .arg(bus.received)
-                       .arg(bus.dropped)
-                       .arg(bus.busErrors);
-    return bus.text.isEmpty() ? text : bus.text + QLatin1Char('\n') + text;
+                       .arg(line.name)
+                       .arg(line.sent)
+                       .arg(line.received)
+                       .arg(line.dropped)
+                       .arg(line.errors);
+    return line.problem.isEmpty() ? text : line.problem + QLatin1Char('\n') + text;
 }
 
 QString clientsHelp(const StationStatus& status)
@@ -122,7 +127,7 @@ Tone stateTone(const StationStatus& status)
 {
     switch (status.state) {
         case StationState::Disconnected:
-            return status.drives.released ? Tone::Warning : Tone::Alarm;  // released is what the operator wanted
+            return drivesOf(status).released ? Tone::Warning : Tone::Alarm;  // released is what the operator wanted
         case StationState::Fault:
             return Tone::Alarm;
         case StationState::Stopped:
@@ -135,6 +140,14 @@ Tone stateTone(const StationStatus& status)
 Symbol stateSymbol(Tone tone)
 {
     return tone == Tone::Alarm ? Symbol::Alarm : tone == Tone::Warning ? Symbol::Warning : Symbol::None;
+}
+
+QString widestMountLine(const QString& kind)
+{
+    return kind.isEmpty()
+               ? QString()
+               : widest(fonts::label(), {HeaderBar::tr("%1 off").arg(kind), HeaderBar::tr("%1 down").arg(kind),
+                                         HeaderBar::tr("%1 lost").arg(kind)});
 }
 
 QString widestDrive(const QString& name)
@@ -156,8 +169,7 @@ HeaderBar::HeaderBar(QWidget* parent)
       m_reason(new ValueLabel(tr("Reason of the state"), fonts::label(), {}, this)),
       m_limited(new ValueLabel(tr("Target limited"), fonts::text(), tr("LIMITED"), this)),
       m_target(new ValueLabel(tr("Target and who gave it"), fonts::text(), {}, this)),
-      m_bus(new ValueLabel(tr("CAN bus"), fonts::label(),
-                           widest(fonts::label(), {tr("CAN off"), tr("CAN down"), tr("CAN lost")}), this)),
+      m_line(new ValueLabel(tr("Line to the mount"), fonts::label(), {}, this)),
       m_azimuth(new ValueLabel(tr("Azimuth drive"), fonts::label(), widestDrive(tr("AZ")), this)),
       m_elevation(new ValueLabel(tr("Elevation drive"), fonts::label(), widestDrive(tr("EL")), this)),
       m_sensor(new ValueLabel(tr("Orientation sensor"), fonts::label(), tr("Sensor awaited"), this)),
@@ -176,7 +188,7 @@ void HeaderBar::build()
     for (ValueLabel* const wide : {m_reason, m_target, m_control}) {
         wide->setStretching(true);
     }
-    for (ValueLabel* const marked : {m_state, m_limited, m_bus, m_azimuth, m_elevation, m_sensor, m_clients}) {
+    for (ValueLabel* const marked : {m_state, m_limited, m_line, m_azimuth, m_elevation, m_sensor, m_clients}) {
         marked->setSymbolRoom(true);
     }
     m_sensor->setCollapsing(true);
@@ -197,7 +209,7 @@ void HeaderBar::build()
     auto* const linkRow = new QHBoxLayout;
     grid->addLayout(linkRow, 1, 1);
     linkRow->setSpacing(1);
-    for (ValueLabel* const link : {m_bus, m_azimuth, m_elevation, m_clients}) {
+    for (ValueLabel* const link : {m_line, m_azimuth, m_elevation, m_clients}) {
         linkRow->addWidget(link);
     }
     linkRow->addWidget(m_control, 1);
@@ -226,7 +238,7 @@ void HeaderBar::showState(const StationStatus& status)
 {
     const Tone tone = stateTone(status);
     m_state->setValue(word(status.state), tone, stateSymbol(tone));
-    m_reason->setValue(status.drives.released ? tr("bus released to other tools") : status.stateReason,
+    m_reason->setValue(drivesOf(status).released ? tr("bus released to other tools") : status.stateReason,
                        Tone::Secondary);
     const bool latched = status.stopLatched;
     m_stopRequested = m_stopRequested && !latched;
@@ -252,14 +264,15 @@ void HeaderBar::showTarget(const StationStatus& status)
 
 void HeaderBar::showLinks(const StationStatus& status)
 {
-    setShown(*m_bus, busShown(status));
-    setShown(*m_azimuth, driveShown(tr("AZ"), status.azimuth, status.drives.released));
-    setShown(*m_elevation, driveShown(tr("EL"), status.elevation, status.drives.released));
+    m_line->setWidest(widestMountLine(status.line.kind));
+    setShown(*m_line, lineShown(status));
+    setShown(*m_azimuth, driveShown(tr("AZ"), status.azimuth, drivesOf(status).released));
+    setShown(*m_elevation, driveShown(tr("EL"), status.elevation, drivesOf(status).released));
     setShown(*m_clients, status.listening.isEmpty() ? Shown{tr("rotctld off"), Tone::Warning, Symbol::Warning}
                                                     : Shown{tr("rotctld %1").arg(status.clients.size())});
     setShown(*m_sensor, sensorShown(status.sensor));
     m_sensor->setToolTip(status.sensor.configured() ? sensorHelp(status.sensor) : QString());
-    m_bus->setToolTip(busHelp(status));
+    m_line->setToolTip(lineHelp(status));
     m_azimuth->setToolTip(status.azimuth.stateText);
     m_elevation->setToolTip(status.elevation.stateText);
     m_clients->setToolTip(clientsHelp(status));

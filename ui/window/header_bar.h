@@ -37,7 +37,7 @@ private:
     ValueLabel* m_reason;
     ValueLabel* m_limited;
     ValueLabel* m_target;
-    ValueLabel* m_bus;
+    ValueLabel* m_line;
     ValueLabel* m_azimuth;
     ValueLabel* m_elevation;
     ValueLabel* m_sensor;

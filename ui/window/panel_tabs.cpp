@@ -111,7 +111,9 @@ void PanelTabs::bringUp(QWidget& panel)
 {
     for (int page = 0; page < count(); ++page) {
         auto* const group = qobject_cast<QTabWidget*>(widget(page));
-        if (isTabVisible(page) && (widget(page) == &panel || (group != nullptr && group->indexOf(&panel) >= 0))) {
+        const int inside = group != nullptr ? group->indexOf(&panel) : -1;
+        const bool isShown = widget(page) == &panel || (inside >= 0 && group->isTabVisible(inside));
+        if (isTabVisible(page) && isShown) {
             setCurrentIndex(page);
             if (group != nullptr) {
                 group->setCurrentWidget(&panel);
@@ -171,7 +173,16 @@ void PanelTabs::showStatus(const StationStatus& status)
     m_profile->showStatus(status);
     m_north->showStatus(status);
     m_turn->showStatus(status);
+    showMountTabs(status);
     showQuestion(status);
+}
+
+// A mount without such drives has nothing to be shown there.
+void PanelTabs::showMountTabs(const StationStatus& status)
+{
+    for (QWidget* const panel : {static_cast<QWidget*>(m_drives), static_cast<QWidget*>(m_protection)}) {
+        m_mountTabs->setTabVisible(m_mountTabs->indexOf(panel), status.drives.has_value());
+    }
 }
 
 void PanelTabs::showQuestion(const StationStatus& status)

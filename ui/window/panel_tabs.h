@@ -61,6 +61,7 @@ private:
     [[nodiscard]] QTabWidget* makeMountTabs();
     void addGuideButton();
     void addTurnPage();
+    void showMountTabs(const StationStatus& status);
     void showQuestion(const StationStatus& status);
     [[nodiscard]] int keyOf(const QWidget* panel) const;  // its digit; 0: none
     void bringUp(int key);

@@ -32,7 +32,7 @@ struct Rig
         snapshot.status.waitingKeys = {"control.tick_hz"};
         snapshot.status.utc = kWhen;
         snapshot.when = kWhen;
-        DriveStatus& drive = snapshot.status.drives.azimuth;
+        DriveStatus& drive = snapshot.status.drives.emplace().azimuth;
         drive.id = 1;
         drive.identity = {.uuid = QStringLiteral("0a1b2c3d-0000-0000-0000-000000000001"),
                           .firmware = QStringLiteral("1.1.0"),

@@ -73,7 +73,7 @@ struct CareRig
 
     [[nodiscard]] DrivesStatus drives() const
     {
-        DrivesStatus status = control.status().drives;
+        DrivesStatus status = *control.status().drives;
         care.fill(status);
         return status;
     }
@@ -176,6 +176,16 @@ TEST(DriveCare, NothingMovesBeforeTheDrivesWereSurveyed)
     EXPECT_EQ(rig.ask(kGo), "");
     rig.run(Seconds(20.0));
     EXPECT_NEAR(rig.pair.truth(Axis::Azimuth).angle.degrees(), 30.0, 0.2);
+}
+
+TEST(DriveCare, TheDrivesReportTheirRegistersInWords)
+{
+    CareRig rig;
+    EXPECT_EQ(rig.drives().azimuth.registers, QStringLiteral("moteus mode 0, fault 0")) << "never heard";
+    ASSERT_TRUE(rig.endsItsSurvey());
+    ASSERT_EQ(rig.ask(kGo), "");
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.drives().azimuth.registers, QStringLiteral("moteus mode 10, fault 0"));
 }
 
 TEST(DriveCare, AWrongProtectionRefusesMotionWithTheReasonAndAnAlarm)
@@ -284,8 +294,9 @@ TEST(DriveCare, ADriveThatLostItsPowerIsSurveyedAndItsTurnJudgedAnew)
     EXPECT_EQ(rig.drives().survey, SurveyState::NotDone) << "who comes back may be another";
     rig.run(Seconds(1.5));
     ASSERT_TRUE(rig.endsItsSurvey());
+    EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
+    EXPECT_FALSE(rig.control.status().elevation.turnKnown);
     for (const DriveStatus& drive : {rig.drives().azimuth, rig.drives().elevation}) {
-        EXPECT_FALSE(drive.turnKnown);
         ASSERT_TRUE(drive.turnQuestion);
         EXPECT_FALSE(drive.turnQuestion->evidence.empty());
     }
@@ -303,7 +314,7 @@ TEST(DriveCare, ATurnIsNoAlarmBeforeTheSurveyCouldTellIt)
     rig.run(Seconds(2.5));
     ASSERT_TRUE(rig.reaches(SurveyState::Done));
     rig.run(Seconds(0.2));
-    EXPECT_TRUE(rig.drives().azimuth.turnKnown);
+    EXPECT_TRUE(rig.control.status().azimuth.turnKnown);
     EXPECT_FALSE(rig.logSays("not known on which turn"));
 }
 

@@ -130,6 +130,16 @@ TEST_P(MountPromises, OpeningMovesNothing)
     EXPECT_EQ(bench->control().state(), StationState::Standby);
 }
 
+// What can be read and set of its drives is reported by a mount that has a service for it, and by no other.
+TEST_P(MountPromises, OnlyAMountWithAServiceReportsItsDrives)
+{
+    bench->run(Seconds(1.0));
+    const StationStatus status = bench->control().status();
+    EXPECT_EQ(status.drives.has_value(), bench->control().mount().service() != nullptr);
+    EXPECT_TRUE(status.azimuth.turnKnown);
+    EXPECT_TRUE(status.elevation.turnKnown);
+}
+
 TEST_P(MountPromises, TheFirstCommandHoldsWhatWasMeasured)
 {
     bench->run(Seconds(1.0));

@@ -158,8 +158,7 @@ TEST_P(FalsePlaces, NothingMovesThatStands)
     rig.run(Seconds(5.0));
     EXPECT_LE(std::abs(rig.drive(axis).travelled - before) * 360.0, kAllowed);
     EXPECT_EQ(rig.control.faultLatched(), agree());
-    EXPECT_EQ(rig.control.status().drives.azimuth.turnKnown && rig.control.status().drives.elevation.turnKnown,
-              !agree());
+    EXPECT_EQ(rig.control.status().azimuth.turnKnown && rig.control.status().elevation.turnKnown, !agree());
     if (!agree()) {
         EXPECT_NEAR(rig.degrees(Axis::Azimuth), azimuth, 1e-6);
         EXPECT_NEAR(rig.degrees(Axis::Elevation), elevation, 1e-6);
@@ -322,7 +321,7 @@ TEST_P(BlindDrive, IsBrakedAfterThreeRepliesAndLostLikeASilentOne)
     ASSERT_TRUE(rig.ask(request::Rearm{}));
     rig.run(Seconds(0.5));
     EXPECT_EQ(rig.state(), StationState::Standby);
-    EXPECT_TRUE(rig.control.status().drives.azimuth.turnKnown) << "it is where it was";
+    EXPECT_TRUE(rig.control.status().azimuth.turnKnown) << "it is where it was";
 }
 
 TEST_P(BlindDrive, TwoRepliesWithoutAPlaceAreChance)
@@ -425,7 +424,7 @@ TEST_P(SlipInASlew, StopsTheMountAndMakesTheTurnUnknown)
     }
     EXPECT_LE(ticks, 7);
     EXPECT_THAT(rig.alarms(), HasSubstr("jumped by " + std::to_string(static_cast<int>(GetParam()))));
-    EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown);
+    EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
 }
 
 INSTANTIATE_TEST_SUITE_P(Degrees, SlipInASlew, ::testing::Values(1.0, -1.0, 2.0, -2.0, 3.6));

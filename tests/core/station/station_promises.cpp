@@ -39,7 +39,7 @@ const AxisStatus& axisOf(const StationStatus& status, Axis axis)
 
 bool knows(const StationStatus& status, Axis axis)
 {
-    return axis == Axis::Azimuth ? status.drives.azimuth.turnKnown : status.drives.elevation.turnKnown;
+    return axis == Axis::Azimuth ? status.azimuth.turnKnown : status.elevation.turnKnown;
 }
 
 bool knowsBoth(const StationStatus& status)
@@ -150,7 +150,7 @@ void StationPromises::askedForMotion(const Request& request, const Source& sourc
     const AngularRate unwind = m_rig.profile.jog.unwind;
     const bool slow =
         rates && source.kind == SourceKind::Operator && std::max(abs(rates->azimuth), abs(rates->elevation)) <= unwind;
-    if (m_stopped || m_faulty || !m_fit || before.drives.released || before.drives.proofRunning) {
+    if (m_stopped || m_faulty || !m_fit || before.drives->released || before.drives->proofRunning) {
         fail("a motion was accepted though stopped, faulty, unfit, released or in a proof");
     }
     if (source.kind == SourceKind::Client && before.authority == Authority::Operator) {
@@ -211,7 +211,7 @@ void StationPromises::watchLatches(const StationStatus& now)
     for (const Axis axis : kAxes) {
         const fakes::IdealDrive& drive = axis == Axis::Azimuth ? m_rig.azimuth : m_rig.elevation;
         int& faulty = m_traces[index(axis)].faultyTicks;
-        faulty = drive.mode == moteus::Mode::Fault && !drive.silent && !now.drives.released ? faulty + 1 : 0;
+        faulty = drive.mode == moteus::Mode::Fault && !drive.silent && !now.drives->released ? faulty + 1 : 0;
         if (faulty > 3 && !latched) {
             fail("a drive in fault was not noticed");
         }
@@ -221,7 +221,7 @@ void StationPromises::watchLatches(const StationStatus& now)
 void StationPromises::watchEnds(const StationStatus& now)
 {
     const bool lapsed = m_permit && m_permit->jog && m_rig.clock.now() - m_permit->given > kJogKeepAlive;
-    if (m_stopped || m_faulty || !m_fit || lapsed || now.drives.released || now.state == StationState::Disconnected) {
+    if (m_stopped || m_faulty || !m_fit || lapsed || now.drives->released || now.state == StationState::Disconnected) {
         end();
     }
     m_sinceEnd = m_permit ? 0 : m_sinceEnd + 1;

@@ -47,7 +47,7 @@ struct SensedRig : StationRig
     }
     [[nodiscard]] TurnQuestion question() const
     {
-        const auto asked = control.status().drives.azimuth.turnQuestion;
+        const auto asked = control.status().drives->azimuth.turnQuestion;
         EXPECT_TRUE(asked);
         return asked.value_or(TurnQuestion{});
     }
@@ -71,7 +71,7 @@ TEST(StationTurnCourse, AgreesWithTheJournalWhereNobodyTurnedTheMast)
     ASSERT_TRUE(rig.question().proposed) << "by the journal";
     EXPECT_NEAR(rig.question().proposed->degrees(), 400.0, 0.1);
     EXPECT_THAT(rig.turning(), HasSubstr("has seen it turn to about 400.0° (± 30.0°): that agrees"));
-    EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown) << "it decides nothing";
+    EXPECT_FALSE(rig.control.status().azimuth.turnKnown) << "it decides nothing";
 }
 
 TEST(StationTurnCourse, SpeaksAgainstTheJournalWhereItWasTurned)
@@ -82,11 +82,11 @@ TEST(StationTurnCourse, SpeaksAgainstTheJournalWhereItWasTurned)
     rig.run(Seconds(1.0));
     EXPECT_FALSE(rig.question().proposed);
     EXPECT_THAT(rig.turning(), HasSubstr("speaks against 400.0°"));
-    EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown);
+    EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
     EXPECT_FALSE(rig.ask(request::PointAxes{{100_deg, 45_deg}})) << "nothing moves because of it";
     ASSERT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 40_deg})) << "the operator decides";
     rig.run(Seconds(1.0));
-    EXPECT_TRUE(rig.control.status().drives.azimuth.turnKnown);
+    EXPECT_TRUE(rig.control.status().azimuth.turnKnown);
 }
 
 TEST(StationTurnCourse, ASensorThatWasRestartedMeanwhileSaysItsHeadingOnly)

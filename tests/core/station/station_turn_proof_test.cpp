@@ -60,13 +60,13 @@ TEST(StationTurns, CountingFromTheMiddleIsNeverTakenForAMotion)
     const StationRig standing;
     StationRig asked(profile::Profile{}, {.memory = journalOfTheFuture(standing)});
     asked.run(Seconds(0.5));
-    ASSERT_TRUE(asked.control.status().drives.azimuth.turnQuestion);
+    ASSERT_TRUE(asked.control.status().drives->azimuth.turnQuestion);
     ASSERT_NEAR(asked.azimuthDegrees(), 180.0, 3.6) << "it counts from the middle";
     StationRig again(profile::Profile{}, {.memory = withTheClockRight(asked.mount.memory())});
     restartInto(again, asked);
     again.run(Seconds(0.5));
-    EXPECT_FALSE(again.control.status().drives.azimuth.turnKnown);
-    const auto question = again.control.status().drives.azimuth.turnQuestion;
+    EXPECT_FALSE(again.control.status().azimuth.turnKnown);
+    const auto question = again.control.status().drives->azimuth.turnQuestion;
     ASSERT_TRUE(question);
     EXPECT_FALSE(question->proposed) << "it could as well have been moved, and set by another tool";
     EXPECT_TRUE(std::ranges::any_of(question->evidence, [](const QString& line) {
@@ -80,13 +80,13 @@ TEST(StationTurns, CountingFromTheMiddleProvesNothingAfterASilenceEither)
     const StationRig standing;
     StationRig rig(profile::Profile{}, {.memory = journalOfTheFuture(standing)});
     rig.run(Seconds(0.5));
-    ASSERT_TRUE(rig.control.status().drives.azimuth.turnQuestion);
+    ASSERT_TRUE(rig.control.status().drives->azimuth.turnQuestion);
     rig.azimuth.silent = true;
     rig.clock.stepUtc(Seconds(std::chrono::hours(1)) + Seconds(1.0));
     rig.run(Seconds(0.5));
     rig.azimuth.silent = false;
     rig.run(Seconds(0.5));
-    EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown);
+    EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
 }
 
 // Killed right after the answer was written into the drive, before the new place was saved.
@@ -105,7 +105,7 @@ TEST(StationTurns, AnAnswerHalfWrittenIsNeverTakenForAMotion)
     StationRig again(profile::Profile{}, {.memory = withTheClockRight(saved)});
     restartInto(again, told);
     again.run(Seconds(0.5));
-    EXPECT_FALSE(again.control.status().drives.azimuth.turnKnown);
+    EXPECT_FALSE(again.control.status().azimuth.turnKnown);
 }
 
 enum class OtherTool
@@ -142,8 +142,8 @@ TEST(StationTurns, OnlySettingTheDrivesPositionIsAskedAboutAfterOtherTools)
         }
         rig.run(Seconds(1.5));
         const bool set = tool == OtherTool::Sets || tool == OtherTool::MovesAndSets;
-        EXPECT_EQ(rig.control.status().drives.azimuth.turnKnown, !set);
-        EXPECT_TRUE(rig.control.status().drives.elevation.turnKnown);
+        EXPECT_EQ(rig.control.status().azimuth.turnKnown, !set);
+        EXPECT_TRUE(rig.control.status().elevation.turnKnown);
         if (!set) {
             EXPECT_NEAR(rig.azimuthDegrees(), tool == OtherTool::Moves ? 136.0 : 100.0, 0.01);
         }
@@ -168,7 +168,7 @@ TEST(StationTurns, APositionSetWhileTheProgramWasClosedIsAskedAbout)
             again.learn(Axis::Azimuth, again.facts[0]);
         }
         again.run(Seconds(0.5));
-        EXPECT_EQ(again.control.status().drives.azimuth.turnKnown, !set);
+        EXPECT_EQ(again.control.status().azimuth.turnKnown, !set);
         if (!set) {
             EXPECT_NEAR(again.azimuthDegrees(), 316.0, 0.01) << "a drive with power counts on";
         }
@@ -188,9 +188,9 @@ TEST(StationTurns, APositionSetWhileTheTurnIsKnownIsFoundOutBySeconds)
         }
         rig.azimuth.setExact(rig.azimuth.position + (stalled ? 0.6 : 0.001));
         rig.run(Seconds(6.0));
-        EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown) << stalled;
-        EXPECT_TRUE(rig.control.status().drives.elevation.turnKnown) << stalled;
-        const auto& question = rig.control.status().drives.azimuth.turnQuestion;
+        EXPECT_FALSE(rig.control.status().azimuth.turnKnown) << stalled;
+        EXPECT_TRUE(rig.control.status().elevation.turnKnown) << stalled;
+        const auto question = rig.control.status().drives->azimuth.turnQuestion;
         ASSERT_TRUE(question);
         EXPECT_FALSE(question->proposed);
     }
@@ -208,7 +208,7 @@ TEST(StationTurns, OneFalseReadingOfTheOriginIsNoSetting)
     read.origin.asked = rig.clock.now();
     rig.mount.learn(Axis::Azimuth, read);
     rig.run(Seconds(6.0));
-    EXPECT_TRUE(rig.control.status().drives.azimuth.turnKnown);
+    EXPECT_TRUE(rig.control.status().azimuth.turnKnown);
 }
 
 // Story: the axis stood where the drive counted from while it was asked; the setting to there was taken for another
@@ -218,15 +218,15 @@ TEST(StationTurns, AnAnswerThatNeedsNoSettingIsKept)
     const StationRig standing;
     StationRig rig(profile::Profile{}, {.memory = journalOfTheFuture(standing)});
     rig.run(Seconds(0.5));
-    ASSERT_TRUE(rig.control.status().drives.azimuth.turnQuestion);
+    ASSERT_TRUE(rig.control.status().drives->azimuth.turnQuestion);
     for (const Axis axis : kAxes) {
         const Angle there = axis == Axis::Azimuth ? 180_deg : 45_deg;
         ASSERT_TRUE(rig.ask(request::ChooseTurn{axis, there}));
         rig.run(Seconds(0.2));
     }
     rig.run(Seconds(12.0));
-    EXPECT_TRUE(rig.control.status().drives.azimuth.turnKnown);
-    EXPECT_TRUE(rig.control.status().drives.elevation.turnKnown);
+    EXPECT_TRUE(rig.control.status().azimuth.turnKnown);
+    EXPECT_TRUE(rig.control.status().elevation.turnKnown);
 }
 
 // Until it is known what the drive counts from, its record must not seem to prove anything.
@@ -240,8 +240,8 @@ TEST(StationTurns, ARecordOfADriveThatDoesNotTellProvesNothing)
     StationRig again(profile::Profile{}, {.memory = old});
     restartInto(again, before);
     again.run(Seconds(0.5));
-    EXPECT_FALSE(again.control.status().drives.azimuth.turnKnown);
-    EXPECT_TRUE(again.control.status().drives.elevation.turnKnown);
+    EXPECT_FALSE(again.control.status().azimuth.turnKnown);
+    EXPECT_TRUE(again.control.status().elevation.turnKnown);
 }
 
 }  // namespace

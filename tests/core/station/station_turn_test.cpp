@@ -42,15 +42,15 @@ struct RestartedRig : StationRig
         run(Seconds(0.5));
     }
 
-    [[nodiscard]] std::optional<TurnQuestion> question() const { return control.status().drives.azimuth.turnQuestion; }
+    [[nodiscard]] std::optional<TurnQuestion> question() const { return control.status().drives->azimuth.turnQuestion; }
 };
 
 TEST(StationTurns, AfterAPowerCutTheOperatorIsAsked)
 {
     RestartedRig rig;
     ASSERT_TRUE(rig.question());
-    EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown);
-    EXPECT_TRUE(rig.control.status().drives.elevation.turnKnown) << "the other drive never lost power";
+    EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
+    EXPECT_TRUE(rig.control.status().elevation.turnKnown) << "the other drive never lost power";
     EXPECT_NEAR(rig.question()->period.degrees(), 3.6, 1e-9);
     EXPECT_FALSE(rig.control.measured()) << "clients get no position";
     EXPECT_FALSE(rig.control.status().actual);
@@ -69,7 +69,7 @@ TEST(StationTurns, ASensorOnTheAntennaSpeaksInTheQuestion)
     EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("The sensor says 98.0°"));
     rig.control.setSensor(-1.5_deg, std::nullopt);
     EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("The sensor says 358.5°"));
-    EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown) << "it decides nothing";
+    EXPECT_FALSE(rig.control.status().azimuth.turnKnown) << "it decides nothing";
 
     rig.profile.pointing.azimuthOffset = 37.5_deg;
     rig.control.setProfile(rig.profile);
@@ -124,7 +124,7 @@ TEST(StationTurns, AHeldAxisIsHeldWhileItTakesItsPlace)
     EXPECT_NEAR(std::remainder(rig.azimuth.position - before, 0.01), 0.0, 1e-6) << "the axis has not moved";
     EXPECT_GT(rig.azimuth.seen.size(), 40U) << "fed throughout";
     EXPECT_EQ(rig.azimuth.mode, moteus::Mode::Position);
-    EXPECT_TRUE(rig.control.status().drives.azimuth.turnKnown);
+    EXPECT_TRUE(rig.control.status().azimuth.turnKnown);
 }
 
 TEST(StationTurns, WhatTheDriveContradictsIsNotTaken)
@@ -145,7 +145,7 @@ TEST(StationTurns, WhatTheDriveContradictsIsNotTaken)
     rig.azimuth.position = 0.0;
     rig.azimuth.silent = false;
     rig.run(Seconds(1.5));
-    const auto question = rig.control.status().drives.azimuth.turnQuestion;
+    const auto question = rig.control.status().drives->azimuth.turnQuestion;
     ASSERT_TRUE(question);
     EXPECT_EQ(question->candidates.size(), 2U) << "0° and 360°";
     const auto refused = rig.ask(request::ChooseTurn{Axis::Azimuth, 100_deg});
@@ -168,7 +168,7 @@ struct CoastedRig : StationRig
 
     [[nodiscard]] std::optional<TurnQuestion> question() const
     {
-        return control.status().drives.elevation.turnQuestion;
+        return control.status().drives->elevation.turnQuestion;
     }
 
     [[nodiscard]] bool mayBeAt(double place) const
@@ -185,7 +185,7 @@ TEST(StationTurns, BeyondTheTravelTheTruePlaceCanBeTold)
     ASSERT_TRUE(asked.question());
     EXPECT_TRUE(asked.mayBeAt(-7.0));
     const CoastedRig told(-7.0, -7_deg);
-    EXPECT_TRUE(told.control.status().drives.elevation.turnKnown);
+    EXPECT_TRUE(told.control.status().elevation.turnKnown);
     EXPECT_NEAR(told.elevationDegrees(), -7.0, 1e-4);
 }
 
@@ -226,7 +226,7 @@ TEST(StationTurns, BeyondItsBoundsADriveIsToldItsPlaceOnlyWhenItIsOff)
     rig.run(Seconds(0.1));
     ASSERT_TRUE(rig.ask(answer));
     rig.run(Seconds(0.5));
-    EXPECT_TRUE(rig.control.status().drives.elevation.turnKnown);
+    EXPECT_TRUE(rig.control.status().elevation.turnKnown);
     ASSERT_TRUE(rig.ask(request::Jog{{.elevation = 0.1_deg_s}}));
     rig.run(Seconds(0.3));
     EXPECT_EQ(rig.elevation.seen.back().fields.count(Register::CommandIgnorePositionBounds), 1U) << "let back inside";
@@ -243,7 +243,7 @@ struct LostRig : StationRig
         azimuth.home = HomeState::Relative;
         run(Seconds(0.5));
     }
-    [[nodiscard]] std::optional<TurnQuestion> question() const { return control.status().drives.azimuth.turnQuestion; }
+    [[nodiscard]] std::optional<TurnQuestion> question() const { return control.status().drives->azimuth.turnQuestion; }
 };
 
 // Story: "--standing-at 4050,10" for 405, and the next target ran through the end of the cable into the stop.
@@ -264,7 +264,7 @@ TEST(StationTurns, APlaceFarOutsideTheTravelIsRefused)
                   std::string::npos)
             << refused.error().text;
     }
-    EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown);
+    EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
     EXPECT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 405_deg}));
 }
 
@@ -304,7 +304,7 @@ struct OutsideRig : StationRig
 TEST(StationTurns, FarOutsideTheTravelOnlyTheOperatorJogsSlowlyAndInwards)
 {
     OutsideRig rig;
-    ASSERT_TRUE(rig.control.status().drives.azimuth.turnKnown);
+    ASSERT_TRUE(rig.control.status().azimuth.turnKnown);
     const std::string why =
         "The azimuth drive stands at 460.00°, outside its travel (-90.00° to 450.00°). Jog it back "
         "slowly.";
@@ -340,7 +340,7 @@ TEST(StationTurns, ARestartThatNobodyNoticedIsSeenByTheHomeState)
     rig.azimuth.home = HomeState::Rotor;
     rig.azimuth.position = std::remainder(rig.azimuth.position, 0.01);
     rig.run(Seconds(0.1));
-    EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown);
+    EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
     ASSERT_TRUE(rig.mount.memory().turns[0]);
     EXPECT_NEAR(rig.mount.memory().turns[0]->angle.degrees(), before.degrees(), 0.2);
     EXPECT_FALSE(rig.point(10.0, 10.0));
@@ -364,7 +364,7 @@ TEST(StationTurns, AJogRightAfterTheAnswerLeavesNothingHalfDone)
     ASSERT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 100_deg}));
     (void)rig.ask(request::Jog{{.elevation = 1_deg_s}});
     rig.run(Seconds(1.0));
-    EXPECT_TRUE(rig.control.status().drives.azimuth.turnKnown);
+    EXPECT_TRUE(rig.control.status().azimuth.turnKnown);
     EXPECT_NEAR(rig.azimuthDegrees(), 100.0, 1e-4);
 }
 
@@ -391,7 +391,7 @@ TEST(StationTurns, TheCommandLineAnswersOnlyTheFirstQuestion)
         profile::Profile{},
         {.problem = QStringLiteral("The journal file is missing."), .standingAt = {0_deg, 0_deg}, .looked = now()});
     rig.run(Seconds(0.5));
-    ASSERT_TRUE(rig.control.status().drives.azimuth.turnKnown);
+    ASSERT_TRUE(rig.control.status().azimuth.turnKnown);
     ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
     rig.settle();
     rig.azimuth.silent = true;
@@ -402,7 +402,7 @@ TEST(StationTurns, TheCommandLineAnswersOnlyTheFirstQuestion)
     rig.azimuth.home = HomeState::Rotor;
     rig.azimuth.silent = false;
     rig.run(Seconds(1.0));
-    const auto question = rig.control.status().drives.azimuth.turnQuestion;
+    const auto question = rig.control.status().drives->azimuth.turnQuestion;
     ASSERT_TRUE(question);
     for (const QString& line : question->evidence) {
         EXPECT_FALSE(line.contains(QStringLiteral("missing"))) << "there is a record by now";
@@ -419,7 +419,7 @@ TEST(StationTurns, APlaceOfTheCommandLineIsForgottenAfterTenMinutes)
         StationRig rig(profile::Profile{}, {.standingAt = {100_deg, 10_deg}, .looked = now() - age});
         rig.azimuth.home = rig.elevation.home = HomeState::Rotor;
         rig.run(Seconds(0.5));
-        EXPECT_EQ(rig.control.status().drives.azimuth.turnKnown, counts) << age.count();
+        EXPECT_EQ(rig.control.status().azimuth.turnKnown, counts) << age.count();
         const auto alarms = rig.control.status().alarms;
         EXPECT_EQ(std::ranges::any_of(alarms,
                                       [](const Alarm& alarm) {
@@ -437,8 +437,8 @@ TEST(StationTurns, APlaceOfTheCommandLineCountsAtOneStartOnly)
     StationRig first(profile::Profile{}, told);
     first.azimuth.home = first.elevation.home = HomeState::Rotor;
     first.run(Seconds(0.5));
-    ASSERT_TRUE(first.control.status().drives.azimuth.turnKnown);
-    ASSERT_TRUE(first.control.status().drives.elevation.turnKnown);
+    ASSERT_TRUE(first.control.status().azimuth.turnKnown);
+    ASSERT_TRUE(first.control.status().elevation.turnKnown);
     memory::MountMemory kept;
     kept.placeUsed = first.mount.memory().placeUsed;  // also where the journal was lost since
     for (const Seconds later : {Seconds(0.0), Seconds(60.0)}) {
@@ -448,7 +448,7 @@ TEST(StationTurns, APlaceOfTheCommandLineCountsAtOneStartOnly)
         StationRig rig(profile::Profile{}, again);
         rig.azimuth.home = rig.elevation.home = HomeState::Rotor;
         rig.run(Seconds(0.5));
-        EXPECT_EQ(rig.control.status().drives.azimuth.turnKnown, later > Seconds(0.0)) << "with a later time it counts";
+        EXPECT_EQ(rig.control.status().azimuth.turnKnown, later > Seconds(0.0)) << "with a later time it counts";
     }
 }
 
@@ -458,7 +458,7 @@ TEST(StationTurns, APlaceThatWasNotNeededIsUsedUpToo)
 {
     StationRig rig(profile::Profile{}, {.trustFirstContact = true, .standingAt = {100_deg, 10_deg}, .looked = now()});
     rig.run(Seconds(0.5));
-    ASSERT_TRUE(rig.control.status().drives.azimuth.turnKnown);
+    ASSERT_TRUE(rig.control.status().azimuth.turnKnown);
     EXPECT_NEAR(rig.azimuthDegrees(), 0.0, 0.01) << "the drive knew better";
     EXPECT_EQ(rig.mount.memory().placeUsed, now());
 }

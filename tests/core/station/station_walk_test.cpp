@@ -231,7 +231,7 @@ private:
     {
         const StationStatus status = m_rig.control.status();
         const auto& question =
-            axis == Axis::Azimuth ? status.drives.azimuth.turnQuestion : status.drives.elevation.turnQuestion;
+            axis == Axis::Azimuth ? status.drives->azimuth.turnQuestion : status.drives->elevation.turnQuestion;
         if (question && !question->candidates.empty()) {
             ask(request::ChooseTurn{axis, question->candidates[m_random() % question->candidates.size()]}, kOperator);
         } else {

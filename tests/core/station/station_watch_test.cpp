@@ -215,7 +215,7 @@ TEST(StationWatch, AnAxisThatRunsAwayFromItsPlaceStopsTheMount)
         rig.untilFault([&] { rig.azimuth.position = held + ++ticks * (3.0 * StationRig::kTick.count() / 360.0); });
     EXPECT_LE(time, Seconds(1.7));
     EXPECT_THAT(rig.control.status().stateReason.toStdString(), HasSubstr("azimuth"));
-    EXPECT_TRUE(rig.control.status().drives.azimuth.turnKnown) << "it was seen all the way";
+    EXPECT_TRUE(rig.control.status().azimuth.turnKnown) << "it was seen all the way";
     rig.expectStoppedAndRearmable();
 }
 
@@ -232,10 +232,9 @@ TEST(StationWatch, AJumpOfTheEncoderStopsTheMountAndMakesTheTurnUnknown)
     rig.run(Seconds(1.0));
     EXPECT_TRUE(rig.ask(request::Rearm{}));
     rig.run(Seconds(0.5));
-    const DriveStatus drive = rig.control.status().drives.azimuth;
-    EXPECT_FALSE(drive.turnKnown);
-    EXPECT_TRUE(drive.turnQuestion);
-    EXPECT_TRUE(rig.control.status().drives.elevation.turnKnown);
+    EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
+    EXPECT_TRUE(rig.control.status().drives->azimuth.turnQuestion);
+    EXPECT_TRUE(rig.control.status().elevation.turnKnown);
 }
 
 // Story: the second jump behind a latched fault was no news, and the held axis drove the whole shift. Now it gets no
@@ -253,7 +252,7 @@ TEST(StationWatch, EveryJumpBehindALatchedFaultLeavesTheAxisHeld)
         EXPECT_EQ(rig.azimuth.travelled, travelled) << jump;
         EXPECT_EQ(rig.state(), StationState::Fault);
     }
-    EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown);
+    EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
     rig.run(Seconds(1.0));
     EXPECT_EQ(rig.control.status().azimuth.state, AxisState::Holding);
 }
