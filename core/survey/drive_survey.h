@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/messages/drives_status.h"
+#include "core/profile/in_force.h"
 #include "core/survey/axis_survey.h"
 #include "core/survey/bus_scan.h"
 #include "core/survey/findings.h"
@@ -33,10 +34,11 @@ struct DriveFacts
 class DriveSurvey
 {
 public:
-    DriveSurvey(const profile::Profile& profile, const KnownBoards& known);
+    // The profile outlives this.
+    DriveSurvey(const profile::InForce& profile, const KnownBoards& known);
 
-    // In force from now on: what was found is judged anew.
-    void setProfile(const profile::Profile& profile);
+    // What was found is judged anew.
+    void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // From the beginning; also after other tools had the bus.
     void begin(SteadyTime now);
     // The bus or a drive was lost: nothing is known until begin().
@@ -92,7 +94,7 @@ private:
     void collectFindings();
     void addProtectionFinding(const Side& side, Verdict verdict);
 
-    profile::Profile m_profile;
+    const profile::InForce& m_profile;
     KnownBoards m_known;
     BusScan m_scan;
     std::array<Side, 2> m_sides;

@@ -18,12 +18,32 @@ profile::RecoverySettings always(Retry retry)
     return {.overTemperature = retry, .supply = retry, .bus = retry, .interval = Seconds(60.0)};
 }
 
+struct KeptProfile
+{
+    explicit KeptProfile(const profile::RecoverySettings& settings) { put(settings); }
+
+    void put(const profile::RecoverySettings& settings)
+    {
+        profile::Profile profile = *inForce;
+        profile.recovery = settings;
+        inForce.apply(profile);
+    }
+
+    profile::InForce inForce{profile::Profile()};
+};
+
+// A policy with these settings in force.
+struct PolicyBy : KeptProfile, RetryPolicy
+{
+    explicit PolicyBy(const profile::RecoverySettings& settings) : KeptProfile(settings), RetryPolicy(inForce) {}
+};
+
 // REQ-SUPERVISION-20: Nothing is re-armed without a person unless the profile says so, and never after encoder,
 // configuration, driver or motion faults, a release by another program or a stop of our own.
 TEST(RetryPolicy, NothingIsRetriedByDefault)
 {
     for (int loss = 0; loss <= static_cast<int>(LossClass::Bus); ++loss) {
-        RetryPolicy policy({});
+        PolicyBy policy({});
         policy.lost(static_cast<LossClass>(loss), at(0));
         EXPECT_FALSE(policy.nextTry()) << loss;
     }
@@ -34,25 +54,37 @@ TEST(RetryPolicy, OnlyHeatSupplyAndBusMayEverBeRetried)
 {
     for (const LossClass loss :
          {LossClass::Encoder, LossClass::Configuration, LossClass::Driver, LossClass::Motion, LossClass::Released}) {
-        RetryPolicy policy(always(Retry::Interval));
+        PolicyBy policy(always(Retry::Interval));
         policy.lost(loss, at(0));
         EXPECT_FALSE(policy.nextTry());
     }
     for (const LossClass loss : {LossClass::OverTemperature, LossClass::Supply, LossClass::Bus}) {
-        RetryPolicy policy(always(Retry::Interval));
+        PolicyBy policy(always(Retry::Interval));
         policy.lost(loss, at(0));
         EXPECT_EQ(policy.nextTry(), at(60));
     }
 }
 
 // REQ-SUPERVISION-20
+TEST(RetryPolicy, AnotherRuleCountsFromTheNextLossOn)
+{
+    PolicyBy policy({});
+    policy.lost(LossClass::Bus, at(0));
+    EXPECT_FALSE(policy.nextTry());
+    policy.rearmed();
+    policy.put(always(Retry::Once));
+    policy.lost(LossClass::Bus, at(100));
+    EXPECT_EQ(policy.nextTry(), at(160));
+}
+
+// REQ-SUPERVISION-20
 TEST(RetryPolicy, EachClassHasItsOwnSetting)
 {
     const profile::RecoverySettings onlyBus{.bus = Retry::Once, .interval = Seconds(5.0)};
-    RetryPolicy bus(onlyBus);
+    PolicyBy bus(onlyBus);
     bus.lost(LossClass::Bus, at(0));
     EXPECT_EQ(bus.nextTry(), at(5));
-    RetryPolicy supply(onlyBus);
+    PolicyBy supply(onlyBus);
     supply.lost(LossClass::Supply, at(0));
     EXPECT_FALSE(supply.nextTry());
 }
@@ -60,7 +92,7 @@ TEST(RetryPolicy, EachClassHasItsOwnSetting)
 // REQ-SUPERVISION-23: "interval" tries again, each time so long after the loss or the last attempt.
 TEST(RetryPolicy, IntervalGoesOnForEver)
 {
-    RetryPolicy policy(always(Retry::Interval));
+    PolicyBy policy(always(Retry::Interval));
     policy.lost(LossClass::Bus, at(0));
     for (int i = 1; i < 100; ++i) {
         ASSERT_EQ(policy.nextTry(), at(60.0 * i));
@@ -76,7 +108,7 @@ TEST(RetryPolicy, IntervalGoesOnForEver)
 // REQ-SUPERVISION-22: "once" is once per episode. A person's re-arm or an hour of health begins a new one.
 TEST(RetryPolicy, OnceIsOncePerEpisode)
 {
-    RetryPolicy policy(always(Retry::Once));
+    PolicyBy policy(always(Retry::Once));
     policy.lost(LossClass::OverTemperature, at(0));
     ASSERT_EQ(policy.nextTry(), at(60));
     policy.tried(at(60));
@@ -96,7 +128,7 @@ TEST(RetryPolicy, OnceIsOncePerEpisode)
 // REQ-SUPERVISION-22
 TEST(RetryPolicy, AnHourOfHealthRenewsOnce)
 {
-    RetryPolicy policy(always(Retry::Once));
+    PolicyBy policy(always(Retry::Once));
     policy.lost(LossClass::Supply, at(0));
     policy.tried(at(60));
     policy.healthy(at(60));
@@ -114,7 +146,7 @@ TEST(RetryPolicy, AnHourOfHealthRenewsOnce)
 // REQ-SUPERVISION-22
 TEST(RetryPolicy, TwoTimesHalfAnHourIsNoHourOfHealth)
 {
-    RetryPolicy policy(always(Retry::Once));
+    PolicyBy policy(always(Retry::Once));
     policy.lost(LossClass::Bus, at(0));
     policy.tried(at(60));
     policy.healthy(at(60));
@@ -129,7 +161,7 @@ TEST(RetryPolicy, TwoTimesHalfAnHourIsNoHourOfHealth)
 // REQ-SUPERVISION-24: Of several losses the strictest decides.
 TEST(RetryPolicy, TheStrictestLossDecides)
 {
-    RetryPolicy policy(always(Retry::Interval));
+    PolicyBy policy(always(Retry::Interval));
     policy.lost(LossClass::Bus, at(0));
     policy.lost(LossClass::Encoder, at(1));
     policy.lost(LossClass::Bus, at(2));
