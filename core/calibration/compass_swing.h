@@ -6,10 +6,11 @@
 #include "core/calibration/estimate.h"
 #include "core/orientation/orientation.h"
 
+#include <QString>
+
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 // Swinging the compass: while the mount turns through its azimuths, both ways, the sensor's heading is compared with
@@ -99,8 +100,8 @@ struct CompassSwing
     std::optional<Estimate> hysteresis;  // heading read turning clockwise less the one read turning back
     SwingCoverage coverage;
     std::vector<SwingResidual> samples;
-    std::vector<std::string> hints;     // sentences; the result is usable all the same
-    std::vector<std::string> hopeless;  // reasons not to use a compass here; empty: usable
+    std::vector<QString> hints;     // sentences; the result is usable all the same
+    std::vector<QString> hopeless;  // reasons not to use a compass here; empty: usable
 
     [[nodiscard]] bool isUsable() const { return hopeless.empty(); }
 };

@@ -86,7 +86,7 @@ private:
                 const bool told = toldByPoints(one.estimate.sigma, m_known.of(term));
                 one.state = told && m_used.size() >= fewestPoints(term) ? TermState::Fitted : TermState::Held;
             }
-            one.why = whyNotFitted(term, one.state).toStdString();
+            one.why = whyNotFitted(term, one.state);
         }
     }
 
@@ -184,7 +184,7 @@ private:
         return Angle::fromTurns(1.0) - gap;
     }
 
-    void say(const QString& text) { m_fit.hints.push_back(text.toStdString()); }
+    void say(const QString& text) { m_fit.hints.push_back(text); }
 
     std::span<const CalibrationPoint> m_given;
     PointingTerms m_before;

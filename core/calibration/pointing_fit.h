@@ -4,11 +4,12 @@
 #include "core/base/result.h"
 #include "core/calibration/pointing_solver.h"
 
+#include <QString>
+
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 // The pointing model that points of known direction (Sun, Moon, a peak of power) speak for: a proposal, with all that
@@ -31,7 +32,7 @@ struct FittedTerm
 {
     Estimate estimate;  // its sigma reckons with all the other terms as uncertain as they are, also those that are off
     TermState state = TermState::Off;
-    std::string why;  // of what is not fitted: a clause for the operator
+    QString why;  // of what is not fitted: a clause for the operator
 };
 
 struct FittedPoint
@@ -52,7 +53,7 @@ struct PointingFit
     Angle rmsAfter;
     std::optional<Angle> rmsLeftOut;
     std::vector<FittedPoint> points;  // of all that were given, the ones left out by the operator too
-    std::vector<std::string> hints;
+    std::vector<QString> hints;
 
     [[nodiscard]] const FittedTerm& of(Term term) const { return fitted[indexOf(term)]; }
     [[nodiscard]] int count(TermState state) const;

@@ -2,22 +2,30 @@
 #pragma once
 
 #include "core/calibration/calibration_record.h"
+#include "core/records/field_list.h"
 
 #include <array>
+#include <cstdint>
 #include <string_view>
+#include <vector>
 
-// Every key of the file of a history, described once: `fields(visitor, value)` calls the visitor for each, and it
-// writes or reads. What is simple comes before the tables, as TOML wants it. Angles are in degrees.
+// Every key of the file of a history, described once (core/records/field_list.h). What is simple comes before the
+// tables, as TOML wants it. Angles are in degrees.
 namespace boresight::calibration::record {
 
-inline constexpr int kVersion = 1;
+using records::Range;
+
+inline constexpr std::int64_t kVersion = 1;
+
+struct HistoryFile
+{
+    std::int64_t version = kVersion;
+    std::int64_t inForce = 0;
+    std::vector<CalibrationRecord> entries;
+    std::vector<CalibrationRecord> superseded;
+};
 
 // What a file must keep to; wide on purpose: it refuses what is broken, not what is unusual.
-struct Range
-{
-    double min;
-    double max;
-};
 inline constexpr Range kOfAxis{-36000.0, 36000.0};
 inline constexpr Range kOfTerm{-360.0, 360.0};
 inline constexpr Range kOfAzimuth{0.0, 360.0};
@@ -35,93 +43,102 @@ inline constexpr std::array<std::string_view, kTerms> kTermKeys = {
 inline constexpr std::array<std::string_view, 2> kSenses = {"clockwise", "counterclockwise"};
 
 template <class Visitor>
-void fields(Visitor& visitor, RecordSite& site)
+void siteFields(Visitor& visitor, RecordSite& site)
 {
-    visitor.angle("latitude_deg", site.latitude, kOfLatitude);
-    visitor.angle("longitude_deg", site.longitude, kOfLongitude);
+    inDegrees(visitor, "latitude_deg", site.latitude, kOfLatitude);
+    inDegrees(visitor, "longitude_deg", site.longitude, kOfLongitude);
     visitor.number("height_m", site.heightMetres, kOfHeight);
 }
 
 template <class Visitor>
-void fields(Visitor& visitor, pointing::PointingTerms& terms)
+void termFields(Visitor& visitor, pointing::PointingTerms& terms)
 {
     for (const Term term : kAllTerms) {
-        visitor.angle(kTermKeys[indexOf(term)], valueOf(terms, term), kOfTerm);
+        inDegrees(visitor, kTermKeys[indexOf(term)], valueOf(terms, term), kOfTerm);
     }
 }
 
 template <class Visitor>
-void fields(Visitor& visitor, std::array<std::optional<Angle>, kTerms>& sigmas)
+void sigmaFields(Visitor& visitor, std::array<std::optional<Angle>, kTerms>& sigmas)
 {
     for (const Term term : kAllTerms) {
-        visitor.optionalAngle(kTermKeys[indexOf(term)], sigmas[indexOf(term)], kOfSigma);
+        optionalInDegrees(visitor, kTermKeys[indexOf(term)], sigmas[indexOf(term)], kOfSigma);
     }
 }
 
 template <class Visitor>
-void fields(Visitor& visitor, UnreliableSector& sector)
+void sectorFields(Visitor& visitor, UnreliableSector& sector)
 {
-    visitor.angle("from_deg", sector.from, kOfAzimuth);
-    visitor.angle("to_deg", sector.to, kOfAzimuth);
-    visitor.angle("residual_deg", sector.residual, kOfTerm);
+    inDegrees(visitor, "from_deg", sector.from, kOfAzimuth);
+    inDegrees(visitor, "to_deg", sector.to, kOfAzimuth);
+    inDegrees(visitor, "residual_deg", sector.residual, kOfTerm);
 }
 
 template <class Visitor>
-void fields(Visitor& visitor, DeviationCurve& curve)
+void curveFields(Visitor& visitor, DeviationCurve& curve)
 {
     visitor.choice("sense", curve.sense, kSenses);
-    visitor.angle("constant_deg", curve.constant, kOfTerm);
-    visitor.angle("a1_deg", curve.a1, kOfTerm);
-    visitor.angle("b1_deg", curve.b1, kOfTerm);
-    visitor.angle("a2_deg", curve.a2, kOfTerm);
-    visitor.angle("b2_deg", curve.b2, kOfTerm);
-    visitor.angle("scatter_deg", curve.scatter, kOfSigma);
-    visitor.optionalAngle("constant_sigma_deg", curve.constantSigma, kOfSigma);
-    visitor.optionalAngle("elevation_deg", curve.elevation, kOfElevation);
-    visitor.list("unreliable", curve.unreliable);
+    inDegrees(visitor, "constant_deg", curve.constant, kOfTerm);
+    inDegrees(visitor, "a1_deg", curve.a1, kOfTerm);
+    inDegrees(visitor, "b1_deg", curve.b1, kOfTerm);
+    inDegrees(visitor, "a2_deg", curve.a2, kOfTerm);
+    inDegrees(visitor, "b2_deg", curve.b2, kOfTerm);
+    inDegrees(visitor, "scatter_deg", curve.scatter, kOfSigma);
+    optionalInDegrees(visitor, "constant_sigma_deg", curve.constantSigma, kOfSigma);
+    optionalInDegrees(visitor, "elevation_deg", curve.elevation, kOfElevation);
+    visitor.list("unreliable", curve.unreliable, sectorFields<Visitor>);
 }
 
 template <class Visitor>
-void fields(Visitor& visitor, SensorMounting& mounting)
+void mountingFields(Visitor& visitor, SensorMounting& mounting)
 {
     visitor.choice("sense", mounting.sense, kSenses);
-    visitor.angle("azimuth_offset_deg", mounting.azimuthOffset, kOfTerm);
-    visitor.angle("elevation_offset_deg", mounting.elevationOffset, kOfTerm);
-    visitor.optionalTable("curve", mounting.curve);
+    inDegrees(visitor, "azimuth_offset_deg", mounting.azimuthOffset, kOfTerm);
+    inDegrees(visitor, "elevation_offset_deg", mounting.elevationOffset, kOfTerm);
+    optionalTable(visitor, "curve", mounting.curve, curveFields<Visitor>);
 }
 
-template <class Visitor, class Value>
-void fields(Visitor& visitor, Change<Value>& change)
+template <class Visitor, class Value, void fields(Visitor&, Value&)>
+void changeFields(Visitor& visitor, Change<Value>& change)
 {
-    visitor.table("before", change.before);
-    visitor.table("after", change.after);
+    visitor.table("before", change.before, fields);
+    visitor.table("after", change.after, fields);
 }
 
 template <class Visitor>
-void fields(Visitor& visitor, CalibrationPoint& point)
+void pointFields(Visitor& visitor, CalibrationPoint& point)
 {
     visitor.time("when", point.when);
     visitor.text("label", point.label);
-    visitor.angle("axis_azimuth_deg", point.axes.azimuth, kOfAxis);
-    visitor.angle("axis_elevation_deg", point.axes.elevation, kOfAxis);
-    visitor.angle("true_azimuth_deg", point.truth.azimuth, kOfTerm);
-    visitor.angle("true_elevation_deg", point.truth.elevation, kOfElevation);
-    visitor.angle("sigma_deg", point.sigma, kOfPointSigma);
+    inDegrees(visitor, "axis_azimuth_deg", point.axes.azimuth, kOfAxis);
+    inDegrees(visitor, "axis_elevation_deg", point.axes.elevation, kOfAxis);
+    inDegrees(visitor, "true_azimuth_deg", point.truth.azimuth, kOfTerm);
+    inDegrees(visitor, "true_elevation_deg", point.truth.elevation, kOfElevation);
+    inDegrees(visitor, "sigma_deg", point.sigma, kOfPointSigma);
     visitor.flag("used", point.isUsed);
 }
 
 template <class Visitor>
-void fields(Visitor& visitor, CalibrationRecord& record)
+void recordFields(Visitor& visitor, CalibrationRecord& record)
 {
     visitor.time("when", record.when);
     visitor.text("title", record.title);
     visitor.text("azimuth_drive", record.mount.azimuthDrive);
     visitor.text("elevation_drive", record.mount.elevationDrive);
-    visitor.optionalTable("site", record.mount.site);
-    visitor.table("terms", record.terms);
-    visitor.table("sigmas", record.sigmas);
-    visitor.optionalTable("sensor", record.sensor);
-    visitor.list("point", record.points);
+    optionalTable(visitor, "site", record.mount.site, siteFields<Visitor>);
+    visitor.table("terms", record.terms, changeFields<Visitor, pointing::PointingTerms, termFields<Visitor>>);
+    visitor.table("sigmas", record.sigmas, sigmaFields<Visitor>);
+    optionalTable(visitor, "sensor", record.sensor, changeFields<Visitor, SensorMounting, mountingFields<Visitor>>);
+    visitor.list("point", record.points, pointFields<Visitor>);
+}
+
+template <class Visitor>
+void historyFields(Visitor& visitor, HistoryFile& file)
+{
+    visitor.whole("version", file.version, {kVersion, kVersion});
+    visitor.countOf("in_force", file.inForce, "calibration");
+    visitor.list("calibration", file.entries, recordFields<Visitor>);
+    visitor.list("superseded", file.superseded, recordFields<Visitor>);
 }
 
 }  // namespace boresight::calibration::record

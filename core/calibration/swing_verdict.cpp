@@ -137,8 +137,8 @@ public:
     }
 
 private:
-    void giveUp(const QString& reason) { m_swing.hopeless.push_back(reason.toStdString()); }
-    void hint(const QString& text) { m_swing.hints.push_back(text.toStdString()); }
+    void giveUp(const QString& reason) { m_swing.hopeless.push_back(reason); }
+    void hint(const QString& text) { m_swing.hints.push_back(text); }
 
     CompassSwing& m_swing;
     const SwingLimits& m_limits;

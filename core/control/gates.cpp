@@ -161,8 +161,8 @@ Result<> Gates::isWayOn(Axis axis, bool upwards) const
 Result<> Gates::mayBeAt(const AxisPosition& place) const
 {
     const pointing::Resolved resolved = m_of.model.resolve(place);
-    const std::string why = resolved.limited ? resolved.reason : m_of.motion.region().reason(resolved.position);
-    return why.empty() ? Result<>{} : failure(ErrorCode::OutOfRange, why);
+    const QString why = resolved.limited ? resolved.reason : m_of.motion.region().reason(resolved.position);
+    return why.isEmpty() ? Result<>{} : failure(ErrorCode::OutOfRange, why);
 }
 
 AxisPosition Gates::home() const

@@ -93,7 +93,7 @@ Result<> Helm::streamTo(const AxisPosition& place, const Source& by)
 
 Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, const Source& by, const QString& what)
 {
-    if (const std::string why = m_of.motion.region().reason(resolved.position); !resolved.limited && !why.empty()) {
+    if (const QString why = m_of.motion.region().reason(resolved.position); !resolved.limited && !why.isEmpty()) {
         resolved.limited = true;  // Motion finds the nearest permitted place, and goes on when the stream comes out
         resolved.reason = why;
     }
@@ -109,7 +109,7 @@ Result<> Helm::follow(pointing::Resolved resolved, const SkyPointing& asked, con
         m_of.motion.rest();  // the points of another client say nothing about this one's
     }
     if (resolved.limited) {
-        m_of.current.limit(toQString(resolved.reason), asked);
+        m_of.current.limit(resolved.reason, asked);
         if (newStream || !wasLimited) {
             m_of.log.add(Severity::Warning, by,
                          Text::tr("LIMITED: %1; driven to the nearest permitted point").arg(current().limitedReason()));

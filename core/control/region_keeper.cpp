@@ -36,7 +36,7 @@ void RegionKeeper::renew(bool redrawn)
     const Motion& motion = m_of.motion;
     const bool before = m_sun.clockDoubted();
     const bool heldBack =
-        motion.limited() || !motion.noWay().empty() || motion.held(Axis::Azimuth) || motion.held(Axis::Elevation);
+        motion.limited() || !motion.noWay().isEmpty() || motion.held(Axis::Azimuth) || motion.held(Axis::Elevation);
     if (m_sun.update(m_of.clock) || redrawn) {
         enforce();
     }
@@ -62,8 +62,8 @@ void RegionKeeper::enforce()
     m_of.model.limitTo(ranges.azimuth, ranges.elevation);
     const auto target = motion.target(now);
     const bool going = current.goesToAPlace() || standing;
-    if (const std::string why = going && target ? motion.region().reason(*target) : ""; !why.empty()) {
-        end(toQString(why));  // else a mount that stands would set off by itself
+    if (const QString why = going && target ? motion.region().reason(*target) : QString(); !why.isEmpty()) {
+        end(why);  // else a mount that stands would set off by itself
     }
 }
 

@@ -344,7 +344,7 @@ void StationControl::stepProof()
 void StationControl::watchCable()
 {
     const auto path = m_current.is(Activity::Streaming) && turnsKnown() ? m_motion.path(m_now) : std::nullopt;
-    const auto target = moves() && m_motion.noWay().empty() ? m_motion.target(m_now) : std::nullopt;
+    const auto target = moves() && m_motion.noWay().isEmpty() ? m_motion.target(m_now) : std::nullopt;
     const auto left = target ? std::optional(target->azimuth - m_motion.place().azimuth) : std::nullopt;
     m_cable.watch(path, left, m_motion.region().ranges().azimuth, m_profile->azimuth.limits);
 }
@@ -362,21 +362,19 @@ void StationControl::watchFitness()
 // Tells what holds a motion, and ends one that has no way left: the region was drawn anew. A stream of a client waits.
 void StationControl::watchRegion()
 {
-    if (m_current.goesToAPlace() && !m_motion.noWay().empty()) {
-        m_log.add(Severity::Warning, QStringLiteral("station"),
-                  Text::tr("ends the motion: %1").arg(toQString(m_motion.noWay())));
+    if (m_current.goesToAPlace() && !m_motion.noWay().isEmpty()) {
+        m_log.add(Severity::Warning, QStringLiteral("station"), Text::tr("ends the motion: %1").arg(m_motion.noWay()));
         holdHere(Activity::Holding);
     }
     const bool held = m_motion.held(Axis::Azimuth) || m_motion.held(Axis::Elevation);
-    const std::string at = held ? Text::tr("held at %1").arg(toQString(m_motion.obstacle())).toStdString()
-                           : m_motion.noWay().empty()
-                               ? ""
-                               : Text::tr("held: %1").arg(toQString(m_motion.noWay())).toStdString();
-    const bool pressed = m_current.runsFreely() || (m_current.is(Activity::Streaming) && !m_motion.noWay().empty());
-    if (pressed && !at.empty() && at != m_heldAt) {
-        tell(Severity::Warning, m_current.commander(), QString::fromStdString(at));
+    const QString at = held                         ? Text::tr("held at %1").arg(m_motion.obstacle())
+                       : m_motion.noWay().isEmpty() ? QString()
+                                                    : Text::tr("held: %1").arg(m_motion.noWay());
+    const bool pressed = m_current.runsFreely() || (m_current.is(Activity::Streaming) && !m_motion.noWay().isEmpty());
+    if (pressed && !at.isEmpty() && at != m_heldAt) {
+        tell(Severity::Warning, m_current.commander(), at);
     }
-    m_heldAt = pressed ? at : std::string();
+    m_heldAt = pressed ? at : QString();
 }
 
 void StationControl::finishRearm()

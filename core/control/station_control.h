@@ -166,7 +166,7 @@ private:
     SourceLog m_sourceLog;
 
     CurrentMotion m_current;
-    std::string m_heldAt;  // what the log last said the motion is held at
+    QString m_heldAt;  // what the log last said the motion is held at
     FirstMovesGuard m_firstMoves;
     Helm m_helm;
     RegionKeeper m_region;

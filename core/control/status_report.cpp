@@ -51,7 +51,7 @@ bool StatusReport::arrived() const
 QString StatusReport::limitedReason() const
 {
     return m_of.current.limitedReason().isEmpty() && m_of.motion.limited()
-               ? Text::tr("the target is beyond %1").arg(toQString(m_of.motion.obstacle()))
+               ? Text::tr("the target is beyond %1").arg(m_of.motion.obstacle())
                : m_of.current.limitedReason();
 }
 
@@ -154,9 +154,8 @@ AxisState StatusReport::axisState(Axis axis, const AxisReport& report) const
 QString StatusReport::axisText(Axis axis, AxisState state, const AxisReport& report) const
 {
     if (state == AxisState::Limit) {
-        const std::string what = m_of.motion.obstacle();
-        return atTravelEnd(axis) || what.empty() ? Text::tr("at the end of the travel")
-                                                 : Text::tr("at %1").arg(toQString(what));
+        const QString what = m_of.motion.obstacle();
+        return atTravelEnd(axis) || what.isEmpty() ? Text::tr("at the end of the travel") : Text::tr("at %1").arg(what);
     }
     if (!report.wrapKnown) {
         return Text::tr("turn not known");

@@ -39,33 +39,27 @@ Result<Angle> declinationCorrection(const Declination& declination)
     return *declination.here - declination.inSensor;
 }
 
-std::string describe(const Declination& declination)
+QString describe(const Declination& declination)
 {
     const QString inSensor = signedDegrees(declination.inSensor);
     switch (declination.by) {
         case DeclinationBy::Sensor:
-            return Text::tr("Declination by the sensor: it has added %1, Boresight adds nothing")
-                .arg(inSensor)
-                .toStdString();
+            return Text::tr("Declination by the sensor: it has added %1, Boresight adds nothing").arg(inSensor);
         case DeclinationBy::Boresight: {
             const auto correction = declinationCorrection(declination);
-            return correction
-                       ? Text::tr(
-                             "Declination by Boresight: the sensor's %1 is taken away and %2 is added, "
-                             "together %3")
-                             .arg(inSensor, hereText(declination), signedDegrees(*correction))
-                             .toStdString()
-                       : Text::tr("Declination by Boresight: %1").arg(toQString(correction.error().text)).toStdString();
+            return correction ? Text::tr(
+                                    "Declination by Boresight: the sensor's %1 is taken away and %2 is added, "
+                                    "together %3")
+                                    .arg(inSensor, hereText(declination), signedDegrees(*correction))
+                              : Text::tr("Declination by Boresight: %1").arg(toQString(correction.error().text));
         }
         case DeclinationBy::None:
-            return Text::tr("No declination: the heading stays as it comes, with the sensor's %1 in it")
-                .arg(inSensor)
-                .toStdString();
+            return Text::tr("No declination: the heading stays as it comes, with the sensor's %1 in it").arg(inSensor);
     }
     return {};
 }
 
-std::string doubt(const Declination& declination)
+QString doubt(const Declination& declination)
 {
     if (declination.by == DeclinationBy::Boresight || !declination.here) {
         return {};
@@ -75,8 +69,7 @@ std::string doubt(const Declination& declination)
         return {};
     }
     return Text::tr("the declination here is %1, the sensor has added %2: its headings are %3 off")
-        .arg(hereText(declination), signedDegrees(declination.inSensor), signedDegrees(error))
-        .toStdString();
+        .arg(hereText(declination), signedDegrees(declination.inSensor), signedDegrees(error));
 }
 
 }  // namespace boresight::geomagnetism

@@ -4,8 +4,9 @@
 #include "core/base/result.h"
 #include "core/units/quantity.h"
 
+#include <QString>
+
 #include <optional>
-#include <string>
 
 // A compass shows magnetic north; declination is what must be added to its heading to count from true north. The
 // orientation sensor may have added one already, compiled into its firmware: here it is decided who applies it, once
@@ -44,7 +45,7 @@ struct Declination
 
 // What is done, with the numbers; and what is doubtful about it, or empty: a declination that was not compiled in for
 // this place, or one that nobody applies.
-[[nodiscard]] std::string describe(const Declination& declination);
-[[nodiscard]] std::string doubt(const Declination& declination);
+[[nodiscard]] QString describe(const Declination& declination);
+[[nodiscard]] QString doubt(const Declination& declination);
 
 }  // namespace boresight::geomagnetism

@@ -132,7 +132,7 @@ Result<MagneticField> MagneticModel::at(const Site& site, double year) const
                          .changePerYear = changeOf(now, fieldOf(m_coefficients.change, place, site.longitude))};
 }
 
-std::string MagneticModel::expiry(double year) const
+QString MagneticModel::expiry(double year) const
 {
     if (!(year >= validTo() - kNoticeYears)) {
         return {};
@@ -141,12 +141,10 @@ std::string MagneticModel::expiry(double year) const
         return Text::tr(
                    "the magnetic model %1 has ended with %2: its declination grows less true each year; get the "
                    "present one (World Magnetic Model, .COF)")
-            .arg(toQString(name()), yearText(validTo()))
-            .toStdString();
+            .arg(toQString(name()), yearText(validTo()));
     }
     return Text::tr("the magnetic model %1 ends with %2: look for the next one")
-        .arg(toQString(name()), yearText(validTo()))
-        .toStdString();
+        .arg(toQString(name()), yearText(validTo()));
 }
 
 }  // namespace boresight::geomagnetism

@@ -5,6 +5,8 @@
 #include "core/geomagnetism/magnetic_field.h"
 #include "core/units/site.h"
 
+#include <QString>
+
 #include <string>
 
 // The World Magnetic Model: the Earth's main field and its steady change for five years from an epoch. The coefficients
@@ -29,7 +31,7 @@ public:
     [[nodiscard]] Result<MagneticField> at(const Site& site, double year) const;
 
     // From its last half year on: that it ends or has ended, and what to do. Else empty.
-    [[nodiscard]] std::string expiry(double year) const;
+    [[nodiscard]] QString expiry(double year) const;
 
 private:
     Coefficients m_coefficients;

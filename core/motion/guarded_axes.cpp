@@ -190,7 +190,7 @@ bool GuardedAxes::atRest() const
     return m_azimuth.atRest() && m_elevation.atRest();
 }
 
-std::string GuardedAxes::obstacle() const
+QString GuardedAxes::obstacle() const
 {
     const AxisPosition here = place();
     const Angle azimuth = m_held[0] * kBeyondEdge;
@@ -198,7 +198,7 @@ std::string GuardedAxes::obstacle() const
     for (const AxisPosition& beyond : {here, AxisPosition{here.azimuth + azimuth, here.elevation},
                                        AxisPosition{here.azimuth, here.elevation + elevation},
                                        AxisPosition{here.azimuth + azimuth, here.elevation + elevation}}) {
-        if (const std::string what = m_region.obstacle(beyond); !what.empty()) {
+        if (QString what = m_region.obstacle(beyond); !what.isEmpty()) {
             return what;
         }
     }

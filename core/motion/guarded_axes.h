@@ -6,9 +6,10 @@
 #include "core/tracking/axis_profile.h"
 #include "core/units/sky.h"
 
+#include <QString>
+
 #include <array>
 #include <optional>
-#include <string>
 
 // The set-points of both axes, kept inside the permitted region whatever is asked of them and by whom: below every
 // source of motion this is what holds. In each step an axis gets as much room as is free while the other one is
@@ -49,7 +50,7 @@ public:
     // The axis was asked to go on, but stands at, or brakes for, an edge of what is permitted.
     [[nodiscard]] bool held(Axis axis) const { return m_held[axis == Axis::Azimuth ? 0 : 1] != 0; }
     // What holds it: `the keep-out "mast"`. Empty if nothing does.
-    [[nodiscard]] std::string obstacle() const;
+    [[nodiscard]] QString obstacle() const;
 
 private:
     [[nodiscard]] pointing::AxisBox untilRest() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/motion/motion.h"
 
+#include "core/base/text.h"
 #include "core/pointing/route.h"
 #include "core/tracking/emergency_braking.h"
 
@@ -194,7 +195,7 @@ void Motion::planTo(const AxisPosition& end, SteadyTime now)
     if (auto legs = route(place(), end)) {
         m_way.legs = std::move(*legs);
     } else {
-        m_way.obstacle = legs.error().text;
+        m_way.obstacle = toQString(legs.error().text);
     }
 }
 
@@ -244,7 +245,7 @@ bool Motion::limited(Axis axis) const
     return axis == Axis::Azimuth ? target.azimuth != nearest.azimuth : target.elevation != nearest.elevation;
 }
 
-std::string Motion::obstacle() const
+QString Motion::obstacle() const
 {
     return m_limited ? region().obstacle(m_limited->target) : m_axes.obstacle();
 }

@@ -8,9 +8,10 @@
 #include "core/tracking/target_stream.h"
 #include "core/units/sky.h"
 
+#include <QString>
+
 #include <array>
 #include <optional>
-#include <string>
 #include <variant>
 #include <vector>
 
@@ -67,11 +68,11 @@ public:
     [[nodiscard]] bool limited() const { return m_limited.has_value(); }
     [[nodiscard]] bool limited(Axis axis) const;  // this axis is elsewhere because of it
     // Why the target can not be reached and the axes brake; empty while they can.
-    [[nodiscard]] const std::string& noWay() const { return m_way.obstacle; }
+    [[nodiscard]] const QString& noWay() const { return m_way.obstacle; }
     // The axis stands at, or brakes for, an edge that what is wanted lies beyond.
     [[nodiscard]] bool held(Axis axis) const { return m_axes.held(axis); }
     // What holds an axis or forbids the target: `the keep-out "mast"`. Empty if nothing does.
-    [[nodiscard]] std::string obstacle() const;
+    [[nodiscard]] QString obstacle() const;
 
 private:
     struct Resting
@@ -82,7 +83,7 @@ private:
     struct Way
     {
         std::vector<AxisPosition> legs;
-        std::string obstacle;  // why there is none
+        QString obstacle;  // why there is none
         std::optional<AxisPosition> end;
         SteadyTime planned{};
     };

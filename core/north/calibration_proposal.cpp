@@ -220,9 +220,7 @@ Proposal proposalOf(const SwingOutcome& swing, const profile::Profile& profile, 
             withNorthMoved(mounting, (profile.pointing.azimuthOffset - swing.fit.north.value).wrapped180(),
                            calibration::hypot(*northTold, swing.fit.statistical));
     }
-    for (const std::string& hint : swing.fit.hints) {
-        proposal.warnings.push_back(toQString(hint));
-    }
+    proposal.warnings.insert(proposal.warnings.end(), swing.fit.hints.begin(), swing.fit.hints.end());
     return proposal;
 }
 
@@ -249,9 +247,7 @@ Proposal proposalOf(const calibration::PointingFit& fit, std::span<const calibra
             withNorthMoved(mounting, (fit.terms.azimuthOffset - profile.pointing.azimuthOffset).wrapped180(),
                            fit.of(Term::AzimuthOffset).estimate.sigma);
     }
-    for (const std::string& hint : fit.hints) {
-        proposal.warnings.push_back(toQString(hint));
-    }
+    proposal.warnings.insert(proposal.warnings.end(), fit.hints.begin(), fit.hints.end());
     return proposal;
 }
 

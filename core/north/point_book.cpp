@@ -124,9 +124,7 @@ std::optional<PointFitStatus> PointBook::fitStatus(const pointing::PointingTerms
     if (m_fit->degreesOfFreedom > 0.0) {
         status.reducedChiSquare = m_fit->chiSquare / m_fit->degreesOfFreedom;
     }
-    for (const std::string& hint : m_fit->hints) {
-        status.remarks.push_back(toQString(hint));
-    }
+    status.remarks.insert(status.remarks.end(), m_fit->hints.begin(), m_fit->hints.end());
     return status;
 }
 

@@ -151,7 +151,7 @@ RunEnd SwingPilot::finish() const
                                                      "calibrated: if it was started anew, repeat the swing")};
     const calibration::CompassSwing& fit = swung.outcome->fit;
     if (!fit.isUsable()) {
-        const QString why = Text::tr("a compass is of no use here: %1").arg(toQString(fit.hopeless.front()));
+        const QString why = Text::tr("a compass is of no use here: %1").arg(fit.hopeless.front());
         return {.outcome = why, .failed = true, .found = swung};
     }
     return {.outcome = usedText(calibration::SwingTally(fit.samples), m_run->limits()), .found = swung};

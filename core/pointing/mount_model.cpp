@@ -59,28 +59,28 @@ QString degrees(Angle angle, int decimals = 1)
 }
 
 // What is just past the limit is not told as the limit itself.
-std::string past(const QString& sentence, Angle angle, Angle limit)
+QString past(const QString& sentence, Angle angle, Angle limit)
 {
     const int decimals = abs(angle - limit) < Angle::fromDegrees(0.1) ? 2 : 1;
-    return sentence.arg(degrees(angle, decimals), degrees(limit, decimals)).toStdString();
+    return sentence.arg(degrees(angle, decimals), degrees(limit, decimals));
 }
 
-std::string azimuthReason(Angle angle, const TravelRange& travel)
+QString azimuthReason(Angle angle, const TravelRange& travel)
 {
     return angle < travel.min ? past(Text::tr("azimuth %1 below limit %2"), angle, travel.min)
                               : past(Text::tr("azimuth %1 above limit %2"), angle, travel.max);
 }
 
-std::string elevationReason(Angle angle, const TravelRange& travel)
+QString elevationReason(Angle angle, const TravelRange& travel)
 {
     return angle < travel.min ? past(Text::tr("elevation %1 below limit %2"), angle, travel.min)
                               : past(Text::tr("elevation %1 above limit %2"), angle, travel.max);
 }
 
-void addReason(Resolved& resolved, const std::string& reason)
+void addReason(Resolved& resolved, const QString& reason)
 {
     resolved.limited = true;
-    resolved.reason += (resolved.reason.empty() ? "" : ", ") + reason;
+    resolved.reason += (resolved.reason.isEmpty() ? QString() : QStringLiteral(", ")) + reason;
 }
 
 // Of the turns of `azimuth` inside the travel the one nearest to `now`; none if it lies in a gap.
@@ -171,18 +171,16 @@ Resolved MountModel::resolve(const SkyPointing& direction, const AxisPosition& n
         resolved.position = nearestAcrossGap(wanted, now);
         const QString sentence = m_azimuths == m_azimuth.travel ? Text::tr("azimuth %1 outside travel %2…%3")
                                                                 : Text::tr("azimuth %1 outside limits %2…%3");
-        addReason(
-            resolved,
-            sentence.arg(degrees(wanted.azimuth), degrees(m_azimuths.min), degrees(m_azimuths.max)).toStdString());
+        addReason(resolved, sentence.arg(degrees(wanted.azimuth), degrees(m_azimuths.min), degrees(m_azimuths.max)));
     }
     if (!reaches(m_elevations, wanted.elevation)) {
         addReason(resolved, elevationReason(wanted.elevation, m_elevations));
     }
     if (resolved.limited && !m_pointing.isIdentity()) {
-        resolved.reason += " " + Text::tr("(mechanical angles)").toStdString();
+        resolved.reason += u' ' + Text::tr("(mechanical angles)");
     }
     if (miss > kHoleTolerance) {
-        addReason(resolved, Text::tr("at the zenith the beam misses it by %1").arg(degrees(miss)).toStdString());
+        addReason(resolved, Text::tr("at the zenith the beam misses it by %1").arg(degrees(miss)));
     }
     return resolved;
 }

@@ -4,8 +4,9 @@
 #include "core/pointing/pointing_model.h"
 #include "core/units/sky.h"
 
+#include <QString>
+
 #include <optional>
-#include <string>
 
 // The one place where a direction in the sky, the mechanical angles of the axes and the turns of the motors become one
 // another. Pure values, any thread. Requirements: tests/REQUIREMENTS.md.
@@ -46,7 +47,7 @@ struct Resolved
 {
     AxisPosition position{};  // always inside both ranges
     bool limited = false;
-    std::string reason{};  // "elevation 95.0° above limit 90.0°"; empty unless limited
+    QString reason{};  // "elevation 95.0° above limit 90.0°"; empty unless limited
 };
 
 class MountModel

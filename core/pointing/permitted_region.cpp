@@ -202,10 +202,10 @@ const KeepOut* PermittedRegion::keepOutAt(const AxisPosition& place) const
     return owner < m_keepOuts.size() ? &m_keepOuts[owner] : nullptr;
 }
 
-std::string PermittedRegion::reason(const AxisPosition& place) const
+QString PermittedRegion::reason(const AxisPosition& place) const
 {
     const auto outside = [](const QString& sentence, Angle angle, const TravelRange& range) {
-        return sentence.arg(degreesText(angle), degreesText(range.min), degreesText(range.max)).toStdString();
+        return sentence.arg(degreesText(angle), degreesText(range.min), degreesText(range.max));
     };
     if (permits(place)) {
         return {};
@@ -220,37 +220,31 @@ std::string PermittedRegion::reason(const AxisPosition& place) const
 }
 
 // In the words of who drew it: true directions.
-std::string PermittedRegion::trueReason(const AxisPosition& place) const
+QString PermittedRegion::trueReason(const AxisPosition& place) const
 {
     if (const KeepOut* const keepOut = keepOutAt(place)) {
         const SkyPointing beam = beamAt(place);
         return Text::tr("azimuth %1 elevation %2 is in the keep-out \"%3\"")
-            .arg(degreesText(beam.azimuth), degreesText(beam.elevation), toQString(keepOut->name))
-            .toStdString();
+            .arg(degreesText(beam.azimuth), degreesText(beam.elevation), toQString(keepOut->name));
     }
     const SkyPointing beam = upright(beamAt(place));
     return Text::tr("elevation %1 below the horizon %2 at azimuth %3")
-        .arg(degreesText(beam.elevation), degreesText(m_horizon.at(beam.azimuth)), degreesText(beam.azimuth))
-        .toStdString();
+        .arg(degreesText(beam.elevation), degreesText(m_horizon.at(beam.azimuth)), degreesText(beam.azimuth));
 }
 
-std::string PermittedRegion::obstacle(const AxisPosition& place) const
+QString PermittedRegion::obstacle(const AxisPosition& place) const
 {
     if (permits(place)) {
         return {};
     }
     if (!within(AxisBox::at(place).azimuth, m_ranges.azimuth)) {
-        return Text::tr("the azimuth limit %1").arg(degreesText(m_ranges.azimuth.clamped(place.azimuth))).toStdString();
+        return Text::tr("the azimuth limit %1").arg(degreesText(m_ranges.azimuth.clamped(place.azimuth)));
     }
     if (!within(AxisBox::at(place).elevation, m_ranges.elevation)) {
-        return Text::tr("the elevation limit %1")
-            .arg(degreesText(m_ranges.elevation.clamped(place.elevation)))
-            .toStdString();
+        return Text::tr("the elevation limit %1").arg(degreesText(m_ranges.elevation.clamped(place.elevation)));
     }
     const KeepOut* const keepOut = keepOutAt(place);
-    return (keepOut != nullptr ? Text::tr("the keep-out \"%1\"").arg(toQString(keepOut->name))
-                               : Text::tr("the horizon"))
-        .toStdString();
+    return keepOut != nullptr ? Text::tr("the keep-out \"%1\"").arg(toQString(keepOut->name)) : Text::tr("the horizon");
 }
 
 TravelRange PermittedRegion::azimuthsAround(const AxisBox& box) const

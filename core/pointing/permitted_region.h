@@ -7,8 +7,9 @@
 #include "core/pointing/skyline.h"
 #include "core/units/sky.h"
 
+#include <QString>
+
 #include <optional>
-#include <string>
 #include <vector>
 
 // Where the axes may be: a Region and the travel of both axes, laid out in mechanical angles for quick answers, for
@@ -28,9 +29,9 @@ public:
     [[nodiscard]] bool permits(const AxisPosition& place) const { return permits(AxisBox::at(place)); }
     [[nodiscard]] bool permits(const AxisBox& box) const;  // all of it
     // Why a place is not permitted, in words: `azimuth 315.0° elevation 10.0° is in the keep-out "mast"`. Else empty.
-    [[nodiscard]] std::string reason(const AxisPosition& place) const;
+    [[nodiscard]] QString reason(const AxisPosition& place) const;
     // The keep-out, the horizon or the limit that a place is not permitted for: `the keep-out "mast"`. Else empty.
-    [[nodiscard]] std::string obstacle(const AxisPosition& place) const;
+    [[nodiscard]] QString obstacle(const AxisPosition& place) const;
 
     // How far a permitted box can be widened along one axis, the other as it is.
     [[nodiscard]] TravelRange azimuthsAround(const AxisBox& box) const;
@@ -56,7 +57,7 @@ private:
     void closeSlits();
     void dropCovered();
     [[nodiscard]] const KeepOut* keepOutAt(const AxisPosition& place) const;
-    [[nodiscard]] std::string trueReason(const AxisPosition& place) const;
+    [[nodiscard]] QString trueReason(const AxisPosition& place) const;
 
     PointingModel m_pointing;
     AxisBox m_ranges;

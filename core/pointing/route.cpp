@@ -264,18 +264,18 @@ private:
 };
 
 // What stands on the straight line between two places, as seen from the first.
-std::string obstacleBetween(const PermittedRegion& region, const AxisPosition& from, const AxisPosition& to)
+QString obstacleBetween(const PermittedRegion& region, const AxisPosition& from, const AxisPosition& to)
 {
     constexpr int kSteps = 2000;
     for (int i = 1; i < kSteps; ++i) {
         const double part = static_cast<double>(i) / kSteps;
         const AxisPosition place{.azimuth = from.azimuth + part * (to.azimuth - from.azimuth),
                                  .elevation = from.elevation + part * (to.elevation - from.elevation)};
-        if (const std::string obstacle = region.obstacle(place); !obstacle.empty()) {
+        if (const QString obstacle = region.obstacle(place); !obstacle.isEmpty()) {
             return obstacle;
         }
     }
-    return Text::tr("what is forbidden").toStdString();
+    return Text::tr("what is forbidden");
 }
 
 QString degrees(const SkyPointing& beam)
@@ -290,7 +290,7 @@ Error noWay(const PermittedRegion& region, const AxisPosition& from, const AxisP
     const QString text =
         spent ? Text::tr("no way from %1 to %2 was found in time: there are too many keep-outs").arg(begin, end)
               : Text::tr("there is no way from %1 to %2: %3 is in between")
-                    .arg(begin, end, toQString(obstacleBetween(region, from, to)));
+                    .arg(begin, end, obstacleBetween(region, from, to));
     return {ErrorCode::OutOfRange, text.toStdString()};
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One of the two files that include toml++, which is large and slow to compile.
-#include "core/base/control_characters.h"
 #include "core/base/text.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/setting.h"
+#include "core/records/file_problems.h"
 
 #include <toml++/toml.h>
 
@@ -15,12 +15,6 @@
 namespace boresight::profile {
 
 namespace {
-
-struct FileProblem
-{
-    std::size_t line = 0;
-    std::string text;
-};
 
 // Reads one parsed file into a profile and gathers everything that is wrong with it.
 class Reader
@@ -37,13 +31,7 @@ public:
 
     [[nodiscard]] const Profile& profile() const { return m_profile; }
 
-    [[nodiscard]] std::vector<FileProblem> problems() const
-    {
-        std::vector<FileProblem> sorted = m_problems;
-        std::stable_sort(sorted.begin(), sorted.end(),
-                         [](const FileProblem& a, const FileProblem& b) { return a.line < b.line; });
-        return sorted;
-    }
+    [[nodiscard]] const records::FileProblems& problems() const { return m_problems; }
 
 private:
     void readVersion(const toml::table& root)
@@ -91,7 +79,7 @@ private:
     // True if the key is that of a list.
     bool readList(const std::string& key, const toml::node& node, std::size_t line)
     {
-        const std::size_t problemsBefore = m_problems.size();
+        const std::size_t problemsBefore = m_problems.count();
         if (key == kHorizonKey) {
             readHorizon(node, line);
         } else if (key == kKeepOutKey) {
@@ -101,7 +89,7 @@ private:
         } else {
             return false;
         }
-        if (m_problems.size() != problemsBefore) {
+        if (m_problems.count() != problemsBefore) {
             m_unreadLists.push_back(key);
         }
         return true;
@@ -297,14 +285,13 @@ private:
 
     void add(std::size_t line, const std::string& key, const std::string& reason)
     {
-        // A key or text of the file may hold anything.
-        m_problems.push_back({line, printable(key + ": " + reason)});
+        m_problems.add(line, key + ": " + reason);
     }
 
     Profile m_profile;
     std::map<std::string, std::size_t> m_lines;  // of every key, table and row of the file
     std::vector<std::string> m_unreadLists;
-    std::vector<FileProblem> m_problems;
+    records::FileProblems m_problems;
 };
 
 }  // namespace
@@ -312,18 +299,15 @@ private:
 Result<Profile> parseProfile(std::string_view text, const std::string& fileName)
 {
     Reader reader;
+    records::FileProblems problems;
     try {
         reader.read(toml::parse(text, fileName));
+        problems = reader.problems();
     } catch (const toml::parse_error& error) {
-        return failure(ErrorCode::InvalidInput, fileName + ":" + std::to_string(error.source().begin.line) + ": " +
-                                                    printable(std::string(error.description())));
+        problems.add(error.source().begin.line, std::string(error.description()));
     }
-    std::string all;
-    for (const FileProblem& problem : reader.problems()) {
-        all += (all.empty() ? "" : "\n") + fileName + ":" + std::to_string(problem.line) + ": " + problem.text;
-    }
-    if (!all.empty()) {
-        return failure(ErrorCode::InvalidInput, all);
+    if (problems.count() > 0) {
+        return failure(ErrorCode::InvalidInput, problems.text(fileName));
     }
     return reader.profile();
 }

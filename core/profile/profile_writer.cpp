@@ -3,38 +3,19 @@
 #include "core/base/overloaded.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/setting.h"
+#include "core/records/toml_value.h"
 
-#include <algorithm>
 #include <span>
 
 namespace boresight::profile {
 
 namespace {
 
-std::string quoted(const std::string& text)
-{
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') {
-            result += '\\';
-        }
-        result += c;
-    }
-    return result + "\"";
-}
-
-std::string tomlNumber(double value)
-{
-    std::string text = formatFixed(value, kDecimals);
-    text.erase(std::max(text.find_last_not_of('0'), text.find('.') + 1) + 1);
-    return text;
-}
-
 std::string inBrackets(const TextList& list)
 {
     std::string text;
     for (const std::string& one : list) {
-        text += (text.empty() ? "" : ", ") + quoted(one);
+        text += (text.empty() ? "" : ", ") + records::inQuotes(one);
     }
     return "[" + text + "]";
 }
@@ -46,11 +27,11 @@ std::string bounds(const SettingOf<Owner>& setting)
         case SettingType::Integer:
             return formatFixed(setting.min, 0) + "…" + formatFixed(setting.max, 0);
         case SettingType::Number:
-            return tomlNumber(setting.min) + "…" + tomlNumber(setting.max);
+            return records::decimal(setting.min) + "…" + records::decimal(setting.max);
         case SettingType::Choice: {
             std::string text = "one of";
             for (const std::string& name : setting.choices) {
-                text += " " + quoted(name);
+                text += " " + records::inQuotes(name);
             }
             return text;
         }
@@ -147,11 +128,11 @@ std::string listsAfter(const std::string& table, const Profile& profile)
 
 std::string toText(const SettingValue& value)
 {
-    return std::visit(
-        Overloaded{[](const std::string& text) { return quoted(text); },
-                   [](std::int64_t whole) { return std::to_string(whole); },
-                   [](double real) { return tomlNumber(real); }, [](const TextList& list) { return inBrackets(list); }},
-        value);
+    return std::visit(Overloaded{[](const std::string& text) { return records::inQuotes(text); },
+                                 [](std::int64_t whole) { return std::to_string(whole); },
+                                 [](double real) { return records::decimal(real); },
+                                 [](const TextList& list) { return inBrackets(list); }},
+                      value);
 }
 
 std::string toToml(const Profile& profile)

@@ -62,8 +62,8 @@ void checkPark(std::vector<Problem>& problems, const Profile& profile)
     }
     const pointing::PermittedRegion region(profile.limits, azimuthTravel, elevationTravel,
                                            pointing::PointingModel(profile.pointing));
-    if (const std::string reason = region.reason(profile.park); !reason.empty()) {
-        problems.push_back({"park.elevation_deg", reason});
+    if (const QString reason = region.reason(profile.park); !reason.isEmpty()) {
+        problems.push_back({"park.elevation_deg", reason.toStdString()});
     }
 }
 

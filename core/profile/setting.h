@@ -37,9 +37,6 @@ enum class Applies
 using TextList = std::vector<std::string>;
 using SettingValue = std::variant<std::string, std::int64_t, double, TextList>;  // Choice is a string
 
-// Of the numbers in the file: a millionth of an arc second, and they hide the rounding between degrees and radians.
-inline constexpr int kDecimals = 9;
-
 template <class Owner>
 struct SettingOf
 {

@@ -117,7 +117,7 @@ StationSensor::ModelAnswer StationSensor::askModel(const QString& path, const Si
                                .arg(toQString(model.name()))
                                .arg(model.validFrom(), 0, 'f', 1)
                                .arg(model.validTo(), 0, 'f', 1);
-            answer.expiry = toQString(model.expiry(year));
+            answer.expiry = model.expiry(year);
             return model.at(site, year).map([](const geomagnetism::MagneticField& field) {
                 return field.now.declination;
             });

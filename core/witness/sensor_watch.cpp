@@ -117,7 +117,7 @@ QString SensorWatch::doubtOfDeclination() const
     if (byModel && !m_modelExpiry.isEmpty()) {
         return m_modelExpiry;
     }
-    return byModel || settings().declination != Angle{} ? toQString(geomagnetism::doubt(declination())) : QString();
+    return byModel || settings().declination != Angle{} ? geomagnetism::doubt(declination()) : QString();
 }
 
 // What was compared before is compared anew: the difference was perhaps that of a wrong setting.
@@ -371,7 +371,7 @@ SensorStatus SensorWatch::status() const
         .dead = m_judge.dead(),
         .last = m_judge.last(),
         .declination = m_truth.correction.declination(),
-        .declinationText = toQString(geomagnetism::describe(declination())),
+        .declinationText = geomagnetism::describe(declination()),
         .declinationModel = m_model,
         .declinationDoubt = doubtOfDeclination(),
         .azimuthDifference = m_check.difference(Axis::Azimuth).now,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/compass_swing.h"
 
+#include "tests/core/calibration/mentions.h"
 #include "tests/fakes/swung_mount.h"
 
 #include <gmock/gmock.h>
@@ -78,7 +79,7 @@ TEST(CompassSwing, FindsNorthAndTheCurve)
     EXPECT_EQ(swing.harmonics, Harmonics::FirstAndSecond);
     EXPECT_NEAR(swing.curve.secondAmplitude().degrees(), 3.0, 0.25);
     EXPECT_NEAR(swing.curve.scatter.degrees(), 0.5, 0.1);
-    EXPECT_THAT(swing.hints, ElementsAre(HasSubstr("the curve holds with the boom at 30°")));
+    EXPECT_THAT(swing.hints, ElementsAre(mentions("the curve holds with the boom at 30°")));
     // The boom leans with the tilted axis, which the curve takes for iron: 0.6° × tan 30°.
     EXPECT_NEAR(swing.curve.firstAmplitude().degrees(), 8.0, 0.7);
 }
@@ -156,7 +157,7 @@ TEST(CompassSwing, TheCurveKnowsItsElevationAndTheSigmaOfItsConstant)
     const CompassSwing swing = fitted(hidden(), {.elevation = 40.0});
     EXPECT_EQ(swing.curve.constantSigma, swing.north.sigma);
     EXPECT_NEAR(swing.curve.elevation.value_or(Angle{}).degrees(), 40.0, 1e-9);
-    EXPECT_THAT(swing.hints, Contains(HasSubstr("the curve holds with the boom at 40°: 45° higher or lower")));
+    EXPECT_THAT(swing.hints, Contains(mentions("the curve holds with the boom at 40°: 45° higher or lower")));
     auto samples = swung(hidden()).samples;
     samples[7].axisElevation.reset();
     EXPECT_FALSE(fitCompassSwing(samples)->curve.elevation.has_value());
@@ -171,12 +172,12 @@ TEST(CompassSwing, ALatencyIsSeenAsHysteresisAndDoesNotMoveNorth)
     ASSERT_TRUE(swing.hysteresis.has_value());
     EXPECT_NEAR(swing.hysteresis->value.degrees(), -3.0, 0.3);
     EXPECT_NEAR(northError(swing, mount), 0.0, 0.3);
-    EXPECT_THAT(swing.hints, Contains(HasSubstr("sensor.latency_s is not right")));
+    EXPECT_THAT(swing.hints, Contains(mentions("sensor.latency_s is not right")));
 
     const CompassSwing oneWay = fitted(mount, {.back = false});
     EXPECT_FALSE(oneWay.hysteresis.has_value());
     EXPECT_NEAR(northError(oneWay, mount), -1.5, 0.3);
-    EXPECT_THAT(oneWay.hints, Contains(HasSubstr("it turned one way only")));
+    EXPECT_THAT(oneWay.hints, Contains(mentions("it turned one way only")));
     const double softIron = oneWay.curve.secondAmplitude().degrees() / std::sqrt(2.0);
     const double latency = 0.1 * 3.0;  // sigma × rate
     EXPECT_NEAR(oneWay.systematic.degrees(), std::hypot(std::hypot(1.0, softIron), std::hypot(0.5, latency)), 1e-9);
@@ -218,20 +219,20 @@ TEST(CompassSwing, SaysWhenThePlaceIsHopeless)
 {
     SwungMount noisy = hidden();
     noisy.noise = 9.0;
-    EXPECT_THAT(fitted(noisy).hopeless, Contains(HasSubstr("the readings scatter by")));
+    EXPECT_THAT(fitted(noisy).hopeless, Contains(mentions("the readings scatter by")));
 
     SwungMount iron = hidden();
     iron.firstAmplitude = 50.0;
-    EXPECT_THAT(fitted(iron).hopeless, Contains(HasSubstr("nearly as strong as the Earth's field")));
+    EXPECT_THAT(fitted(iron).hopeless, Contains(mentions("nearly as strong as the Earth's field")));
 
     SwungMount steep = hidden();
     steep.firstAmplitude = 25.0;
     steep.secondAmplitude = 25.0;
-    EXPECT_THAT(fitted(steep).hopeless, Contains(HasSubstr("different directions give the same reading")));
+    EXPECT_THAT(fitted(steep).hopeless, Contains(mentions("different directions give the same reading")));
 
     SwungMount flips = hidden();
     flips.outliers = 0.4;
-    EXPECT_THAT(fitted(flips).hopeless, Contains(HasSubstr("readings are far off the curve")));
+    EXPECT_THAT(fitted(flips).hopeless, Contains(mentions("readings are far off the curve")));
 }
 
 // REQ-CALIBRATION-07
@@ -245,7 +246,7 @@ TEST(CompassSwing, SaysWhenTheNeedleFollowsTheMotors)
     }
     const auto swing = fitCompassSwing(given.samples);
     ASSERT_TRUE(swing.has_value());
-    EXPECT_THAT(swing->hints, Contains(HasSubstr("the compass follows the motors' current")));
+    EXPECT_THAT(swing->hints, Contains(mentions("the compass follows the motors' current")));
 }
 
 // REQ-CALIBRATION-05: It fits no more than the part of the circle that was seen supports, and reports it.
@@ -257,7 +258,7 @@ TEST(CompassSwing, FitsLessWhereLessOfTheCircleWasSeen)
     EXPECT_EQ(part.harmonics, Harmonics::First);
     EXPECT_EQ(part.curve.secondAmplitude(), 0_deg);
     EXPECT_GT(part.north.sigma, whole.systematic);
-    EXPECT_THAT(part.hints, Contains(HasSubstr("soft iron (twice round the circle) could not be told")));
+    EXPECT_THAT(part.hints, Contains(mentions("soft iron (twice round the circle) could not be told")));
     EXPECT_THAT(swingReason(swung(mount, {.from = 0.0, .to = 120.0}).samples),
                 HasSubstr("a swing has to see more of the circle"));
 }
@@ -275,7 +276,7 @@ TEST(CompassSwing, ToldOfUnequalFilling)
     const auto swing = fitCompassSwing(thinned);
     ASSERT_TRUE(swing.has_value());
     EXPECT_FALSE(swing->coverage.isEven);
-    EXPECT_THAT(swing->hints, Contains(HasSubstr("unequally filled")));
+    EXPECT_THAT(swing->hints, Contains(mentions("unequally filled")));
 }
 
 // REQ-CALIBRATION-05

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/pointing_fit.h"
 
+#include "tests/core/calibration/mentions.h"
 #include "tests/fakes/sun_points.h"
 
 #include <gmock/gmock.h>
@@ -87,8 +88,8 @@ TEST(PointingFit, OnePointGivesTheOffsetOfAzimuthOnly)
     EXPECT_EQ(fit->terms.elevationOffset, before.elevationOffset);
     EXPECT_EQ(fit->count(TermState::Fitted), 1);
     EXPECT_EQ(fit->count(TermState::Off), 6);
-    EXPECT_EQ(fit->of(Term::AzimuthOffset).why, "");
-    EXPECT_EQ(fit->of(Term::TiltEast).why, "as it was known, until there are 4 points");
+    EXPECT_EQ(fit->of(Term::AzimuthOffset).why.toStdString(), "");
+    EXPECT_EQ(fit->of(Term::TiltEast).why.toStdString(), "as it was known, until there are 4 points");
     EXPECT_FALSE(fit->rmsLeftOut.has_value());
     // One point cannot tell an offset from a collimation of 0.3° and a tilt of 1°.
     EXPECT_GT(fit->of(Term::AzimuthOffset).estimate.sigma, 0.3_deg);
@@ -138,7 +139,7 @@ TEST(PointingFit, TermsThatThePointsDoNotAskForStayOff)
         EXPECT_EQ(fit->of(Term::AzimuthOffset).state, TermState::Fitted);
         EXPECT_EQ(fit->of(Term::ElevationOffset).state, TermState::Fitted);
         if (fit->of(Term::ElevationSag).state == TermState::Off) {
-            EXPECT_EQ(fit->of(Term::ElevationSag).why, "the points do not ask for it");
+            EXPECT_EQ(fit->of(Term::ElevationSag).why.toStdString(), "the points do not ask for it");
         }
         off += fit->count(TermState::Off);
     }
@@ -156,7 +157,7 @@ TEST(PointingFit, TermsAreFittedByTheNumberOfPoints)
     EXPECT_EQ(four->count(TermState::Fitted), 4);
     EXPECT_EQ(four->of(Term::TiltNorth).state, TermState::Fitted);
     EXPECT_NE(four->of(Term::Collimation).state, TermState::Fitted);
-    EXPECT_THAT(four->of(Term::Collimation).why, HasSubstr("until there are 6 points"));
+    EXPECT_THAT(four->of(Term::Collimation).why, mentions("until there are 6 points"));
     EXPECT_GE(eight->count(TermState::Fitted), 5);
     EXPECT_EQ(eight->of(Term::Collimation).state, TermState::Fitted);
 }
@@ -188,7 +189,7 @@ TEST(PointingFit, ReckonsWithTheScatterThatThereIs)
     EXPECT_LT(careful->noiseScale, 1.4);
     EXPECT_NEAR(careless->noiseScale, 3.0, 0.8);
     EXPECT_GT(careless->of(Term::TiltNorth).estimate.sigma, careful->of(Term::TiltNorth).estimate.sigma * 2.0);
-    EXPECT_THAT(careless->hints, Contains(HasSubstr("times as much as their sigmas say")));
+    EXPECT_THAT(careless->hints, Contains(mentions("times as much as their sigmas say")));
 }
 
 // REQ-CALIBRATION-14
@@ -244,8 +245,8 @@ TEST(PointingFit, NamesAPointThatDoesNotAgreeWithTheOthers)
     points[4].axes.elevation += 2_deg;
     const auto fit = fitPointing(points, {});
     ASSERT_TRUE(fit.has_value());
-    EXPECT_THAT(fit->hints, Contains(HasSubstr("point 5 is ")));
-    EXPECT_THAT(fit->hints, Not(Contains(HasSubstr("point 6 is "))));
+    EXPECT_THAT(fit->hints, Contains(mentions("point 5 is ")));
+    EXPECT_THAT(fit->hints, Not(Contains(mentions("point 6 is "))));
 }
 
 // A point that the others hardly foresee may be far from there without being wrong.
@@ -259,7 +260,7 @@ TEST(PointingFit, AccusesNoGoodPoint)
             const auto fit = fitPointing(allRound(hiddenModel(), count, 0.01, seed), {});
             ASSERT_TRUE(fit.has_value());
             accused += std::any_of(fit->hints.begin(), fit->hints.end(),
-                                   [](const std::string& hint) { return hint.find("should be") != std::string::npos; })
+                                   [](const QString& hint) { return hint.contains(QLatin1String("should be")); })
                            ? 1
                            : 0;
         }
@@ -298,10 +299,10 @@ TEST(PointingFit, SaysWhatKindOfPointIsMissing)
     }
     const auto fit = fitPointing(low, {});
     ASSERT_TRUE(fit.has_value());
-    EXPECT_THAT(fit->hints, Contains(HasSubstr("all points are about as high")));
-    EXPECT_THAT(fit->hints, Contains(HasSubstr("all points lie within 40° of azimuth")));
+    EXPECT_THAT(fit->hints, Contains(mentions("all points are about as high")));
+    EXPECT_THAT(fit->hints, Contains(mentions("all points lie within 40° of azimuth")));
     low.push_back(pointAt(hiddenModel(), 320_deg, 150_deg));  // from the other side, as high
-    EXPECT_THAT(fitPointing(low, {})->hints, Not(Contains(HasSubstr("all points are about as high"))));
+    EXPECT_THAT(fitPointing(low, {})->hints, Not(Contains(mentions("all points are about as high"))));
 }
 
 // REQ-CALIBRATION-16: The zenith shows nothing about azimuth. A point over the top is as good as any.

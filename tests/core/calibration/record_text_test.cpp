@@ -6,6 +6,8 @@
 
 #include <chrono>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 namespace boresight::calibration {
 namespace {
@@ -128,6 +130,15 @@ TEST(RecordText, EverythingSurvives)
     EXPECT_FALSE(record.points[1].isUsed);
     EXPECT_FALSE(read->entries()[1].mount.site.has_value());
     EXPECT_FALSE(read->entries()[1].sensor.has_value());
+}
+
+// A file of another day, to the last byte.
+TEST(RecordText, KeepsTheFormOfItsFile)
+{
+    std::ifstream file(BORESIGHT_TEST_DATA "/calibrations.toml");
+    const std::string kept{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_EQ(written(CalibrationHistory({full(), bare(), full()}, 2, {full()})), kept);
+    EXPECT_EQ(recordReason(kept), "accepted");
 }
 
 TEST(RecordText, IsReadable)

@@ -34,7 +34,7 @@ TEST(Declination, OneThatIsNotKnownIsNeverZero)
     const Declination unknown{.by = DeclinationBy::Boresight};
     ASSERT_FALSE(declinationCorrection(unknown));
     EXPECT_EQ(declinationCorrection(unknown).error().code, ErrorCode::NotAvailable);
-    EXPECT_EQ(describe(unknown),
+    EXPECT_EQ(describe(unknown).toStdString(),
               "Declination by Boresight: the declination of this place is not known: type it, or "
               "give site and magnetic model");
     EXPECT_TRUE(declinationCorrection({.by = DeclinationBy::Sensor})) << "nothing is needed";
@@ -43,15 +43,15 @@ TEST(Declination, OneThatIsNotKnownIsNeverZero)
 // REQ-GEOMAGNETISM-08: What is done is reported with its numbers. A sensor made for another place is doubted.
 TEST(Declination, IsSaidInWordsWithTheNumbers)
 {
-    EXPECT_EQ(describe(lisbon(DeclinationBy::Sensor)),
+    EXPECT_EQ(describe(lisbon(DeclinationBy::Sensor)).toStdString(),
               "Declination by the sensor: it has added +5.07°, Boresight adds nothing");
-    EXPECT_EQ(describe(lisbon(DeclinationBy::Boresight)),
+    EXPECT_EQ(describe(lisbon(DeclinationBy::Boresight)).toStdString(),
               "Declination by Boresight: the sensor's +5.07° is taken away and -0.87° by the magnetic model is added, "
               "together -5.94°");
-    EXPECT_EQ(describe({.by = DeclinationBy::Boresight, .inSensor = 0_deg, .here = 12.5_deg}),
+    EXPECT_EQ(describe({.by = DeclinationBy::Boresight, .inSensor = 0_deg, .here = 12.5_deg}).toStdString(),
               "Declination by Boresight: the sensor's +0.00° is taken away and +12.50° as typed is added, together "
               "+12.50°");
-    EXPECT_EQ(describe(lisbon(DeclinationBy::None)),
+    EXPECT_EQ(describe(lisbon(DeclinationBy::None)).toStdString(),
               "No declination: the heading stays as it comes, with the sensor's +5.07° in it");
 }
 
@@ -61,9 +61,10 @@ TEST(Declination, ASensorMadeForAnotherPlaceIsDoubted)
     const std::string wrong =
         "the declination here is -0.87° by the magnetic model, the sensor has added +5.07°: its headings are +5.94° "
         "off";
-    EXPECT_EQ(doubt(lisbon(DeclinationBy::Sensor)), wrong);
-    EXPECT_EQ(doubt(lisbon(DeclinationBy::None)), wrong);
-    EXPECT_EQ(doubt(lisbon(DeclinationBy::Boresight)), "");
-    EXPECT_EQ(doubt({.by = DeclinationBy::Sensor, .here = 5.3_deg}), "") << "near enough: Berlin some years later";
-    EXPECT_EQ(doubt({.by = DeclinationBy::Sensor}), "") << "nobody knows";
+    EXPECT_EQ(doubt(lisbon(DeclinationBy::Sensor)).toStdString(), wrong);
+    EXPECT_EQ(doubt(lisbon(DeclinationBy::None)).toStdString(), wrong);
+    EXPECT_EQ(doubt(lisbon(DeclinationBy::Boresight)).toStdString(), "");
+    EXPECT_EQ(doubt({.by = DeclinationBy::Sensor, .here = 5.3_deg}).toStdString(), "")
+        << "near enough: Berlin some years later";
+    EXPECT_EQ(doubt({.by = DeclinationBy::Sensor}).toStdString(), "") << "nobody knows";
 }

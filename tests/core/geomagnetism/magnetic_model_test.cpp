@@ -170,9 +170,9 @@ TEST(MagneticModel, IsRefusedOutsideItsFiveYearsAndTheOneAfter)
 TEST(MagneticModel, WarnsFromItsLastHalfYearOn)
 {
     const MagneticModel model = mixed();
-    EXPECT_EQ(model.expiry(2029.49), "");
-    EXPECT_EQ(model.expiry(2029.51), "the magnetic model TEST ends with 2030.00: look for the next one");
-    EXPECT_EQ(model.expiry(2030.2),
+    EXPECT_EQ(model.expiry(2029.49).toStdString(), "");
+    EXPECT_EQ(model.expiry(2029.51).toStdString(), "the magnetic model TEST ends with 2030.00: look for the next one");
+    EXPECT_EQ(model.expiry(2030.2).toStdString(),
               "the magnetic model TEST has ended with 2030.00: its declination grows less true each year; get the "
               "present one (World Magnetic Model, .COF)");
 }

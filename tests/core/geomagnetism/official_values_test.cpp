@@ -126,5 +126,5 @@ TEST_F(OfficialValues, ArePastFrom2030)
 {
     EXPECT_EQ(m_model->name(), "WMM-2025");
     EXPECT_FALSE(m_model->at({}, 2031.5));
-    EXPECT_NE(m_model->expiry(2029.9), "");
+    EXPECT_FALSE(m_model->expiry(2029.9).isEmpty());
 }

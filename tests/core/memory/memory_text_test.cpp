@@ -11,7 +11,9 @@
 
 #include <bit>
 #include <cmath>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <ostream>
 #include <random>
@@ -94,6 +96,17 @@ TEST(MemoryText, ReadsAFileOfVersionOne)
     EXPECT_EQ(parsed->crashStops[0], stop);
     EXPECT_FALSE(parsed->turns[1]);
     EXPECT_FALSE(parsed->crashStops[1]);
+}
+
+// A file of another day, to the last byte.
+TEST(MemoryText, KeepsTheFormOfItsFile)
+{
+    std::ifstream file(BORESIGHT_TEST_DATA "/memory.json");
+    const std::string kept{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_EQ(toText(exampleMemory())->toStdString(), kept);
+    const auto parsed = parseMemory(QByteArray::fromStdString(kept));
+    ASSERT_TRUE(parsed) << parsed.error().text;
+    EXPECT_EQ(*parsed, exampleMemory());
 }
 
 // REQ-MEMORY-01

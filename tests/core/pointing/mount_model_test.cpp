@@ -69,9 +69,9 @@ TEST(Resolve, TakesATurnInsideTheLimitsOfOperation)
     const Resolved low = resolveDegrees(model, 100, 2, 100);
     EXPECT_TRUE(low.limited);
     EXPECT_NEAR(low.position.elevation.degrees(), 5, 1e-9);
-    EXPECT_EQ(low.reason, "elevation 2.0° below limit 5.0°");
+    EXPECT_EQ(low.reason.toStdString(), "elevation 2.0° below limit 5.0°");
     model.limitTo({0_deg, 180_deg}, {0_deg, 90_deg});
-    EXPECT_EQ(resolveDegrees(model, 200, 30, 100).reason, "azimuth 200.0° outside limits 0.0°…180.0°");
+    EXPECT_EQ(resolveDegrees(model, 200, 30, 100).reason.toStdString(), "azimuth 200.0° outside limits 0.0°…180.0°");
 }
 
 // REQ-POINTING-04
@@ -181,13 +181,13 @@ TEST(Resolve, ElevationBeyondItsTravelIsLimitedWithTheReason)
     const MountModel model = mount({-90_deg, 450_deg}, {5_deg, 80_deg});
     const Resolved high = resolveDegrees(model, 100, 85, 90);
     EXPECT_TRUE(high.limited);
-    EXPECT_EQ(high.reason, "elevation 85.0° above limit 80.0°");
+    EXPECT_EQ(high.reason.toStdString(), "elevation 85.0° above limit 80.0°");
     EXPECT_EQ(high.position.elevation, 80_deg);
-    EXPECT_EQ(resolveDegrees(model, 100, 80.04, 90).reason, "elevation 80.04° above limit 80.00°");
+    EXPECT_EQ(resolveDegrees(model, 100, 80.04, 90).reason.toStdString(), "elevation 80.04° above limit 80.00°");
     EXPECT_NEAR(high.position.azimuth.degrees(), 100, 1e-9);
     const Resolved low = resolveDegrees(model, 100, -90, 90);
     EXPECT_TRUE(low.limited);
-    EXPECT_EQ(low.reason, "elevation -90.0° below limit 5.0°");
+    EXPECT_EQ(low.reason.toStdString(), "elevation -90.0° below limit 5.0°");
     EXPECT_EQ(low.position.elevation, 5_deg);
     EXPECT_FALSE(resolveDegrees(model, 100, 80, 90).limited);
 }
@@ -219,11 +219,12 @@ TEST(Resolve, InAGapTheNearerEndIsTaken)
     const MountModel model = mount({-90_deg, 90_deg});
     const Resolved right = resolveDegrees(model, 100, 20, 0);
     EXPECT_TRUE(right.limited);
-    EXPECT_EQ(right.reason, "azimuth 100.0° outside travel -90.0°…90.0°");
+    EXPECT_EQ(right.reason.toStdString(), "azimuth 100.0° outside travel -90.0°…90.0°");
     EXPECT_NEAR(right.position.azimuth.degrees(), 90, 1e-9);
     EXPECT_NEAR(resolveDegrees(model, 260, 20, 80).position.azimuth.degrees(), -90, 1e-9);
     const Resolved both = resolveDegrees(model, 180, -5, 80);
-    EXPECT_EQ(both.reason, "azimuth 180.0° outside travel -90.0°…90.0°, elevation -5.0° below limit 0.0°");
+    EXPECT_EQ(both.reason.toStdString(),
+              "azimuth 180.0° outside travel -90.0°…90.0°, elevation -5.0° below limit 0.0°");
 }
 
 // REQ-POINTING-06
@@ -257,7 +258,7 @@ TEST(Resolve, IsThePermittedPointNearestOnTheSky)
         const Resolved resolved = model.resolve(wanted, now);
         ASSERT_TRUE(model.azimuth().travel.contains(resolved.position.azimuth));
         ASSERT_TRUE(model.elevation().travel.contains(resolved.position.elevation));
-        ASSERT_EQ(resolved.limited, !resolved.reason.empty());
+        ASSERT_EQ(resolved.limited, !resolved.reason.isEmpty());
         const double reached = skyDistance(model.toSky(resolved.position), wanted);
         if (!resolved.limited) {
             ASSERT_LE(reached, 0.25 + 1e-6);
@@ -280,7 +281,7 @@ TEST(Resolve, MechanicalAnglesAreTakenAsTheyAre)
     const Resolved resolved = model.resolve(AxisPosition{-190_deg, 95_deg});
     EXPECT_TRUE(resolved.limited);
     EXPECT_EQ(resolved.position, (AxisPosition{-180_deg, 90_deg}));
-    EXPECT_EQ(resolved.reason, "azimuth -190.0° below limit -180.0°, elevation 95.0° above limit 90.0°");
+    EXPECT_EQ(resolved.reason.toStdString(), "azimuth -190.0° below limit -180.0°, elevation 95.0° above limit 90.0°");
 }
 
 TEST(ToSky, FoldsTurnsAndOverTheTop)
@@ -358,7 +359,7 @@ TEST(Resolve, WithAPointingModelTheBeamLooksWhereItWasAsked)
         model.setPointing(PointingModel(make.terms()));
         const SkyPointing wanted{make.degrees(0, 360), make.degrees(0, 83)};
         const Resolved resolved = model.resolve(wanted, now);
-        ASSERT_FALSE(resolved.limited) << resolved.reason;
+        ASSERT_FALSE(resolved.limited) << resolved.reason.toStdString();
         now = resolved.position;
         ASSERT_NEAR(fakes::separation(model.toSky(now), wanted), 0.0, 1e-9);
     }
@@ -373,7 +374,7 @@ TEST(Resolve, WithAPointingModelTheTurnIsChosenByTheCable)
     EXPECT_NEAR(azimuthFor(model, 50, 350), 372.6, 1e-9);
     EXPECT_NEAR(azimuthFor(model, 50, 20), 12.6, 1e-9);
     const Resolved low = resolveDegrees(model, 100, -2, 100);
-    EXPECT_EQ(low.reason, "elevation -2.0° below limit 0.0° (mechanical angles)");
+    EXPECT_EQ(low.reason.toStdString(), "elevation -2.0° below limit 0.0° (mechanical angles)");
 }
 
 // REQ-POINTING-20
@@ -385,6 +386,6 @@ TEST(Resolve, TheHoleAtTheZenithIsToleratedOrTold)
     model.setPointing(PointingModel({.collimation = 1_deg}));
     const Resolved zenith = resolveDegrees(model, 0, 90, 0);
     EXPECT_TRUE(zenith.limited);
-    EXPECT_EQ(zenith.reason, "at the zenith the beam misses it by 1.0°");
+    EXPECT_EQ(zenith.reason.toStdString(), "at the zenith the beam misses it by 1.0°");
     EXPECT_NEAR(zenith.position.elevation.degrees(), 90.0, 1e-9);
 }

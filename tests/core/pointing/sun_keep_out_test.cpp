@@ -116,7 +116,7 @@ TEST(SunKeepOut, HoldsForStepsAndWays)
     const AxisPosition before{.azimuth = 150_deg, .elevation = 40_deg};
     const AxisPosition behind{.azimuth = 210_deg, .elevation = 40_deg};
     EXPECT_FALSE(region.permits(AxisBox::between(before, behind)));
-    EXPECT_EQ(region.obstacle({sun.azimuth, sun.elevation}), "the keep-out \"Sun\"");
+    EXPECT_EQ(region.obstacle({sun.azimuth, sun.elevation}).toStdString(), "the keep-out \"Sun\"");
     const auto way = route(region, before, behind, {.azimuth = 6_deg_s, .elevation = 6_deg_s});
     ASSERT_TRUE(way) << way.error().text;
     AxisPosition from = before;
@@ -178,5 +178,6 @@ TEST(SunBand, LeavesFreeWhereTheSunNeverIs)
         EXPECT_TRUE(region.permits(free)) << free.azimuth.degrees() << ' ' << free.elevation.degrees();
     }
     EXPECT_FALSE(region.permits(AxisPosition{180_deg, 10_deg}));
-    EXPECT_EQ(region.obstacle({180_deg, 40_deg}), "the keep-out \"Sun at any time: the clock is not synchronised\"");
+    EXPECT_EQ(region.obstacle({180_deg, 40_deg}).toStdString(),
+              "the keep-out \"Sun at any time: the clock is not synchronised\"");
 }

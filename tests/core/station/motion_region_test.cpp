@@ -58,7 +58,7 @@ public:
         const AxisPosition place = motion.place();
         const bool permitted = motion.region().permits(place);
         if (!permitted && m_wasPermitted && !m_edited) {
-            ADD_FAILURE() << "entered " << motion.region().reason(place);
+            ADD_FAILURE() << "entered " << motion.region().reason(place).toStdString();
         }
         if (permitted) {
             EXPECT_LE(fakes::depthInside(region, place), 1e-6);
@@ -138,7 +138,7 @@ TEST(MotionRegion, AJogBrakesBeforeTheEdgeAndIsLetBack)
     expectAt(run.motion, 300, 10);
     EXPECT_TRUE(run.motion.held(Axis::Azimuth));
     EXPECT_FALSE(run.motion.held(Axis::Elevation));
-    EXPECT_EQ(run.motion.obstacle(), "the keep-out \"mast\"");
+    EXPECT_EQ(run.motion.obstacle().toStdString(), "the keep-out \"mast\"");
     run.motion.run(rates(-1, 0));
     run.ticks(100);
     EXPECT_FALSE(run.motion.held(Axis::Azimuth));
@@ -162,7 +162,7 @@ TEST(MotionRegion, AJogIntoASlopeOfTheHorizonStopsOnIt)
     run.motion.run(rates(6, 0));
     EXPECT_TRUE(run.untilRest());
     expectAt(run.motion, 110, 20);
-    EXPECT_EQ(run.motion.obstacle(), "the horizon");
+    EXPECT_EQ(run.motion.obstacle().toStdString(), "the horizon");
 }
 
 TEST(MotionRegion, AForbiddenTargetIsReplacedByTheNearestPlace)
@@ -202,7 +202,7 @@ TEST(MotionRegion, SaysWhyThereIsNoWayAndStands)
     run.motion.goTo(at(340, 10));
     EXPECT_TRUE(run.untilRest());
     expectAt(run.motion, 290, 10);
-    EXPECT_EQ(run.motion.noWay(),
+    EXPECT_EQ(run.motion.noWay().toStdString(),
               "there is no way from 290.0° 10.0° to 340.0° 10.0°: the keep-out \"mast\" is in between");
 }
 

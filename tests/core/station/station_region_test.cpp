@@ -45,7 +45,7 @@ struct RegionRig : StationRig
             const StationStatus status = control.status();
             if (status.azimuth.commanded && status.elevation.commanded) {
                 const AxisPosition place{*status.azimuth.commanded, *status.elevation.commanded};
-                EXPECT_TRUE(!inside || permitted.permits(place)) << permitted.reason(place);
+                EXPECT_TRUE(!inside || permitted.permits(place)) << permitted.reason(place).toStdString();
                 inside = permitted.permits(place);
             }
         }
