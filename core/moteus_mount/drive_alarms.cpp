@@ -43,9 +43,17 @@ const AlarmEntry& stopEntryOf(Finding finding)
             return alarmEntry("axis.outside-travel.stop");
         case Finding::SupplyLow:
             return alarmEntry("axis.supply-low.stop");
-        default:
-            return entryOf(finding);
+        case Finding::Stalled:
+        case Finding::WrongWay:
+        case Finding::RepliesLate:
+        case Finding::SupplyHigh:
+        case Finding::BoardHot:
+        case Finding::MotorHot:
+        case Finding::TorqueHigh:
+        case Finding::TorqueGuard:
+            break;
     }
+    return entryOf(finding);
 }
 
 }  // namespace
@@ -83,11 +91,12 @@ AlarmCase lost(const QString& drive, DriveLoss loss, int faultCode)
             return {alarmEntry("drive.switched-off"), {drive}};
         case DriveLoss::Blind:
             return {alarmEntry("drive.no-position"), {drive}};
-        case DriveLoss::Silent:
         case DriveLoss::Disobeys:
+            return {alarmEntry("drive.disobeys"), {drive}};
+        case DriveLoss::Silent:
             break;
     }
-    return {alarmEntry("drive.disobeys"), {drive}};
+    return unheard(drive, {}, true);
 }
 
 AlarmCase activeLimit(const QString& drive, int code)
