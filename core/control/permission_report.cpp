@@ -34,7 +34,7 @@ AxisRates ratesOf(const Way& way, AngularRate rate)
 
 Permissions PermissionReport::permissions() const
 {
-    Permissions may;
+    Permissions may = Permissions::all();
     judge(may, Action::Move, Gates(m_of).mayMove(kTheOperator));
     judgePlaces(may);
     judgeJogs(may);

@@ -5716,6 +5716,10 @@ do eixo</translation>
         <source>this rotator does not offer this</source>
         <translation>este rotor não oferece isto</translation>
     </message>
+    <message>
+        <source>nothing is known of the station yet</source>
+        <translation>ainda não se sabe nada da estação</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -8795,10 +8799,6 @@ emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Diagnostics not saved: %1</source>
         <translation>Diagnóstico não gravado: %1</translation>
-    </message>
-    <message>
-        <source>no connection to the drives</source>
-        <translation>sem conexão aos acionamentos</translation>
     </message>
 </context>
 <context>

@@ -221,7 +221,7 @@ void addBeam(StationStatus& status)
 StationStatus judged(StationStatus status)
 {
     const Permissions own = status.permissions;
-    status.permissions = {};
+    status.permissions = Permissions::all();
     judgeMotions(status);
     judgeDrives(status);
     judgeClients(status);

@@ -120,7 +120,6 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(m_panels, &PanelTabs::broughtUp, this, &MainWindow::closeGuide);
     connect(m_panels, &PanelTabs::guideWanted, this, &MainWindow::openGuide);
     m_beat.start(kBeat);
-    m_status.permissions = Permissions::none(tr("no connection to the drives"));  // until the station tells its own
     showStatus(m_status);
     resize(1280, 800);
 }

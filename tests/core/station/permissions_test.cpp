@@ -196,6 +196,16 @@ INSTANTIATE_TEST_SUITE_P(Permissions, PermissionsIn,
                                            Scene{"turnUnknown", turnUnknown}),
                          [](const auto& info) { return std::string(info.param.name); });
 
+TEST(Permissions, OfAStationThatNobodyKnowsForbidEverything)
+{
+    const StationStatus status;
+    for (int action = 0; action < static_cast<int>(Action::Count); ++action) {
+        EXPECT_EQ(status.permissions.reason(static_cast<Action>(action)),
+                  QStringLiteral("nothing is known of the station yet"))
+            << action;
+    }
+}
+
 TEST(Permissions, ThereIsNoWayOnAtTheEndOfTheTravel)
 {
     StationRig rig;
