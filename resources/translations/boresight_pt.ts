@@ -5720,6 +5720,10 @@ do eixo</translation>
         <source>nothing is known of the station yet</source>
         <translation>ainda não se sabe nada da estação</translation>
     </message>
+    <message>
+        <source>no source of motion takes this request</source>
+        <translation>nenhuma fonte de movimento atende este pedido</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
