@@ -28,6 +28,11 @@ Result<> Gates::mayMove(const Source& source) const
     });
 }
 
+Result<> Gates::mayHold(const Source& source) const
+{
+    return m_of.current.moves() ? Result<>{} : mayMove(source);
+}
+
 Result<> Gates::isPlaced(Axis axis) const
 {
     if (!m_of.mount.report(axis).wrapKnown) {

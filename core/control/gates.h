@@ -22,8 +22,10 @@ public:
 
     // Whether this source has the control, as far as the operator and the other clients are concerned.
     [[nodiscard]] Result<> mayCommand(const Source& source) const;
-    [[nodiscard]] Result<> mayMove(const Source& source) const;   // armed, and no proof is running
-    [[nodiscard]] Result<> mayPoint(const Source& source) const;  // anywhere
+    [[nodiscard]] Result<> mayMove(const Source& source) const;  // armed, and no proof is running
+    // Something goes on that Hold ends, or could begin.
+    [[nodiscard]] Result<> mayHold(const Source& source) const;
+    [[nodiscard]] Result<> mayPoint(const Source& source) const;                        // anywhere
     [[nodiscard]] Result<> mayJog(const AxisRates& rates, const Source& source) const;  // or is jogged slowly
     [[nodiscard]] Result<> axesPlaced() const;  // each on a wrap that is known, and not far outside its travel
     // While the clock is doubted: from where the Sun can be only the operator's slow jog leads out.

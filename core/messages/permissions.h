@@ -26,6 +26,7 @@ enum class JogDirection
 enum class Action
 {
     Move,   // anything at all
+    Hold,   // also leaves PARKED; where nothing is left to hold the screen does not offer it, but it is never refused
     Point,  // to an angle: needs the wrap of both axes
     Park,
     Home,
