@@ -14,6 +14,8 @@ namespace boresight {
 
 // A measured position older than this tells nothing.
 inline constexpr std::chrono::seconds kOldestPosition{1};
+// An axis that is measured to be no faster stands. Faster than the Sun except near the zenith.
+inline constexpr AngularRate kStandingRate = AngularRate::fromDegrees(0.1);
 
 class Gates
 {
@@ -61,6 +63,7 @@ public:
 private:
     [[nodiscard]] Result<> isPlaced(Axis axis) const;
     [[nodiscard]] Result<> drivesAnswer() const;
+    [[nodiscard]] Result<> axesStand() const;  // as measured
     [[nodiscard]] Result<> mayJogSlowly(const AxisRates& rates) const;
     [[nodiscard]] Result<> insideTravel() const;
 

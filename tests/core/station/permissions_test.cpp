@@ -260,6 +260,20 @@ TEST(Permissions, AnAngleIsSetOfAnAxisThatStandsAndIsSeen)
     EXPECT_FALSE(rig.control.status().permissions.allows(Action::SetAzimuth)) << "nobody knows where it stands";
 }
 
+// Story: the zero of an axis was offered while a hand turned it.
+TEST(Permissions, AnAngleIsNotSetOfAnAxisThatIsTurnedByHand)
+{
+    StationRig rig;
+    standing(rig);
+    rig.azimuth.velocity = 0.01;
+    rig.run(Seconds(0.1));
+    EXPECT_EQ(rig.control.status().permissions.reason(Action::SetAzimuth),
+              QStringLiteral("the mount moves: stop it first"));
+    rig.azimuth.velocity = 0.0;
+    rig.run(Seconds(0.1));
+    EXPECT_TRUE(rig.control.status().permissions.allows(Action::SetAzimuth));
+}
+
 // Story: Hold was grey while the crash-stop proof moved the mount.
 TEST(Permissions, HoldIsOfferedWhileSomethingMovesTheMountAndEndsIt)
 {
