@@ -68,11 +68,11 @@ AlarmCase silenced(const QString& drive, Seconds watchdog, const QString& advice
 AlarmCase unheard(const QString& drive, const QString& advice, bool needsRearm)
 {
     if (advice.isEmpty()) {
-        return {alarmEntry("drive.unheard"),
+        return {alarmEntry("drive.no-reply"),
                 {drive, Text::tr("Check the supply, the CAN cable, the adapter and the drive's id in the profile; "
                                  "boresightctl scan tells who answers")}};
     }
-    return {alarmEntry("drive.unheard"), {drive, needsRearm ? Text::tr("%1 Then re-arm").arg(advice) : advice}};
+    return {alarmEntry("drive.no-reply"), {drive, needsRearm ? Text::tr("%1 Then re-arm").arg(advice) : advice}};
 }
 
 AlarmCase answersAgain(const QString& drive)
