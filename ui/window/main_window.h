@@ -20,6 +20,7 @@ class QStackedWidget;
 
 // The desktop window: it composes the panels and connects their signals, nothing else. It knows the station by two
 // values only: StationUpdate comes in, NumberedRequest goes out. Gui thread.
+// More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
 class AlarmLine;
