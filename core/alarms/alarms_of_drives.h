@@ -76,7 +76,7 @@ inline constexpr std::array kDriveAlarms{
                .remedy = "%3",
                .symptom = true,
                .examples = {"azimuth drive", "0.2", "Check the supply, the CAN cable and the adapter, then re-arm"}},
-    AlarmEntry{.id = "drive.unheard",
+    AlarmEntry{.id = "drive.no-reply",
                .source = "%1 drive",
                .severity = Severity::Alarm,
                .what = QT_TRANSLATE_NOOP("Text", "No reply from the %1"),

@@ -63,7 +63,7 @@ inline constexpr std::array kStationAlarms{
                    "Text", "Enter the addresses that may connect in rotctld.allow, or listen on 127.0.0.1"),
                .examples = {"0.0.0.0:4533"}},
     AlarmEntry{
-        .id = "memory.in-use",
+        .id = "journal.in-use",
         .source = "memory",
         .severity = Severity::Alarm,
         .what = "%1",
@@ -72,7 +72,7 @@ inline constexpr std::array kStationAlarms{
             "Text", "End the other program, then press Reconnect; or give this mount another name in its profile"),
         .examples = {"another program controls this mount"}},
     AlarmEntry{
-        .id = "memory.not-stored",
+        .id = "journal.not-stored",
         .source = "memory",
         .severity = Severity::Warning,
         .what = "%1",

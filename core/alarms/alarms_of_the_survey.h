@@ -30,7 +30,7 @@ inline constexpr std::array kSurveyAlarms{
                .remedy = "%2",
                .examples = {"two boards have the id 1: their answers destroy each other",
                             "Leave only one of them connected and give it another id, then connect the other again."}},
-    AlarmEntry{.id = "drives.stranger",
+    AlarmEntry{.id = "drives.foreign-board",
                .source = "drives",
                .severity = Severity::Warning,
                .what = "%1",

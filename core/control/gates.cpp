@@ -28,6 +28,11 @@ Result<> Gates::mayMove(const Source& source) const
     });
 }
 
+Result<> Gates::mayHold(const Source& source) const
+{
+    return m_of.current.moves() ? Result<>{} : mayMove(source);
+}
+
 Result<> Gates::isPlaced(Axis axis) const
 {
     if (!m_of.mount.report(axis).wrapKnown) {
@@ -192,7 +197,21 @@ Result<> Gates::isFresh(Axis axis) const
 
 Result<> Gates::maySet(Axis axis) const
 {
-    return isFresh(axis).and_then([&] { return isPlaced(axis); }).and_then([this] { return drivesRest(); });
+    return isFresh(axis)
+        .and_then([&] { return isPlaced(axis); })
+        .and_then([this] { return drivesRest(); })
+        .and_then([this] { return axesStand(); });
+}
+
+// Somebody may turn an axis by hand, or it coasts behind its set-point.
+Result<> Gates::axesStand() const
+{
+    const auto turns = [this](Axis axis) {
+        const auto rate = m_of.mount.report(axis).rate;
+        return rate && abs(*rate) > kStandingRate;
+    };
+    return std::ranges::any_of(kAxes, turns) ? failure(ErrorCode::Refused, Text::tr("the mount moves: stop it first"))
+                                             : Result<>{};
 }
 
 Result<> Gates::drivesRest() const

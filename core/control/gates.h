@@ -14,6 +14,8 @@ namespace boresight {
 
 // A measured position older than this tells nothing.
 inline constexpr std::chrono::seconds kOldestPosition{1};
+// An axis that is measured to be no faster stands. Faster than the Sun except near the zenith.
+inline constexpr AngularRate kStandingRate = AngularRate::fromDegrees(0.1);
 
 class Gates
 {
@@ -22,8 +24,10 @@ public:
 
     // Whether this source has the control, as far as the operator and the other clients are concerned.
     [[nodiscard]] Result<> mayCommand(const Source& source) const;
-    [[nodiscard]] Result<> mayMove(const Source& source) const;   // armed, and no proof is running
-    [[nodiscard]] Result<> mayPoint(const Source& source) const;  // anywhere
+    [[nodiscard]] Result<> mayMove(const Source& source) const;  // armed, and no proof is running
+    // Something goes on that Hold ends, or could begin.
+    [[nodiscard]] Result<> mayHold(const Source& source) const;
+    [[nodiscard]] Result<> mayPoint(const Source& source) const;                        // anywhere
     [[nodiscard]] Result<> mayJog(const AxisRates& rates, const Source& source) const;  // or is jogged slowly
     [[nodiscard]] Result<> axesPlaced() const;  // each on a wrap that is known, and not far outside its travel
     // While the clock is doubted: from where the Sun can be only the operator's slow jog leads out.
@@ -59,6 +63,7 @@ public:
 private:
     [[nodiscard]] Result<> isPlaced(Axis axis) const;
     [[nodiscard]] Result<> drivesAnswer() const;
+    [[nodiscard]] Result<> axesStand() const;  // as measured
     [[nodiscard]] Result<> mayJogSlowly(const AxisRates& rates) const;
     [[nodiscard]] Result<> insideTravel() const;
 

@@ -8,12 +8,26 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 // One source of motion: it takes its requests and asks the helm for a motion, at once or in a later tick. The helm
 // passes the gates, so a source contains none. Station thread only. All of them: core/sources.
 namespace boresight {
+
+template <class... Wanted>
+struct RequestList
+{
+    template <class One>
+    static constexpr bool has = (std::is_same_v<One, Wanted> || ...);
+};
+
+// The requests that the control hands to the sources. It answers all others itself, and the compiler finds one that
+// nobody takes.
+using MotionRequests =
+    RequestList<request::PointSky, request::PointAxes, request::Jog, request::Move, request::Step, request::Follow,
+                request::Nudge, request::Horizon, request::Park, request::Home, request::Unwind>;
 
 class MotionSource
 {
@@ -46,8 +60,11 @@ using MakeSources = std::function<MotionSources(Helm&)>;
 template <class Derived, class... Wanted>
 class SourceOf : public MotionSource
 {
+    static_assert((MotionRequests::has<Wanted> && ...), "the control does not hand this request to the sources");
+
 public:
     using MotionSource::MotionSource;
+    using Taken = RequestList<Wanted...>;
 
     [[nodiscard]] std::optional<Result<>> take(const Request& request, const Source& by) final
     {

@@ -34,8 +34,9 @@ AxisRates ratesOf(const Way& way, AngularRate rate)
 
 Permissions PermissionReport::permissions() const
 {
-    Permissions may;
+    Permissions may = Permissions::all();
     judge(may, Action::Move, Gates(m_of).mayMove(kTheOperator));
+    judge(may, Action::Hold, Gates(m_of).mayHold(kTheOperator));
     judgePlaces(may);
     judgeJogs(may);
     judgeDrives(may);

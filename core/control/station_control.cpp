@@ -82,18 +82,18 @@ ControlParts StationControl::parts() const
 
 Result<> StationControl::request(const Request& request, const Source& source)
 {
-    const auto ownOrSource = [&](const auto& wanted) -> Result<> {
-        if constexpr (requires { handle(wanted, source); }) {
-            return handle(wanted, source);
+    const auto answer = [&]<class Wanted>(const Wanted& wanted) -> Result<> {
+        if constexpr (MotionRequests::has<Wanted>) {
+            return askSources(request, source);
         } else if constexpr (requires { m_clientDesk.ask(wanted, source); }) {
             return m_clientDesk.ask(wanted, source);
         } else if constexpr (requires { m_mountDesk.ask(wanted, source); }) {
             return m_mountDesk.ask(wanted, source);
         } else {
-            return askSources(request, source);
+            return handle(wanted, source);  // does not compile for a request that nobody takes
         }
     };
-    return std::visit(ownOrSource, request);
+    return std::visit(answer, request);
 }
 
 Result<> StationControl::askSources(const Request& request, const Source& source)
@@ -106,7 +106,7 @@ Result<> StationControl::askSources(const Request& request, const Source& source
             return *std::move(answer);
         }
     }
-    return failure(ErrorCode::NotAvailable, "no source of motion takes this request");
+    return failure(ErrorCode::NotAvailable, Text::tr("no source of motion takes this request"));
 }
 
 void StationControl::stepSources()

@@ -36,6 +36,9 @@
 // turns the decision into one set-point for each axis of the mount. Holds the rules: nothing moves before an explicit
 // request, STOP latches, a fault or silence needs an explicit re-arm, the operator goes before the clients. Pure: time
 // comes from the injected clock; the Station gives it a mount and a timer. States and rules: README.md.
+//
+// More than 15 members: it owns the parts of the control, each with a state of its own, and keeps their order in a
+// tick.
 namespace boresight {
 
 class StationControl

@@ -160,6 +160,7 @@ struct CalibrationStatus
     QString otherMount;            // what was applied last was for another drive or site; empty: it was not
     std::optional<calibration::SensorOffset> sensorOffset;
     QString sensorObstacle;                         // why the sensor is no evidence now; empty: it is
+    QString averageObstacle;                        // why MeasureSensorOffset would be refused now; empty: it would not
     SwingPlan swingPlan;                            // for what was planned last, at first with the usual rate
     std::vector<calibration::SwingDot> swingSoFar;  // while it turns, thinned to some hundreds
     std::shared_ptr<const SwingOutcome> swing;      // the last; null before the first
@@ -172,6 +173,7 @@ struct CalibrationStatus
     QString warning;                      // of eyes and feed, while the beam is at the Sun
     QString pointObstacle;                // why TakePoint would be refused now; empty: it would not
     QString knownPointObstacle;           // the same for TakeKnownPoint
+    QString noRoom;                       // why there can be no further point; empty: there can
     std::vector<PointStatus> points;
     std::optional<PointFitStatus> fit;
     QString noFit;  // why the points that are used speak for no model; empty: they do, or there are none
@@ -184,6 +186,8 @@ struct CalibrationStatus
     QString historyProblem;                        // why it could not be read or written; mostly empty
     bool canUndo = false;
     bool canRedo = false;
+    QString undoObstacle;  // where there is something to take back: why not now; empty: it can be
+    QString redoObstacle;
 };
 
 }  // namespace boresight

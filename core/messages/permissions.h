@@ -26,6 +26,7 @@ enum class JogDirection
 enum class Action
 {
     Move,   // anything at all
+    Hold,   // also leaves PARKED; where nothing is left to hold the screen does not offer it, but it is never refused
     Point,  // to an angle: needs the wrap of both axes
     Park,
     Home,
@@ -97,13 +98,10 @@ template <class Which>
 class Permissions
 {
 public:
-    // Nothing is allowed.
-    [[nodiscard]] static Permissions none(const QString& why)
-    {
-        Permissions permissions;
-        permissions.m_reasons.fill(why);
-        return permissions;
-    }
+    // Nothing is allowed: nobody has asked the gates yet.
+    Permissions();
+    // Everything is allowed, but fastestJog is 0: what the gates begin with.
+    [[nodiscard]] static Permissions all() { return Permissions(QString()); }
 
     // Why the action is refused; empty: it is allowed.
     [[nodiscard]] const QString& reason(Action action) const { return m_reasons[static_cast<std::size_t>(action)]; }
@@ -120,6 +118,8 @@ public:
     AngularRate fastestJog;
 
 private:
+    explicit Permissions(const QString& why) { m_reasons.fill(why); }
+
     std::array<QString, static_cast<std::size_t>(Action::Count)> m_reasons;
 };
 

@@ -18,6 +18,7 @@
 // any set-point, a drive in fault or time-out is never commanded before it has shown mode 0, and every motion frame
 // carries the watchdog time. A drive that answers no more may still hear, so it is told to brake. Pure: time is passed
 // in. Units are the drive's: output turns, Nm, A, V, °C.
+// More than 15 members: one state machine, whose phases use most of them.
 namespace boresight {
 
 // The last reply, and when it came.

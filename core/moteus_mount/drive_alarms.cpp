@@ -43,9 +43,17 @@ const AlarmEntry& stopEntryOf(Finding finding)
             return alarmEntry("axis.outside-travel.stop");
         case Finding::SupplyLow:
             return alarmEntry("axis.supply-low.stop");
-        default:
-            return entryOf(finding);
+        case Finding::Stalled:
+        case Finding::WrongWay:
+        case Finding::RepliesLate:
+        case Finding::SupplyHigh:
+        case Finding::BoardHot:
+        case Finding::MotorHot:
+        case Finding::TorqueHigh:
+        case Finding::TorqueGuard:
+            break;
     }
+    return entryOf(finding);
 }
 
 }  // namespace
@@ -60,11 +68,11 @@ AlarmCase silenced(const QString& drive, Seconds watchdog, const QString& advice
 AlarmCase unheard(const QString& drive, const QString& advice, bool needsRearm)
 {
     if (advice.isEmpty()) {
-        return {alarmEntry("drive.unheard"),
+        return {alarmEntry("drive.no-reply"),
                 {drive, Text::tr("Check the supply, the CAN cable, the adapter and the drive's id in the profile; "
                                  "boresightctl scan tells who answers")}};
     }
-    return {alarmEntry("drive.unheard"), {drive, needsRearm ? Text::tr("%1 Then re-arm").arg(advice) : advice}};
+    return {alarmEntry("drive.no-reply"), {drive, needsRearm ? Text::tr("%1 Then re-arm").arg(advice) : advice}};
 }
 
 AlarmCase answersAgain(const QString& drive)
@@ -83,11 +91,12 @@ AlarmCase lost(const QString& drive, DriveLoss loss, int faultCode)
             return {alarmEntry("drive.switched-off"), {drive}};
         case DriveLoss::Blind:
             return {alarmEntry("drive.no-position"), {drive}};
-        case DriveLoss::Silent:
         case DriveLoss::Disobeys:
+            return {alarmEntry("drive.disobeys"), {drive}};
+        case DriveLoss::Silent:
             break;
     }
-    return {alarmEntry("drive.disobeys"), {drive}};
+    return unheard(drive, {}, true);
 }
 
 AlarmCase activeLimit(const QString& drive, int code)

@@ -17,8 +17,9 @@ namespace boresight::drive_alarms {
 [[nodiscard]] AlarmCase silenced(const QString& drive, Seconds watchdog, const QString& advice);
 // Nothing was commanded.
 [[nodiscard]] AlarmCase unheard(const QString& drive, const QString& advice, bool needsRearm);
-[[nodiscard]] AlarmCase answersAgain(const QString& drive);                         // and waits for a re-arm
-[[nodiscard]] AlarmCase lost(const QString& drive, DriveLoss loss, int faultCode);  // but not silent
+[[nodiscard]] AlarmCase answersAgain(const QString& drive);  // and waits for a re-arm
+// Of a silent drive silenced() knows more.
+[[nodiscard]] AlarmCase lost(const QString& drive, DriveLoss loss, int faultCode);
 [[nodiscard]] AlarmCase activeLimit(const QString& drive, int code);
 [[nodiscard]] QString limitClause(int code);  // added to a sentence of the supervision
 [[nodiscard]] AlarmCase supervised(const supervision::Observed& observed);

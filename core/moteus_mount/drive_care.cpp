@@ -46,7 +46,7 @@ const AlarmEntry* entryOf(survey::FindingKind kind)
         case survey::FindingKind::SharedId:
             return &alarmEntry("drives.shared-id");
         case survey::FindingKind::Stranger:
-            return &alarmEntry("drives.stranger");
+            return &alarmEntry("drives.foreign-board");
         case survey::FindingKind::Swapped:
             return &alarmEntry("drives.swapped");
         case survey::FindingKind::OtherBoard:

@@ -98,9 +98,9 @@ TurnKeeper::Start MoteusConnection::remembered(const Start& start)
 void MoteusConnection::watchJournal()
 {
     connect(&m_memoryFile, &memory::MemoryFile::saveFailed, this,
-            [this](const QString& reason) { m_alarms.raise(alarmEntry("memory.not-stored"), {reason}); });
+            [this](const QString& reason) { m_alarms.raise(alarmEntry("journal.not-stored"), {reason}); });
     connect(&m_memoryFile, &memory::MemoryFile::saved, this,
-            [this] { m_alarms.clear(alarmEntry("memory.not-stored")); });
+            [this] { m_alarms.clear(alarmEntry("journal.not-stored")); });
 }
 
 void MoteusConnection::open()

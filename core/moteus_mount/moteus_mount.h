@@ -22,6 +22,7 @@
 // Two moteus on one CAN bus, behind the port of the mount: frames in, frames out. Watches both drives, keeps their
 // wraps and their journal, excuses them for stalls of this computer and runs the crash-stop proof. Whoever has the bus
 // hands over frames and sends those of frames(); DriveCare surveys the drives beside it. Station thread only.
+// More than 15 members: the parts of both drives, and what one step of a tick leaves to the next.
 namespace boresight {
 
 class MoteusMount final : public MountDriver, public MountService

@@ -2,17 +2,12 @@
 #include "core/north/axis_observer.h"
 
 #include "core/base/text.h"
+#include "core/control/gates.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace boresight {
-namespace {
-
-// Faster than the Sun except near the zenith.
-constexpr AngularRate kStanding = AngularRate::fromDegrees(0.1);
-
-}  // namespace
 
 void AxisObserver::tick()
 {
@@ -35,7 +30,7 @@ Result<> AxisObserver::standStill() const
 {
     return m_control.measured().and_then([&](const AxisPosition&) -> Result<> {
         const auto axes = now();
-        if (!axes || std::max(abs(axes->rates.azimuth), abs(axes->rates.elevation)) > kStanding) {
+        if (!axes || std::max(abs(axes->rates.azimuth), abs(axes->rates.elevation)) > kStandingRate) {
             return failure(ErrorCode::Refused, Text::tr("the mount still moves"));
         }
         return {};

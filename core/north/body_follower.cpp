@@ -78,6 +78,11 @@ Result<> BodyFollower::permits(Body body, bool overTheTop)
     });
 }
 
+Result<> BodyFollower::mayFollow(Body body, bool overTheTop)
+{
+    return m_control.mayPoint(calibrationSource()).and_then([&] { return permits(body, overTheTop); });
+}
+
 Result<> BodyFollower::permitsAround(Body body, const std::vector<calibration::SkyOffset>& places)
 {
     const bool fromBehind = overTheTop();
@@ -113,7 +118,7 @@ BodyNow BodyFollower::now(Body body)
 
 Result<> BodyFollower::follow(Body body, ephemeris::Refraction refraction, bool overTheTop)
 {
-    return permits(body, overTheTop)
+    return mayFollow(body, overTheTop)
         .and_then([&] { return m_control.request(request::ClearTrim{}, calibrationSource()); })
         .and_then([&] {
             m_refraction = refraction;

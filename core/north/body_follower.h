@@ -52,6 +52,8 @@ public:
     void lookAhead() { m_bodies.lookAhead(m_clock.utc()); }
     // Why it can not be followed; what stands in the way of any motion is not looked at.
     [[nodiscard]] Result<> permits(ephemeris::Body body, bool overTheTop = false);
+    // Why it can not be followed now.
+    [[nodiscard]] Result<> mayFollow(ephemeris::Body body, bool overTheTop);
     // The same of all these places around it, on the side from which it is followed.
     [[nodiscard]] Result<> permitsAround(ephemeris::Body body, const std::vector<calibration::SkyOffset>& places);
 

@@ -159,21 +159,32 @@ Result<> CalibrationDesk::handle(const request::TakeKnownPoint& wanted)
     return m_taker.takeKnown(wanted.truth, wanted.label).map([this] { m_proposals.pointsChanged(); });
 }
 
+Result<> CalibrationDesk::mayChangePoints() const
+{
+    return m_points.book().points().empty() ? failure(ErrorCode::Refused, Text::tr("there are no points"))
+                                            : m_runs.isIdle();
+}
+
 Result<> CalibrationDesk::handle(const request::DropPoint& wanted)
 {
-    return m_points.drop(wanted.index).map([this] { m_proposals.pointsChanged(); });
+    return mayChangePoints().and_then([&] { return m_points.drop(wanted.index); }).map([this] {
+        m_proposals.pointsChanged();
+    });
 }
 
 Result<> CalibrationDesk::handle(const request::UsePoint& wanted)
 {
-    return m_points.use(wanted.index, wanted.used).map([this] { m_proposals.pointsChanged(); });
+    return mayChangePoints().and_then([&] { return m_points.use(wanted.index, wanted.used); }).map([this] {
+        m_proposals.pointsChanged();
+    });
 }
 
 Result<> CalibrationDesk::handle(const request::DropAllPoints&)
 {
-    m_points.clear();
-    m_proposals.pointsChanged();
-    return {};
+    return mayChangePoints().map([this] {
+        m_points.clear();
+        m_proposals.pointsChanged();
+    });
 }
 
 Result<> CalibrationDesk::handle(const request::MeasureSensorOffset&)
@@ -195,7 +206,7 @@ Result<> CalibrationDesk::handle(const request::StartSwing& wanted)
 Result<> CalibrationDesk::handle(const request::StartCrossScan& wanted)
 {
     return ScanPilot::isWidth(wanted.width)
-        .and_then([&] { return m_runs.isIdle(); })
+        .and_then([&] { return m_runs.mayScan(wanted.body); })
         .and_then([&] { return m_points.hasRoom(); })
         .and_then([&] { return m_runs.startScan(wanted.body, wanted.width); });
 }

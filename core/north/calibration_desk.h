@@ -64,6 +64,7 @@ private:
     Result<> handle(const request::UndoCalibration& wanted);
     Result<> handle(const request::RedoCalibration& wanted);
 
+    [[nodiscard]] Result<> mayChangePoints() const;
     void useWhatEnded();
     void noteDrives();
     void watchPoints();

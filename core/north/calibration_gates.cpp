@@ -52,8 +52,9 @@ void judgeBody(const CalibrationStatus& calibration, ephemeris::Body body, const
     const QString first = Text::tr("follow the %1 first").arg(bodyName(body));
     const bool meant = calibration.body == body;
     may.refuse(actionOf(Action::TakeSun, body), meant ? firstOf({other, calibration.pointObstacle}) : first);
-    may.refuse(actionOf(Action::ScanSun, body), firstOf({may.reason(followAction(body, calibration.overTheTop)),
-                                                         calibration.following && meant ? QString() : first}));
+    may.refuse(actionOf(Action::ScanSun, body),
+               firstOf({may.reason(followAction(body, calibration.overTheTop)),
+                        calibration.following && meant ? QString() : first, calibration.noRoom}));
 }
 
 void judgeProposal(const CalibrationStatus& calibration, Permissions& may)
@@ -62,9 +63,10 @@ void judgeProposal(const CalibrationStatus& calibration, Permissions& may)
     const QString other = otherRun(calibration);
     may.refuse(Action::DiscardCalibration, none);
     may.refuse(Action::ApplyCalibration, calibration.proposal ? calibration.proposal->obstacle : none);
-    may.refuse(Action::UndoCalibration, calibration.canUndo ? other : Text::tr("there is no calibration to take back"));
-    may.refuse(Action::RedoCalibration,
-               calibration.canRedo ? other : Text::tr("there is no calibration to bring back"));
+    may.refuse(Action::UndoCalibration, calibration.canUndo ? firstOf({other, calibration.undoObstacle})
+                                                            : Text::tr("there is no calibration to take back"));
+    may.refuse(Action::RedoCalibration, calibration.canRedo ? firstOf({other, calibration.redoObstacle})
+                                                            : Text::tr("there is no calibration to bring back"));
 }
 
 }  // namespace
@@ -76,7 +78,7 @@ void judgeCalibration(StationStatus& status)
     const QString point = may.reason(Action::Point);
     const QString other = otherRun(calibration);
     judgeMotions(status, may);
-    may.refuse(Action::AverageSensor, firstOf({other, calibration.sensorObstacle}));
+    may.refuse(Action::AverageSensor, firstOf({other, calibration.sensorObstacle, calibration.averageObstacle}));
     may.refuse(Action::Swing, firstOf({other, point, calibration.swingPlan.obstacle}));
     may.refuse(Action::GivePower, calibration.wantsPower ? QString() : Text::tr("no scan waits for a power now"));
     may.refuse(Action::TakeKnownPoint, firstOf({other, calibration.knownPointObstacle}));

@@ -46,6 +46,7 @@ void CalibrationReport::renew()
                              .otherMount = m_of.model.otherMount(),
                              .sensorOffset = m_of.proposals.sensorOffset(),
                              .sensorObstacle = reasonOf(m_of.sensor.isUsable()),
+                             .averageObstacle = reasonOf(m_of.runs.mayAverage()),
                              .swingPlan = m_of.runs.swingPlan(),
                              .swingSoFar = m_of.runs.swingSoFar(),
                              .swing = m_of.proposals.swing()};
@@ -56,6 +57,8 @@ void CalibrationReport::renew()
     status.historyProblem = m_of.file.problem();
     status.canUndo = history.canUndo();
     status.canRedo = history.canRedo();
+    status.undoObstacle = reasonOf(m_of.changes.mayUndo());
+    status.redoObstacle = reasonOf(m_of.changes.mayRedo());
     m_status = std::make_shared<const CalibrationStatus>(std::move(status));
 }
 
@@ -65,6 +68,7 @@ void CalibrationReport::fillPoints(CalibrationStatus& status) const
     const ScanPilot& scan = m_of.runs.scan();
     status.pointObstacle = reasonOf(m_of.taker.mayTakeBody());
     status.knownPointObstacle = reasonOf(m_of.taker.mayTake());
+    status.noRoom = reasonOf(m_of.points.hasRoom());
     status.points = book.status();
     status.fit = book.fitStatus(m_of.profile->pointing);
     status.noFit = book.problem();

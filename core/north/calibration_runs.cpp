@@ -64,7 +64,7 @@ Result<> CalibrationRuns::followsNothing() const
     return {};
 }
 
-Result<> CalibrationRuns::startOffset()
+Result<> CalibrationRuns::mayAverage() const
 {
     return isIdle()
         .and_then([this] { return m_sensor.isUsable(); })
@@ -72,12 +72,13 @@ Result<> CalibrationRuns::startOffset()
         .and_then([this] { return followsNothing(); })
         .and_then([this]() -> Result<> {
             const QString obstacle = compassObstacle(m_control.measured()->elevation);
-            if (!obstacle.isEmpty()) {
-                return failure(ErrorCode::Refused, obstacle);
-            }
-            m_offset.emplace(m_clock.now());
-            return {};
+            return obstacle.isEmpty() ? Result<>{} : failure(ErrorCode::Refused, obstacle);
         });
+}
+
+Result<> CalibrationRuns::startOffset()
+{
+    return mayAverage().map([this] { m_offset.emplace(m_clock.now()); });
 }
 
 Result<> CalibrationRuns::maySwing() const
@@ -100,6 +101,17 @@ Result<> CalibrationRuns::startSwing(const SwingWish& wish)
     });
 }
 
+Result<> CalibrationRuns::mayScan(ephemeris::Body body) const
+{
+    return isIdle()
+        .and_then([&] { return m_follower.mayFollow(body, m_follower.overTheTop()); })
+        .and_then([&]() -> Result<> {
+            return m_follower.following() && m_follower.body() == body
+                       ? Result<>{}
+                       : failure(ErrorCode::Refused, Text::tr("follow the %1 first").arg(bodyName(body)));
+        });
+}
+
 Result<> CalibrationRuns::startScan(ephemeris::Body body, Angle width)
 {
     return endedBy(m_scan.start(body, width));
@@ -107,7 +119,10 @@ Result<> CalibrationRuns::startScan(ephemeris::Body body, Angle width)
 
 Result<> CalibrationRuns::givePower(double decibels)
 {
-    return ScanPilot::isPower(decibels).and_then([&] { return endedBy(m_scan.give(decibels)); });
+    return ScanPilot::isPower(decibels).and_then([&]() -> Result<> {
+        return wantsPower() ? endedBy(m_scan.give(decibels))
+                            : failure(ErrorCode::Refused, Text::tr("no scan waits for a power now"));
+    });
 }
 
 // A scan that cannot look at its next place is over.

@@ -26,10 +26,13 @@ public:
     // A run moves the mount.
     [[nodiscard]] bool moves() const { return m_swing.run().has_value() || m_scan.run().has_value(); }
 
+    [[nodiscard]] Result<> mayAverage() const;
     Result<> startOffset();
     void planSwing(const SwingWish& wish) { m_swing.plan(wish); }
     Result<> startSwing(const SwingWish& wish);
-    // Only where isIdle() and the width is one of a scan.
+    // The body is followed, and could be now.
+    [[nodiscard]] Result<> mayScan(ephemeris::Body body) const;
+    // Only where mayScan() and the width is one of a scan.
     Result<> startScan(ephemeris::Body body, Angle width);
     Result<> givePower(double decibels);
 

@@ -86,42 +86,63 @@ Result<> ModelChanges::apply(const Proposal& proposal)
     });
 }
 
-Result<> ModelChanges::undo()
+ModelChanges::Recall ModelChanges::undone() const
 {
     const calibration::CalibrationHistory& history = m_file.history();
-    if (!history.canUndo()) {
-        return failure(ErrorCode::Refused, Text::tr("there is no calibration to take back"));
-    }
     const calibration::CalibrationRecord& record = history.entries()[history.inForce() - 1];
-    CalibrationChange change{.terms = record.terms.before};
-    std::optional<calibration::SensorMounting> now;
+    Recall recall{.change = {.terms = record.terms.before}, .terms = record.terms.after};
     if (record.sensor) {
-        change.sensor = record.sensor->before;
-        now = record.sensor->after;
+        recall.change.sensor = record.sensor->before;
+        recall.sensor = record.sensor->after;
     }
-    const auto may = mayChange().and_then([&] { return stillInForce(record.terms.after, now); });
-    return may.and_then([&] { return makesSense(change); }).map([&] {
-        warnOfOtherMount(record);
+    return recall;
+}
+
+ModelChanges::Recall ModelChanges::redone() const
+{
+    const calibration::CalibrationHistory& history = m_file.history();
+    const calibration::CalibrationRecord& record = history.entries()[history.inForce()];
+    Recall recall{.change = {.terms = record.terms.after}, .terms = record.terms.before};
+    if (record.sensor) {
+        recall.change.sensor = record.sensor->after;
+        recall.sensor = record.sensor->before;
+    }
+    return recall;
+}
+
+Result<> ModelChanges::mayRecall(const Recall& recall) const
+{
+    return mayChange().and_then([&] { return stillInForce(recall.terms, recall.sensor); });
+}
+
+Result<> ModelChanges::mayUndo() const
+{
+    return m_file.history().canUndo() ? mayRecall(undone())
+                                      : failure(ErrorCode::Refused, Text::tr("there is no calibration to take back"));
+}
+
+Result<> ModelChanges::mayRedo() const
+{
+    return m_file.history().canRedo() ? mayRecall(redone())
+                                      : failure(ErrorCode::Refused, Text::tr("there is no calibration to bring back"));
+}
+
+Result<> ModelChanges::undo()
+{
+    return mayUndo().and_then([this] { return makesSense(undone().change); }).map([this] {
+        const calibration::CalibrationHistory& history = m_file.history();
+        const CalibrationChange change = undone().change;
+        warnOfOtherMount(history.entries()[history.inForce() - 1]);
         bringIntoForce(change, Text::tr("takes back \"%1\"").arg(toQString(m_file.undo().title)));
     });
 }
 
 Result<> ModelChanges::redo()
 {
-    const calibration::CalibrationHistory& history = m_file.history();
-    if (!history.canRedo()) {
-        return failure(ErrorCode::Refused, Text::tr("there is no calibration to bring back"));
-    }
-    const calibration::CalibrationRecord& record = history.entries()[history.inForce()];
-    CalibrationChange change{.terms = record.terms.after};
-    std::optional<calibration::SensorMounting> now;
-    if (record.sensor) {
-        change.sensor = record.sensor->after;
-        now = record.sensor->before;
-    }
-    const auto may = mayChange().and_then([&] { return stillInForce(record.terms.before, now); });
-    return may.and_then([&] { return makesSense(change); }).map([&] {
-        warnOfOtherMount(record);
+    return mayRedo().and_then([this] { return makesSense(redone().change); }).map([this] {
+        const calibration::CalibrationHistory& history = m_file.history();
+        const CalibrationChange change = redone().change;
+        warnOfOtherMount(history.entries()[history.inForce()]);
         bringIntoForce(change, Text::tr("applies \"%1\" again").arg(toQString(m_file.redo().title)));
     });
 }

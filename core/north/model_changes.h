@@ -21,7 +21,10 @@ public:
                  const MountIdentity& mount, const CalibrationRuns& runs, BodyFollower& follower, const Clock& clock,
                  EventLog& log);
 
+    // Why not now. The request is also refused if the profile would make no sense: each status has no time for that.
     [[nodiscard]] Result<> mayChange() const;
+    [[nodiscard]] Result<> mayUndo() const;
+    [[nodiscard]] Result<> mayRedo() const;
     Result<> apply(const Proposal& proposal);
     Result<> undo();
     Result<> redo();
@@ -29,6 +32,16 @@ public:
     [[nodiscard]] std::optional<CalibrationChange> take() { return std::exchange(m_change, std::nullopt); }
 
 private:
+    // What a record of the history is changed to, and what must be in force until then.
+    struct Recall
+    {
+        CalibrationChange change;
+        pointing::PointingTerms terms;
+        std::optional<calibration::SensorMounting> sensor;
+    };
+    [[nodiscard]] Recall undone() const;  // only where there is one
+    [[nodiscard]] Recall redone() const;
+    [[nodiscard]] Result<> mayRecall(const Recall& recall) const;
     [[nodiscard]] Result<> makesSense(const CalibrationChange& change) const;
     [[nodiscard]] Result<> stillInForce(const pointing::PointingTerms& terms,
                                         const std::optional<calibration::SensorMounting>& sensor) const;

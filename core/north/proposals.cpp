@@ -108,7 +108,10 @@ void Proposals::clear(Next next)
 
 Result<> Proposals::isCurrent(std::uint64_t number) const
 {
-    return m_proposal && m_proposal->number == number
+    if (!m_proposal) {
+        return failure(ErrorCode::Refused, Text::tr("nothing is proposed yet"));
+    }
+    return m_proposal->number == number
                ? Result<>{}
                : failure(ErrorCode::Refused, Text::tr("this is not what is proposed any more: look at it again first"));
 }

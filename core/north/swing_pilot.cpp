@@ -45,8 +45,8 @@ SwingPlan SwingPilot::planned() const
 
 Result<> SwingPilot::mayStart() const
 {
-    return m_sensor.isUsable()
-        .and_then([this] { return m_control.mayPoint(calibrationSource()); })
+    return m_control.mayPoint(calibrationSource())
+        .and_then([this] { return m_sensor.isUsable(); })
         .and_then([this]() -> Result<> {
             if (m_control.authority() == Authority::Clients) {
                 return failure(ErrorCode::Refused,

@@ -15,6 +15,7 @@
 // One swing of the compass: says which motion comes next, keeps the readings that are fit for use, and fits them in the
 // end. It moves nothing itself, and knows nothing of STOP: who carries out its motions tells it when they ended. Pure;
 // station thread.
+// More than 15 members: the plan, the place in it and the readings, which all begin and end with one swing.
 namespace boresight {
 
 // One value of the sensor with the axes as they were when it was measured.

@@ -13,9 +13,19 @@
 namespace boresight {
 namespace {
 
+template <class Wanted, class... Each>
+constexpr bool isTaken = (Each::Taken::template has<Wanted> || ...);
+
+template <class... Each, class... Wanted>
+constexpr bool takeAll(RequestList<Wanted...> /*requests*/)
+{
+    return (isTaken<Wanted, Each...> && ...);
+}
+
 template <class... Each>
 MotionSources listed(Helm& helm)
 {
+    static_assert(takeAll<Each...>(MotionRequests{}), "no source of motion takes one of the requests");
     MotionSources list;
     (list.push_back(std::make_unique<Each>(helm)), ...);
     return list;

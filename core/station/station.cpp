@@ -142,7 +142,7 @@ void Station::tellDirections()
 void Station::refuseToStart()
 {
     const QString problem = QString::fromStdString(m_mount->mine().error().text);
-    m_control.alarms().raise(alarmEntry("memory.in-use"), {problem});
+    m_control.alarms().raise(alarmEntry("journal.in-use"), {problem});
     m_startTold = true;
     Q_EMIT started({}, problem + QStringLiteral(". ") +
                            Text::tr("End that program, or give this mount another name in its profile"));

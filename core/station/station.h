@@ -30,6 +30,7 @@
 // The station as a running thing: StationControl with a mount, a timer, the rotctld server, a log file and a feed of
 // updates. Built on the main thread, then moved to the station thread before start(); from there on all is called
 // there, from other threads by queued signals. It decides nothing about motion itself.
+// More than 15 members: the parts that it makes and connects.
 namespace boresight {
 
 class Station : public QObject

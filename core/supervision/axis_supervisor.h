@@ -17,6 +17,7 @@
 // Looks at one axis once per tick and says what is wrong with it, independently of the drive's own fault codes. Pure:
 // time is passed in; mechanical angles, Nm, V, °C. Decides nothing: the station stops the mount, raises the alarm and
 // asks for a re-arm. What is judged and how: README.md.
+// More than 15 members: one for each thing that is watched.
 namespace boresight::supervision {
 
 class AxisSupervisor

@@ -47,6 +47,14 @@ function(boresight_add_test name)
   boresight_add_runs(${name} "${T_LABEL}" "${T_SHARDS}" "${T_TIMEOUT}" "${T_SERIAL}")
 endfunction()
 
+# Tests that run at the same time do not find each other's settings.
+function(boresight_give_home run)
+  foreach(kind CONFIG DATA STATE CACHE)
+    set_property(TEST ${run} APPEND PROPERTY
+      ENVIRONMENT "XDG_${kind}_HOME=${CMAKE_BINARY_DIR}/test-home/${run}/${kind}")
+  endforeach()
+endfunction()
+
 function(boresight_add_runs name label shards timeout serial)
   if(NOT shards)
     set(shards 1)
@@ -63,6 +71,7 @@ function(boresight_add_runs name label shards timeout serial)
     add_test(NAME ${run} COMMAND ${name} "--gtest_output=xml:${BORESIGHT_TEST_RESULTS}/${run}.xml")
     set_tests_properties(${run} PROPERTIES LABELS "${label}" TIMEOUT ${timeout} RUN_SERIAL "${serial}"
       ENVIRONMENT "GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
+    boresight_give_home(${run})
     if(shards GREATER 1)
       set_tests_properties(${run} PROPERTIES COST 1000)  # first, or the last core is alone with them
     endif()

@@ -5720,6 +5720,14 @@ do eixo</translation>
         <source>moteus mode %1, fault %2</source>
         <translation>modo moteus %1, falha %2</translation>
     </message>
+    <message>
+        <source>nothing is known of the station yet</source>
+        <translation>ainda não se sabe nada da estação</translation>
+    </message>
+    <message>
+        <source>no source of motion takes this request</source>
+        <translation>nenhuma fonte de movimento atende este pedido</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
@@ -8793,10 +8801,6 @@ emergência por cabo junto ao mastro.</translation>
     <message>
         <source>Diagnostics not saved: %1</source>
         <translation>Diagnóstico não gravado: %1</translation>
-    </message>
-    <message>
-        <source>no connection to the drives</source>
-        <translation>sem conexão aos acionamentos</translation>
     </message>
 </context>
 <context>

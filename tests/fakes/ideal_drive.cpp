@@ -29,14 +29,17 @@ void IdealDrive::setExact(double place)
 CanFrame IdealDrive::stateFrame(SteadyTime now) const
 {
     using moteus::Register;
-    const std::map<Register, double> state{{Register::Mode, static_cast<double>(mode)},
-                                           {Register::Position, falsePlaces.empty() ? position : falsePlaces.front()},
-                                           {Register::Torque, torque},
-                                           {Register::QCurrent, current},
-                                           {Register::HomeState, static_cast<double>(home)},
-                                           {Register::Voltage, voltage},
-                                           {Register::Temperature, temperature},
-                                           {Register::Fault, static_cast<double>(fault)}};
+    std::map<Register, double> state{{Register::Mode, static_cast<double>(mode)},
+                                     {Register::Position, falsePlaces.empty() ? position : falsePlaces.front()},
+                                     {Register::Torque, torque},
+                                     {Register::QCurrent, current},
+                                     {Register::HomeState, static_cast<double>(home)},
+                                     {Register::Voltage, voltage},
+                                     {Register::Temperature, temperature},
+                                     {Register::Fault, static_cast<double>(fault)}};
+    if (velocity) {
+        state[Register::Velocity] = *velocity;
+    }
     std::vector<moteus::RegisterValue> values;
     for (const moteus::RegisterRead& read : moteus::rotatorQuery()) {
         if (modeOnly && read.reg != Register::Mode) {

@@ -46,8 +46,9 @@ public:
     double travelled = 0.0;          // by set-points, all in all
     double voltage = 24.0;
     double temperature = 31.0;
-    double torque = 0.0;   // Nm
-    double current = 0.0;  // A
+    double torque = 0.0;             // Nm
+    double current = 0.0;            // A
+    std::optional<double> velocity;  // turns/s, whatever its position does; empty: it reports none
     std::vector<Seen> seen;
 
 private:

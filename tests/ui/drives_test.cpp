@@ -450,6 +450,14 @@ TEST_F(DrivesTest, TheProofRunsAtTheChosenRateAfterASecondPressAndEndsAtOnce)
     EXPECT_EQ(asked<request::EndProof>().size(), 1u);
 }
 
+// Story: Hold was grey while the proof moved the mount.
+TEST_F(DrivesTest, HoldIsOfferedDuringAProofThatForbidsEveryOtherMotion)
+{
+    give(samples::update(samples::proving()));
+    EXPECT_TRUE(named<CommandButton>("Hold")->isEnabled());
+    EXPECT_FALSE(named<CommandButton>("Park")->isEnabled());
+}
+
 TEST_F(DrivesTest, TheRateOfTheProofStaysSlow)
 {
     auto* const rate = named<QDoubleSpinBox>("Rate of the proof");

@@ -18,6 +18,7 @@ protected:
     {
         QObject::connect(&desk, &RequestDesk::requested, &desk,
                          [this](const NumberedRequest& request) { asked = request; });
+        status.permissions = Permissions::all();
         status.profile = std::make_shared<const profile::Profile>();
         draft.showStatus(status);
     }

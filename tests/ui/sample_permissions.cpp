@@ -86,12 +86,16 @@ QString noPointing(const StationStatus& status)
                    firstOf(notPlaced(status, Axis::Azimuth), notPlaced(status, Axis::Elevation)));
 }
 
+bool moves(const StationStatus& status)
+{
+    return status.state == StationState::Slew || status.state == StationState::Track ||
+           status.state == StationState::Jog || status.state == StationState::Calibrate;
+}
+
 QString moving(const StationStatus& status)
 {
-    const bool moves = status.state == StationState::Slew || status.state == StationState::Track ||
-                       status.state == StationState::Jog || status.state == StationState::Calibrate ||
-                       status.azimuth.state == AxisState::Moving || status.elevation.state == AxisState::Moving;
-    return moves ? QStringLiteral("the mount moves: stop it first") : QString();
+    const bool anyAxis = status.azimuth.state == AxisState::Moving || status.elevation.state == AxisState::Moving;
+    return anyAxis || moves(status) ? QStringLiteral("the mount moves: stop it first") : QString();
 }
 
 QString noWayOn(const StationStatus& status, Axis which, bool upwards)
@@ -114,6 +118,7 @@ void judgeMotions(StationStatus& status)
     const QString pointing = noPointing(status);
     Permissions& may = status.permissions;
     may.refuse(Action::Move, motion);
+    may.refuse(Action::Hold, moves(status) ? QString() : motion);
     for (const Action action : {Action::Point, Action::Park, Action::Home}) {
         may.refuse(action, pointing);
     }
@@ -227,7 +232,7 @@ void addBeam(StationStatus& status)
 StationStatus judged(StationStatus status)
 {
     const Permissions own = status.permissions;
-    status.permissions = {};
+    status.permissions = Permissions::all();
     judgeMotions(status);
     judgeDrives(status);
     judgeClients(status);

@@ -120,6 +120,7 @@ void dropTarget(StationStatus& status)
 StationStatus idle()
 {
     StationStatus status;
+    status.permissions = Permissions::all();
     status.profile = sampleProfile();
     status.state = StationState::Parked;
     status.stateReason = QStringLiteral("park position reached");

@@ -183,7 +183,7 @@ void JogPad::showStatus(const StationStatus& status)
             m_deadMan.letGo(direction);
         }
     }
-    m_hold->setBlocked(status.permissions.reason(Action::Move));
+    m_hold->setBlocked(status.permissions.reason(Action::Hold));
     applyRate();
     showCaption();
 }

@@ -100,7 +100,7 @@ void JogPanel::showPark()
 {
     if (m_status.state == StationState::Parked) {
         m_park->setCommand(tr("Unpark"), tr("Leave PARKED and hold this position; nothing moves"));
-        m_park->setBlocked(m_status.permissions.reason(Action::Move));
+        m_park->setBlocked(m_status.permissions.reason(Action::Hold));
     } else {
         m_park->setCommand(tr("Park"), tr("Go to the park position %1 (Ctrl+P)").arg(axisText(m_status.profile->park)));
         m_park->setBlocked(m_status.permissions.reason(Action::Park));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_window.h"
 
-#include "core/alarms/catalogue.h"
 #include "ui/charts/charts_panel.h"
 #include "ui/charts/strip_charts.h"
 #include "ui/clients/lead_prompt.h"
@@ -47,16 +46,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kBeat{100};
 constexpr int kBeatsPerSecond = 10;
-constexpr std::chrono::seconds kStopUnanswered{1};
-
-// What would be done with the place that the station has reported last.
-void refuseOldPlaces(Permissions& may)
-{
-    const QString why = Text::tr("no fresh position from the %1");
-    may.refuse(Action::SetAzimuth, why.arg(Text::of("azimuth drive")));
-    may.refuse(Action::SetElevation, why.arg(Text::of("elevation drive")));
-    may.refuse(Action::TakeKnownPoint, why.arg(Text::of("azimuth drive")));
-}
 
 }  // namespace
 
@@ -65,7 +54,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     : QMainWindow((describeOwnWidgets(), parent)),
       m_clock(clock),
       m_draft(m_desk),
-      m_lastUpdate(clock.now()),
+      m_last(clock),
       m_header(new HeaderBar(this)),
       m_alarms(new AlarmLine(m_desk, this)),
       m_plot(new PolarPlot(m_draft, this)),
@@ -120,9 +109,7 @@ MainWindow::MainWindow(const Clock& clock, const WindowSettings& settings, QWidg
     connect(m_panels, &PanelTabs::broughtUp, this, &MainWindow::closeGuide);
     connect(m_panels, &PanelTabs::guideWanted, this, &MainWindow::openGuide);
     m_beat.start(kBeat);
-    m_status.permissions = Permissions::none(tr("no connection to the drives"));  // until the station tells its own
-    m_status.drives.emplace();                                                    // likewise
-    showStatus(m_status);
+    showStatus(m_last.received());
     resize(1280, 800);
 }
 
@@ -209,9 +196,8 @@ void MainWindow::addKey(const QKeySequence& key, void (MainWindow::*act)())
 
 void MainWindow::showUpdate(const StationUpdate& update)
 {
-    const bool newProfile = update.status.profile != m_status.profile;
-    m_status = update.status;
-    m_lastUpdate = m_clock.now();
+    const bool newProfile = update.status.profile != m_last.received().profile;
+    m_last.take(update.status);
     m_panels->log().append(update.log);
     m_panels->charts().charts().add(update.samples);
     if (!update.log.empty()) {
@@ -220,15 +206,12 @@ void MainWindow::showUpdate(const StationUpdate& update)
             clockText(last.utc) + QStringLiteral("  ") + sourceText(last.source) + QStringLiteral("  ") + last.text,
             Tone::Secondary);
     }
-    if (m_status.stopLatched) {
-        m_stopSince.reset();
-    }
     m_desk.take(update.answers);
     m_draft.showStatus(update.status);
     if (newProfile && m_picked) {
         pick(*m_picked);  // what is forbidden may have changed
     }
-    showStatus(aged());
+    showStatus(m_last.now());
     if (m_guideProgress.open && m_guide == nullptr) {
         openGuide();  // not before it is known which mount it is about
     }
@@ -264,60 +247,24 @@ void MainWindow::blockGoHere(const StationStatus& status)
 void MainWindow::beat()
 {
     ++m_beats;
-    if (m_clock.now() - m_lastUpdate >= kLateAfter || m_stopSince) {
-        showStatus(aged());
+    if (m_last.ages()) {
+        showStatus(m_last.now());
     }
     m_alarms->beat(m_clock.now(), m_beats % kBeatsPerSecond < kBeatsPerSecond / 2);
     m_panels->jog().beat();
     m_panels->north().beat();
     if (m_beats % kBeatsPerSecond == 0) {
-        m_plot->describe(m_status);
+        m_plot->describe(m_last.received());
     }
-}
-
-// The last status as it looks now, when the station has been silent since.
-StationStatus MainWindow::aged() const
-{
-    StationStatus status = m_status;
-    const auto silent = std::chrono::duration_cast<std::chrono::milliseconds>(m_clock.now() - m_lastUpdate);
-    for (AxisStatus* const axis : {&status.azimuth, &status.elevation}) {
-        if (axis->age) {
-            *axis->age += silent;
-        }
-    }
-    status.utc += silent;
-    if (freshness(silent) != Freshness::Live) {
-        refuseOldPlaces(status.permissions);
-    }
-    const auto complain = [&status](const AlarmEntry& entry, const QStringList& arguments = {}) {
-        const AlarmText text = textOf(entry, arguments);
-        const Alarm alarm{.name = QLatin1String(entry.id),
-                          .severity = entry.severity,
-                          .what = text.what,
-                          .action = text.action,
-                          .remedy = text.remedy,
-                          .since = status.utc,
-                          .acknowledged = true};  // it goes by itself; there is nothing to acknowledge at the station
-        status.alarms.insert(status.alarms.begin(), alarm);
-    };
-    if (silent >= kNoDataAfter) {
-        complain(alarmEntry("window.station-silent"), {ageText(silent)});
-    }
-    if (m_stopSince && m_clock.now() - *m_stopSince >= kStopUnanswered) {
-        complain(alarmEntry("window.stop-unconfirmed"));
-    }
-    return status;
 }
 
 void MainWindow::stop()
 {
     m_header->setStopRequested();
-    if (!m_status.stopLatched && !m_stopSince) {
-        m_stopSince = m_clock.now();
-    }
+    m_last.stopAsked();
     m_desk.send(request::Stop{}, this, [this](const std::optional<Error>& error) {
         if (error) {
-            m_stopSince.reset();
+            m_last.stopRefused();
             m_header->setStopRefused();
             m_alarms->notice().setValue(tr("STOP: %1").arg(QString::fromStdString(error->text)), Tone::Alarm,
                                         Symbol::Alarm);
@@ -335,9 +282,9 @@ void MainWindow::pick(const SkyPointing& direction)
     m_picked = direction;
     m_plot->setPicked(direction);
     m_pickBar->setText(directionText(direction));
-    m_forbidden = whyForbidden(m_status, direction);
+    m_forbidden = whyForbidden(m_last.received(), direction);
     m_pickBar->notice().setValue(m_forbidden, Tone::Warning, m_forbidden.isEmpty() ? Symbol::None : Symbol::Warning);
-    blockGoHere(aged());
+    blockGoHere(m_last.now());
     m_pickBar->show();
 }
 
@@ -380,7 +327,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     event->ignore();
-    if (isMoving(m_status)) {
+    if (isMoving(m_last.received())) {
         m_closeBar->ask();
     } else {
         m_closeBar->confirm();
@@ -445,11 +392,12 @@ void MainWindow::showHelp()
 void MainWindow::saveDiagnostics()
 {
     m_diagnostics->askWhere(*this, m_clock.utc(), [this] {
-        return std::pair(
-            diagnostics::Snapshot{
-                .status = m_status, .applied = m_draft.applied(), .stateDir = m_stateDir, .when = m_clock.utc()},
-            takeExcerpt(m_panels->charts().charts().store(), DiagnosticsSaver::kTelemetry, m_clock.now(),
-                        m_clock.utc()));
+        return std::pair(diagnostics::Snapshot{.status = m_last.received(),
+                                               .applied = m_draft.applied(),
+                                               .stateDir = m_stateDir,
+                                               .when = m_clock.utc()},
+                         takeExcerpt(m_panels->charts().charts().store(), DiagnosticsSaver::kTelemetry, m_clock.now(),
+                                     m_clock.utc()));
     });
 }
 
@@ -467,7 +415,7 @@ void MainWindow::openGuide()
         m_side->addWidget(m_guide);
         connect(m_guide, &GuidePage::closeWanted, this, &MainWindow::closeGuide);
         connect(m_guide, &GuidePage::progressChanged, this, &MainWindow::guideProgressed);
-        m_guide->showStatus(aged());
+        m_guide->showStatus(m_last.now());
     }
     m_side->setCurrentWidget(m_guide);
     m_guide->setOpen(true);

@@ -7,6 +7,7 @@
 #include "ui/kit/request_desk.h"
 #include "ui/link/host_desk.h"
 #include "ui/link/profile_draft.h"
+#include "ui/window/last_status.h"
 #include "ui/window/window_settings.h"
 
 #include <QMainWindow>
@@ -19,6 +20,7 @@ class QStackedWidget;
 
 // The desktop window: it composes the panels and connects their signals, nothing else. It knows the station by two
 // values only: StationUpdate comes in, NumberedRequest goes out. Gui thread.
+// More than 15 members: the widgets that it composes.
 namespace boresight::ui {
 
 class AlarmLine;
@@ -86,7 +88,6 @@ private:
     void stop();
     void showStatus(const StationStatus& status);
     void beat();
-    [[nodiscard]] StationStatus aged() const;
     void pick(const SkyPointing& direction);
     void unpick();
     void blockGoHere(const StationStatus& status);
@@ -112,9 +113,7 @@ private:
     RequestDesk m_desk;
     HostDesk m_host;
     ProfileDraft m_draft;
-    StationStatus m_status;
-    SteadyTime m_lastUpdate;
-    std::optional<SteadyTime> m_stopSince;  // a STOP the status does not show yet
+    LastStatus m_last;
     HeaderBar* m_header;
     AlarmLine* m_alarms;
     PolarPlot* m_plot;

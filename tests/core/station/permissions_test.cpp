@@ -41,6 +41,13 @@ void moving(StationRig& rig)
     rig.run(Seconds(2.0));
 }
 
+void proving(StationRig& rig)
+{
+    standing(rig);
+    ASSERT_TRUE(rig.ask(request::ProveCrashStop{2_deg_s}));
+    rig.run(Seconds(0.2));
+}
+
 void stopped(StationRig& rig)
 {
     standing(rig);
@@ -186,15 +193,32 @@ TEST_P(PermissionsIn, AnActionIsAnsweredAsItWasPublished)
     }
 }
 
+TEST_P(PermissionsIn, HoldIsNeverRefused)
+{
+    StationRig rig;
+    GetParam().situation(rig);
+    EXPECT_TRUE(rig.ask(request::Hold{}));
+}
+
 INSTANTIATE_TEST_SUITE_P(Permissions, PermissionsIn,
                          ::testing::Values(Scene{"nobodyAnswers", nobodyAnswers}, Scene{"standing", standing},
-                                           Scene{"wound", wound}, Scene{"moving", moving}, Scene{"stopped", stopped},
-                                           Scene{"faulted", faulted}, Scene{"released", released},
-                                           Scene{"switchedOff", switchedOff}, Scene{"unfit", unfit},
-                                           Scene{"unconfirmed", unconfirmed},
+                                           Scene{"wound", wound}, Scene{"moving", moving}, Scene{"proving", proving},
+                                           Scene{"stopped", stopped}, Scene{"faulted", faulted},
+                                           Scene{"released", released}, Scene{"switchedOff", switchedOff},
+                                           Scene{"unfit", unfit}, Scene{"unconfirmed", unconfirmed},
                                            Scene{"homeBelowTheHorizon", homeBelowTheHorizon},
                                            Scene{"turnUnknown", turnUnknown}),
                          [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Permissions, OfAStationThatNobodyKnowsForbidEverything)
+{
+    const StationStatus status;
+    for (int action = 0; action < static_cast<int>(Action::Count); ++action) {
+        EXPECT_EQ(status.permissions.reason(static_cast<Action>(action)),
+                  QStringLiteral("nothing is known of the station yet"))
+            << action;
+    }
+}
 
 TEST(Permissions, ThereIsNoWayOnAtTheEndOfTheTravel)
 {
@@ -234,6 +258,45 @@ TEST(Permissions, AnAngleIsSetOfAnAxisThatStandsAndIsSeen)
               QStringLiteral("no fresh position from the elevation drive"));
     rig.mount.driveRestarted(Axis::Azimuth);
     EXPECT_FALSE(rig.control.status().permissions.allows(Action::SetAzimuth)) << "nobody knows where it stands";
+}
+
+// Story: the zero of an axis was offered while a hand turned it.
+TEST(Permissions, AnAngleIsNotSetOfAnAxisThatIsTurnedByHand)
+{
+    StationRig rig;
+    standing(rig);
+    rig.azimuth.velocity = 0.01;
+    rig.run(Seconds(0.1));
+    EXPECT_EQ(rig.control.status().permissions.reason(Action::SetAzimuth),
+              QStringLiteral("the mount moves: stop it first"));
+    rig.azimuth.velocity = 0.0;
+    rig.run(Seconds(0.1));
+    EXPECT_TRUE(rig.control.status().permissions.allows(Action::SetAzimuth));
+}
+
+// Story: Hold was grey while the crash-stop proof moved the mount.
+TEST(Permissions, HoldIsOfferedWhileSomethingMovesTheMountAndEndsIt)
+{
+    for (const Situation situation : {moving, proving}) {
+        StationRig rig;
+        situation(rig);
+        EXPECT_TRUE(rig.control.status().permissions.allows(Action::Hold));
+        ASSERT_TRUE(rig.ask(request::Hold{}));
+        rig.run(Seconds(3.0));
+        EXPECT_EQ(rig.state(), StationState::Hold);
+        EXPECT_FALSE(rig.control.status().drives.proofRunning);
+    }
+}
+
+TEST(Permissions, HoldIsNotOfferedWhereNothingIsLeftToHold)
+{
+    for (const Situation situation : {nobodyAnswers, stopped, faulted, released}) {
+        StationRig rig;
+        situation(rig);
+        const Permissions may = rig.control.status().permissions;
+        EXPECT_EQ(may.reason(Action::Hold), may.reason(Action::Move));
+        EXPECT_FALSE(may.allows(Action::Hold));
+    }
 }
 
 TEST(Permissions, AClientIsToldWhyControlCannotBeGivenToIt)

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/station.h"
 
-#include "core/moteus_mount/moteus_connection.h"
 #include "core/sim_bus/simulated_link.h"
-#include "tests/fakes/fake_can_link.h"
-#include "tests/fakes/ideal_drive.h"
-#include "tests/fakes/manual_clock.h"
+#include "tests/core/station/linked_station.h"
 
 #include <QDeadlineTimer>
 #include <QFile>
@@ -21,59 +18,7 @@
 namespace boresight {
 namespace {
 
-profile::Profile anyPort()
-{
-    profile::Profile profile;
-    profile.rotctld.listen.port = 0;
-    return profile;
-}
-
-struct Rig
-{
-    explicit Rig(const profile::Profile& profile = anyPort())
-    {
-        auto owned = std::make_unique<fakes::FakeCanLink>();
-        link = owned.get();
-        station =
-            std::make_unique<Station>(profile, twoMoteus(std::move(owned), {stateDir.path()}), stateDir.path(), clock);
-        QObject::connect(station.get(), &Station::updated,
-                         [this](const StationUpdate& update) { updates.push_back(update); });
-    }
-
-    void tick()
-    {
-        clock.advance(Seconds(0.02));
-        link->sent.clear();
-        station->tick();
-        answerAll();
-    }
-
-    void answerAll()
-    {
-        for (const CanFrame& frame : std::exchange(link->sent, {})) {
-            for (fakes::IdealDrive* const drive : {&azimuth, &elevation}) {
-                if (const auto reply = drive->answer(frame, clock.now())) {
-                    Q_EMIT link->frameReceived(*reply);
-                }
-            }
-        }
-    }
-
-    void run(int ticks)
-    {
-        for (int i = 0; i < ticks; ++i) {
-            tick();
-        }
-    }
-
-    QTemporaryDir stateDir;
-    fakes::ManualClock clock;
-    fakes::FakeCanLink* link = nullptr;
-    std::unique_ptr<Station> station;
-    std::vector<StationUpdate> updates;
-    fakes::IdealDrive azimuth{1, 0.0};
-    fakes::IdealDrive elevation{2, -0.25};
-};
+using Rig = LinkedStation;
 
 // On the simulated mount, with drives that were surveyed and may move.
 struct SurveyedRig
@@ -232,81 +177,6 @@ TEST(Station, StopDoesNotWaitForTheNextTick)
     rig.station->request({.id = 2, .request = request::Stop{}});
     EXPECT_EQ(rig.link->sent.size(), 2U);
     EXPECT_EQ(rig.station->status().state, StationState::Stopped);
-}
-
-// REQ-STATION-17
-TEST(Station, ABusThatDoesNotOpenIsAnAlarmAndIsTriedAgain)
-{
-    Rig rig;
-    rig.link->openError = "no such adapter";
-    rig.station->openAll();
-    rig.run(5);
-    auto alarms = rig.station->status().alarms;
-    ASSERT_EQ(alarms.size(), 1U);
-    EXPECT_TRUE(alarms.front().what.contains(QStringLiteral("No such adapter")));
-    EXPECT_TRUE(rig.link->sent.empty());
-    rig.link->openError.clear();
-    rig.station->openMount();
-    EXPECT_EQ(rig.link->openings, 2);
-    rig.station->openMount();
-    EXPECT_EQ(rig.link->openings, 2) << "an open bus is left alone";
-    rig.run(5);
-    EXPECT_FALSE(rig.station->status().alarms.front().active);
-    EXPECT_EQ(rig.station->status().state, StationState::Standby);
-}
-
-TEST(Station, ALostAdapterIsShownAtOnceAndReopened)
-{
-    Rig rig;
-    rig.station->openAll();
-    rig.run(5);
-    rig.link->report({.state = LinkState::Lost, .text = QStringLiteral("the adapter is gone")});
-    ASSERT_FALSE(rig.station->status().alarms.empty());
-    EXPECT_TRUE(rig.station->status().alarms.front().what.contains(QStringLiteral("The adapter is gone")));
-    rig.station->openMount();
-    EXPECT_EQ(rig.link->openings, 2);
-}
-
-// Story: each try closed the link first, without a text: the alarm went blank and came back unacknowledged each second.
-TEST(Station, ABusThatIsTriedAgainKeepsItsAlarm)
-{
-    Rig rig;
-    rig.station->openAll();
-    rig.run(5);
-    rig.link->report({.state = LinkState::Lost, .text = QStringLiteral("the adapter is gone")});
-    rig.link->report({.state = LinkState::Closed});
-    EXPECT_EQ(rig.station->status().alarms.front().what, QStringLiteral("The adapter is gone."));
-    EXPECT_TRUE(rig.station->status().alarms.front().active);
-}
-
-// Story: a second program took the journal, and with it the turn of each axis, from the one that moved the mount.
-// REQ-STATION-43b: A mount that another program controls is left alone: no bus, no clients, and an alarm with the name
-// of that program.
-TEST(Station, AMountThatAnotherProgramControlsIsLeftAlone)
-{
-    profile::Profile profile = anyPort();
-    profile.bus = "fdcanusb:/dev/mount";
-    Rig first(profile);
-    first.station->openAll();
-    first.run(5);
-    auto owned = std::make_unique<fakes::FakeCanLink>();
-    fakes::FakeCanLink* const link = owned.get();
-    Station second(profile, twoMoteus(std::move(owned), {first.stateDir.path()}), first.stateDir.path(), first.clock);
-    QSignalSpy started(&second, &Station::started);
-    second.openAll();
-    ASSERT_EQ(started.size(), 1);
-    EXPECT_TRUE(started[0][0].toString().isEmpty());
-    EXPECT_TRUE(started[0][1].toString().contains(QStringLiteral("controls this mount already")));
-    for (int i = 0; i < 100; ++i) {
-        first.clock.advance(Seconds(0.02));
-        second.tick();
-        second.openMount();
-    }
-    EXPECT_EQ(link->openings, 0);
-    EXPECT_TRUE(link->sent.empty());
-    EXPECT_TRUE(second.status().listening.isEmpty());
-    ASSERT_FALSE(second.status().alarms.empty());
-    EXPECT_EQ(second.status().alarms.front().severity, Severity::Alarm);
 }
 
 // REQ-STATION-43c: A port for every computer without a list of who may connect is an advisory.
@@ -495,22 +365,6 @@ TEST(Station, ALogThatCannotBeWrittenIsAnAlarmUntilItCan)
     ASSERT_TRUE(QFile::remove(log));
     rig.clock.advance(EventFile::kRetry);
     EXPECT_TRUE(ticksUntil(rig, [&] { return !isTold(); }));
-}
-
-// Story: an adapter that had refused frames for a moment was never asked again.
-TEST(Station, KeepsSendingWhileTheBusIsDown)
-{
-    Rig rig;
-    rig.station->openAll();
-    rig.run(5);
-    rig.link->report({.state = LinkState::Down, .text = QStringLiteral("bus-off")});
-    rig.link->sent.clear();
-    rig.station->tick();
-    EXPECT_EQ(rig.link->sent.size(), 2U);
-    rig.link->report({.state = LinkState::Lost, .text = QStringLiteral("gone")});
-    rig.link->sent.clear();
-    rig.station->tick();
-    EXPECT_TRUE(rig.link->sent.empty());
 }
 
 }  // namespace

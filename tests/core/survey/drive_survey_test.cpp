@@ -137,7 +137,7 @@ TEST(DriveSurvey, NoticesAMissingAndAnUnknownBoard)
     pair.elevation.config.id = 7;
     SurveyRig rig(pair);
     rig.survey();
-    EXPECT_THAT(causes(rig.drives), ElementsAre("drives.missing.elevation", "drives.stranger.7"));
+    EXPECT_THAT(causes(rig.drives), ElementsAre("drives.missing.elevation", "drives.foreign-board.7"));
     EXPECT_THAT(obstacle(rig.drives), HasSubstr("nobody answers under id 2"));
     EXPECT_EQ(line(rig.drives, Axis::Azimuth, "servo.timeout_mode").found, QStringLiteral("10 (hold)"))
         << "read all the same";

@@ -12,8 +12,8 @@ namespace boresight::survey {
 
 [[nodiscard]] inline std::string nameOf(const Finding& finding)
 {
-    constexpr std::array kNames{"none", "missing", "shared-id", "stranger",  "swapped", "other",
-                                "map",  "unread",  "unstored",  "dangerous", "advised"};
+    constexpr std::array kNames{"none", "missing", "shared-id", "foreign-board", "swapped", "other",
+                                "map",  "unread",  "unstored",  "dangerous",     "advised"};
     const std::string name = std::string("drives.") + kNames.at(static_cast<std::size_t>(finding.kind));
     return finding.about.isEmpty() ? name : name + "." + finding.about.toStdString();
 }

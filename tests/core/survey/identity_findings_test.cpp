@@ -53,7 +53,7 @@ TEST(Identity, AThirdBoardIsAWarning)
 {
     const auto findings = identityFindings({}, {}, std::vector{board(1, 11), board(2, 12), board(9, 13)});
     ASSERT_EQ(findings.size(), 1u);
-    EXPECT_EQ(nameOf(findings[0]), "drives.stranger.9");
+    EXPECT_EQ(nameOf(findings[0]), "drives.foreign-board.9");
     EXPECT_EQ(findings[0].weight, FindingWeight::Warning);
     EXPECT_TRUE(findings[0].what.contains(uuid(13)));
 }
