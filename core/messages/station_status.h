@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/can/can_link.h"
 #include "core/messages/calibration_status.h"
+#include "core/messages/capabilities.h"
 #include "core/messages/drives_status.h"
 #include "core/messages/permissions.h"
 #include "core/messages/sensor_status.h"
@@ -50,7 +51,8 @@ enum class AxisState
     Stopped,
     Fault,
     On,  // switched on, but following no set-points of ours
-    Off
+    Off,
+    Missing  // the mount has no such axis
 };
 
 enum class Severity
@@ -190,7 +192,8 @@ struct StationStatus
     std::optional<SkyPointing> trim;   // what the operator's nudges add to a client's targets
     std::optional<CableEnd> cableEnd;  // told in time: at least 30° or 30 s ahead
     Authority authority = Authority::Clients;
-    Permissions permissions;  // of the operator
+    Permissions permissions;    // of the operator
+    Capabilities capabilities;  // of the mount
     DrivesStatus drives;
     LinkStatus bus;
     QString busName;

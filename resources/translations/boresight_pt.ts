@@ -5716,6 +5716,31 @@ do eixo</translation>
         <source>this rotator does not offer this</source>
         <translation>este rotor não oferece isto</translation>
     </message>
+    <message>
+        <source>This rotator has no watchdog of its own</source>
+        <translation>Este rotor não tem watchdog próprio</translation>
+    </message>
+    <message>
+        <source>Boresight orders it only one small step ahead</source>
+        <translation>O Boresight só lhe ordena um pequeno passo de cada vez</translation>
+    </message>
+    <message>
+        <source>Keep its power switch in reach: if Boresight or the cable fails, it still ends its last step</source>
+        <translation>Tenha o interruptor da alimentação à mão: se o Boresight ou o cabo falhar, ainda termina o último passo</translation>
+    </message>
+    <message>
+        <source>This mount has no azimuth axis.</source>
+        <translation>Esta montagem não tem eixo de azimute.</translation>
+    </message>
+    <message>
+        <source>This mount has no elevation axis.</source>
+        <translation>Esta montagem não tem eixo de elevação.</translation>
+    </message>
+    <message>
+        <source>NONE</source>
+        <comment>axis state</comment>
+        <translation>NENHUM</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
