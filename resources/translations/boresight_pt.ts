@@ -5741,6 +5741,22 @@ do eixo</translation>
         <comment>axis state</comment>
         <translation>NENHUM</translation>
     </message>
+    <message>
+        <source>A mount needs at least one axis.</source>
+        <translation>Uma montagem precisa de pelo menos um eixo.</translation>
+    </message>
+    <message>
+        <source>One moteus alone is not supported. Use &quot;moteus&quot; for both axes.</source>
+        <translation>Um só moteus não é suportado. Use &quot;moteus&quot; nos dois eixos.</translation>
+    </message>
+    <message>
+        <source>The simple rotator is only simulated. Start Boresight with --simulate.</source>
+        <translation>O rotor simples é apenas simulado. Inicie o Boresight com --simulate.</translation>
+    </message>
+    <message>
+        <source>What turns the axis. &quot;simple&quot; is simulated only: a rotator of whole degrees without a watchdog. With &quot;none&quot; the mount has no such axis.</source>
+        <translation>O que move o eixo. &quot;simple&quot; é apenas simulado: um rotor de graus inteiros sem watchdog. Com &quot;none&quot; a montagem não tem este eixo.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>
