@@ -2,6 +2,7 @@
 // What every rotator promises behind the port of the mount, tried with the control above it. A new driver costs one
 // bench here.
 #include "core/control/station_control.h"
+#include "core/mount/paired_mount.h"
 #include "core/simple_mount/simple_mount.h"
 #include "core/sources/motion_sources.h"
 #include "tests/core/station/station_rig.h"
@@ -132,6 +133,49 @@ private:
     AlarmBoard m_alarms{m_log, m_clock};
     SimpleBox m_box{kBetweenDegrees};
     SimpleMount m_mount;
+    StationControl m_control{m_profile, m_clock, m_log, m_alarms, m_mount, motionSources};
+};
+
+// Two rotators, each with a box, a line and an axis of its own.
+class PairBench final : public Bench
+{
+public:
+    StationControl& control() override { return m_control; }
+    void tick() override
+    {
+        m_clock.advance(kOneTick);
+        m_control.tick();
+        m_azimuth.send();
+        m_elevation.send();
+    }
+    AxisPosition truth() override
+    {
+        return {.azimuth = m_azimuthBox.truth().azimuth, .elevation = m_elevationBox.truth().elevation};
+    }
+    bool ordered() override { return m_azimuthBox.orders() + m_elevationBox.orders() > 0; }
+    void setLine(bool connected) override
+    {
+        m_azimuthBox.setPower(connected, m_clock.now());
+        m_elevationBox.setPower(connected, m_clock.now());
+    }
+    void setElevationLine(bool connected) { m_elevationBox.setPower(connected, m_clock.now()); }
+    // What one of them has turned of the axis that is the other's.
+    [[nodiscard]] bool turnedForeignAxes() const
+    {
+        return m_azimuthBox.truth().elevation != kBetweenDegrees.elevation ||
+               m_elevationBox.truth().azimuth != kBetweenDegrees.azimuth;
+    }
+
+private:
+    profile::Profile m_profile = slowProfile();
+    fakes::ManualClock m_clock;
+    EventLog m_log{m_clock};
+    AlarmBoard m_alarms{m_log, m_clock};
+    SimpleBox m_azimuthBox{kBetweenDegrees};
+    SimpleBox m_elevationBox{kBetweenDegrees};
+    SimpleMount m_azimuth{m_azimuthBox, {.azimuth = true, .elevation = false}};
+    SimpleMount m_elevation{m_elevationBox, {.azimuth = false, .elevation = true}};
+    PairedMount m_mount{m_azimuth, m_elevation};
     StationControl m_control{m_profile, m_clock, m_log, m_alarms, m_mount, motionSources};
 };
 
@@ -287,8 +331,33 @@ INSTANTIATE_TEST_SUITE_P(Drivers, MountPromises,
                          testing::Values(Kind{"TwoMoteus", [] { return std::make_unique<MoteusBench>(); }},
                                          Kind{"Simple", [] { return simpleBench(true, true); }},
                                          Kind{"SimpleAzimuthOnly", [] { return simpleBench(true, false); }},
-                                         Kind{"SimpleElevationOnly", [] { return simpleBench(false, true); }}),
+                                         Kind{"SimpleElevationOnly", [] { return simpleBench(false, true); }},
+                                         Kind{"Pair", [] { return std::make_unique<PairBench>(); }}),
                          [](const auto& info) { return std::string(info.param.name); });
+
+// REQ-MOUNT-07: Two axes on two drivers are one mount. A trouble of one driver stops both axes, and neither driver
+// turns the axis of the other.
+TEST(MountPort, ATroubleOfOneOfTwoDriversStopsBothAxes)
+{
+    PairBench bench;
+    bench.run(Seconds(1.0));
+    ASSERT_TRUE(bench.goTo(90.0, 60.0));
+    bench.run(Seconds(3.0));
+    bench.setElevationLine(false);
+    bench.run(Seconds(4.0));
+    EXPECT_TRUE(bench.control().faultLatched());
+    EXPECT_TRUE(bench.stands(Seconds(3.0)));
+    bench.setElevationLine(true);
+    bench.run(Seconds(1.0));
+    EXPECT_TRUE(bench.stands(Seconds(3.0)));
+    ASSERT_TRUE(bench.ask(request::Rearm{}));
+    bench.run(Seconds(1.0));
+    EXPECT_TRUE(bench.stands(Seconds(3.0)));
+    ASSERT_TRUE(bench.goTo(90.0, 60.0));
+    bench.run(Seconds(25.0));
+    EXPECT_EQ(bench.control().state(), StationState::Hold);
+    EXPECT_FALSE(bench.turnedForeignAxes());
+}
 
 // REQ-MOUNT-02: The set-points are never faster than the rotator, whatever the profile permits.
 TEST(MountPort, SetPointsAreNoFasterThanTheRotator)
