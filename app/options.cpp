@@ -41,7 +41,9 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("FILE")});
     parser.addOption({kBus, QStringLiteral("fdcanusb:PATH, socketcan:IFACE or simulated; overrides the profile."),
                       QStringLiteral("BUS")});
-    parser.addOption({kSimulate, QStringLiteral("Drive the built-in simulated mount: the same as --bus simulated.")});
+    parser.addOption({kSimulate, QStringLiteral("Drive the built-in simulated mount: the same as --bus simulated. "
+                                                "--simulate=simple: a rotator of whole degrees, without rates and "
+                                                "watchdog.")});
     parser.addOption({kListen, QStringLiteral("Address of the rotctld server; port 0 picks a free one."),
                       QStringLiteral("HOST:PORT")});
     parser.addOption({kStateDir,
@@ -55,6 +57,27 @@ void addOptions(QCommandLineParser& parser)
              "the journal can not tell. Example: 405,50@%1")
              .arg(timeOfNow()),
          QStringLiteral("AZ,EL@UTC")});
+}
+
+// The kind of rotator of "--simulate=KIND" is taken out: an option of QCommandLineParser has a value always or never.
+Result<QStringList> takeSimulatedKind(Options& options, const QStringList& arguments)
+{
+    const QString prefix = QStringLiteral("--simulate=");
+    QStringList left;
+    for (const QString& argument : arguments) {
+        if (!argument.startsWith(prefix)) {
+            left << argument;
+            continue;
+        }
+        const QString kind = argument.sliced(prefix.size());
+        if (kind != QLatin1String("simple")) {
+            return failure(ErrorCode::InvalidInput, "--simulate=" + kind.toStdString() +
+                                                        ": give --simulate for two moteus, or --simulate=simple");
+        }
+        options.simulateSimple = true;
+        left << QStringLiteral("--simulate");
+    }
+    return left;
 }
 
 Result<profile::Profile> readProfile(Options& options, const QCommandLineParser& parser)
@@ -85,6 +108,17 @@ void useBus(Options& options, const std::string& bus)
     }
 }
 
+// Only the bus of the command line can make them wrong: a file is checked when it is read.
+Result<> checkDrivers(const profile::Profile& profile)
+{
+    for (const profile::Problem& problem : profile::crossCheck(profile)) {
+        if (problem.key.ends_with(".driver")) {
+            return failure(ErrorCode::InvalidInput, problem.key + ": " + problem.text);
+        }
+    }
+    return {};
+}
+
 Result<> applyBus(Options& options, const QCommandLineParser& parser)
 {
     if (!parser.isSet(kBus) && !parser.isSet(kSimulate)) {
@@ -95,7 +129,9 @@ Result<> applyBus(Options& options, const QCommandLineParser& parser)
         return failure(ErrorCode::InvalidInput,
                        "--simulate and --bus " + bus + " exclude each other: give one of them");
     }
-    return parseBusName(bus).map([&](const BusName&) { useBus(options, bus); });
+    return parseBusName(bus).map([&](const BusName&) { useBus(options, bus); }).and_then([&] {
+        return checkDrivers(options.profile);
+    });
 }
 
 Result<> applyListen(profile::Profile& profile, const QCommandLineParser& parser)
@@ -160,6 +196,9 @@ Result<QString> makeStateDir(const QCommandLineParser& parser)
 profile::Profile Options::startingProfile() const
 {
     profile::Profile starting = profile;
+    if (isFirstStart() && simulateSimple) {
+        return starting;  // it has no sensor on it
+    }
     if (isFirstStart() && onlySimulated) {
         starting.sensor.source = profile::SensorSource::Simulated;
     } else if (isFirstStart()) {
@@ -181,12 +220,16 @@ Result<Options> readOptions(const QStringList& arguments, const QString& descrip
     QCommandLineParser parser;
     parser.setApplicationDescription(description);
     addOptions(parser);
-    parser.process(arguments);
+    Options options;
+    const auto plain = takeSimulatedKind(options, arguments);
+    if (!plain) {
+        return tl::unexpected(plain.error());
+    }
+    parser.process(*plain);
     if (!parser.positionalArguments().isEmpty()) {
         return failure(ErrorCode::InvalidInput, "what is \"" + parser.positionalArguments().constFirst().toStdString() +
                                                     "\"? Options begin with --; see --help");
     }
-    Options options;
     return readProfile(options, parser)
         .and_then([&](const profile::Profile& profile) -> Result<> {
             options.profile = profile;

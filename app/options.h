@@ -15,11 +15,12 @@ namespace boresight::app {
 
 struct Options
 {
-    profile::Profile profile;    // with the overrides applied
-    QString profilePath;         // empty: built-in defaults, because there is no profile at all
-    QString configDir;           // of the profile store
-    QString stateDir;            // created if absent
-    bool onlySimulated = false;  // the command line says so
+    profile::Profile profile;     // with the overrides applied
+    QString profilePath;          // empty: built-in defaults, because there is no profile at all
+    QString configDir;            // of the profile store
+    QString stateDir;             // created if absent
+    bool onlySimulated = false;   // the command line says so
+    bool simulateSimple = false;  // what is simulated is the plainest rotator, not two moteus
     std::optional<memory::EnteredPlace> standingAt;
 
     [[nodiscard]] bool isFirstStart() const { return profilePath.isEmpty(); }

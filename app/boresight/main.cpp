@@ -7,8 +7,8 @@
 #include "app/station_thread.h"
 #include "app/unix_signals.h"
 #include "core/base/version.h"
-#include "core/moteus_mount/moteus_connection.h"
 #include "core/station/link_factory.h"
+#include "core/station/mount_factory.h"
 #include "ui/jog/gamepad.h"
 #include "ui/kit/language.h"
 #include "ui/window/main_window.h"
@@ -150,11 +150,12 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     QSettings layout(options.stateDir + QStringLiteral("/window.ini"), QSettings::IniFormat);
     const ui::Translation translation(layout.value(kLanguageKey).toString());
     const SystemClock clock;
-    const LinkMaker links(options.profile, clock);
+    const MountFactory mounts(options.profile, clock,
+                              options.simulateSimple ? SimulatedKind::Simple : SimulatedKind::TwoMoteus);
     const auto build = [&](const profile::Profile& profile, const std::optional<memory::EnteredPlace>& standingAt) {
-        auto station = std::make_unique<Station>(
-            profile, twoMoteus(links.make(profile.bus), {options.stateDir, standingAt}), options.stateDir, clock);
-        station->setSensorMaker(links.sensors());
+        auto station = std::make_unique<Station>(profile, mounts.make(profile, {options.stateDir, standingAt}),
+                                                 options.stateDir, clock);
+        station->setSensorMaker(mounts.sensors());
         station->wantRealTime();
         return station;
     };

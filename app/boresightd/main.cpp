@@ -5,8 +5,7 @@
 #include "app/service_notify.h"
 #include "app/unix_signals.h"
 #include "core/base/version.h"
-#include "core/moteus_mount/moteus_connection.h"
-#include "core/station/link_factory.h"
+#include "core/station/mount_factory.h"
 #include "core/station/station.h"
 
 #include <QCoreApplication>
@@ -54,10 +53,11 @@ void reload(Station& station, QThreadPool& reader)
 int run(QCoreApplication& application, const app::Options& options)
 {
     const SystemClock clock;
-    const LinkMaker links(options.profile, clock);
-    Station station(options.profile, twoMoteus(links.make(options.profile.bus), {options.stateDir, options.standingAt}),
+    const MountFactory mounts(options.profile, clock,
+                              options.simulateSimple ? SimulatedKind::Simple : SimulatedKind::TwoMoteus);
+    Station station(options.profile, mounts.make(options.profile, {options.stateDir, options.standingAt}),
                     options.stateDir, clock);
-    station.setSensorMaker(links.sensors());
+    station.setSensorMaker(mounts.sensors());
     station.wantRealTime();
     QThreadPool reader;
     app::ServiceWatchdog watchdog;

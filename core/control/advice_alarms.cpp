@@ -4,6 +4,7 @@
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace boresight {
@@ -19,6 +20,13 @@ void AdviceAlarms::update(const profile::Profile& profile)
     }
     for (const profile::Advice& one : m_advice) {
         m_alarms.raise(alarmEntry("profile.advice").of(toQString(one.key)), {one.what, one.remedy});
+    }
+}
+
+void AdviceAlarms::explain(const Capabilities& capabilities)
+{
+    if (std::ranges::any_of(capabilities.axes, [](const auto& can) { return can && !can->watchdog; })) {
+        m_alarms.raise(alarmEntry("mount.no-watchdog"));
     }
 }
 

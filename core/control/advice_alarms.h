@@ -2,12 +2,14 @@
 #pragma once
 
 #include "core/alarms/alarm_board.h"
+#include "core/messages/capabilities.h"
 #include "core/profile/advice.h"
 #include "core/profile/profile.h"
 
 #include <vector>
 
-// Raises the advice on the profile in force, and clears what does not apply any more. Station thread only.
+// Raises the advice on the profile in force, and clears what does not apply any more. Says once what the rotator cannot
+// promise. Station thread only.
 namespace boresight {
 
 class AdviceAlarms
@@ -16,6 +18,7 @@ public:
     explicit AdviceAlarms(AlarmBoard& alarms) : m_alarms(alarms) {}
 
     void update(const profile::Profile& profile);
+    void explain(const Capabilities& capabilities);
 
 private:
     AlarmBoard& m_alarms;

@@ -147,6 +147,15 @@ AngularRate Gates::fastestJog() const
     return confirmed ? jog.fast : std::min(jog.fast, profile::kFastestUnconfirmed);
 }
 
+Result<> Gates::hasAxis(Axis axis) const
+{
+    if (m_of.mount.capabilities().has(axis)) {
+        return {};
+    }
+    return failure(ErrorCode::NotAvailable, axis == Axis::Azimuth ? Text::tr("This mount has no azimuth axis.")
+                                                                  : Text::tr("This mount has no elevation axis."));
+}
+
 Result<> Gates::isWayOn(Axis axis, bool upwards) const
 {
     const auto place = m_of.mount.measured(axis);
@@ -197,7 +206,8 @@ Result<> Gates::isFresh(Axis axis) const
 
 Result<> Gates::maySet(Axis axis) const
 {
-    return isFresh(axis)
+    return hasAxis(axis)
+        .and_then([&] { return isFresh(axis); })
         .and_then([&] { return isPlaced(axis); })
         .and_then([this] { return drivesRest(); })
         .and_then([this] { return axesStand(); });

@@ -41,6 +41,7 @@ public:
     [[nodiscard]] AxisPosition home() const;
     // The same direction, where the azimuth cable is wound least.
     [[nodiscard]] Result<AxisPosition> unwound() const;
+    [[nodiscard]] Result<> hasAxis(Axis axis) const;
     [[nodiscard]] Result<> isFresh(Axis axis) const;  // measured within kOldestPosition
     // It stands still at an angle that is known and fresh, which may be given another number.
     [[nodiscard]] Result<> maySet(Axis axis) const;

@@ -131,8 +131,8 @@ std::optional<CableGuard::TurnBack> Helm::turnBackTo(const AxisPosition& place, 
 void Helm::beginTurnBack(const std::optional<CableGuard::TurnBack>& back)
 {
     if (back) {
-        m_of.log.add(Severity::Advisory, current().commander(), m_of.cable.begin(*back, view().profile.azimuth.limits),
-                     LogKind::MotionStart);
+        m_of.log.add(Severity::Advisory, current().commander(),
+                     m_of.cable.begin(*back, m_of.motion.limits(Axis::Azimuth)), LogKind::MotionStart);
     }
 }
 

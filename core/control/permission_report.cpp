@@ -60,9 +60,9 @@ void PermissionReport::judgeJogs(Permissions& may) const
     may.fastestJog = gates.fastestJog();
     const QString point = may.reason(Action::Point);
     for (const Way& way : kWays) {
-        const Result<> jog = gates.mayJog(ratesOf(way, may.fastestJog), kTheOperator).and_then([&] {
-            return gates.isWayOn(way.axis, way.upwards);
-        });
+        const Result<> jog = gates.hasAxis(way.axis)
+                                 .and_then([&] { return gates.mayJog(ratesOf(way, may.fastestJog), kTheOperator); })
+                                 .and_then([&] { return gates.isWayOn(way.axis, way.upwards); });
         judge(may, jogAction(way.direction), jog);
         judge(may, stepAction(way.direction), jog);
         may.refuse(stepAction(way.direction), point);

@@ -32,7 +32,7 @@ StationControl::StationControl(const profile::InForce& profile, const Clock& clo
       m_alarms(alarms),
       m_mount(mount),
       m_model(profile->azimuth.geometry, profile->elevation.geometry, pointing::PointingModel(profile->pointing)),
-      m_motion(*profile),
+      m_motion(*profile, mount.capabilities()),
       m_arming(profile, mount, log),
       m_cable(m_alarms, clock),
       m_sourceLog(log, clock),
@@ -59,8 +59,14 @@ StationControl::StationControl(const profile::InForce& profile, const Clock& clo
       m_now(clock.now()),
       m_sources(sources(m_helm))
 {
+    for (const Axis axis : kAxes) {
+        if (!mount.capabilities().has(axis)) {
+            m_model.leaveOut(axis);
+        }
+    }
     m_region.begin();
     m_adviceAlarms.update(*profile);
+    m_adviceAlarms.explain(mount.capabilities());
 }
 
 ControlParts StationControl::parts() const
@@ -346,7 +352,7 @@ void StationControl::watchCable()
     const auto path = m_current.is(Activity::Streaming) && turnsKnown() ? m_motion.path(m_now) : std::nullopt;
     const auto target = moves() && m_motion.noWay().isEmpty() ? m_motion.target(m_now) : std::nullopt;
     const auto left = target ? std::optional(target->azimuth - m_motion.place().azimuth) : std::nullopt;
-    m_cable.watch(path, left, m_motion.region().ranges().azimuth, m_profile->azimuth.limits);
+    m_cable.watch(path, left, m_motion.region().ranges().azimuth, m_motion.limits(Axis::Azimuth));
 }
 
 // A drive that is not as it should be any more is not moved on.

@@ -18,10 +18,8 @@ constexpr Angle kOnTarget = Angle::fromDegrees(1.0);
 constexpr Angle kArrived = Angle::fromDegrees(0.3);
 constexpr std::chrono::seconds kNoData{2};
 
-bool near(const AxisPosition& a, const AxisPosition& b, Angle distance)
-{
-    return abs(a.azimuth - b.azimuth) < distance && abs(a.elevation - b.elevation) < distance;
-}
+// Forgives the rounding of a place exactly between two that can be reached.
+constexpr Angle kBetweenSteps = Angle::fromDegrees(0.001);
 
 // What an AxisStatus and an AxisSample say alike of the drive itself.
 void fillTelemetry(auto& values, const AxisReport& report)
@@ -39,7 +37,15 @@ bool StatusReport::onTarget(Angle within) const
 {
     const auto target = m_of.motion.target(m_of.now);
     const auto measured = m_of.mount.measured();
-    return target && measured && near(*target, *measured, within);
+    if (!target || !measured) {
+        return false;
+    }
+    const Capabilities can = m_of.mount.capabilities();
+    const auto near = [&](Axis axis, Angle away) {
+        return abs(away) < std::max(within, can.inexactness(axis) + kBetweenSteps);
+    };
+    return near(Axis::Azimuth, target->azimuth - measured->azimuth) &&
+           near(Axis::Elevation, target->elevation - measured->elevation);
 }
 
 bool StatusReport::arrived() const
@@ -119,6 +125,9 @@ std::optional<std::chrono::milliseconds> StatusReport::age(const AxisReport& rep
 
 AxisState StatusReport::axisState(Axis axis, const AxisReport& report) const
 {
+    if (!m_of.mount.capabilities().has(axis)) {
+        return AxisState::Missing;
+    }
     const auto old = age(report);
     if (!old || *old > kNoData) {
         return AxisState::NoData;
@@ -284,6 +293,7 @@ StationStatus StatusReport::status() const
         status.trim = SkyPointing{.azimuth = trim.azimuth, .elevation = trim.elevation};
     }
     status.permissions = PermissionReport(m_of).permissions();
+    status.capabilities = m_of.mount.capabilities();
     status.sunKeepOuts = m_of.sun.keepOuts();
     if (const auto& asked = m_of.current.limitedDirection()) {
         status.target = asked;

@@ -65,6 +65,8 @@ QString word(AxisState state)
             return Text::tr("ON", "axis state");
         case AxisState::Off:
             return Text::tr("OFF", "axis state");
+        case AxisState::Missing:
+            return Text::tr("NONE", "axis state");
     }
     return {};
 }

@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/messages/calibration_status.h"
+#include "core/messages/capabilities.h"
 #include "core/messages/drives_status.h"
 #include "core/messages/mount_line.h"
 #include "core/messages/permissions.h"
@@ -50,7 +51,8 @@ enum class AxisState
     Stopped,
     Fault,
     On,  // switched on, but following no set-points of ours
-    Off
+    Off,
+    Missing  // the mount has no such axis
 };
 
 enum class Severity
@@ -190,6 +192,7 @@ struct StationStatus
     std::optional<CableEnd> cableEnd;  // told in time: at least 30° or 30 s ahead
     Authority authority = Authority::Clients;
     Permissions permissions;             // of the operator
+    Capabilities capabilities;           // of the mount
     std::optional<DrivesStatus> drives;  // empty: the mount has no drives that can be read or set
     MountLine line;
     bool simulated = false;

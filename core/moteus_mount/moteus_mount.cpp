@@ -67,6 +67,12 @@ void MoteusMount::driveRestarted(Axis axis)
     m_restarted = true;
 }
 
+Capabilities MoteusMount::capabilities() const
+{
+    constexpr AxisCapabilities kDrive{.silence = Drive::kSilence, .watchdog = true};
+    return {.axes = {kDrive, kDrive}};
+}
+
 std::optional<QString> MoteusMount::identity(Axis axis) const
 {
     const auto& facts = m_turnWatch.facts(axis);

@@ -54,6 +54,7 @@ public:
     // How a sensor on the antenna has seen the azimuth turn.
     void setCourse(const std::optional<SensorCourse>& course) { m_turns.setCourse(course); }
 
+    [[nodiscard]] Capabilities capabilities() const override;
     [[nodiscard]] const QString& name(Axis axis) const override { return m_names[index(axis)]; }
     [[nodiscard]] QString label(Axis axis) const override { return m_drives.drive(axis).label(); }
     [[nodiscard]] std::optional<QString> identity(Axis axis) const override;

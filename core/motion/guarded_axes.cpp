@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/motion/guarded_axes.h"
 
+#include "core/pointing/missing_axis.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -16,9 +18,9 @@ constexpr Angle kAtEdge = Angle::fromDegrees(0.05);
 constexpr Angle kBeyondEdge = Angle::fromDegrees(0.1);
 constexpr Angle kRounding = Angle::fromDegrees(1e-9);
 
-AxisProfile profileOf(const profile::AxisSettings& axis)
+AxisProfile profileOf(const profile::AxisSettings& axis, const TravelRange& travel)
 {
-    return {axis.limits, axis.geometry.travel, axis.geometry.travel.clamped(Angle{})};
+    return {axis.limits, travel, travel.clamped(Angle{})};
 }
 
 void obey(AxisProfile& axis, Seconds duration, const AxisWish& wish)
@@ -61,12 +63,31 @@ int heldWay(const AxisWish& wish, Angle place, const TravelRange& room)
 
 }  // namespace
 
-GuardedAxes::GuardedAxes(const profile::Profile& profile)
-    : m_travel{.azimuth = profile.azimuth.geometry.travel, .elevation = profile.elevation.geometry.travel},
-      m_region(profile.limits, m_travel.azimuth, m_travel.elevation, pointing::PointingModel(profile.pointing)),
-      m_azimuth(profileOf(profile.azimuth)),
-      m_elevation(profileOf(profile.elevation))
+GuardedAxes::GuardedAxes(const profile::Profile& profile, const Capabilities& capabilities)
+    : m_present{capabilities.has(Axis::Azimuth), capabilities.has(Axis::Elevation)},
+      m_travel(travelOf(profile)),
+      m_region(ofPresentAxes(profile.limits), m_travel.azimuth, m_travel.elevation,
+               pointing::PointingModel(profile.pointing)),
+      m_azimuth(profileOf(profile.azimuth, m_travel.azimuth)),
+      m_elevation(profileOf(profile.elevation, m_travel.elevation))
 {}
+
+AxisBox GuardedAxes::travelOf(const profile::Profile& profile) const
+{
+    return {.azimuth = m_present[0] ? profile.azimuth.geometry.travel : pointing::kMissingAxisTravel,
+            .elevation = m_present[1] ? profile.elevation.geometry.travel : pointing::kMissingAxisTravel};
+}
+
+pointing::Region GuardedAxes::ofPresentAxes(const pointing::Region& region) const
+{
+    pointing::Region present = region;
+    for (const Axis axis : kAxes) {
+        if (!m_present[index(axis)]) {
+            present = pointing::withoutAxis(std::move(present), axis);
+        }
+    }
+    return present;
+}
 
 void GuardedAxes::start(Axis axis, Angle measured)
 {
@@ -76,7 +97,7 @@ void GuardedAxes::start(Axis axis, Angle measured)
 
 void GuardedAxes::setRegion(const pointing::Region& region, const pointing::PointingModel& pointing)
 {
-    m_region = pointing::PermittedRegion(region, m_travel.azimuth, m_travel.elevation, pointing);
+    m_region = pointing::PermittedRegion(ofPresentAxes(region), m_travel.azimuth, m_travel.elevation, pointing);
     m_swept.reset();
 }
 
@@ -96,6 +117,11 @@ AxisBox GuardedAxes::untilRest() const
 }
 
 void GuardedAxes::step(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
+{
+    stepGuarded(duration, m_present[0] ? azimuth : AxisWish{}, m_present[1] ? elevation : AxisWish{});
+}
+
+void GuardedAxes::stepGuarded(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation)
 {
     if (!m_enforced) {
         stepFree(duration, azimuth, elevation);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/messages/capabilities.h"
 #include "core/pointing/permitted_region.h"
 #include "core/profile/profile.h"
 #include "core/tracking/axis_profile.h"
@@ -14,8 +15,8 @@
 // The set-points of both axes, kept inside the permitted region whatever is asked of them and by whom: below every
 // source of motion this is what holds. In each step an axis gets as much room as is free while the other one is
 // anywhere between where it is and where it would come to rest; so both can always still brake, and along an edge they
-// slide. From a forbidden place (an edited mask, a mount that was pushed) they only move out. Pure, one thread;
-// README.md.
+// slide. An axis that the rotator does not have stays at 0. From a forbidden place (an edited mask, a mount that was
+// pushed) they only move out. Pure, one thread; README.md.
 namespace boresight {
 
 // What one axis is asked: to go to a target that moves at `rate`, or without a target to run at `rate`. Zero: brake,
@@ -30,7 +31,7 @@ struct AxisWish
 class GuardedAxes
 {
 public:
-    explicit GuardedAxes(const profile::Profile& profile);
+    explicit GuardedAxes(const profile::Profile& profile, const Capabilities& capabilities = {});
 
     // Takes over an axis that stands at a measured angle, at rest there.
     void start(Axis axis, Angle measured);
@@ -53,12 +54,16 @@ public:
     [[nodiscard]] QString obstacle() const;
 
 private:
+    [[nodiscard]] pointing::AxisBox travelOf(const profile::Profile& profile) const;
+    [[nodiscard]] pointing::Region ofPresentAxes(const pointing::Region& region) const;
     [[nodiscard]] pointing::AxisBox untilRest() const;
+    void stepGuarded(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
     void stepFree(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
     void stepInside(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
     void stepOut(Seconds duration, const AxisWish& azimuth, const AxisWish& elevation);
     void brake(Seconds duration, const pointing::AxisBox& within, const AxisWish& azimuth, const AxisWish& elevation);
 
+    std::array<bool, 2> m_present;
     pointing::AxisBox m_travel;
     pointing::PermittedRegion m_region;
     tracking::AxisProfile m_azimuth;

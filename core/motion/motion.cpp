@@ -5,6 +5,7 @@
 #include "core/pointing/route.h"
 #include "core/tracking/emergency_braking.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace boresight {
@@ -34,12 +35,17 @@ bool same(const AxisPosition& a, const AxisPosition& b)
 
 }  // namespace
 
-Motion::Motion(const profile::Profile& profile)
-    : m_axes(profile),
-      m_speed{.azimuth = profile.azimuth.limits.speed, .elevation = profile.elevation.limits.speed},
+Motion::Motion(const profile::Profile& profile, const Capabilities& capabilities)
+    : m_capabilities(capabilities),
+      m_axes(profile, capabilities),
+      m_limits{profile.azimuth.limits, profile.elevation.limits},
       m_hardest{tracking::emergencyBraking(profile.azimuth.limits),
                 tracking::emergencyBraking(profile.elevation.limits)}
-{}
+{
+    for (const Axis axis : kAxes) {
+        setLimits(axis, profile.axis(axis).limits);
+    }
+}
 
 void Motion::start(Axis axis, Angle measured)
 {
@@ -99,9 +105,18 @@ void Motion::setRegion(const pointing::Region& region, const pointing::PointingM
 
 void Motion::setLimits(Axis axis, const tracking::MotionLimits& limits)
 {
-    m_axes.setLimits(axis, limits);
-    (axis == Axis::Azimuth ? m_speed.azimuth : m_speed.elevation) = limits.speed;
-    m_hardest[axis == Axis::Azimuth ? 0 : 1] = tracking::emergencyBraking(limits);
+    const auto& can = m_capabilities.axes[index(axis)];
+    tracking::MotionLimits& known = m_limits[index(axis)];
+    known = limits;
+    known.speed = can && can->fastest ? std::min(limits.speed, *can->fastest) : limits.speed;
+    m_axes.setLimits(axis, known);
+    m_hardest[index(axis)] = tracking::emergencyBraking(known);
+}
+
+void Motion::setTrim(const AxisPosition& trim)
+{
+    m_trim = {.azimuth = m_capabilities.has(Axis::Azimuth) ? trim.azimuth : Angle{},
+              .elevation = m_capabilities.has(Axis::Elevation) ? trim.elevation : Angle{}};
 }
 
 void Motion::forgetWay()
@@ -204,7 +219,7 @@ Result<std::vector<AxisPosition>> Motion::route(const AxisPosition& from, const 
     if (!m_axes.enforced()) {
         return std::vector{to};
     }
-    return pointing::route(region(), from, to, m_speed);
+    return pointing::route(region(), from, to, {.azimuth = m_limits[0].speed, .elevation = m_limits[1].speed});
 }
 
 void Motion::brake(Seconds step)

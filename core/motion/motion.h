@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
+#include "core/messages/capabilities.h"
 #include "core/motion/guarded_axes.h"
 #include "core/profile/profile.h"
 #include "core/tracking/target_stream.h"
@@ -18,14 +19,15 @@
 // Both axes on their way: keeps what is wanted (rest, a place, a stream of places, a rate) and makes the next set-point
 // of each axis from it, within speed, acceleration, jerk, travel and the permitted region. A target that can not be
 // reached directly is reached by a route around what is forbidden; for one that is forbidden itself the nearest
-// permitted place is driven. Knows nothing of drives, clients or states. Pure: time is passed in. Angles are
+// permitted place is driven. An axis is never asked for more speed than the rotator has, and one that the rotator does
+// not have stays at 0. Knows nothing of drives, clients or states. Pure: time is passed in. Angles are
 // mechanical.
 namespace boresight {
 
 class Motion
 {
 public:
-    explicit Motion(const profile::Profile& profile);
+    explicit Motion(const profile::Profile& profile, const Capabilities& capabilities = {});
 
     // Takes over an axis that stands at a measured angle, at rest there. What is wanted stays.
     void start(Axis axis, Angle measured);
@@ -36,12 +38,14 @@ public:
     void confirmStream(SteadyTime now);                      // its client has read the position
     void settleStream();                                     // no more points: come to rest at the last one
     void run(const AxisRates& rates);
-    void setTrim(const AxisPosition& trim) { m_trim = trim; }  // is added to the points of streams
+    void setTrim(const AxisPosition& trim);  // is added to the points of streams
     [[nodiscard]] const AxisPosition& trim() const { return m_trim; }
 
     // Settings of the profile that apply at once, also in the middle of a motion.
     void setRegion(const pointing::Region& region, const pointing::PointingModel& pointing);
     void setLimits(Axis axis, const tracking::MotionLimits& limits);
+    // Those of the profile, as far as the rotator can go along.
+    [[nodiscard]] const tracking::MotionLimits& limits(Axis axis) const { return m_limits[index(axis)]; }
     // While nobody knows on which turn an axis stands, nobody knows what is forbidden: only the travel counts.
     void enforceRegion(bool enforced) { m_axes.enforce(enforced); }
 
@@ -96,8 +100,9 @@ private:
 
     Wanted m_wanted;
     AxisPosition m_trim{};
+    Capabilities m_capabilities;
     GuardedAxes m_axes;
-    AxisRates m_speed;
+    std::array<tracking::MotionLimits, 2> m_limits;
     std::array<AngularAcceleration, 2> m_hardest;
     bool m_hardBraking = false;
     Way m_way;

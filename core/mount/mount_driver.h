@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
+#include "core/messages/capabilities.h"
 #include "core/mount/mount_report.h"
 #include "core/profile/profile.h"
 #include "core/tracking/axis_profile.h"
@@ -25,6 +26,8 @@ class MountDriver
 public:
     virtual ~MountDriver() = default;
 
+    // Of an axis that is missing every other question has the answer of one that stands at 0 and needs nothing.
+    [[nodiscard]] virtual Capabilities capabilities() const = 0;
     // Of the drive of an axis: the source of a line of the log, and as it stands in a sentence.
     [[nodiscard]] virtual const QString& name(Axis axis) const = 0;
     [[nodiscard]] virtual QString label(Axis axis) const = 0;

@@ -47,6 +47,19 @@ struct AxisReport
     std::optional<double> motorTemperature;  // °C
 };
 
+// Of an axis that the mount does not have: it stands at 0, needs nothing and hinders nothing.
+[[nodiscard]] inline AxisReport reportOfMissingAxis(bool follows, SteadyTime now)
+{
+    return {.hand = follows ? AxisHand::Follows : AxisHand::HoldsItself,
+            .answers = true,
+            .seen = true,
+            .underOrders = follows,
+            .wrapKnown = true,
+            .place = Angle{},
+            .placed = now,
+            .heard = now};
+}
+
 // What the control knows and no driver sees.
 struct MountSituation
 {

@@ -134,6 +134,13 @@ MountModel::MountModel(const AxisGeometry& azimuth, const AxisGeometry& elevatio
       m_elevations(elevation.travel)
 {}
 
+void MountModel::leaveOut(Axis axis)
+{
+    m_missing[index(axis)] = true;
+    (axis == Axis::Azimuth ? m_azimuth : m_elevation).travel = {};
+    (axis == Axis::Azimuth ? m_azimuths : m_elevations) = {};
+}
+
 void MountModel::limitTo(const TravelRange& azimuths, const TravelRange& elevations)
 {
     if (azimuths.min <= azimuths.max && elevations.min <= elevations.max) {
@@ -150,7 +157,7 @@ const AxisGeometry& MountModel::axis(Axis which) const
 // Where a direction above 90° is reached over the top.
 std::optional<AxisPosition> MountModel::overTheTop(const SkyPointing& direction, const AxisPosition& now) const
 {
-    const AxisPosition wanted = m_pointing.toAxes(direction).axes;
+    const AxisPosition wanted = present(m_pointing.toAxes(direction).axes);
     const auto azimuth = turnInside(m_azimuths, wanted.azimuth, now.azimuth);
     if (direction.elevation <= 90_deg || !azimuth || !reaches(m_elevations, wanted.elevation)) {
         return std::nullopt;
@@ -163,7 +170,8 @@ Resolved MountModel::resolve(const SkyPointing& direction, const AxisPosition& n
     if (const auto over = overTheTop(direction, now)) {
         return {.position = *over};
     }
-    const auto [wanted, miss] = m_pointing.toAxes(upright(direction));
+    const auto [axes, miss] = m_pointing.toAxes(upright(direction));
+    const AxisPosition wanted = present(axes);
     Resolved resolved;
     if (const auto azimuth = turnInside(m_azimuths, wanted.azimuth, now.azimuth)) {
         resolved.position = {*azimuth, m_elevations.clamped(wanted.elevation)};
@@ -201,12 +209,13 @@ AxisPosition MountModel::nearestAcrossGap(const AxisPosition& wanted, const Axis
 
 Resolved MountModel::resolve(const AxisPosition& position) const
 {
-    Resolved resolved{.position = {m_azimuths.clamped(position.azimuth), m_elevations.clamped(position.elevation)}};
-    if (!reaches(m_azimuths, position.azimuth)) {
-        addReason(resolved, azimuthReason(position.azimuth, m_azimuths));
+    const AxisPosition wanted = present(position);
+    Resolved resolved{.position = {m_azimuths.clamped(wanted.azimuth), m_elevations.clamped(wanted.elevation)}};
+    if (!reaches(m_azimuths, wanted.azimuth)) {
+        addReason(resolved, azimuthReason(wanted.azimuth, m_azimuths));
     }
-    if (!reaches(m_elevations, position.elevation)) {
-        addReason(resolved, elevationReason(position.elevation, m_elevations));
+    if (!reaches(m_elevations, wanted.elevation)) {
+        addReason(resolved, elevationReason(wanted.elevation, m_elevations));
     }
     return resolved;
 }

@@ -6,6 +6,7 @@
 
 #include <QString>
 
+#include <array>
 #include <optional>
 
 // The one place where a direction in the sky, the mechanical angles of the axes and the turns of the motors become one
@@ -63,6 +64,9 @@ public:
     [[nodiscard]] const PointingModel& pointing() const { return m_pointing; }
     void setPointing(const PointingModel& pointing) { m_pointing = pointing; }
 
+    // The mount has no such axis: it stands at 0, and nothing is asked of it.
+    void leaveOut(Axis axis);
+
     // Directions are resolved into these ranges, which are the travel of the axes until told otherwise: a place on a
     // turn outside of the limits of operation is no answer. Ranges with nothing in them change nothing.
     void limitTo(const TravelRange& azimuths, const TravelRange& elevations);
@@ -77,15 +81,27 @@ public:
     [[nodiscard]] Resolved resolve(const AxisPosition& position) const;
 
     // Where the beam points: azimuth in [0°, 360°), elevation -90…90° (over the top is turned to its sky place).
-    [[nodiscard]] SkyPointing toSky(const AxisPosition& position) const { return upright(m_pointing.toSky(position)); }
+    [[nodiscard]] SkyPointing toSky(const AxisPosition& position) const
+    {
+        return present(upright(m_pointing.toSky(position)));
+    }
 
 private:
+    // An AxisPosition or a SkyPointing with 0 for an axis that is missing.
+    template <class Place>
+    [[nodiscard]] Place present(Place place) const
+    {
+        place.azimuth = m_missing[0] ? Angle{} : place.azimuth;
+        place.elevation = m_missing[1] ? Angle{} : place.elevation;
+        return place;
+    }
     [[nodiscard]] std::optional<AxisPosition> overTheTop(const SkyPointing& direction, const AxisPosition& now) const;
     [[nodiscard]] AxisPosition nearestAcrossGap(const AxisPosition& wanted, const AxisPosition& now) const;
 
     AxisGeometry m_azimuth;
     AxisGeometry m_elevation;
     PointingModel m_pointing;
+    std::array<bool, 2> m_missing{};
     TravelRange m_azimuths;
     TravelRange m_elevations;
 };

@@ -3,6 +3,7 @@
 #include "core/base/control_characters.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/profile/commissioning.h"
 #include "core/profile/setting_groups.h"
 #include "core/units/degrees_text.h"
 
@@ -34,6 +35,25 @@ void checkAxis(std::vector<Problem>& problems, const std::string& table, const A
             {table + ".max_jerk_deg_s3", Text::tr("must be at least max_acceleration_deg_s2 per second, here %1")
                                              .arg(toQString(formatFixed(axis.limits.acceleration.degrees(), 2)))
                                              .toStdString()});
+    }
+}
+
+void checkDrivers(std::vector<Problem>& problems, const Profile& profile)
+{
+    const AxisDriver azimuth = profile.azimuth.driver;
+    const AxisDriver elevation = profile.elevation.driver;
+    const auto find = [&](AxisDriver driver, const QString& text) {
+        if (azimuth == driver || elevation == driver) {
+            problems.push_back({azimuth == driver ? "azimuth.driver" : "elevation.driver", text.toStdString()});
+        }
+    };
+    if (azimuth == AxisDriver::None && elevation == AxisDriver::None) {
+        problems.push_back({"elevation.driver", Text::tr("A mount needs at least one axis.").toStdString()});
+    } else if (azimuth != elevation) {
+        find(AxisDriver::Moteus, Text::tr("One moteus alone is not supported. Use \"moteus\" for both axes."));
+    }
+    if (!isSimulated(profile)) {
+        find(AxisDriver::Simple, Text::tr("The simple rotator is only simulated. Start Boresight with --simulate."));
     }
 }
 
@@ -85,6 +105,7 @@ void checkRows(std::vector<Problem>& problems, std::string_view list, std::span<
 std::vector<Problem> crossCheck(const Profile& profile)
 {
     std::vector<Problem> problems;
+    checkDrivers(problems, profile);
     checkAxis(problems, "azimuth", profile.azimuth, profile.park.azimuth);
     checkAxis(problems, "elevation", profile.elevation, profile.park.elevation);
     if (profile.azimuth.id == profile.elevation.id) {

@@ -36,8 +36,17 @@ enum class TimeoutMode
     Brake  // 15: shorts the phases; only a self-locking gearbox then stays where it is
 };
 
+// What turns an axis.
+enum class AxisDriver
+{
+    Moteus,
+    Simple,  // the plainest rotator: whole degrees at one speed. Only simulated
+    None     // the mount has no such axis
+};
+
 struct AxisSettings
 {
+    AxisDriver driver = AxisDriver::Moteus;
     int id = 1;  // of the moteus controller on the bus
     pointing::AxisGeometry geometry{};
     tracking::MotionLimits limits{};

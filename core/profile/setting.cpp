@@ -50,6 +50,12 @@ void addGeometry(std::vector<Setting>& list, const std::string& table, AxisSetti
 {
     constexpr auto kOnReconnect = Applies::OnReconnect;
     constexpr Range kTravel{-3600.0, 3600.0};
+    list.push_back(choice(
+        table + ".driver", {"moteus", "simple", "none"}, kOnReconnect,
+        QT_TRANSLATE_NOOP("Text",
+                          "What turns the axis. \"simple\" is simulated only: a rotator of whole degrees without a "
+                          "watchdog. With \"none\" the mount has no such axis."),
+        [axis](auto& p) -> auto& { return (p.*axis).driver; }));
     list.push_back(integer(
         table + ".id", "", {1, 126}, kOnReconnect,
         QT_TRANSLATE_NOOP("Text", "CAN id of the axis's moteus controller."), [axis](auto& p) -> auto& {

@@ -16,6 +16,7 @@ class SimpleBox
 {
 public:
     static constexpr AngularRate kSpeed = AngularRate::fromDegrees(6.0);
+    static constexpr Angle kStep = Angle::fromDegrees(1.0);
 
     explicit SimpleBox(const AxisPosition& place = {}) : m_place{place.azimuth, place.elevation} {}
 

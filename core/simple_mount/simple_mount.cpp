@@ -13,10 +13,21 @@ Angle wholeDegrees(Angle angle)
     return Angle::fromDegrees(std::round(angle.degrees()));
 }
 
+std::optional<AxisCapabilities> capabilitiesOf(bool present)
+{
+    // Some slower than it runs, so that it keeps up with the set-points.
+    constexpr AxisCapabilities kAxis{.step = SimpleBox::kStep,
+                                     .fastest = AngularRate::fromDegrees(0.9 * SimpleBox::kSpeed.degrees()),
+                                     .silence = SimpleMount::kSilence};
+    return present ? std::optional(kAxis) : std::nullopt;
+}
+
 }  // namespace
 
-SimpleMount::SimpleMount(SimpleBox& box)
-    : m_box(box), m_names{QStringLiteral("azimuth drive"), QStringLiteral("elevation drive")}
+SimpleMount::SimpleMount(SimpleBox& box, const Axes& axes)
+    : m_box(box),
+      m_capabilities{.axes = {capabilitiesOf(axes.azimuth), capabilitiesOf(axes.elevation)}},
+      m_names{QStringLiteral("azimuth drive"), QStringLiteral("elevation drive")}
 {}
 
 QString SimpleMount::label(Axis axis) const
@@ -32,6 +43,9 @@ std::optional<QString> SimpleMount::identity(Axis /*axis*/) const
 
 AxisReport SimpleMount::report(Axis axis) const
 {
+    if (!m_capabilities.has(axis)) {
+        return reportOfMissingAxis(m_follows, m_now);
+    }
     AxisReport report{.hand = m_follows ? AxisHand::Follows : AxisHand::HoldsItself,
                       .answers = answers(),
                       .seen = answers(),
@@ -74,9 +88,11 @@ MountFindings SimpleMount::supervise(const MountSituation& /*known*/)
         letGo();
         m_lost = true;
         for (const Axis axis : kAxes) {
-            found.troubles.push_back({.axis = axis,
-                                      .loss = supervision::LossClass::Bus,
-                                      .what = Text::tr("the %1 fell silent").arg(label(axis))});
+            if (m_capabilities.has(axis)) {
+                found.troubles.push_back({.axis = axis,
+                                          .loss = supervision::LossClass::Bus,
+                                          .what = Text::tr("the %1 fell silent").arg(label(axis))});
+            }
         }
     }
     if (m_wanted && !m_follows && answers()) {
@@ -97,8 +113,13 @@ void SimpleMount::send()
     if (!m_follows) {
         return;
     }
-    const AxisPosition wanted{.azimuth = wholeDegrees(m_setpoints[0].position),
-                              .elevation = wholeDegrees(m_setpoints[1].position)};
+    AxisPosition wanted = *m_ordered;
+    if (m_capabilities.has(Axis::Azimuth)) {
+        wanted.azimuth = wholeDegrees(m_setpoints[0].position);
+    }
+    if (m_capabilities.has(Axis::Elevation)) {
+        wanted.elevation = wholeDegrees(m_setpoints[1].position);
+    }
     if (wanted != m_ordered) {
         m_box.goTo(wanted, m_now);
         m_ordered = wanted;

@@ -9,7 +9,8 @@
 
 // The plain simulated rotator behind the port of the mount: whole degrees, one speed, no watchdog. It shows that the
 // control needs nothing more of a rotator. It sends an order only when the set-point has left the degree that was
-// ordered or reported last, so taking an axis over moves nothing. Station thread only. Mechanical angles.
+// ordered or reported last, so taking an axis over moves nothing. It may have one axis only. Station thread only.
+// Mechanical angles.
 namespace boresight {
 
 class SimpleMount final : public MountDriver
@@ -18,12 +19,20 @@ public:
     // Longer than some lost answers, short enough to be reported while somebody looks.
     static constexpr std::chrono::milliseconds kSilence{500};
 
-    // The box outlives this.
-    explicit SimpleMount(SimpleBox& box);
+    // Which axes there are.
+    struct Axes
+    {
+        bool azimuth = true;
+        bool elevation = true;
+    };
+
+    // The box outlives this. An axis that is missing is never ordered anywhere.
+    explicit SimpleMount(SimpleBox& box, const Axes& axes = {true, true});
 
     // After the control has commanded.
     void send();
 
+    [[nodiscard]] Capabilities capabilities() const override { return m_capabilities; }
     [[nodiscard]] const QString& name(Axis axis) const override { return m_names[index(axis)]; }
     [[nodiscard]] QString label(Axis axis) const override;
     [[nodiscard]] std::optional<QString> identity(Axis axis) const override;
@@ -50,6 +59,7 @@ private:
     void letGo();
 
     SimpleBox& m_box;
+    Capabilities m_capabilities;
     std::array<QString, 2> m_names;
     Result<> m_fitness;
     std::optional<AxisPosition> m_place;    // as reported last

@@ -5728,6 +5728,47 @@ do eixo</translation>
         <source>no source of motion takes this request</source>
         <translation>nenhuma fonte de movimento atende este pedido</translation>
     </message>
+    <message>
+        <source>This rotator has no watchdog of its own</source>
+        <translation>Este rotor não tem watchdog próprio</translation>
+    </message>
+    <message>
+        <source>Boresight orders it only one small step ahead</source>
+        <translation>O Boresight só lhe ordena um pequeno passo de cada vez</translation>
+    </message>
+    <message>
+        <source>Keep its power switch in reach: if Boresight or the cable fails, it still ends its last step</source>
+        <translation>Tenha o interruptor da alimentação à mão: se o Boresight ou o cabo falhar, ainda termina o último passo</translation>
+    </message>
+    <message>
+        <source>This mount has no azimuth axis.</source>
+        <translation>Esta montagem não tem eixo de azimute.</translation>
+    </message>
+    <message>
+        <source>This mount has no elevation axis.</source>
+        <translation>Esta montagem não tem eixo de elevação.</translation>
+    </message>
+    <message>
+        <source>NONE</source>
+        <comment>axis state</comment>
+        <translation>NENHUM</translation>
+    </message>
+    <message>
+        <source>A mount needs at least one axis.</source>
+        <translation>Uma montagem precisa de pelo menos um eixo.</translation>
+    </message>
+    <message>
+        <source>One moteus alone is not supported. Use &quot;moteus&quot; for both axes.</source>
+        <translation>Um só moteus não é suportado. Use &quot;moteus&quot; nos dois eixos.</translation>
+    </message>
+    <message>
+        <source>The simple rotator is only simulated. Start Boresight with --simulate.</source>
+        <translation>O rotor simples é apenas simulado. Inicie o Boresight com --simulate.</translation>
+    </message>
+    <message>
+        <source>What turns the axis. &quot;simple&quot; is simulated only: a rotator of whole degrees without a watchdog. With &quot;none&quot; the mount has no such axis.</source>
+        <translation>O que move o eixo. &quot;simple&quot; é apenas simulado: um rotor de graus inteiros sem watchdog. Com &quot;none&quot; a montagem não tem este eixo.</translation>
+    </message>
 </context>
 <context>
     <name>Theme</name>

@@ -77,6 +77,34 @@ TEST_F(OptionsTest, TheCurrentMountOfTheStoreIsTaken)
 
 // Story: tried out first, with its sensor and its north applied; the adapter named at the next start then pointed 37.4°
 // beside, and refused every change because a real mount has no simulated sensor.
+// REQ-MOUNT-05
+TEST_F(OptionsTest, TheKindOfTheSimulatedMountIsChosen)
+{
+    EXPECT_FALSE(read({QStringLiteral("--simulate")})->simulateSimple);
+    const auto simple = read({QStringLiteral("--simulate=simple")});
+    ASSERT_TRUE(simple) << simple.error().text;
+    EXPECT_TRUE(simple->simulateSimple);
+    EXPECT_TRUE(simple->onlySimulated);
+    EXPECT_EQ(simple->startingProfile().sensor.source, profile::SensorSource::None) << "there is none on it";
+    EXPECT_FALSE(read({QStringLiteral("--simulate=nonsense")}));
+    EXPECT_FALSE(read({QStringLiteral("--simulate=simple"), QStringLiteral("--bus"), QStringLiteral("socketcan:can7")}))
+        << "no real mount is ever taken for a simulated one";
+}
+
+// REQ-MOUNT-06
+TEST_F(OptionsTest, ARealBusIsRefusedForAMountThatIsOnlySimulated)
+{
+    profile::Profile simple = named("simple");
+    simple.azimuth.driver = profile::AxisDriver::Simple;
+    simple.elevation.driver = profile::AxisDriver::None;
+    const profile::ProfileStore store(config());
+    ASSERT_TRUE(store.setCurrent(*store.add(simple)));
+    EXPECT_TRUE(read());
+    const auto real = read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")});
+    ASSERT_FALSE(real);
+    EXPECT_NE(real.error().text.find("azimuth.driver: The simple rotator is only simulated"), std::string::npos);
+}
+
 // REQ-PROFILE-17a
 TEST_F(OptionsTest, ARealBusLeavesBehindWhatWasFoundOfTheSimulatedMount)
 {

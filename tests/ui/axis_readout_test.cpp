@@ -4,6 +4,7 @@
 #include "tests/ui/find_widget.h"
 #include "tests/ui/sample_permissions.h"
 #include "tests/ui/sample_status.h"
+#include "ui/kit/format.h"
 #include "ui/kit/value_label.h"
 
 #include <gtest/gtest.h>
@@ -50,6 +51,19 @@ TEST(AxisReadout, WithoutAModelTheAxisIsTheTruth)
     readout.showStatus(pointed({}));
     EXPECT_EQ(shown(readout, "Actual azimuth"), QStringLiteral("62.60°"));
     EXPECT_FALSE(shown(readout, "Detail of azimuth").contains(QStringLiteral("axis")));
+}
+
+// REQ-MOUNT-03
+TEST(AxisReadout, AnAxisThatTheMountDoesNotHaveShowsNoNumbers)
+{
+    StationStatus status = pointed({});
+    status.elevation.state = AxisState::Missing;
+    AxisReadout readout;
+    readout.showStatus(status);
+    EXPECT_EQ(shown(readout, "State of elevation"), QStringLiteral("NONE"));
+    EXPECT_EQ(shown(readout, "Actual elevation"), noValue());
+    EXPECT_EQ(shown(readout, "Target elevation"), noValue());
+    EXPECT_EQ(shown(readout, "Actual azimuth"), QStringLiteral("62.60°"));
 }
 
 }  // namespace

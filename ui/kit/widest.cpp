@@ -78,7 +78,7 @@ QString widestStationState(const QFont& font)
 
 QString widestAxisState(const QFont& font)
 {
-    return widestWord(font, AxisState::Off);
+    return widestWord(font, AxisState::Missing);
 }
 
 }  // namespace boresight::ui

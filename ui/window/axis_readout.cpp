@@ -156,10 +156,11 @@ void AxisReadout::showRow(Axis which, bool turnKnown, bool turnAwaited)
     const auto shown = [which](Angle angle) { return which == Axis::Azimuth ? angle.wrapped360() : angle; };
     const Freshness age = freshness(axis.age);
     // On an unknown turn the drive counts from anywhere: no number at all.
-    const bool known = axis.actual && age != Freshness::NoData && turnKnown;
+    const bool missing = axis.state == AxisState::Missing;
+    const bool known = axis.actual && age != Freshness::NoData && turnKnown && !missing;
     const Tone tone = age == Freshness::Live ? Tone::Normal : Tone::Secondary;
     const auto actual = known ? axis.beam.actual : std::nullopt;
-    const auto target = axis.beam.target;
+    const auto target = missing ? std::nullopt : axis.beam.target;
     row.actual->setValue(actual ? angleText(shown(*actual)) : noValue(), actual ? tone : Tone::Secondary);
     row.target->setValue(target ? angleText(shown(*target)) : noValue(), target ? Tone::Normal : Tone::Secondary);
     const bool comparable = known && axis.target;

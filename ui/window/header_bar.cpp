@@ -44,7 +44,8 @@ Shown lineShown(const StationStatus& status)
 
 Shown driveShown(const QString& name, const AxisStatus& axis, bool released)
 {
-    if (freshness(axis.age) == Freshness::NoData && released) {
+    const bool missing = axis.state == AxisState::Missing;
+    if (missing || (freshness(axis.age) == Freshness::NoData && released)) {
         return {name, Tone::Secondary, Symbol::Lost};
     }
     if (freshness(axis.age) == Freshness::NoData) {

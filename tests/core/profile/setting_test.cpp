@@ -210,6 +210,27 @@ TEST(CrossCheck, FindsEveryClashAtOnce)
                                         "jog.normal_deg_s"}));
 }
 
+// REQ-MOUNT-06: A profile has at least one axis. What turns it is known to Boresight, and the simple rotator, which is
+// only simulated, is refused on a bus.
+TEST(CrossCheck, TheDriversOfTheAxesMakeSense)
+{
+    const auto found = [](AxisDriver azimuth, AxisDriver elevation, const char* bus) {
+        Profile profile;
+        profile.bus = bus;
+        profile.azimuth.driver = azimuth;
+        profile.elevation.driver = elevation;
+        return keysOf(crossCheck(profile));
+    };
+    using Keys = std::vector<std::string>;
+    EXPECT_EQ(found(AxisDriver::Moteus, AxisDriver::Moteus, "socketcan:can0"), Keys{});
+    EXPECT_EQ(found(AxisDriver::Simple, AxisDriver::None, "simulated"), Keys{});
+    EXPECT_EQ(found(AxisDriver::None, AxisDriver::Simple, "simulated"), Keys{});
+    EXPECT_EQ(found(AxisDriver::Simple, AxisDriver::Simple, "simulated"), Keys{});
+    EXPECT_EQ(found(AxisDriver::None, AxisDriver::None, "simulated"), Keys{"elevation.driver"});
+    EXPECT_EQ(found(AxisDriver::None, AxisDriver::Simple, "socketcan:can0"), Keys{"elevation.driver"});
+    EXPECT_EQ(found(AxisDriver::Moteus, AxisDriver::None, "socketcan:can0"), Keys{"azimuth.driver"});
+}
+
 // REQ-PROFILE-04
 TEST(CrossCheck, ThreeTicksMustFitIntoTheWatchdog)
 {

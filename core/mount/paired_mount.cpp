@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mount/paired_mount.h"
+
+namespace boresight {
+
+Capabilities PairedMount::capabilities() const
+{
+    return {.axes = {of(Axis::Azimuth).capabilities().axes[index(Axis::Azimuth)],
+                     of(Axis::Elevation).capabilities().axes[index(Axis::Elevation)]}};
+}
+
+Result<> PairedMount::available() const
+{
+    return of(Axis::Azimuth).available().and_then([this] { return of(Axis::Elevation).available(); });
+}
+
+const Result<>& PairedMount::fitness() const
+{
+    const Result<>& first = of(Axis::Azimuth).fitness();
+    return first ? of(Axis::Elevation).fitness() : first;
+}
+
+void PairedMount::observe(SteadyTime now)
+{
+    for (MountDriver* const driver : m_drivers) {
+        driver->observe(now);
+    }
+}
+
+MountFindings PairedMount::supervise(const MountSituation& known)
+{
+    MountFindings found;
+    for (MountDriver* const driver : m_drivers) {
+        MountFindings more = driver->supervise(known);
+        found.interrupted = found.interrupted || more.interrupted;
+        found.troubles.insert(found.troubles.end(), more.troubles.begin(), more.troubles.end());
+    }
+    return found;
+}
+
+void PairedMount::engage()
+{
+    for (MountDriver* const driver : m_drivers) {
+        driver->engage();
+    }
+}
+
+void PairedMount::brakeHard(bool hard)
+{
+    for (MountDriver* const driver : m_drivers) {
+        driver->brakeHard(hard);
+    }
+}
+
+void PairedMount::seize()
+{
+    for (MountDriver* const driver : m_drivers) {
+        driver->seize();
+    }
+}
+
+void PairedMount::recover()
+{
+    for (MountDriver* const driver : m_drivers) {
+        driver->recover();
+    }
+}
+
+void PairedMount::rearmed()
+{
+    for (MountDriver* const driver : m_drivers) {
+        driver->rearmed();
+    }
+}
+
+void PairedMount::leave(profile::OnExit how)
+{
+    for (MountDriver* const driver : m_drivers) {
+        driver->leave(how);
+    }
+}
+
+}  // namespace boresight

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simple_mount/simple_connection.h"
+
+#include <utility>
+
+namespace boresight {
+
+SimpleConnection::SimpleConnection(std::shared_ptr<SimpleBox> box, const SimpleMount::Axes& axes)
+    : m_box(std::move(box)), m_mount(*m_box, axes)
+{}
+
+void SimpleConnection::describe(StationStatus& status) const
+{
+    status.line = {.state = MountLine::State::Up, .name = QStringLiteral("simulated")};
+}
+
+MountMaker simpleRotator(std::shared_ptr<SimpleBox> box, const SimpleMount::Axes& axes)
+{
+    return [box = std::move(box), axes](const profile::InForce&, const Clock&, EventLog&, AlarmBoard&) {
+        return std::make_unique<SimpleConnection>(box, axes);
+    };
+}
+
+}  // namespace boresight

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// boresightd --simulate=simple: the whole station on the plainest rotator, driven over rotctld.
+#include "tests/fakes/wait_until.h"
+#include "tests/system/boresightd_process.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace boresight::system_test {
+namespace {
+
+std::pair<double, double> position(fakes::TcpPeer& client)
+{
+    std::istringstream reply(client.ask("p\n", 2));
+    std::pair<double, double> place{-1.0, -1.0};
+    reply >> place.first >> place.second;
+    return place;
+}
+
+// REQ-MOUNT-05 (SimpleRotator.*): `--simulate=simple` is the station on the plainest rotator, which reads whole
+// degrees. Another kind is refused with the kinds that there are.
+TEST(SimpleRotator, ArrivesWhereAClientSendsItAndReadsWholeDegrees)
+{
+    BoresightdProcess daemon({QStringLiteral("--simulate=simple")});
+    ASSERT_TRUE(daemon.listens()) << daemon.complaints();
+    const auto client = daemon.connect();
+    ASSERT_TRUE(fakes::waitUntil([&] { return client->ask("P 30.4 12.3\n") == "RPRT 0\n"; }));
+    const auto arrived = [&] { return position(*client) == std::pair(30.0, 12.0); };
+    bool whole = true;
+    EXPECT_TRUE(fakes::waitUntil(
+        [&] {
+            const auto [azimuth, elevation] = position(*client);
+            whole = whole && azimuth == std::round(azimuth) && elevation == std::round(elevation);
+            return arrived();
+        },
+        std::chrono::seconds(60)));
+    EXPECT_TRUE(whole);
+    EXPECT_EQ(daemon.terminate(), 0);
+}
+
+TEST(SimpleRotator, AnotherKindIsRefused)
+{
+    BoresightdProcess daemon({QStringLiteral("--simulate=nonsense")});
+    EXPECT_FALSE(daemon.listens());
+    EXPECT_NE(daemon.complaints().find("--simulate=nonsense: give --simulate for two moteus, or --simulate=simple"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace boresight::system_test
