@@ -18,11 +18,9 @@ pointing::PermittedRegion regionOf(const StationStatus& status)
             profile.elevation.geometry.travel, pointing::PointingModel(profile.pointing)};
 }
 
-QString forbidden(const std::string& reason)
+QString forbidden(const QString& reason)
 {
-    return reason.empty()
-               ? QString()
-               : QCoreApplication::translate("Forbidden", "forbidden: %1").arg(QString::fromStdString(reason));
+    return reason.isEmpty() ? QString() : QCoreApplication::translate("Forbidden", "forbidden: %1").arg(reason);
 }
 
 }  // namespace
@@ -33,6 +31,11 @@ QString whyForbidden(const StationStatus& status, const SkyPointing& direction)
     const pointing::PermittedRegion region = regionOf(status);
     pointing::MountModel model(profile.azimuth.geometry, profile.elevation.geometry,
                                pointing::PointingModel(profile.pointing));
+    for (const Axis axis : kAxes) {
+        if (!status.capabilities.has(axis)) {
+            model.leaveOut(axis);
+        }
+    }
     model.limitTo(region.ranges().azimuth, region.ranges().elevation);
     const AxisPosition now{status.azimuth.actual.value_or(0_deg), status.elevation.actual.value_or(0_deg)};
     const pointing::Resolved resolved = model.resolve(direction, now);
