@@ -281,6 +281,9 @@ TEST(Rooms, NobodyIsHandedTheProfileOrKeepsIt)
     EXPECT_THAT(linesWith("setProfile("), IsEmpty());
     EXPECT_THAT(linesWith("profile::Profile m_"), IsEmpty());
     EXPECT_THAT(linesWith("profile::Profile& m_"), IsEmpty());
+    auto parts = linesWith("Settings m_");
+    std::erase_if(parts, [](const std::string& line) { return line.find("profile::") == std::string::npos; });
+    EXPECT_THAT(parts, IsEmpty());
     // The station begins anew with this one.
     EXPECT_THAT(linesWith("profile::Profile> m_"),
                 testing::ElementsAre(testing::StartsWith("core/station/station.h:    std::optional")));

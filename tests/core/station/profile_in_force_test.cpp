@@ -67,7 +67,7 @@ TEST(ProfileInForce, ARearmIsRefusedByTheNumbersOfNow)
     rig.setProfile(demanding);
     const Result<> refused = rig.ask(request::Rearm{});
     ASSERT_FALSE(refused);
-    EXPECT_THAT(refused.error().text, HasSubstr("28.0 V are needed"));
+    EXPECT_THAT(refused.error().text, HasSubstr("30.0 V are needed"));
     rig.setProfile(before);
     EXPECT_TRUE(rig.ask(request::Rearm{}));
 }
