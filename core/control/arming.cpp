@@ -21,15 +21,9 @@ Result<> operatorOnly(const Source& source)
     return {};
 }
 
-Arming::Arming(const profile::Profile& profile, MountDriver& mount, EventLog& log)
-    : m_mount(mount), m_log(log), m_supervision(profile.supervision), m_retry(profile.recovery)
+Arming::Arming(const profile::InForce& profile, MountDriver& mount, EventLog& log)
+    : m_profile(profile), m_mount(mount), m_log(log), m_retry(profile)
 {}
-
-void Arming::setProfile(const profile::Profile& profile)
-{
-    m_supervision = profile.supervision;
-    m_retry.setSettings(profile.recovery);
-}
 
 Result<> Arming::admits(const Source& source) const
 {
@@ -147,15 +141,15 @@ QString Arming::rearmObstacle() const
     };
     QString obstacle;
     for (const Loss& loss : m_losses) {
-        obstacle =
-            of(loss.axis, supervision::clearRefusal(m_supervision, loss.kind, loss.conditions, conditions(loss.axis)));
+        obstacle = of(loss.axis, supervision::clearRefusal(m_profile->supervision, loss.kind, loss.conditions,
+                                                           conditions(loss.axis)));
         if (!obstacle.isEmpty()) {
             return obstacle;
         }
     }
     for (const Axis axis : kAxes) {
-        obstacle =
-            obstacle.isEmpty() ? of(axis, supervision::standingRefusal(m_supervision, conditions(axis))) : obstacle;
+        obstacle = obstacle.isEmpty() ? of(axis, supervision::standingRefusal(m_profile->supervision, conditions(axis)))
+                                      : obstacle;
     }
     return obstacle;
 }

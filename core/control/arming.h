@@ -6,7 +6,7 @@
 #include "core/base/result.h"
 #include "core/messages/station_status.h"
 #include "core/mount/mount_driver.h"
-#include "core/profile/profile.h"
+#include "core/profile/in_force.h"
 #include "core/supervision/retry_policy.h"
 
 #include <QString>
@@ -27,7 +27,7 @@ namespace boresight {
 class Arming
 {
 public:
-    Arming(const profile::Profile& profile, MountDriver& mount, EventLog& log);
+    Arming(const profile::InForce& profile, MountDriver& mount, EventLog& log);
 
     // May this source start a motion? The error says what stands in the way and what to do.
     [[nodiscard]] Result<> admits(const Source& source) const;
@@ -49,8 +49,6 @@ public:
     // First in a tick, after the replies were judged. True once when the connection to a drive was lost.
     [[nodiscard]] bool losesConnection(SteadyTime now);
     [[nodiscard]] bool connected() const { return m_connected; }
-
-    void setProfile(const profile::Profile& profile);
 
     // Latches the fault. `reason` in words: "azimuth drive: over temperature (38)"; the first one of a series stays.
     void lost(Axis axis, supervision::LossClass kind, const QString& reason);
@@ -75,9 +73,9 @@ private:
     void beginRearm();
     void retry();
 
+    const profile::InForce& m_profile;
     MountDriver& m_mount;
     EventLog& m_log;
-    profile::SupervisionSettings m_supervision;
     supervision::RetryPolicy m_retry;
     Authority m_authority = Authority::Clients;
     bool m_stopLatched = false;

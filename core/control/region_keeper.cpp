@@ -14,10 +14,10 @@ void RegionKeeper::begin()
     enforce();
 }
 
-void RegionKeeper::profileChanged(bool redrawn)
+void RegionKeeper::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
-    m_sun.setProfile(m_of.profile);
-    renew(redrawn);
+    m_sun.profileChanged(before, after);
+    renew(before.limits != after.limits || before.pointing != after.pointing);
 }
 
 void RegionKeeper::step()
@@ -56,8 +56,8 @@ void RegionKeeper::enforce()
     const SteadyTime now = m_of.helm.now();
     // A client's target that nobody moves any more is a place as well, unless the nearest permitted one is held for it.
     const bool standing = current.is(Activity::Streaming) && !motion.streaming(now) && !motion.limited();
-    m_of.model.setPointing(pointing::PointingModel(m_of.profile.pointing));
-    motion.setRegion(pointing::withSun(m_of.profile.limits, m_sun.keepOuts()), m_of.model.pointing());
+    m_of.model.setPointing(pointing::PointingModel(m_of.profile->pointing));
+    motion.setRegion(pointing::withSun(m_of.profile->limits, m_sun.keepOuts()), m_of.model.pointing());
     const pointing::AxisBox& ranges = motion.region().ranges();
     m_of.model.limitTo(ranges.azimuth, ranges.elevation);
     const auto target = motion.target(now);

@@ -9,7 +9,7 @@
 #include "core/control/sun_watch.h"
 #include "core/motion/motion.h"
 #include "core/pointing/mount_model.h"
-#include "core/profile/profile.h"
+#include "core/profile/in_force.h"
 
 // Keeps in force where the beam may be: the limits of the profile, and a keep-out around the Sun that is renewed as the
 // Sun moves. So everything that obeys the region obeys the keep-out. While the clock is doubted the keep-out is a band
@@ -22,7 +22,7 @@ class RegionKeeper
 public:
     struct Parts
     {
-        const profile::Profile& profile;  // in force; read at use
+        const profile::InForce& profile;
         const Clock& clock;
         pointing::MountModel& model;
         Motion& motion;
@@ -35,8 +35,7 @@ public:
 
     // The program begins with the region of the profile and the Sun of now.
     void begin();
-    // The profile in force is another one; `redrawn`: its limits or its pointing model.
-    void profileChanged(bool redrawn);
+    void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // Once in a tick.
     void step();
 

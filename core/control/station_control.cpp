@@ -24,15 +24,15 @@ Result<> makesSense(const profile::Profile& profile)
 
 }  // namespace
 
-StationControl::StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
+StationControl::StationControl(const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
                                MountDriver& mount, const MakeSources& sources)
     : m_profile(profile),
       m_clock(clock),
       m_log(log),
       m_alarms(alarms),
       m_mount(mount),
-      m_model(profile.azimuth.geometry, profile.elevation.geometry, pointing::PointingModel(profile.pointing)),
-      m_motion(profile),
+      m_model(profile->azimuth.geometry, profile->elevation.geometry, pointing::PointingModel(profile->pointing)),
+      m_motion(*profile),
       m_arming(profile, mount, log),
       m_cable(m_alarms, clock),
       m_sourceLog(log, clock),
@@ -60,12 +60,12 @@ StationControl::StationControl(const profile::Profile& profile, const Clock& clo
       m_sources(sources(m_helm))
 {
     m_region.begin();
-    m_adviceAlarms.update(profile);
+    m_adviceAlarms.update(*profile);
 }
 
 ControlParts StationControl::parts() const
 {
-    return {.profile = m_profile,
+    return {.profile = *m_profile,
             .clock = m_clock,
             .model = m_model,
             .mount = m_mount,
@@ -168,7 +168,7 @@ Result<> StationControl::handle(const request::Rearm&, const Source& source)
     if (source.kind != SourceKind::Client) {
         return m_arming.rearm(source);
     }
-    return m_lead.mayAct(m_profile.rotctld, source, m_now).and_then([&]() -> Result<> {
+    return m_lead.mayAct(m_profile->rotctld, source, m_now).and_then([&]() -> Result<> {
         if (!faultLatched() && m_lead.waits(source.clientId)) {
             m_lead.acted(source);
             return {};
@@ -198,11 +198,11 @@ Result<> StationControl::handle(const request::AcknowledgeAlarm& wanted, const S
     return {};
 }
 
-// The station puts it into force; see setProfile().
+// The station puts it into force; see profileChanged().
 Result<> StationControl::handle(const request::ApplyProfile& wanted, const Source& source)
 {
     return operatorOnly(source).and_then([&] { return makesSense(wanted.profile); }).and_then([&] {
-        return wanted.profile.pointing == m_profile.pointing ? Result<>{} : mayChangePointing();
+        return wanted.profile.pointing == m_profile->pointing ? Result<>{} : mayChangePointing();
     });
 }
 
@@ -219,20 +219,16 @@ Result<> StationControl::handle(const CalibrationRequest&, const Source& source)
     return operatorOnly(source);
 }
 
-void StationControl::setProfile(const profile::Profile& profile)
+void StationControl::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
-    const bool redrawn = profile.limits != m_profile.limits || profile.pointing != m_profile.pointing;
-    if (profile.mount.directions != m_profile.mount.directions) {
+    if (before.mount.directions != after.mount.directions) {
         m_firstMoves.beginAnew();  // the small way begins where the mount stands now
     }
-    m_profile = profile;
-    m_region.profileChanged(redrawn);
+    m_region.profileChanged(before, after);
     for (const Axis axis : kAxes) {
-        m_motion.setLimits(axis, profile.axis(axis).limits);
+        m_motion.setLimits(axis, after.axis(axis).limits);
     }
-    m_mount.setProfile(profile);
-    m_arming.setProfile(profile);
-    m_adviceAlarms.update(profile);
+    m_adviceAlarms.update(after);
 }
 
 void StationControl::watchFirstMoves()
@@ -299,7 +295,7 @@ void StationControl::tick()
     watchLimited();
     m_alarms.tick();
     if (m_end.leaves(m_motion.atRest() && !m_mount.changesHands(), m_now)) {
-        m_mount.leave(m_profile.control.onExit);
+        m_mount.leave(m_profile->control.onExit);
     }
 }
 
@@ -350,7 +346,7 @@ void StationControl::watchCable()
     const auto path = m_current.is(Activity::Streaming) && turnsKnown() ? m_motion.path(m_now) : std::nullopt;
     const auto target = moves() && m_motion.noWay().empty() ? m_motion.target(m_now) : std::nullopt;
     const auto left = target ? std::optional(target->azimuth - m_motion.place().azimuth) : std::nullopt;
-    m_cable.watch(path, left, m_motion.region().ranges().azimuth, m_profile.azimuth.limits);
+    m_cable.watch(path, left, m_motion.region().ranges().azimuth, m_profile->azimuth.limits);
 }
 
 // A drive that is not as it should be any more is not moved on.
@@ -414,7 +410,7 @@ void StationControl::moveOn(Seconds step)
 
 void StationControl::shutDown()
 {
-    if (m_end.begin(m_profile, m_clock.now())) {
+    if (m_end.begin(*m_profile, m_clock.now())) {
         m_arming.close();
         holdHere(Activity::None);
     }

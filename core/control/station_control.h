@@ -26,7 +26,7 @@
 #include "core/motion/motion.h"
 #include "core/mount/mount_driver.h"
 #include "core/pointing/mount_model.h"
-#include "core/profile/profile.h"
+#include "core/profile/in_force.h"
 
 #include <QString>
 
@@ -42,8 +42,8 @@ class StationControl
 {
 public:
     // Without a source of motion nothing moves.
-    // All but the profile and the sources outlive this.
-    StationControl(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
+    // All but the sources outlive this.
+    StationControl(const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
                    MountDriver& mount, const MakeSources& sources);
 
     // Accepted, or the reason in words. Takes effect in the next tick.
@@ -112,8 +112,8 @@ public:
     // A drive was lost and nobody has re-armed yet; also while DISCONNECTED hides the word FAULT.
     [[nodiscard]] bool faultLatched() const { return m_arming.fault().has_value(); }
 
-    // What applies at once of a changed profile: in force from the next tick on, also for what moves.
-    void setProfile(const profile::Profile& profile);
+    // What was worked out from the profile follows it: the region, the limits of a motion under way, the advice.
+    void profileChanged(const profile::Profile& before, const profile::Profile& after);
     [[nodiscard]] const MountDriver& mount() const { return m_mount; }
     // Where a sensor on the antenna says that the beam points: it speaks when a turn is asked for, and nowhere else.
     void setSensor(const std::optional<Angle>& azimuth, const std::optional<Angle>& elevation);
@@ -153,7 +153,7 @@ private:
     void finishRearm();
     void moveOn(Seconds step);
 
-    profile::Profile m_profile;
+    const profile::InForce& m_profile;
     const Clock& m_clock;
     EventLog& m_log;
     AlarmBoard& m_alarms;

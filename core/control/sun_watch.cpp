@@ -10,32 +10,40 @@
 
 namespace boresight {
 
-void SunWatch::setProfile(const profile::Profile& profile)
+SunWatch::SunWatch(const profile::InForce& profile) : m_profile(profile)
 {
-    if (profile.sun == m_sun && profile.site == m_site) {
-        return;
+    begin();
+}
+
+void SunWatch::profileChanged(const profile::Profile& before, const profile::Profile& after)
+{
+    if (before.sun != after.sun || before.site != after.site) {
+        begin();
     }
-    m_sun = profile.sun;
-    m_site = profile.site;
+}
+
+void SunWatch::begin()
+{
+    const profile::SiteSettings& site = m_profile->site;
     m_looked.reset();
     m_almanac.reset();
-    if (m_sun.keepAway == profile::KeepAway::On && m_site.known) {
+    if (m_profile->sun.keepAway == profile::KeepAway::On && site.known) {
         m_almanac.emplace(
-            Site{.latitude = m_site.latitude, .longitude = m_site.longitude, .heightMetres = m_site.heightMetres});
+            Site{.latitude = site.latitude, .longitude = site.longitude, .heightMetres = site.heightMetres});
     }
 }
 
 bool SunWatch::update(const Clock& clock)
 {
     const UtcTime utc = clock.utc();
-    const bool doubted = m_almanac && !m_trust.update(clock, m_sun.clock);
+    const bool doubted = m_almanac && !m_trust.update(clock, m_profile->sun.clock);
     if (m_looked && abs(utc - *m_looked) < kRenewal && doubted == m_doubted) {
         return false;
     }
     m_looked = utc;
     m_doubted = doubted;
     std::vector<pointing::KeepOut> keepOuts =
-        doubted ? pointing::sunBand(m_site.latitude, m_sun.radius + kMargin) : around(utc);
+        doubted ? pointing::sunBand(m_profile->site.latitude, m_profile->sun.radius + kMargin) : around(utc);
     const bool changed = keepOuts != m_keepOuts;
     m_keepOuts = std::move(keepOuts);
     return changed;
@@ -48,7 +56,7 @@ std::vector<pointing::KeepOut> SunWatch::around(UtcTime utc)
     }
     m_direction =
         ephemeris::apparent(m_almanac->place(ephemeris::Body::Sun, utc).direction, ephemeris::Refraction::Light);
-    const auto keepOut = pointing::sunKeepOut(m_direction, m_sun.radius + kMargin);
+    const auto keepOut = pointing::sunKeepOut(m_direction, m_profile->sun.radius + kMargin);
     return keepOut ? std::vector{*keepOut} : std::vector<pointing::KeepOut>{};
 }
 

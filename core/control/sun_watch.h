@@ -5,7 +5,7 @@
 #include "core/control/clock_trust.h"
 #include "core/ephemeris/almanac.h"
 #include "core/pointing/region.h"
-#include "core/profile/profile.h"
+#include "core/profile/in_force.h"
 
 #include <optional>
 #include <vector>
@@ -23,9 +23,11 @@ public:
     static constexpr std::chrono::seconds kRenewal{20};
     static constexpr Angle kMargin = Angle::fromDegrees(0.2);
 
-    explicit SunWatch(const profile::Profile& profile) { setProfile(profile); }
+    // The profile outlives this.
+    explicit SunWatch(const profile::InForce& profile);
 
-    void setProfile(const profile::Profile& profile);
+    // Of another Sun or site: looks for it with the next update().
+    void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // Looks for the Sun when it is time, or when the clock was set; true when the keep-outs have changed.
     [[nodiscard]] bool update(const Clock& clock);
 
@@ -37,13 +39,13 @@ public:
     [[nodiscard]] bool mayBeAt(const SkyPointing& beam) const;
     // How far a beam is from the middle of the Sun; empty without a keep-out, and while the clock is doubted.
     [[nodiscard]] std::optional<Angle> distance(const SkyPointing& beam) const;
-    [[nodiscard]] Angle radius() const { return m_sun.radius; }
+    [[nodiscard]] Angle radius() const { return m_profile->sun.radius; }
 
 private:
+    void begin();
     [[nodiscard]] std::vector<pointing::KeepOut> around(UtcTime utc);
 
-    profile::SunSettings m_sun;
-    profile::SiteSettings m_site;
+    const profile::InForce& m_profile;
     ClockTrust m_trust;
     std::optional<ephemeris::Almanac> m_almanac;  // while the Sun is watched
     std::optional<UtcTime> m_looked;

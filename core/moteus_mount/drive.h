@@ -84,7 +84,8 @@ public:
     static constexpr std::chrono::milliseconds kObedience{1000};  // enabling takes a drive some 13 ms
 
     Drive(const DriveSettings& settings, std::string name);
-    void setSettings(const DriveSettings& settings);  // from the next frame on; the same id
+    // From the next frame on; the same id. A drive knows no axis and no profile, but its own units.
+    void setSettings(const DriveSettings& settings);
 
     // Orders of the station; they take effect in the next frame.
     void engage();  // Listening -> (Recovering, after a time-out ->) Capturing -> Engaged

@@ -67,7 +67,7 @@ const AlarmEntry* entryOf(survey::FindingKind kind)
 
 }  // namespace
 
-DriveCare::DriveCare(const profile::Profile& profile, MoteusMount& mount, AlarmBoard& alarms, EventLog& log)
+DriveCare::DriveCare(const profile::InForce& profile, MoteusMount& mount, AlarmBoard& alarms, EventLog& log)
     : m_mount(mount), m_alarms(alarms), m_log(log), m_survey(profile, knownBoards(mount.memory()))
 {}
 

@@ -7,7 +7,7 @@
 #include "core/messages/permissions.h"
 #include "core/messages/request.h"
 #include "core/moteus_mount/moteus_mount.h"
-#include "core/profile/profile.h"
+#include "core/profile/in_force.h"
 #include "core/survey/drive_survey.h"
 
 #include <vector>
@@ -20,10 +20,13 @@ namespace boresight {
 class DriveCare
 {
 public:
-    DriveCare(const profile::Profile& profile, MoteusMount& mount, AlarmBoard& alarms, EventLog& log);
+    DriveCare(const profile::InForce& profile, MoteusMount& mount, AlarmBoard& alarms, EventLog& log);
 
     void take(const CanFrame& frame) { m_survey.take(frame); }
-    void setProfile(const profile::Profile& profile) { m_survey.setProfile(profile); }
+    void profileChanged(const profile::Profile& before, const profile::Profile& after)
+    {
+        m_survey.profileChanged(before, after);
+    }
     // After the tick of the control; the frames to send beside the mount's own.
     [[nodiscard]] std::vector<CanFrame> tick(SteadyTime now);
     // While settings are being written, nothing else is done to the drives.

@@ -22,22 +22,15 @@ DriveSettings driveSettings(Axis which, const profile::Profile& profile)
 
 }  // namespace
 
-DrivePair::DrivePair(const profile::Profile& profile)
-    : m_azimuthGeometry(profile.azimuth.geometry),
-      m_elevationGeometry(profile.elevation.geometry),
-      m_azimuth(driveSettings(Axis::Azimuth, profile), QT_TRANSLATE_NOOP("Text", "azimuth drive")),
-      m_elevation(driveSettings(Axis::Elevation, profile), QT_TRANSLATE_NOOP("Text", "elevation drive"))
+DrivePair::DrivePair(const profile::InForce& profile)
+    : m_profile(profile),
+      m_azimuth(driveSettings(Axis::Azimuth, *profile), QT_TRANSLATE_NOOP("Text", "azimuth drive")),
+      m_elevation(driveSettings(Axis::Elevation, *profile), QT_TRANSLATE_NOOP("Text", "elevation drive"))
 {}
-
-void DrivePair::setProfile(const profile::Profile& profile)
-{
-    m_azimuth.setSettings(driveSettings(Axis::Azimuth, profile));
-    m_elevation.setSettings(driveSettings(Axis::Elevation, profile));
-}
 
 const pointing::AxisGeometry& DrivePair::geometry(Axis axis) const
 {
-    return axis == Axis::Azimuth ? m_azimuthGeometry : m_elevationGeometry;
+    return m_profile->axis(axis).geometry;
 }
 
 void DrivePair::take(const CanFrame& frame)
@@ -49,8 +42,10 @@ void DrivePair::take(const CanFrame& frame)
 
 void DrivePair::judge(SteadyTime now)
 {
-    m_azimuth.judge(now);
-    m_elevation.judge(now);
+    for (const Axis axis : kAxes) {
+        drive(axis).setSettings(driveSettings(axis, *m_profile));
+        drive(axis).judge(now);
+    }
 }
 
 std::array<CanFrame, 2> DrivePair::frames() const

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/moteus_mount/drive.h"
-#include "core/profile/profile.h"
+#include "core/profile/in_force.h"
 #include "core/units/sky.h"
 
 #include <array>
@@ -14,13 +14,14 @@ namespace boresight {
 class DrivePair
 {
 public:
-    explicit DrivePair(const profile::Profile& profile);
-    void setProfile(const profile::Profile& profile);  // torque, and the guards of speed and acceleration
+    // The profile outlives this.
+    explicit DrivePair(const profile::InForce& profile);
 
     [[nodiscard]] Drive& drive(Axis axis) { return axis == Axis::Azimuth ? m_azimuth : m_elevation; }
     [[nodiscard]] const Drive& drive(Axis axis) const { return axis == Axis::Azimuth ? m_azimuth : m_elevation; }
 
     void take(const CanFrame& frame);
+    // Once per tick; from here on torque and the guards of speed and acceleration are those of the profile in force.
     void judge(SteadyTime now);
     [[nodiscard]] std::array<CanFrame, 2> frames() const;  // azimuth, elevation
 
@@ -44,8 +45,7 @@ public:
 private:
     [[nodiscard]] const pointing::AxisGeometry& geometry(Axis axis) const;
 
-    pointing::AxisGeometry m_azimuthGeometry;
-    pointing::AxisGeometry m_elevationGeometry;
+    const profile::InForce& m_profile;
     Drive m_azimuth;
     Drive m_elevation;
 };

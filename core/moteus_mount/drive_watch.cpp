@@ -49,19 +49,9 @@ bool isGivingWay(Finding finding)
 
 }  // namespace
 
-DriveWatch::DriveWatch(Axis axis, const profile::Profile& profile, AlarmBoard& alarms)
-    : m_which(axis),
-      m_settings(profile.axis(axis)),
-      m_watchdog(profile.control.watchdog),
-      m_alarms(alarms),
-      m_supervisor(axis, m_settings, profile.supervision)
+DriveWatch::DriveWatch(Axis axis, const profile::InForce& profile, AlarmBoard& alarms)
+    : m_which(axis), m_profile(profile), m_alarms(alarms), m_supervisor(axis, profile)
 {}
-
-void DriveWatch::setProfile(const profile::Profile& profile)
-{
-    m_settings = profile.axis(m_which);
-    m_supervisor.setSettings(m_settings, profile.supervision);
-}
 
 std::optional<DriveWatch::Trouble> DriveWatch::watch(Drive& drive, const tracking::Setpoint& setpoint,
                                                      const Context& context)
@@ -90,7 +80,7 @@ std::optional<DriveWatch::Trouble> DriveWatch::watchLoss(Drive& drive)
     const int code = drive.report() ? drive.report()->fault : 0;
     m_supervisor.forgetMotion();
     if (*loss == DriveLoss::Silent) {
-        tellSilence(drive_alarms::silenced(drive.label(), m_watchdog, m_silenceAdvice));
+        tellSilence(drive_alarms::silenced(drive.label(), m_profile->control.watchdog, m_silenceAdvice));
         // The reason of a latch outlasts the silence itself.
         return Trouble{.what = Text::tr("the %1 fell silent").arg(drive.label()), .loss = classOf(*loss, code)};
     }
@@ -160,7 +150,7 @@ supervision::AxisObservation DriveWatch::observation(Drive& drive, const trackin
     using Phase = Drive::Phase;
     const DriveReport& report = *drive.report();
     const auto& place = drive.place();
-    const pointing::AxisGeometry& geometry = m_settings.geometry;
+    const pointing::AxisGeometry& geometry = m_profile->axis(m_which).geometry;
     const auto leap = [&](const std::optional<supervision::PlaceBelief::Leap>& one) {
         return one ? std::optional(supervision::AngleLeap{.by = geometry.toAxis(one->to) - geometry.toAxis(one->from),
                                                           .to = geometry.toAxis(one->to),

@@ -37,11 +37,10 @@ public:
         bool gaveWay = false;       // the axis can not follow: it is to be held where it is now
     };
 
-    DriveWatch(Axis axis, const profile::Profile& profile, AlarmBoard& alarms);
+    DriveWatch(Axis axis, const profile::InForce& profile, AlarmBoard& alarms);
 
     [[nodiscard]] std::optional<Trouble> watch(Drive& drive, const tracking::Setpoint& setpoint,
                                                const Context& context);
-    void setProfile(const profile::Profile& profile);
     // What to do about a silent bus, when its kind is known.
     void setSilenceAdvice(const QString& advice) { m_silenceAdvice = advice; }
     // The axis was re-armed, its turn was set, its drive restarted, or this computer stalled: what it did before says
@@ -66,8 +65,7 @@ private:
     void endHints(const std::vector<supervision::Observed>& seen);
 
     Axis m_which;
-    profile::AxisSettings m_settings;
-    Seconds m_watchdog;
+    const profile::InForce& m_profile;
     AlarmBoard& m_alarms;
     supervision::AxisSupervisor m_supervisor;
     QString m_silenceAdvice;

@@ -18,13 +18,13 @@ const QString kJournalSource = QStringLiteral("memory");
 
 }  // namespace
 
-MoteusConnection::MoteusConnection(std::unique_ptr<CanLink> link, const Start& start, const profile::Profile& profile,
+MoteusConnection::MoteusConnection(std::unique_ptr<CanLink> link, const Start& start, const profile::InForce& profile,
                                    const Clock& clock, EventLog& log, AlarmBoard& alarms)
     : m_clock(clock),
       m_log(log),
       m_alarms(alarms),
-      m_simulated(profile::isSimulated(profile)),
-      m_memoryFile(start.stateDir, QString::fromStdString(profile.mount.name), this),
+      m_simulated(profile::isSimulated(*profile)),
+      m_memoryFile(start.stateDir, QString::fromStdString(profile->mount.name), this),
       m_mount(profile, clock, log, alarms, remembered(start)),
       m_care(profile, m_mount, alarms, log),
       m_link(std::move(link))
@@ -36,7 +36,7 @@ MoteusConnection::MoteusConnection(std::unique_ptr<CanLink> link, const Start& s
     });
     connect(m_link.get(), &CanLink::statusChanged, this, &MoteusConnection::showBus);
     watchJournal();
-    if (const auto bus = parseBusName(profile.bus)) {
+    if (const auto bus = parseBusName(profile->bus)) {
         m_mount.setSilenceAdvice(silenceAdvice(*bus));
     }
 }
@@ -157,7 +157,7 @@ MountMaker twoMoteus(std::unique_ptr<CanLink> link, const MoteusConnection::Star
 {
     // A std::function is copied, a link is not.
     return [link = std::make_shared<std::unique_ptr<CanLink>>(std::move(link)), start](
-               const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms) {
+               const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms) {
         return std::make_unique<MoteusConnection>(std::move(*link), start, profile, clock, log, alarms);
     };
 }

@@ -26,7 +26,7 @@ public:
         std::optional<memory::EnteredPlace> standingAt{};
     };
 
-    MoteusConnection(std::unique_ptr<CanLink> link, const Start& start, const profile::Profile& profile,
+    MoteusConnection(std::unique_ptr<CanLink> link, const Start& start, const profile::InForce& profile,
                      const Clock& clock, EventLog& log, AlarmBoard& alarms);
     ~MoteusConnection() override;
 
@@ -38,7 +38,10 @@ public:
     void send() override;
     [[nodiscard]] Result<> admits(const Request& request) const override { return m_care.admits(request); }
     [[nodiscard]] Result<> carryOut(const Request& request) override;
-    void setProfile(const profile::Profile& profile) override { m_care.setProfile(profile); }
+    void profileChanged(const profile::Profile& before, const profile::Profile& after) override
+    {
+        m_care.profileChanged(before, after);
+    }
     void setCourse(const std::optional<memory::SensorCourse>& course) override { m_mount.setCourse(course); }
     void describe(StationStatus& status) const override;
 

@@ -22,7 +22,7 @@ bool isSwitchedOn(const Drive& drive)
 
 }  // namespace
 
-MoteusMount::MoteusMount(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
+MoteusMount::MoteusMount(const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
                          TurnKeeper::Start start)
     : m_profile(profile),
       m_clock(clock),
@@ -49,7 +49,7 @@ void MoteusMount::setSilenceAdvice(const QString& advice)
 
 void MoteusMount::framesSent()
 {
-    m_stall.framesSent(m_profile.control.watchdog, heldPlace(), m_clock.now());
+    m_stall.framesSent(m_profile->control.watchdog, heldPlace(), m_clock.now());
 }
 
 void MoteusMount::driveRestarted(Axis axis)
@@ -134,7 +134,7 @@ void MoteusMount::describe(DrivesStatus& status) const
     status.proofText = m_proof.text();
     for (const Axis axis : kAxes) {
         DriveStatus& drive = axis == Axis::Azimuth ? status.azimuth : status.elevation;
-        drive.id = m_profile.axis(axis).id;
+        drive.id = m_profile->axis(axis).id;
         drive.turnKnown = m_turns.known(axis);
         drive.turnQuestion = readable() ? m_turns.question(axis, m_drives.drive(axis)) : std::nullopt;
         drive.crashStop = memory().crashStops[index(axis)];
@@ -144,7 +144,7 @@ void MoteusMount::describe(DrivesStatus& status) const
 void MoteusMount::observe(SteadyTime now)
 {
     if (m_observed) {
-        m_stall.tickBegins(now - m_now, m_profile.control.watchdog, heldPlace(), now);
+        m_stall.tickBegins(now - m_now, m_profile->control.watchdog, heldPlace(), now);
     } else {
         m_started = now;  // the drives have had no question before
     }
@@ -179,7 +179,7 @@ void MoteusMount::resumeAfterStall(const MountSituation& known, MountFindings& f
 {
     const bool hindered = m_proof.running() || known.closing || m_busLeft || known.stopLatched || known.faultLatched ||
                           !m_fitness || !m_turnWatch.allKnown();
-    m_stall.resume(m_profile.control.afterStall == profile::AfterStall::Resume && !hindered, m_now);
+    m_stall.resume(m_profile->control.afterStall == profile::AfterStall::Resume && !hindered, m_now);
     if (const auto missing = m_stall.finish(known.faultLatched, m_now)) {
         stopFor(missing->first, missing->second, found);
     }
@@ -227,8 +227,8 @@ void MoteusMount::interruptProof()
 bool MoteusMount::isFarOutside(Axis axis) const
 {
     const auto place = m_drives.measured(axis);
-    const TravelRange& travel = m_profile.axis(axis).geometry.travel;
-    const Angle margin = m_profile.control.driveLimitMargin;
+    const TravelRange& travel = m_profile->axis(axis).geometry.travel;
+    const Angle margin = m_profile->control.driveLimitMargin;
     return m_turns.known(axis) && place && (*place > travel.max + margin || *place < travel.min - margin);
 }
 
@@ -238,7 +238,7 @@ void MoteusMount::letBackInside()
     for (const Axis axis : kAxes) {
         const auto measured = m_drives.measured(axis);
         const bool outside =
-            m_turns.known(axis) && measured && !m_profile.axis(axis).geometry.travel.contains(*measured);
+            m_turns.known(axis) && measured && !m_profile->axis(axis).geometry.travel.contains(*measured);
         bool& ignoring = m_ignoringBounds[index(axis)];
         ignoring = isFarOutside(axis) || (ignoring && outside);
         m_drives.drive(axis).setIgnoreBounds(ignoring);
@@ -290,15 +290,6 @@ void MoteusMount::rearmed()
     for (const Axis axis : kAxes) {
         m_alarms.clear(alarmEntry("drive.fault").of(axis));
         m_watches[index(axis)].rearmed();
-    }
-}
-
-void MoteusMount::setProfile(const profile::Profile& profile)
-{
-    m_profile = profile;
-    m_drives.setProfile(profile);
-    for (DriveWatch& watch : m_watches) {
-        watch.setProfile(profile);
     }
 }
 

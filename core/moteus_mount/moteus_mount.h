@@ -13,7 +13,7 @@
 #include "core/moteus_mount/turn_watch.h"
 #include "core/mount/mount_driver.h"
 #include "core/mount/mount_service.h"
-#include "core/profile/profile.h"
+#include "core/profile/in_force.h"
 
 #include <array>
 #include <optional>
@@ -27,7 +27,8 @@ namespace boresight {
 class MoteusMount final : public MountDriver, public MountService
 {
 public:
-    MoteusMount(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
+    // All but the beginning outlive this.
+    MoteusMount(const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
                 TurnKeeper::Start start = {});
 
     // The bus.
@@ -72,7 +73,6 @@ public:
     void recover() override;
     void rearmed() override;
     void leave(profile::OnExit how) override { m_drives.leave(how); }
-    void setProfile(const profile::Profile& profile) override;
     void setSensor(Axis axis, const std::optional<Angle>& heading) override { m_turns.setSensor(axis, heading); }
 
     [[nodiscard]] Result<> mayBeWritten() const override;
@@ -100,7 +100,7 @@ private:
     // What the drives report means something: their gear and protections are right, or are still being read.
     [[nodiscard]] bool readable() const { return m_fitness || m_fitness.error().code == ErrorCode::Busy; }
 
-    profile::Profile m_profile;
+    const profile::InForce& m_profile;
     const Clock& m_clock;
     EventLog& m_log;
     AlarmBoard& m_alarms;

@@ -56,7 +56,7 @@ std::optional<Angle> sameAmong(const std::vector<Angle>& candidates, Angle angle
 
 }  // namespace
 
-TurnKeeper::TurnKeeper(const profile::Profile& profile, const Clock& clock, EventLog& log, Start start)
+TurnKeeper::TurnKeeper(const profile::InForce& profile, const Clock& clock, EventLog& log, Start start)
     : m_profile(profile),
       m_clock(clock),
       m_log(log),
@@ -116,12 +116,12 @@ void TurnKeeper::watchOrigin(Axis axis, const survey::DriveFacts& facts)
 
 bool TurnKeeper::isSameOrigin(Axis axis, const survey::DriveFacts& facts, const moteus::CountOrigin& one) const
 {
-    return memory::isSameOrigin(one, *facts.origin.origin, period(axis, facts), m_profile.axis(axis).geometry);
+    return memory::isSameOrigin(one, *facts.origin.origin, period(axis, facts), m_profile->axis(axis).geometry);
 }
 
 Angle TurnKeeper::period(Axis axis, const survey::DriveFacts& facts) const
 {
-    return memory::ambiguity(m_profile.axis(axis).geometry, facts.rotorToOutputRatio, facts.outputEncoder);
+    return memory::ambiguity(m_profile->axis(axis).geometry, facts.rotorToOutputRatio, facts.outputEncoder);
 }
 
 // The boards are interchanged: what is known of one says nothing of the other axis.
@@ -195,9 +195,9 @@ memory::DriveFrame TurnKeeper::frame(Axis axis, const survey::DriveFacts& facts,
 
 void TurnKeeper::judgeAnew(Axis axis, const survey::DriveFacts& facts, Drive& drive, SteadyTime now)
 {
-    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
+    const pointing::AxisGeometry& geometry = m_profile->axis(axis).geometry;
     const memory::DriveFrame met = frame(axis, facts, drive, now);
-    const bool trusted = m_profile.axis(axis).powerUpPosition == profile::PowerUpPosition::Trusted ||
+    const bool trusted = m_profile->axis(axis).powerUpPosition == profile::PowerUpPosition::Trusted ||
                          (m_start.trustFirstContact && !record(axis));
     const auto doubt = state(axis).doubt;
     const memory::Evidence evidence{.record = record(axis),
@@ -274,7 +274,7 @@ void TurnKeeper::ask(Axis axis, const memory::TurnQuestion& question, const Driv
 void TurnKeeper::countFromTheMiddle(Axis axis, Drive& drive)
 {
     State& mine = state(axis);
-    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
+    const pointing::AxisGeometry& geometry = m_profile->axis(axis).geometry;
     const Angle middle = (geometry.travel.min + geometry.travel.max) * 0.5;
     const Angle reported = geometry.toAxis(drive.place()->position);
     const Angle period = mine.question.period;
@@ -287,14 +287,14 @@ void TurnKeeper::countFromTheMiddle(Axis axis, Drive& drive)
 // Of a place in the drive's own turns: less than half of what it cannot tell apart.
 MotorTurns TurnKeeper::tolerance(Axis axis, Angle period) const
 {
-    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
+    const pointing::AxisGeometry& geometry = m_profile->axis(axis).geometry;
     const Angle quarter = period > Angle{} ? period * 0.25 : kLoneTolerance;
     return abs(geometry.toMotor(geometry.travel.min + quarter) - geometry.toMotor(geometry.travel.min));
 }
 
 Angle TurnKeeper::movedSince(Axis axis, const Drive& drive) const
 {
-    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
+    const pointing::AxisGeometry& geometry = m_profile->axis(axis).geometry;
     return geometry.toAxis(drive.place()->position) - geometry.toAxis(state(axis).reportedWhenAsked);
 }
 
@@ -312,7 +312,7 @@ std::optional<memory::TurnQuestion> TurnKeeper::question(Axis axis, const Drive&
         return question;
     }
     // Those of now: one that lay beyond the stops may have come inside by jogging, and others gone out.
-    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
+    const pointing::AxisGeometry& geometry = m_profile->axis(axis).geometry;
     question.candidates =
         memory::placesAround(geometry.toAxis(drive.place()->position), question.period, geometry.travel);
     if (question.proposed) {
@@ -351,14 +351,14 @@ Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString&
                                .arg(degreesText(angle), degreesText(place)));
         }
     }
-    const TravelRange& travel = m_profile.axis(axis).geometry.travel;
+    const TravelRange& travel = m_profile->axis(axis).geometry.travel;
     if (place < travel.min - memory::kBeyondTravel || place > travel.max + memory::kBeyondTravel) {
         return failure(ErrorCode::OutOfRange,
                        Text::tr("%1 is outside the travel (%2 to %3) by more than %4. Enter the angle of the axis.")
                            .arg(degreesText(place), degreesText(travel.min), degreesText(travel.max),
                                 degreesText(memory::kBeyondTravel)));
     }
-    if (drive.report()->mode != moteus::Mode::Stopped && beyondBounds(place, travel, m_profile)) {
+    if (drive.report()->mode != moteus::Mode::Stopped && beyondBounds(place, travel, *m_profile)) {
         return failure(ErrorCode::Refused,
                        Text::tr("%1 is beyond the drive's own bounds, and it would pull the axis to them at once: "
                                 "switch the drives off first (support the elevation)")
@@ -371,11 +371,11 @@ Result<> TurnKeeper::choose(Axis axis, Angle angle, Drive& drive, const QString&
 void TurnKeeper::settle(Axis axis, Angle angle, Angle period, Drive& drive, const QString& source, const QString& why)
 {
     m_log.add(Severity::Advisory, source, Text::tr("%1 stands at %2: %3").arg(drive.label(), degreesText(angle), why));
-    const pointing::AxisGeometry& geometry = m_profile.axis(axis).geometry;
+    const pointing::AxisGeometry& geometry = m_profile->axis(axis).geometry;
     const MotorTurns place = geometry.toMotor(angle);
     const MotorTurns near = tolerance(axis, period);
     const bool there = abs(drive.place()->position - place) < near;
-    const bool trusted = m_profile.axis(axis).powerUpPosition == profile::PowerUpPosition::Trusted;
+    const bool trusted = m_profile->axis(axis).powerUpPosition == profile::PowerUpPosition::Trusted;
     if (there && (trusted || drive.report()->homeState == moteus::HomeState::Output)) {
         becomeKnown(axis, drive);
         return;
@@ -390,7 +390,7 @@ void TurnKeeper::note(Axis axis, const survey::DriveFacts& facts, const Drive& d
     if (mine.phase != Phase::Known || !drive.place() || !drive.answering(now)) {
         return;
     }
-    const Angle angle = m_profile.axis(axis).geometry.toAxis(drive.place()->position);
+    const Angle angle = m_profile->axis(axis).geometry.toAxis(drive.place()->position);
     if (axis == Axis::Azimuth) {
         m_anchor = m_course ? std::optional(memory::CourseAnchor{.axis = angle, .course = *m_course}) : m_anchor;
     }
@@ -400,7 +400,7 @@ void TurnKeeper::note(Axis axis, const survey::DriveFacts& facts, const Drive& d
     const SteadyTime::duration sinceNoted = mine.noted ? now - *mine.noted : SteadyTime::duration::max();
     const bool elsewhere = last && abs(last->angle - angle) > kWorthNoting && sinceNoted >= kMovingPeriod;
     if (turned || !mine.noted || elsewhere || sinceNoted >= kRestingPeriod) {
-        last = memory::recordOf(here, angle, m_profile.axis(axis).geometry, moving, m_clock.utc(),
+        last = memory::recordOf(here, angle, m_profile->axis(axis).geometry, moving, m_clock.utc(),
                                 memory::hostTime(m_clock));
         mine.noted = now;
         m_changed = true;

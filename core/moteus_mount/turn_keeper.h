@@ -7,7 +7,7 @@
 #include "core/memory/sensor_course.h"
 #include "core/memory/turn_question.h"
 #include "core/moteus_mount/drive_pair.h"
-#include "core/profile/profile.h"
+#include "core/profile/in_force.h"
 #include "core/survey/drive_survey.h"
 
 #include <array>
@@ -37,7 +37,7 @@ public:
     // Long enough to look, to walk to the computer and to start the program.
     static constexpr std::chrono::minutes kPlaceAge{10};
 
-    TurnKeeper(const profile::Profile& profile, const Clock& clock, EventLog& log, Start start);
+    TurnKeeper(const profile::InForce& profile, const Clock& clock, EventLog& log, Start start);
 
     // The drive was silent, restarted or lost count: its turn must be judged anew. `doubt` says why a proof by the
     // journal must not count, if so.
@@ -116,7 +116,7 @@ private:
     void addTurning(Axis axis, memory::TurnQuestion& question) const;
     [[nodiscard]] Angle movedSince(Axis axis, const Drive& drive) const;
 
-    profile::Profile m_profile;
+    const profile::InForce& m_profile;
     const Clock& m_clock;
     EventLog& m_log;
     Start m_start;

@@ -9,7 +9,7 @@
 #include "core/messages/request.h"
 #include "core/messages/station_status.h"
 #include "core/mount/mount_driver.h"
-#include "core/profile/profile.h"
+#include "core/profile/in_force.h"
 
 #include <QObject>
 #include <QString>
@@ -45,15 +45,16 @@ public:
     [[nodiscard]] virtual Result<> admits(const Request& request) const = 0;
     [[nodiscard]] virtual Result<> carryOut(const Request& request) = 0;
 
-    virtual void setProfile(const profile::Profile& profile) = 0;
+    // Whatever of it must react: the driver reads the profile in force as it goes.
+    virtual void profileChanged(const profile::Profile& before, const profile::Profile& after) = 0;
     // How a sensor on the antenna has seen the azimuth turn.
     virtual void setCourse(const std::optional<memory::SensorCourse>& course) = 0;
     // Its part of the status: the line, and what it found out about the mount.
     virtual void describe(StationStatus& status) const = 0;
 };
 
-// Called once. All but the profile outlive what is made.
-using MountMaker = std::function<std::unique_ptr<MountConnection>(const profile::Profile& profile, const Clock& clock,
+// Called once. All of them outlive what is made.
+using MountMaker = std::function<std::unique_ptr<MountConnection>(const profile::InForce& profile, const Clock& clock,
                                                                   EventLog& log, AlarmBoard& alarms)>;
 
 }  // namespace boresight

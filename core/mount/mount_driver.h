@@ -61,7 +61,6 @@ public:
     virtual void rearmed() = 0;             // what was wrong before says nothing any more
     virtual void leave(profile::OnExit how) = 0;
 
-    virtual void setProfile(const profile::Profile& profile) = 0;
     // Where a sensor on the antenna sees an axis: evidence where the wrap is asked for, and nothing else.
     virtual void setSensor(Axis axis, const std::optional<Angle>& heading) = 0;
 

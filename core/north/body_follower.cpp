@@ -37,16 +37,15 @@ SkyPointing beside(SkyPointing place, const calibration::SkyOffset& offset)
 
 }  // namespace
 
-BodyFollower::BodyFollower(StationControl& control, const profile::Profile& profile, const Clock& clock, EventLog& log)
-    : m_control(control), m_clock(clock), m_log(log), m_bodies(profile.site)
-{
-    setProfile(profile);
-}
+BodyFollower::BodyFollower(StationControl& control, const profile::InForce& profile, const Clock& clock, EventLog& log)
+    : m_control(control), m_profile(profile), m_clock(clock), m_log(log), m_bodies(profile->site)
+{}
 
-void BodyFollower::setProfile(const profile::Profile& profile)
+void BodyFollower::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
-    m_bodies.setSite(profile.site);
-    m_keepsFromSun = profile.sun.keepAway == profile::KeepAway::On;
+    if (before.site != after.site) {
+        m_bodies = SkyBodies(after.site);
+    }
     if (!m_following) {
         return;
     }
@@ -71,7 +70,7 @@ Result<> BodyFollower::permits(Body body, bool overTheTop)
         if (direction.elevation < Angle{}) {
             return failure(ErrorCode::Refused, Text::tr("the %1 is below the horizon").arg(bodyName(body)));
         }
-        if (body == Body::Sun && m_keepsFromSun) {
+        if (body == Body::Sun && m_profile->sun.keepAway == profile::KeepAway::On) {
             return failure(ErrorCode::Refused, Text::tr("the profile keeps the beam away from the Sun: if feed and "
                                                         "receiver bear it, switch sun.keep_away off first"));
         }

@@ -16,9 +16,10 @@ namespace boresight {
 class BodyFollower
 {
 public:
-    BodyFollower(StationControl& control, const profile::Profile& profile, const Clock& clock, EventLog& log);
+    // All of them outlive it.
+    BodyFollower(StationControl& control, const profile::InForce& profile, const Clock& clock, EventLog& log);
 
-    void setProfile(const profile::Profile& profile);
+    void profileChanged(const profile::Profile& before, const profile::Profile& after);
 
     // Over the top: with the boom past the zenith, if the elevation's travel and limits allow it.
     Result<> follow(ephemeris::Body body, ephemeris::Refraction refraction, bool overTheTop = false);
@@ -60,10 +61,10 @@ private:
     void ended(const QString& how);
 
     StationControl& m_control;
+    const profile::InForce& m_profile;
     const Clock& m_clock;
     EventLog& m_log;
     SkyBodies m_bodies;
-    bool m_keepsFromSun = false;
     std::optional<ephemeris::Body> m_body;
     std::uint64_t m_errand = 0;  // of the control, when it was sent there
     ephemeris::Refraction m_refraction = ephemeris::Refraction::Light;

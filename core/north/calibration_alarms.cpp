@@ -55,7 +55,7 @@ bool CalibrationAlarms::beamAtSun()
         return true;
     }
     const auto sun = m_follower.direction(ephemeris::Body::Sun);
-    if (!sun || sun->elevation < Angle{} || m_profile.sun.keepAway == profile::KeepAway::On) {
+    if (!sun || sun->elevation < Angle{} || m_profile->sun.keepAway == profile::KeepAway::On) {
         return false;  // its keep-out has an alarm of its own
     }
     const bool told = isAtSun();
@@ -64,7 +64,7 @@ bool CalibrationAlarms::beamAtSun()
         return told;  // and nothing else is known
     }
     const Angle distance = angleBetween(*beam, *sun);
-    const Angle near = std::max(m_profile.mount.beamWidth / 2.0, kNearSun);
+    const Angle near = std::max(m_profile->mount.beamWidth / 2.0, kNearSun);
     return told ? distance < near + kClearOfSun : distance < near && m_axes.standStill();
 }
 

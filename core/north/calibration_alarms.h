@@ -13,7 +13,7 @@ class CalibrationAlarms
 {
 public:
     // All of them outlive it.
-    CalibrationAlarms(StationControl& control, const profile::Profile& profile, const CalibrationFile& file,
+    CalibrationAlarms(StationControl& control, const profile::InForce& profile, const CalibrationFile& file,
                       const ModelInForce& model, const AxisObserver& axes, BodyFollower& follower)
         : m_control(control), m_profile(profile), m_file(file), m_model(model), m_axes(axes), m_follower(follower)
     {}
@@ -29,7 +29,7 @@ private:
     [[nodiscard]] bool beamAtSun();
 
     StationControl& m_control;
-    const profile::Profile& m_profile;
+    const profile::InForce& m_profile;
     const CalibrationFile& m_file;
     const ModelInForce& m_model;
     const AxisObserver& m_axes;

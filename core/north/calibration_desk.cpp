@@ -6,21 +6,20 @@
 
 namespace boresight {
 
-CalibrationDesk::CalibrationDesk(StationControl& control, const profile::Profile& profile, CalibrationFile& file,
+CalibrationDesk::CalibrationDesk(StationControl& control, const profile::InForce& profile, CalibrationFile& file,
                                  const Clock& clock, EventLog& log)
-    : m_profile(profile),
-      m_sensor(m_profile, clock),
+    : m_sensor(profile, clock),
       m_axes(control, clock),
-      m_mount(control, m_profile),
-      m_model(file, m_profile, m_mount, clock),
+      m_mount(control, profile),
+      m_model(file, profile, m_mount, clock),
       m_points(control, file, m_mount, m_model, clock, log),
-      m_proposals(m_profile, m_sensor, m_model, m_points, log),
+      m_proposals(profile, m_sensor, m_model, m_points, log),
       m_follower(control, profile, clock, log),
-      m_runs(control, m_profile, m_sensor, m_axes, m_follower, clock, log),
+      m_runs(control, profile, m_sensor, m_axes, m_follower, clock, log),
       m_taker(control, m_runs, m_axes, m_model, m_follower, m_points, log),
-      m_changes(control, m_profile, file, m_mount, m_runs, m_follower, clock, log),
-      m_alarms(control, m_profile, file, m_model, m_axes, m_follower),
-      m_report({.profile = m_profile,
+      m_changes(control, profile, file, m_mount, m_runs, m_follower, clock, log),
+      m_alarms(control, profile, file, m_model, m_axes, m_follower),
+      m_report({.profile = profile,
                 .file = file,
                 .sensor = m_sensor,
                 .mount = m_mount,
@@ -104,17 +103,15 @@ void CalibrationDesk::fill(StationStatus& status) const
     }
 }
 
-void CalibrationDesk::setProfile(const profile::Profile& profile)
+void CalibrationDesk::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
-    const bool otherTerms = profile.pointing != m_profile.pointing;
-    const bool otherSensor = !readAlike(profile.sensor, m_profile.sensor);
+    const bool otherTerms = before.pointing != after.pointing;
+    const bool otherSensor = !readAlike(after.sensor, before.sensor);
     const bool other = otherTerms || otherSensor;
     if ((otherTerms || (other && m_runs.running() != CalibrationRun::CrossScan)) && m_runs.runs()) {
         m_runs.breakOff(Text::tr("the terms or the sensor in the profile were changed"));
     }
-    m_profile = profile;
-    m_changes.setWanted(profile);
-    m_follower.setProfile(profile);
+    m_follower.profileChanged(before, after);
     m_report.expire();
     if (other) {
         m_points.fit();

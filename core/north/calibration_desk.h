@@ -17,8 +17,8 @@ namespace boresight {
 class CalibrationDesk
 {
 public:
-    // `file` keeps the history. Control, file, clock and log outlive the desk.
-    CalibrationDesk(StationControl& control, const profile::Profile& profile, CalibrationFile& file, const Clock& clock,
+    // `file` keeps the history. All of them outlive the desk.
+    CalibrationDesk(StationControl& control, const profile::InForce& profile, CalibrationFile& file, const Clock& clock,
                     EventLog& log);
 
     // What StationControl has admitted: done, or the reason why not.
@@ -30,9 +30,8 @@ public:
     void show(const power::LineStatus& line) { m_runs.show(line); }
     // Once per tick, before StationControl's.
     void tick();
-    void setProfile(const profile::Profile& profile);
-    // What is saved: with all that is in force only after Reconnect.
-    void setWanted(const profile::Profile& wanted) { m_changes.setWanted(wanted); }
+    // After StationControl's.
+    void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // To be put into force at once, as a profile that the operator applies is.
     [[nodiscard]] std::optional<CalibrationChange> takeChange() { return m_changes.take(); }
 
@@ -69,7 +68,6 @@ private:
     void noteDrives();
     void watchPoints();
 
-    profile::Profile m_profile;
     LiveSensor m_sensor;
     AxisObserver m_axes;
     MountIdentity m_mount;

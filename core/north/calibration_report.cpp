@@ -41,7 +41,7 @@ void CalibrationReport::renew()
     m_expired = false;
     const calibration::CalibrationHistory& history = m_of.file.history();
     CalibrationStatus status{.progress = m_of.runs.progress(),
-                             .present = m_of.profile.pointing,
+                             .present = m_of.profile->pointing,
                              .sheet = m_of.model.sheet(),
                              .otherMount = m_of.model.otherMount(),
                              .sensorOffset = m_of.proposals.sensorOffset(),
@@ -66,7 +66,7 @@ void CalibrationReport::fillPoints(CalibrationStatus& status) const
     status.pointObstacle = reasonOf(m_of.taker.mayTakeBody());
     status.knownPointObstacle = reasonOf(m_of.taker.mayTake());
     status.points = book.status();
-    status.fit = book.fitStatus(m_of.profile.pointing);
+    status.fit = book.fitStatus(m_of.profile->pointing);
     status.noFit = book.problem();
     status.scan = scan.scanned();
     status.power = scan.power();
@@ -105,7 +105,7 @@ std::optional<CalibrationProposal> CalibrationReport::proposalStatus() const
                              .title = proposal->title,
                              .reason = proposal->reason,
                              .text = proposal->text,
-                             .terms = termsBeside(m_of.profile.pointing, proposal->terms),
+                             .terms = termsBeside(m_of.profile->pointing, proposal->terms),
                              .residuals = m_of.points.book().residuals(proposal->terms),
                              .changesSensor = proposal->sensor.has_value(),
                              .warnings = proposal->warnings,

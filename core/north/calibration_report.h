@@ -14,7 +14,7 @@ namespace boresight {
 // The parts of CalibrationDesk, for who only reads them.
 struct CalibrationParts
 {
-    const profile::Profile& profile;
+    const profile::InForce& profile;
     const CalibrationFile& file;
     const LiveSensor& sensor;
     const MountIdentity& mount;

@@ -25,7 +25,7 @@ SteadyTime before(SteadyTime time, Seconds age)
 
 }  // namespace
 
-CalibrationRuns::CalibrationRuns(StationControl& control, const profile::Profile& profile, const LiveSensor& sensor,
+CalibrationRuns::CalibrationRuns(StationControl& control, const profile::InForce& profile, const LiveSensor& sensor,
                                  const AxisObserver& axes, BodyFollower& follower, const Clock& clock, EventLog& log)
     : m_control(control),
       m_profile(profile),
@@ -122,7 +122,7 @@ Result<> CalibrationRuns::endedBy(const Result<>& scan)
 // The sensor's value is old and a mean when it arrives: it is laid beside where the axes were then.
 void CalibrationRuns::take(const orientation::Orientation& value)
 {
-    const profile::SensorSettings& settings = m_profile.sensor;
+    const profile::SensorSettings& settings = m_profile->sensor;
     const auto about = m_axes.trace().about(before(value.arrival, settings.latency), settings.averaging);
     const auto level = m_axes.trace().about(before(value.arrival, levelAge(settings)), Seconds(0.0));
     if (!about || !level) {
@@ -157,7 +157,7 @@ std::optional<RunEnd> CalibrationRuns::stepOffset() const
     if (!m_offset->done(m_clock.now())) {
         return std::nullopt;
     }
-    const auto offset = m_offset->outcome(m_profile.sensor, m_sensor.declination());
+    const auto offset = m_offset->outcome(m_profile->sensor, m_sensor.declination());
     if (!offset) {
         return failedRun(toQString(offset.error().text));
     }
@@ -213,7 +213,7 @@ SwingPlan CalibrationRuns::swingPlan() const
 
 std::vector<calibration::SwingDot> CalibrationRuns::swingSoFar() const
 {
-    return m_swing.run() ? m_swing.run()->dots(mountingOf(m_profile.sensor).sense)
+    return m_swing.run() ? m_swing.run()->dots(mountingOf(m_profile->sensor).sense)
                          : std::vector<calibration::SwingDot>{};
 }
 

@@ -16,8 +16,8 @@ namespace boresight {
 class CalibrationRuns
 {
 public:
-    // All of them outlive it. The profile may change.
-    CalibrationRuns(StationControl& control, const profile::Profile& profile, const LiveSensor& sensor,
+    // All of them outlive it.
+    CalibrationRuns(StationControl& control, const profile::InForce& profile, const LiveSensor& sensor,
                     const AxisObserver& axes, BodyFollower& follower, const Clock& clock, EventLog& log);
 
     [[nodiscard]] CalibrationRun running() const;
@@ -63,7 +63,7 @@ private:
     void hold();
 
     StationControl& m_control;
-    const profile::Profile& m_profile;
+    const profile::InForce& m_profile;
     const LiveSensor& m_sensor;
     const AxisObserver& m_axes;
     BodyFollower& m_follower;

@@ -26,7 +26,7 @@ const orientation::Orientation* LiveSensor::take(const SensorStatus& sensor)
 Result<> LiveSensor::isHeard() const
 {
     const Seconds age = m_last ? Seconds(m_clock.now() - m_last->arrival) : Seconds(0.0);
-    if (m_last && age <= m_profile.sensor.lost) {
+    if (m_last && age <= m_profile->sensor.lost) {
         return {};
     }
     const QString silence =
@@ -38,7 +38,7 @@ Result<> LiveSensor::isHeard() const
 
 Result<> LiveSensor::isUsable() const
 {
-    if (m_profile.sensor.source == profile::SensorSource::None) {
+    if (m_profile->sensor.source == profile::SensorSource::None) {
         return failure(ErrorCode::NotAvailable, Text::tr("the profile names no orientation sensor"));
     }
     return isHeard().and_then([this]() -> Result<> {

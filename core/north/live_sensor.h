@@ -4,7 +4,7 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/messages/sensor_status.h"
-#include "core/profile/profile.h"
+#include "core/profile/in_force.h"
 
 #include <cstdint>
 #include <optional>
@@ -15,8 +15,8 @@ namespace boresight {
 class LiveSensor
 {
 public:
-    // Profile and clock outlive it. The profile may change.
-    LiveSensor(const profile::Profile& profile, const Clock& clock) : m_profile(profile), m_clock(clock) {}
+    // Profile and clock outlive it.
+    LiveSensor(const profile::InForce& profile, const Clock& clock) : m_profile(profile), m_clock(clock) {}
 
     // The value, if it is a new one.
     const orientation::Orientation* take(const SensorStatus& sensor);
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] std::uint64_t restarts() const { return m_restarts; }
 
 private:
-    const profile::Profile& m_profile;
+    const profile::InForce& m_profile;
     const Clock& m_clock;
     std::optional<orientation::Orientation> m_last;
     QString m_problem;  // of its port or broker

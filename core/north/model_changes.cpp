@@ -13,12 +13,11 @@ const QString kChangesSource = QStringLiteral("calibration");
 
 }  // namespace
 
-ModelChanges::ModelChanges(const StationControl& control, const profile::Profile& profile, CalibrationFile& file,
+ModelChanges::ModelChanges(const StationControl& control, const profile::InForce& profile, CalibrationFile& file,
                            const MountIdentity& mount, const CalibrationRuns& runs, BodyFollower& follower,
                            const Clock& clock, EventLog& log)
     : m_control(control),
       m_profile(profile),
-      m_wanted(profile),
       m_file(file),
       m_mount(mount),
       m_runs(runs),
@@ -31,11 +30,11 @@ ModelChanges::ModelChanges(const StationControl& control, const profile::Profile
 Result<> ModelChanges::mayChange() const
 {
     return m_runs.isIdle().and_then([&]() -> Result<> {
-        if (m_wanted.bus != m_profile.bus) {
+        if (m_profile.wanted().bus != m_profile->bus) {
             return failure(ErrorCode::Refused,
                            Text::tr("the mount at %1 waits for Reconnect, and this was found of the one at %2: "
                                     "reconnect first")
-                               .arg(toQString(m_wanted.bus), toQString(m_profile.bus)));
+                               .arg(toQString(m_profile.wanted().bus), toQString(m_profile->bus)));
         }
         if (m_control.followsClient()) {
             return failure(ErrorCode::Refused, Text::tr("the mount follows a client, which the change would move: hold "
@@ -49,7 +48,7 @@ Result<> ModelChanges::mayChange() const
 // even be loaded again.
 Result<> ModelChanges::makesSense(const CalibrationChange& change) const
 {
-    for (profile::Profile wanted : {m_profile, m_wanted}) {
+    for (profile::Profile wanted : {*m_profile, m_profile.wanted()}) {
         change.applyTo(wanted);
         const auto problems = profile::problemsOf(wanted);
         if (!problems.empty() && problems.front().key.starts_with("park.")) {
@@ -74,16 +73,16 @@ Result<> ModelChanges::apply(const Proposal& proposal)
         calibration::CalibrationRecord record{.when = std::chrono::floor<std::chrono::milliseconds>(m_clock.utc()),
                                               .title = proposal.title.toStdString(),
                                               .mount = m_mount.today(),
-                                              .terms = {.before = m_profile.pointing, .after = proposal.terms},
+                                              .terms = {.before = m_profile->pointing, .after = proposal.terms},
                                               .sigmas = proposal.sigmas,
                                               .points = proposal.points};
         if (proposal.sensor) {
-            record.sensor = {.before = mountingOf(m_profile.sensor), .after = *proposal.sensor};
+            record.sensor = {.before = mountingOf(m_profile->sensor), .after = *proposal.sensor};
         }
         m_file.add(std::move(record));
         bringIntoForce(change, Text::tr("applies \"%1\": %2")
                                    .arg(proposal.title,
-                                        changeText(m_profile.pointing, proposal.terms, proposal.sensor.has_value())));
+                                        changeText(m_profile->pointing, proposal.terms, proposal.sensor.has_value())));
     });
 }
 
@@ -131,13 +130,13 @@ Result<> ModelChanges::redo()
 Result<> ModelChanges::stillInForce(const pointing::PointingTerms& terms,
                                     const std::optional<calibration::SensorMounting>& sensor) const
 {
-    if (!isSame(terms, m_profile.pointing)) {
+    if (!isSame(terms, m_profile->pointing)) {
         return failure(ErrorCode::Refused,
                        Text::tr("the pointing model was changed since, %1, and that would be lost: take it back on the "
                                 "page Profile first, or type the terms that you want")
-                           .arg(changeText(terms, m_profile.pointing)));
+                           .arg(changeText(terms, m_profile->pointing)));
     }
-    if (sensor && !isSame(*sensor, mountingOf(m_profile.sensor))) {
+    if (sensor && !isSame(*sensor, mountingOf(m_profile->sensor))) {
         return failure(ErrorCode::Refused,
                        Text::tr("the sensor's mounting or deviation was changed since, and that would be lost: take it "
                                 "back on the page Profile first"));

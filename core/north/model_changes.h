@@ -16,13 +16,10 @@ namespace boresight {
 class ModelChanges
 {
 public:
-    // All of them outlive it. The profile may change.
-    ModelChanges(const StationControl& control, const profile::Profile& profile, CalibrationFile& file,
+    // All of them outlive it.
+    ModelChanges(const StationControl& control, const profile::InForce& profile, CalibrationFile& file,
                  const MountIdentity& mount, const CalibrationRuns& runs, BodyFollower& follower, const Clock& clock,
                  EventLog& log);
-
-    // What is saved, with all that is in force only after Reconnect.
-    void setWanted(const profile::Profile& wanted) { m_wanted = wanted; }
 
     [[nodiscard]] Result<> mayChange() const;
     Result<> apply(const Proposal& proposal);
@@ -39,8 +36,7 @@ private:
     void bringIntoForce(const CalibrationChange& change, const QString& what);
 
     const StationControl& m_control;
-    const profile::Profile& m_profile;
-    profile::Profile m_wanted;
+    const profile::InForce& m_profile;
     CalibrationFile& m_file;
     const MountIdentity& m_mount;
     const CalibrationRuns& m_runs;

@@ -45,7 +45,7 @@ const calibration::CalibrationRecord* ModelInForce::entry() const
         return nullptr;
     }
     const calibration::CalibrationRecord& last = history.entries()[history.inForce() - 1];
-    return isSame(last.terms.after, m_profile.pointing) ? &last : nullptr;
+    return isSame(last.terms.after, m_profile->pointing) ? &last : nullptr;
 }
 
 // What was changed by other ways since the entry that was applied last; empty: nothing.
@@ -55,23 +55,23 @@ QString ModelInForce::changedSince() const
     if (!history.canUndo() || entry() != nullptr) {
         return {};
     }
-    return changeText(history.entries()[history.inForce() - 1].terms.after, m_profile.pointing);
+    return changeText(history.entries()[history.inForce() - 1].terms.after, m_profile->pointing);
 }
 
 // A term keeps its sigma as long as it keeps its value.
 calibration::TermSheet ModelInForce::sheet() const
 {
-    calibration::TermSheet sheet{.mountName = m_profile.mount.name,
+    calibration::TermSheet sheet{.mountName = m_profile->mount.name,
                                  .when = std::chrono::floor<std::chrono::seconds>(m_clock.utc()),
                                  .mount = m_mount.today(),
-                                 .terms = m_profile.pointing,
+                                 .terms = m_profile->pointing,
                                  .sigmas = {}};
     const calibration::CalibrationHistory& history = m_file.history();
     for (const calibration::Term term : calibration::kAllTerms) {
         for (std::size_t i = history.inForce(); i > 0; --i) {
             const calibration::CalibrationRecord& record = history.entries()[i - 1];
             const Angle after = calibration::valueOf(record.terms.after, term);
-            if (abs(after - calibration::valueOf(m_profile.pointing, term)) > kSameTerm) {
+            if (abs(after - calibration::valueOf(m_profile->pointing, term)) > kSameTerm) {
                 break;
             }
             if (const auto& sigma = record.sigmas[calibration::indexOf(term)]) {
@@ -96,7 +96,7 @@ TermSigmas ModelInForce::toldByPoints() const
             const Angle after = calibration::valueOf(record.terms.after, term);
             const bool otherMount =
                 calibration::difference(record.mount, m_mount.today()) != calibration::MountDifference::None;
-            if (otherMount || abs(after - calibration::valueOf(m_profile.pointing, term)) > kSameTerm) {
+            if (otherMount || abs(after - calibration::valueOf(m_profile->pointing, term)) > kSameTerm) {
                 break;
             }
             const auto& sigma = record.sigmas[calibration::indexOf(term)];

@@ -12,13 +12,13 @@ namespace boresight {
 class ModelInForce
 {
 public:
-    // All of them outlive it. The profile may change.
-    ModelInForce(const CalibrationFile& file, const profile::Profile& profile, const MountIdentity& mount,
+    // All of them outlive it.
+    ModelInForce(const CalibrationFile& file, const profile::InForce& profile, const MountIdentity& mount,
                  const Clock& clock)
         : m_file(file), m_profile(profile), m_mount(mount), m_clock(clock)
     {}
 
-    [[nodiscard]] const pointing::PointingTerms& terms() const { return m_profile.pointing; }
+    [[nodiscard]] const pointing::PointingTerms& terms() const { return m_profile->pointing; }
     // The terms with the sigmas that the history has for their values.
     [[nodiscard]] calibration::TermSheet sheet() const;
     // What a swing found before any point.
@@ -35,7 +35,7 @@ private:
     [[nodiscard]] const calibration::CalibrationRecord* entry() const;
 
     const CalibrationFile& m_file;
-    const profile::Profile& m_profile;
+    const profile::InForce& m_profile;
     const MountIdentity& m_mount;
     const Clock& m_clock;
 };

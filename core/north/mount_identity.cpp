@@ -35,10 +35,10 @@ calibration::RecordMount MountIdentity::today() const
         return (reported.isEmpty() ? m_control.mount().lastIdentity(axis) : reported).toStdString();
     };
     calibration::RecordMount mount{.azimuthDrive = drive(Axis::Azimuth), .elevationDrive = drive(Axis::Elevation)};
-    if (m_profile.site.known) {
-        mount.site = calibration::RecordSite{.latitude = m_profile.site.latitude,
-                                             .longitude = m_profile.site.longitude,
-                                             .heightMetres = m_profile.site.heightMetres};
+    if (m_profile->site.known) {
+        mount.site = calibration::RecordSite{.latitude = m_profile->site.latitude,
+                                             .longitude = m_profile->site.longitude,
+                                             .heightMetres = m_profile->site.heightMetres};
     }
     return mount;
 }

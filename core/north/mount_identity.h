@@ -14,8 +14,8 @@ namespace boresight {
 class MountIdentity
 {
 public:
-    // Control and profile outlive it. The profile may change.
-    MountIdentity(const StationControl& control, const profile::Profile& profile)
+    // Control and profile outlive it.
+    MountIdentity(const StationControl& control, const profile::InForce& profile)
         : m_control(control), m_profile(profile)
     {}
 
@@ -27,7 +27,7 @@ public:
 
 private:
     const StationControl& m_control;
-    const profile::Profile& m_profile;
+    const profile::InForce& m_profile;
     std::array<std::optional<QString>, 2>
         m_drives;  // their UUIDs, empty if a drive reports none; nothing: not read yet
 };

@@ -16,7 +16,7 @@ constexpr Angle kSameDeclination = Angle::fromDegrees(0.05);
 
 }  // namespace
 
-Proposals::Proposals(const profile::Profile& profile, const LiveSensor& sensor, const ModelInForce& model,
+Proposals::Proposals(const profile::InForce& profile, const LiveSensor& sensor, const ModelInForce& model,
                      const KeptPoints& points, EventLog& log)
     : m_profile(profile), m_sensor(sensor), m_model(model), m_points(points), m_log(log)
 {}
@@ -38,10 +38,10 @@ void Proposals::propose(const SwungCompass& swung)
 Result<> Proposals::propose(GivenTerms given)
 {
     return asSettings(given.terms).and_then([&](const auto& terms) -> Result<> {
-        if (isSame(terms, m_profile.pointing)) {
+        if (isSame(terms, m_profile->pointing)) {
             return failure(ErrorCode::Refused, Text::tr("these are the terms that are in force already"));
         }
-        given.terms = changedOnly(terms, m_profile.pointing);
+        given.terms = changedOnly(terms, m_profile->pointing);
         m_given = std::move(given);
         proposeFrom(From::Entered);
         return {};
@@ -120,7 +120,7 @@ bool Proposals::isFound(calibration::Term term) const
             return m_points.book().fitted() &&
                    m_points.book().fitted()->of(term).state == calibration::TermState::Fitted;
         case From::Entered:
-            return calibration::valueOf(m_proposal->terms, term) != calibration::valueOf(m_profile.pointing, term);
+            return calibration::valueOf(m_proposal->terms, term) != calibration::valueOf(m_profile->pointing, term);
         default:
             return m_proposal->sigmas[calibration::indexOf(term)].has_value();
     }
@@ -132,7 +132,7 @@ std::optional<CalibrationChange> Proposals::ofSensor() const
         return std::nullopt;
     }
     return CalibrationChange{.terms = m_proposal->terms,
-                             .sensor = m_proposal->sensor.value_or(mountingOf(m_profile.sensor))};
+                             .sensor = m_proposal->sensor.value_or(mountingOf(m_profile->sensor))};
 }
 
 void Proposals::proposeFrom(From from)
@@ -153,7 +153,7 @@ void Proposals::proposeFrom(From from)
 
 Proposal Proposals::madeOfSwing() const
 {
-    Proposal proposal = proposalOf(*m_swung.outcome, m_profile, m_model.toldByPoints());
+    Proposal proposal = proposalOf(*m_swung.outcome, *m_profile, m_model.toldByPoints());
     if (!m_swung.doubt.isEmpty()) {
         proposal.warnings.push_back(m_swung.doubt);
     }
@@ -164,15 +164,15 @@ std::optional<Proposal> Proposals::made() const
 {
     switch (m_from) {
         case From::SensorOffset:
-            return proposalOf(*m_sensorOffset, m_profile, m_model.toldByPoints());
+            return proposalOf(*m_sensorOffset, *m_profile, m_model.toldByPoints());
         case From::Swing:
             return madeOfSwing();
         case From::Points:
             return m_points.book().fitted() && !m_fitDiscarded
-                       ? std::optional(proposalOf(*m_points.book().fitted(), m_points.book().points(), m_profile))
+                       ? std::optional(proposalOf(*m_points.book().fitted(), m_points.book().points(), *m_profile))
                        : std::nullopt;
         case From::Entered:
-            return proposalOf(m_given, m_profile);
+            return proposalOf(m_given, *m_profile);
         case From::Nothing:
             break;
     }

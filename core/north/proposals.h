@@ -18,8 +18,8 @@ namespace boresight {
 class Proposals
 {
 public:
-    // All of them outlive it. The profile may change: report that with profileChanged().
-    Proposals(const profile::Profile& profile, const LiveSensor& sensor, const ModelInForce& model,
+    // All of them outlive it. profileChanged() reports another profile.
+    Proposals(const profile::InForce& profile, const LiveSensor& sensor, const ModelInForce& model,
               const KeptPoints& points, EventLog& log);
 
     // Each takes the place of what was proposed before.
@@ -72,7 +72,7 @@ private:
     [[nodiscard]] Proposal madeOfSwing() const;
     [[nodiscard]] bool isOfSensor() const { return m_from == From::SensorOffset || m_from == From::Swing; }
 
-    const profile::Profile& m_profile;
+    const profile::InForce& m_profile;
     const LiveSensor& m_sensor;
     const ModelInForce& m_model;
     const KeptPoints& m_points;

@@ -33,14 +33,8 @@ QString bodyName(ephemeris::Body body)
     return body == ephemeris::Body::Sun ? Text::tr("Sun") : Text::tr("Moon");
 }
 
-void SkyBodies::setSite(const profile::SiteSettings& site)
+SkyBodies::SkyBodies(const profile::SiteSettings& site)
 {
-    if (m_almanac && site == m_site) {
-        return;
-    }
-    m_site = site;
-    m_searches = {};
-    m_almanac.reset();
     if (site.known) {
         m_almanac.emplace(
             Site{.latitude = site.latitude, .longitude = site.longitude, .heightMetres = site.heightMetres});

@@ -10,7 +10,7 @@
 #include <array>
 #include <optional>
 
-// Where Sun and Moon appear from the profile's site, and when they rise and set next: looked for again only when that
+// Where Sun and Moon appear from one site, and when they rise and set next: looked for again only when that
 // has passed, and one after the other, because a search takes a millisecond or more of a tick. Station thread only.
 namespace boresight {
 
@@ -21,8 +21,7 @@ inline constexpr std::array kBodies = {ephemeris::Body::Sun, ephemeris::Body::Mo
 class SkyBodies
 {
 public:
-    explicit SkyBodies(const profile::SiteSettings& site) { setSite(site); }
-    void setSite(const profile::SiteSettings& site);
+    explicit SkyBodies(const profile::SiteSettings& site);
 
     // Else nothing is told.
     [[nodiscard]] bool known() const { return m_almanac.has_value(); }
@@ -52,7 +51,6 @@ private:
         std::optional<Search> set;
     };
 
-    profile::SiteSettings m_site;
     std::optional<ephemeris::Almanac> m_almanac;
     std::array<Searches, kBodies.size()> m_searches;
 };

@@ -27,7 +27,7 @@ QString usedText(const calibration::SwingTally& tally, const calibration::SwingL
 
 }  // namespace
 
-SwingPilot::SwingPilot(StationControl& control, const profile::Profile& profile, const LiveSensor& sensor,
+SwingPilot::SwingPilot(StationControl& control, const profile::InForce& profile, const LiveSensor& sensor,
                        const AxisObserver& axes, const Clock& clock, EventLog& log)
     : m_control(control), m_profile(profile), m_sensor(sensor), m_axes(axes), m_clock(clock), m_log(log)
 {}
@@ -40,7 +40,7 @@ SwingPlan SwingPilot::planned() const
         plan.obstacle = toQString(here.error().text);
         return plan;
     }
-    return planSwing(m_wish, *here, m_control.region(), m_profile.azimuth.limits);
+    return planSwing(m_wish, *here, m_control.region(), m_profile->azimuth.limits);
 }
 
 Result<> SwingPilot::mayStart() const
@@ -59,7 +59,7 @@ Result<> SwingPilot::mayStart() const
 void SwingPilot::start(const SwingPlan& plan)
 {
     m_restarts = m_sensor.restarts();
-    m_run.emplace(plan, *m_control.measured(), m_profile.azimuth.limits, m_profile.sensor, m_clock.now());
+    m_run.emplace(plan, *m_control.measured(), m_profile->azimuth.limits, m_profile->sensor, m_clock.now());
     m_log.add(Severity::Advisory, kSwingSource, Text::tr("swings the compass: %1").arg(plan.text));
 }
 

@@ -16,8 +16,8 @@ namespace boresight {
 class SwingPilot
 {
 public:
-    // All of them outlive it. The profile may change.
-    SwingPilot(StationControl& control, const profile::Profile& profile, const LiveSensor& sensor,
+    // All of them outlive it.
+    SwingPilot(StationControl& control, const profile::InForce& profile, const LiveSensor& sensor,
                const AxisObserver& axes, const Clock& clock, EventLog& log);
 
     void plan(const SwingWish& wish) { m_wish = wish; }
@@ -43,7 +43,7 @@ private:
     [[nodiscard]] RunEnd finish() const;
 
     StationControl& m_control;
-    const profile::Profile& m_profile;
+    const profile::InForce& m_profile;
     const LiveSensor& m_sensor;
     const AxisObserver& m_axes;
     const Clock& m_clock;

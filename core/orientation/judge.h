@@ -42,6 +42,7 @@ class Judge
 {
 public:
     explicit Judge(const JudgeSettings& settings = {}) : m_settings(settings) {}
+    // From the next value on. It judges a stream of values and knows no profile.
     void setSettings(const JudgeSettings& settings) { m_settings = settings; }
     [[nodiscard]] const JudgeSettings& settings() const { return m_settings; }
 

@@ -44,7 +44,6 @@ public:
     void recover() override { m_lost = false; }
     void rearmed() override {}
     void leave(profile::OnExit how) override;
-    void setProfile(const profile::Profile& /*profile*/) override {}
     void setSensor(Axis /*axis*/, const std::optional<Angle>& /*heading*/) override {}
 
 private:

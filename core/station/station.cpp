@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/north/calibration_gates.h"
 #include "core/profile/commissioning.h"
+#include "core/profile/profile_diff.h"
 #include "core/sources/motion_sources.h"
 
 #include <QHostAddress>
@@ -59,15 +60,15 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_clock(clock),
       m_log(clock),
       m_alarms(m_log, clock),
-      m_mount(mount(profile, clock, m_log, m_alarms)),
-      m_control(profile, clock, m_log, m_alarms, m_mount->driver(), motionSources),
-      m_rotator(m_control, profile, m_log, clock),
+      m_mount(mount(m_profile, clock, m_log, m_alarms)),
+      m_control(m_profile, clock, m_log, m_alarms, m_mount->driver(), motionSources),
+      m_rotator(m_control, m_profile, m_log, clock),
       m_server(serverSettings(profile.rotctld), m_rotator, clock, this),
-      m_broker(m_log, clock, this),
-      m_sensor(profile, clock, m_log, m_control.alarms(), m_broker, this),
-      m_power(profile.power, clock, m_log, this),
+      m_broker(m_profile, m_log, clock, this),
+      m_sensor(m_profile, clock, m_log, m_control.alarms(), m_broker, this),
+      m_power(m_profile, clock, m_log, this),
       m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), simulated()), this),
-      m_calibration(m_control, profile, m_calibrationFile, clock, m_log),
+      m_calibration(m_control, m_profile, m_calibrationFile, clock, m_log),
       m_eventFile(stateDir, m_log, clock, this),
       m_tickTimer(this),
       m_updateTimer(this),
@@ -119,7 +120,7 @@ void Station::openAll()
     tellDirections();
     openMount();
     openServer();
-    m_broker.apply(m_profile.inForce()->mqtt);
+    m_broker.open();
     m_sensor.open();
     m_power.open();
     m_eventFile.tick();
@@ -128,7 +129,7 @@ void Station::openAll()
 // A service has no guide that leads there.
 void Station::tellDirections()
 {
-    if (m_profile.inForce()->mount.directions == profile::Directions::Unconfirmed) {
+    if (m_profile->mount.directions == profile::Directions::Unconfirmed) {
         m_log.add(
             Severity::Warning, QStringLiteral("station"),
             Text::tr("Nobody has confirmed which way the axes turn. Boresight moves the mount at most 2° at 5°/s, by "
@@ -169,7 +170,7 @@ void Station::openServer()
 // Whoever reaches the port moves the mount: the protocol knows no password.
 void Station::tellOpenPort()
 {
-    const profile::RotctldSettings& settings = m_profile.inForce()->rotctld;
+    const profile::RotctldSettings& settings = m_profile->rotctld;
     const bool local =
         settings.listen.host == "localhost" || QHostAddress(QString::fromStdString(settings.listen.host)).isLoopback();
     if (local || !settings.allow.empty() || m_server.address().empty()) {
@@ -335,25 +336,34 @@ void Station::apply(const profile::Profile& wanted)
                   Text::tr("leaves the simulated mount: what was found of it is set back, and the directions, ends and "
                            "zeros of the real one are to be looked at (guide, F3)"));
     }
-    for (const profile::Change& change : m_profile.apply(wanted)) {
+    for (const profile::Change& change : profile::changesBetween(m_profile.wanted(), wanted)) {
         m_log.add(
             Severity::Advisory, QStringLiteral("operator"),
             (change.applies == profile::Applies::Now ? Text::tr("changes %1 from %2 to %3")
                                                      : Text::tr("changes %1 from %2 to %3, in force after Reconnect"))
                 .arg(toQString(change.key), toQString(change.before), toQString(change.after)));
     }
-    m_control.setProfile(*m_profile.inForce());
-    m_mount->setProfile(*m_profile.inForce());
-    m_rotator.setProfile(*m_profile.inForce());
-    m_server.setAllowed(m_profile.inForce()->rotctld.allow);
-    m_server.setMaxClients(serverSettings(m_profile.inForce()->rotctld).maxClients);
-    tellOpenPort();
-    m_broker.apply(m_profile.inForce()->mqtt);
-    m_sensor.apply(*m_profile.inForce());
-    m_power.apply(m_profile.inForce()->power);
-    m_calibration.setProfile(*m_profile.inForce());
-    m_calibration.setWanted(wanted);
+    const std::shared_ptr<const profile::Profile> before = m_profile.shared();
+    m_profile.apply(wanted);
+    profileChanged(*before);
     Q_EMIT profileApplied(wanted);
+}
+
+// Whoever must react, in this order: what moves and where it may, the mount itself, those who move it, then those who
+// only watch. The calibrations come last: what they do now asks the control by its new limits.
+void Station::profileChanged(const profile::Profile& before)
+{
+    const profile::Profile& after = *m_profile;
+    m_control.profileChanged(before, after);
+    m_mount->profileChanged(before, after);
+    // The server knows no profile.
+    m_server.setAllowed(after.rotctld.allow);
+    m_server.setMaxClients(serverSettings(after.rotctld).maxClients);
+    tellOpenPort();
+    m_broker.profileChanged(before, after);
+    m_sensor.profileChanged(before, after);
+    m_power.profileChanged(before, after);
+    m_calibration.profileChanged(before, after);
 }
 
 // As if the operator had typed it into the profile.
@@ -399,7 +409,7 @@ void Station::shutDown()
 StationStatus Station::status() const
 {
     StationStatus status = m_control.status();
-    status.profile = m_profile.inForce();
+    status.profile = m_profile.shared();
     status.waitingKeys = m_profile.waitingKeys();
     status.simulated = simulated();
     m_mount->describe(status);

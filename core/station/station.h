@@ -10,9 +10,9 @@
 #include "core/messages/station_status.h"
 #include "core/mount/mount_connection.h"
 #include "core/north/calibration_desk.h"
+#include "core/profile/in_force.h"
 #include "core/profile/profile.h"
 #include "core/rotctld/server.h"
-#include "core/station/live_profile.h"
 #include "core/station/real_time.h"
 #include "core/station/station_broker.h"
 #include "core/station/station_power.h"
@@ -89,8 +89,9 @@ Q_SIGNALS:
     void reconnectWanted(const boresight::profile::Profile& profile);
 
 private:
-    [[nodiscard]] bool simulated() const { return m_profile.inForce()->bus == "simulated"; }
+    [[nodiscard]] bool simulated() const { return m_profile->bus == "simulated"; }
     void apply(const profile::Profile& wanted);
+    void profileChanged(const profile::Profile& before);
     void applyCalibration();
     [[nodiscard]] Result<> obey(const Request& request);
     [[nodiscard]] Result<> carryOut(const Request& request);
@@ -103,7 +104,7 @@ private:
     void keepSample();
     [[nodiscard]] std::vector<ClientStatus> clients() const;
 
-    LiveProfile m_profile;
+    profile::InForce m_profile;  // before all who read it
     const Clock& m_clock;
     EventLog m_log;
     AlarmBoard m_alarms;

@@ -72,8 +72,9 @@ mqtt::PublishedState published(const StationStatus& status)
 
 }  // namespace
 
-StationBroker::StationBroker(EventLog& log, const Clock& clock, QObject* parent)
+StationBroker::StationBroker(const profile::InForce& profile, EventLog& log, const Clock& clock, QObject* parent)
     : QObject(parent),
+      m_profile(profile),
       m_log(log),
       m_clock(clock),
       m_ownId(QStringLiteral("boresight-") + QUuid::createUuid().toString(QUuid::Id128).left(8)),
@@ -100,20 +101,19 @@ StationBroker::StationBroker(EventLog& log, const Clock& clock, QObject* parent)
 
 mqtt::Broker StationBroker::broker() const
 {
-    return {.host = toQString(m_settings.host),
-            .port = static_cast<std::uint16_t>(m_settings.port),
-            .user = toQString(m_settings.user),
-            .password = toQString(m_settings.password),
-            .encryption = m_settings.tls == profile::Tls::On ? mqtt::Encryption::Tls : mqtt::Encryption::None,
-            .caFile = toQString(m_settings.caFile),
-            .clientId = m_settings.clientId.empty() ? m_ownId : toQString(m_settings.clientId)};
+    return {.host = toQString(m_profile->mqtt.host),
+            .port = static_cast<std::uint16_t>(m_profile->mqtt.port),
+            .user = toQString(m_profile->mqtt.user),
+            .password = toQString(m_profile->mqtt.password),
+            .encryption = m_profile->mqtt.tls == profile::Tls::On ? mqtt::Encryption::Tls : mqtt::Encryption::None,
+            .caFile = toQString(m_profile->mqtt.caFile),
+            .clientId = m_profile->mqtt.clientId.empty() ? m_ownId : toQString(m_profile->mqtt.clientId)};
 }
 
-void StationBroker::apply(const profile::BrokerSettings& settings)
+void StationBroker::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
-    if (settings != m_settings) {
+    if (before.mqtt != after.mqtt) {
         stopPublishing();
-        m_settings = settings;
     }
     connectAnew();
 }
@@ -126,12 +126,12 @@ void StationBroker::setSensorWanted(bool wanted)
 
 void StationBroker::connectAnew()
 {
-    const bool publishes = m_settings.publish == profile::Publish::On;
+    const bool publishes = m_profile->mqtt.publish == profile::Publish::On;
     if (!publishes && !m_sensorWanted) {
         m_client.close();
         return;
     }
-    const QString prefix = toQString(m_settings.prefix);
+    const QString prefix = toQString(m_profile->mqtt.prefix);
     m_client.open(broker(), publishes ? std::optional(mqtt::StatePublisher::will(prefix)) : std::nullopt);
     if (publishes && !m_publisher) {
         m_publisher = std::make_unique<mqtt::StatePublisher>(m_client, m_clock, prefix);
@@ -167,7 +167,7 @@ std::optional<Seconds> StationBroker::untilNext() const
 
 BrokerStatus StationBroker::status() const
 {
-    const bool isWanted = m_settings.publish == profile::Publish::On || m_sensorWanted;
+    const bool isWanted = m_profile->mqtt.publish == profile::Publish::On || m_sensorWanted;
     return {.wanted = isWanted,
             .connected = m_client.isConnected(),
             .name = isWanted ? mqtt::toText(m_client.broker()) : QString(),

@@ -6,7 +6,7 @@
 #include "core/messages/station_status.h"
 #include "core/mqtt/state_publisher.h"
 #include "core/mqtt/threaded_client.h"
-#include "core/profile/profile.h"
+#include "core/profile/in_force.h"
 
 #include <QObject>
 
@@ -23,11 +23,13 @@ class StationBroker : public QObject
     Q_OBJECT
 
 public:
-    // `log` and `clock` outlive this; any thread may read the clock.
-    StationBroker(EventLog& log, const Clock& clock, QObject* parent);
+    // Profile, log and clock outlive this; any thread may read the clock.
+    StationBroker(const profile::InForce& profile, EventLog& log, const Clock& clock, QObject* parent);
 
-    // Connects if somebody needs the broker. From here on; what did not change stays as it is.
-    void apply(const profile::BrokerSettings& settings);
+    // Connects if somebody needs the broker.
+    void open() { connectAnew(); }
+    // What did not change stays as it is.
+    void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // Whether the orientation sensor is heard by the broker.
     void setSensorWanted(bool wanted);
     void close();
@@ -44,13 +46,13 @@ private:
     [[nodiscard]] mqtt::Broker broker() const;
     [[nodiscard]] std::optional<Seconds> untilNext() const;
 
+    const profile::InForce& m_profile;
     EventLog& m_log;
     const Clock& m_clock;
     QString m_ownId;      // while the profile has none
     LogThrottle m_lines;  // about messages that others cause at will
     mqtt::ThreadedClient m_client;
     std::unique_ptr<mqtt::StatePublisher> m_publisher;
-    profile::BrokerSettings m_settings;
     bool m_sensorWanted = false;
 };
 

@@ -9,22 +9,23 @@ constexpr int kPowerLinesPerSecond = 2;
 
 }  // namespace
 
-StationPower::StationPower(const profile::PowerSettings& settings, const Clock& clock, EventLog& log, QObject* parent)
-    : QObject(parent), m_settings(settings), m_clock(clock), m_lines(log, clock, kPowerLinesPerSecond)
+StationPower::StationPower(const profile::InForce& profile, const Clock& clock, EventLog& log, QObject* parent)
+    : QObject(parent), m_profile(profile), m_clock(clock), m_lines(log, clock, kPowerLinesPerSecond)
 {}
 
 void StationPower::open()
 {
     close();
     m_open = true;
-    if (m_settings.source == profile::PowerSource::None) {
+    const profile::PowerSettings& settings = m_profile->power;
+    if (settings.source == profile::PowerSource::None) {
         return;
     }
     m_line = std::make_unique<power::ThreadedLine>(
         power::LineSettings{
-            .transport = m_settings.source == profile::PowerSource::Udp ? power::Transport::Udp : power::Transport::Tcp,
-            .host = QString::fromStdString(m_settings.host),
-            .port = static_cast<std::uint16_t>(m_settings.port)},
+            .transport = settings.source == profile::PowerSource::Udp ? power::Transport::Udp : power::Transport::Tcp,
+            .host = QString::fromStdString(settings.host),
+            .port = static_cast<std::uint16_t>(settings.port)},
         m_clock, this);
     connect(m_line.get(), &power::ThreadedLine::received, this, &StationPower::received);
 }
@@ -36,13 +37,9 @@ void StationPower::close()
     m_problem.clear();
 }
 
-void StationPower::apply(const profile::PowerSettings& settings)
+void StationPower::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
-    if (settings == m_settings) {
-        return;
-    }
-    m_settings = settings;
-    if (m_open) {
+    if (m_open && before.power != after.power) {
         open();
     }
 }

@@ -3,7 +3,7 @@
 
 #include "core/alarms/log_throttle.h"
 #include "core/power/threaded_line.h"
-#include "core/profile/power_settings.h"
+#include "core/profile/in_force.h"
 
 #include <QObject>
 
@@ -18,13 +18,13 @@ class StationPower : public QObject
     Q_OBJECT
 
 public:
-    // Clock and log outlive this; any thread may read the clock.
-    StationPower(const profile::PowerSettings& settings, const Clock& clock, EventLog& log, QObject* parent);
+    // Profile, clock and log outlive this; any thread may read the clock.
+    StationPower(const profile::InForce& profile, const Clock& clock, EventLog& log, QObject* parent);
 
     void open();
     void close();
-    // What is in force from here on; a line that did not change goes on.
-    void apply(const profile::PowerSettings& settings);
+    // A line that did not change goes on.
+    void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // How the line does now. Once per tick.
     power::LineStatus tick();
 
@@ -32,7 +32,7 @@ Q_SIGNALS:
     void received(const boresight::power::Value& value);
 
 private:
-    profile::PowerSettings m_settings;
+    const profile::InForce& m_profile;
     const Clock& m_clock;
     LogThrottle m_lines;
     std::unique_ptr<power::ThreadedLine> m_line;  // null: the profile names none, or it is closed

@@ -69,43 +69,36 @@ Source clientSource(const rotctld::Client& client)
             .name = QStringLiteral("rotctld ") + QString::fromStdString(client.address)};
 }
 
-StationRotator::StationRotator(StationControl& control, const profile::Profile& profile, EventLog& log,
+StationRotator::StationRotator(StationControl& control, const profile::InForce& profile, EventLog& log,
                                const Clock& clock)
     : m_control(control),
       m_profile(profile),
-      m_pointing(profile.pointing),
       m_remarks(log, clock, kRemarksPerSecond),
       m_refusals(log, clock, kRefusalsPerSecond),
       m_commands(log, clock, kCommandsPerSecond),
       m_connections(log, clock, kConnectionsPerSecond)
 {}
 
-void StationRotator::setProfile(const profile::Profile& profile)
-{
-    m_profile = profile;
-    m_pointing = pointing::PointingModel(profile.pointing);
-}
-
 std::string StationRotator::info() const
 {
-    return "Boresight " + std::string(kVersion) + ", " + m_profile.mount.name;
+    return "Boresight " + std::string(kVersion) + ", " + m_profile->mount.name;
 }
 
 rotctld::Limits StationRotator::limits() const
 {
     const TravelRange azimuth =
-        trueRange(m_profile.azimuth.geometry.travel, m_profile.pointing.azimuthOffset.wrapped180(), m_pointing.skew());
-    const TravelRange elevation = trueElevations(m_profile);
+        trueRange(m_profile->azimuth.geometry.travel, m_profile->pointing.azimuthOffset.wrapped180(), model().skew());
+    const TravelRange elevation = trueElevations(*m_profile);
     rotctld::Limits limits{.minAzimuth = azimuth.min,
                            .maxAzimuth = azimuth.max,
                            .minElevation = elevation.min,
                            .maxElevation = elevation.max};
     // Clients check a target against these numbers before they send it, and any azimuth of their own convention is a
     // direction here: it must not be withheld because the cable is counted differently.
-    if (m_profile.rotctld.azimuth == profile::AzimuthConvention::ZeroTo360) {
+    if (m_profile->rotctld.azimuth == profile::AzimuthConvention::ZeroTo360) {
         limits.minAzimuth = std::min(limits.minAzimuth, 0_deg);
         limits.maxAzimuth = std::max(limits.maxAzimuth, 360_deg);
-    } else if (m_profile.rotctld.azimuth == profile::AzimuthConvention::PlusMinus180) {
+    } else if (m_profile->rotctld.azimuth == profile::AzimuthConvention::PlusMinus180) {
         limits.minAzimuth = std::min(limits.minAzimuth, -180_deg);
         limits.maxAzimuth = std::max(limits.maxAzimuth, 180_deg);
     }
@@ -120,8 +113,8 @@ Result<SkyPointing> StationRotator::position(const rotctld::Client& client)
         if (const auto trim = m_control.trimInUse()) {
             axes = {axes.azimuth - trim->azimuth, axes.elevation - trim->elevation};
         }
-        const SkyPointing beam = m_pointing.toSky(axes);
-        switch (m_profile.rotctld.azimuth) {
+        const SkyPointing beam = model().toSky(axes);
+        switch (m_profile->rotctld.azimuth) {
             case profile::AzimuthConvention::ZeroTo360:
                 return SkyPointing{.azimuth = beam.azimuth.wrapped360(), .elevation = beam.elevation};
             case profile::AzimuthConvention::PlusMinus180:
@@ -154,7 +147,7 @@ rotctld::MotionFlags StationRotator::motion() const
 
 Result<> StationRotator::permitted(const rotctld::PointRequest& request) const
 {
-    if (m_profile.rotctld.outsideLimits != profile::OutsideLimits::Refuse) {
+    if (m_profile->rotctld.outsideLimits != profile::OutsideLimits::Refuse) {
         return {};
     }
     const rotctld::Limits range = limits();
@@ -169,9 +162,9 @@ Result<> StationRotator::permitted(const rotctld::PointRequest& request) const
 // The turn that a client means which counts them; none beyond the travel.
 std::optional<AxisPosition> StationRotator::placeOf(const SkyPointing& continuous) const
 {
-    const TravelRange& azimuths = m_profile.azimuth.geometry.travel;
-    const TravelRange& elevations = m_profile.elevation.geometry.travel;
-    const AxisPosition axes = m_pointing.toAxes(continuous).axes;
+    const TravelRange& azimuths = m_profile->azimuth.geometry.travel;
+    const TravelRange& elevations = m_profile->elevation.geometry.travel;
+    const AxisPosition axes = model().toAxes(continuous).axes;
     const AxisPosition place{.azimuth = snapped(axes.azimuth, azimuths.min, azimuths.max),
                              .elevation = snapped(axes.elevation, elevations.min, elevations.max)};
     return azimuths.contains(place.azimuth) && elevations.contains(place.elevation) ? std::optional(place)
@@ -190,7 +183,7 @@ Result<> StationRotator::pointTo(const rotctld::Client& client, const rotctld::P
     const rotctld::Limits range = limits();
     const Angle azimuth = snapped(request.azimuth, range.minAzimuth, range.maxAzimuth);
     const Angle elevation = snapped(request.elevation, range.minElevation, range.maxElevation);
-    if (m_profile.rotctld.azimuth == profile::AzimuthConvention::Continuous) {
+    if (m_profile->rotctld.azimuth == profile::AzimuthConvention::Continuous) {
         if (const auto place = placeOf({.azimuth = azimuth, .elevation = elevation})) {
             return ask(client, request::PointAxes{*place}, command);
         }
@@ -200,7 +193,7 @@ Result<> StationRotator::pointTo(const rotctld::Client& client, const rotctld::P
 
 Result<> StationRotator::move(const rotctld::Client& client, rotctld::MoveDirection direction, int speed)
 {
-    const AngularRate fastest = m_profile.jog.fast;
+    const AngularRate fastest = m_profile->jog.fast;
     const AngularRate rate = speed > 0 ? fastest * (std::min(speed, kFastestSpeed) / double{kFastestSpeed})
                                        : fastest * (m_speedLevel / double{kFastestLevel});
     AxisRates rates;

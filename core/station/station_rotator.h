@@ -3,7 +3,7 @@
 
 #include "core/alarms/log_throttle.h"
 #include "core/control/station_control.h"
-#include "core/profile/profile.h"
+#include "core/profile/in_force.h"
 #include "core/rotctld/rotator.h"
 
 #include <optional>
@@ -15,9 +15,7 @@ namespace boresight {
 class StationRotator final : public rotctld::Rotator
 {
 public:
-    StationRotator(StationControl& control, const profile::Profile& profile, EventLog& log, const Clock& clock);
-
-    void setProfile(const profile::Profile& profile);
+    StationRotator(StationControl& control, const profile::InForce& profile, EventLog& log, const Clock& clock);
 
     [[nodiscard]] std::string info() const override;
     [[nodiscard]] rotctld::Limits limits() const override;
@@ -38,14 +36,14 @@ public:
     void clientRemark(const rotctld::Client& client, const std::string& text) override;
 
 private:
+    [[nodiscard]] pointing::PointingModel model() const { return pointing::PointingModel(m_profile->pointing); }
     [[nodiscard]] std::optional<AxisPosition> placeOf(const SkyPointing& continuous) const;
     Result<> ask(const rotctld::Client& client, const Request& request, const QString& command);
     [[nodiscard]] Result<> permitted(const rotctld::PointRequest& request) const;
     void logRefusal(const rotctld::Client& client, const QString& command, const Error& error);
 
     StationControl& m_control;
-    profile::Profile m_profile;
-    pointing::PointingModel m_pointing;
+    const profile::InForce& m_profile;
     int m_speedLevel = 2;  // of 1…4, as Hamlib's dummy starts
     // Lines that clients can cause at will; each kind has a share of its own, so that none hides another.
     LogThrottle m_remarks;      // dropped clients, strangers, odd commands

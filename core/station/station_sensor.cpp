@@ -20,7 +20,7 @@ Site siteOf(const profile::SiteSettings& site)
 
 }  // namespace
 
-StationSensor::StationSensor(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
+StationSensor::StationSensor(const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
                              StationBroker& broker, QObject* parent)
     : QObject(parent),
       m_profile(profile),
@@ -38,8 +38,8 @@ void StationSensor::open()
 {
     close();
     m_open = true;
-    m_source = m_maker(m_profile, m_broker.connection());
-    m_broker.setSensorWanted(m_profile.sensor.source == profile::SensorSource::Mqtt);
+    m_source = m_maker(*m_profile, m_broker.connection());
+    m_broker.setSensorWanted(m_profile->sensor.source == profile::SensorSource::Mqtt);
     readModel();
     if (!m_source) {
         return;
@@ -71,13 +71,11 @@ void StationSensor::close()
     m_watch.begin({});
 }
 
-void StationSensor::apply(const profile::Profile& profile)
+void StationSensor::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
-    const bool another = namesAnotherSensor(m_profile, profile);
-    const bool elsewhere =
-        m_profile.site != profile.site || m_profile.sensor.declinationFile != profile.sensor.declinationFile;
-    m_profile = profile;
-    m_watch.setProfile(profile);
+    const bool another = namesAnotherSensor(before, after);
+    const bool elsewhere = before.site != after.site || before.sensor.declinationFile != after.sensor.declinationFile;
+    m_watch.profileChanged(before, after);
     if (elsewhere) {
         m_watch.setSiteDeclination(std::nullopt);  // what was read was of the site or the file of before
     }
@@ -90,7 +88,7 @@ void StationSensor::apply(const profile::Profile& profile)
 
 bool StationSensor::hasModel() const
 {
-    return !m_profile.sensor.declinationFile.empty() && m_profile.site.known;
+    return !m_profile->sensor.declinationFile.empty() && m_profile->site.known;
 }
 
 void StationSensor::readModel()
@@ -102,7 +100,7 @@ void StationSensor::readModel()
         m_readAgain = true;
         return;
     }
-    m_reader.start([this, path = toQString(m_profile.sensor.declinationFile), site = siteOf(m_profile.site),
+    m_reader.start([this, path = toQString(m_profile->sensor.declinationFile), site = siteOf(m_profile->site),
                     year = geomagnetism::decimalYear(m_clock.utc())] {
         m_model = askModel(path, site, year);
         Q_EMIT modelRead();

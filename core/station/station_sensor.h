@@ -22,16 +22,16 @@ class StationSensor : public QObject
     Q_OBJECT
 
 public:
-    // Clock, log, alarms and broker outlive this.
-    StationSensor(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
+    // Profile, clock, log, alarms and broker outlive this.
+    StationSensor(const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms,
                   StationBroker& broker, QObject* parent);
 
     // Before open().
     void setMaker(SensorMaker maker) { m_maker = std::move(maker); }
     void open();
     void close();
-    // What is in force from here on; a source that did not change goes on.
-    void apply(const profile::Profile& profile);
+    // A source that did not change goes on.
+    void profileChanged(const profile::Profile& before, const profile::Profile& after);
 
     [[nodiscard]] SensorStatus status() const { return m_watch.status(); }
     [[nodiscard]] SensorEvidence evidence() const { return m_watch.evidence(); }
@@ -52,7 +52,7 @@ private:
     void readModel();
     void takeModel();
 
-    profile::Profile m_profile;
+    const profile::InForce& m_profile;
     const Clock& m_clock;
     EventLog& m_log;
     StationBroker& m_broker;

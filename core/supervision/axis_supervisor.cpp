@@ -38,11 +38,10 @@ constexpr double kTrendNear = 30.0;     // °C below a limit: what a cold board 
 
 }  // namespace
 
-AxisSupervisor::AxisSupervisor(Axis axis, const profile::AxisSettings& limits,
-                               const profile::SupervisionSettings& settings)
+AxisSupervisor::AxisSupervisor(Axis axis, const profile::InForce& profile)
     : m_name(axis == Axis::Azimuth ? Text::tr("the azimuth") : Text::tr("the elevation")),
-      m_limits(limits),
-      m_settings(settings)
+      m_axis(axis),
+      m_profile(profile)
 {}
 
 std::vector<Observed> AxisSupervisor::observe(const AxisObservation& seen)
@@ -109,12 +108,6 @@ void AxisSupervisor::forgetReplies()
     m_replies.forget();
 }
 
-void AxisSupervisor::setSettings(const profile::AxisSettings& limits, const profile::SupervisionSettings& settings)
-{
-    m_limits = limits;
-    m_settings = settings;
-}
-
 void AxisSupervisor::judgeMotion(const AxisObservation& seen)
 {
     m_progress.look(seen);
@@ -129,13 +122,13 @@ void AxisSupervisor::judgeFollowing(const AxisObservation& seen)
 {
     const Angle apart = abs(seen.commanded - seen.actual);
     const Angle error = seen.engaged ? apart - abs(seen.commandedRate) * kLag : Angle{};
-    const WatchLimits limits{.hint = m_settings.followingHint.degrees(),
-                             .stop = m_settings.followingStop.degrees(),
-                             .release = 0.5 * m_settings.followingHint.degrees(),
-                             .after = m_settings.followingTime};
+    const WatchLimits limits{.hint = m_profile->supervision.followingHint.degrees(),
+                             .stop = m_profile->supervision.followingStop.degrees(),
+                             .release = 0.5 * m_profile->supervision.followingHint.degrees(),
+                             .after = m_profile->supervision.followingTime};
     m_following.update(seen.now, error.degrees(), limits, [&] {
         return Text::tr("%1 is %2 away from its set-point for %3 (set-point %4, axis %5)")
-                   .arg(m_name, words(apart), words(m_settings.followingTime), words(seen.commanded),
+                   .arg(m_name, words(apart), words(m_profile->supervision.followingTime), words(seen.commanded),
                         words(seen.actual)) +
                limitText(seen.now);
     });
@@ -153,7 +146,7 @@ void AxisSupervisor::judgeProgress(const AxisObservation& seen)
     m_wrongWay.update(seen.now, against, {.stop = kAgainst.degrees(), .release = kAgainst.degrees()},
                       [&] { return motion(Text::tr("%1 moves the wrong way: %2 at %3 commanded in %4, %5 moved")); });
     const double missing = m_progress.missing() ? m_progress.underCommand().count() : 0.0;
-    const double longest = m_settings.stallTime.count();
+    const double longest = m_profile->supervision.stallTime.count();
     m_stalled.update(seen.now, missing, {.stop = longest, .release = longest}, [&] {
         return motion(Text::tr("%1 does not move: %2 at %3 commanded in %4, %5 moved")) + limitText(seen.now);
     });
@@ -183,8 +176,9 @@ QString AxisSupervisor::limitText(SteadyTime now) const
 void AxisSupervisor::judgeStanding(const AxisObservation& seen)
 {
     const Angle moved = m_standing.moved().value_or(Angle{});
-    WatchLimits limits{
-        .hint = m_settings.uncommanded.degrees(), .release = 0.5 * m_settings.uncommanded.degrees(), .after = kConfirm};
+    WatchLimits limits{.hint = m_profile->supervision.uncommanded.degrees(),
+                       .release = 0.5 * m_profile->supervision.uncommanded.degrees(),
+                       .after = kConfirm};
     if (seen.engaged) {
         limits.stop = limits.hint;
     }
@@ -225,12 +219,13 @@ void AxisSupervisor::judgeJump(const AxisObservation& seen)
 
 void AxisSupervisor::judgeTravel(const AxisObservation& seen)
 {
-    const TravelRange& travel = m_limits.geometry.travel;
+    const TravelRange& travel = m_profile->axis(m_axis).geometry.travel;
     m_outside.look(seen, travel);
     const Angle beyond = seen.turnKnown ? m_outside.beyond() : Angle{};
-    WatchLimits limits{.hint = m_settings.outsideHint.degrees(), .release = 0.5 * m_settings.outsideHint.degrees()};
+    WatchLimits limits{.hint = m_profile->supervision.outsideHint.degrees(),
+                       .release = 0.5 * m_profile->supervision.outsideHint.degrees()};
     if (seen.engaged && m_outside.outwards()) {
-        limits.stop = m_settings.outsideStop.degrees();
+        limits.stop = m_profile->supervision.outsideStop.degrees();
     }
     m_travel.update(seen.now, beyond.degrees(), limits, [&] {
         return (m_outside.outwards() ? Text::tr("%1 is at %2, %3 beyond its travel %4…%5, and moves farther out")
@@ -245,22 +240,26 @@ void AxisSupervisor::judgeTorque(const AxisObservation& seen)
         return;
     }
     const double torque = std::abs(*seen.torque);
-    const double share = seen.engaged ? torque / m_limits.maxTorque : 0.0;
+    const double share = seen.engaged ? torque / m_profile->axis(m_axis).maxTorque : 0.0;
     const auto needs = [&](const QString& sentence) {
-        return sentence.arg(m_name, words(torque, 1), words(100.0 * share, 0), words(m_limits.maxTorque, 1));
+        return sentence.arg(m_name, words(torque, 1), words(100.0 * share, 0),
+                            words(m_profile->axis(m_axis).maxTorque, 1));
     };
     const bool stands = m_standing.moved().has_value();
-    const double most = stands ? std::min(m_settings.torqueAtRest, m_settings.torqueHint) : m_settings.torqueHint;
+    const double most = stands ? std::min(m_profile->supervision.torqueAtRest, m_profile->supervision.torqueHint)
+                               : m_profile->supervision.torqueHint;
     m_torqueHigh.update(seen.now, share, {.hint = most, .release = 0.85 * most, .after = kTorqueLasts}, [&] {
         return stands ? needs(Text::tr("%1 stands and needs %2 Nm, %3 % of the %4 Nm allowed: more than the %5 Nm of "
                                        "weight and friction"))
-                            .arg(words(most * m_limits.maxTorque, 1))
+                            .arg(words(most * m_profile->axis(m_axis).maxTorque, 1))
                       : needs(Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed"));
     });
     judgePush(seen, stands ? share : 0.0);
     m_torqueGuard.update(
         seen.now, seen.turnKnown ? 0.0 : share,
-        {.stop = m_settings.torqueUnwind, .release = 0.85 * m_settings.torqueUnwind, .after = kConfirm},
+        {.stop = m_profile->supervision.torqueUnwind,
+         .release = 0.85 * m_profile->supervision.torqueUnwind,
+         .after = kConfirm},
         [&] { return needs(Text::tr("%1 needs %2 Nm, %3 % of the %4 Nm allowed, while its turn is not known")); });
 }
 
@@ -272,7 +271,7 @@ void AxisSupervisor::judgePush(const AxisObservation& seen, double share)
     m_pushes.update(seen.now, pushes ? 1.0 : 0.0, {.stop = 1.0, .release = 1.0, .after = kTorqueLasts}, [&] {
         return Text::tr("%1 does not move: %2 from its set-point with %3 Nm of the %4 Nm allowed, for %5")
                    .arg(m_name, words(apart), words(std::abs(seen.torque.value_or(0.0)), 1),
-                        words(m_limits.maxTorque, 1), words(kTorqueLasts)) +
+                        words(m_profile->axis(m_axis).maxTorque, 1), words(kTorqueLasts)) +
                limitText(seen.now);
     });
 }
@@ -280,7 +279,7 @@ void AxisSupervisor::judgePush(const AxisObservation& seen, double share)
 void AxisSupervisor::judgeReplies(const AxisObservation& seen)
 {
     const Seconds gap = seen.received - std::exchange(m_lastReply, seen.received).value_or(seen.received);
-    const double limit = m_settings.replyAge.count();
+    const double limit = m_profile->supervision.replyAge.count();
     m_replies.update(seen.now, gap.count(), {.hint = limit, .release = 0.75 * limit}, [&] {
         return Text::tr("a reply of %1 drive came %2 after the one before").arg(m_name, words(gap));
     });
@@ -293,24 +292,28 @@ void AxisSupervisor::judgeSupply(const AxisObservation& seen)
     }
     const double voltage = *seen.voltage;
     // Smaller is worse, so both sides of the comparison are turned round.
-    WatchLimits low{.hint = -m_settings.supplyLow, .release = -(m_settings.supplyLow + kSupplyReturns)};
+    WatchLimits low{.hint = -m_profile->supervision.supplyLow,
+                    .release = -(m_profile->supervision.supplyLow + kSupplyReturns)};
     low.after = kConfirm;
     if (seen.engaged) {
-        low.stop = -m_settings.supplyStop;
+        low.stop = -m_profile->supervision.supplyStop;
     }
     m_supplyLow.update(seen.now, -voltage, low, [&] {
-        const bool stop = voltage <= m_settings.supplyStop;
+        const bool stop = voltage <= m_profile->supervision.supplyStop;
         return Text::tr("the supply of %1 is at %2 V, below %3 V")
-            .arg(m_name, words(voltage, 1), words(stop ? m_settings.supplyStop : m_settings.supplyLow, 1));
+            .arg(m_name, words(voltage, 1),
+                 words(stop ? m_profile->supervision.supplyStop : m_profile->supervision.supplyLow, 1));
     });
-    m_supplyHigh.update(seen.now, voltage,
-                        {.hint = m_settings.supplyHigh, .release = m_settings.supplyHigh - kSupplyReturns}, [&] {
-                            return Text::tr("the supply of %1 is at %2 V, above %3 V")
-                                .arg(m_name, words(voltage, 1), words(m_settings.supplyHigh, 1));
-                        });
+    m_supplyHigh.update(
+        seen.now, voltage,
+        {.hint = m_profile->supervision.supplyHigh, .release = m_profile->supervision.supplyHigh - kSupplyReturns},
+        [&] {
+            return Text::tr("the supply of %1 is at %2 V, above %3 V")
+                .arg(m_name, words(voltage, 1), words(m_profile->supervision.supplyHigh, 1));
+        });
     m_supplyTrend.add(seen.now, voltage);
     judgeTrend(m_supplyFalls, seen.now, m_supplyTrend,
-               {.value = m_settings.supplyLow,
+               {.value = m_profile->supervision.supplyLow,
                 .fromBelow = false,
                 .near = std::numeric_limits<double>::infinity(),
                 .unit = QStringLiteral("V"),
@@ -325,14 +328,15 @@ void AxisSupervisor::judgeBoard(const AxisObservation& seen)
     }
     const double temperature = *seen.boardTemperature;
     const QString what = Text::tr("the drive board of %1").arg(m_name);
-    m_boardHot.update(seen.now, temperature, {.hint = m_settings.boardHot, .release = m_settings.boardHot - kCoolsBy},
+    m_boardHot.update(seen.now, temperature,
+                      {.hint = m_profile->supervision.boardHot, .release = m_profile->supervision.boardHot - kCoolsBy},
                       [&] {
                           return Text::tr("%1 is at %2 °C; it gives up at %3 °C")
-                              .arg(what, words(temperature, 0), words(m_settings.boardLimit, 0));
+                              .arg(what, words(temperature, 0), words(m_profile->supervision.boardLimit, 0));
                       });
     m_boardTrend.add(seen.now, temperature);
     judgeTrend(m_boardWarms, seen.now, m_boardTrend,
-               {.value = m_settings.boardLimit, .near = kTrendNear, .unit = QStringLiteral("°C")}, what);
+               {.value = m_profile->supervision.boardLimit, .near = kTrendNear, .unit = QStringLiteral("°C")}, what);
 }
 
 void AxisSupervisor::judgeMotor(const AxisObservation& seen)
@@ -342,11 +346,11 @@ void AxisSupervisor::judgeMotor(const AxisObservation& seen)
     }
     const QString what = Text::tr("the motor of %1").arg(m_name);
     m_motorHot.update(seen.now, *seen.motorTemperature,
-                      {.hint = m_settings.motorHot, .release = m_settings.motorHot - kCoolsBy},
+                      {.hint = m_profile->supervision.motorHot, .release = m_profile->supervision.motorHot - kCoolsBy},
                       [&] { return Text::tr("%1 is at %2 °C").arg(what, words(*seen.motorTemperature, 0)); });
     m_motorTrend.add(seen.now, *seen.motorTemperature);
     judgeTrend(m_motorWarms, seen.now, m_motorTrend,
-               {.value = m_settings.motorHot, .near = kTrendNear, .unit = QStringLiteral("°C")}, what);
+               {.value = m_profile->supervision.motorHot, .near = kTrendNear, .unit = QStringLiteral("°C")}, what);
 }
 
 void AxisSupervisor::judgeTrend(Watch& watch, SteadyTime now, const Trend& trend, const TrendLimit& to,
@@ -357,7 +361,7 @@ void AxisSupervisor::judgeTrend(Watch& watch, SteadyTime now, const Trend& trend
     const auto left = distance > 0.0 && distance < to.near ? line->timeTo(to.value) : std::nullopt;
     // Sooner is worse.
     const double soon = left ? -left->count() : -std::numeric_limits<double>::infinity();
-    const double ahead = m_settings.trendAhead.count();
+    const double ahead = m_profile->supervision.trendAhead.count();
     watch.update(now, soon, {.hint = -ahead, .release = -1.5 * ahead, .quietFor = Seconds(10.0)}, [&] {
         return (to.fromBelow ? Text::tr("%1 is at %2 %3 and rising %4 %3/min: %5 %3 in %6 min")
                              : Text::tr("%1 is at %2 %3 and falling %4 %3/min: %5 %3 in %6 min"))

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/profile/profile.h"
+#include "core/profile/in_force.h"
 #include "core/supervision/axis_observation.h"
 #include "core/supervision/finding.h"
 #include "core/supervision/motion_memory.h"
@@ -22,7 +22,8 @@ namespace boresight::supervision {
 class AxisSupervisor
 {
 public:
-    AxisSupervisor(Axis axis, const profile::AxisSettings& limits, const profile::SupervisionSettings& settings);
+    // The profile outlives this.
+    AxisSupervisor(Axis axis, const profile::InForce& profile);
 
     // Once per tick, from the first reply on. Everything that is wrong now, at most one of each kind, stops first. A
     // text keeps the numbers of the moment when it began, became a stop or had doubled.
@@ -38,8 +39,6 @@ public:
     // Call when the axis gets a new set-point that is no motion, as when its drive was engaged. An angle that jumps
     // meanwhile, as that of a drive that was power-cycled, is found all the same.
     void forgetCommand();
-    // Of the profile, while the mount runs.
-    void setSettings(const profile::AxisSettings& limits, const profile::SupervisionSettings& settings);
 
 private:
     struct TrendLimit
@@ -69,8 +68,8 @@ private:
     void judgeTrend(Watch& watch, SteadyTime now, const Trend& trend, const TrendLimit& to, const QString& what);
 
     QString m_name;  // "the azimuth"
-    profile::AxisSettings m_limits;
-    profile::SupervisionSettings m_settings;
+    Axis m_axis;
+    const profile::InForce& m_profile;
 
     std::optional<SteadyTime> m_lastReply;
     Progress m_progress;

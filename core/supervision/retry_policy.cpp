@@ -153,18 +153,18 @@ std::optional<SteadyTime> RetryPolicy::nextTry() const
     if (allowed == Retry::Never || (allowed == Retry::Once && m_tried)) {
         return std::nullopt;
     }
-    return m_from + std::chrono::duration_cast<SteadyTime::duration>(m_settings.interval);
+    return m_from + std::chrono::duration_cast<SteadyTime::duration>(m_profile->recovery.interval);
 }
 
 Retry RetryPolicy::policy(LossClass loss) const
 {
     switch (loss) {
         case LossClass::OverTemperature:
-            return m_settings.overTemperature;
+            return m_profile->recovery.overTemperature;
         case LossClass::Supply:
-            return m_settings.supply;
+            return m_profile->recovery.supply;
         case LossClass::Bus:
-            return m_settings.bus;
+            return m_profile->recovery.bus;
         case LossClass::Encoder:
         case LossClass::Configuration:
         case LossClass::Driver:

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/profile/profile.h"
+#include "core/profile/in_force.h"
 
 #include <QString>
 
@@ -31,8 +31,8 @@ enum class LossClass
 class RetryPolicy
 {
 public:
-    explicit RetryPolicy(const profile::RecoverySettings& settings) : m_settings(settings) {}
-    void setSettings(const profile::RecoverySettings& settings) { m_settings = settings; }  // from the next loss on
+    // The profile outlives this. Another rule counts from the next loss on.
+    explicit RetryPolicy(const profile::InForce& profile) : m_profile(profile) {}
 
     // A drive was lost. Several losses of one episode: the strictest one decides.
     void lost(LossClass loss, SteadyTime now);
@@ -49,7 +49,7 @@ public:
 private:
     [[nodiscard]] profile::Retry policy(LossClass loss) const;
 
-    profile::RecoverySettings m_settings;
+    const profile::InForce& m_profile;
     std::optional<profile::Retry> m_allowed;  // by the strictest loss since the last attempt; empty: nothing is lost
     SteadyTime m_from{};                      // the last loss or attempt
     bool m_tried = false;                     // in this episode

@@ -36,9 +36,9 @@ AxisSurvey::AxisSurvey(const profile::Profile& profile, Axis axis)
     forget();
 }
 
-void AxisSurvey::setProfile(const profile::Profile& profile)
+void AxisSurvey::profileChanged(const profile::Profile& /*before*/, const profile::Profile& after)
 {
-    m_next = protectionsOf(profile, m_axis);
+    m_next = protectionsOf(after, m_axis);
     if (m_step != Step::Reading && m_step != Step::Setting && m_step != Step::Storing) {
         takeNext();
     }

@@ -35,8 +35,8 @@ class AxisSurvey
 {
 public:
     AxisSurvey(const profile::Profile& profile, Axis axis);
-    // What the settings should be from now on; what is being written is written and read first.
-    void setProfile(const profile::Profile& profile);
+    // The settings should be others from now on; what is being written is written and read first.
+    void profileChanged(const profile::Profile& before, const profile::Profile& after);
 
     void read(const moteus::Uuid& board);
     // Sets what differs, reads back, and stores only if all of it was taken; then reads everything again.

@@ -40,19 +40,18 @@ bool hasKnownMap(const FoundController& board)
 
 }  // namespace
 
-DriveSurvey::DriveSurvey(const profile::Profile& profile, const KnownBoards& known)
+DriveSurvey::DriveSurvey(const profile::InForce& profile, const KnownBoards& known)
     : m_profile(profile),
       m_known(known),
       m_scan(moteus::kDiagnosticHostId, {moteus::versionQuery()}),
-      m_sides{Side{Axis::Azimuth, profile.azimuth.id, AxisSurvey(profile, Axis::Azimuth)},
-              Side{Axis::Elevation, profile.elevation.id, AxisSurvey(profile, Axis::Elevation)}}
+      m_sides{Side{Axis::Azimuth, profile->azimuth.id, AxisSurvey(*profile, Axis::Azimuth)},
+              Side{Axis::Elevation, profile->elevation.id, AxisSurvey(*profile, Axis::Elevation)}}
 {}
 
-void DriveSurvey::setProfile(const profile::Profile& profile)
+void DriveSurvey::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
-    m_profile = profile;
     for (Side& side : m_sides) {
-        side.drive.setProfile(profile);
+        side.drive.profileChanged(before, after);
     }
     if (m_state == SurveyState::Done) {
         collectFindings();
@@ -257,7 +256,7 @@ void DriveSurvey::collectFacts(Side& side)
 
 void DriveSurvey::collectFindings()
 {
-    m_findings = identityFindings(m_profile, m_known, m_scan.controllers());
+    m_findings = identityFindings(*m_profile, m_known, m_scan.controllers());
     for (const Side& side : m_sides) {
         if (!side.drive.trouble().isEmpty()) {
             m_findings.push_back({.kind = FindingKind::Unread,

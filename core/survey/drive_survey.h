@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/profile/in_force.h"
 #include "core/survey/axis_survey.h"
 #include "core/survey/bus_scan.h"
 #include "core/survey/findings.h"
@@ -32,10 +33,11 @@ struct DriveFacts
 class DriveSurvey
 {
 public:
-    DriveSurvey(const profile::Profile& profile, const KnownBoards& known);
+    // The profile outlives this.
+    DriveSurvey(const profile::InForce& profile, const KnownBoards& known);
 
-    // In force from now on: what was found is judged anew.
-    void setProfile(const profile::Profile& profile);
+    // What was found is judged anew.
+    void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // From the beginning; also after other tools had the bus.
     void begin(SteadyTime now);
     // The bus or a drive was lost: nothing is known until begin().
@@ -91,7 +93,7 @@ private:
     void collectFindings();
     void addProtectionFinding(const Side& side, Verdict verdict);
 
-    profile::Profile m_profile;
+    const profile::InForce& m_profile;
     KnownBoards m_known;
     BusScan m_scan;
     std::array<Side, 2> m_sides;

@@ -47,6 +47,7 @@ public:
     };
 
     explicit SensorCheck(const SensorCheckSettings& settings) : m_settings(settings) {}
+    // From the next value on. It knows no profile: the same check judges a mounting that is only proposed.
     void setSettings(const SensorCheckSettings& settings) { m_settings = settings; }
 
     // Where the axes point, once per tick; empty: not known, and nothing is compared across that.

@@ -63,31 +63,25 @@ QString doubtOfCalibration(const orientation::Orientation& value)
 
 }  // namespace
 
-SensorWatch::SensorWatch(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms)
-    : m_settings(profile.sensor),
-      m_terms(profile.pointing),
+SensorWatch::SensorWatch(const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms)
+    : m_profile(profile),
       m_clock(clock),
       m_log(log),
       m_alarms(alarms),
-      m_judge(judgeSettings(profile)),
-      m_check(checkSettings(profile.sensor)),
-      m_proposedCheck(checkSettings(profile.sensor)),
-      m_northFound(holdsNorth(profile))
+      m_judge(judgeSettings(*profile)),
+      m_check(checkSettings(profile->sensor)),
+      m_proposedCheck(checkSettings(profile->sensor))
 {
     correct();
 }
 
-void SensorWatch::setProfile(const profile::Profile& profile)
+void SensorWatch::profileChanged(const profile::Profile& before, const profile::Profile& after)
 {
+    m_judge.setSettings(judgeSettings(after));
+    m_check.setSettings(checkSettings(after.sensor));
+    m_proposedCheck.setSettings(checkSettings(after.sensor));
     // A disagreement that lasts outlives settings that change no reading and no direction of the axes.
-    const bool alike = readAlike(profile.sensor, m_settings) && profile.pointing == m_terms;
-    m_settings = profile.sensor;
-    m_terms = profile.pointing;
-    m_judge.setSettings(judgeSettings(profile));
-    m_check.setSettings(checkSettings(profile.sensor));
-    m_proposedCheck.setSettings(checkSettings(profile.sensor));
-    m_northFound = holdsNorth(profile);
-    if (!alike) {
+    if (!readAlike(after.sensor, before.sensor) || after.pointing != before.pointing) {
         correct();
     }
 }
@@ -104,8 +98,8 @@ void SensorWatch::setSiteDeclination(const std::optional<Result<Angle>>& declina
 geomagnetism::Declination SensorWatch::declination() const
 {
     geomagnetism::Declination declination{
-        .by = m_settings.declinationBy, .inSensor = m_settings.declinationInSensor, .here = m_settings.declination};
-    if (!m_settings.declinationFile.empty()) {
+        .by = settings().declinationBy, .inSensor = settings().declinationInSensor, .here = settings().declination};
+    if (!settings().declinationFile.empty()) {
         declination.origin = geomagnetism::DeclinationOrigin::Model;
         const bool known = m_siteDeclination && *m_siteDeclination;
         declination.here = known ? std::optional(**m_siteDeclination) : std::nullopt;
@@ -116,20 +110,20 @@ geomagnetism::Declination SensorWatch::declination() const
 // A declination of exactly 0° was mostly not typed at all: it accuses nobody.
 QString SensorWatch::doubtOfDeclination() const
 {
-    const bool byModel = !m_settings.declinationFile.empty();
+    const bool byModel = !settings().declinationFile.empty();
     if (byModel && m_siteDeclination && !*m_siteDeclination) {
         return toQString(m_siteDeclination->error().text);
     }
     if (byModel && !m_modelExpiry.isEmpty()) {
         return m_modelExpiry;
     }
-    return byModel || m_settings.declination != Angle{} ? toQString(geomagnetism::doubt(declination())) : QString();
+    return byModel || settings().declination != Angle{} ? toQString(geomagnetism::doubt(declination())) : QString();
 }
 
 // What was compared before is compared anew: the difference was perhaps that of a wrong setting.
 void SensorWatch::correct()
 {
-    m_truth = SensorTruth(m_settings, declination());
+    m_truth = SensorTruth(settings(), declination());
     correctProposed();
     m_check.forget();
     m_currentLink.forget();
@@ -146,7 +140,7 @@ void SensorWatch::setProposed(const std::optional<calibration::SensorMounting>& 
 
 void SensorWatch::correctProposed()
 {
-    profile::SensorSettings proposed = m_settings;
+    profile::SensorSettings proposed = settings();
     if (m_proposed) {
         setMounting(proposed, *m_proposed);
     }
@@ -191,10 +185,10 @@ void SensorWatch::compare(const orientation::Orientation& value)
     m_check.take(readingOf(value, m_truth));
     m_proposedCheck.take(readingOf(value, m_proposedTruth));
     if (const auto difference = m_check.difference(Axis::Azimuth).now) {
-        const bool agrees = abs(*difference) <= m_settings.disagreement && !m_check.difference(Axis::Azimuth).lasts;
+        const bool agrees = abs(*difference) <= settings().disagreement && !m_check.difference(Axis::Azimuth).lasts;
         m_agreed = m_agreed || agrees;
-        const auto latency = std::chrono::duration_cast<SteadyTime::duration>(m_settings.latency);
-        m_currentLink.take(value.arrival - latency, m_settings.averaging, *difference);
+        const auto latency = std::chrono::duration_cast<SteadyTime::duration>(settings().latency);
+        m_currentLink.take(value.arrival - latency, settings().averaging, *difference);
     }
 }
 
@@ -259,7 +253,7 @@ void SensorWatch::tellPresence()
     const SteadyTime now = m_clock.now();
     const orientation::Presence presence = m_judge.presence(now);
     const bool overdue =
-        presence == orientation::Presence::Awaited && now - m_begun >= std::max(kFirstPatience, m_settings.lost);
+        presence == orientation::Presence::Awaited && now - m_begun >= std::max(kFirstPatience, settings().lost);
     const bool absent = presence == orientation::Presence::Lost || overdue;
     if (absent || m_judge.dead()) {
         raiseAbsence();
@@ -282,7 +276,7 @@ void SensorWatch::raiseAbsence()
 
 bool SensorWatch::isNorthUnknown() const
 {
-    return !m_northFound && !m_agreed;
+    return !holdsNorth(*m_profile) && !m_agreed;
 }
 
 bool SensorWatch::disagrees(Axis axis) const
@@ -383,7 +377,7 @@ SensorStatus SensorWatch::status() const
         .azimuthDifference = m_check.difference(Axis::Azimuth).now,
         .elevationDifference = m_check.difference(Axis::Elevation).now,
         .disagrees = disagrees(),
-        .turns = m_settings.mounting.sense == orientation::Sense::Clockwise ? m_judge.turns() : -m_judge.turns(),
+        .turns = settings().mounting.sense == orientation::Sense::Clockwise ? m_judge.turns() : -m_judge.turns(),
         .outliers = m_judge.outliers(),
         .restarts = m_judge.restarts(),
         .counts = m_source.counts};
@@ -420,7 +414,7 @@ std::optional<memory::SensorCourse> SensorWatch::course(const orientation::Orien
     }
     orientation::Orientation zero = last;
     zero.heading = {};
-    const bool clockwise = m_settings.mounting.sense == orientation::Sense::Clockwise;
+    const bool clockwise = settings().mounting.sense == orientation::Sense::Clockwise;
     const Angle about = m_truth.directionOf(zero).azimuth + (clockwise ? m_judge.course() : -m_judge.course());
     return memory::SensorCourse{.unbroken = m_judge.breaks() + m_breaks, .azimuth = direction.azimuth.nearestTo(about)};
 }

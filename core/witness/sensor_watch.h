@@ -7,7 +7,7 @@
 #include "core/messages/sensor_status.h"
 #include "core/orientation/judge.h"
 #include "core/orientation/source.h"
-#include "core/profile/profile.h"
+#include "core/profile/in_force.h"
 #include "core/witness/current_link.h"
 #include "core/witness/sensor_check.h"
 #include "core/witness/sensor_curve.h"
@@ -30,9 +30,10 @@ struct SensorEvidence
 class SensorWatch
 {
 public:
-    SensorWatch(const profile::Profile& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms);
+    // All of them outlive it.
+    SensorWatch(const profile::InForce& profile, const Clock& clock, EventLog& log, AlarmBoard& alarms);
 
-    void setProfile(const profile::Profile& profile);
+    void profileChanged(const profile::Profile& before, const profile::Profile& after);
     // Of the site by the magnetic model, or why it is not known; empty: the model is still read, or there is no site.
     // Counts while the profile names a file of one.
     // `model`: its name and years; `expiry`: that it ends or has ended.
@@ -56,6 +57,7 @@ public:
     [[nodiscard]] SensorEvidence evidence() const;
 
 private:
+    [[nodiscard]] const profile::SensorSettings& settings() const { return m_profile->sensor; }
     [[nodiscard]] geomagnetism::Declination declination() const;
     [[nodiscard]] QString doubtOfDeclination() const;
     // Why its azimuth is no evidence; empty: it is.
@@ -80,8 +82,7 @@ private:
     void raiseDisagreement();
     [[nodiscard]] QString causes(Axis axis) const;
 
-    profile::SensorSettings m_settings;
-    pointing::PointingTerms m_terms;  // what the axes tell goes by them
+    const profile::InForce& m_profile;
     const Clock& m_clock;
     EventLog& m_log;
     AlarmBoard& m_alarms;
@@ -100,7 +101,6 @@ private:
     bool m_heard = false;  // as the log was told
     CurrentLink m_currentLink;
     std::uint64_t m_breaks = 0;  // of the course, besides those that the judge sees
-    bool m_northFound = false;   // the profile holds one
     bool m_agreed = false;       // in azimuth, at least once
     bool m_disagreed = false;
     bool m_currentTold = false;

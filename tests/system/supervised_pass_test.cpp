@@ -73,9 +73,9 @@ private:
     }
 
     SimulatedStation& m_station;
-    profile::Profile m_profile = anyPort();
-    AxisSupervisor m_azimuth{Axis::Azimuth, m_profile.azimuth, m_profile.supervision};
-    AxisSupervisor m_elevation{Axis::Elevation, m_profile.elevation, m_profile.supervision};
+    const profile::InForce m_profile{anyPort()};
+    AxisSupervisor m_azimuth{Axis::Azimuth, m_profile};
+    AxisSupervisor m_elevation{Axis::Elevation, m_profile};
     std::set<std::string> m_found;
     int m_looks = 0;
 };

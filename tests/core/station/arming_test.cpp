@@ -27,7 +27,7 @@ profile::Profile retryingHeat()
 struct ArmingRig
 {
     explicit ArmingRig(const profile::Profile& profile = {})
-        : mount(profile, clock, log, alarms), arming(profile, mount, log)
+        : inForce(profile), mount(inForce, clock, log, alarms), arming(inForce, mount, log)
     {}
 
     void makeReady()
@@ -62,6 +62,7 @@ struct ArmingRig
         });
     }
 
+    profile::InForce inForce;
     fakes::ManualClock clock;
     EventLog log{clock};
     AlarmBoard alarms{log, clock};

@@ -20,7 +20,7 @@ using ephemeris::Body;
 // the reason. No point is taken of that body until it is tracked again.
 TEST(CalibrationFollow, AClockThatIsSetMovesNothing)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     setHour(rig, 8.0);
     follow(rig);
     const AxisPosition before = rig.axes();
@@ -41,7 +41,7 @@ TEST(CalibrationFollow, AClockThatIsSetMovesNothing)
 // REQ-NORTH-37b
 TEST(CalibrationFollow, ASecondOfTheClockIsFollowed)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     setHour(rig, 8.0);
     follow(rig);
     rig.clock.stepUtc(Seconds(5.0));
@@ -53,7 +53,7 @@ TEST(CalibrationFollow, ASecondOfTheClockIsFollowed)
 // REQ-NORTH-38
 TEST(CalibrationFollow, TermsTypedMeanwhileAreRefused)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     setHour(rig, 8.0);
     follow(rig);
     profile::Profile typed = rig.profile;
@@ -71,7 +71,7 @@ TEST(CalibrationFollow, TermsTypedMeanwhileAreRefused)
 // REQ-NORTH-38
 TEST(CalibrationFollow, TermsTypedWhileAClientIsFollowedAreRefused)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
     ASSERT_TRUE(rig.point(120.0, 30.0, kClient));
     rig.run(Seconds(2.0));
@@ -103,7 +103,7 @@ TEST(CalibrationFollow, TermsTypedInMidSwingEndIt)
 // operator takes it back.
 TEST(CalibrationFollow, EndsWhenTheClientsAreGivenControl)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     setHour(rig, 8.0);
     follow(rig);
     ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
@@ -189,7 +189,7 @@ TEST(CalibrationFollow, AClientThatReadsSaysNothingAboutIt)
 
 TEST(CalibrationFollow, WhatIsRefusedChangesNothing)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     setHour(rig, 8.0);
     follow(rig);
     rig.tick();
@@ -216,7 +216,7 @@ TEST(CalibrationFollow, NoPointIsTakenOnceTheMountWasSentElsewhere)
                                        request::GiveAuthority{},
                                        CalibrationRequest(request::StartSwing{.rate = 3_deg_s, .headings = 0})};
     for (const Request& errand : errands) {
-        CalibrationRig rig = swungRig();
+        SwungRig rig;
         setHour(rig, 8.0);
         follow(rig);
         ASSERT_EQ(Body::Sun, rig.status().body);
@@ -239,7 +239,7 @@ TEST(CalibrationFollow, NoPointIsTakenOnceTheMountWasSentElsewhere)
 // REQ-NORTH-37c
 TEST(CalibrationFollow, NoPointIsTakenAfterAClientLedTheMount)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     setHour(rig, 8.0);
     follow(rig);
     ASSERT_TRUE(rig.ask(request::Hold{}));
@@ -282,7 +282,7 @@ TEST(CalibrationFollow, APointIsTakenWhatWasCentredByHand)
 // REQ-NORTH-37c
 TEST(CalibrationFollow, APointFarFromTheNorthThatWasFoundIsToldOf)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     takeSun(rig, 8.0);
     ASSERT_TRUE(rig.apply());
     follow(rig);
@@ -302,7 +302,7 @@ bool warnsOfTheSun(CalibrationRig& rig)
 
 TEST(CalibrationFollow, TheMoonBearsNoAlarmOfTheSun)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     setHour(rig, 15.0);
     follow(rig);
     EXPECT_TRUE(warnsOfTheSun(rig));
@@ -317,7 +317,7 @@ TEST(CalibrationFollow, TheMoonBearsNoAlarmOfTheSun)
 // REQ-CONTROL-39
 TEST(CalibrationFollow, KeepingAwayFromTheSunMovesNothing)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     setHour(rig, 8.0);
     follow(rig);
     const AxisPosition before = rig.axes();
@@ -340,7 +340,7 @@ TEST(CalibrationFollow, KeepingAwayFromTheSunMovesNothing)
 // also comes when anybody else points the beam there: within half its width, or 1°.
 TEST(CalibrationFollow, TheWarningStaysWhileTheBeamLooksIntoTheSun)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     setHour(rig, 8.0);
     follow(rig);
     EXPECT_TRUE(warnsOfTheSun(rig));
@@ -360,7 +360,7 @@ TEST(CalibrationFollow, TheWarningStaysWhileTheBeamLooksIntoTheSun)
 // REQ-NORTH-37d
 TEST(CalibrationFollow, WhoeverLedTheBeamToTheSunIsWarned)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     setHour(rig, 8.0);
     rig.run(Seconds(1.0));
     const SkyPointing sun = rig.status().bodies.at(0).direction;
@@ -389,12 +389,12 @@ TEST(CalibrationFollow, WhoeverLedTheBeamToTheSunIsWarned)
 // A client that only reads is told where the beam points, like the screen and MQTT.
 TEST(CalibrationFollow, TheTrimIsPartOfWhatClientsAreTold)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     setHour(rig, 8.0);
     follow(rig);
     ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = 5_deg, .elevation = {}}));
     rig.run(Seconds(5.0));
-    StationRotator rotator(rig.control, rig.profile, rig.log, rig.clock);
+    StationRotator rotator(rig.control, rig.inForce, rig.log, rig.clock);
     const auto told = rotator.position({.id = 1, .address = "127.0.0.1:50000"});
     ASSERT_TRUE(told);
     EXPECT_LT(apart({told->azimuth, told->elevation}, *rig.control.status().actual), 0.01);
@@ -402,7 +402,7 @@ TEST(CalibrationFollow, TheTrimIsPartOfWhatClientsAreTold)
 
 TEST(CalibrationFollow, ATrimThatIsNoNumberIsRefused)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     setHour(rig, 8.0);
     follow(rig);
     const Angle none = Angle::fromDegrees(std::numeric_limits<double>::quiet_NaN());

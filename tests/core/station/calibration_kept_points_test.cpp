@@ -115,13 +115,15 @@ TEST(CalibrationPoints, ThoseThatWereKeptWaitUntilTheDrivesAreKnown)
     rig.goTo(200.0, 30.0);
     ASSERT_TRUE(rig.ask(request::TakeKnownPoint{.truth = {.azimuth = 10_deg, .elevation = 30_deg}, .label = {}}));
     rig.mount.learn(Axis::Azimuth, std::nullopt);
-    CalibrationDesk again(rig.control, rig.profile, *rig.file, rig.clock, rig.log);
+    CalibrationDesk again(rig.control, rig.inForce, *rig.file, rig.clock, rig.log);
     again.tick();
     ASSERT_EQ(1U, again.status()->points.size());
     EXPECT_FALSE(again.status()->proposal);
     profile::Profile typed = rig.profile;
     typed.pointing.collimation = 0.5_deg;
-    again.setProfile(typed);
+    const auto before = rig.inForce.shared();
+    rig.inForce.apply(typed);
+    again.profileChanged(*before, *rig.inForce);
     again.tick();
     EXPECT_FALSE(again.status()->proposal);
     EXPECT_FALSE(again.status()->fit);
@@ -141,7 +143,8 @@ TEST(CalibrationPoints, ThoseThatWereKeptCountWithADriveThatTellsNoUuid)
     rig.mount.learn(Axis::Azimuth, std::nullopt);
     profile::Profile nearly = rig.profile;
     nearly.pointing.azimuthOffset = 169_deg;
-    CalibrationDesk again(rig.control, nearly, *rig.file, rig.clock, rig.log);
+    const profile::InForce nearlyInForce(nearly);
+    CalibrationDesk again(rig.control, nearlyInForce, *rig.file, rig.clock, rig.log);
     again.tick();
     EXPECT_FALSE(again.status()->fit);
     EXPECT_TRUE(again.status()->noFit.contains(QStringLiteral("wait"))) << again.status()->noFit.toStdString();

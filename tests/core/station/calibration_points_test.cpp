@@ -92,7 +92,7 @@ TEST(CalibrationPoints, WhatIsDownOrUnknownIsRefused)
 
 TEST(CalibrationPoints, OnePointTellsNorth)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     takeSun(rig, 8.0);
     ASSERT_TRUE(rig.apply());
     EXPECT_NEAR(37.4, rig.terms().azimuthOffset.degrees(), 1.0);  // the tilt is in it
@@ -179,7 +179,7 @@ TEST(CalibrationPoints, SunsFromBothSidesTellTheTermsApart)
 // is under way ends.
 TEST(CalibrationPoints, ApplyMovesNothing)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     takeSun(rig, 8.0);
     const AxisPosition before = rig.axes();
     const SkyPointing sky = *rig.control.status().actual;
@@ -194,7 +194,7 @@ TEST(CalibrationPoints, ApplyMovesNothing)
 
 TEST(CalibrationPoints, ApplyWaitsWhileAClientIsFollowed)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     takeSun(rig, 8.0);
     ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
     ASSERT_TRUE(rig.point(120.0, 30.0, kClient));
@@ -248,7 +248,7 @@ TEST(CalibrationPoints, UndoAndRedoGiveExactlyWhatWas)
 // Story: a swing beside a car was proposed until another one took its place.
 TEST(CalibrationPoints, WhatIsDiscardedIsProposedNoMoreAndChangesNothing)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     takeSun(rig, 8.0);
     const profile::Profile before = rig.profile;
     ASSERT_TRUE(rig.status().proposal);
@@ -278,7 +278,7 @@ TEST(CalibrationPoints, WhatIsDiscardedIsProposedNoMoreAndChangesNothing)
 // another bus waits.
 TEST(CalibrationPoints, UndoAndRedoLoseNothingThatWasTypedSince)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     takeSun(rig, 8.0);
     ASSERT_TRUE(rig.apply());
     const profile::Profile applied = rig.profile;
@@ -301,13 +301,13 @@ TEST(CalibrationPoints, UndoAndRedoLoseNothingThatWasTypedSince)
 // REQ-NORTH-38f
 TEST(CalibrationPoints, WhatMakesNoSenseWithWhatWaitsIsRefused)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     takeSun(rig, 8.0);
     profile::Profile waiting = rig.profile;
     waiting.park.azimuth = 3000_deg;  // beyond any travel
-    rig.desk.setWanted(waiting);
+    rig.inForce.apply(waiting);
     EXPECT_FALSE(rig.apply());
-    rig.desk.setWanted(rig.profile);
+    rig.inForce.apply(rig.profile);
     EXPECT_TRUE(rig.apply());
 }
 
@@ -340,7 +340,7 @@ TEST(CalibrationPoints, PointsFromBeforeTheTurnWasToldWarn)
 // REQ-NORTH-38
 TEST(CalibrationPoints, WhatWasNotSeenIsNotApplied)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     takeSun(rig, 8.0);
     rig.tick();
     const std::uint64_t seen = rig.status().proposal->number;

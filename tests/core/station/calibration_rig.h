@@ -59,7 +59,7 @@ public:
           model(hidden.terms),
           file(std::make_unique<CalibrationFile>(
               stateDir.isEmpty() ? QString() : calibrationPath(stateDir, toQString(settings.mount.name), false))),
-          desk(control, settings, *file, clock, log)
+          desk(control, inForce, *file, clock, log)
     {
         run(Seconds(1.0));
         ask(request::TakeAuthority{});
@@ -107,9 +107,9 @@ public:
     // What StationControl and desk make of a profile, as the station hands it to them.
     void setProfile(const profile::Profile& wanted)
     {
-        profile = wanted;
-        control.setProfile(wanted);
-        desk.setProfile(wanted);
+        const auto before = inForce.shared();
+        StationRig::setProfile(wanted);
+        desk.profileChanged(*before, *inForce);
     }
 
     [[nodiscard]] CalibrationStatus status() { return *desk.status(); }  // as it is now: the next tick makes another

@@ -56,7 +56,7 @@ void startScan(CalibrationRig& rig, Angle width = 8_deg, bool overTheTop = false
 // the body no longer tracks it, and gives no point.
 TEST(CalibrationScan, FindsTheSun)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     startScan(rig);
     scanToTheEnd(rig);
     ASSERT_TRUE(rig.status().scan) << rig.status().progress.outcome.toStdString();
@@ -69,7 +69,7 @@ TEST(CalibrationScan, FindsTheSun)
 // REQ-NORTH-38d
 TEST(CalibrationScan, ForgetsWhatTheLastOneFound)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     startScan(rig);
     scanToTheEnd(rig);
     ASSERT_TRUE(rig.status().scan);
@@ -83,7 +83,7 @@ TEST(CalibrationScan, ForgetsWhatTheLastOneFound)
 // REQ-NORTH-38d
 TEST(CalibrationScan, FindsAWeakSun)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     startScan(rig, 12_deg);
     for (int i = 0; i < 200000 && scans(rig); ++i) {
         rig.tick();
@@ -99,20 +99,21 @@ TEST(CalibrationScan, FindsAWeakSun)
     EXPECT_LT(apart(rig.model.toSky(point.axes), point.truth), 0.1);
 }
 
-CalibrationRig rigOverTheTop()
+struct OverTheTopRig : CalibrationRig
 {
-    CalibrationRig rig({}, profileOverTheTop());
-    profile::Profile nearNorth = rig.profile;
-    nearNorth.pointing.azimuthOffset = 36.0_deg;
-    nearNorth.pointing.elevationOffset = 0.8_deg;
-    rig.setProfile(nearNorth);
-    return rig;
-}
+    OverTheTopRig() : CalibrationRig({}, profileOverTheTop())
+    {
+        profile::Profile nearNorth = profile;
+        nearNorth.pointing.azimuthOffset = 36.0_deg;
+        nearNorth.pointing.elevationOffset = 0.8_deg;
+        setProfile(nearNorth);
+    }
+};
 
 // There left is right and up is down.
 TEST(CalibrationScan, FindsTheSunOverTheTop)
 {
-    CalibrationRig rig = rigOverTheTop();
+    OverTheTopRig rig;
     startScan(rig, 8_deg, true);
     scanToTheEnd(rig);
     ASSERT_TRUE(rig.status().scan) << rig.status().progress.outcome.toStdString();
@@ -125,7 +126,7 @@ TEST(CalibrationScan, FindsTheSunOverTheTop)
 // The Sun sinks in mid-scan: a place beyond the limits is not one on the other side of the zenith.
 TEST(CalibrationScan, OverTheTopStaysThere)
 {
-    CalibrationRig rig = rigOverTheTop();
+    OverTheTopRig rig;
     setHour(rig, 14.0);
     follow(rig, Body::Sun, true);
     profile::Profile narrow = rig.profile;
@@ -152,7 +153,7 @@ TEST(CalibrationScan, OverTheTopStaysThere)
 // follows four degrees beside the Sun and may be taken for a point of it.
 TEST(CalibrationScan, OneThatIsCutShortLeavesNoBeamBesideTheSun)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     startScan(rig);
     givePowers(rig, 2);
     rig.azimuth.mute = rig.elevation.mute = true;
@@ -172,7 +173,7 @@ TEST(CalibrationScan, OneThatIsCutShortLeavesNoBeamBesideTheSun)
 // Nobody has centred the Sun where a scan was held.
 TEST(CalibrationScan, WhereItWasHeldIsNoPoint)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     startScan(rig);
     givePowers(rig, 2);
     ASSERT_TRUE(rig.ask(request::Hold{}));
@@ -229,7 +230,7 @@ TEST(CalibrationScan, ASlowMountIsWaitedForAtEachPlace)
 // What is not permitted is not driven to, so its power would be of another place.
 TEST(CalibrationScan, IsRefusedWhereItsPlacesAreForbidden)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     setHour(rig, 3.2);
     follow(rig);
     ASSERT_LT(rig.status().bodies.at(0).direction.elevation, 3_deg);
@@ -241,7 +242,7 @@ TEST(CalibrationScan, IsRefusedWhereItsPlacesAreForbidden)
 
 TEST(CalibrationScan, EndsWhereTheBeamDoesNotGetToItsPlace)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     startScan(rig);
     givePowers(rig, 2);
     profile::Profile drawn = rig.profile;
@@ -261,7 +262,7 @@ TEST(CalibrationScan, EndsWhereTheBeamDoesNotGetToItsPlace)
 
 TEST(CalibrationScan, EndsWhenItIsNudged)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     startScan(rig);
     givePowers(rig, 4);
     ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = 1.5_deg, .elevation = {}}));
@@ -274,7 +275,7 @@ TEST(CalibrationScan, EndsWhenItIsNudged)
 // The refraction of radio is for the scan alone.
 TEST(CalibrationScan, LeavesTheRefractionAsItWas)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     startScan(rig);
     EXPECT_EQ(ephemeris::Refraction::Radio, rig.status().refraction);
     scanToTheEnd(rig);

@@ -82,7 +82,7 @@ TEST(CalibrationSensor, AMountThatMovesTellsNothing)
 // Story: with the Sun followed it ran for its 20 s and was refused then.
 TEST(CalibrationSensor, IsNotAveragedWhileABodyIsFollowed)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     setHour(rig, 8.0);
     follow(rig);
     const auto refused = rig.ask(request::MeasureSensorOffset{});
@@ -106,7 +106,7 @@ TEST(CalibrationSensor, IsNotAveragedWhileTheMountMoves)
 // Both come from one busy moment: the follower has not seen yet that the mount was sent elsewhere.
 TEST(CalibrationSensor, AnAverageRightAfterTheBodyWasLeftIsNoFault)
 {
-    CalibrationRig rig = swungRig();
+    SwungRig rig;
     setHour(rig, 8.0);
     follow(rig);
     ASSERT_TRUE(rig.control.request(request::PointAxes{{.azimuth = 200_deg, .elevation = 30_deg}}, kOperator));

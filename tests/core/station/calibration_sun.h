@@ -14,14 +14,15 @@ inline void setHour(CalibrationRig& rig, double hour)
 }
 
 // After a swing that has found north to a degree or two.
-inline CalibrationRig swungRig()
+struct SwungRig : CalibrationRig
 {
-    CalibrationRig rig;
-    profile::Profile profile = rig.profile;
-    profile.pointing.azimuthOffset = Angle::fromDegrees(36.0);
-    rig.setProfile(profile);
-    return rig;
-}
+    SwungRig()
+    {
+        profile::Profile swung = profile;
+        swung.pointing.azimuthOffset = Angle::fromDegrees(36.0);
+        setProfile(swung);
+    }
+};
 
 // The boom goes past the zenith.
 inline profile::Profile profileOverTheTop()

@@ -102,6 +102,15 @@ struct CareRig
         return answer ? std::string() : answer.error().text;
     }
 
+    // As the station does it.
+    void setProfile(const profile::Profile& wanted)
+    {
+        const auto before = inForce.shared();
+        inForce.apply(wanted);
+        control.profileChanged(*before, *inForce);
+        care.profileChanged(*before, *inForce);
+    }
+
     void otherToolSays(Axis axis, const std::string& command)
     {
         const std::string text = command + '\n';
@@ -124,10 +133,11 @@ struct CareRig
     fakes::ManualClock clock;
     EventLog log{clock};
     profile::Profile profile;
+    profile::InForce inForce{profile};
     AlarmBoard alarms{log, clock};
-    MoteusMount mount{profile, clock, log, alarms, {.trustFirstContact = true}};
-    StationControl control{profile, clock, log, alarms, mount, motionSources};
-    DriveCare care{profile, mount, alarms, log};
+    MoteusMount mount{inForce, clock, log, alarms, {.trustFirstContact = true}};
+    StationControl control{inForce, clock, log, alarms, mount, motionSources};
+    DriveCare care{inForce, mount, alarms, log};
     sim::SimulatedPair pair;
     Seconds elapsed{0.0};
     bool linkOpen = true;
@@ -226,10 +236,10 @@ TEST(DriveCare, TheProtectionsAreThoseOfTheProfileInForce)
     ASSERT_FALSE(rig.drives().fixable);
     profile::Profile faster = rig.profile;
     faster.azimuth.limits.speed = 2.0 * faster.azimuth.limits.speed;
-    rig.care.setProfile(faster);
+    rig.setProfile(faster);
     ASSERT_TRUE(rig.drives().fixable);
     ASSERT_EQ(rig.ask(request::FixDrives{}), "");
-    rig.care.setProfile(rig.profile);
+    rig.setProfile(rig.profile);
     ASSERT_TRUE(rig.endsItsSurvey());
     EXPECT_TRUE(rig.logSays("written: azimuth: servo.default_velocity_limit was"));
     EXPECT_TRUE(rig.drives().fixable) << "changed back meanwhile";

@@ -10,7 +10,14 @@ namespace {
 
 struct LiveSensorRig
 {
-    LiveSensorRig() { profile.sensor.source = profile::SensorSource::Simulated; }
+    LiveSensorRig() { choose(profile::SensorSource::Simulated); }
+
+    void choose(profile::SensorSource source)
+    {
+        profile::Profile wanted = *profile;
+        wanted.sensor.source = source;
+        profile.apply(wanted);
+    }
 
     // What the sensor reports now. True: as a new value.
     bool report(std::optional<int> magnetometer = 3)
@@ -23,7 +30,7 @@ struct LiveSensorRig
         return sensor.take(status) != nullptr;
     }
 
-    profile::Profile profile;
+    profile::InForce profile{profile::Profile()};
     fakes::ManualClock clock;
     SensorStatus status;
     LiveSensor sensor{profile, clock};
@@ -60,7 +67,7 @@ TEST(LiveSensor, ASilentSensorIsNoEvidence)
 {
     LiveSensorRig rig;
     EXPECT_TRUE(rig.report());
-    rig.clock.advance(rig.profile.sensor.lost);
+    rig.clock.advance(rig.profile->sensor.lost);
     EXPECT_TRUE(rig.sensor.isHeard());
     rig.clock.advance(Seconds(0.1));
     EXPECT_FALSE(rig.sensor.isHeard());
@@ -85,7 +92,7 @@ TEST(LiveSensor, AProfileWithoutASensorHasNoEvidence)
 {
     LiveSensorRig rig;
     EXPECT_TRUE(rig.report());
-    rig.profile.sensor.source = profile::SensorSource::None;
+    rig.choose(profile::SensorSource::None);
     EXPECT_EQ("the profile names no orientation sensor", refusalOf(rig.sensor.isUsable()));
 }
 

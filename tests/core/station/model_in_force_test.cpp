@@ -101,9 +101,11 @@ TEST(ModelInForce, WhatWasTypedSinceIsNamed)
     rig.apply(swingRecord());
     EXPECT_TRUE(rig.model.changedSince().isEmpty());
     rig.profile.pointing.collimation = 0.3_deg;
+    rig.inForce.apply(rig.profile);
     EXPECT_TRUE(rig.model.changedSince().contains(QStringLiteral("collimation")))
         << rig.model.changedSince().toStdString();
     rig.profile.site.known = true;
+    rig.inForce.apply(rig.profile);
     EXPECT_TRUE(rig.model.otherMount().isEmpty()) << "what was typed is of no entry";
 }
 

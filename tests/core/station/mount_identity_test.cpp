@@ -14,7 +14,7 @@ TEST(MountIdentity, ADriveIsNewOnce)
 {
     StationRig rig;
     rig.mount.learn(Axis::Elevation, std::nullopt);
-    MountIdentity mount(rig.control, rig.profile);
+    MountIdentity mount(rig.control, rig.inForce);
     EXPECT_TRUE(mount.update());
     EXPECT_FALSE(mount.update());
     EXPECT_FALSE(mount.bothRead());
@@ -28,7 +28,7 @@ TEST(MountIdentity, ADriveIsNewOnce)
 TEST(MountIdentity, ADriveThatIsSilentStaysTheSame)
 {
     StationRig rig;
-    MountIdentity mount(rig.control, rig.profile);
+    MountIdentity mount(rig.control, rig.inForce);
     EXPECT_TRUE(mount.update());
     const calibration::RecordMount before = mount.today();
     rig.mount.learn(Axis::Azimuth, std::nullopt);
@@ -40,7 +40,7 @@ TEST(MountIdentity, ADriveThatIsSilentStaysTheSame)
 TEST(MountIdentity, ADriveWithoutAnIdentityIsReadButContradictsNothing)
 {
     StationRig rig;
-    MountIdentity mount(rig.control, rig.profile);
+    MountIdentity mount(rig.control, rig.inForce);
     EXPECT_TRUE(mount.update());
     survey::DriveFacts nameless = rig.factsOf(Axis::Azimuth);
     nameless.uuid.clear();
@@ -48,7 +48,7 @@ TEST(MountIdentity, ADriveWithoutAnIdentityIsReadButContradictsNothing)
     EXPECT_FALSE(mount.update());
     EXPECT_EQ(rig.factsOf(Axis::Azimuth).uuid.toStdString(), mount.today().azimuthDrive);
 
-    MountIdentity other(rig.control, rig.profile);
+    MountIdentity other(rig.control, rig.inForce);
     EXPECT_TRUE(other.update());
     EXPECT_TRUE(other.bothRead());
 }
@@ -56,9 +56,10 @@ TEST(MountIdentity, ADriveWithoutAnIdentityIsReadButContradictsNothing)
 TEST(MountIdentity, TheSiteIsThatOfTheProfile)
 {
     StationRig rig;
-    const MountIdentity mount(rig.control, rig.profile);
+    const MountIdentity mount(rig.control, rig.inForce);
     EXPECT_FALSE(mount.today().site);
     rig.profile.site = {.known = true, .latitude = 48.2_deg, .longitude = 16.37_deg, .heightMetres = 200.0};
+    rig.inForce.apply(rig.profile);
     ASSERT_TRUE(mount.today().site);
     EXPECT_EQ(48.2_deg, mount.today().site->latitude);
 }

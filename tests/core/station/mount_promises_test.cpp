@@ -100,7 +100,7 @@ public:
     Angle resolution() const override { return Angle::fromDegrees(1.0); }
 
 private:
-    profile::Profile m_profile = slowProfile();
+    const profile::InForce m_profile{slowProfile()};
     fakes::ManualClock m_clock;
     EventLog m_log{m_clock};
     AlarmBoard m_alarms{m_log, m_clock};

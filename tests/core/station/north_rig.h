@@ -13,6 +13,7 @@ struct NorthRig : public StationRig
     NorthRig()
     {
         profile.sensor.source = profile::SensorSource::Simulated;
+        inForce.apply(profile);
         [[maybe_unused]] const bool isNew = mount.update();
     }
 
@@ -23,15 +24,16 @@ struct NorthRig : public StationRig
         record.mount = mount.today();
         record.terms.before = profile.pointing;
         profile.pointing = record.terms.after;
+        inForce.apply(profile);
         file.add(std::move(record));
     }
 
     CalibrationFile file{QString()};
-    MountIdentity mount{control, profile};
-    ModelInForce model{file, profile, mount, clock};
+    MountIdentity mount{control, inForce};
+    ModelInForce model{file, inForce, mount, clock};
     KeptPoints points{control, file, mount, model, clock, log};
-    LiveSensor sensor{profile, clock};
-    Proposals proposals{profile, sensor, model, points, log};
+    LiveSensor sensor{inForce, clock};
+    Proposals proposals{inForce, sensor, model, points, log};
 };
 
 }  // namespace boresight

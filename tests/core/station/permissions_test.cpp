@@ -80,7 +80,7 @@ void unconfirmed(StationRig& rig)
 {
     standing(rig);
     rig.profile.mount.directions = profile::Directions::Unconfirmed;
-    rig.control.setProfile(rig.profile);
+    rig.setProfile(rig.profile);
 }
 
 void homeBelowTheHorizon(StationRig& rig)
@@ -216,7 +216,7 @@ TEST(Permissions, AJogIsSlowWhereSomebodyMustWatch)
     const profile::JogSettings jog = rig.profile.jog;
     EXPECT_EQ(rig.control.status().permissions.fastestJog, jog.fast);
     rig.profile.mount.directions = profile::Directions::Unconfirmed;
-    rig.control.setProfile(rig.profile);
+    rig.setProfile(rig.profile);
     EXPECT_EQ(rig.control.status().permissions.fastestJog, std::min(jog.fast, profile::kFastestUnconfirmed));
     rig.mount.driveRestarted(Axis::Azimuth);
     EXPECT_EQ(rig.control.status().permissions.fastestJog, std::min(jog.slow, jog.unwind));
@@ -253,7 +253,7 @@ TEST(Permissions, AClientIsToldWhyControlCannotBeGivenToIt)
     EXPECT_EQ(obstacle(2), "");
     rig.profile.rotctld.lead = profile::Lead::Locked;
     rig.profile.rotctld.lockedTo = "10.0.0.7";
-    rig.control.setProfile(rig.profile);
+    rig.setProfile(rig.profile);
     EXPECT_EQ(obstacle(2), rig.ask(request::GiveLead{.clientId = 2}).error().text);
     ASSERT_TRUE(rig.ask(request::Stop{}));
     EXPECT_EQ(obstacle(2), rig.ask(request::GiveLead{.clientId = 2}).error().text);

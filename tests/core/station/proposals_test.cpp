@@ -66,6 +66,7 @@ TEST(Proposals, PointsThatSayWhatIsInForceProposeNothing)
     ASSERT_TRUE(rig.proposals.current());
     EXPECT_TRUE(rig.proposals.isFound(calibration::Term::AzimuthOffset));
     rig.profile.pointing = rig.proposals.current()->terms;
+    rig.inForce.apply(rig.profile);
     rig.points.fit();
     rig.proposals.profileChanged(false);
     EXPECT_FALSE(rig.proposals.current());
@@ -100,6 +101,7 @@ TEST(Proposals, TermsThatAreInForceAreNotProposed)
 {
     NorthRig rig;
     rig.profile.pointing.azimuthOffset = 37.4_deg;
+    rig.inForce.apply(rig.profile);
     EXPECT_FALSE(rig.proposals.propose({.title = QStringLiteral("Typed terms"), .terms = rig.profile.pointing}));
     pointing::PointingTerms typed = rig.profile.pointing;
     typed.collimation = 0.3_deg;

@@ -117,7 +117,7 @@ TEST(SensorWatch, BeforeNorthIsFoundADifferenceInAzimuthOnlyShowsTheWay)
 
     profile::Profile found = rig.profile;
     found.pointing.azimuthOffset = 30_deg;
-    rig.watch.setProfile(found);
+    rig.setProfile(found);
     rig.run(3.0);
     EXPECT_TRUE(rig.watch.status().disagrees) << "whatever was found, the sensor says something else";
     EXPECT_THAT(rig.alarmText(), HasSubstr("differ by 37.4° in azimuth"));
@@ -130,7 +130,7 @@ TEST(SensorWatch, WhatTellsNothingOfNorthFindsNone)
     const auto disagreesWith = [](const auto& set) {
         SensorWatchRig rig;
         set(rig.profile);
-        rig.watch.setProfile(rig.profile);
+        rig.setProfile(rig.profile);
         rig.heading = 137.4_deg;
         rig.run(5.0);
         return rig.watch.status().disagrees;
@@ -168,7 +168,7 @@ TEST(SensorWatch, ASettingOfSomethingElseLeavesTheAlarm)
     ASSERT_TRUE(rig.watch.status().disagrees);
     profile::Profile other = rig.profile;
     other.rotctld.maxClients = 3;
-    rig.watch.setProfile(other);
+    rig.setProfile(other);
     rig.run(0.1);
     EXPECT_TRUE(rig.watch.status().disagrees);
     other.sensor.swingCurrent = 7.0;  // none of these changes what a reading means
@@ -176,19 +176,19 @@ TEST(SensorWatch, ASettingOfSomethingElseLeavesTheAlarm)
     other.sensor.lost = Seconds(8.0);
     other.sensor.disagreement = 12_deg;
     other.azimuth.limits.speed = 5_deg_s;
-    rig.watch.setProfile(other);
+    rig.setProfile(other);
     rig.run(0.1);
     EXPECT_TRUE(rig.watch.status().disagrees);
     other.sensor.disagreement = 90_deg;  // and yet they count, for what comes from now on
-    rig.watch.setProfile(other);
+    rig.setProfile(other);
     rig.run(6.0);
     EXPECT_FALSE(rig.watch.status().disagrees);
     other.sensor.disagreement = 12_deg;
-    rig.watch.setProfile(other);
+    rig.setProfile(other);
     rig.run(3.0);
     EXPECT_TRUE(rig.watch.status().disagrees);
     other.pointing.azimuthOffset = 30_deg;  // the axes tell another direction from now on
-    rig.watch.setProfile(other);
+    rig.setProfile(other);
     rig.run(0.1);
     EXPECT_FALSE(rig.watch.status().disagrees);
 }
@@ -200,7 +200,7 @@ TEST(SensorWatch, ANewSettingTakesADifferenceAway)
     rig.run(5.0);
     EXPECT_NE(rig.alarmText(), "");
     rig.profile.sensor.mounting.azimuthOffset = 37.4_deg;
-    rig.watch.setProfile(rig.profile);
+    rig.setProfile(rig.profile);
     rig.run(2.0);
     EXPECT_EQ(rig.alarmText(), "");
     EXPECT_NEAR(rig.watch.status().direction->azimuth.degrees(), 100.0, 1e-9);

@@ -16,9 +16,16 @@ inline constexpr SkyPointing kStandingAt{.azimuth = Angle::fromDegrees(100.0), .
 struct SensorWatchRig
 {
     explicit SensorWatchRig(const profile::Profile& settings = {})
-        : profile(settings), watch(settings, clock, log, alarms)
+        : profile(settings), watch(inForce, clock, log, alarms)
     {
         watch.begin(QStringLiteral("serial /dev/ttyUSB0"));
+    }
+
+    void setProfile(const profile::Profile& wanted)
+    {
+        const auto before = inForce.shared();
+        inForce.apply(wanted);
+        watch.profileChanged(*before, *inForce);
     }
 
     // A value each second, while `speaking`.
@@ -67,7 +74,8 @@ struct SensorWatchRig
     fakes::ManualClock clock;
     EventLog log{clock};
     AlarmBoard alarms{log, clock};
-    profile::Profile profile;
+    profile::Profile profile;  // as applied first
+    profile::InForce inForce{profile};
     SensorWatch watch;
     bool speaking = true;
     int ticks = 0;

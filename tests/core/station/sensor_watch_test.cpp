@@ -151,7 +151,7 @@ TEST(SensorWatch, ItsCourseBreaksWhereItProvesNothing)
     rig.calibration->magnetometer = 3;
     EXPECT_TRUE(isAnother());
     rig.profile.sensor.mounting.azimuthOffset = 1_deg;
-    rig.watch.setProfile(rig.profile);
+    rig.setProfile(rig.profile);
     EXPECT_TRUE(isAnother());
     rig.speaking = false;
     rig.run(6.0);
@@ -219,7 +219,7 @@ TEST(SensorWatch, WhatASwingFoundSaysHowFarItIsToBeBelieved)
     ASSERT_TRUE(rig.watch.evidence().azimuth);
 
     rig.profile.sensor.deviation.unreliable = {{.from = 90_deg, .to = 130_deg}};
-    rig.watch.setProfile(rig.profile);
+    rig.setProfile(rig.profile);
     EXPECT_FALSE(rig.watch.status().azimuthSigma);
     EXPECT_FALSE(rig.watch.evidence().azimuth);
     EXPECT_THAT(rig.watch.status().doubt.toStdString(), HasSubstr("steel steers its compass around 100.0°"));

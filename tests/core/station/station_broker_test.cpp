@@ -226,16 +226,19 @@ TEST_F(StationBrokerTest, AMessageThatIsTooLargeIsALineInTheLog)
 TEST_F(StationBrokerTest, TheSensorGetsTheSameConnection)
 {
     EventLog events(clock);
-    StationBroker shared(events, clock, nullptr);
     profile::Profile profile = publishing(broker->port());
     profile.mqtt.publish = profile::Publish::Off;
-    shared.apply(profile.mqtt);
+    profile::InForce inForce(profile);
+    StationBroker shared(inForce, events, clock, nullptr);
+    shared.open();
     EXPECT_FALSE(shared.status().wanted);
     shared.setSensorWanted(true);
     ASSERT_TRUE(fakes::waitUntil([&] { return shared.status().connected; }));
     EXPECT_FALSE(shared.isPublishing());
     profile.mqtt.publish = profile::Publish::On;
-    shared.apply(profile.mqtt);
+    const auto before = inForce.shared();
+    inForce.apply(profile);
+    shared.profileChanged(*before, *inForce);
     ASSERT_TRUE(fakes::waitUntil([&] { return shared.isPublishing(); }));
     shared.setSensorWanted(false);
     EXPECT_TRUE(shared.isPublishing()) << "the same connection";

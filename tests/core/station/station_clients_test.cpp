@@ -226,7 +226,7 @@ TEST_F(StationClients, WhoMayNotMoveMayNotRearm)
 {
     rig.profile.rotctld.lead = profile::Lead::Locked;
     rig.profile.rotctld.lockedTo = "10.0.0.7";
-    rig.control.setProfile(rig.profile);
+    rig.setProfile(rig.profile);
     failInMidMotion(rig, kClient, 12);
     EXPECT_EQ(text(rig.ask(request::Rearm{}, kOtherClient)), "the mount is locked to 10.0.0.7");
     rig.run(Seconds(1.0));

@@ -47,13 +47,13 @@ TEST(StationDesk, AProfileWithoutBrakesIsAnAdvisoryForAsLongAsItIsInForce)
     EXPECT_TRUE(rig.control.status().alarms.empty());
     rig.profile.azimuth.limits.acceleration = AngularAcceleration::fromDegrees(0.5);
     rig.profile.azimuth.limits.jerk = AngularJerk::fromDegrees(5.0);
-    rig.control.setProfile(rig.profile);
+    rig.setProfile(rig.profile);
     const auto alarms = rig.control.status().alarms;
     ASSERT_EQ(alarms.size(), 1U);
     EXPECT_EQ(alarms.front().severity, Severity::Advisory);
     EXPECT_EQ(alarms.front().what, QStringLiteral("The azimuth needs 20.2 s and 101° to stop from 10.0°/s."));
     rig.profile.azimuth.limits = profile::referenceAzimuth().limits;
-    rig.control.setProfile(rig.profile);
+    rig.setProfile(rig.profile);
     EXPECT_TRUE(rig.control.status().alarms.empty());
 }
 
@@ -126,7 +126,7 @@ TEST(StationDesk, NewSettingsAreInForceWithTheNextRequest)
     rig.run(Seconds(0.1));
     profile::Profile changed = rig.profile;
     changed.park = {.azimuth = 33_deg, .elevation = 12_deg};
-    rig.control.setProfile(changed);
+    rig.setProfile(changed);
     ASSERT_TRUE(rig.ask(request::Park{}));
     rig.settle();
     EXPECT_NEAR(rig.azimuthDegrees(), 33.0, 0.05);
@@ -155,7 +155,7 @@ TEST(StationDesk, BeforeItsDirectionsAreConfirmedAMountIsJoggedALittleAndSlowly)
     EXPECT_TRUE(rig.ask(request::Jog{{.azimuth = -1_deg_s}})) << "the way back";
     rig.run(Seconds(1.0));
     fresh.mount.directions = Directions::Confirmed;
-    rig.control.setProfile(fresh);
+    rig.setProfile(fresh);
     EXPECT_TRUE(rig.point(50.0, 30.0, kOperator));
 }
 
@@ -214,11 +214,11 @@ TEST(StationDesk, DirectionsThatAreDoubtedAgainAllowASmallWayFromWhereTheMountSt
     ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = 1_deg_s}}));
     rig.run(Seconds(1.0));
     fresh.mount.directions = Directions::Confirmed;
-    rig.control.setProfile(fresh);
+    rig.setProfile(fresh);
     ASSERT_TRUE(rig.point(50.0, 30.0, kOperator));
     rig.settle();
     fresh.mount.directions = Directions::Unconfirmed;  // the motors are swapped, for instance
-    rig.control.setProfile(fresh);
+    rig.setProfile(fresh);
     EXPECT_FALSE(rig.point(60.0, 30.0, kOperator));
     for (int repeat = 0; repeat < 200; ++repeat) {
         (void)rig.ask(request::Jog{{.azimuth = 5_deg_s}});

@@ -33,8 +33,7 @@ struct ModelRig : StationRig
     void apply(const pointing::PointingTerms& terms)
     {
         profile.pointing = terms;
-        control.setProfile(profile);
-        rotator.setProfile(profile);
+        setProfile(profile);
     }
     [[nodiscard]] AxisPosition axes() const
     {
@@ -49,7 +48,7 @@ struct ModelRig : StationRig
         EXPECT_NEAR(told->elevation.degrees(), trueElevation, tolerance);
     }
 
-    StationRotator rotator{control, profile, log, clock};
+    StationRotator rotator{control, inForce, log, clock};
 };
 
 // The tilt of 0.6° to the north, where true azimuth is 100°: the axis stands 0.6° sin 100° tan 20° = 0.215° further,

@@ -23,8 +23,8 @@ struct StationRig
                         const TurnKeeper::Start& start = {.trustFirstContact = true},
                         const MakeSources& sources = motionSources)
         : profile(settings),
-          mount(profile, clock, log, alarms, start),
-          control(profile, clock, log, alarms, mount, sources)
+          mount(inForce, clock, log, alarms, start),
+          control(inForce, clock, log, alarms, mount, sources)
     {
         mount.setFitness({});
         for (const Axis axis : kAxes) {
@@ -123,7 +123,16 @@ struct StationRig
     void draw(const pointing::Region& region)
     {
         profile.limits = region;
-        control.setProfile(profile);
+        setProfile(profile);
+    }
+
+    // As the station does it when the operator applies one.
+    void setProfile(const profile::Profile& wanted)
+    {
+        profile = wanted;
+        const auto before = inForce.shared();
+        inForce.apply(wanted);
+        control.profileChanged(*before, *inForce);
     }
 
     [[nodiscard]] StationState state() const { return control.state(); }
@@ -137,7 +146,8 @@ struct StationRig
         return lines.empty() ? std::string() : lines.back().text.toStdString();
     }
 
-    profile::Profile profile;
+    profile::Profile profile;  // as applied last
+    profile::InForce inForce{profile};
     fakes::ManualClock clock;
     EventLog log{clock};
     Seconds heldUp{0.0};  // between the beginning of a tick and its frames

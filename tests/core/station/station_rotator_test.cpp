@@ -23,7 +23,7 @@ struct RotatorRig : StationRig
                                                   .elevation = Angle::fromDegrees(elevationDegrees_)});
     }
 
-    StationRotator rotator{control, profile, log, clock};
+    StationRotator rotator{control, inForce, log, clock};
 };
 
 profile::Profile withConvention(profile::AzimuthConvention convention)

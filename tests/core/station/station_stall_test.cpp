@@ -67,9 +67,9 @@ TEST(StationStall, TwoDelaysThatAddUpAreOne)
 // With the longest watchdog the sum is long enough for the axes to stand elsewhere.
 TEST(StationStall, TwoDelaysThatAddUpExcuseTheDrivesToo)
 {
-    StationRig rig;
-    rig.profile.control.watchdog = Seconds(0.2);
-    rig.control.setProfile(rig.profile);
+    profile::Profile patient;
+    patient.control.watchdog = Seconds(0.2);
+    StationRig rig(patient);
     ASSERT_TRUE(rig.setsOff(100.0, 60.0, Seconds(2.0)));
     stall(rig, Seconds(0.125));
     rig.heldUp = Seconds(0.145);
@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(Station, StallDoubt,
                          testing::Values(Doubt{"TheProfileWaits",
                                                [](StationRig& rig) {
                                                    rig.profile.control.afterStall = profile::AfterStall::Wait;
-                                                   rig.control.setProfile(rig.profile);
+                                                   rig.setProfile(rig.profile);
                                                    stall(rig, Seconds(0.3));
                                                }},
                                          Doubt{"TooLong", [](StationRig& rig) { stall(rig, Seconds(2.1)); }},

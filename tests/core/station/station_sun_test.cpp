@@ -169,7 +169,7 @@ TEST(StationSun, FromInsideOnlyTheWayOutIsOpen)
     EXPECT_FALSE(rig.warned());
     EXPECT_TRUE(rig.control.status().sunKeepOuts.empty());
     rig.profile = sunny();
-    rig.control.setProfile(rig.profile);
+    rig.setProfile(rig.profile);
     rig.run(Seconds(1.0));
     EXPECT_TRUE(rig.warned());
     const double before = rig.azimuthDegrees();
@@ -199,7 +199,8 @@ TEST(StationSun, IsFoundAnewWhenTheClockIsSet)
 // REQ-CONTROL-39 (SunWatch.*)
 TEST(SunWatch, ServesUntilItIsRenewed)
 {
-    SunWatch watch(sunny());
+    const profile::InForce profile(sunny());
+    SunWatch watch(profile);
     fakes::ManualClock clock;
     ephemeris::Almanac almanac(kLisbon);
     const UtcTime day = std::chrono::sys_days{std::chrono::year{2026} / 6 / 21};
@@ -311,7 +312,7 @@ TEST(StationSunClock, FromInsideTheOperatorJogsOutSlowly)
     ASSERT_TRUE(rig.point(180.0, 24.0, kOperator));
     rig.settle();
     rig.profile = sunny();
-    rig.control.setProfile(rig.profile);
+    rig.setProfile(rig.profile);
     rig.run(Seconds(0.1));
     EXPECT_NE(rig.refusal(20.0, 40.0).find("the clock of this computer is not synchronised"), std::string::npos);
     EXPECT_FALSE(rig.point(20.0, 40.0)) << "nor for a client";

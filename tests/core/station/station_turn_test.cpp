@@ -75,7 +75,7 @@ TEST(StationTurns, ASensorOnTheAntennaSpeaksInTheQuestion)
     EXPECT_FALSE(rig.control.status().drives.azimuth.turnKnown) << "it decides nothing";
 
     rig.profile.pointing.azimuthOffset = 37.5_deg;
-    rig.control.setProfile(rig.profile);
+    rig.setProfile(rig.profile);
     rig.control.setSensor(98_deg, std::nullopt);
     EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("The sensor says 60.5°")) << "as the axis counts";
 }

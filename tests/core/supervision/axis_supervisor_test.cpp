@@ -65,7 +65,8 @@ protected:
     }
 
     profile::Profile profile;
-    AxisSupervisor supervisor{Axis::Azimuth, profile.azimuth, profile.supervision};
+    profile::InForce inForce{profile};
+    AxisSupervisor supervisor{Axis::Azimuth, inForce};
     PlaceBelief belief{{.allowance = turns(0.5_deg), .speed = turns(10_deg) / Seconds(1.0)}};
     AxisObservation seen{.now = SteadyTime(std::chrono::hours(1)),
                          .actual = 100_deg,
@@ -218,7 +219,7 @@ TEST_F(AxisSupervisorTest, AFastAxisMayBeTwoTicksBehind)
 {
     profile.azimuth.limits.speed = 60_deg_s;
     belief.setLimits({.allowance = turns(0.5_deg), .speed = turns(60_deg) / Seconds(1.0)});
-    supervisor.setSettings(profile.azimuth, profile.supervision);
+    inForce.apply(profile);
     seen.actual -= 60_deg_s * Seconds(0.05);
     supervisor.forgetMotion();
     seen.engaged = false;
@@ -290,9 +291,11 @@ TEST_F(AxisSupervisorTest, AMotorThatWarmsUpIsToldWithTheTimeLeft)
     ASSERT_TRUE(found(Finding::MotorHot));
     EXPECT_THAT(found(Finding::MotorHot)->what.toStdString(),
                 HasSubstr("the motor of the azimuth is at 58 °C and rising 6.0 °C/min: 80 °C in 3."));
-    // And what cools down is not told.
-    AxisSupervisor other(Axis::Azimuth, profile.azimuth, profile.supervision);
-    supervisor = other;
+}
+
+// REQ-SUPERVISION-09
+TEST_F(AxisSupervisorTest, AMotorThatCoolsDownIsNotTold)
+{
     for (int i = 0; i < 60 * 50; ++i) {
         seen.motorTemperature = 79.0 - 6.0 * i / (60.0 * 50.0);
         tick();

@@ -21,6 +21,26 @@ profile::RecoverySettings always(Retry retry)
     return {.overTemperature = retry, .supply = retry, .bus = retry, .interval = Seconds(60.0)};
 }
 
+struct KeptProfile
+{
+    explicit KeptProfile(const profile::RecoverySettings& settings) { put(settings); }
+
+    void put(const profile::RecoverySettings& settings)
+    {
+        profile::Profile profile = *inForce;
+        profile.recovery = settings;
+        inForce.apply(profile);
+    }
+
+    profile::InForce inForce{profile::Profile()};
+};
+
+// A policy with these settings in force.
+struct PolicyBy : KeptProfile, RetryPolicy
+{
+    explicit PolicyBy(const profile::RecoverySettings& settings) : KeptProfile(settings), RetryPolicy(inForce) {}
+};
+
 // REQ-SUPERVISION-21: Every fault code has a class. 33 and 44 are driver faults, because the code alone does not tell
 // a sagging supply from a burnt bridge. An unknown code is never retried.
 TEST(ClassOfFault, FollowsTheTable)
@@ -46,7 +66,7 @@ TEST(ClassOfFault, FollowsTheTable)
 TEST(RetryPolicy, NothingIsRetriedByDefault)
 {
     for (int loss = 0; loss <= static_cast<int>(LossClass::Bus); ++loss) {
-        RetryPolicy policy({});
+        PolicyBy policy({});
         policy.lost(static_cast<LossClass>(loss), at(0));
         EXPECT_FALSE(policy.nextTry()) << loss;
     }
@@ -57,25 +77,37 @@ TEST(RetryPolicy, OnlyHeatSupplyAndBusMayEverBeRetried)
 {
     for (const LossClass loss :
          {LossClass::Encoder, LossClass::Configuration, LossClass::Driver, LossClass::Motion, LossClass::Released}) {
-        RetryPolicy policy(always(Retry::Interval));
+        PolicyBy policy(always(Retry::Interval));
         policy.lost(loss, at(0));
         EXPECT_FALSE(policy.nextTry());
     }
     for (const LossClass loss : {LossClass::OverTemperature, LossClass::Supply, LossClass::Bus}) {
-        RetryPolicy policy(always(Retry::Interval));
+        PolicyBy policy(always(Retry::Interval));
         policy.lost(loss, at(0));
         EXPECT_EQ(policy.nextTry(), at(60));
     }
 }
 
 // REQ-SUPERVISION-20
+TEST(RetryPolicy, AnotherRuleCountsFromTheNextLossOn)
+{
+    PolicyBy policy({});
+    policy.lost(LossClass::Bus, at(0));
+    EXPECT_FALSE(policy.nextTry());
+    policy.rearmed();
+    policy.put(always(Retry::Once));
+    policy.lost(LossClass::Bus, at(100));
+    EXPECT_EQ(policy.nextTry(), at(160));
+}
+
+// REQ-SUPERVISION-20
 TEST(RetryPolicy, EachClassHasItsOwnSetting)
 {
     const profile::RecoverySettings onlyBus{.bus = Retry::Once, .interval = Seconds(5.0)};
-    RetryPolicy bus(onlyBus);
+    PolicyBy bus(onlyBus);
     bus.lost(LossClass::Bus, at(0));
     EXPECT_EQ(bus.nextTry(), at(5));
-    RetryPolicy supply(onlyBus);
+    PolicyBy supply(onlyBus);
     supply.lost(LossClass::Supply, at(0));
     EXPECT_FALSE(supply.nextTry());
 }
@@ -83,7 +115,7 @@ TEST(RetryPolicy, EachClassHasItsOwnSetting)
 // REQ-SUPERVISION-23: "interval" tries again, each time so long after the loss or the last attempt.
 TEST(RetryPolicy, IntervalGoesOnForEver)
 {
-    RetryPolicy policy(always(Retry::Interval));
+    PolicyBy policy(always(Retry::Interval));
     policy.lost(LossClass::Bus, at(0));
     for (int i = 1; i < 100; ++i) {
         ASSERT_EQ(policy.nextTry(), at(60.0 * i));
@@ -99,7 +131,7 @@ TEST(RetryPolicy, IntervalGoesOnForEver)
 // REQ-SUPERVISION-22: "once" is once per episode. A person's re-arm or an hour of health begins a new one.
 TEST(RetryPolicy, OnceIsOncePerEpisode)
 {
-    RetryPolicy policy(always(Retry::Once));
+    PolicyBy policy(always(Retry::Once));
     policy.lost(LossClass::OverTemperature, at(0));
     ASSERT_EQ(policy.nextTry(), at(60));
     policy.tried(at(60));
@@ -119,7 +151,7 @@ TEST(RetryPolicy, OnceIsOncePerEpisode)
 // REQ-SUPERVISION-22
 TEST(RetryPolicy, AnHourOfHealthRenewsOnce)
 {
-    RetryPolicy policy(always(Retry::Once));
+    PolicyBy policy(always(Retry::Once));
     policy.lost(LossClass::Supply, at(0));
     policy.tried(at(60));
     policy.healthy(at(60));
@@ -137,7 +169,7 @@ TEST(RetryPolicy, AnHourOfHealthRenewsOnce)
 // REQ-SUPERVISION-22
 TEST(RetryPolicy, TwoTimesHalfAnHourIsNoHourOfHealth)
 {
-    RetryPolicy policy(always(Retry::Once));
+    PolicyBy policy(always(Retry::Once));
     policy.lost(LossClass::Bus, at(0));
     policy.tried(at(60));
     policy.healthy(at(60));
@@ -152,7 +184,7 @@ TEST(RetryPolicy, TwoTimesHalfAnHourIsNoHourOfHealth)
 // REQ-SUPERVISION-24: Of several losses the strictest decides.
 TEST(RetryPolicy, TheStrictestLossDecides)
 {
-    RetryPolicy policy(always(Retry::Interval));
+    PolicyBy policy(always(Retry::Interval));
     policy.lost(LossClass::Bus, at(0));
     policy.lost(LossClass::Encoder, at(1));
     policy.lost(LossClass::Bus, at(2));

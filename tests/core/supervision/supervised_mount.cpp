@@ -31,12 +31,12 @@ SupervisedMount::SupervisedMount(const sim::PairSettings& pair, const profile::P
       m_sides{Side{.axis = Axis::Azimuth,
                    .settings = m_profile.azimuth,
                    .setpoints{m_profile.azimuth.limits, m_profile.azimuth.geometry.travel, Angle{}},
-                   .supervisor{Axis::Azimuth, m_profile.azimuth, m_profile.supervision},
+                   .supervisor{Axis::Azimuth, m_inForce},
                    .belief = PlaceBelief(placesOf(m_profile.azimuth, m_profile))},
               Side{.axis = Axis::Elevation,
                    .settings = m_profile.elevation,
                    .setpoints{m_profile.elevation.limits, m_profile.elevation.geometry.travel, Angle{}},
-                   .supervisor{Axis::Elevation, m_profile.elevation, m_profile.supervision},
+                   .supervisor{Axis::Elevation, m_inForce},
                    .belief = PlaceBelief(placesOf(m_profile.elevation, m_profile))}}
 {
     run(Seconds(0.1));

@@ -82,6 +82,7 @@ private:
     void exchange(Axis axis, const std::optional<moteus::Command>& command);
 
     profile::Profile m_profile;
+    profile::InForce m_inForce{m_profile};
     sim::SimulatedPair m_pair;
     std::array<Side, 2> m_sides;
     std::vector<sim::PairReply> m_replies;

@@ -9,7 +9,7 @@
 namespace boresight::survey {
 
 SurveyRig::SurveyRig(const sim::PairSettings& settings, const profile::Profile& wanted, const KnownBoards& known)
-    : pair(settings), profile(wanted), drives(wanted, known)
+    : pair(settings), profile(wanted), drives(inForce, known)
 {}
 
 SteadyTime SurveyRig::now() const

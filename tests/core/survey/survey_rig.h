@@ -31,6 +31,7 @@ public:
 
     sim::SimulatedPair pair;
     profile::Profile profile;
+    profile::InForce inForce{profile};
     DriveSurvey drives;
     std::size_t mostFramesForOneDrive = 0;  // in one tick, apart from scans
     std::vector<CanFrame> sent;
