@@ -192,6 +192,42 @@ TEST(Rooms, AFolderIsSeenAtAGlance)
     }
 }
 
+// Lines of the headers below core that have `words`, with the file.
+std::vector<std::string> linesWith(const std::string& words)
+{
+    std::vector<std::string> found;
+    for (const std::string& path : sourcesBelow("core")) {
+        std::ifstream file(std::filesystem::path(BORESIGHT_SOURCES) / path);
+        for (std::string line; path.ends_with(".h") && std::getline(file, line);) {
+            if (line.find(words) != std::string::npos) {
+                found.push_back(path + ":" + line);
+            }
+        }
+    }
+    return found;
+}
+
+// Everybody reads the profile in force where it is used: what is handed on or kept grows stale. Whoever must react has
+// profileChanged(before, after).
+TEST(Rooms, NobodyIsHandedTheProfileOrKeepsIt)
+{
+    EXPECT_THAT(linesWith("setProfile("), IsEmpty());
+    EXPECT_THAT(linesWith("profile::Profile m_"), IsEmpty());
+    EXPECT_THAT(linesWith("profile::Profile& m_"), IsEmpty());
+    auto parts = linesWith("Settings m_");
+    std::erase_if(parts, [](const std::string& line) { return line.find("profile::") == std::string::npos; });
+    EXPECT_THAT(parts, IsEmpty());
+    // The station begins anew with this one.
+    EXPECT_THAT(linesWith("profile::Profile> m_"),
+                testing::ElementsAre(testing::StartsWith("core/station/station.h:    std::optional")));
+    // These know no profile, and what they are set to is worked out from it: in the units of a drive, for a stream of
+    // values, for a mounting in force and one that is proposed.
+    EXPECT_THAT(linesWith("void setSettings("),
+                testing::UnorderedElementsAre(testing::StartsWith("core/moteus_mount/drive.h:"),
+                                              testing::StartsWith("core/orientation/judge.h:"),
+                                              testing::StartsWith("core/witness/sensor_check.h:")));
+}
+
 TEST(Rooms, NoTwoHeadersOfOneName)
 {
     std::map<std::string, std::string> seen;
