@@ -77,14 +77,14 @@ QWidget* JogChoices::makeSteps()
 
 void JogChoices::showStatus(const StationStatus& status)
 {
-    const profile::JogSettings& rates = status.profile->jog;
     const AngularRate fastest = status.permissions.fastestJog;
-    if (rates == m_rates && fastest == m_fastest) {
+    const bool same = status.profile->jog == rates() && fastest == m_fastest;
+    m_profile = status.profile;
+    if (same) {
         return;
     }
-    m_rates = rates;
     m_fastest = fastest;
-    m_slider->setEnds(m_rates.slow, m_rates.fast);
+    m_slider->setEnds(rates().slow, rates().fast);
     showRate();
 }
 
@@ -96,16 +96,16 @@ void JogChoices::choose(AngularRate rate)
 
 void JogChoices::showRate()
 {
-    const AngularRate wanted = std::clamp(m_chosen.value_or(m_rates.normal), m_rates.slow, m_rates.fast);
+    const AngularRate wanted = std::clamp(m_chosen.value_or(rates().normal), rates().slow, rates().fast);
     const AngularRate rate = std::min(wanted, m_fastest);
     m_slider->setRate(wanted);
-    m_slider->setEnabled(m_fastest > m_rates.slow);
+    m_slider->setEnabled(m_fastest > rates().slow);
     m_pad.setRate(wanted);
     m_caption->setValue(rate < wanted ? tr("Rate at most %1").arg(shownRate(rate))
                                       : tr("Rate while held  %1").arg(shownRate(rate)));
     const QString ends =
         tr("Jog rate from %1 to %2 (arrows, Page Up, Page Down; Shift + arrow on the pad: the fastest)")
-            .arg(shownRate(m_rates.slow), shownRate(m_rates.fast));
+            .arg(shownRate(rates().slow), shownRate(rates().fast));
     m_slider->setToolTip(
         rate < wanted
             ? tr("At most %1 until it is known where the axes stand and which way they turn").arg(shownRate(rate))

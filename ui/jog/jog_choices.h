@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/messages/station_status.h"
+#include "core/profile/profile.h"
 
 #include <QWidget>
 
+#include <memory>
 #include <optional>
 
 // How the pad moves: the rate while held, between the slow and the fast one of the profile in force, and the size of a
@@ -28,13 +30,14 @@ public:
 private:
     [[nodiscard]] QWidget* makeSteps();
     void choose(AngularRate rate);
+    [[nodiscard]] const profile::JogSettings& rates() const { return m_profile->jog; }
     void showRate();
 
     JogPad& m_pad;
     ValueLabel* m_caption;
     RateSlider* m_slider;
     std::optional<AngularRate> m_chosen;  // empty: the normal rate of the profile
-    profile::JogSettings m_rates;
+    std::shared_ptr<const profile::Profile> m_profile = std::make_shared<const profile::Profile>();  // shown last
     AngularRate m_fastest;
 };
 
