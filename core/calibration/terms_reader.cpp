@@ -2,6 +2,7 @@
 #include "core/base/control_characters.h"
 #include "core/base/numbers.h"
 #include "core/base/text.h"
+#include "core/calibration/terms_fields.h"
 #include "core/calibration/terms_text.h"
 
 #include <QDateTime>
@@ -79,6 +80,28 @@ public:
         return m_sheet;
     }
 
+    // Of a line of the header.
+    void text(std::string_view key, std::string& value)
+    {
+        if (key == m_key) {
+            value = m_value;
+        }
+    }
+
+    void date(std::string_view key, std::optional<UtcTime>& when)
+    {
+        if (key == m_key) {
+            readDate(when);
+        }
+    }
+
+    void site(std::string_view key, std::optional<RecordSite>& place)
+    {
+        if (key == m_key) {
+            readSite(place);
+        }
+    }
+
 private:
     void readLine(std::string_view line)
     {
@@ -98,35 +121,25 @@ private:
         if (colon == std::string_view::npos) {
             return;
         }
-        const std::string_view key = trimmed(comment.substr(0, colon));
-        const std::string value = printable(std::string(trimmed(comment.substr(colon + 1))));
-        if (key == "mount") {
-            m_sheet.mountName = value;
-        } else if (key == "azimuth drive") {
-            m_sheet.mount.azimuthDrive = value;
-        } else if (key == "elevation drive") {
-            m_sheet.mount.elevationDrive = value;
-        } else if (key == "date") {
-            readDate(value);
-        } else if (key == "site") {
-            readSite(value);
-        }
+        m_key = trimmed(comment.substr(0, colon));
+        m_value = printable(std::string(trimmed(comment.substr(colon + 1))));
+        headerFields(*this, m_sheet);
     }
 
-    void readDate(const std::string& value)
+    void readDate(std::optional<UtcTime>& when)
     {
-        const QDateTime date = QDateTime::fromString(toQString(value), Qt::ISODate);
+        const QDateTime date = QDateTime::fromString(toQString(m_value), Qt::ISODate);
         const bool isUtc = date.isValid() && date.timeSpec() == Qt::UTC;
         if (!isUtc || date.date().year() < kTermsReaderEarliest || date.date().year() > kTermsReaderLatest) {
-            complain(Text::tr("%1 is no date like 2026-11-21T21:34:00Z").arg(quoted(value)));
+            complain(Text::tr("%1 is no date like 2026-11-21T21:34:00Z").arg(quoted(m_value)));
             return;
         }
-        m_sheet.when = UtcTime(std::chrono::seconds(date.toSecsSinceEpoch()));
+        when = UtcTime(std::chrono::seconds(date.toSecsSinceEpoch()));
     }
 
-    void readSite(const std::string& value)
+    void readSite(std::optional<RecordSite>& place)
     {
-        const auto words = wordsOf(value);
+        const auto words = wordsOf(m_value);
         const auto number = [&words](std::size_t index, double most) -> std::optional<double> {
             const auto found = parseFinite(words[index]);
             return found && std::abs(*found) <= most ? found : std::nullopt;
@@ -137,12 +150,12 @@ private:
         const auto height = isThree ? number(2, 10000.0) : std::nullopt;
         if (!latitude || !longitude || !height) {
             complain(Text::tr("%1 is no site: latitude, longitude and height are expected, like 48.2 16.37 200")
-                         .arg(quoted(value)));
+                         .arg(quoted(m_value)));
             return;
         }
-        m_sheet.mount.site = RecordSite{.latitude = Angle::fromDegrees(*latitude),
-                                        .longitude = Angle::fromDegrees(*longitude),
-                                        .heightMetres = *height};
+        place = RecordSite{.latitude = Angle::fromDegrees(*latitude),
+                           .longitude = Angle::fromDegrees(*longitude),
+                           .heightMetres = *height};
     }
 
     void readTerm(const std::vector<std::string_view>& words)
@@ -201,6 +214,8 @@ private:
 
     std::string m_fileName;
     TermSheet m_sheet;
+    std::string_view m_key;  // of the line of the header that is being read
+    std::string m_value;
     std::array<std::size_t, kTerms> m_lines{};  // where each stands, from 1
     std::size_t m_line = 0;
     std::string m_problems;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/numbers.h"
+#include "core/calibration/terms_fields.h"
 #include "core/calibration/terms_text.h"
 
 #include <QDateTime>
@@ -29,11 +30,6 @@ std::string sigmaText(const std::optional<Angle>& sigma)
     return text.find_first_of("123456789") == std::string::npos ? "-" : text;
 }
 
-std::string comment(const std::string& key, const std::string& value)
-{
-    return value.empty() ? "" : "# " + key + ": " + value + "\n";
-}
-
 std::string dateText(UtcTime when)
 {
     const auto since = std::chrono::floor<std::chrono::seconds>(when.time_since_epoch());
@@ -45,17 +41,36 @@ std::string siteText(const RecordSite& site)
     return degrees(site.latitude) + " " + degrees(site.longitude) + " " + formatFixed(site.heightMetres, 3);
 }
 
+class HeaderWriter
+{
+public:
+    void text(const std::string& key, const std::string& value)
+    {
+        m_written += value.empty() ? "" : "# " + key + ": " + value + "\n";
+    }
+
+    void date(const std::string& key, const std::optional<UtcTime>& when) { text(key, when ? dateText(*when) : ""); }
+    void site(const std::string& key, const std::optional<RecordSite>& place)
+    {
+        text(key, place ? siteText(*place) : "");
+    }
+
+    [[nodiscard]] const std::string& written() const { return m_written; }
+
+private:
+    std::string m_written;
+};
+
 }  // namespace
 
 std::string toText(const TermSheet& sheet)
 {
     std::string text =
         "# Terms of a pointing model. The site is latitude, longitude (degrees north, east), height (m)\n";
-    text += comment("mount", sheet.mountName);
-    text += comment("date", sheet.when ? dateText(*sheet.when) : "");
-    text += comment("site", sheet.mount.site ? siteText(*sheet.mount.site) : "");
-    text += comment("azimuth drive", sheet.mount.azimuthDrive);
-    text += comment("elevation drive", sheet.mount.elevationDrive);
+    TermSheet copy = sheet;
+    HeaderWriter header;
+    headerFields(header, copy);
+    text += header.written();
     text += padded("#name", kNameWidth) + padded("value", kValueWidth) + "unit sigma\n";
     for (const Term term : kAllTerms) {
         text += padded(std::string(nameOf(term)), kNameWidth) +
