@@ -41,7 +41,8 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("FILE")});
     parser.addOption({kBus, QStringLiteral("fdcanusb:PATH, socketcan:IFACE or simulated; overrides the profile."),
                       QStringLiteral("BUS")});
-    parser.addOption({kSimulate, QStringLiteral("Drive the built-in simulated mount: the same as --bus simulated.")});
+    parser.addOption({kSimulate, QStringLiteral("Drive the built-in simulated mount: the same as --bus simulated. "
+                                                "Nothing of it is written to the profile of a real mount.")});
     parser.addOption({kListen, QStringLiteral("Address of the rotctld server; port 0 picks a free one."),
                       QStringLiteral("HOST:PORT")});
     parser.addOption({kStateDir,
@@ -74,14 +75,29 @@ Result<profile::Profile> readProfile(Options& options, const QCommandLineParser&
 
 void useBus(Options& options, const std::string& bus)
 {
-    const profile::Profile before = options.profile;
+    const bool namedNone = profile::isSimulated(options.profile);
     options.profile.bus = bus;
-    profile::leaveSimulatedMount(options.profile, before);
-    if (!options.isFirstStart() && profile::isSimulated(before) && !profile::isSimulated(options.profile)) {
+    if (!namedNone || profile::isSimulated(options.profile)) {
+        return;
+    }
+    options.profile = profile::forRealMount(options.profile);
+    if (!options.isFirstStart()) {
         qWarning().noquote() << QStringLiteral(
                                     "%1 is the profile of the simulated mount: its zeros, north, pointing model and "
                                     "sensor are left out for %2, and directions are to be confirmed")
                                     .arg(options.profilePath, toQString(bus));
+    }
+}
+
+// Without a bus of a real mount there is only the simulated one.
+void warnSimulated(const Options& options)
+{
+    if (!options.isFirstStart() && !options.onlySimulated && profile::isSimulated(options.profile)) {
+        qWarning().noquote() << QStringLiteral(
+                                    "%1 names no bus of a real mount, so the mount is simulated. Nothing of the "
+                                    "simulation is written to this file. Set bus.name, give --bus, or choose the "
+                                    "adapter in the guide of the window.")
+                                    .arg(options.profilePath);
     }
 }
 
@@ -98,13 +114,16 @@ Result<> applyBus(Options& options, const QCommandLineParser& parser)
     return parseBusName(bus).map([&](const BusName&) { useBus(options, bus); });
 }
 
-Result<> applyListen(profile::Profile& profile, const QCommandLineParser& parser)
+Result<> applyListen(Options& options, const QCommandLineParser& parser)
 {
     if (!parser.isSet(kListen)) {
         return {};
     }
     return profile::parseListenAddress(parser.value(kListen).toStdString())
-        .map([&](const profile::ListenAddress& address) { profile.rotctld.listen = address; })
+        .map([&](const profile::ListenAddress& address) {
+            options.profile.rotctld.listen = address;
+            options.overridden = {"rotctld.listen"};
+        })
         .map_error([](Error error) {
             return Error{error.code, "--listen: " + error.text};
         });
@@ -168,14 +187,6 @@ profile::Profile Options::startingProfile() const
     return starting;
 }
 
-profile::Profile Options::overridden(profile::Profile wanted) const
-{
-    if (onlySimulated) {
-        wanted.bus = kSimulated;
-    }
-    return wanted;
-}
-
 Result<Options> readOptions(const QStringList& arguments, const QString& description)
 {
     QCommandLineParser parser;
@@ -195,13 +206,14 @@ Result<Options> readOptions(const QStringList& arguments, const QString& descrip
             }
             return applyBus(options, parser);
         })
-        .and_then([&] { return applyListen(options.profile, parser); })
+        .and_then([&] { return applyListen(options, parser); })
         .and_then([&] { return applyStandingAt(options, parser); })
         .and_then([&] { return makeStateDir(parser); })
         .map([&](const QString& stateDir) {
             const bool namesBus = parser.isSet(kBus) || parser.isSet(kSimulate);
             options.onlySimulated = namesBus && options.profile.bus == kSimulated;
             options.stateDir = stateDir;
+            warnSimulated(options);
             return options;
         });
 }

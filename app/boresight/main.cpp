@@ -150,21 +150,17 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     QSettings layout(options.stateDir + QStringLiteral("/window.ini"), QSettings::IniFormat);
     const ui::Translation translation(layout.value(kLanguageKey).toString());
     const SystemClock clock;
-    const LinkMaker links(options.profile, clock);
-    const auto build = [&](const profile::Profile& profile, const std::optional<memory::EnteredPlace>& standingAt) {
+    app::ProfileSaver saver(options);
+    const LinkMaker links(saver.first(), clock);
+    const auto make = [&](const profile::Profile& profile, const std::optional<memory::EnteredPlace>& standingAt) {
         auto station = std::make_unique<Station>(
             profile, twoMoteus(links.make(profile.bus), {options.stateDir, standingAt}), options.stateDir, clock);
         station->setSensorMaker(links.sensors());
         station->wantRealTime();
         return station;
     };
-    app::StationThread station(build(options.profile, options.standingAt), [&](const profile::Profile& wanted) {
-        return build(options.overridden(wanted), std::nullopt);
-    });
-    app::ProfileSaver saver(options.configDir, options.profilePath, options.profile);
-    if (options.onlySimulated) {
-        saver.keepSimulated();
-    }
+    const auto build = [&](const profile::Profile& wanted) { return make(saver.next(wanted), std::nullopt); };
+    app::StationThread station(make(saver.first(), options.standingAt), build);
     ui::MainWindow window(clock, windowSettings(options, layout));
     app::HostSearch search(makeLink);
     const bool known = window.restoreGeometry(layout.value(kGeometryKey).toByteArray());
@@ -175,7 +171,6 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     }
     connectHost(window.host(), search);
     QObject::connect(&station, &app::StationThread::profileApplied, &saver, &app::ProfileSaver::save);
-    QObject::connect(&station, &app::StationThread::reconnected, &saver, &app::ProfileSaver::follow);
     QObject::connect(&saver, &app::ProfileSaver::failed, &window, &ui::MainWindow::warn);
     app::UnixSignals signals;
     QObject::connect(&signals, &app::UnixSignals::endRequested, &station, &app::StationThread::shutDownRequested);

@@ -4,7 +4,6 @@
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/north/calibration_gates.h"
-#include "core/profile/commissioning.h"
 #include "core/sources/motion_sources.h"
 
 #include <QHostAddress>
@@ -311,6 +310,11 @@ Result<> Station::carryOut(const Request& request)
         return {};
     }
     if (const auto* const applying = std::get_if<request::ApplyProfile>(&request)) {
+        if (profile::isSimulated(applying->profile) != simulated()) {
+            return failure(ErrorCode::Refused,
+                           Text::tr("bus.name changes between the simulated mount and a real one: press Reconnect, or "
+                                    "start Boresight again"));
+        }
         apply(applying->profile);
         return {};
     }
@@ -330,11 +334,6 @@ Result<> Station::carryOut(const Request& request)
 
 void Station::apply(const profile::Profile& wanted)
 {
-    if (!profile::leftWithSimulatedMount(m_profile.wanted(), wanted).empty()) {
-        m_log.add(Severity::Advisory, QStringLiteral("operator"),
-                  Text::tr("leaves the simulated mount: what was found of it is set back, and the directions, ends and "
-                           "zeros of the real one are to be looked at (guide, F3)"));
-    }
     for (const profile::Change& change : m_profile.apply(wanted)) {
         m_log.add(
             Severity::Advisory, QStringLiteral("operator"),

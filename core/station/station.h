@@ -10,6 +10,7 @@
 #include "core/messages/station_status.h"
 #include "core/mount/mount_connection.h"
 #include "core/north/calibration_desk.h"
+#include "core/profile/commissioning.h"
 #include "core/profile/profile.h"
 #include "core/rotctld/server.h"
 #include "core/station/live_profile.h"
@@ -89,7 +90,7 @@ Q_SIGNALS:
     void reconnectWanted(const boresight::profile::Profile& profile);
 
 private:
-    [[nodiscard]] bool simulated() const { return m_profile.inForce()->bus == "simulated"; }
+    [[nodiscard]] bool simulated() const { return profile::isSimulated(*m_profile.inForce()); }
     void apply(const profile::Profile& wanted);
     void applyCalibration();
     [[nodiscard]] Result<> obey(const Request& request);

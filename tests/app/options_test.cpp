@@ -148,20 +148,24 @@ TEST_F(OptionsTest, WhereTheMountStandsIsToldWithTheTimeAtWhichSomebodyLooked)
     }
 }
 
-// Story: started with --simulate, a switch to another mount of the list connected its real antenna.
 TEST_F(OptionsTest, WhoAsksForTheSimulatedMountGetsNoOther)
 {
-    profile::Profile real;
-    real.bus = "socketcan:can0";
     for (const QStringList& words : {QStringList{QStringLiteral("--simulate")},
                                      QStringList{QStringLiteral("--bus"), QStringLiteral("simulated")}}) {
         const auto options = read(words);
         ASSERT_TRUE(options) << options.error().text;
-        EXPECT_EQ(options->overridden(real).bus, "simulated");
+        EXPECT_TRUE(options->onlySimulated);
+        EXPECT_EQ(options->profile.bus, "simulated");
     }
-    EXPECT_EQ(read()->overridden(real), real) << "the simulated mount of a profile is this profile's alone";
-    const auto other = read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")});
-    EXPECT_EQ(other->overridden(real), real) << "the adapter named belongs to the mount of the start";
+    EXPECT_FALSE(read()->onlySimulated) << "a bus that is named later is used";
+    EXPECT_FALSE(read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")})->onlySimulated);
+}
+
+TEST_F(OptionsTest, TheAddressOfTheCommandLineIsNamedAsItsOwn)
+{
+    EXPECT_TRUE(read()->overridden.empty());
+    EXPECT_EQ(read({QStringLiteral("--listen"), QStringLiteral("127.0.0.1:0")})->overridden,
+              std::vector<std::string>{"rotctld.listen"});
 }
 
 // What is tried first is the simulated mount, and finding north there wants its sensor.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of ProfilePage for what is done with whole profiles: switch, duplicate, import, take back …
+#include "core/profile/commissioning.h"
 #include "core/profile/profile_diff.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_history.h"
@@ -103,8 +104,14 @@ void ProfilePage::switchTo()
 void ProfilePage::duplicate()
 {
     const profile::StoredProfile mount = chosen();
-    const auto perform = [this, mount, applied = m_draft.applied()](const QString& name) {
-        const auto work = [mount, applied, name, store = m_store, asApplied = isInForce(mount)]() -> Result<> {
+    // What was found in a simulation is no mount of its own.
+    const bool asApplied = isInForce(mount) && !profile::isSimulated(m_draft.applied());
+    if (mount.path.isEmpty() && !asApplied) {
+        warn(tr("The simulated mount has no profile that can be duplicated"));
+        return;
+    }
+    const auto perform = [this, mount, asApplied, applied = m_draft.applied()](const QString& name) {
+        const auto work = [mount, applied, name, asApplied, store = m_store]() -> Result<> {
             if (!asApplied) {
                 return store.duplicate(mount.path, name).map([](const QString&) {});
             }
@@ -204,6 +211,10 @@ void ProfilePage::askImport(const profile::Profile& read)
             [this, read](const QString&) { takeOver(read, profile::changedKeys(m_draft.applied(), read)); });
     } else {
         load(mount->path, [this, read, mount = *mount](const profile::Profile& kept) {
+            if (profile::isSimulated(read) && !profile::isSimulated(kept)) {
+                warn(tr("This file names no bus of a real mount: it may hold what was found of the simulated one"));
+                return;
+            }
             ask(tr("Overwrite the mount \"%1\"?").arg(nameOf(read)),
                 tr("The version of now is kept as the one before.\n\n%1").arg(differences(kept, read)), tr("Overwrite"),
                 [this, read, mount](const QString&) {
