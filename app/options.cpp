@@ -73,11 +73,11 @@ Result<profile::Profile> readProfile(Options& options, const QCommandLineParser&
         });
 }
 
-void useBus(Options& options, const std::string& bus)
+void useRealBus(Options& options, const std::string& bus)
 {
-    const bool namedNone = profile::isSimulated(options.profile);
+    const bool namedNone = profile::namesNoBus(options.profile);
     options.profile.bus = bus;
-    if (!namedNone || profile::isSimulated(options.profile)) {
+    if (!namedNone) {
         return;
     }
     options.profile = profile::forRealMount(options.profile);
@@ -92,7 +92,7 @@ void useBus(Options& options, const std::string& bus)
 // Without a bus of a real mount there is only the simulated one.
 void warnSimulated(const Options& options)
 {
-    if (!options.isFirstStart() && !options.onlySimulated && profile::isSimulated(options.profile)) {
+    if (!options.isFirstStart() && options.simulation == Simulation::Off && profile::namesNoBus(options.profile)) {
         qWarning().noquote() << QStringLiteral(
                                     "%1 names no bus of a real mount, so the mount is simulated. Nothing of the "
                                     "simulation is written to this file. Set bus.name, give --bus, or choose the "
@@ -111,7 +111,24 @@ Result<> applyBus(Options& options, const QCommandLineParser& parser)
         return failure(ErrorCode::InvalidInput,
                        "--simulate and --bus " + bus + " exclude each other: give one of them");
     }
-    return parseBusName(bus).map([&](const BusName&) { useBus(options, bus); });
+    return parseBusName(bus).map([&](const BusName& name) {
+        if (name.kind == BusKind::Simulated) {
+            options.simulation = Simulation::Moteus;
+        } else {
+            useRealBus(options, bus);
+        }
+    });
+}
+
+Result<> fitsItsMount(const Options& options)
+{
+    if (options.simulationFor(options.profile) != Simulation::Off) {
+        return {};
+    }
+    const auto problems = profile::problemsOfReal(options.profile);
+    return problems.empty() ? Result<>{}
+                            : failure(ErrorCode::InvalidInput, options.profilePath.toStdString() + ": " +
+                                                                   problems.front().key + ": " + problems.front().text);
 }
 
 Result<> applyListen(Options& options, const QCommandLineParser& parser)
@@ -179,7 +196,7 @@ Result<QString> makeStateDir(const QCommandLineParser& parser)
 profile::Profile Options::startingProfile() const
 {
     profile::Profile starting = profile;
-    if (isFirstStart() && onlySimulated) {
+    if (isFirstStart() && simulation != Simulation::Off) {
         starting.sensor.source = profile::SensorSource::Simulated;
     } else if (isFirstStart()) {
         starting.mount.directions = profile::Directions::Unconfirmed;
@@ -206,12 +223,11 @@ Result<Options> readOptions(const QStringList& arguments, const QString& descrip
             }
             return applyBus(options, parser);
         })
+        .and_then([&] { return fitsItsMount(options); })
         .and_then([&] { return applyListen(options, parser); })
         .and_then([&] { return applyStandingAt(options, parser); })
         .and_then([&] { return makeStateDir(parser); })
         .map([&](const QString& stateDir) {
-            const bool namesBus = parser.isSet(kBus) || parser.isSet(kSimulate);
-            options.onlySimulated = namesBus && options.profile.bus == kSimulated;
             options.stateDir = stateDir;
             warnSimulated(options);
             return options;

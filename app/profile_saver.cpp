@@ -34,11 +34,11 @@ void becomeReal(profile::Profile& kept, std::vector<std::string>& keys)
 }
 
 Result<> saveChanges(const QString& configDir, const QString& path, const profile::Profile& wanted,
-                     std::vector<std::string> keys)
+                     std::vector<std::string> keys, bool simulated)
 {
     return profile::loadProfile(path).and_then([&](profile::Profile kept) {
         const std::string nameBefore = kept.mount.name;
-        if (profile::isSimulated(kept) && !profile::isSimulated(wanted)) {
+        if (!simulated && profile::namesNoBus(kept) && !profile::namesNoBus(wanted)) {
             becomeReal(kept, keys);
         }
         profile::takeOver(kept, wanted, keys);
@@ -70,14 +70,14 @@ ProfileSaver::ProfileSaver(const Options& options, QObject* parent)
     : QObject(parent),
       m_configDir(options.configDir),
       m_simulated(options.stateDir + QStringLiteral("/simulated")),
-      m_onlySimulated(options.onlySimulated),
+      m_asked(options.simulation),
       m_ownPath(options.profilePath),
       m_path(std::make_shared<QString>(options.profilePath)),
       m_last(options.profile)
 {
     m_writer.setMaxThreadCount(1);
     m_writer.setExpiryTimeout(-1);
-    if (profile::isSimulated(options.profile)) {
+    if (simulates(options.profile)) {
         const profile::Profile own = loaded(m_ownPath).value_or(profile::Profile{});
         m_last = simulate(own, options.isFirstStart() ? options.profile : own);
         profile::takeOver(m_last, options.profile, options.overridden);
@@ -87,6 +87,11 @@ ProfileSaver::ProfileSaver(const Options& options, QObject* parent)
 ProfileSaver::~ProfileSaver()
 {
     m_writer.waitForDone();
+}
+
+bool ProfileSaver::simulates(const profile::Profile& of) const
+{
+    return simulationOf(m_asked, of) != Simulation::Off;
 }
 
 void ProfileSaver::report(const Result<>& done)
@@ -99,37 +104,38 @@ void ProfileSaver::report(const Result<>& done)
 void ProfileSaver::save(const profile::Profile& wanted)
 {
     const profile::Profile before = std::exchange(m_last, wanted);
-    m_writer.start([this, wanted, before, configDir = m_configDir, path = m_path] {
-        report(path->isEmpty() ? saveNew(configDir, wanted, *path)
-                               : saveChanges(configDir, *path, wanted, profile::changedKeys(before, wanted)));
+    m_writer.start([this, wanted, before, simulated = simulates(wanted), configDir = m_configDir, path = m_path] {
+        report(path->isEmpty()
+                   ? saveNew(configDir, wanted, *path)
+                   : saveChanges(configDir, *path, wanted, profile::changedKeys(before, wanted), simulated));
     });
 }
 
 profile::Profile ProfileSaver::next(const profile::Profile& wanted)
 {
     m_writer.waitForDone();
-    const bool simulated = profile::isSimulated(m_last);
+    const bool simulated = simulates(m_last);
     if (!simulated) {
         m_ownPath = *m_path;  // the first change may have made it
     }
     const bool sameMount = wanted.mount.name == m_last.mount.name;
-    if (wanted == m_last || (sameMount && simulated && profile::isSimulated(wanted))) {
+    if (wanted == m_last || (sameMount && simulated && simulates(wanted))) {
         m_last = wanted;
         return wanted;
     }
-    if (simulated && !m_onlySimulated && !profile::isSimulated(wanted)) {
+    if (simulated && !simulates(wanted)) {
         m_last = leaveSimulation(wanted);
         *m_path = m_ownPath;
         return m_last;
     }
     if (const auto own = loaded(m_ownPath); !own || own->mount.name != wanted.mount.name) {
         m_ownPath = fileOf(m_configDir, wanted);  // empty: of a mount that is not kept yet
-        if (!m_ownPath.isEmpty() && !m_onlySimulated) {
+        if (!m_ownPath.isEmpty() && m_asked == Simulation::Off) {
             report(profile::ProfileStore(m_configDir).setCurrent(m_ownPath));
         }
     }
     *m_path = m_ownPath;
-    m_last = m_onlySimulated || profile::isSimulated(wanted) ? simulate(wanted, wanted) : wanted;
+    m_last = simulates(wanted) ? simulate(wanted, wanted) : wanted;
     return m_last;
 }
 
@@ -139,7 +145,7 @@ profile::Profile ProfileSaver::simulate(const profile::Profile& own, const profi
     *m_path = m_simulated.fileOf(own);
     const auto opened = m_simulated.open(own, fresh);
     report(opened.map([](const profile::Profile&) {}));
-    return opened.value_or(profile::simulated(fresh));
+    return opened.value_or(fresh);
 }
 
 profile::Profile ProfileSaver::leaveSimulation(const profile::Profile& wanted)
@@ -154,7 +160,7 @@ profile::Profile ProfileSaver::leaveSimulation(const profile::Profile& wanted)
     const profile::Profile own = profile::forRealMount(loaded(m_ownPath).value_or(profile::Profile{}));
     profile::Profile real = own;
     profile::takeOver(real, wanted, profile::changedKeys(m_last, wanted));
-    if (!profile::problemsOf(real).empty()) {
+    if (!profile::problemsOfReal(real).empty()) {
         real = own;
         real.bus = wanted.bus;
     }

@@ -42,11 +42,12 @@ Q_SIGNALS:
 private:
     [[nodiscard]] profile::Profile simulate(const profile::Profile& own, const profile::Profile& fresh);
     [[nodiscard]] profile::Profile leaveSimulation(const profile::Profile& wanted);
+    [[nodiscard]] bool simulates(const profile::Profile& of) const;
     void report(const Result<>& done);
 
     QString m_configDir;
     SimulatedProfiles m_simulated;
-    bool m_onlySimulated;
+    Simulation m_asked;               // by the command line
     QString m_ownPath;                // of the mount's own profile; empty: no file yet
     std::shared_ptr<QString> m_path;  // of the file that is written; the worker's while it works
     profile::Profile m_last;

@@ -24,14 +24,14 @@ Result<profile::Profile> SimulatedProfiles::open(const profile::Profile& own, co
     const auto origin = profile::loadProfile(originFile);
     auto kept = profile::loadProfile(file);
     if (origin && kept && profile::changedKeys(*origin, own).empty()) {
+        kept->bus = own.bus;
         return kept;
     }
     QDir().mkpath(m_folder);
     // The origin comes last: without it the copy is made again.
-    const profile::Profile copy = profile::simulated(fresh);
-    return profile::saveKeepingPrevious(copy, file)
+    return profile::saveKeepingPrevious(profile::withoutBus(fresh), file)
         .and_then([&] { return profile::saveProfile(own, originFile); })
-        .map([&] { return copy; });
+        .map([&] { return fresh; });
 }
 
 }  // namespace boresight::app

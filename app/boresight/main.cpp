@@ -82,7 +82,7 @@ ui::WindowSettings windowSettings(const app::Options& options, const QSettings& 
             .layout = readLayout(layout),
             .stateDir = options.stateDir,
             .configDir = options.configDir,
-            .onlySimulated = options.onlySimulated};
+            .onlySimulated = options.simulation != Simulation::Off};
 }
 
 // What the start costs, for tests/bench: from main() to the first picture with a live status in it.
@@ -153,9 +153,10 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     app::ProfileSaver saver(options);
     const LinkMaker links(saver.first(), clock);
     const auto make = [&](const profile::Profile& profile, const std::optional<memory::EnteredPlace>& standingAt) {
-        auto station = std::make_unique<Station>(
-            profile, twoMoteus(links.make(profile.bus), {options.stateDir, standingAt}), options.stateDir, clock);
-        station->setSensorMaker(links.sensors());
+        const Simulation simulation = options.simulationFor(profile);
+        const MountMaker mount = twoMoteus(links.make(profile, simulation), {options.stateDir, simulation, standingAt});
+        auto station = std::make_unique<Station>(profile, mount, options.stateDir, clock);
+        station->setSensorMaker(links.sensors(simulation != Simulation::Off));
         station->wantRealTime();
         return station;
     };

@@ -55,9 +55,12 @@ int run(QCoreApplication& application, const app::Options& options)
 {
     const SystemClock clock;
     const LinkMaker links(options.profile, clock);
-    Station station(options.profile, twoMoteus(links.make(options.profile.bus), {options.stateDir, options.standingAt}),
-                    options.stateDir, clock);
-    station.setSensorMaker(links.sensors());
+    const Simulation simulation = options.simulationFor(options.profile);
+    Station station(
+        options.profile,
+        twoMoteus(links.make(options.profile, simulation), {options.stateDir, simulation, options.standingAt}),
+        options.stateDir, clock);
+    station.setSensorMaker(links.sensors(simulation != Simulation::Off));
     station.wantRealTime();
     QThreadPool reader;
     app::ServiceWatchdog watchdog;

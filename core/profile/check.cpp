@@ -128,6 +128,16 @@ std::vector<Problem> problemsOf(const Profile& profile)
     return problems;
 }
 
+std::vector<Problem> problemsOfReal(const Profile& profile)
+{
+    std::vector<Problem> problems = problemsOf(profile);
+    if (profile.sensor.source == SensorSource::Simulated) {
+        problems.push_back(
+            {"sensor.source", Text::tr("\"simulated\" needs the simulated mount (bus.name)").toStdString()});
+    }
+    return problems;
+}
+
 Result<ListenAddress> parseListenAddress(std::string_view text)
 {
     const auto colon = text.rfind(':');

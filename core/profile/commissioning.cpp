@@ -80,18 +80,18 @@ void useBus(Profile& profile, const std::string& bus, std::span<const int> ids)
     if (bus != profile.bus) {
         profile.bus = bus;
         profile.mount.directions = Directions::Unconfirmed;
-    }
-    if (!isSimulated(profile)) {
-        leaveSimulatedSensor(profile);
+        if (!namesNoBus(profile)) {
+            leaveSimulatedSensor(profile);
+        }
     }
 }
 
-bool isSimulated(const Profile& profile)
+bool namesNoBus(const Profile& profile)
 {
     return profile.bus == kSimulated;
 }
 
-Profile simulated(Profile profile)
+Profile withoutBus(Profile profile)
 {
     profile.bus = kSimulated;
     return profile;

@@ -17,9 +17,12 @@ namespace boresight::profile {
 // directions are not confirmed. A real mount has no simulated sensor.
 void useBus(Profile& profile, const std::string& bus, std::span<const int> ids);
 
-[[nodiscard]] bool isSimulated(const Profile& profile);
+// bus.name is "simulated", as in a profile without that key. There is no real mount to be reached, so the simulated one
+// runs in its place.
+[[nodiscard]] bool namesNoBus(const Profile& profile);
 
-[[nodiscard]] Profile simulated(Profile profile);
+// Of a profile that was changed in a simulation, for a file that may go anywhere: no real mount takes it for its own.
+[[nodiscard]] Profile withoutBus(Profile profile);
 
 // Belongs to one mount alone: its bus, which way its axes turn, its zeros, north and pointing model, how the sensor is
 // mounted and what iron does to its compass.

@@ -4,6 +4,7 @@
 #include "core/alarms/catalogue.h"
 #include "core/base/text.h"
 #include "core/north/calibration_gates.h"
+#include "core/profile/commissioning.h"
 #include "core/sources/motion_sources.h"
 
 #include <QHostAddress>
@@ -65,7 +66,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_broker(m_log, clock, this),
       m_sensor(profile, clock, m_log, m_control.alarms(), m_broker, this),
       m_power(profile.power, clock, m_log, this),
-      m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), simulated()), this),
+      m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_calibration(m_control, profile, m_calibrationFile, clock, m_log),
       m_eventFile(stateDir, m_log, clock, this),
       m_tickTimer(this),
@@ -310,13 +311,7 @@ Result<> Station::carryOut(const Request& request)
         return {};
     }
     if (const auto* const applying = std::get_if<request::ApplyProfile>(&request)) {
-        if (profile::isSimulated(applying->profile) != simulated()) {
-            return failure(ErrorCode::Refused,
-                           Text::tr("bus.name changes between the simulated mount and a real one: press Reconnect, or "
-                                    "start Boresight again"));
-        }
-        apply(applying->profile);
-        return {};
+        return fits(applying->profile).map([&] { apply(applying->profile); });
     }
     if (const auto* const wanted = std::get_if<CalibrationRequest>(&request)) {
         return m_calibration.carryOut(*wanted).map([this] { applyCalibration(); });
@@ -330,6 +325,19 @@ Result<> Station::carryOut(const Request& request)
         return {};
     }
     return m_mount->carryOut(request);
+}
+
+// What speaks against a profile in place of the one in force, because of the mount that is connected.
+Result<> Station::fits(const profile::Profile& wanted) const
+{
+    if (profile::namesNoBus(wanted) != profile::namesNoBus(*m_profile.inForce())) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("bus.name changes between the simulated mount and a real one: press Reconnect, or "
+                                "start Boresight again"));
+    }
+    const auto problems = m_mount->simulated() ? std::vector<profile::Problem>() : profile::problemsOfReal(wanted);
+    return problems.empty() ? Result<>{}
+                            : failure(ErrorCode::InvalidInput, problems.front().key + ": " + problems.front().text);
 }
 
 void Station::apply(const profile::Profile& wanted)
@@ -400,7 +408,7 @@ StationStatus Station::status() const
     StationStatus status = m_control.status();
     status.profile = m_profile.inForce();
     status.waitingKeys = m_profile.waitingKeys();
-    status.simulated = simulated();
+    status.simulated = m_mount->simulated();
     m_mount->describe(status);
     status.listening = QString::fromStdString(m_server.address());
     status.clients = clients();

@@ -10,7 +10,6 @@
 #include "core/messages/station_status.h"
 #include "core/mount/mount_connection.h"
 #include "core/north/calibration_desk.h"
-#include "core/profile/commissioning.h"
 #include "core/profile/profile.h"
 #include "core/rotctld/server.h"
 #include "core/station/live_profile.h"
@@ -90,7 +89,7 @@ Q_SIGNALS:
     void reconnectWanted(const boresight::profile::Profile& profile);
 
 private:
-    [[nodiscard]] bool simulated() const { return profile::isSimulated(*m_profile.inForce()); }
+    [[nodiscard]] Result<> fits(const profile::Profile& wanted) const;
     void apply(const profile::Profile& wanted);
     void applyCalibration();
     [[nodiscard]] Result<> obey(const Request& request);

@@ -109,8 +109,8 @@ TEST_F(OptionsTest, AnotherAdapterKeepsWhatWasFoundOfARealMount)
     ASSERT_TRUE(store.setCurrent(*store.add(real)));
     real.bus = "socketcan:can7";
     EXPECT_EQ(read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")})->profile, real);
-    real.bus = "simulated";
-    EXPECT_EQ(read({QStringLiteral("--simulate")})->profile, real);
+    real.bus = "socketcan:can0";
+    EXPECT_EQ(read({QStringLiteral("--simulate")})->profile, real) << "its bus is not used, and it stays";
 }
 
 TEST_F(OptionsTest, ABusWithoutAnyProfileIsTheReferenceMountThere)
@@ -148,17 +148,38 @@ TEST_F(OptionsTest, WhereTheMountStandsIsToldWithTheTimeAtWhichSomebodyLooked)
     }
 }
 
+TEST_F(OptionsTest, ARealMountHasNoSimulatedSensor)
+{
+    profile::Profile real = named("real");
+    real.bus = "socketcan:can0";
+    real.sensor.source = profile::SensorSource::Simulated;
+    const QString file = config() + QStringLiteral("/real.toml");
+    ASSERT_TRUE(QDir().mkpath(config()));
+    ASSERT_TRUE(profile::saveProfile(real, file));
+    const auto refused = read({QStringLiteral("--profile"), file});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().text.find("real.toml: sensor.source: \"simulated\" needs"), std::string::npos)
+        << refused.error().text;
+    EXPECT_EQ(read({QStringLiteral("--profile"), file, QStringLiteral("--simulate")})->profile, real);
+}
+
 TEST_F(OptionsTest, WhoAsksForTheSimulatedMountGetsNoOther)
 {
+    profile::Profile real = named("real");
+    real.bus = "socketcan:can0";
     for (const QStringList& words : {QStringList{QStringLiteral("--simulate")},
                                      QStringList{QStringLiteral("--bus"), QStringLiteral("simulated")}}) {
         const auto options = read(words);
         ASSERT_TRUE(options) << options.error().text;
-        EXPECT_TRUE(options->onlySimulated);
-        EXPECT_EQ(options->profile.bus, "simulated");
+        EXPECT_EQ(options->simulation, Simulation::Moteus);
+        EXPECT_EQ(options->simulationFor(real), Simulation::Moteus);
     }
-    EXPECT_FALSE(read()->onlySimulated) << "a bus that is named later is used";
-    EXPECT_FALSE(read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")})->onlySimulated);
+    const auto open = read();
+    EXPECT_EQ(open->simulationFor(open->profile), Simulation::Moteus) << "there is no other mount yet";
+    EXPECT_EQ(open->simulationFor(real), Simulation::Off) << "a bus that is named later is used";
+    const auto connected = read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")});
+    EXPECT_EQ(connected->simulation, Simulation::Off);
+    EXPECT_EQ(connected->simulationFor(connected->profile), Simulation::Off);
 }
 
 TEST_F(OptionsTest, TheAddressOfTheCommandLineIsNamedAsItsOwn)

@@ -81,8 +81,7 @@ struct Rig
     }
     void simulate()  // by the command line
     {
-        options.profile = profile::simulated(options.profile);
-        options.onlySimulated = true;
+        options.simulation = Simulation::Moteus;
     }
     // What the program begins with when it is started like this.
     [[nodiscard]] profile::Profile first() const { return ProfileSaver(options).first(); }
@@ -127,7 +126,7 @@ TEST(ProfileSaver, NothingOfASimulationReachesAFileOfARealMount)
     const auto before = rig.realFiles();
     rig.simulate();
     profile::Profile wanted = rig.first();
-    EXPECT_EQ(wanted, profile::simulated(realMount())) << "the mount as it is";
+    EXPECT_EQ(wanted, realMount()) << "the mount as it is";
     {
         ProfileSaver saver(rig.options);
         QObject::connect(
@@ -141,15 +140,19 @@ TEST(ProfileSaver, NothingOfASimulationReachesAFileOfARealMount)
         }
         // Another mount of the list, and nobody looks at its bus.
         profile::Profile field = saver.next(realMount("Field"));
-        EXPECT_EQ(field, profile::simulated(realMount("Field")));
+        EXPECT_EQ(field, realMount("Field"));
         changeAndFindEverything(field);
         saver.save(field);
         expectAlike(saver.next(realMount()), wanted);  // back to the first one, as it was left
     }
     EXPECT_EQ(rig.realFiles(), before);
     expectAlike(rig.first(), wanted);  // and so in the next simulation
+    const auto copy = profile::loadProfile(rig.state() + QStringLiteral("/simulated/Roof.toml"));
+    ASSERT_TRUE(copy) << copy.error().text;
+    EXPECT_EQ(copy->bus, "simulated")
+        << "started with this file, the real mount would have the north of the simulation";
     rig.options.profile = realMount();
-    rig.options.onlySimulated = false;
+    rig.options.simulation = Simulation::Off;
     EXPECT_EQ(rig.first(), realMount());
     EXPECT_EQ(rig.realFiles(), before);
 }
@@ -168,7 +171,7 @@ TEST(ProfileSaver, AChangedProfileIsSimulatedAnew)
     profile::Profile changed = realMount();
     changed.jog.slow = 0.7_deg_s;
     ASSERT_TRUE(profile::saveProfile(changed, rig.options.profilePath));
-    EXPECT_EQ(rig.first(), profile::simulated(changed));
+    EXPECT_EQ(rig.first(), changed);
 }
 
 // Two files may have the same mount's name, and so the same file of the simulation.
@@ -185,7 +188,7 @@ TEST(ProfileSaver, TheSimulationOfAnotherFileIsNotThisOnes)
     other.elevation.geometry.travel.max = 80_deg;
     rig.options.profilePath = rig.folder.filePath(QStringLiteral("other.toml"));
     ASSERT_TRUE(profile::saveProfile(other, rig.options.profilePath));
-    EXPECT_EQ(rig.first(), profile::simulated(other));
+    EXPECT_EQ(rig.first(), other);
 }
 
 TEST(ProfileSaver, WhatTheCommandLineSaysIsSimulatedAndNotKept)

@@ -398,10 +398,34 @@ TEST_F(ProfileDraftTest, WhatSpeaksAgainstEditsIsToldUponWhatIsAppliedNow)
 
 TEST_F(ProfileDraftTest, StartedWithSimulateThereIsNoOtherBus)
 {
+    Profile real;
+    real.bus = "socketcan:can7";
+    put(real);
     draft.keepSimulated();
     draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
     EXPECT_TRUE(draft.problem("bus.name").contains(QStringLiteral("--bus socketcan:can0")));
     EXPECT_FALSE(draft.whyNoApply().isEmpty());
+    EXPECT_FALSE(draft.leavesSimulation());
+}
+
+// The bus of the real mount stays in its profile, and the simulated one has a sensor.
+TEST_F(ProfileDraftTest, StartedWithSimulateTheProfileOfARealMountIsTriedWhole)
+{
+    Profile real;
+    real.bus = "socketcan:can7";
+    put(real);
+    draft.edit([](Profile& p) { p.sensor.source = profile::SensorSource::Simulated; });
+    EXPECT_FALSE(draft.problem("sensor.source").isEmpty()) << "not on a real mount";
+    draft.revert();
+    draft.keepSimulated();
+    draft.edit([](Profile& p) { p.sensor.source = profile::SensorSource::Simulated; });
+    EXPECT_TRUE(draft.whyNoApply().isEmpty());
+    draft.revert();
+    Profile other = real;
+    other.bus = "socketcan:can1";
+    other.park.azimuth = 12_deg;
+    draft.takeOver(other, profile::changedKeys(real, other));
+    EXPECT_EQ(draft.editedKeys(), std::vector<std::string>{"park.azimuth_deg"});
 }
 
 TEST_F(ProfileDraftTest, AnAskerThatIsGoneDoesNotKeepTheDraftWaiting)

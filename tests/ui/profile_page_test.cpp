@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/profile/profile_page.h"
 
+#include "core/profile/commissioning.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_history.h"
 #include "core/profile/profile_store.h"
@@ -65,6 +66,7 @@ protected:
     static StationStatus withProfile(const Profile& profile, StationStatus status = samples::idle())
     {
         status.profile = std::make_shared<const Profile>(profile);
+        status.simulated = profile::namesNoBus(profile);
         return status;
     }
     void put(const Profile& profile) { give(samples::update(withProfile(profile))); }
@@ -444,13 +446,31 @@ TEST_F(ProfilePageTest, AFileOfTheSimulatedMountDoesNotReplaceARealOnes)
     EXPECT_EQ(*profile::loadProfile(fieldFile), field);
 }
 
+// Else it could be imported over the file of the real mount, with all that was found in the simulation.
+// REQ-PROFILE-17a
+TEST_F(ProfilePageTest, AnExportFromASimulationNamesNoBus)
+{
+    Profile tried = roof;
+    tried.pointing.azimuthOffset = 12_deg;
+    StationStatus status = withProfile(tried);
+    status.simulated = true;
+    give(samples::update(status));
+    const QString file = folder.filePath(QStringLiteral("exported.toml"));
+    fromMenu("Export …");
+    chooseFile(file);
+    ASSERT_TRUE(says("Written: "));
+    tried.bus = "simulated";
+    EXPECT_EQ(*profile::loadProfile(file), tried);
+}
+
 // REQ-PROFILE-17a
 TEST_F(ProfilePageTest, ADuplicateMadeInTheSimulationIsOfTheMountItself)
 {
     Profile tried = roof;
-    tried.bus = "simulated";
     tried.pointing.azimuthOffset = 12_deg;
-    put(tried);
+    StationStatus status = withProfile(tried);
+    status.simulated = true;
+    give(samples::update(status));
     fromMenu("Duplicate …");
     ASSERT_TRUE(asks());
     press("Duplicate");

@@ -88,20 +88,24 @@ void ProfileDraft::setEdited(const profile::Profile& profile)
 // A mount is the simulated one by the start of the program, or because its profile names no real bus.
 std::vector<profile::Problem> ProfileDraft::problemsOf(const profile::Profile& wanted) const
 {
-    auto problems = profile::problemsOf(wanted);
-    const bool simulated = profile::isSimulated(m_applied);
-    if (!simulated && profile::isSimulated(wanted)) {
+    auto problems = simulates(wanted) ? profile::problemsOf(wanted) : profile::problemsOfReal(wanted);
+    if (!simulates(m_applied) && simulates(wanted)) {
         problems.push_back(
             {"bus.name", tr("this is the profile of a real mount: to try the simulated one start Boresight with "
                             "--simulate")
                              .toStdString()});
-    } else if (simulated && m_keepsSimulated && !profile::isSimulated(wanted)) {
+    } else if (m_keepsSimulated && wanted.bus != m_applied.bus) {
         problems.push_back(
             {"bus.name", tr("Boresight was started with --simulate and stays so: start it with --bus %1 for this one")
                              .arg(QString::fromStdString(wanted.bus))
                              .toStdString()});
     }
     return problems;
+}
+
+bool ProfileDraft::simulates(const profile::Profile& wanted) const
+{
+    return m_keepsSimulated || profile::namesNoBus(wanted);
 }
 
 void ProfileDraft::edit(const std::function<void(profile::Profile&)>& change)
@@ -113,10 +117,9 @@ void ProfileDraft::edit(const std::function<void(profile::Profile&)>& change)
 
 void ProfileDraft::takeOver(const profile::Profile& from, std::vector<std::string> keys)
 {
-    const bool simulated = profile::isSimulated(m_edited);
-    if (simulated && !profile::isSimulated(from)) {
+    if (simulates(m_edited)) {
         std::erase(keys, "bus.name");  // it is tried here
-    } else if (!simulated && profile::isSimulated(from)) {
+    } else if (profile::namesNoBus(from)) {
         std::erase_if(keys, profile::isOfOneMount);
         std::erase(keys, "sensor.source");
     }
@@ -145,7 +148,7 @@ std::vector<std::string> ProfileDraft::editedKeys() const
 
 bool ProfileDraft::leavesSimulation() const
 {
-    return profile::isSimulated(m_applied) && !profile::isSimulated(m_edited);
+    return simulates(m_applied) && !simulates(m_edited);
 }
 
 QString ProfileDraft::problem(const std::string& key) const

@@ -40,7 +40,7 @@ public:
     [[nodiscard]] const std::vector<std::string>& waitingKeys() const { return m_waitingKeys; }
 
     void edit(const std::function<void(profile::Profile&)>& change);
-    // From a whole profile, such as a file or a version. The bus stays simulated, and a real mount takes nothing that
+    // From a whole profile, such as a file or a version. In a simulation the bus stays. A real mount takes nothing that
     // belongs to one mount alone from a profile that names no real bus.
     void takeOver(const profile::Profile& from, std::vector<std::string> keys);
     [[nodiscard]] bool hasEdits() const { return m_edited != m_base; }
@@ -82,6 +82,7 @@ Q_SIGNALS:
 private:
     using Profiles = std::vector<profile::Profile>;
 
+    [[nodiscard]] bool simulates(const profile::Profile& wanted) const;
     void put(const profile::Profile& edited);
     void setEdited(const profile::Profile& profile);
     void takeApplied(const profile::Profile& applied);

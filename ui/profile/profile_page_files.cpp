@@ -105,7 +105,7 @@ void ProfilePage::duplicate()
 {
     const profile::StoredProfile mount = chosen();
     // What was found in a simulation is no mount of its own.
-    const bool asApplied = isInForce(mount) && !profile::isSimulated(m_draft.applied());
+    const bool asApplied = isInForce(mount) && !m_status.simulated;
     if (mount.path.isEmpty() && !asApplied) {
         warn(tr("The simulated mount has no profile that can be duplicated"));
         return;
@@ -211,7 +211,7 @@ void ProfilePage::askImport(const profile::Profile& read)
             [this, read](const QString&) { takeOver(read, profile::changedKeys(m_draft.applied(), read)); });
     } else {
         load(mount->path, [this, read, mount = *mount](const profile::Profile& kept) {
-            if (profile::isSimulated(read) && !profile::isSimulated(kept)) {
+            if (profile::namesNoBus(read) && !profile::namesNoBus(kept)) {
                 warn(tr("This file names no bus of a real mount: it may hold what was found of the simulated one"));
                 return;
             }
@@ -239,11 +239,13 @@ void ProfilePage::chooseExport()
     connect(dialog, &QFileDialog::fileSelected, this, &ProfilePage::exportTo);
 }
 
-// Of the mount in force as it is applied: its file may hold what the command line overrides.
+// Of the mount in force as it is applied: its file may hold what the command line overrides. What was changed in a
+// simulation goes without the bus, so that no real mount takes it for its own.
 void ProfilePage::exportTo(const QString& file)
 {
-    const auto work = [file, mount = chosen(), applied = m_draft.applied(), store = m_store,
-                       asApplied = isInForce(chosen())] {
+    const profile::Profile& inForce = m_draft.applied();
+    const auto work = [file, mount = chosen(), applied = m_status.simulated ? profile::withoutBus(inForce) : inForce,
+                       store = m_store, asApplied = isInForce(chosen())] {
         return asApplied ? profile::saveProfile(applied, file) : store.exportFile(mount.path, file);
     };
     write(work, tr("Written: %1").arg(file));

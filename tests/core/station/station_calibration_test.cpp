@@ -35,8 +35,9 @@ public:
     {
         auto owned = std::make_unique<SimulatedLink>(clock, m_mount);
         m_link = owned.get();
-        station =
-            std::make_unique<Station>(profile, twoMoteus(std::move(owned), {folder.path()}), folder.path(), clock);
+        station = std::make_unique<Station>(
+            profile, twoMoteus(std::move(owned), {folder.path(), simulationOf(Simulation::Off, profile)}),
+            folder.path(), clock);
         station->setSensorMaker([this](const profile::Profile& wanted, mqtt::Connection& broker) {
             auto made = sensorMaker(clock, m_mount)(wanted, broker);
             m_source = dynamic_cast<SimulatedSource*>(made.get());

@@ -34,8 +34,9 @@ struct Rig
     {
         auto owned = std::make_unique<fakes::FakeCanLink>();
         link = owned.get();
-        station =
-            std::make_unique<Station>(profile, twoMoteus(std::move(owned), {stateDir.path()}), stateDir.path(), clock);
+        station = std::make_unique<Station>(
+            profile, twoMoteus(std::move(owned), {stateDir.path(), simulationOf(Simulation::Off, profile)}),
+            stateDir.path(), clock);
         QObject::connect(station.get(), &Station::updated,
                          [this](const StationUpdate& update) { updates.push_back(update); });
     }
@@ -82,8 +83,8 @@ struct SurveyedRig
     {
         auto owned = std::make_unique<SimulatedLink>(clock);
         link = owned.get();
-        station = std::make_unique<Station>(anyPort(), twoMoteus(std::move(owned), {stateDir.path()}), stateDir.path(),
-                                            clock);
+        station = std::make_unique<Station>(
+            anyPort(), twoMoteus(std::move(owned), {stateDir.path(), Simulation::Moteus}), stateDir.path(), clock);
         QObject::connect(station.get(), &Station::updated,
                          [this](const StationUpdate& update) { updates.push_back(update); });
     }
@@ -291,7 +292,8 @@ TEST(Station, AMountThatAnotherProgramControlsIsLeftAlone)
     first.run(5);
     auto owned = std::make_unique<fakes::FakeCanLink>();
     fakes::FakeCanLink* const link = owned.get();
-    Station second(profile, twoMoteus(std::move(owned), {first.stateDir.path()}), first.stateDir.path(), first.clock);
+    Station second(profile, twoMoteus(std::move(owned), {first.stateDir.path(), Simulation::Off}),
+                   first.stateDir.path(), first.clock);
     QSignalSpy started(&second, &Station::started);
     second.openAll();
     ASSERT_EQ(started.size(), 1);
