@@ -43,7 +43,8 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("BUS")});
     parser.addOption({kSimulate, QStringLiteral("Drive the built-in simulated mount: the same as --bus simulated. "
                                                 "--simulate=simple: a rotator of whole degrees, without rates and "
-                                                "watchdog.")});
+                                                "watchdog. Nothing of it is written to the profile of a real "
+                                                "mount.")});
     parser.addOption({kListen, QStringLiteral("Address of the rotctld server; port 0 picks a free one."),
                       QStringLiteral("HOST:PORT")});
     parser.addOption({kStateDir,
@@ -74,7 +75,7 @@ Result<QStringList> takeSimulatedKind(Options& options, const QStringList& argum
             return failure(ErrorCode::InvalidInput, "--simulate=" + kind.toStdString() +
                                                         ": give --simulate for two moteus, or --simulate=simple");
         }
-        options.simulateSimple = true;
+        options.simulation = Simulation::Simple;
         left << QStringLiteral("--simulate");
     }
     return left;
@@ -95,12 +96,15 @@ Result<profile::Profile> readProfile(Options& options, const QCommandLineParser&
         });
 }
 
-void useBus(Options& options, const std::string& bus)
+void useRealBus(Options& options, const std::string& bus)
 {
-    const profile::Profile before = options.profile;
+    const bool namedNone = profile::namesNoBus(options.profile);
     options.profile.bus = bus;
-    profile::leaveSimulatedMount(options.profile, before);
-    if (!options.isFirstStart() && profile::isSimulated(before) && !profile::isSimulated(options.profile)) {
+    if (!namedNone) {
+        return;
+    }
+    options.profile = profile::forRealMount(options.profile);
+    if (!options.isFirstStart()) {
         qWarning().noquote() << QStringLiteral(
                                     "%1 is the profile of the simulated mount: its zeros, north, pointing model and "
                                     "sensor are left out for %2, and directions are to be confirmed")
@@ -108,15 +112,16 @@ void useBus(Options& options, const std::string& bus)
     }
 }
 
-// Only the bus of the command line can make them wrong: a file is checked when it is read.
-Result<> checkDrivers(const profile::Profile& profile)
+// Without a bus of a real mount there is only the simulated one.
+void warnSimulated(const Options& options)
 {
-    for (const profile::Problem& problem : profile::crossCheck(profile)) {
-        if (problem.key.ends_with(".driver")) {
-            return failure(ErrorCode::InvalidInput, problem.key + ": " + problem.text);
-        }
+    if (!options.isFirstStart() && options.simulation == Simulation::Off && profile::namesNoBus(options.profile)) {
+        qWarning().noquote() << QStringLiteral(
+                                    "%1 names no bus of a real mount, so the mount is simulated. Nothing of the "
+                                    "simulation is written to this file. Set bus.name, give --bus, or choose the "
+                                    "adapter in the guide of the window.")
+                                    .arg(options.profilePath);
     }
-    return {};
 }
 
 Result<> applyBus(Options& options, const QCommandLineParser& parser)
@@ -129,18 +134,36 @@ Result<> applyBus(Options& options, const QCommandLineParser& parser)
         return failure(ErrorCode::InvalidInput,
                        "--simulate and --bus " + bus + " exclude each other: give one of them");
     }
-    return parseBusName(bus).map([&](const BusName&) { useBus(options, bus); }).and_then([&] {
-        return checkDrivers(options.profile);
+    return parseBusName(bus).map([&](const BusName& name) {
+        if (name.kind != BusKind::Simulated) {
+            useRealBus(options, bus);
+        } else if (options.simulation == Simulation::Off) {
+            options.simulation = Simulation::Moteus;
+        }
     });
 }
 
-Result<> applyListen(profile::Profile& profile, const QCommandLineParser& parser)
+Result<> fitsItsMount(const Options& options)
+{
+    if (options.simulationFor(options.profile) != Simulation::Off) {
+        return {};
+    }
+    const auto problems = profile::problemsOfReal(options.profile);
+    return problems.empty() ? Result<>{}
+                            : failure(ErrorCode::InvalidInput, options.profilePath.toStdString() + ": " +
+                                                                   problems.front().key + ": " + problems.front().text);
+}
+
+Result<> applyListen(Options& options, const QCommandLineParser& parser)
 {
     if (!parser.isSet(kListen)) {
         return {};
     }
     return profile::parseListenAddress(parser.value(kListen).toStdString())
-        .map([&](const profile::ListenAddress& address) { profile.rotctld.listen = address; })
+        .map([&](const profile::ListenAddress& address) {
+            options.profile.rotctld.listen = address;
+            options.overridden = {"rotctld.listen"};
+        })
         .map_error([](Error error) {
             return Error{error.code, "--listen: " + error.text};
         });
@@ -196,23 +219,15 @@ Result<QString> makeStateDir(const QCommandLineParser& parser)
 profile::Profile Options::startingProfile() const
 {
     profile::Profile starting = profile;
-    if (isFirstStart() && simulateSimple) {
+    if (isFirstStart() && simulation == Simulation::Simple) {
         return starting;  // it has no sensor on it
     }
-    if (isFirstStart() && onlySimulated) {
+    if (isFirstStart() && simulation != Simulation::Off) {
         starting.sensor.source = profile::SensorSource::Simulated;
     } else if (isFirstStart()) {
         starting.mount.directions = profile::Directions::Unconfirmed;
     }
     return starting;
-}
-
-profile::Profile Options::overridden(profile::Profile wanted) const
-{
-    if (onlySimulated) {
-        wanted.bus = kSimulated;
-    }
-    return wanted;
 }
 
 Result<Options> readOptions(const QStringList& arguments, const QString& description)
@@ -238,13 +253,13 @@ Result<Options> readOptions(const QStringList& arguments, const QString& descrip
             }
             return applyBus(options, parser);
         })
-        .and_then([&] { return applyListen(options.profile, parser); })
+        .and_then([&] { return fitsItsMount(options); })
+        .and_then([&] { return applyListen(options, parser); })
         .and_then([&] { return applyStandingAt(options, parser); })
         .and_then([&] { return makeStateDir(parser); })
         .map([&](const QString& stateDir) {
-            const bool namesBus = parser.isSet(kBus) || parser.isSet(kSimulate);
-            options.onlySimulated = namesBus && options.profile.bus == kSimulated;
             options.stateDir = stateDir;
+            warnSimulated(options);
             return options;
         });
 }

@@ -3,33 +3,35 @@
 
 #include "core/base/result.h"
 #include "core/memory/entered_place.h"
+#include "core/mount/simulation.h"
 #include "core/profile/profile.h"
 
 #include <QString>
 #include <QStringList>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 // The command line that boresight and boresightd share: which profile, and what overrides it.
 namespace boresight::app {
 
 struct Options
 {
-    profile::Profile profile;     // with the overrides applied
-    QString profilePath;          // empty: built-in defaults, because there is no profile at all
-    QString configDir;            // of the profile store
-    QString stateDir;             // created if absent
-    bool onlySimulated = false;   // the command line says so
-    bool simulateSimple = false;  // what is simulated is the plainest rotator, not two moteus
+    profile::Profile profile;                 // with the overrides applied
+    QString profilePath;                      // empty: built-in defaults, because there is no profile at all
+    QString configDir;                        // of the profile store
+    QString stateDir;                         // created if absent
+    Simulation simulation = Simulation::Off;  // what the command line asks for, over every profile
+    std::vector<std::string> overridden;      // the keys that hold for the simulation of the profile, too
     std::optional<memory::EnteredPlace> standingAt;
 
+    // What runs with the profile of another mount.
+    [[nodiscard]] Simulation simulationFor(const profile::Profile& of) const { return simulationOf(simulation, of); }
     [[nodiscard]] bool isFirstStart() const { return profilePath.isEmpty(); }
     // What the window begins with. Without any profile nobody has looked yet which way the axes turn; unless it is the
     // simulated mount that was asked for, which has its sensor on it, so that finding north can be tried at once.
     [[nodiscard]] profile::Profile startingProfile() const;
-    // Another mount's profile with what holds for every mount: who asked for the simulated one must never find that a
-    // real antenna moves.
-    [[nodiscard]] profile::Profile overridden(profile::Profile wanted) const;
 };
 
 // `arguments` with the program's name first. Prints help or version and ends the program when asked for them. The

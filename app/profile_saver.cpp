@@ -7,155 +7,81 @@
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_history.h"
 #include "core/profile/profile_store.h"
+#include "core/profile/setting.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace boresight::app {
 namespace {
 
-const std::string kProfileSaverBus = "bus.name";
-
-// Started with --simulate, a bus for later: until the end it stays the simulated mount, and nothing of that one goes
-// into the real one's file.
-Result<> leaveForLater(profile::Profile& kept, const profile::Profile& before)
+Result<> saveNew(const QString& configDir, const profile::Profile& profile, QString& path)
 {
-    if (profile::leaveSimulatedMount(kept, before).empty()) {
-        return {};
-    }
-    return failure(ErrorCode::Refused,
-                   Text::tr("\"%1\" is a real mount from the next start on: what was found of the simulated one is set "
-                            "back in its file, and its directions are to be confirmed")
-                       .arg(toQString(kept.mount.name)));
-}
-
-Result<> saveNew(const QString& configDir, profile::Profile profile, const profile::Profile& before, bool onlySimulated,
-                 QString& path)
-{
-    Result<> all = onlySimulated ? leaveForLater(profile, before) : Result<>{};
     const profile::ProfileStore store(configDir);
-    return store.add(profile)
-        .and_then([&](const QString& added) {
-            path = added;
-            return store.setCurrent(added);
-        })
-        .and_then([&] { return all; });
-}
-
-// Which keys say of an axis where its zero is: the angles that are counted from it were changed with it.
-std::vector<std::string> countedFrom(const std::string& axis)
-{
-    const std::string limits = "limits." + axis;
-    return {axis + ".travel_min_deg", axis + ".travel_max_deg", limits + "_min_deg", limits + "_max_deg",
-            "park." + axis + "_deg"};
-}
-
-bool contains(const std::vector<std::string>& keys, const std::string& key)
-{
-    return std::ranges::find(keys, key) != keys.end();
-}
-
-bool isOfOneMount(const std::string& key)
-{
-    return profile::isFoundOfOneMount(key) || key == "mount.directions" || key == kProfileSaverBus;
-}
-
-// The zero of an axis is not where its profile has it.
-bool countsOtherwise(const std::vector<std::string>& differing, const std::string& axis)
-{
-    return contains(differing, axis + ".offset_deg") || contains(differing, axis + ".sign") ||
-           contains(differing, axis + ".id");
-}
-
-// Of a mount that was simulated with the profile of a real one: what is left for that one. Not what can only be seen
-// on the mount itself, either: which motor is which and how it turns, nor that somebody has looked at it; nor ends
-// that are counted from a zero which is not the real one's; nor its bus, where one that was typed for later is taken
-// back: whose file it was before is not known any more.
-Result<> leaveOutFound(std::vector<std::string>& keys, const profile::Profile& kept, const profile::Profile& wanted)
-{
-    const std::vector<std::string> differing = profile::changedKeys(kept, wanted);
-    std::vector<std::string> simulatedOnes = {"mount.directions", "azimuth.id", "elevation.id", "azimuth.sign",
-                                              "elevation.sign"};
-    for (const std::string axis : {"azimuth", "elevation"}) {
-        if (countsOtherwise(differing, axis)) {
-            std::ranges::copy(countedFrom(axis), std::back_inserter(simulatedOnes));
-        }
-    }
-    if (wanted.sensor.source == profile::SensorSource::Simulated) {
-        simulatedOnes.push_back("sensor.source");
-    }
-    if (profile::isSimulated(wanted)) {
-        simulatedOnes.push_back(kProfileSaverBus);
-    }
-    const auto isOfTheSimulated = [&simulatedOnes](const std::string& key) {
-        return profile::isFoundOfOneMount(key) || contains(simulatedOnes, key);
-    };
-    if (std::erase_if(keys, isOfTheSimulated) == 0) {
-        return {};
-    }
-    return failure(
-        ErrorCode::Refused,
-        Text::tr("this holds for the simulated mount until the program ends; the profile of \"%1\" keeps its own bus, "
-                 "motors, zeros and the ends counted from them, north, pointing model and sensor mounting: start "
-                 "without --simulate to set them")
-            .arg(toQString(kept.mount.name)));
-}
-
-// With all that is known of the mount that the file is now of.
-void takeMount(profile::Profile& kept, const profile::Profile& wanted)
-{
-    std::vector<std::string> ofTheMount = profile::changedKeys(kept, wanted);
-    std::erase_if(ofTheMount, [](const std::string& key) { return !isOfOneMount(key) && key != "sensor.source"; });
-    profile::takeOver(kept, wanted, ofTheMount);
-}
-
-// What is left of the changes for the file; an error says what is not.
-Result<> fit(std::vector<std::string>& keys, profile::Profile& kept, const profile::Profile& wanted, bool onlySimulated)
-{
-    const bool simulatedFile = profile::isSimulated(kept);
-    // A real mount, with the profile of the simulated one: what is found of it, and another bus, makes the file its
-    // own. Kept beside the simulated bus it would be left again at the next start; beside another bus the simulated
-    // mount's would be the real one's.
-    const bool becomesReal = !onlySimulated && simulatedFile && !profile::isSimulated(wanted);
-    if (becomesReal && std::ranges::any_of(keys, isOfOneMount)) {
-        takeMount(kept, wanted);
-        return {};
-    }
-    return onlySimulated && !simulatedFile ? leaveOutFound(keys, kept, wanted) : Result<>{};
-}
-
-Result<> saveChanges(const QString& configDir, const QString& path, const profile::Profile& wanted,
-                     std::vector<std::string> keys, bool onlySimulated)
-{
-    return profile::loadProfile(path).and_then([&](profile::Profile kept) -> Result<> {
-        const profile::Profile before = kept;
-        Result<> all = fit(keys, kept, wanted, onlySimulated);
-        profile::takeOver(kept, wanted, keys);
-        if (onlySimulated && profile::isSimulated(before)) {
-            all = leaveForLater(kept, before);
-        }
-        // A new name must not be another mount's.
-        const Result<> saved = kept.mount.name == before.mount.name ? profile::saveKeepingPrevious(kept, path)
-                                                                    : profile::ProfileStore(configDir).save(kept, path);
-        return saved.and_then([&] { return all; });
+    return store.add(profile).and_then([&](const QString& added) {
+        path = added;
+        return store.setCurrent(added);
     });
 }
 
-QString fileOf(const profile::ProfileStore& store, const QString& mountName)
+// A file that names no real bus becomes the real mount's as soon as it holds anything of it. Otherwise what was found
+// of it would be taken for what an older version found of the simulated mount.
+void becomeReal(profile::Profile& kept, std::vector<std::string>& keys)
 {
-    const auto mounts = store.list();
-    const auto found = std::ranges::find(mounts, mountName, &profile::StoredProfile::mountName);
+    if (std::ranges::any_of(keys, profile::isOfOneMount)) {
+        kept = profile::forRealMount(kept);
+        keys.insert(keys.end(), {"bus.name", "mount.directions"});
+    }
+}
+
+Result<> saveChanges(const QString& configDir, const QString& path, const profile::Profile& wanted,
+                     std::vector<std::string> keys, bool simulated)
+{
+    return profile::loadProfile(path).and_then([&](profile::Profile kept) {
+        const std::string nameBefore = kept.mount.name;
+        if (!simulated && profile::namesNoBus(kept) && !profile::namesNoBus(wanted)) {
+            becomeReal(kept, keys);
+        }
+        profile::takeOver(kept, wanted, keys);
+        // A new name must not be another mount's.
+        return kept.mount.name == nameBefore ? profile::saveKeepingPrevious(kept, path)
+                                             : profile::ProfileStore(configDir).save(kept, path);
+    });
+}
+
+QString fileOf(const QString& configDir, const profile::Profile& profile)
+{
+    const auto mounts = profile::ProfileStore(configDir).list();
+    const auto found = std::ranges::find(mounts, toQString(profile.mount.name), &profile::StoredProfile::mountName);
     return found != mounts.end() ? found->path : QString();
+}
+
+std::optional<profile::Profile> loaded(const QString& path)
+{
+    if (path.isEmpty()) {
+        return std::nullopt;
+    }
+    const auto read = profile::loadProfile(path);
+    return read ? std::optional(*read) : std::nullopt;
 }
 
 }  // namespace
 
-ProfileSaver::ProfileSaver(const QString& configDir, const QString& path, const profile::Profile& inForce,
-                           QObject* parent)
-    : QObject(parent), m_configDir(configDir), m_path(std::make_shared<QString>(path)), m_last(inForce)
+ProfileSaver::ProfileSaver(const Options& options, QObject* parent)
+    : QObject(parent),
+      m_configDir(options.configDir),
+      m_simulated(options.stateDir + QStringLiteral("/simulated")),
+      m_asked(options.simulation),
+      m_ownPath(options.profilePath),
+      m_path(std::make_shared<QString>(options.profilePath)),
+      m_last(options.profile)
 {
     m_writer.setMaxThreadCount(1);
     m_writer.setExpiryTimeout(-1);
+    if (simulates(options.profile)) {
+        const profile::Profile own = loaded(m_ownPath).value_or(profile::Profile{});
+        m_last = simulate(own, options.isFirstStart() ? options.profile : own);
+        profile::takeOver(m_last, options.profile, options.overridden);
+    }
 }
 
 ProfileSaver::~ProfileSaver()
@@ -163,36 +89,84 @@ ProfileSaver::~ProfileSaver()
     m_writer.waitForDone();
 }
 
+bool ProfileSaver::simulates(const profile::Profile& of) const
+{
+    return simulationOf(m_asked, of) != Simulation::Off;
+}
+
+void ProfileSaver::report(const Result<>& done)
+{
+    if (!done) {
+        Q_EMIT failed(toQString(done.error().text));
+    }
+}
+
 void ProfileSaver::save(const profile::Profile& wanted)
 {
     const profile::Profile before = std::exchange(m_last, wanted);
-    m_writer.start([this, wanted, before, onlySimulated = m_keepsSimulated, configDir = m_configDir, path = m_path] {
-        const Result<> saved = path->isEmpty() ? saveNew(configDir, wanted, before, onlySimulated, *path)
-                                               : saveChanges(configDir, *path, wanted,
-                                                             profile::changedKeys(before, wanted), onlySimulated);
-        if (!saved) {
-            Q_EMIT failed(QString::fromStdString(saved.error().text));
-        }
+    m_writer.start([this, wanted, before, simulated = simulates(wanted), configDir = m_configDir, path = m_path] {
+        report(path->isEmpty()
+                   ? saveNew(configDir, wanted, *path)
+                   : saveChanges(configDir, *path, wanted, profile::changedKeys(before, wanted), simulated));
     });
 }
 
-void ProfileSaver::follow(const profile::Profile& connected)
+profile::Profile ProfileSaver::next(const profile::Profile& wanted)
 {
-    m_last = connected;
-    m_writer.start([this, name = QString::fromStdString(connected.mount.name), configDir = m_configDir, path = m_path] {
-        const auto kept = profile::loadProfile(*path);
-        if (kept && QString::fromStdString(kept->mount.name) == name) {
-            return;
+    m_writer.waitForDone();
+    const bool simulated = simulates(m_last);
+    if (!simulated) {
+        m_ownPath = *m_path;  // the first change may have made it
+    }
+    const bool sameMount = wanted.mount.name == m_last.mount.name;
+    if (wanted == m_last || (sameMount && simulated && simulates(wanted))) {
+        m_last = wanted;
+        return wanted;
+    }
+    if (simulated && !simulates(wanted)) {
+        m_last = leaveSimulation(wanted);
+        *m_path = m_ownPath;
+        return m_last;
+    }
+    if (const auto own = loaded(m_ownPath); !own || own->mount.name != wanted.mount.name) {
+        m_ownPath = fileOf(m_configDir, wanted);  // empty: of a mount that is not kept yet
+        if (!m_ownPath.isEmpty() && m_asked == Simulation::Off) {
+            report(profile::ProfileStore(m_configDir).setCurrent(m_ownPath));
         }
-        const profile::ProfileStore store(configDir);
-        *path = fileOf(store, name);
-        if (path->isEmpty()) {
-            return;  // of a mount that is not kept yet; its first change makes its file
-        }
-        if (const Result<> chosen = store.setCurrent(*path); !chosen) {
-            Q_EMIT failed(QString::fromStdString(chosen.error().text));
-        }
-    });
+    }
+    *m_path = m_ownPath;
+    m_last = simulates(wanted) ? simulate(wanted, wanted) : wanted;
+    return m_last;
+}
+
+// The simulation works without its file too: then each change reports that it is not kept.
+profile::Profile ProfileSaver::simulate(const profile::Profile& own, const profile::Profile& fresh)
+{
+    *m_path = m_simulated.fileOf(own);
+    const auto opened = m_simulated.open(own, fresh);
+    report(opened.map([](const profile::Profile&) {}));
+    return opened.value_or(fresh);
+}
+
+profile::Profile ProfileSaver::leaveSimulation(const profile::Profile& wanted)
+{
+    const profile::ProfileStore store(m_configDir);
+    const QString listed = fileOf(m_configDir, wanted);
+    if (const auto other = loaded(listed); other && profile::changedKeys(*other, wanted).empty()) {
+        m_ownPath = listed;
+        report(store.setCurrent(listed));
+        return wanted;
+    }
+    const profile::Profile own = profile::forRealMount(loaded(m_ownPath).value_or(profile::Profile{}));
+    profile::Profile real = own;
+    profile::takeOver(real, wanted, profile::changedKeys(m_last, wanted));
+    if (!profile::problemsOfReal(real).empty()) {
+        real = own;
+        real.bus = wanted.bus;
+    }
+    real.mount.directions = profile::Directions::Unconfirmed;
+    report(m_ownPath.isEmpty() ? saveNew(m_configDir, real, m_ownPath) : profile::saveKeepingPrevious(real, m_ownPath));
+    return real;
 }
 
 }  // namespace boresight::app

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/options.h"
+#include "app/simulated_profiles.h"
 #include "core/profile/profile.h"
 
 #include <QObject>
@@ -9,11 +11,11 @@
 
 #include <memory>
 
-// Keeps what the operator has applied: in the file that the program was started with, else as a new mount of the store.
-// Only the keys that the operator has changed are taken over, so that what the command line overrides is not written;
-// and what was found of the simulated mount in place of a real one is not the real one's. What is found of a real mount
-// in place of the simulated one, and another bus, makes the file the real one's.
-// Lives on the main thread; one worker writes, in the order of the changes.
+// Which profile each station begins with, and where the changes that the operator applies are kept: in the file that
+// the program was started with, else as a new mount of the store. While a mount is simulated they are kept in the
+// simulation's own file of this mount. Only the keys that the operator has changed are written, so that what the
+// command line overrides is not. Lives on the main thread. One worker writes, in the order of the changes; between two
+// stations the main thread waits for it.
 namespace boresight::app {
 
 class ProfileSaver : public QObject
@@ -21,28 +23,34 @@ class ProfileSaver : public QObject
     Q_OBJECT
 
 public:
-    // `path` is empty before there is any file; `inForce` is what the station was started with.
-    ProfileSaver(const QString& configDir, const QString& path, const profile::Profile& inForce,
-                 QObject* parent = nullptr);
+    explicit ProfileSaver(const Options& options, QObject* parent = nullptr);
     ~ProfileSaver() override;  // after the last change is on the disk
 
-    // The program was started for the simulated mount: no bus that a profile names is used until it ends.
-    void keepSimulated() { m_keepsSimulated = true; }
+    // What the first station begins with.
+    [[nodiscard]] const profile::Profile& first() const { return m_last; }
+    // What the next station begins with, when a reconnect with `wanted` was asked for: the profile of another mount,
+    // the one that was applied last, or a simulated one with a real bus. The latter leaves the simulation: the real
+    // mount gets its own profile with what was changed together with the bus. Its directions are to be confirmed.
+    [[nodiscard]] profile::Profile next(const profile::Profile& wanted);
 
 public Q_SLOTS:
     void save(const boresight::profile::Profile& wanted);
-    // Another mount was connected: what is applied from now on belongs to its file, and the next start begins with it.
-    void follow(const boresight::profile::Profile& connected);
 
 Q_SIGNALS:
-    // Not saved, or not all of it, and why.
-    void failed(const QString& reason);
+    void failed(const QString& reason);  // not saved
 
 private:
+    [[nodiscard]] profile::Profile simulate(const profile::Profile& own, const profile::Profile& fresh);
+    [[nodiscard]] profile::Profile leaveSimulation(const profile::Profile& wanted);
+    [[nodiscard]] bool simulates(const profile::Profile& of) const;
+    void report(const Result<>& done);
+
     QString m_configDir;
-    std::shared_ptr<QString> m_path;  // the worker's, once it works
+    SimulatedProfiles m_simulated;
+    Simulation m_asked;               // by the command line
+    QString m_ownPath;                // of the mount's own profile; empty: no file yet
+    std::shared_ptr<QString> m_path;  // of the file that is written; the worker's while it works
     profile::Profile m_last;
-    bool m_keepsSimulated = false;
     QThreadPool m_writer;
 };
 

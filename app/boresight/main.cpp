@@ -82,7 +82,7 @@ ui::WindowSettings windowSettings(const app::Options& options, const QSettings& 
             .layout = readLayout(layout),
             .stateDir = options.stateDir,
             .configDir = options.configDir,
-            .onlySimulated = options.onlySimulated};
+            .onlySimulated = options.simulation != Simulation::Off};
 }
 
 // What the start costs, for tests/bench: from main() to the first picture with a live status in it.
@@ -150,22 +150,18 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     QSettings layout(options.stateDir + QStringLiteral("/window.ini"), QSettings::IniFormat);
     const ui::Translation translation(layout.value(kLanguageKey).toString());
     const SystemClock clock;
-    const MountFactory mounts(options.profile, clock,
-                              options.simulateSimple ? SimulatedKind::Simple : SimulatedKind::TwoMoteus);
-    const auto build = [&](const profile::Profile& profile, const std::optional<memory::EnteredPlace>& standingAt) {
-        auto station = std::make_unique<Station>(profile, mounts.make(profile, {options.stateDir, standingAt}),
-                                                 options.stateDir, clock);
-        station->setSensorMaker(mounts.sensors());
+    app::ProfileSaver saver(options);
+    const MountFactory mounts(saver.first(), clock);
+    const auto make = [&](const profile::Profile& profile, const std::optional<memory::EnteredPlace>& standingAt) {
+        const Simulation simulation = options.simulationFor(profile);
+        const MountMaker mount = mounts.make(profile, {options.stateDir, simulation, standingAt});
+        auto station = std::make_unique<Station>(profile, mount, options.stateDir, clock);
+        station->setSensorMaker(mounts.sensors(simulation));
         station->wantRealTime();
         return station;
     };
-    app::StationThread station(build(options.profile, options.standingAt), [&](const profile::Profile& wanted) {
-        return build(options.overridden(wanted), std::nullopt);
-    });
-    app::ProfileSaver saver(options.configDir, options.profilePath, options.profile);
-    if (options.onlySimulated) {
-        saver.keepSimulated();
-    }
+    const auto build = [&](const profile::Profile& wanted) { return make(saver.next(wanted), std::nullopt); };
+    app::StationThread station(make(saver.first(), options.standingAt), build);
     ui::MainWindow window(clock, windowSettings(options, layout));
     app::HostSearch search(makeLink);
     const bool known = window.restoreGeometry(layout.value(kGeometryKey).toByteArray());
@@ -176,7 +172,6 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
     }
     connectHost(window.host(), search);
     QObject::connect(&station, &app::StationThread::profileApplied, &saver, &app::ProfileSaver::save);
-    QObject::connect(&station, &app::StationThread::reconnected, &saver, &app::ProfileSaver::follow);
     QObject::connect(&saver, &app::ProfileSaver::failed, &window, &ui::MainWindow::warn);
     app::UnixSignals signals;
     QObject::connect(&signals, &app::UnixSignals::endRequested, &station, &app::StationThread::shutDownRequested);

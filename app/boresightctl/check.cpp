@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/subcommand.h"
 #include "core/profile/advice.h"
+#include "core/profile/commissioning.h"
 #include "core/profile/profile_file.h"
+#include "core/profile/setting.h"
 
 #include <cstdio>
 
@@ -21,6 +23,10 @@ ExitStatus run(Arguments arguments)
     }
     if (const QString warning = profile::exposedSecret(*profile, QString::fromStdString(path)); !warning.isEmpty()) {
         std::fputs(("warning: " + warning.toStdString() + '\n').c_str(), stderr);
+    }
+    if (const auto problems = profile::problemsOfReal(*profile); !profile::namesNoBus(*profile) && !problems.empty()) {
+        std::fputs((path + ": " + problems.front().key + ": " + problems.front().text + '\n').c_str(), stderr);
+        return kFoundWrong;
     }
     print(path + ": in order: \"" + profile->mount.name + "\", bus " + profile->bus + ", azimuth id " +
           std::to_string(profile->azimuth.id) + ", elevation id " + std::to_string(profile->elevation.id) + '\n');

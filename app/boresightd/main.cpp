@@ -53,11 +53,11 @@ void reload(Station& station, QThreadPool& reader)
 int run(QCoreApplication& application, const app::Options& options)
 {
     const SystemClock clock;
-    const MountFactory mounts(options.profile, clock,
-                              options.simulateSimple ? SimulatedKind::Simple : SimulatedKind::TwoMoteus);
-    Station station(options.profile, mounts.make(options.profile, {options.stateDir, options.standingAt}),
+    const MountFactory mounts(options.profile, clock);
+    const Simulation simulation = options.simulationFor(options.profile);
+    Station station(options.profile, mounts.make(options.profile, {options.stateDir, simulation, options.standingAt}),
                     options.stateDir, clock);
-    station.setSensorMaker(mounts.sensors());
+    station.setSensorMaker(mounts.sensors(simulation));
     station.wantRealTime();
     QThreadPool reader;
     app::ServiceWatchdog watchdog;

@@ -5,7 +5,6 @@
 #include "core/base/bus_name.h"
 #include "core/base/text.h"
 #include "core/can/bus_advice.h"
-#include "core/profile/commissioning.h"
 
 #include <algorithm>
 #include <iterator>
@@ -51,7 +50,7 @@ MoteusConnection::MoteusConnection(std::unique_ptr<CanLink> link, const Start& s
     : m_clock(clock),
       m_log(log),
       m_alarms(alarms),
-      m_simulated(profile::isSimulated(*profile)),
+      m_simulated(start.simulation != Simulation::Off),
       m_memoryFile(start.stateDir, QString::fromStdString(profile->mount.name), this),
       m_mount(profile, clock, log, alarms, remembered(start)),
       m_care(profile, m_mount, alarms, log),
@@ -64,7 +63,7 @@ MoteusConnection::MoteusConnection(std::unique_ptr<CanLink> link, const Start& s
     });
     connect(m_link.get(), &CanLink::statusChanged, this, &MoteusConnection::showBus);
     watchJournal();
-    if (const auto bus = parseBusName(profile->bus)) {
+    if (const auto bus = m_simulated ? Result<BusName>(BusName{}) : parseBusName(profile->bus)) {
         m_mount.setSilenceAdvice(silenceAdvice(*bus));
     }
 }

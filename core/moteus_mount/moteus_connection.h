@@ -7,6 +7,7 @@
 #include "core/moteus_mount/drive_care.h"
 #include "core/moteus_mount/moteus_mount.h"
 #include "core/mount/mount_connection.h"
+#include "core/mount/simulation.h"
 
 #include <memory>
 #include <optional>
@@ -22,6 +23,7 @@ public:
     struct Start
     {
         QString stateDir;  // of the journal
+        Simulation simulation;
         // Where the mount stood when the operator looked, for drives that can not tell. Counts once, for ten minutes.
         std::optional<memory::EnteredPlace> standingAt{};
     };
@@ -32,6 +34,7 @@ public:
 
     [[nodiscard]] MountDriver& driver() override { return m_mount; }
     [[nodiscard]] const MountDriver& driver() const override { return m_mount; }
+    [[nodiscard]] bool simulated() const override { return m_simulated; }
     [[nodiscard]] const Result<>& mine() const override { return m_claim; }
     void open() override;
     void close() override;

@@ -32,6 +32,8 @@ public:
     [[nodiscard]] virtual MountDriver& driver() = 0;
     [[nodiscard]] virtual const MountDriver& driver() const = 0;
 
+    // Nothing real moves: what is set and found belongs to the simulation.
+    [[nodiscard]] virtual bool simulated() const = 0;
     // Whether this program may command the mount at all: another one may have it.
     [[nodiscard]] virtual const Result<>& mine() const = 0;
     // Opens the line if it is not open. What is wrong with it is an alarm, and open() is called again each second.

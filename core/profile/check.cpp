@@ -52,9 +52,6 @@ void checkDrivers(std::vector<Problem>& problems, const Profile& profile)
     } else if (azimuth != elevation) {
         find(AxisDriver::Moteus, Text::tr("One moteus alone is not supported. Use \"moteus\" for both axes."));
     }
-    if (!isSimulated(profile)) {
-        find(AxisDriver::Simple, Text::tr("The simple rotator is only simulated. Start Boresight with --simulate."));
-    }
 }
 
 void checkSupervision(std::vector<Problem>& problems, const Profile& profile)
@@ -145,6 +142,23 @@ std::vector<Problem> problemsOf(const Profile& profile)
     checkRows(problems, kPresetKey, presetSettings(), profile.presets);
     for (Problem& problem : crossCheck(profile)) {
         problems.push_back(std::move(problem));
+    }
+    return problems;
+}
+
+std::vector<Problem> problemsOfReal(const Profile& profile)
+{
+    std::vector<Problem> problems = problemsOf(profile);
+    if (profile.sensor.source == SensorSource::Simulated) {
+        problems.push_back(
+            {"sensor.source", Text::tr("\"simulated\" needs the simulated mount (bus.name)").toStdString()});
+    }
+    for (const Axis axis : kAxes) {
+        if (profile.axis(axis).driver == AxisDriver::Simple) {
+            problems.push_back(
+                {axis == Axis::Azimuth ? "azimuth.driver" : "elevation.driver",
+                 Text::tr("The simple rotator is only simulated. Start Boresight with --simulate.").toStdString()});
+        }
     }
     return problems;
 }

@@ -60,6 +60,13 @@ void shift(TravelRange& range, Angle by)
     range = {.min = rounded(range.min + by), .max = rounded(range.max + by)};
 }
 
+void leaveSimulatedSensor(Profile& profile)
+{
+    if (profile.sensor.source == SensorSource::Simulated) {
+        profile.sensor.source = SensorSource::None;
+    }
+}
+
 }  // namespace
 
 void useBus(Profile& profile, const std::string& bus, std::span<const int> ids)
@@ -71,78 +78,46 @@ void useBus(Profile& profile, const std::string& bus, std::span<const int> ids)
         profile.mount.directions = Directions::Unconfirmed;
     }
     if (bus != profile.bus) {
-        const Profile before = profile;
         profile.bus = bus;
-        leaveSimulatedMount(profile, before);
         profile.mount.directions = Directions::Unconfirmed;
+        if (!namesNoBus(profile)) {
+            leaveSimulatedSensor(profile);
+        }
     }
 }
 
-bool isSimulated(const Profile& profile)
+bool namesNoBus(const Profile& profile)
 {
     return profile.bus == kSimulated;
 }
 
-bool isFoundByCalibrating(const std::string& key)
+Profile withoutBus(Profile profile)
 {
-    return key.starts_with("pointing.") || key.starts_with("sensor.deviation_") || key == "sensor.azimuth_sense" ||
-           key == "sensor.azimuth_offset_deg" || key == "sensor.elevation_offset_deg";
+    profile.bus = kSimulated;
+    return profile;
 }
 
-bool isFoundOfOneMount(const std::string& key)
+bool isOfOneMount(const std::string& key)
 {
-    return isFoundByCalibrating(key) || key == "azimuth.offset_deg" || key == "elevation.offset_deg";
+    static const std::vector<std::string> kKeys = {"bus.name",
+                                                   "mount.directions",
+                                                   "azimuth.offset_deg",
+                                                   "elevation.offset_deg",
+                                                   "sensor.azimuth_sense",
+                                                   "sensor.azimuth_offset_deg",
+                                                   "sensor.elevation_offset_deg"};
+    return key.starts_with("pointing.") || key.starts_with("sensor.deviation_") ||
+           std::ranges::find(kKeys, key) != kKeys.end();
 }
 
-bool isAnythingFound(const Profile& profile)
+Profile forRealMount(Profile profile)
 {
-    return std::ranges::any_of(changedKeys(profile, Profile{}), isFoundOfOneMount);
-}
-
-std::vector<std::string> leaveSimulatedMount(Profile& changed, const Profile& before)
-{
-    if (!isSimulated(before) || isSimulated(changed)) {
-        return {};
-    }
-    const Profile asGiven = changed;
-    const std::vector<std::string> others = changedKeys(before, changed);
-    std::vector<std::string> found = changedKeys(changed, Profile{});
-    std::erase_if(found, [&others](const std::string& key) {
-        return !isFoundOfOneMount(key) || std::ranges::find(others, key) != others.end();
-    });
-    takeOver(changed, Profile{}, found);
-    if (changed.sensor.source == SensorSource::Simulated) {
-        changed.sensor.source = SensorSource::None;
-    }
-    changed.mount.directions = Directions::Unconfirmed;
-    return changedKeys(asGiven, changed);
-}
-
-std::vector<std::string> leftWithSimulatedMount(const Profile& before, const Profile& after)
-{
-    Profile left = before;
-    left.bus = after.bus;
-    std::vector<std::string> keys = leaveSimulatedMount(left, before);
-    const std::vector<std::string> others = changedKeys(left, after);
-    std::erase_if(keys, [&others](const std::string& key) { return std::ranges::find(others, key) != others.end(); });
-    return keys;
-}
-
-void takeOverMount(Profile& into, const Profile& from, std::vector<std::string> keys)
-{
-    const bool simulatedSensor =
-        into.sensor.source == SensorSource::Simulated || from.sensor.source == SensorSource::Simulated;
-    const auto isOfOneMount = [simulatedSensor](const std::string& key) {
-        return isFoundOfOneMount(key) || key == "mount.directions" || (simulatedSensor && key == "sensor.source");
-    };
-    Profile joined = into;
-    takeOver(joined, from, keys);
-    if (isSimulated(from) && !isSimulated(joined)) {
-        std::erase_if(keys, isOfOneMount);
-    } else if (isSimulated(into) != isSimulated(joined)) {
-        std::ranges::copy_if(changedKeys(into, from), std::back_inserter(keys), isOfOneMount);
-    }
-    takeOver(into, from, keys);
+    std::vector<std::string> found = changedKeys(profile, Profile{});
+    std::erase_if(found, [](const std::string& key) { return !isOfOneMount(key) || key == "bus.name"; });
+    takeOver(profile, Profile{}, found);
+    leaveSimulatedSensor(profile);
+    profile.mount.directions = Directions::Unconfirmed;
+    return profile;
 }
 
 void swapMotors(Profile& profile)

@@ -14,31 +14,25 @@ namespace boresight::profile {
 
 // The mount is reached by this bus, whose controllers answer under `ids`. Two ids that are not the profile's become
 // azimuth and elevation in this order; which is which is seen when they move. Another bus is another mount: its
-// directions are not confirmed; and the simulated one is left.
+// directions are not confirmed. A real mount has no simulated sensor.
 void useBus(Profile& profile, const std::string& bus, std::span<const int> ids);
 
-[[nodiscard]] bool isSimulated(const Profile& profile);
+// bus.name is "simulated", as in a profile without that key. There is no real mount to be reached, so the simulated one
+// runs in its place.
+[[nodiscard]] bool namesNoBus(const Profile& profile);
 
-// Where north is, how the axes lean, how the sensor is mounted, what iron does to its compass: of one mount alone.
-[[nodiscard]] bool isFoundByCalibrating(const std::string& key);
-// The same, and where the encoders have their zero.
-[[nodiscard]] bool isFoundOfOneMount(const std::string& key);
-// Anything of this is in the profile.
-[[nodiscard]] bool isAnythingFound(const Profile& profile);
+// Of a profile that was changed in a simulation, for a file that may go anywhere: no real mount takes it for its own.
+[[nodiscard]] Profile withoutBus(Profile profile);
 
-// The one place where a mount stops being the simulated one; every way in which the bus of a profile changes goes
-// through here. `changed` was `before`. If it left the simulated mount, then what was found of that one, unless it was
-// changed too, is as if never found, its sensor is gone, and which way the axes turn is to be confirmed; the keys of
-// all this are returned. Travel and limits stay: they may have been typed for the real mount, and nothing moves farther
-// than a little before the directions are confirmed.
-std::vector<std::string> leaveSimulatedMount(Profile& changed, const Profile& before);
+// Belongs to one mount alone: its bus, which way its axes turn, its zeros, north and pointing model, how the sensor is
+// mounted and what iron does to its compass.
+[[nodiscard]] bool isOfOneMount(const std::string& key);
 
-// Of a profile that `after` was made of: the keys that leaveSimulatedMount() has set back, and still are.
-[[nodiscard]] std::vector<std::string> leftWithSimulatedMount(const Profile& before, const Profile& after);
-
-// As takeOver(), from a whole profile, such as a file or a version: what was found of a mount comes with its bus, all
-// of it, and none of the simulated one's without.
-void takeOverMount(Profile& into, const Profile& from, std::vector<std::string> keys);
+// Of a profile that names no real bus: what a real mount takes from it. An older version kept there what was found of
+// the simulated mount, so all that belongs to one mount is as if never found. Travel and limits stay: they may have
+// been typed for the real mount, and nothing moves farther than a little before the directions are confirmed. The bus
+// stays.
+[[nodiscard]] Profile forRealMount(Profile profile);
 
 // The motor that was taken for the azimuth's is the elevation's. Directions are to be confirmed anew.
 void swapMotors(Profile& profile);

@@ -65,7 +65,7 @@ QString edited(const QString& toml)
 Result<std::string> withDirectionsConfirmed(const std::string& toml, const std::string& fileName)
 {
     return parseProfile(toml, fileName).and_then([&](Profile wanted) -> Result<std::string> {
-        if (isSimulated(wanted)) {
+        if (namesNoBus(wanted)) {
             return failure(ErrorCode::Refused,
                            Text::tr("%1 is the profile of the simulated mount. Set bus.name to the bus of the mount "
                                     "first.")

@@ -227,8 +227,6 @@ void checkSensor(std::vector<Problem>& problems, const Profile& profile)
     };
     demand(sensor.source != SensorSource::Serial || !sensor.port.empty(), "port",
            Text::tr("is needed while sensor.source is \"serial\""));
-    demand(sensor.source != SensorSource::Simulated || profile.bus == "simulated", "source",
-           Text::tr("\"simulated\" needs the simulated mount (bus.name)"));
     demand(sensor.orientationTopic != sensor.statusTopic && sensor.orientationTopic != sensor.calibrationTopic,
            "orientation_topic", Text::tr("is the same as another topic of the sensor"));
     demand(sensor.statusTopic != sensor.calibrationTopic, "status_topic",

@@ -34,7 +34,7 @@ void addMount(std::vector<Setting>& list)
                           "short and slow. Without this key a real mount is unconfirmed."),
         [](auto& p) -> auto& { return p.mount.directions; }));
     list.back().assume = [](Profile& p) {
-        p.mount.directions = isSimulated(p) ? Directions::Confirmed : Directions::Unconfirmed;
+        p.mount.directions = namesNoBus(p) ? Directions::Confirmed : Directions::Unconfirmed;
     };
     list.push_back(textual(
         "bus.name", Applies::OnReconnect,

@@ -18,6 +18,7 @@ public:
 
     [[nodiscard]] MountDriver& driver() override { return m_mount; }
     [[nodiscard]] const MountDriver& driver() const override { return m_mount; }
+    [[nodiscard]] bool simulated() const override { return true; }
     [[nodiscard]] const Result<>& mine() const override { return m_mine; }
     void open() override {}
     void close() override {}

@@ -67,6 +67,11 @@ LinkMaker::LinkMaker(const profile::Profile& profile, const Clock& clock)
     m_simulated->sensor.truth() = sim::truthToBeFound();
 }
 
+std::unique_ptr<CanLink> LinkMaker::make(const profile::Profile& profile, Simulation simulation) const
+{
+    return make(simulation == Simulation::Off ? profile.bus : toString(BusName{}));
+}
+
 std::unique_ptr<CanLink> LinkMaker::make(const std::string& busName) const
 {
     auto link = makeLinkTo(busName, m_clock, m_simulated);

@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/can/can_link.h"
+#include "core/mount/simulation.h"
 #include "core/profile/profile.h"
 #include "core/sim/simulated_pair.h"
 #include "core/station/sensor_factory.h"
@@ -30,8 +31,13 @@ public:
 
     // The link that it made before is gone by then. Of a name that means no bus one that says so when it is opened.
     [[nodiscard]] std::unique_ptr<CanLink> make(const std::string& busName) const;
-    // Also of the sensor on the simulated mount.
-    [[nodiscard]] SensorMaker sensors() const { return sensorMaker(m_clock, m_simulated); }
+    // To the mount of this profile, or to the simulated one in its place.
+    [[nodiscard]] std::unique_ptr<CanLink> make(const profile::Profile& profile, Simulation simulation) const;
+    // Also of the sensor on the simulated mount, while that one is connected.
+    [[nodiscard]] SensorMaker sensors(bool simulated) const
+    {
+        return sensorMaker(m_clock, simulated ? m_simulated : nullptr);
+    }
 
 private:
     const Clock& m_clock;

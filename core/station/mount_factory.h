@@ -15,28 +15,21 @@
 // ones stay the same: after a reconnect they stand where they stood.
 namespace boresight {
 
-// What is simulated where no profile says more.
-enum class SimulatedKind
-{
-    TwoMoteus,
-    Simple  // the plainest rotator, on all axes of the profile
-};
-
 class MountFactory
 {
 public:
     // The clock outlives it.
-    MountFactory(const profile::Profile& profile, const Clock& clock, SimulatedKind simulated);
+    MountFactory(const profile::Profile& profile, const Clock& clock);
 
     [[nodiscard]] MountMaker make(const profile::Profile& profile, const MoteusConnection::Start& start) const;
-    // Also of the sensor on the simulated mount.
-    [[nodiscard]] SensorMaker sensors() const { return m_links.sensors(); }
+    // Also of the sensor on the simulated mount, while that one is connected.
+    [[nodiscard]] SensorMaker sensors(Simulation simulation) const
+    {
+        return m_links.sensors(simulation != Simulation::Off);
+    }
 
 private:
-    [[nodiscard]] bool isSimple(const profile::Profile& profile) const;
-
     LinkMaker m_links;
-    SimulatedKind m_simulated;
     std::shared_ptr<SimpleBox> m_box = std::make_shared<SimpleBox>();
 };
 

@@ -31,8 +31,7 @@ SensorMaker sensorMaker(const Clock& clock, std::shared_ptr<SimulatedMount> simu
                     orientation::SerialSettings{.port = QString::fromStdString(sensor.port), .baud = sensor.baud},
                     clock);
             case profile::SensorSource::Simulated:
-                return simulated && profile.bus == "simulated" ? std::make_unique<SimulatedSource>(clock, simulated)
-                                                               : nullptr;
+                return simulated ? std::make_unique<SimulatedSource>(clock, simulated) : nullptr;
             case profile::SensorSource::Mqtt:
                 return std::make_unique<orientation::MqttSource>(broker, topicsOf(sensor), clock);
             case profile::SensorSource::None:

@@ -67,7 +67,7 @@ Station::Station(const profile::Profile& profile, const MountMaker& mount, const
       m_broker(m_profile, m_log, clock, this),
       m_sensor(m_profile, clock, m_log, m_control.alarms(), m_broker, this),
       m_power(m_profile, clock, m_log, this),
-      m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), simulated()), this),
+      m_calibrationFile(calibrationPath(stateDir, toQString(profile.mount.name), m_mount->simulated()), this),
       m_calibration(m_control, m_profile, m_calibrationFile, clock, m_log),
       m_eventFile(stateDir, m_log, clock, this),
       m_tickTimer(this),
@@ -312,8 +312,7 @@ Result<> Station::carryOut(const Request& request)
         return {};
     }
     if (const auto* const applying = std::get_if<request::ApplyProfile>(&request)) {
-        apply(applying->profile);
-        return {};
+        return fits(applying->profile).map([&] { apply(applying->profile); });
     }
     if (const auto* const wanted = std::get_if<CalibrationRequest>(&request)) {
         return m_calibration.carryOut(*wanted).map([this] { applyCalibration(); });
@@ -329,13 +328,21 @@ Result<> Station::carryOut(const Request& request)
     return m_mount->carryOut(request);
 }
 
+// What speaks against a profile in place of the one in force, because of the mount that is connected.
+Result<> Station::fits(const profile::Profile& wanted) const
+{
+    if (profile::namesNoBus(wanted) != profile::namesNoBus(*m_profile)) {
+        return failure(ErrorCode::Refused,
+                       Text::tr("bus.name changes between the simulated mount and a real one: press Reconnect, or "
+                                "start Boresight again"));
+    }
+    const auto problems = m_mount->simulated() ? std::vector<profile::Problem>() : profile::problemsOfReal(wanted);
+    return problems.empty() ? Result<>{}
+                            : failure(ErrorCode::InvalidInput, problems.front().key + ": " + problems.front().text);
+}
+
 void Station::apply(const profile::Profile& wanted)
 {
-    if (!profile::leftWithSimulatedMount(m_profile.wanted(), wanted).empty()) {
-        m_log.add(Severity::Advisory, QStringLiteral("operator"),
-                  Text::tr("leaves the simulated mount: what was found of it is set back, and the directions, ends and "
-                           "zeros of the real one are to be looked at (guide, F3)"));
-    }
     for (const profile::Change& change : profile::changesBetween(m_profile.wanted(), wanted)) {
         m_log.add(
             Severity::Advisory, QStringLiteral("operator"),
@@ -411,7 +418,7 @@ StationStatus Station::status() const
     StationStatus status = m_control.status();
     status.profile = m_profile.shared();
     status.waitingKeys = m_profile.waitingKeys();
-    status.simulated = simulated();
+    status.simulated = m_mount->simulated();
     m_mount->describe(status);
     status.listening = QString::fromStdString(m_server.address());
     status.clients = clients();

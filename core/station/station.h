@@ -90,7 +90,7 @@ Q_SIGNALS:
     void reconnectWanted(const boresight::profile::Profile& profile);
 
 private:
-    [[nodiscard]] bool simulated() const { return m_profile->bus == "simulated"; }
+    [[nodiscard]] Result<> fits(const profile::Profile& wanted) const;
     void apply(const profile::Profile& wanted);
     void profileChanged(const profile::Profile& before);
     void applyCalibration();

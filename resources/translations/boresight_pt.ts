@@ -324,10 +324,6 @@ Antenna Control: Cycle 1000 msec, Threshold 0.1 deg
         <translation>outro painel tem alterações por aplicar: aplique-as ou reverta-as primeiro</translation>
     </message>
     <message>
-        <source>Boresight was started with --simulate and stays so: start it with --bus %1 for this one</source>
-        <translation>o Boresight foi iniciado com --simulate e assim fica: inicie-o com --bus %1 para este</translation>
-    </message>
-    <message>
         <source>the mount at %1 waits for Reconnect: press that first (tab Mount, Profile)</source>
         <translation>a montagem em %1 espera por Reconectar: prima-o primeiro (separador Montagem, Perfil)</translation>
     </message>
@@ -5261,10 +5257,6 @@ do eixo</translation>
         <translation>a montagem em %1 espera por Reconectar, e isto foi achado na de %2: reconecte primeiro</translation>
     </message>
     <message>
-        <source>leaves the simulated mount: what was found of it is set back, and the directions, ends and zeros of the real one are to be looked at (guide, F3)</source>
-        <translation>deixa a montagem simulada: o que se achou dela volta ao inicial, e é preciso verificar os sentidos, os fins e os zeros da real (guia, F3)</translation>
-    </message>
-    <message>
         <source>all points are about as high: the azimuth&apos;s offset and the collimation cannot be told apart; take one much higher or lower, or one over the top</source>
         <translation>todos os pontos têm quase a mesma altura: não se distinguem o desvio do azimute e a colimação; tome um bem mais alto ou mais baixo, ou um passando pelo zênite</translation>
     </message>
@@ -5351,14 +5343,6 @@ do eixo</translation>
     <message>
         <source>Boresight is being closed: the mount is stopped</source>
         <translation>O Boresight está a ser fechado: a montagem é parada</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is a real mount from the next start on: what was found of the simulated one is set back in its file, and its directions are to be confirmed</source>
-        <translation>&quot;%1&quot; é uma montagem real a partir do próximo início: o que se achou da simulada volta ao inicial no seu arquivo, e os seus sentidos estão por confirmar</translation>
-    </message>
-    <message>
-        <source>this holds for the simulated mount until the program ends; the profile of &quot;%1&quot; keeps its own bus, motors, zeros and the ends counted from them, north, pointing model and sensor mounting: start without --simulate to set them</source>
-        <translation>isto vale para a montagem simulada até o programa terminar; o perfil de &quot;%1&quot; mantém os seus próprios barramento, motores, zeros e os limites contados a partir deles, norte, modelo de apontamento e montagem do sensor: inicie sem --simulate para os definir</translation>
     </message>
     <message>
         <source>these points wait until both drives have told who they are</source>
@@ -5768,6 +5752,10 @@ do eixo</translation>
     <message>
         <source>What turns the axis. &quot;simple&quot; is simulated only: a rotator of whole degrees without a watchdog. With &quot;none&quot; the mount has no such axis.</source>
         <translation>O que move o eixo. &quot;simple&quot; é apenas simulado: um rotor de graus inteiros sem watchdog. Com &quot;none&quot; a montagem não tem este eixo.</translation>
+    </message>
+    <message>
+        <source>bus.name changes between the simulated mount and a real one: press Reconnect, or start Boresight again</source>
+        <translation>bus.name muda entre a montagem simulada e uma real: clique em Reconectar, ou inicie o Boresight de novo</translation>
     </message>
 </context>
 <context>
@@ -7884,6 +7872,10 @@ trocar os motores</translation>
         <source>Line to the mount</source>
         <translation>Ligação com a montagem</translation>
     </message>
+    <message>
+        <source>No real drive is connected. What is set and found here stays in the simulation of this mount.</source>
+        <translation>Nenhum acionamento real está ligado. O que aqui se define e acha fica na simulação desta montagem.</translation>
+    </message>
 </context>
 <context>
     <name>boresight::ui::HelpPage</name>
@@ -9290,8 +9282,12 @@ el %2</translation>
         <translation>nada espera por uma reconexão</translation>
     </message>
     <message>
-        <source>this profile holds what was found of a real mount (zeros, north, pointing model or sensor mounting): to try the simulated one start Boresight with --simulate</source>
-        <translation>este perfil guarda o que se achou de uma montagem real (zeros, norte, modelo de apontamento ou montagem do sensor): para experimentar a simulada inicie o Boresight com --simulate</translation>
+        <source>this is the profile of a real mount: to try the simulated one start Boresight with --simulate</source>
+        <translation>este é o perfil de uma montagem real: para experimentar a simulada inicie o Boresight com --simulate</translation>
+    </message>
+    <message>
+        <source>Boresight was started with --simulate and stays so: start it with --bus %1 for this one</source>
+        <translation>o Boresight foi iniciado com --simulate e assim fica: inicie-o com --bus %1 para este</translation>
     </message>
 </context>
 <context>
@@ -9361,8 +9357,8 @@ el %2</translation>
         <translation>Todas as alterações estão aplicadas</translation>
     </message>
     <message>
-        <source>Set back, because it was the simulated mount&apos;s: %1. Not applied: %2</source>
-        <translation>Volta ao inicial, por ser da montagem simulada: %1. Por aplicar: %2</translation>
+        <source>Apply leaves the simulation. Only these go to the real mount: %1</source>
+        <translation>Aplicar deixa a simulação. Só isto passa para a montagem real: %1</translation>
     </message>
 </context>
 <context>
@@ -9658,6 +9654,14 @@ Ao lado da montagem em vigor:
     <message>
         <source>The mount of now is left as at the end of the program, and the other one is connected as at a start. Nothing moves; the window stays.</source>
         <translation>A montagem de agora é deixada como no fim do programa, e a outra é conectada como no início. Nada se move; a janela fica.</translation>
+    </message>
+    <message>
+        <source>The simulated mount has no profile that can be duplicated</source>
+        <translation>A montagem simulada não tem perfil que se possa duplicar</translation>
+    </message>
+    <message>
+        <source>This file names no bus of a real mount: it may hold what was found of the simulated one</source>
+        <translation>Este arquivo não indica o barramento de uma montagem real: pode conter o que se achou da simulada</translation>
     </message>
 </context>
 <context>

@@ -75,16 +75,13 @@ TEST_F(OptionsTest, TheCurrentMountOfTheStoreIsTaken)
     EXPECT_EQ(options->profile.bus, "socketcan:can7");
 }
 
-// Story: tried out first, with its sensor and its north applied; the adapter named at the next start then pointed 37.4°
-// beside, and refused every change because a real mount has no simulated sensor.
 // REQ-MOUNT-05
 TEST_F(OptionsTest, TheKindOfTheSimulatedMountIsChosen)
 {
-    EXPECT_FALSE(read({QStringLiteral("--simulate")})->simulateSimple);
+    EXPECT_EQ(read({QStringLiteral("--simulate")})->simulation, Simulation::Moteus);
     const auto simple = read({QStringLiteral("--simulate=simple")});
     ASSERT_TRUE(simple) << simple.error().text;
-    EXPECT_TRUE(simple->simulateSimple);
-    EXPECT_TRUE(simple->onlySimulated);
+    EXPECT_EQ(simple->simulation, Simulation::Simple);
     EXPECT_EQ(simple->startingProfile().sensor.source, profile::SensorSource::None) << "there is none on it";
     EXPECT_FALSE(read({QStringLiteral("--simulate=nonsense")}));
     EXPECT_FALSE(read({QStringLiteral("--simulate=simple"), QStringLiteral("--bus"), QStringLiteral("socketcan:can7")}))
@@ -105,6 +102,8 @@ TEST_F(OptionsTest, ARealBusIsRefusedForAMountThatIsOnlySimulated)
     EXPECT_NE(real.error().text.find("azimuth.driver: The simple rotator is only simulated"), std::string::npos);
 }
 
+// Story: tried out first, with its sensor and its north applied; the adapter named at the next start then pointed 37.4°
+// beside, and refused every change because a real mount has no simulated sensor.
 // REQ-PROFILE-17a
 TEST_F(OptionsTest, ARealBusLeavesBehindWhatWasFoundOfTheSimulatedMount)
 {
@@ -137,8 +136,8 @@ TEST_F(OptionsTest, AnotherAdapterKeepsWhatWasFoundOfARealMount)
     ASSERT_TRUE(store.setCurrent(*store.add(real)));
     real.bus = "socketcan:can7";
     EXPECT_EQ(read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")})->profile, real);
-    real.bus = "simulated";
-    EXPECT_EQ(read({QStringLiteral("--simulate")})->profile, real);
+    real.bus = "socketcan:can0";
+    EXPECT_EQ(read({QStringLiteral("--simulate")})->profile, real) << "its bus is not used, and it stays";
 }
 
 TEST_F(OptionsTest, ABusWithoutAnyProfileIsTheReferenceMountThere)
@@ -176,20 +175,45 @@ TEST_F(OptionsTest, WhereTheMountStandsIsToldWithTheTimeAtWhichSomebodyLooked)
     }
 }
 
-// Story: started with --simulate, a switch to another mount of the list connected its real antenna.
+TEST_F(OptionsTest, ARealMountHasNoSimulatedSensor)
+{
+    profile::Profile real = named("real");
+    real.bus = "socketcan:can0";
+    real.sensor.source = profile::SensorSource::Simulated;
+    const QString file = config() + QStringLiteral("/real.toml");
+    ASSERT_TRUE(QDir().mkpath(config()));
+    ASSERT_TRUE(profile::saveProfile(real, file));
+    const auto refused = read({QStringLiteral("--profile"), file});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().text.find("real.toml: sensor.source: \"simulated\" needs"), std::string::npos)
+        << refused.error().text;
+    EXPECT_EQ(read({QStringLiteral("--profile"), file, QStringLiteral("--simulate")})->profile, real);
+}
+
 TEST_F(OptionsTest, WhoAsksForTheSimulatedMountGetsNoOther)
 {
-    profile::Profile real;
+    profile::Profile real = named("real");
     real.bus = "socketcan:can0";
     for (const QStringList& words : {QStringList{QStringLiteral("--simulate")},
                                      QStringList{QStringLiteral("--bus"), QStringLiteral("simulated")}}) {
         const auto options = read(words);
         ASSERT_TRUE(options) << options.error().text;
-        EXPECT_EQ(options->overridden(real).bus, "simulated");
+        EXPECT_EQ(options->simulation, Simulation::Moteus);
+        EXPECT_EQ(options->simulationFor(real), Simulation::Moteus);
     }
-    EXPECT_EQ(read()->overridden(real), real) << "the simulated mount of a profile is this profile's alone";
-    const auto other = read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")});
-    EXPECT_EQ(other->overridden(real), real) << "the adapter named belongs to the mount of the start";
+    const auto open = read();
+    EXPECT_EQ(open->simulationFor(open->profile), Simulation::Moteus) << "there is no other mount yet";
+    EXPECT_EQ(open->simulationFor(real), Simulation::Off) << "a bus that is named later is used";
+    const auto connected = read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")});
+    EXPECT_EQ(connected->simulation, Simulation::Off);
+    EXPECT_EQ(connected->simulationFor(connected->profile), Simulation::Off);
+}
+
+TEST_F(OptionsTest, TheAddressOfTheCommandLineIsNamedAsItsOwn)
+{
+    EXPECT_TRUE(read()->overridden.empty());
+    EXPECT_EQ(read({QStringLiteral("--listen"), QStringLiteral("127.0.0.1:0")})->overridden,
+              std::vector<std::string>{"rotctld.listen"});
 }
 
 // What is tried first is the simulated mount, and finding north there wants its sensor.

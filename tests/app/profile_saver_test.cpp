@@ -2,36 +2,96 @@
 #include "app/profile_saver.h"
 
 #include "core/profile/commissioning.h"
+#include "core/profile/profile_diff.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_history.h"
 #include "core/profile/profile_store.h"
 
+#include <QDir>
+#include <QDirIterator>
 #include <QEventLoop>
+#include <QFile>
 #include <QTemporaryDir>
 #include <QTimer>
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <map>
+
 namespace boresight::app {
 namespace {
+
+profile::Profile realMount(const char* name = "Roof")
+{
+    profile::Profile real;
+    real.mount.name = name;
+    real.bus = "fdcanusb:/dev/mount";
+    real.pointing.azimuthOffset = 12_deg;
+    real.azimuth.geometry.offset = 3_deg;
+    return real;
+}
+
+// As an operator who leaves nothing as it is.
+void changeAndFindEverything(profile::Profile& profile)
+{
+    profile::setReading(profile, Axis::Elevation, 3_deg, 10_deg, profile::Ends::StayOnTheMount);
+    profile::setReading(profile, Axis::Azimuth, 10_deg, 47_deg, profile::Ends::StayOnTheMount);
+    profile::reverse(profile, Axis::Azimuth, std::nullopt);
+    profile::swapMotors(profile);
+    profile::setTravel(profile, Axis::Azimuth, {.min = -10_deg, .max = 270_deg});
+    profile::setNorth(profile, {.azimuth = 20_deg, .elevation = 20_deg}, 57.4_deg);
+    profile.pointing.tiltEast = 1_deg;
+    profile.sensor.source = profile::SensorSource::Simulated;
+    profile.sensor.mounting.azimuthOffset = 5_deg;
+    profile.sensor.deviation.a1 = 3_deg;
+    profile.mount.directions = profile.mount.directions == profile::Directions::Confirmed
+                                   ? profile::Directions::Unconfirmed
+                                   : profile::Directions::Confirmed;
+    profile.mount.name += " renamed";
+    profile.jog.slow = 0.7_deg_s;
+    profile.limits.horizon = {{.azimuth = 10_deg, .elevation = -5_deg}, {.azimuth = 20_deg, .elevation = -7_deg}};
+    profile.presets = {{"north", {0_deg, 0_deg}}};
+    profile.site = {.known = true, .latitude = 38.7_deg, .longitude = -9.1_deg, .heightMetres = 100.0};
+    profile.rotctld.maxClients = 7;
+}
+
+// As a file says them: it has fewer digits.
+void expectAlike(const profile::Profile& a, const profile::Profile& b)
+{
+    EXPECT_EQ(profile::changedKeys(a, b), std::vector<std::string>());
+}
 
 struct Rig
 {
     QTemporaryDir folder;
-    profile::Profile inForce;
-    bool onlySimulated = false;
+    Options options = {.profile = {}, .profilePath = {}, .configDir = config(), .stateDir = state()};
 
-    [[nodiscard]] QString file() const { return folder.filePath(QStringLiteral("mount.toml")); }
+    [[nodiscard]] QString config() const { return folder.filePath(QStringLiteral("config")); }
+    [[nodiscard]] QString state() const { return folder.filePath(QStringLiteral("state")); }
+    [[nodiscard]] profile::ProfileStore store() const { return profile::ProfileStore(config()); }
+    [[nodiscard]] profile::Profile loaded() const { return *profile::loadProfile(options.profilePath); }
 
-    // The saver is gone, and so all is written, when this returns why it was not, or not all of it.
-    QString save(const QString& path, const profile::Profile& wanted) const
+    // As the current mount of the store, and the program is started with it.
+    void keep(const profile::Profile& profile)
+    {
+        options.profilePath = *store().add(profile);
+        ASSERT_TRUE(store().setCurrent(options.profilePath));
+        options.profile = profile;
+    }
+    void simulate()  // by the command line
+    {
+        options.simulation = Simulation::Moteus;
+    }
+    // What the program begins with when it is started like this.
+    [[nodiscard]] profile::Profile first() const { return ProfileSaver(options).first(); }
+
+    // The saver is gone, and so all is written, when this returns why it was not.
+    [[nodiscard]] QString save(const profile::Profile& wanted) const
     {
         QString reason;
         {
-            ProfileSaver saver(folder.path(), path, inForce);
-            if (onlySimulated) {
-                saver.keepSimulated();
-            }
+            ProfileSaver saver(options);
             QObject::connect(
                 &saver, &ProfileSaver::failed, &saver, [&](const QString& text) { reason = text; },
                 Qt::DirectConnection);
@@ -39,197 +99,204 @@ struct Rig
         }
         return reason;
     }
+
+    // Every file of the real mounts, byte for byte.
+    [[nodiscard]] std::map<QString, QByteArray> realFiles() const
+    {
+        std::map<QString, QByteArray> all;
+        QDirIterator files(config(), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+        while (files.hasNext()) {
+            QFile file(files.next());
+            EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+            all[file.fileName()] = file.readAll();
+        }
+        return all;
+    }
 };
 
-TEST(ProfileSaver, WritesWhatTheOperatorChangedAndNotWhatTheCommandLineOverrode)
+// Story: after an Apply on the simulated mount the real one pointed by the simulated north. Level set in the guide with
+// --simulate was the real mount's zero at the next start, its ends with it; and a direction confirmed by looking at the
+// simulated mount let the real one go as fast as it can.
+// REQ-PROFILE-17a
+TEST(ProfileSaver, NothingOfASimulationReachesAFileOfARealMount)
 {
     Rig rig;
-    rig.onlySimulated = true;
-    profile::Profile kept;
-    kept.bus = "fdcanusb:/dev/mount";
-    ASSERT_TRUE(profile::saveProfile(kept, rig.file()));
-    profile::Profile wanted = rig.inForce;  // started with --simulate
-    wanted.jog.slow = 0.7_deg_s;
-    rig.save(rig.file(), wanted);
-    const auto now = profile::loadProfile(rig.file());
-    ASSERT_TRUE(now);
-    EXPECT_EQ(now->jog.slow, 0.7_deg_s);
-    EXPECT_EQ(now->bus, "fdcanusb:/dev/mount");
+    rig.keep(realMount("Field"));
+    rig.keep(realMount());
+    const auto before = rig.realFiles();
+    rig.simulate();
+    profile::Profile wanted = rig.first();
+    EXPECT_EQ(wanted, realMount()) << "the mount as it is";
+    {
+        ProfileSaver saver(rig.options);
+        QObject::connect(
+            &saver, &ProfileSaver::failed, &saver, [](const QString& text) { ADD_FAILURE() << text.toStdString(); },
+            Qt::DirectConnection);
+        for (const char* const part : {"", " and again"}) {
+            changeAndFindEverything(wanted);
+            wanted.mount.name += part;
+            saver.save(wanted);
+            EXPECT_EQ(saver.next(wanted), wanted) << "a reconnect";
+        }
+        // Another mount of the list, and nobody looks at its bus.
+        profile::Profile field = saver.next(realMount("Field"));
+        EXPECT_EQ(field, realMount("Field"));
+        changeAndFindEverything(field);
+        saver.save(field);
+        expectAlike(saver.next(realMount()), wanted);  // back to the first one, as it was left
+    }
+    EXPECT_EQ(rig.realFiles(), before);
+    expectAlike(rig.first(), wanted);  // and so in the next simulation
+    const auto copy = profile::loadProfile(rig.state() + QStringLiteral("/simulated/Roof.toml"));
+    ASSERT_TRUE(copy) << copy.error().text;
+    EXPECT_EQ(copy->bus, "simulated")
+        << "started with this file, the real mount would have the north of the simulation";
+    rig.options.profile = realMount();
+    rig.options.simulation = Simulation::Off;
+    EXPECT_EQ(rig.first(), realMount());
+    EXPECT_EQ(rig.realFiles(), before);
 }
 
-// Story: after an Apply on the simulated mount the real one pointed by the simulated north.
+// Else the simulation would go on with limits that the mount no longer has.
 // REQ-PROFILE-17a
-TEST(ProfileSaver, WhatWasFoundOfTheSimulatedMountIsNotTheRealOnes)
+TEST(ProfileSaver, AChangedProfileIsSimulatedAnew)
 {
     Rig rig;
-    rig.onlySimulated = true;
-    profile::Profile kept;
-    kept.bus = "fdcanusb:/dev/mount";
-    kept.pointing.azimuthOffset = 12_deg;
-    ASSERT_TRUE(profile::saveProfile(kept, rig.file()));
-    rig.inForce = kept;
-    rig.inForce.bus = "simulated";
-    profile::Profile wanted = rig.inForce;
-    wanted.jog.slow = 0.7_deg_s;
-    wanted.pointing.azimuthOffset = 37_deg;
-    wanted.sensor.deviation.a1 = 3_deg;
-    wanted.sensor.mounting.azimuthOffset = 5_deg;
-    const QString reason = rig.save(rig.file(), wanted);
-    kept.jog.slow = 0.7_deg_s;
-    EXPECT_EQ(kept, *profile::loadProfile(rig.file()));
-    EXPECT_TRUE(reason.contains(QStringLiteral("keeps its own bus, motors, zeros and the ends")))
-        << reason.toStdString();
-    // A mount that is simulated by its own profile keeps what is found of it.
-    ASSERT_TRUE(profile::saveProfile(rig.inForce, rig.file()));
-    rig.save(rig.file(), wanted);
-    EXPECT_EQ(wanted, *profile::loadProfile(rig.file()));
+    rig.keep(realMount());
+    rig.simulate();
+    profile::Profile wanted = rig.first();
+    wanted.pointing.azimuthOffset = 37.4_deg;
+    EXPECT_EQ(rig.save(wanted), QString());
+    EXPECT_EQ(rig.first(), wanted);
+    profile::Profile changed = realMount();
+    changed.jog.slow = 0.7_deg_s;
+    ASSERT_TRUE(profile::saveProfile(changed, rig.options.profilePath));
+    EXPECT_EQ(rig.first(), changed);
 }
 
-// Story: level set in the guide with --simulate was the real mount's zero at the next start, its ends with it; and a
-// direction confirmed by looking at the simulated mount let the real one go as fast as it can.
+// Two files may have the same mount's name, and so the same file of the simulation.
 // REQ-PROFILE-17a
-TEST(ProfileSaver, ZeroMotorsAndDirectionsOfTheSimulatedMountAreNotTheRealOnes)
+TEST(ProfileSaver, TheSimulationOfAnotherFileIsNotThisOnes)
 {
     Rig rig;
-    rig.onlySimulated = true;
-    profile::Profile kept;
-    kept.bus = "fdcanusb:/dev/mount";
-    kept.mount.directions = profile::Directions::Unconfirmed;
-    ASSERT_TRUE(profile::saveProfile(kept, rig.file()));
-    rig.inForce = kept;
-    rig.inForce.bus = "simulated";
-    profile::Profile wanted = rig.inForce;
-    profile::setReading(wanted, Axis::Elevation, 3_deg, 10_deg, profile::Ends::StayOnTheMount);
-    profile::reverse(wanted, Axis::Azimuth, std::nullopt);
-    profile::swapMotors(wanted);
+    rig.keep(realMount());
+    rig.simulate();
+    profile::Profile wanted = rig.first();
+    wanted.pointing.azimuthOffset = 37.4_deg;
+    EXPECT_EQ(rig.save(wanted), QString());
+    profile::Profile other = realMount();
+    other.elevation.geometry.travel.max = 80_deg;
+    rig.options.profilePath = rig.folder.filePath(QStringLiteral("other.toml"));
+    ASSERT_TRUE(profile::saveProfile(other, rig.options.profilePath));
+    EXPECT_EQ(rig.first(), other);
+}
+
+TEST(ProfileSaver, WhatTheCommandLineSaysIsSimulatedAndNotKept)
+{
+    Rig rig;
+    rig.keep(realMount());
+    rig.options.profile.rotctld.listen.port = 0;
+    rig.options.overridden = {"rotctld.listen"};
+    rig.simulate();
+    profile::Profile wanted = rig.first();
+    EXPECT_EQ(wanted.rotctld.listen.port, 0);
+    wanted.jog.slow = 0.7_deg_s;
+    EXPECT_EQ(rig.save(wanted), QString());
+    rig.options.overridden.clear();
+    EXPECT_EQ(rig.first().rotctld.listen.port, realMount().rotctld.listen.port);
+    EXPECT_EQ(rig.first().jog.slow, 0.7_deg_s);
+}
+
+TEST(ProfileSaver, AFirstStartIsSimulatedAndComesBackAsItWasLeft)
+{
+    Rig rig;
+    rig.options.profile.mount.directions = profile::Directions::Unconfirmed;
+    profile::Profile wanted = rig.first();
+    EXPECT_EQ(wanted, rig.options.profile);
     wanted.mount.directions = profile::Directions::Confirmed;
-    EXPECT_NE(rig.save(rig.file(), wanted), QString());
-    EXPECT_EQ(kept, *profile::loadProfile(rig.file()));
-    // Ends that were typed are the real mount's, whichever is connected.
-    wanted = rig.inForce;
-    profile::setTravel(wanted, Axis::Azimuth, {.min = -10_deg, .max = 270_deg});
-    EXPECT_EQ(rig.save(rig.file(), wanted), QString());
-    profile::setTravel(kept, Axis::Azimuth, {.min = -10_deg, .max = 270_deg});
-    EXPECT_EQ(kept, *profile::loadProfile(rig.file()));
+    wanted.pointing.azimuthOffset = 37.4_deg;
+    EXPECT_EQ(rig.save(wanted), QString());
+    EXPECT_TRUE(rig.realFiles().empty());
+    EXPECT_EQ(rig.first(), wanted);
 }
 
-// Story: level was set with --simulate, and left out; the end typed afterwards, counted from it, was the real mount's.
-TEST(ProfileSaver, EndsCountedFromTheSimulatedZeroAreNotTheRealOnes)
-{
-    Rig rig;
-    rig.onlySimulated = true;
-    profile::Profile kept;
-    kept.bus = "fdcanusb:/dev/mount";
-    ASSERT_TRUE(profile::saveProfile(kept, rig.file()));
-    rig.inForce = kept;
-    rig.inForce.bus = "simulated";
-    profile::setReading(rig.inForce, Axis::Elevation, 3_deg, 10_deg, profile::Ends::KeepTheirNumbers);
-    profile::Profile wanted = rig.inForce;
-    profile::setTravel(wanted, Axis::Azimuth, {.min = -10_deg, .max = 270_deg});
-    profile::setTravel(wanted, Axis::Elevation, {.min = 5_deg, .max = 80_deg});
-    EXPECT_NE(rig.save(rig.file(), wanted), QString());
-    profile::setTravel(kept, Axis::Azimuth, {.min = -10_deg, .max = 270_deg});
-    EXPECT_EQ(kept, *profile::loadProfile(rig.file()));
-}
-
-// Story: "Use the sensor" with --simulate failed to save, and the version before was lost.
-TEST(ProfileSaver, TheSimulatedSensorIsNotTheRealMounts)
-{
-    Rig rig;
-    rig.onlySimulated = true;
-    profile::Profile kept;
-    kept.bus = "fdcanusb:/dev/mount";
-    ASSERT_TRUE(profile::saveProfile(kept, rig.file()));
-    kept.jog.slow = 0.7_deg_s;
-    ASSERT_TRUE(profile::saveKeepingPrevious(kept, rig.file()));
-    rig.inForce = kept;
-    rig.inForce.bus = "simulated";
-    profile::Profile wanted = rig.inForce;
-    wanted.sensor.source = profile::SensorSource::Simulated;
-    const QString reason = rig.save(rig.file(), wanted);
-    EXPECT_TRUE(reason.contains(QStringLiteral("until the program ends"))) << reason.toStdString();
-    EXPECT_EQ(kept, *profile::loadProfile(rig.file()));
-    EXPECT_EQ(profile::loadProfile(profile::previousOf(rig.file()))->jog.slow, profile::Profile{}.jog.slow)
-        << "the last change can still be taken back";
-    // A real sensor is the profile's, whichever mount it was set with.
-    wanted.sensor.source = profile::SensorSource::Mqtt;
-    EXPECT_EQ(rig.save(rig.file(), wanted), QString());
-    EXPECT_EQ(profile::loadProfile(rig.file())->sensor.source, profile::SensorSource::Mqtt);
-}
-
-// Story: with --simulate a real bus was typed for later, and at the next start the real antenna ran at full rate by the
-// simulated zero and north.
+// Story: the bus chosen in the guide took the simulated mount's north along, and the real one pointed 37.4° beside.
 // REQ-PROFILE-17a
-TEST(ProfileSaver, ABusForLaterLeavesTheSimulatedMountInTheFile)
+TEST(ProfileSaver, ARealBusLeavesTheSimulationBehind)
 {
     Rig rig;
-    rig.onlySimulated = true;
-    rig.inForce.pointing.azimuthOffset = 37.4_deg;
-    rig.inForce.azimuth.geometry.offset = 5_deg;
-    rig.inForce.sensor.deviation.a1 = 3_deg;
-    rig.inForce.sensor.source = profile::SensorSource::Simulated;
-    const profile::Profile simulated = rig.inForce;
-    ASSERT_TRUE(profile::saveProfile(simulated, rig.file()));
-    profile::Profile wanted = simulated;
-    wanted.bus = "socketcan:can0";
-    wanted.sensor.source = profile::SensorSource::None;
-    wanted.jog.slow = 0.7_deg_s;
-    const QString reason = rig.save(rig.file(), wanted);
-    EXPECT_TRUE(reason.contains(QStringLiteral("set back in its file"))) << reason.toStdString();
-    profile::Profile real;
-    real.bus = "socketcan:can0";
-    real.mount.directions = profile::Directions::Unconfirmed;
-    real.jog.slow = 0.7_deg_s;
-    EXPECT_EQ(real, *profile::loadProfile(rig.file()));
-    // What is found until the end is the simulated mount's, and the file is another's.
-    rig.inForce = wanted;
-    wanted.pointing.azimuthOffset = 12_deg;
-    wanted.jog.slow = 0.5_deg_s;
-    EXPECT_TRUE(rig.save(rig.file(), wanted).contains(QStringLiteral("until the program ends")));
-    real.jog.slow = 0.5_deg_s;
-    EXPECT_EQ(real, *profile::loadProfile(rig.file()));
-    // The bus is taken back: the file stays the real mount's, and that is told.
-    rig.inForce = wanted;
-    wanted.bus = "simulated";
-    EXPECT_TRUE(rig.save(rig.file(), wanted).contains(QStringLiteral("keeps its own bus")));
-    EXPECT_EQ(real, *profile::loadProfile(rig.file()));
+    {
+        ProfileSaver saver(rig.options);
+        profile::Profile wanted = saver.first();
+        changeAndFindEverything(wanted);
+        saver.save(wanted);
+        profile::useBus(wanted, "socketcan:can0", std::array{4, 9});
+        wanted.park.azimuth = 20_deg;  // typed together with the bus
+        wanted.mount.directions = profile::Directions::Confirmed;
+        profile::Profile real;
+        real.bus = "socketcan:can0";
+        real.mount.directions = profile::Directions::Unconfirmed;
+        real.azimuth.id = 4;
+        real.elevation.id = 9;
+        real.park.azimuth = 20_deg;
+        EXPECT_EQ(saver.next(wanted), real);
+        const auto current = rig.store().findCurrent();
+        ASSERT_TRUE(current && *current);
+        EXPECT_EQ(profile::loadProfile(**current), real);
+        // From here on it is a mount as any other.
+        real.pointing.azimuthOffset = 5_deg;
+        saver.save(real);
+        EXPECT_EQ(saver.next(real), real);
+        EXPECT_EQ(profile::loadProfile(**current), real);
+    }
 }
 
+// A file of an older version, which kept there what was found of the simulated mount.
 // REQ-PROFILE-17a
-TEST(ProfileSaver, ABusForLaterLeavesTheSimulatedMountInTheFirstFileToo)
+TEST(ProfileSaver, AFileThatNamesNoRealBusIsSimulatedAndGetsTheBus)
 {
     Rig rig;
-    rig.onlySimulated = true;
-    profile::Profile wanted = rig.inForce;
-    wanted.bus = "socketcan:can0";
-    EXPECT_NE(rig.save({}, wanted), QString());
-    const auto current = profile::ProfileStore(rig.folder.path()).findCurrent();
-    ASSERT_TRUE(current && *current);
-    wanted.mount.directions = profile::Directions::Unconfirmed;
-    EXPECT_EQ(wanted, *profile::loadProfile(**current));
+    profile::Profile tried;
+    tried.pointing.azimuthOffset = 37.4_deg;
+    tried.azimuth.geometry.offset = 5_deg;
+    tried.sensor.source = profile::SensorSource::Simulated;
+    tried.jog.slow = 0.7_deg_s;
+    rig.keep(tried);
+    const auto before = rig.realFiles();
+    profile::Profile wanted = rig.first();
+    EXPECT_EQ(wanted, tried);
+    wanted.pointing.azimuthOffset = 40_deg;
+    EXPECT_EQ(rig.save(wanted), QString());
+    EXPECT_EQ(rig.realFiles(), before);
+    {
+        ProfileSaver saver(rig.options);
+        EXPECT_EQ(saver.first(), wanted);
+        wanted.bus = "socketcan:can0";
+        profile::Profile real;
+        real.bus = "socketcan:can0";
+        real.mount.directions = profile::Directions::Unconfirmed;
+        real.jog.slow = 0.7_deg_s;
+        EXPECT_EQ(saver.next(wanted), real);
+        EXPECT_EQ(rig.loaded(), real);
+    }
 }
 
-// Story: with --simulate another adapter was typed, and then Undo: the calibrated mount's file named the simulated bus,
-// and all that was found of it was set back when its own was typed again.
+// The list is that of the real mounts, and one of them may be switched to.
 // REQ-PROFILE-17a
-// REQ-PROFILE-17c
-TEST(ProfileSaver, ABusForLaterThatIsTakenBackDoesNotMakeARealMountsFileTheSimulatedOnes)
+TEST(ProfileSaver, AnotherMountOfTheListLeavesTheSimulationAsItIs)
 {
     Rig rig;
-    rig.onlySimulated = true;
-    profile::Profile kept;
-    kept.bus = "socketcan:can0";
-    ASSERT_TRUE(profile::saveProfile(kept, rig.file()));
-    rig.inForce.pointing.azimuthOffset = 12_deg;
-    const profile::Profile simulated = rig.inForce;
-    profile::Profile later = simulated;
-    later.bus = "socketcan:can1";
-    EXPECT_EQ(rig.save(rig.file(), later), QString());
-    rig.inForce = later;
-    const QString reason = rig.save(rig.file(), simulated);
-    kept.bus = "socketcan:can1";
-    EXPECT_TRUE(reason.contains(QStringLiteral("keeps its own bus"))) << reason.toStdString();
-    EXPECT_EQ(kept, *profile::loadProfile(rig.file()));
+    rig.keep(realMount());
+    rig.keep(profile::Profile{});
+    {
+        ProfileSaver saver(rig.options);
+        profile::Profile wanted = saver.first();
+        wanted.pointing.azimuthOffset = 37.4_deg;
+        saver.save(wanted);
+        EXPECT_EQ(saver.next(realMount()), realMount());
+        EXPECT_EQ(saver.next(profile::Profile{}), wanted) << "and back";
+    }
+    EXPECT_EQ(rig.loaded(), profile::Profile{});
 }
 
 // The file of the simulated mount, started with --bus: the next start would take its north for the simulated one's.
@@ -240,22 +307,23 @@ TEST(ProfileSaver, WhatIsFoundOfARealMountMakesTheFileItsOwn)
     profile::Profile tried;
     tried.pointing = {.azimuthOffset = 37.4_deg, .elevationOffset = 1_deg};
     tried.sensor.source = profile::SensorSource::Simulated;
-    ASSERT_TRUE(profile::saveProfile(tried, rig.file()));
-    rig.inForce.bus = "fdcanusb:/dev/mount";
-    rig.inForce.mount.directions = profile::Directions::Unconfirmed;
-    profile::Profile wanted = rig.inForce;
+    rig.keep(tried);
+    rig.options.profile = {};
+    rig.options.profile.bus = "fdcanusb:/dev/mount";
+    rig.options.profile.mount.directions = profile::Directions::Unconfirmed;
+    profile::Profile wanted = rig.options.profile;
     wanted.jog.slow = 0.7_deg_s;
-    EXPECT_EQ(rig.save(rig.file(), wanted), QString());
+    EXPECT_EQ(rig.save(wanted), QString());
     tried.jog.slow = 0.7_deg_s;
-    EXPECT_EQ(tried, *profile::loadProfile(rig.file())) << "a setting makes it nobody else's";
-    rig.inForce = wanted;
+    EXPECT_EQ(tried, rig.loaded()) << "a setting makes it nobody else's";
+    rig.options.profile = wanted;
     wanted.mount.directions = profile::Directions::Confirmed;
-    EXPECT_EQ(rig.save(rig.file(), wanted), QString());
-    EXPECT_EQ(wanted, *profile::loadProfile(rig.file()));
-    rig.inForce = wanted;
+    EXPECT_EQ(rig.save(wanted), QString());
+    EXPECT_EQ(wanted, rig.loaded());
+    rig.options.profile = wanted;
     wanted.pointing.azimuthOffset = 12_deg;
-    EXPECT_EQ(rig.save(rig.file(), wanted), QString());
-    EXPECT_EQ(wanted, *profile::loadProfile(rig.file()));
+    EXPECT_EQ(rig.save(wanted), QString());
+    EXPECT_EQ(wanted, rig.loaded());
 }
 
 // Story: started with --bus, another adapter was typed in the table: the file had a real bus and the simulated north.
@@ -265,132 +333,76 @@ TEST(ProfileSaver, AnotherBusMakesTheSimulatedMountsFileARealOnes)
     Rig rig;
     profile::Profile tried;
     tried.pointing.azimuthOffset = 37.4_deg;
-    ASSERT_TRUE(profile::saveProfile(tried, rig.file()));
-    rig.inForce.bus = "fdcanusb:/dev/mount";
-    rig.inForce.mount.directions = profile::Directions::Unconfirmed;
-    profile::Profile wanted = rig.inForce;
+    rig.keep(tried);
+    rig.options.profile = {};
+    rig.options.profile.bus = "fdcanusb:/dev/mount";
+    rig.options.profile.mount.directions = profile::Directions::Unconfirmed;
+    profile::Profile wanted = rig.options.profile;
     wanted.bus = "socketcan:can1";
-    EXPECT_EQ(rig.save(rig.file(), wanted), QString());
-    EXPECT_EQ(wanted, *profile::loadProfile(rig.file()));
+    EXPECT_EQ(rig.save(wanted), QString());
+    EXPECT_EQ(wanted, rig.loaded());
 }
 
-// Chosen in the table and not connected yet: what is typed meanwhile is the real mount's.
-TEST(ProfileSaver, WhatIsTypedForARealMountBeforeTheReconnectIsKept)
+TEST(ProfileSaver, WritesWhatTheOperatorChangedAndNotWhatTheCommandLineOverrode)
 {
     Rig rig;
-    ASSERT_TRUE(profile::saveProfile(rig.inForce, rig.file()));
-    profile::Profile wanted = rig.inForce;
-    wanted.bus = "socketcan:can1";
-    wanted.mount.directions = profile::Directions::Unconfirmed;
-    {
-        ProfileSaver saver(rig.folder.path(), rig.file(), rig.inForce);
-        saver.save(wanted);
-        wanted.azimuth.id = 7;
-        wanted.pointing.azimuthOffset = 12_deg;
-        saver.save(wanted);
-    }
-    EXPECT_EQ(wanted, *profile::loadProfile(rig.file()));
-}
-
-// A real mount works on until the reconnect.
-TEST(ProfileSaver, TheSimulatedMountThatWasChosenStaysChosen)
-{
-    Rig rig;
-    rig.inForce.bus = "fdcanusb:/dev/mount";
-    rig.inForce.pointing.elevationOffset = 1_deg;
-    ASSERT_TRUE(profile::saveProfile(rig.inForce, rig.file()));
-    profile::Profile wanted = rig.inForce;
-    {
-        ProfileSaver saver(rig.folder.path(), rig.file(), rig.inForce);
-        wanted.bus = "simulated";
-        saver.save(wanted);
-        wanted.pointing.azimuthOffset = 12_deg;
-        saver.save(wanted);
-    }
-    EXPECT_EQ(wanted, *profile::loadProfile(rig.file()));
-}
-
-// The simulated mount is tried for a while, and Undo brings the real one back: only the bus is another on the way.
-TEST(ProfileSaver, ARealMountComesBackFromTheSimulatedOneWhole)
-{
-    Rig rig;
-    profile::Profile real = rig.inForce;
-    real.bus = "fdcanusb:/dev/mount";
-    real.azimuth.geometry.offset = 12_deg;
-    real.pointing.azimuthOffset = 37.4_deg;
-    real.mount.directions = profile::Directions::Confirmed;
-    ASSERT_TRUE(profile::saveProfile(real, rig.file()));
-    {
-        ProfileSaver saver(rig.folder.path(), rig.file(), real);
-        profile::Profile simulated = real;
-        simulated.bus = "simulated";
-        saver.save(simulated);
-        saver.save(real);
-    }
-    EXPECT_EQ(real, *profile::loadProfile(rig.file()));
+    rig.keep(realMount());
+    rig.options.profile.bus = "socketcan:can7";
+    profile::Profile wanted = rig.options.profile;
+    wanted.jog.slow = 0.7_deg_s;
+    EXPECT_EQ(rig.save(wanted), QString());
+    EXPECT_EQ(rig.loaded().jog.slow, 0.7_deg_s);
+    EXPECT_EQ(rig.loaded().bus, "fdcanusb:/dev/mount");
 }
 
 TEST(ProfileSaver, TheFirstChangeWithoutAFileMakesTheFirstMount)
 {
     Rig rig;
-    profile::Profile wanted;
-    wanted.mount.name = "Roof";
-    rig.save({}, wanted);
-    const auto current = profile::ProfileStore(rig.folder.path()).findCurrent();
+    rig.options.profile = realMount();  // by --bus
+    profile::Profile wanted = realMount();
+    wanted.jog.slow = 0.7_deg_s;
+    EXPECT_EQ(rig.save(wanted), QString());
+    const auto current = rig.store().findCurrent();
     ASSERT_TRUE(current && *current);
-    EXPECT_EQ(profile::loadProfile(**current)->mount.name, "Roof");
+    EXPECT_EQ(profile::loadProfile(**current), wanted);
 }
 
 TEST(ProfileSaver, AfterAnotherMountWasConnectedItsFileIsWritten)
 {
     Rig rig;
-    const profile::ProfileStore store(rig.folder.path());
-    profile::Profile roof;
-    roof.mount.name = "Roof";
-    profile::Profile field;
-    field.mount.name = "Field";
-    const auto roofFile = store.add(roof);
-    const auto fieldFile = store.add(field);
-    ASSERT_TRUE(roofFile && fieldFile);
+    rig.keep(realMount("Field"));
+    const QString fieldFile = rig.options.profilePath;
+    rig.keep(realMount());
     {
-        ProfileSaver saver(rig.folder.path(), *roofFile, roof);
-        saver.follow(field);
-        profile::Profile changed = field;
+        ProfileSaver saver(rig.options);
+        profile::Profile changed = saver.next(realMount("Field"));
+        EXPECT_EQ(changed, realMount("Field"));
         changed.park.azimuth = 77_deg;
         saver.save(changed);
     }
-    EXPECT_EQ(profile::loadProfile(*fieldFile)->park.azimuth, 77_deg);
-    EXPECT_EQ(*profile::loadProfile(*roofFile), roof);
-    EXPECT_EQ(*store.findCurrent(), fieldFile.value()) << "the next start begins where the operator was";
+    EXPECT_EQ(profile::loadProfile(fieldFile)->park.azimuth, 77_deg);
+    EXPECT_EQ(rig.loaded(), realMount());
+    EXPECT_EQ(*rig.store().findCurrent(), fieldFile) << "the next start begins where the operator was";
 }
 
 TEST(ProfileSaver, ANewNameMustNotBeAnotherMounts)
 {
     Rig rig;
-    const profile::ProfileStore store(rig.folder.path());
-    profile::Profile roof;
-    roof.mount.name = "Roof";
-    profile::Profile field;
-    field.mount.name = "Field";
-    const auto roofFile = store.add(roof);
-    ASSERT_TRUE(roofFile && store.add(field));
-    QString reason;
-    {
-        ProfileSaver saver(rig.folder.path(), *roofFile, roof);
-        QObject::connect(
-            &saver, &ProfileSaver::failed, &saver, [&](const QString& text) { reason = text; }, Qt::DirectConnection);
-        profile::Profile renamed = roof;
-        renamed.mount.name = "Field";
-        saver.save(renamed);
-    }
+    rig.keep(realMount("Field"));
+    rig.keep(realMount());
+    profile::Profile renamed = realMount();
+    renamed.mount.name = "Field";
+    const QString reason = rig.save(renamed);
     EXPECT_TRUE(reason.contains(QStringLiteral("there is a mount \"Field\" already"))) << reason.toStdString();
-    EXPECT_EQ(profile::loadProfile(*roofFile)->mount.name, "Roof");
+    EXPECT_EQ(rig.loaded().mount.name, "Roof");
 }
 
 TEST(ProfileSaver, SaysWhyItCouldNot)
 {
     Rig rig;
-    ProfileSaver saver(rig.folder.path(), rig.folder.filePath(QStringLiteral("gone.toml")), rig.inForce);
+    rig.options.profile = realMount();
+    rig.options.profilePath = rig.folder.filePath(QStringLiteral("gone.toml"));
+    ProfileSaver saver(rig.options);
     QEventLoop loop;
     QString reason;
     QObject::connect(&saver, &ProfileSaver::failed, &loop, [&](const QString& text) {
@@ -398,7 +410,7 @@ TEST(ProfileSaver, SaysWhyItCouldNot)
         loop.quit();
     });
     QTimer::singleShot(5000, &loop, &QEventLoop::quit);
-    profile::Profile wanted;
+    profile::Profile wanted = realMount();
     wanted.jog.slow = 0.7_deg_s;
     saver.save(wanted);
     loop.exec();

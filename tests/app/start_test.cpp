@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// boresight as a menu starts it, without any argument, when it cannot start.
+// boresight as a menu or a terminal starts it.
 #include "tests/fakes/program.h"
 
 #include <QDir>
@@ -12,6 +12,7 @@ namespace boresight {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 class StartTest : public testing::Test
 {
@@ -35,9 +36,51 @@ protected:
         return file.fileName();
     }
 
+    [[nodiscard]] QString simulationOf(const QString& mount) const
+    {
+        return m_home.filePath(QStringLiteral("boresight/simulated/%1.toml").arg(mount));
+    }
+
+    static QByteArray contentOf(const QString& path)
+    {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+
+    // Until it has shown a status of the station. What it reported meanwhile.
+    static std::string runWith(const QStringList& arguments)
+    {
+        qputenv("BORESIGHT_STARTUP_TIMING", "1");
+        fakes::Program program(QStringLiteral(BORESIGHT),
+                               arguments + QStringList{QStringLiteral("--listen"), QStringLiteral("127.0.0.1:0")});
+        EXPECT_TRUE(program.waitForError(QStringLiteral("first picture after"))) << program.errors().toStdString();
+        program.terminate();
+        EXPECT_EQ(program.waitForEnd(), 0) << program.errors().toStdString();
+        return program.errors().toStdString();
+    }
+
 private:
     QTemporaryDir m_home;
 };
+
+TEST_F(StartTest, ASimulatedMountHasAProfileOfItsOwn)
+{
+    const QByteArray real = "version = 1\n[mount]\nname = \"roof\"\n[bus]\nname = \"fdcanusb:/dev/nothing\"\n";
+    const QString file = keep(real);
+    EXPECT_THAT(runWith({QStringLiteral("--simulate")}), Not(HasSubstr("names no bus")));
+    EXPECT_EQ(contentOf(file), real);
+    EXPECT_THAT(contentOf(simulationOf(QStringLiteral("roof"))).toStdString(), HasSubstr("name = \"simulated\""));
+}
+
+TEST_F(StartTest, AProfileThatNamesNoRealBusIsSimulatedAndSaysSo)
+{
+    const QByteArray old = "version = 1\n[mount]\nname = \"tried\"\n[bus]\nname = \"simulated\"\n";
+    const QString file = keep(old);
+    EXPECT_THAT(runWith({}),
+                HasSubstr(file.toStdString() + " names no bus of a real mount, so the mount is simulated"));
+    EXPECT_EQ(contentOf(file), old);
+    EXPECT_FALSE(contentOf(simulationOf(QStringLiteral("tried"))).isEmpty());
+}
 
 TEST_F(StartTest, ABrokenProfileIsSaidInAWindowThatStaysUntilItIsClosed)
 {

@@ -46,8 +46,8 @@ protected:
 
     std::unique_ptr<Station> station(const profile::Profile& profile)
     {
-        return std::make_unique<Station>(profile, twoMoteus(links.make(profile.bus), {folder.path()}), folder.path(),
-                                         clock);
+        return std::make_unique<Station>(
+            profile, twoMoteus(links.make(profile.bus), {folder.path(), Simulation::Moteus}), folder.path(), clock);
     }
     std::unique_ptr<Station> build(const profile::Profile& profile)
     {

@@ -112,8 +112,8 @@ private:
               sim::Injection{.kind = FaultKind::PowerLoss, .at = Seconds(22.0), .duration = Seconds(0.5)}}) {
             link->pair().faults().add(fault);
         }
-        return std::make_unique<Station>(profile, twoMoteus(std::move(link), {m_folder.path()}), m_folder.path(),
-                                         m_clock);
+        return std::make_unique<Station>(profile, twoMoteus(std::move(link), {m_folder.path(), Simulation::Moteus}),
+                                         m_folder.path(), m_clock);
     }
 
     [[nodiscard]] static profile::Profile onAnyPort()

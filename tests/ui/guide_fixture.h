@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/profile/commissioning.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/guide/guide_page.h"
 #include "ui/guide/step_button.h"
@@ -53,6 +54,7 @@ protected:
     void putInForce(const profile::Profile& profile)
     {
         status.profile = std::make_shared<const profile::Profile>(profile);
+        status.simulated = profile::namesNoBus(profile);
         aim();
         give(samples::update(status));
     }

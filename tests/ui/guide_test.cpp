@@ -128,9 +128,12 @@ TEST_F(GuideTest, TheRealMountBeginsAnewAfterTheSimulatedOne)
     EXPECT_EQ(stepButton(GuideStep::Travel).state(), StepState::Open);
 }
 
-// Story: a bus waited for its reconnect while the level of the simulated mount was set for it.
+// Story: a bus waited for its reconnect while the level of another mount was set for it.
 TEST_F(GuideTest, NothingIsSetForAMountThatWaitsForItsReconnect)
 {
+    profile::Profile real = *status.profile;
+    real.bus = "socketcan:can7";
+    putInForce(real);
     open<GuideConnect>(GuideStep::Connect);
     Q_EMIT window.host().adaptersFound(adaptersOf({}, {{QStringLiteral("can0"), true}}));
     inGuide<QListWidget>("Adapters of this computer").setCurrentRow(0);
@@ -175,17 +178,24 @@ TEST_F(GuideTest, AdaptersAreListedByTheirNamesAndScannedWithoutMovingAnything)
     EXPECT_TRUE(requests.empty());
 
     click("Use this");
-    EXPECT_EQ(lastApplied().bus, "socketcan:can0");
-    EXPECT_EQ(lastApplied().azimuth.id, 4);
-    EXPECT_EQ(lastApplied().elevation.id, 9);
-    EXPECT_EQ(lastApplied().mount.directions, profile::Directions::Unconfirmed);
-    goThroughWithReconnect();
+    EXPECT_TRUE(asked<request::ApplyProfile>().empty()) << "nothing is made of the simulated mount";
+    ASSERT_EQ(asked<request::Reconnect>().size(), 1u);
+    const profile::Profile wanted = asked<request::Reconnect>().front().profile;
+    EXPECT_EQ(wanted.bus, "socketcan:can0");
+    EXPECT_EQ(wanted.azimuth.id, 4);
+    EXPECT_EQ(wanted.elevation.id, 9);
+    EXPECT_EQ(wanted.mount.directions, profile::Directions::Unconfirmed);
+    accept();
+    putInForce(wanted);
     EXPECT_TRUE(page.isVisible());
 }
 
 // REQ-UI-35
 TEST_F(GuideTest, WhatIsRefusedStandsBesideTheButtonAndLeavesNoEditBehind)
 {
+    profile::Profile real = *status.profile;
+    real.bus = "socketcan:can7";
+    putInForce(real);
     open<GuideConnect>(GuideStep::Connect);
     Q_EMIT window.host().adaptersFound(adaptersOf({}, {{QStringLiteral("can0"), true}}));
     inGuide<QListWidget>("Adapters of this computer").setCurrentRow(0);

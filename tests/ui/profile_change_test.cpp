@@ -18,8 +18,16 @@ protected:
     {
         QObject::connect(&desk, &RequestDesk::requested, &desk,
                          [this](const NumberedRequest& request) { asked = request; });
+        put("fdcanusb:/dev/mount");
+    }
+
+    void put(const std::string& bus)
+    {
+        profile::Profile inForce;
+        inForce.bus = bus;
         status.permissions = Permissions::all();
-        status.profile = std::make_shared<const profile::Profile>();
+        status.profile = std::make_shared<const profile::Profile>(inForce);
+        status.waitingKeys.clear();
         draft.showStatus(status);
     }
 
@@ -55,43 +63,34 @@ TEST_F(ProfileChangeTest, NothingIsChangedOfAMountThatWaitsForReconnect)
         << whyNotReverse().toStdString();
 }
 
-// Story: with --simulate and a bus typed for later, the guide refused each of its acts and said to start anew.
-TEST_F(ProfileChangeTest, ABusForLaterLeavesTheSimulatedMountToBeSet)
+TEST_F(ProfileChangeTest, StartedWithSimulateThereIsNoOtherBus)
 {
+    put("simulated");
     draft.keepSimulated();
-    applyBus("socketcan:can0");
     EXPECT_EQ(whyNotReverse(), QString());
     const auto useAnother = [](profile::Profile& edited) { edited.bus = "socketcan:can1"; };
     EXPECT_TRUE(change.whyNot(status, useAnother).contains(QStringLiteral("--bus socketcan:can1")));
 }
 
-TEST_F(ProfileChangeTest, WhatAppliesAtOnceDoesSoWithABusForLater)
+// One press, and nothing of the simulated mount is applied on the way.
+TEST_F(ProfileChangeTest, ABusThatLeavesTheSimulationIsAReconnect)
 {
-    draft.keepSimulated();
-    applyBus("socketcan:can0");
+    put("simulated");
     ValueLabel notice(QStringLiteral("Refused"), fonts::label(), {}, nullptr);
-    CommandButton button(QStringLiteral("Set north"), {}, desk, notice);
-    change.ask(button, [](profile::Profile& edited) { edited.pointing.azimuthOffset = 12_deg; });
-    EXPECT_TRUE(std::holds_alternative<request::ApplyProfile>(asked.request));
-    desk.take({{asked.id, std::nullopt}});
-    EXPECT_FALSE(std::holds_alternative<request::Reconnect>(asked.request)) << "it would end every connection";
+    CommandButton button(QStringLiteral("Use this"), {}, desk, notice);
+    change.ask(button, [](profile::Profile& edited) { edited.bus = "socketcan:can1"; });
+    ASSERT_TRUE(std::holds_alternative<request::Reconnect>(asked.request));
+    EXPECT_EQ(std::get<request::Reconnect>(asked.request).profile.bus, "socketcan:can1");
+    desk.take({{asked.id, Error{ErrorCode::Refused, "the mount moves"}}});
+    EXPECT_FALSE(draft.hasEdits()) << "what is refused leaves no edit behind";
     EXPECT_FALSE(button.isWaiting());
 }
 
 // Story: "Use this" with the simulated mount selected began to lose what had been found of the real one.
 // REQ-PROFILE-17c
-TEST_F(ProfileChangeTest, ARealMountOfWhichSomethingWasFoundIsNotMadeTheSimulatedOne)
+TEST_F(ProfileChangeTest, ARealMountIsNotMadeTheSimulatedOne)
 {
-    profile::Profile real;
-    real.bus = "socketcan:can0";
     const auto simulate = [](profile::Profile& edited) { edited.bus = "simulated"; };
-    status.profile = std::make_shared<const profile::Profile>(real);
-    status.waitingKeys.clear();
-    draft.showStatus(status);
-    EXPECT_EQ(change.whyNot(status, simulate), QString());
-    real.pointing.azimuthOffset = 12_deg;
-    status.profile = std::make_shared<const profile::Profile>(real);
-    draft.showStatus(status);
     EXPECT_TRUE(change.whyNot(status, simulate).contains(QStringLiteral("start Boresight with --simulate")));
 }
 

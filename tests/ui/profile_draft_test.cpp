@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/link/profile_draft.h"
 
+#include "core/profile/profile_diff.h"
+
 #include <QSignalSpy>
 
 #include <gtest/gtest.h>
@@ -266,88 +268,107 @@ TEST_F(ProfileDraftTest, WhatWaitsForAReconnectIsAppliedAndGoesWithIt)
     EXPECT_EQ(std::get<request::Reconnect>(requests.back().request).profile.control.tickHz, 100);
 }
 
-// Story: the bus typed in the table took the simulated mount's north along, and the real one pointed 37.4° beside.
+// Story: the bus typed in the table took the simulated mount's north along, and the real one pointed 37.4° beside. What
+// was edited together with the bus is told apart from all else by what was applied before.
 // REQ-PROFILE-17a
-TEST_F(ProfileDraftTest, ABusTypedByHandLeavesWhatWasFoundOfTheSimulatedMount)
+TEST_F(ProfileDraftTest, ABusTypedByHandLeavesTheSimulationWhole)
 {
     inForce.pointing.azimuthOffset = 37.4_deg;
-    inForce.pointing.tiltEast = 1_deg;
-    inForce.azimuth.geometry.offset = 5_deg;
     put(inForce);
-    draft.edit([](Profile& p) { p.pointing.tiltEast = 2_deg; });
-    EXPECT_TRUE(draft.leftKeys().empty());
     draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
-    Profile wanted;
-    wanted.bus = "socketcan:can0";
-    wanted.mount.directions = profile::Directions::Unconfirmed;
-    wanted.pointing.tiltEast = 2_deg;  // typed, for whichever mount
-    EXPECT_EQ(draft.edited(), wanted);
-    EXPECT_EQ(draft.leftKeys(),
-              (std::vector<std::string>{"mount.directions", "azimuth.offset_deg", "pointing.azimuth_offset_deg"}));
-    draft.edit([](Profile& p) { p.pointing.azimuthOffset = 37.4_deg; });
-    EXPECT_EQ(draft.edited().pointing.azimuthOffset, 37.4_deg) << "it really is so";
-    draft.revert();
-    EXPECT_EQ(draft.edited(), inForce);
-    draft.applyAlone([](Profile& p) { p.bus = "socketcan:can0"; }, &asker, [](const std::optional<Error>&) {});
-    EXPECT_EQ(sent().pointing, pointing::PointingTerms{}) << "whoever asks";
+    draft.edit([](Profile& p) { p.park.azimuth = 12_deg; });
+    EXPECT_TRUE(draft.leavesSimulation());
+    EXPECT_EQ(draft.editedKeys(), (std::vector<std::string>{"bus.name", "park.azimuth_deg"}));
+    apply();
+    Profile asked = inForce;
+    asked.bus = "socketcan:can0";
+    asked.park.azimuth = 12_deg;
+    EXPECT_EQ(std::get<request::Reconnect>(requests.back().request).profile, asked);
+    desk.take({{requests.back().id, Error{ErrorCode::Refused, "the mount moves"}}});
+    EXPECT_TRUE(draft.hasEdits()) << "a refusal leaves them";
+    apply();
+    accept();
+    Profile real;
+    real.bus = "socketcan:can0";
+    real.park.azimuth = 12_deg;
+    put(real);
+    EXPECT_EQ(draft.edited(), real);
+    EXPECT_FALSE(draft.hasEdits());
+    EXPECT_FALSE(draft.leavesSimulation());
 }
 
-// North applied from elsewhere while the bus is being edited, and the edits then kept.
+// North found meanwhile would count as edited away together with the bus, and a north that was taken back as typed.
 // REQ-PROFILE-17a
-TEST_F(ProfileDraftTest, KeptEditsLeaveTheSimulatedMountToo)
+TEST_F(ProfileDraftTest, AChangeFromElsewhereIsDecidedUponBeforeTheSimulationIsLeft)
 {
     draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
     Profile other = inForce;
     other.pointing.azimuthOffset = 37.4_deg;
     put(other);
+    EXPECT_FALSE(draft.whyNoApply().isEmpty());
     draft.keepEdits();
-    EXPECT_EQ(draft.edited().bus, "socketcan:can0");
-    EXPECT_EQ(draft.edited().pointing.azimuthOffset, Angle{});
+    EXPECT_TRUE(draft.whyNoApply().isEmpty());
+    EXPECT_EQ(draft.editedKeys(), std::vector<std::string>{"bus.name"});
 }
 
-// REQ-PROFILE-17b
-TEST_F(ProfileDraftTest, AProfileThatIsTakenOverKeepsItsOwn)
+// REQ-PROFILE-17a
+TEST_F(ProfileDraftTest, ABusThatIsTypedBackLeavesNothingEdited)
 {
-    inForce.pointing = {.azimuthOffset = 12_deg, .tiltNorth = 2_deg};
-    put(inForce);
+    draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
+    draft.edit([](Profile& p) { p.bus = "simulated"; });
+    EXPECT_FALSE(draft.hasEdits());
+    EXPECT_FALSE(draft.leavesSimulation());
+}
+
+// REQ-PROFILE-17a
+TEST_F(ProfileDraftTest, AnInvalidEditIsNotTakenToTheRealMount)
+{
+    draft.edit([](Profile& p) {
+        p.bus = "socketcan:can0";
+        p.sensor.source = profile::SensorSource::Simulated;
+    });
+    EXPECT_TRUE(draft.whyNoApply().startsWith(QStringLiteral("sensor.source")));
+}
+
+// REQ-PROFILE-17b: A real mount's profile that is imported, taken back or undone while the simulated one runs is tried
+// there.
+TEST_F(ProfileDraftTest, AProfileThatIsTakenOverStaysSimulated)
+{
     Profile real = inForce;
     real.bus = "socketcan:can0";
     real.pointing.tiltNorth = 1_deg;
     draft.takeOver(real, {"bus.name", "pointing.tilt_north_deg"});
+    real.bus = "simulated";
     EXPECT_EQ(draft.edited(), real);
-    EXPECT_TRUE(draft.leftKeys().empty());
 }
 
-// Story: the bus was mistyped and typed back before Apply, which wrote the defaults over north and zeros.
 // REQ-PROFILE-17a
-TEST_F(ProfileDraftTest, ABusThatIsTypedBackBringsBackWhatWasSetBackWithIt)
+TEST_F(ProfileDraftTest, ARealMountTakesNothingFromASimulatedOne)
 {
-    inForce.pointing.azimuthOffset = 37.4_deg;
-    inForce.azimuth.geometry.offset = 5_deg;
-    inForce.sensor.source = profile::SensorSource::Simulated;
-    put(inForce);
-    draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
-    draft.edit([](Profile& p) { p.bus = "simulated"; });
-    EXPECT_EQ(draft.edited(), inForce);
-    EXPECT_FALSE(draft.hasEdits());
-    draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
-    draft.edit([](Profile& p) { p.bus = "socketcan:can1"; });
-    draft.edit([](Profile& p) { p.azimuth.geometry.offset = 7_deg; });
-    draft.edit([](Profile& p) { p.bus = "simulated"; });
-    inForce.azimuth.geometry.offset = 7_deg;
-    EXPECT_EQ(draft.edited(), inForce) << "what was typed since stays";
+    Profile simulated = inForce;
+    simulated.pointing.azimuthOffset = 37.4_deg;
+    simulated.azimuth.geometry.offset = 5_deg;
+    simulated.mount.directions = profile::Directions::Unconfirmed;
+    simulated.sensor.source = profile::SensorSource::Simulated;
+    simulated.jog.slow = 0.7_deg_s;
+    Profile real;
+    real.bus = "socketcan:can0";
+    real.pointing.azimuthOffset = 12_deg;
+    put(real);
+    draft.takeOver(simulated, profile::changedKeys(real, simulated));
+    real.jog.slow = 0.7_deg_s;
+    EXPECT_EQ(draft.edited(), real);
 }
 
 // Story: a calibrated mount was turned into the simulated one to look around, and all that was found of it was set back
 // as the simulated mount's when its bus was typed again.
-// REQ-PROFILE-17c: The profile of a real mount on which something was found does not become the simulated one's by
-// another bus. `--simulate` tries that one and leaves the file alone.
-TEST_F(ProfileDraftTest, ARealMountOfWhichSomethingWasFoundDoesNotBecomeTheSimulatedOne)
+// REQ-PROFILE-17c: The profile of a real mount does not become the simulated one's by another bus. `--simulate` tries
+// that one and leaves the file alone.
+TEST_F(ProfileDraftTest, ARealMountDoesNotBecomeTheSimulatedOne)
 {
     Profile real;
     real.bus = "socketcan:can0";
     real.pointing.azimuthOffset = 12_deg;
-    real.elevation.geometry.offset = 93.2_deg;
     put(real);
     const auto simulate = [](Profile& p) { p.bus = "simulated"; };
     draft.edit(simulate);
@@ -357,50 +378,54 @@ TEST_F(ProfileDraftTest, ARealMountOfWhichSomethingWasFoundDoesNotBecomeTheSimul
     EXPECT_EQ(draft.edited(), real);
     EXPECT_FALSE(draft.hasEdits());
     draft.applyAlone(simulate, &asker, [this](const std::optional<Error>& error) { answers.push_back(error); });
-    draft.takeOver(inForce, {"bus.name"});  // a file of the simulated mount
-    EXPECT_TRUE(draft.problem("bus.name").contains(QStringLiteral("--simulate")));
-    apply();
     EXPECT_TRUE(requests.empty());
-    ASSERT_EQ(answers.size(), 3u);
-    EXPECT_TRUE(answers[0] && answers[1] && answers[2]);
-    draft.revert();
-    // Where nothing was found nothing is lost.
-    real.pointing = {};
-    real.elevation = inForce.elevation;
-    put(real);
-    draft.edit(simulate);
-    applyAndAccept();
-    EXPECT_EQ(sent().bus, "simulated");
-    undo();
-    EXPECT_EQ(sent(), real);
+    ASSERT_EQ(answers.size(), 2u);
+    EXPECT_TRUE(answers[0] && answers[1]);
 }
 
 // Story: the edit was made while another one was under way to the station.
 TEST_F(ProfileDraftTest, WhatSpeaksAgainstEditsIsToldUponWhatIsAppliedNow)
 {
-    Profile real;
-    real.bus = "socketcan:can0";
-    real.pointing.azimuthOffset = 12_deg;
-    draft.takeOver(real, {"bus.name"});
-    apply();
-    draft.edit([](Profile& p) { p.bus = "simulated"; });
+    draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
     EXPECT_TRUE(draft.problems().empty());
-    accept();
+    Profile real;
+    real.bus = "socketcan:can1";
+    draft.edit([](Profile& p) { p.bus = "simulated"; });
+    draft.edit([](Profile& p) { p.park.azimuth = 12_deg; });
     put(real);
     EXPECT_FALSE(draft.problem("bus.name").isEmpty());
 }
 
-TEST_F(ProfileDraftTest, StartedWithSimulateNothingIsLeft)
+TEST_F(ProfileDraftTest, StartedWithSimulateThereIsNoOtherBus)
 {
-    inForce.pointing.azimuthOffset = 12_deg;  // of the real mount whose profile it is
-    put(inForce);
+    Profile real;
+    real.bus = "socketcan:can7";
+    put(real);
     draft.keepSimulated();
     draft.edit([](Profile& p) { p.bus = "socketcan:can0"; });
-    EXPECT_EQ(draft.edited().pointing, inForce.pointing);
-    EXPECT_TRUE(draft.leftKeys().empty());
-    applyAndAccept();
-    draft.edit([](Profile& p) { p.bus = "simulated"; });
-    EXPECT_TRUE(draft.whyNoApply().isEmpty()) << "it is the simulated one all the time";
+    EXPECT_TRUE(draft.problem("bus.name").contains(QStringLiteral("--bus socketcan:can0")));
+    EXPECT_FALSE(draft.whyNoApply().isEmpty());
+    EXPECT_FALSE(draft.leavesSimulation());
+}
+
+// The bus of the real mount stays in its profile, and the simulated one has a sensor.
+TEST_F(ProfileDraftTest, StartedWithSimulateTheProfileOfARealMountIsTriedWhole)
+{
+    Profile real;
+    real.bus = "socketcan:can7";
+    put(real);
+    draft.edit([](Profile& p) { p.sensor.source = profile::SensorSource::Simulated; });
+    EXPECT_FALSE(draft.problem("sensor.source").isEmpty()) << "not on a real mount";
+    draft.revert();
+    draft.keepSimulated();
+    draft.edit([](Profile& p) { p.sensor.source = profile::SensorSource::Simulated; });
+    EXPECT_TRUE(draft.whyNoApply().isEmpty());
+    draft.revert();
+    Profile other = real;
+    other.bus = "socketcan:can1";
+    other.park.azimuth = 12_deg;
+    draft.takeOver(other, profile::changedKeys(real, other));
+    EXPECT_EQ(draft.editedKeys(), std::vector<std::string>{"park.azimuth_deg"});
 }
 
 TEST_F(ProfileDraftTest, AnAskerThatIsGoneDoesNotKeepTheDraftWaiting)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/profile/profile_page.h"
 
+#include "core/profile/commissioning.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_history.h"
 #include "core/profile/profile_store.h"
@@ -29,6 +30,7 @@ struct StoreFolder
     StoreFolder()
     {
         roof.mount.name = "Roof";
+        roof.bus = "fdcanusb:/dev/roof";
         field.mount.name = "Field";
         field.bus = "fdcanusb:/dev/field";
         field.azimuth.limits.speed = 7_deg_s;
@@ -64,6 +66,7 @@ protected:
     static StationStatus withProfile(const Profile& profile, StationStatus status = samples::idle())
     {
         status.profile = std::make_shared<const Profile>(profile);
+        status.simulated = profile::namesNoBus(profile);
         return status;
     }
     void put(const Profile& profile) { give(samples::update(withProfile(profile))); }
@@ -142,7 +145,7 @@ protected:
 
 // REQ-UI-29: The profile is shown whole: each setting once, with unit, range and when it applies. A setting is found
 // by words of its name or meaning, and edited by keyboard. What is no value is refused with the reason. What clashes
-// is marked and not applied. A bus that leaves the simulated mount shows beside it what that sets back.
+// is marked and not applied. A bus that leaves the simulation shows what goes to the real mount.
 TEST_F(ProfilePageTest, EverySettingIsThereOnceWithItsUnitRangeAndWhenItApplies)
 {
     const QAbstractItemModel& model = *tree()->model();
@@ -394,24 +397,28 @@ TEST_F(ProfilePageTest, AnImportIntoTheMountInForceComesAsEdits)
 }
 
 // REQ-UI-29
-TEST_F(ProfilePageTest, ABusThatLeavesTheSimulatedMountSaysWhatIsSetBack)
+TEST_F(ProfilePageTest, ABusThatLeavesTheSimulationSaysWhatGoesToTheRealMount)
 {
+    roof.bus = "simulated";
     roof.pointing.azimuthOffset = 37.4_deg;
     put(roof);
     edit("bus.name", "socketcan:can0");
-    EXPECT_TRUE(says("Set back, because it was the simulated mount's: "));
+    EXPECT_TRUE(says("Apply leaves the simulation. Only these go to the real mount: "));
     press("Apply");
-    ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
-    EXPECT_EQ(asked<request::ApplyProfile>().front().profile.pointing, pointing::PointingTerms{});
+    EXPECT_TRUE(asked<request::ApplyProfile>().empty());
+    ASSERT_EQ(asked<request::Reconnect>().size(), 1u);
+    EXPECT_EQ(asked<request::Reconnect>().front().profile.bus, "socketcan:can0");
 }
 
 // REQ-PROFILE-17b
-TEST_F(ProfilePageTest, ARealMountsProfileImportedOverTheSimulatedOneKeepsItsOwn)
+TEST_F(ProfilePageTest, ARealMountsProfileImportedIntoTheSimulationIsTriedThere)
 {
-    roof.pointing.azimuthOffset = 12_deg;  // as it was tried with
-    put(roof);
+    Profile tried = roof;
+    tried.bus = "simulated";
+    tried.pointing.azimuthOffset = 12_deg;
+    put(tried);
     Profile real = roof;
-    real.bus = "socketcan:can0";
+    real.park.azimuth = 77_deg;
     const QString file = folder.filePath(QStringLiteral("roof.toml"));
     ASSERT_TRUE(profile::saveProfile(real, file));
     fromMenu("Import …");
@@ -420,7 +427,60 @@ TEST_F(ProfilePageTest, ARealMountsProfileImportedOverTheSimulatedOneKeepsItsOwn
     press("Take over");
     press("Apply");
     ASSERT_EQ(asked<request::ApplyProfile>().size(), 1u);
+    real.bus = "simulated";
     EXPECT_EQ(asked<request::ApplyProfile>().front().profile, real);
+}
+
+// REQ-PROFILE-17a
+TEST_F(ProfilePageTest, AFileOfTheSimulatedMountDoesNotReplaceARealOnes)
+{
+    Profile tried = field;
+    tried.bus = "simulated";
+    tried.pointing.azimuthOffset = 12_deg;
+    const QString file = folder.filePath(QStringLiteral("tried.toml"));
+    ASSERT_TRUE(profile::saveProfile(tried, file));
+    fromMenu("Import …");
+    chooseFile(file);
+    EXPECT_TRUE(says("names no bus of a real mount"));
+    EXPECT_FALSE(page().isAsking());
+    EXPECT_EQ(*profile::loadProfile(fieldFile), field);
+}
+
+// Else it could be imported over the file of the real mount, with all that was found in the simulation.
+// REQ-PROFILE-17a
+TEST_F(ProfilePageTest, AnExportFromASimulationNamesNoBus)
+{
+    Profile tried = roof;
+    tried.pointing.azimuthOffset = 12_deg;
+    StationStatus status = withProfile(tried);
+    status.simulated = true;
+    give(samples::update(status));
+    const QString file = folder.filePath(QStringLiteral("exported.toml"));
+    fromMenu("Export …");
+    chooseFile(file);
+    ASSERT_TRUE(says("Written: "));
+    tried.bus = "simulated";
+    EXPECT_EQ(*profile::loadProfile(file), tried);
+}
+
+// REQ-PROFILE-17a
+TEST_F(ProfilePageTest, ADuplicateMadeInTheSimulationIsOfTheMountItself)
+{
+    Profile tried = roof;
+    tried.pointing.azimuthOffset = 12_deg;
+    StationStatus status = withProfile(tried);
+    status.simulated = true;
+    give(samples::update(status));
+    fromMenu("Duplicate …");
+    ASSERT_TRUE(asks());
+    press("Duplicate");
+    ASSERT_TRUE(says("is kept as a mount of its own"));
+    const auto mounts = store.list();
+    const auto copy = std::ranges::find(mounts, QStringLiteral("Roof copy"), &profile::StoredProfile::mountName);
+    ASSERT_NE(copy, mounts.end());
+    Profile wanted = roof;
+    wanted.mount.name = "Roof copy";
+    EXPECT_EQ(*profile::loadProfile(copy->path), wanted);
 }
 
 // REQ-UI-31: What overwrites a profile shows the differences first and keeps the version before. A wrong file is

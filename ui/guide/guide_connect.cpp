@@ -134,12 +134,12 @@ QString GuideConnect::selectedBus() const
 
 QString GuideConnect::busInUse() const
 {
-    return QString::fromStdString(m_status.profile->bus);
+    return m_status.simulated ? QStringLiteral("simulated") : QString::fromStdString(m_status.profile->bus);
 }
 
 void GuideConnect::showStatus(const StationStatus& status)
 {
-    const bool another = status.profile->bus != m_status.profile->bus;
+    const QString before = busInUse();
     m_status = status;
     for (int row = 0; row < m_list->count(); ++row) {
         QFont font = fonts::label();
@@ -148,7 +148,7 @@ void GuideConnect::showStatus(const StationStatus& status)
             m_list->item(row)->setFont(font);
         }
     }
-    if (another) {
+    if (busInUse() != before) {
         m_result.reset();  // it belongs to what was before
     }
     showButtons();
@@ -163,13 +163,18 @@ void GuideConnect::showButtons()
                        : !m_scanning.isEmpty() ? tr("%1 is being looked at").arg(m_scanning)
                        : inUse                 ? m_status.permissions.reason(Action::ReadDrives)
                                                : QString());
-    const auto take = [bus = bus.toStdString(), ids = idsFound()](profile::Profile& profile) {
-        profile::useBus(profile, bus, ids);
-    };
+    const auto take = useSelected();
     m_use->setBlocked(!none.isEmpty()            ? none
                       : m_change.isAlready(take) ? tr("it is in use")
                                                  : m_change.whyNot(m_status, take));
     showFound();
+}
+
+// The simulated mount in use leaves the bus that its profile names.
+ProfileChange::Edit GuideConnect::useSelected() const
+{
+    const std::string bus = selectedBus() == busInUse() ? m_status.profile->bus : selectedBus().toStdString();
+    return [bus, ids = idsFound()](profile::Profile& profile) { profile::useBus(profile, bus, ids); };
 }
 
 // By what the last look at the selected bus has found; which is which is seen when they move.
@@ -234,9 +239,7 @@ void GuideConnect::showResult(const ScanResult& result)
 
 void GuideConnect::use()
 {
-    m_change.ask(*m_use, [bus = selectedBus().toStdString(), ids = idsFound()](profile::Profile& profile) {
-        profile::useBus(profile, bus, ids);
-    });
+    m_change.ask(*m_use, useSelected());
 }
 
 }  // namespace boresight::ui

@@ -44,6 +44,7 @@ private:
     void showFound();
     [[nodiscard]] QString selectedBus() const;
     [[nodiscard]] QString busInUse() const;
+    [[nodiscard]] ProfileChange::Edit useSelected() const;
     [[nodiscard]] std::vector<int> idsFound() const;
 
     ProfileChange& m_change;

@@ -37,7 +37,7 @@ auto placeOf(GuideStep step)
 QString mountOf(const StationStatus& status)
 {
     const QString name = QString::fromStdString(status.profile->mount.name);
-    return profile::isSimulated(*status.profile) ? name + QStringLiteral(" (simulated)") : name;
+    return status.simulated ? name + QStringLiteral(" (simulated)") : name;
 }
 
 // Steps whose page moves the mount by hand.

@@ -38,8 +38,9 @@ QString ProfileChange::whyNot(const StationStatus& status, const Edit& edit) con
         return tr("another panel has changes that are not applied: apply or revert them first");
     }
     const profile::Profile wanted = changed(edit);
-    if (const QString reason = whyNotBus(wanted.bus); !reason.isEmpty()) {
-        return reason;
+    if (wanted.bus == m_draft.applied().bus && wanted.bus != m_draft.inForce().bus) {
+        return tr("the mount at %1 waits for Reconnect: press that first (tab Mount, Profile)")
+            .arg(QString::fromStdString(wanted.bus));
     }
     if (const auto problems = m_draft.problemsOf(wanted); !problems.empty()) {
         return QString::fromStdString(problems.front().key + ": " + problems.front().text);
@@ -47,28 +48,8 @@ QString ProfileChange::whyNot(const StationStatus& status, const Edit& edit) con
     return needsReconnect(wanted) ? status.permissions.reason(Action::Reconnect) : QString();
 }
 
-// With --simulate another bus is one for later, and what else is changed meanwhile is the simulated mount's.
-QString ProfileChange::whyNotBus(const std::string& wanted) const
+bool ProfileChange::needsReconnect(const profile::Profile& wanted) const
 {
-    if (wanted == m_draft.inForce().bus) {
-        return {};
-    }
-    const bool waits = wanted == m_draft.applied().bus;
-    if (m_draft.keepsSimulated()) {
-        return waits ? QString()
-                     : tr("Boresight was started with --simulate and stays so: start it with --bus %1 for this one")
-                           .arg(QString::fromStdString(wanted));
-    }
-    return waits ? tr("the mount at %1 waits for Reconnect: press that first (tab Mount, Profile)")
-                       .arg(QString::fromStdString(wanted))
-                 : QString();
-}
-
-bool ProfileChange::needsReconnect(profile::Profile wanted) const
-{
-    if (m_draft.keepsSimulated()) {
-        wanted.bus = m_draft.inForce().bus;
-    }
     return !profile::applied(m_draft.inForce(), wanted).waitingKeys.empty();
 }
 
@@ -89,7 +70,7 @@ void ProfileChange::send(const Edit& edit, QObject* asker, const RequestDesk::Re
         return;
     }
     const profile::Profile wanted = m_draft.edited();
-    const bool anew = needsReconnect(wanted);
+    const bool anew = !m_draft.leavesSimulation() && needsReconnect(wanted);
     m_draft.apply(asker, [this, wanted, anew, asker, reply](const std::optional<Error>& error) {
         if (error) {
             m_draft.revert();

@@ -34,8 +34,7 @@ public:
 
 private:
     [[nodiscard]] profile::Profile changed(const Edit& edit) const;
-    [[nodiscard]] QString whyNotBus(const std::string& wanted) const;
-    [[nodiscard]] bool needsReconnect(profile::Profile wanted) const;
+    [[nodiscard]] bool needsReconnect(const profile::Profile& wanted) const;
     void send(const Edit& edit, QObject* asker, const RequestDesk::Reply& reply);
 
     ProfileDraft& m_draft;

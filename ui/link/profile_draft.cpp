@@ -75,7 +75,6 @@ void ProfileDraft::mergeEdits()
 {
     profile::Profile merged = m_applied;
     profile::takeOver(merged, m_edited, editedKeys());
-    leaveSimulatedMount(merged, m_applied);
     m_base = m_applied;
     setEdited(merged);
 }
@@ -86,45 +85,47 @@ void ProfileDraft::setEdited(const profile::Profile& profile)
     m_problems = problemsOf(m_edited);
 }
 
-// What was found of a real mount would be taken for the simulated one's, and set back when its own bus is chosen again.
+// A mount is the simulated one by the start of the program, or because its profile names no real bus.
 std::vector<profile::Problem> ProfileDraft::problemsOf(const profile::Profile& wanted) const
 {
-    auto problems = profile::problemsOf(wanted);
-    const bool simulates = !profile::isSimulated(m_applied) && profile::isSimulated(wanted);
-    if (simulates && !m_keepsSimulated && profile::isAnythingFound(m_applied)) {
-        problems.push_back({"bus.name", tr("this profile holds what was found of a real mount (zeros, north, pointing "
-                                           "model or sensor mounting): to try the simulated one start Boresight with "
-                                           "--simulate")
-                                            .toStdString()});
+    auto problems = simulates(wanted) ? profile::problemsOf(wanted) : profile::problemsOfReal(wanted);
+    if (!simulates(m_applied) && simulates(wanted)) {
+        problems.push_back(
+            {"bus.name", tr("this is the profile of a real mount: to try the simulated one start Boresight with "
+                            "--simulate")
+                             .toStdString()});
+    } else if (m_keepsSimulated && wanted.bus != m_applied.bus) {
+        problems.push_back(
+            {"bus.name", tr("Boresight was started with --simulate and stays so: start it with --bus %1 for this one")
+                             .arg(QString::fromStdString(wanted.bus))
+                             .toStdString()});
     }
     return problems;
+}
+
+bool ProfileDraft::simulates(const profile::Profile& wanted) const
+{
+    return m_keepsSimulated || profile::namesNoBus(wanted);
 }
 
 void ProfileDraft::edit(const std::function<void(profile::Profile&)>& change)
 {
     profile::Profile profile = m_edited;
     change(profile);
-    if (profile::isSimulated(m_edited)) {
-        leaveSimulatedMount(profile, m_base);  // what was typed since stays
-    } else if (profile::isSimulated(profile)) {
-        profile::takeOver(profile, m_base, leftKeys());  // it is not left after all
-    }
     put(profile);
 }
 
-void ProfileDraft::takeOver(const profile::Profile& from, const std::vector<std::string>& keys)
+void ProfileDraft::takeOver(const profile::Profile& from, std::vector<std::string> keys)
 {
+    if (simulates(m_edited)) {
+        std::erase(keys, "bus.name");  // it is tried here
+    } else if (profile::namesNoBus(from)) {
+        std::erase_if(keys, profile::isOfOneMount);
+        std::erase(keys, "sensor.source");
+    }
     profile::Profile profile = m_edited;
-    profile::takeOverMount(profile, from, keys);
+    profile::takeOver(profile, from, keys);
     put(profile);
-}
-
-// With --simulate another bus is one for later: the mount stays the simulated one.
-void ProfileDraft::leaveSimulatedMount(profile::Profile& changed, const profile::Profile& from) const
-{
-    if (!m_keepsSimulated) {
-        profile::leaveSimulatedMount(changed, from);
-    }
 }
 
 void ProfileDraft::put(const profile::Profile& edited)
@@ -145,9 +146,9 @@ std::vector<std::string> ProfileDraft::editedKeys() const
     return profile::changedKeys(m_base, m_edited);
 }
 
-std::vector<std::string> ProfileDraft::leftKeys() const
+bool ProfileDraft::leavesSimulation() const
 {
-    return m_keepsSimulated ? std::vector<std::string>() : profile::leftWithSimulatedMount(m_base, m_edited);
+    return simulates(m_applied) && !simulates(m_edited);
 }
 
 QString ProfileDraft::problem(const std::string& key) const
@@ -224,7 +225,24 @@ void ProfileDraft::apply(QObject* asker, const RequestDesk::Reply& reply)
         return;
     }
     m_alone.reset();
-    send(m_edited, historyWithApplied(), asker, reply);
+    if (leavesSimulation()) {
+        connectReal(asker, reply);
+    } else {
+        send(m_edited, historyWithApplied(), asker, reply);
+    }
+}
+
+void ProfileDraft::connectReal(QObject* asker, const RequestDesk::Reply& reply)
+{
+    const auto answered = [this, reply, to = QPointer<QObject>(asker)](const std::optional<Error>& error) {
+        if (!error) {
+            revert();  // the profile of the real mount comes with its status
+        }
+        if (to) {
+            reply(error);
+        }
+    };
+    m_desk.send(request::Reconnect{m_edited}, this, answered);
 }
 
 ProfileDraft::Profiles ProfileDraft::historyWithApplied() const
@@ -242,7 +260,6 @@ void ProfileDraft::applyAlone(const std::function<void(profile::Profile&)>& chan
 {
     profile::Profile changed = m_applied;
     change(changed);
-    leaveSimulatedMount(changed, m_applied);
     const auto problems = problemsOf(changed);
     if (m_asked) {
         reply(draftRefused(tr("the station has not answered yet")));

@@ -39,14 +39,15 @@ public:
     [[nodiscard]] const profile::Profile& edited() const { return m_edited; }
     [[nodiscard]] const std::vector<std::string>& waitingKeys() const { return m_waitingKeys; }
 
-    // Where the bus leaves the simulated mount, what was found of that one is left too, and comes back with its bus.
     void edit(const std::function<void(profile::Profile&)>& change);
-    // From a whole profile, with what was found of its mount.
-    void takeOver(const profile::Profile& from, const std::vector<std::string>& keys);
+    // From a whole profile, such as a file or a version. In a simulation the bus stays. A real mount takes nothing that
+    // belongs to one mount alone from a profile that names no real bus.
+    void takeOver(const profile::Profile& from, std::vector<std::string> keys);
     [[nodiscard]] bool hasEdits() const { return m_edited != m_base; }
     [[nodiscard]] std::vector<std::string> editedKeys() const;
-    // Of those, what is set back because it was the simulated mount's.
-    [[nodiscard]] std::vector<std::string> leftKeys() const;
+    // The edits name the bus of a real mount while this one is simulated. To apply them leaves the simulation: the real
+    // mount is connected, with these edits on top of its own profile.
+    [[nodiscard]] bool leavesSimulation() const;
 
     // The live check of the edited profile.
     [[nodiscard]] const std::vector<profile::Problem>& problems() const { return m_problems; }
@@ -81,13 +82,14 @@ Q_SIGNALS:
 private:
     using Profiles = std::vector<profile::Profile>;
 
-    void leaveSimulatedMount(profile::Profile& changed, const profile::Profile& from) const;
+    [[nodiscard]] bool simulates(const profile::Profile& wanted) const;
     void put(const profile::Profile& edited);
     void setEdited(const profile::Profile& profile);
     void takeApplied(const profile::Profile& applied);
     void mergeEdits();
     [[nodiscard]] Profiles historyWithApplied() const;
     [[nodiscard]] const profile::Profile& latestAsked() const;
+    void connectReal(QObject* asker, const RequestDesk::Reply& reply);
     void send(const profile::Profile& profile, Profiles historyThen, QObject* asker, const RequestDesk::Reply& reply);
 
     RequestDesk& m_desk;

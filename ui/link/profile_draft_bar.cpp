@@ -100,10 +100,10 @@ void ProfileDraftBar::showLine()
     } else if (!m_draft.problems().empty()) {
         const profile::Problem& first = m_draft.problems().front();
         m_line->setValue(QString::fromStdString(first.key + ": " + first.text), Tone::Warning, Symbol::Warning);
-    } else if (const auto left = m_draft.leftKeys(); !left.empty()) {
-        m_line->setValue(tr("Set back, because it was the simulated mount's: %1. Not applied: %2")
-                             .arg(listed(left), listed(m_draft.editedKeys())),
-                         Tone::Advisory, Symbol::Advisory);
+    } else if (m_draft.leavesSimulation()) {
+        m_line->setValue(
+            tr("Apply leaves the simulation. Only these go to the real mount: %1").arg(listed(m_draft.editedKeys())),
+            Tone::Advisory, Symbol::Advisory);
     } else if (m_draft.hasEdits()) {
         m_line->setValue(tr("Not applied: %1").arg(listed(m_draft.editedKeys())), Tone::Accent);
     } else if (!m_draft.waitingKeys().empty()) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of ProfilePage for what is done with whole profiles: switch, duplicate, import, take back …
+#include "core/profile/commissioning.h"
 #include "core/profile/profile_diff.h"
 #include "core/profile/profile_file.h"
 #include "core/profile/profile_history.h"
@@ -103,8 +104,14 @@ void ProfilePage::switchTo()
 void ProfilePage::duplicate()
 {
     const profile::StoredProfile mount = chosen();
-    const auto perform = [this, mount, applied = m_draft.applied()](const QString& name) {
-        const auto work = [mount, applied, name, store = m_store, asApplied = isInForce(mount)]() -> Result<> {
+    // What was found in a simulation is no mount of its own.
+    const bool asApplied = isInForce(mount) && !m_status.simulated;
+    if (mount.path.isEmpty() && !asApplied) {
+        warn(tr("The simulated mount has no profile that can be duplicated"));
+        return;
+    }
+    const auto perform = [this, mount, asApplied, applied = m_draft.applied()](const QString& name) {
+        const auto work = [mount, applied, name, asApplied, store = m_store]() -> Result<> {
             if (!asApplied) {
                 return store.duplicate(mount.path, name).map([](const QString&) {});
             }
@@ -204,6 +211,10 @@ void ProfilePage::askImport(const profile::Profile& read)
             [this, read](const QString&) { takeOver(read, profile::changedKeys(m_draft.applied(), read)); });
     } else {
         load(mount->path, [this, read, mount = *mount](const profile::Profile& kept) {
+            if (profile::namesNoBus(read) && !profile::namesNoBus(kept)) {
+                warn(tr("This file names no bus of a real mount: it may hold what was found of the simulated one"));
+                return;
+            }
             ask(tr("Overwrite the mount \"%1\"?").arg(nameOf(read)),
                 tr("The version of now is kept as the one before.\n\n%1").arg(differences(kept, read)), tr("Overwrite"),
                 [this, read, mount](const QString&) {
@@ -228,11 +239,13 @@ void ProfilePage::chooseExport()
     connect(dialog, &QFileDialog::fileSelected, this, &ProfilePage::exportTo);
 }
 
-// Of the mount in force as it is applied: its file may hold what the command line overrides.
+// Of the mount in force as it is applied: its file may hold what the command line overrides. What was changed in a
+// simulation goes without the bus, so that no real mount takes it for its own.
 void ProfilePage::exportTo(const QString& file)
 {
-    const auto work = [file, mount = chosen(), applied = m_draft.applied(), store = m_store,
-                       asApplied = isInForce(chosen())] {
+    const profile::Profile& inForce = m_draft.applied();
+    const auto work = [file, mount = chosen(), applied = m_status.simulated ? profile::withoutBus(inForce) : inForce,
+                       store = m_store, asApplied = isInForce(chosen())] {
         return asApplied ? profile::saveProfile(applied, file) : store.exportFile(mount.path, file);
     };
     write(work, tr("Written: %1").arg(file));

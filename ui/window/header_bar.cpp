@@ -194,6 +194,8 @@ void HeaderBar::build()
     }
     m_sensor->setCollapsing(true);
     m_simulated->setOutlined(true);
+    m_simulated->setToolTip(
+        tr("No real drive is connected. What is set and found here stays in the simulation of this mount."));
     m_simulated->setAlignment(Qt::AlignCenter);
     m_utc->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_control->setToolTip(

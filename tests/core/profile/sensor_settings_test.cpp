@@ -71,8 +71,9 @@ TEST(SensorSettings, MakeSenseTogether)
     EXPECT_EQ(keysOf(profile), std::vector<std::string>{"sensor.port"});
     profile.sensor.source = SensorSource::Simulated;
     EXPECT_TRUE(keysOf(profile).empty());
-    profile.bus = "socketcan:can0";
-    EXPECT_EQ(keysOf(profile), std::vector<std::string>{"sensor.source"});
+    EXPECT_EQ(problemsOfReal(profile).front().key, "sensor.source");
+    profile.sensor.source = SensorSource::None;
+    EXPECT_TRUE(problemsOfReal(profile).empty());
 
     Profile twice;
     twice.sensor.statusTopic = twice.sensor.calibrationTopic;

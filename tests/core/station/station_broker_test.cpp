@@ -43,7 +43,8 @@ protected:
     void build(const profile::Profile& profile)
     {
         station = std::make_unique<Station>(
-            profile, twoMoteus(std::make_unique<SimulatedLink>(clock), {stateDir.path()}), stateDir.path(), clock);
+            profile, twoMoteus(std::make_unique<SimulatedLink>(clock), {stateDir.path(), Simulation::Moteus}),
+            stateDir.path(), clock);
         link = station->findChild<SimulatedLink*>();
         QObject::connect(station.get(), &Station::updated, station.get(), [this](const StationUpdate& update) {
             for (const LogEntry& entry : update.log) {

@@ -35,8 +35,9 @@ public:
     {
         auto owned = std::make_unique<SimulatedLink>(clock, m_mount);
         m_link = owned.get();
-        station =
-            std::make_unique<Station>(profile, twoMoteus(std::move(owned), {folder.path()}), folder.path(), clock);
+        station = std::make_unique<Station>(
+            profile, twoMoteus(std::move(owned), {folder.path(), simulationOf(Simulation::Off, profile)}),
+            folder.path(), clock);
         station->setSensorMaker([this](const profile::Profile& wanted, mqtt::Connection& broker) {
             auto made = sensorMaker(clock, m_mount)(wanted, broker);
             m_source = dynamic_cast<SimulatedSource*>(made.get());
@@ -133,8 +134,8 @@ TEST_P(SwingAtEveryRate, UsesItsReadings)
 INSTANTIATE_TEST_SUITE_P(Offered, SwingAtEveryRate, ::testing::Values(0.5, 3.0, 6.0));
 
 // Story: applied while the real mount's bus waited for its reconnect, the simulated north went there with it.
-// REQ-NORTH-38f
-TEST(StationCalibration, WhatIsFoundIsNotAppliedForAMountThatWaitsForItsReconnect)
+// REQ-PROFILE-17a
+TEST(StationCalibration, TheSimulatedMountDoesNotTakeTheBusOfARealOne)
 {
     CalibratedStation rig;
     ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
@@ -142,19 +143,35 @@ TEST(StationCalibration, WhatIsFoundIsNotAppliedForAMountThatWaitsForItsReconnec
     profile::Profile real = *rig.station->status().profile;
     real.bus = "socketcan:can0";
     real.sensor.source = profile::SensorSource::None;
-    real.mount.directions = profile::Directions::Unconfirmed;
-    ASSERT_TRUE(rig.ask(request::ApplyProfile{real}));
-    EXPECT_TRUE(std::ranges::any_of(rig.log, [](const LogEntry& entry) {
-        return entry.text.startsWith(QStringLiteral("leaves the simulated mount: what was found of it is set back"));
-    }));
+    const auto refused = rig.ask(request::ApplyProfile{real});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().text,
+              "bus.name changes between the simulated mount and a real one: press Reconnect, or start Boresight again");
+    EXPECT_FALSE(rig.saved);
+    EXPECT_TRUE(rig.ask(request::ApplyCalibration{rig.calibration()->proposal->number}));
+    EXPECT_EQ(rig.saved->bus, "simulated");
+}
+
+// REQ-NORTH-38f
+TEST(StationCalibration, WhatIsFoundIsNotAppliedForAMountThatWaitsForItsReconnect)
+{
+    profile::Profile inForce = withSensor();
+    inForce.sensor.source = profile::SensorSource::None;
+    inForce.bus = "socketcan:can0";
+    CalibratedStation rig(inForce);
+    ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
+    ASSERT_TRUE(rig.ask(request::ProposeTerms{{.azimuthOffset = 37.4_deg}}));
+    profile::Profile other = inForce;
+    other.bus = "socketcan:can1";
+    ASSERT_TRUE(rig.ask(request::ApplyProfile{other}));
     const auto refused = rig.ask(request::ApplyCalibration{rig.calibration()->proposal->number});
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().text,
-              "the mount at socketcan:can0 waits for Reconnect, and this was found of the one at simulated: reconnect "
-              "first");
-    EXPECT_EQ(*rig.saved, real);
-    real.bus = "simulated";
-    ASSERT_TRUE(rig.ask(request::ApplyProfile{real}));
+              "the mount at socketcan:can1 waits for Reconnect, and this was found of the one at socketcan:can0: "
+              "reconnect first");
+    EXPECT_EQ(*rig.saved, other);
+    other.bus = "socketcan:can0";
+    ASSERT_TRUE(rig.ask(request::ApplyProfile{other}));
     EXPECT_TRUE(rig.ask(request::ApplyCalibration{rig.calibration()->proposal->number}));
 }
 

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/profile/profile.h"
+
+#include <QString>
+
+// The files of the simulation: FOLDER/MOUNT.toml holds what the operator set and found while this mount was simulated.
+// The file begins as a copy of the mount's own profile, and the next simulation of the same profile goes on with it.
+// MOUNT.toml.origin is the profile that was copied: once the mount's own profile is another one, the copy is made anew
+// and the old copy stays as MOUNT.toml~. The copy names no bus, so no real mount takes it for its own. The files of a
+// real mount are elsewhere, and nothing here writes them.
+// Blocking file access.
+namespace boresight::app {
+
+class SimulatedProfiles
+{
+public:
+    explicit SimulatedProfiles(const QString& folder) : m_folder(folder) {}
+
+    [[nodiscard]] QString fileOf(const profile::Profile& own) const;
+    // What the simulation of the mount begins with. `own` is its own profile, `fresh` what a new copy begins with. A
+    // copy that cannot be written is an error.
+    [[nodiscard]] Result<profile::Profile> open(const profile::Profile& own, const profile::Profile& fresh) const;
+
+private:
+    QString m_folder;
+};
+
+}  // namespace boresight::app
