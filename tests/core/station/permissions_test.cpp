@@ -284,7 +284,7 @@ TEST(Permissions, HoldIsOfferedWhileSomethingMovesTheMountAndEndsIt)
         ASSERT_TRUE(rig.ask(request::Hold{}));
         rig.run(Seconds(3.0));
         EXPECT_EQ(rig.state(), StationState::Hold);
-        EXPECT_FALSE(rig.control.status().drives.proofRunning);
+        EXPECT_FALSE(rig.control.status().drives->proofRunning);
     }
 }
 
