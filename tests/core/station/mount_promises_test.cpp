@@ -127,7 +127,7 @@ public:
     void setLine(bool connected) override { m_box.setPower(connected, m_clock.now()); }
 
 private:
-    profile::Profile m_profile;
+    const profile::InForce m_profile;
     fakes::ManualClock m_clock;
     EventLog m_log{m_clock};
     AlarmBoard m_alarms{m_log, m_clock};
