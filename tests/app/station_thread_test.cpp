@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/moteus_mount/moteus_connection.h"
+#include "core/profile/setting.h"
 #include "core/station/link_factory.h"
 
 #include <QSignalSpy>

@@ -232,9 +232,8 @@ StationStatus swungInVain()
     StationStatus status = swung();
     CalibrationStatus calibration = *status.calibration;
     SwingOutcome outcome = *calibration.swing;
-    outcome.fit.hopeless = {
-        "the needle is off by more than 35° somewhere: this place is magnetically hopeless, take "
-        "the Sun or the Moon"};
+    outcome.fit.hopeless = {QStringLiteral(
+        "the needle is off by more than 35° somewhere: this place is magnetically hopeless, take the Sun or the Moon")};
     outcome.tilt.reset();
     outcome.noTilt = QStringLiteral("the boom was below 10° and the sensor cannot tell up from down there");
     calibration.swing = std::make_shared<const SwingOutcome>(outcome);

@@ -200,8 +200,8 @@ Sentence proposalSentence(const CalibrationStatus& calibration)
 QString swingText(const SwingOutcome& swing)
 {
     QStringList lines;
-    for (const std::string& reason : swing.fit.hopeless) {
-        lines << QStringLiteral("▲ ") + toQString(reason);
+    for (const QString& reason : swing.fit.hopeless) {
+        lines << QStringLiteral("▲ ") + reason;
     }
     lines << northLine(swing);
     if (const QString tilt = tiltLine(swing); !tilt.isEmpty()) {
@@ -211,8 +211,8 @@ QString swingText(const SwingOutcome& swing)
         lines << CalibrationWords::tr("Turning clockwise the sensor says %1 more than turning back.")
                      .arg(estimateText(*swing.fit.hysteresis));
     }
-    for (const std::string& hint : swing.fit.hints) {
-        lines << toQString(hint);
+    for (const QString& hint : swing.fit.hints) {
+        lines << hint;
     }
     return lines.join(QLatin1Char('\n'));
 }

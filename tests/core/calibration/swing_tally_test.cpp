@@ -60,7 +60,13 @@ TEST(SwingTally, SaysHowManyAndWhy)
 TEST(SwingTally, ManyThatAreLeftOutAreToldWithTheResult)
 {
     auto samples = swung();
-    const auto hintsOf = [&samples] { return fitCompassSwing(samples)->hints; };
+    const auto hintsOf = [&samples] {
+        std::vector<std::string> hints;
+        for (const QString& hint : fitCompassSwing(samples)->hints) {
+            hints.push_back(hint.toStdString());
+        }
+        return hints;
+    };
     EXPECT_THAT(hintsOf(), testing::Not(testing::Contains(testing::HasSubstr("were left out"))));
     for (std::size_t i = 0; i < samples.size(); i += 7) {
         samples[i].motorCurrent = 7.0;

@@ -221,14 +221,18 @@ TEST(CrossCheck, TheDriversOfTheAxesMakeSense)
         profile.elevation.driver = elevation;
         return keysOf(crossCheck(profile));
     };
-    using Keys = std::vector<std::string>;
-    EXPECT_EQ(found(AxisDriver::Moteus, AxisDriver::Moteus, "socketcan:can0"), Keys{});
-    EXPECT_EQ(found(AxisDriver::Simple, AxisDriver::None, "simulated"), Keys{});
-    EXPECT_EQ(found(AxisDriver::None, AxisDriver::Simple, "simulated"), Keys{});
-    EXPECT_EQ(found(AxisDriver::Simple, AxisDriver::Simple, "simulated"), Keys{});
-    EXPECT_EQ(found(AxisDriver::None, AxisDriver::None, "simulated"), Keys{"elevation.driver"});
-    EXPECT_EQ(found(AxisDriver::None, AxisDriver::Simple, "socketcan:can0"), Keys{"elevation.driver"});
-    EXPECT_EQ(found(AxisDriver::Moteus, AxisDriver::None, "socketcan:can0"), Keys{"azimuth.driver"});
+    const auto nothing = std::vector<std::string>{};
+    const auto only = [](const char* key) { return std::vector<std::string>{key}; };
+    EXPECT_EQ(found(AxisDriver::Moteus, AxisDriver::Moteus, "socketcan:can0"), nothing);
+    EXPECT_EQ(found(AxisDriver::Simple, AxisDriver::None, "simulated"), nothing);
+    EXPECT_EQ(found(AxisDriver::None, AxisDriver::Simple, "simulated"), nothing);
+    EXPECT_EQ(found(AxisDriver::Simple, AxisDriver::Simple, "simulated"), nothing);
+    EXPECT_EQ(found(AxisDriver::None, AxisDriver::None, "simulated"), only("elevation.driver"));
+    EXPECT_EQ(found(AxisDriver::Moteus, AxisDriver::None, "socketcan:can0"), only("azimuth.driver"));
+    Profile simple;
+    simple.azimuth.driver = AxisDriver::None;
+    simple.elevation.driver = AxisDriver::Simple;
+    EXPECT_EQ(keysOf(problemsOfReal(simple)), only("elevation.driver"));
 }
 
 // REQ-PROFILE-04
