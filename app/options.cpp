@@ -138,7 +138,7 @@ Result<> applyBus(Options& options, const QCommandLineParser& parser)
         if (name.kind != BusKind::Simulated) {
             useRealBus(options, bus);
         } else if (options.simulation == Simulation::Off) {
-            options.simulation = Simulation::Moteus;
+            options.simulation = Simulation::Reference;
         }
     });
 }

@@ -22,13 +22,13 @@ struct AlarmEntry
 {
     static constexpr std::size_t kMostArguments = 4;
 
-    const char* id;                         // "drive.silent"
-    const char* source;                     // of its lines in the log. %1 stands for what the alarm is about.
+    const char* id = "";                    // "drive.silent"
+    const char* source = "";                // of its lines in the log. %1 stands for what the alarm is about.
     Severity severity = Severity::Warning;  // the lower one if there are two
     Severity worst = severity;              // the higher one. The place that raises the alarm chooses.
-    const char* what;                       // what happened
-    const char* action;                     // what Boresight did
-    const char* remedy;                     // what to do
+    const char* what = "";                  // what happened
+    const char* action = "";                // what Boresight did
+    const char* remedy = "";                // what to do
     const char* brief = "";                 // what happened, after the source in the log. Empty: `what`.
     bool thenRearm = false;                 // "Then re-arm" follows the remedy
     bool symptom = false;                   // its cause, if equally severe, is shown before it

@@ -194,13 +194,13 @@ Result<> DriveCare::admits(const Request& request) const
 
 Result<> DriveCare::carryOut(const Request& request, SteadyTime now)
 {
-    const Result<> done = std::visit(Overloaded{[&](const request::ReadDrives&) -> Result<> {
-                                                    m_survey.begin(now);
-                                                    return {};
-                                                },
-                                                [&](const request::FixDrives&) { return m_survey.fix(now); },
-                                                [](const auto&) -> Result<> { return {}; }},
-                                     request);
+    Result<> done = std::visit(Overloaded{[&](const request::ReadDrives&) -> Result<> {
+                                              m_survey.begin(now);
+                                              return {};
+                                          },
+                                          [&](const request::FixDrives&) { return m_survey.fix(now); },
+                                          [](const auto&) -> Result<> { return {}; }},
+                               request);
     tellMount();  // at once: a client's command may come before the next tick
     return done;
 }

@@ -11,15 +11,15 @@ namespace boresight {
 enum class Simulation
 {
     Off,
-    Moteus,  // two moteus drives with their bus, or what the profile names
-    Simple,  // the plainest rotator, on all axes of the profile
+    Reference,  // the reference mount with its bus, or the rotators that the profile names
+    Simple,     // the plainest rotator, on all axes of the profile
 };
 
 // What runs with this profile when `asked` was asked for. A profile that names no bus of a real mount has nothing else
 // than the simulated one.
 [[nodiscard]] inline Simulation simulationOf(Simulation asked, const profile::Profile& profile)
 {
-    return asked == Simulation::Off && profile::namesNoBus(profile) ? Simulation::Moteus : asked;
+    return asked == Simulation::Off && profile::namesNoBus(profile) ? Simulation::Reference : asked;
 }
 
 }  // namespace boresight

@@ -32,11 +32,11 @@ void SimpleBox::moveOn(SteadyTime now)
     }
 }
 
-void SimpleBox::goTo(const AxisPosition& wholeDegrees, SteadyTime now)
+void SimpleBox::goTo(Axis axis, Angle wholeDegrees, SteadyTime now)
 {
     moveOn(now);
     if (m_powered) {
-        m_target = {whole(wholeDegrees.azimuth), whole(wholeDegrees.elevation)};
+        m_target[index(axis)] = whole(wholeDegrees);
         ++m_orders;
     }
 }

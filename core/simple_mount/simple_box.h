@@ -21,7 +21,7 @@ public:
     explicit SimpleBox(const AxisPosition& place = {}) : m_place{place.azimuth, place.elevation} {}
 
     // The orders of its control box. Without power nothing is heard, and the axes stand.
-    void goTo(const AxisPosition& wholeDegrees, SteadyTime now);
+    void goTo(Axis axis, Angle wholeDegrees, SteadyTime now);
     void stop(SteadyTime now);
     // Nothing without power.
     [[nodiscard]] std::optional<AxisPosition> position(SteadyTime now);

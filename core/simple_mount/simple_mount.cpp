@@ -78,7 +78,7 @@ void SimpleMount::letGo()
     m_follows = false;
     m_wanted = false;
     m_begins = {};
-    m_ordered.reset();
+    m_ordered = {};
 }
 
 MountFindings SimpleMount::supervise(const MountSituation& /*known*/)
@@ -98,7 +98,7 @@ MountFindings SimpleMount::supervise(const MountSituation& /*known*/)
     if (m_wanted && !m_follows && answers()) {
         m_follows = true;
         m_begins = {true, true};
-        m_ordered = m_place;
+        m_ordered = {m_place->azimuth, m_place->elevation};
     }
     return found;
 }
@@ -113,16 +113,13 @@ void SimpleMount::send()
     if (!m_follows) {
         return;
     }
-    AxisPosition wanted = *m_ordered;
-    if (m_capabilities.has(Axis::Azimuth)) {
-        wanted.azimuth = wholeDegrees(m_setpoints[0].position);
-    }
-    if (m_capabilities.has(Axis::Elevation)) {
-        wanted.elevation = wholeDegrees(m_setpoints[1].position);
-    }
-    if (wanted != m_ordered) {
-        m_box.goTo(wanted, m_now);
-        m_ordered = wanted;
+    for (const Axis axis : kAxes) {
+        const Angle wanted = wholeDegrees(m_setpoints[index(axis)].position);
+        std::optional<Angle>& ordered = m_ordered[index(axis)];
+        if (m_capabilities.has(axis) && wanted != ordered) {
+            m_box.goTo(axis, wanted, m_now);
+            ordered = wanted;
+        }
     }
 }
 

@@ -62,8 +62,8 @@ private:
     Capabilities m_capabilities;
     std::array<QString, 2> m_names;
     Result<> m_fitness;
-    std::optional<AxisPosition> m_place;    // as reported last
-    std::optional<AxisPosition> m_ordered;  // where it was sent last, since it follows
+    std::optional<AxisPosition> m_place;            // as reported last
+    std::array<std::optional<Angle>, 2> m_ordered;  // where it was sent last, since it follows
     std::optional<SteadyTime> m_heard;
     std::array<tracking::Setpoint, 2> m_setpoints{};
     std::array<bool, 2> m_begins{};  // to follow, not taken yet

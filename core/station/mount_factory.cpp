@@ -12,7 +12,7 @@ bool isSimple(const profile::Profile& profile, Simulation simulation)
 {
     const bool twoMoteus = profile.azimuth.driver == profile::AxisDriver::Moteus &&
                            profile.elevation.driver == profile::AxisDriver::Moteus;
-    return simulation == Simulation::Simple || (simulation == Simulation::Moteus && !twoMoteus);
+    return simulation == Simulation::Simple || (simulation == Simulation::Reference && !twoMoteus);
 }
 
 }  // namespace

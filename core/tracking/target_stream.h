@@ -45,14 +45,14 @@ private:
     {
         SteadyTime time;
         AxisPosition position;
-        Vector direction;
+        Vector direction{};
     };
 
     // Straight through space, as a satellite flies by: direction = base + rate × (time since the last point).
     struct Path
     {
-        Vector base;
-        Vector rate;
+        Vector base{};
+        Vector rate{};
         Seconds pause;  // between its points, on average
     };
 

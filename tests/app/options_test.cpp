@@ -78,7 +78,7 @@ TEST_F(OptionsTest, TheCurrentMountOfTheStoreIsTaken)
 // REQ-MOUNT-05
 TEST_F(OptionsTest, TheKindOfTheSimulatedMountIsChosen)
 {
-    EXPECT_EQ(read({QStringLiteral("--simulate")})->simulation, Simulation::Moteus);
+    EXPECT_EQ(read({QStringLiteral("--simulate")})->simulation, Simulation::Reference);
     const auto simple = read({QStringLiteral("--simulate=simple")});
     ASSERT_TRUE(simple) << simple.error().text;
     EXPECT_EQ(simple->simulation, Simulation::Simple);
@@ -198,11 +198,11 @@ TEST_F(OptionsTest, WhoAsksForTheSimulatedMountGetsNoOther)
                                      QStringList{QStringLiteral("--bus"), QStringLiteral("simulated")}}) {
         const auto options = read(words);
         ASSERT_TRUE(options) << options.error().text;
-        EXPECT_EQ(options->simulation, Simulation::Moteus);
-        EXPECT_EQ(options->simulationFor(real), Simulation::Moteus);
+        EXPECT_EQ(options->simulation, Simulation::Reference);
+        EXPECT_EQ(options->simulationFor(real), Simulation::Reference);
     }
     const auto open = read();
-    EXPECT_EQ(open->simulationFor(open->profile), Simulation::Moteus) << "there is no other mount yet";
+    EXPECT_EQ(open->simulationFor(open->profile), Simulation::Reference) << "there is no other mount yet";
     EXPECT_EQ(open->simulationFor(real), Simulation::Off) << "a bus that is named later is used";
     const auto connected = read({QStringLiteral("--bus"), QStringLiteral("socketcan:can7")});
     EXPECT_EQ(connected->simulation, Simulation::Off);

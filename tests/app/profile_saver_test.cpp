@@ -81,7 +81,7 @@ struct Rig
     }
     void simulate()  // by the command line
     {
-        options.simulation = Simulation::Moteus;
+        options.simulation = Simulation::Reference;
     }
     // What the program begins with when it is started like this.
     [[nodiscard]] profile::Profile first() const { return ProfileSaver(options).first(); }

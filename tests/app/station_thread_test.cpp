@@ -48,7 +48,7 @@ protected:
     std::unique_ptr<Station> station(const profile::Profile& profile)
     {
         return std::make_unique<Station>(
-            profile, twoMoteus(links.make(profile.bus), {folder.path(), Simulation::Moteus}), folder.path(), clock);
+            profile, twoMoteus(links.make(profile.bus), {folder.path(), Simulation::Reference}), folder.path(), clock);
     }
     std::unique_ptr<Station> build(const profile::Profile& profile)
     {

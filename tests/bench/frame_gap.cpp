@@ -112,7 +112,7 @@ private:
               sim::Injection{.kind = FaultKind::PowerLoss, .at = Seconds(22.0), .duration = Seconds(0.5)}}) {
             link->pair().faults().add(fault);
         }
-        return std::make_unique<Station>(profile, twoMoteus(std::move(link), {m_folder.path(), Simulation::Moteus}),
+        return std::make_unique<Station>(profile, twoMoteus(std::move(link), {m_folder.path(), Simulation::Reference}),
                                          m_folder.path(), m_clock);
     }
 

@@ -138,7 +138,8 @@ TEST_P(CutTextTest, QuestionsBeforeAnActAreWhole)
     profile.mount.name = "The four metre dish on the roof of the eastern laboratory";
     named.profile = std::make_shared<const profile::Profile>(profile);
     int asked = 0;
-    for (const StationStatus& status : {samples::idle(), samples::factoryDrives(), named}) {
+    for (StationStatus status : {samples::idle(), samples::factoryDrives(), named}) {
+        status.simulated = false;  // of a simulation without a profile nothing can be duplicated
         give(samples::update(status));
         for (const char panel : {'6', '7', '8'}) {
             openPanel(panel);

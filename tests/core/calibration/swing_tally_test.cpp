@@ -62,7 +62,8 @@ TEST(SwingTally, ManyThatAreLeftOutAreToldWithTheResult)
     auto samples = swung();
     const auto hintsOf = [&samples] {
         std::vector<std::string> hints;
-        for (const QString& hint : fitCompassSwing(samples)->hints) {
+        const auto fit = fitCompassSwing(samples);
+        for (const QString& hint : fit->hints) {
             hints.push_back(hint.toStdString());
         }
         return hints;

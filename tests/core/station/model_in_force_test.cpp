@@ -47,6 +47,7 @@ TEST(ModelInForce, ATermKeepsItsSigmaAsLongAsItKeepsItsValue)
     rig.apply(swingRecord());
     EXPECT_EQ(2_deg, rig.model.sheet().sigmas[indexOf(Term::AzimuthOffset)]);
     rig.profile.pointing.azimuthOffset += 1_deg;
+    rig.inForce.apply(rig.profile);
     EXPECT_FALSE(rig.model.sheet().sigmas[indexOf(Term::AzimuthOffset)]);
     EXPECT_EQ(0.05_deg, rig.model.sheet().sigmas[indexOf(Term::TiltNorth)]);
 }

@@ -35,8 +35,8 @@ struct SensedRig
         mount->sensor.truth().mountingOffset = 37.4_deg;
         auto owned = std::make_unique<SimulatedLink>(clock, mount);
         link = owned.get();
-        station = std::make_unique<Station>(profile, twoMoteus(std::move(owned), {stateDir.path(), Simulation::Moteus}),
-                                            stateDir.path(), clock);
+        station = std::make_unique<Station>(
+            profile, twoMoteus(std::move(owned), {stateDir.path(), Simulation::Reference}), stateDir.path(), clock);
         station->setSensorMaker(
             [this](const profile::Profile& wanted, mqtt::Connection& broker) { return make(wanted, broker); });
         station->openAll();
