@@ -5,8 +5,8 @@
 #include "core/base/hex.h"
 #include "core/moteus/codec.h"
 #include "core/moteus/diagnostic.h"
+#include "tests/core/control/station_rig.h"
 #include "tests/core/moteus/exercise.h"
-#include "tests/core/station/station_rig.h"
 #include "tests/fuzz/harness.h"
 
 #include <QFile>

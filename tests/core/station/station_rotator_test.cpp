@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/station/station_rotator.h"
 
-#include "tests/core/station/station_rig.h"
+#include "tests/core/control/station_rig.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/control/arming.h"
+
+#include "tests/core/control/station_rig.h"
+#include "tests/fakes/ideal_drive.h"
+#include "tests/fakes/manual_clock.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+using supervision::LossClass;
+
+constexpr Seconds kTick{0.02};
+
+profile::Profile retryingHeat()
+{
+    profile::Profile profile;
+    profile.recovery.overTemperature = profile::Retry::Once;
+    profile.recovery.interval = Seconds(5.0);
+    return profile;
+}
+
+struct ArmingRig
+{
+    explicit ArmingRig(const profile::Profile& profile = {})
+        : inForce(profile), mount(inForce, clock, log, alarms), arming(inForce, mount, log)
+    {}
+
+    void makeReady()
+    {
+        mount.setFitness({});
+        run(Seconds(0.1));
+    }
+
+    void run(Seconds time)
+    {
+        for (Seconds left = time; left > Seconds(0.0); left -= kTick) {
+            tick();
+        }
+    }
+
+    static void fail(fakes::IdealDrive& drive, int fault)
+    {
+        drive.mode = moteus::Mode::Fault;
+        drive.fault = fault;
+    }
+
+    [[nodiscard]] std::string refusal(const Source& source = kOperator) const
+    {
+        const Result<> admitted = arming.admits(source);
+        return admitted ? std::string() : admitted.error().text;
+    }
+
+    [[nodiscard]] bool logSays(const char* words) const
+    {
+        return std::ranges::any_of(log.since(0, EventLog::kCapacity), [&](const LogEntry& line) {
+            return line.text.startsWith(QString::fromUtf8(words));
+        });
+    }
+
+    profile::InForce inForce;
+    fakes::ManualClock clock;
+    EventLog log{clock};
+    AlarmBoard alarms{log, clock};
+    MoteusMount mount;
+    Arming arming;
+    fakes::IdealDrive azimuth{1, 0.0};
+    fakes::IdealDrive elevation{2, -0.25};
+    int connectionsLost = 0;
+    int rearms = 0;
+
+private:
+    void tick()
+    {
+        clock.advance(kTick);
+        const SteadyTime now = clock.now();
+        mount.observe(now);
+        connectionsLost += arming.losesConnection(now) ? 1 : 0;
+        for (const AxisTrouble& trouble : mount.supervise({.faultLatched = arming.fault().has_value()}).troubles) {
+            arming.lost(trouble.axis, trouble.loss, mount.name(trouble.axis) + QStringLiteral(" failed"));
+        }
+        rearms += arming.completesRearm() ? 1 : 0;
+        for (const CanFrame& frame : mount.frames()) {
+            for (fakes::IdealDrive* const drive : {&azimuth, &elevation}) {
+                if (const auto reply = drive->answer(frame, now)) {
+                    mount.take(*reply);
+                }
+            }
+        }
+    }
+};
+
+// REQ-CONTROL-23 (Arming.*): What stands in the way of any motion is reported, the first obstacle first. A lost drive
+// waits for a re-arm. Heat or a sagging supply of either drive refuses the re-arm, with value and limit.
+TEST(Arming, WaitsForBothDrivesAndTheirFitness)
+{
+    ArmingRig rig;
+    EXPECT_EQ(rig.refusal(), "no reply from the azimuth drive");
+    rig.elevation.silent = true;
+    rig.run(Seconds(0.1));
+    EXPECT_EQ(rig.refusal(), "no reply from the elevation drive");
+    rig.elevation.silent = false;
+    rig.run(Seconds(0.1));
+    EXPECT_EQ(rig.refusal(), "the drives have not been looked at yet");
+    rig.mount.setFitness(failure(ErrorCode::Refused, "servo.timeout_mode is 12"));
+    EXPECT_EQ(rig.refusal(), "servo.timeout_mode is 12");
+    rig.mount.setFitness({});
+    EXPECT_TRUE(rig.arming.admits(kOperator));
+    EXPECT_TRUE(rig.arming.admits(kClient));
+}
+
+TEST(Arming, StopShutsOutEverybodyUntilReset)
+{
+    ArmingRig rig;
+    rig.makeReady();
+    rig.arming.latchStop();
+    EXPECT_EQ(rig.refusal(kOperator), "STOP is latched: reset STOP first");
+    EXPECT_EQ(rig.refusal(kClient), "STOP is latched: reset STOP first");
+    EXPECT_TRUE(rig.arming.resetStop());
+    EXPECT_TRUE(rig.arming.admits(kOperator));
+    EXPECT_FALSE(rig.arming.resetStop()) << "there is none any more";
+}
+
+TEST(Arming, AfterStopTheClientsWaitForTheOperator)
+{
+    ArmingRig rig;
+    rig.makeReady();
+    rig.arming.latchStop();
+    ASSERT_TRUE(rig.arming.resetStop());
+    EXPECT_FALSE(rig.arming.admits(kClient));
+    rig.arming.setAuthority(Authority::Clients);
+    EXPECT_TRUE(rig.arming.admits(kClient));
+}
+
+TEST(Arming, IsQuietForASecondAfterALostConnectionCameBack)
+{
+    ArmingRig rig;
+    rig.makeReady();
+    EXPECT_EQ(rig.refusal(), "") << "the first contact is no return";
+    rig.azimuth.silent = true;
+    rig.run(Seconds(0.4));
+    EXPECT_EQ(rig.connectionsLost, 1);
+    EXPECT_EQ(rig.refusal(), "no reply from the azimuth drive");
+    rig.azimuth.silent = false;
+    rig.run(Seconds(0.9));
+    EXPECT_EQ(rig.refusal(), "the drives have only just come back: wait a second");
+    rig.run(Seconds(0.2));
+    EXPECT_TRUE(rig.arming.admits(kOperator));
+}
+
+TEST(Arming, ABusLeftToOthersAdmitsNobody)
+{
+    ArmingRig rig;
+    rig.makeReady();
+    rig.mount.leaveBus();
+    rig.run(kTick);
+    EXPECT_EQ(rig.connectionsLost, 1);
+    EXPECT_EQ(rig.refusal(), "the bus is left to other tools: take it back first");
+}
+
+TEST(Arming, TheFirstFaultOfASeriesIsTheReasonUntilARearmIsDone)
+{
+    ArmingRig rig;
+    rig.makeReady();
+    EXPECT_FALSE(rig.arming.rearm(kOperator)) << "there is no fault";
+    rig.fail(rig.azimuth, 35);
+    rig.run(Seconds(0.1));
+    rig.fail(rig.elevation, 35);
+    rig.run(Seconds(0.1));
+    EXPECT_EQ(rig.arming.fault(), QStringLiteral("azimuth drive failed"));
+    EXPECT_EQ(rig.refusal(), "azimuth drive failed: re-arm first");
+    ASSERT_TRUE(rig.arming.rearm(kOperator));
+    EXPECT_TRUE(rig.arming.fault()) << "the drives have not answered yet";
+    rig.run(Seconds(0.2));
+    EXPECT_EQ(rig.rearms, 1);
+    EXPECT_FALSE(rig.arming.fault());
+    EXPECT_EQ(rig.azimuth.mode, moteus::Mode::Stopped);
+    EXPECT_EQ(rig.elevation.mode, moteus::Mode::Stopped);
+    EXPECT_TRUE(rig.arming.admits(kOperator));
+    EXPECT_FALSE(rig.arming.admits(kClient)) << "who went on sending must not move the mount at once";
+}
+
+TEST(Arming, ALossWhileRearmingEndsTheRearm)
+{
+    ArmingRig rig;
+    rig.makeReady();
+    rig.fail(rig.azimuth, 35);
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.arming.rearm(kOperator));
+    rig.fail(rig.elevation, 35);
+    rig.run(Seconds(0.5));
+    EXPECT_EQ(rig.rearms, 0);
+    EXPECT_TRUE(rig.arming.fault());
+}
+
+TEST(Arming, RearmingIsTheOperatorsWhileTheOperatorHasTakenOver)
+{
+    ArmingRig rig;
+    rig.makeReady();
+    rig.fail(rig.azimuth, 35);
+    rig.run(Seconds(0.1));
+    rig.arming.setAuthority(Authority::Operator);
+    EXPECT_FALSE(rig.arming.rearm(kClient));
+    rig.arming.setAuthority(Authority::Clients);
+    EXPECT_TRUE(rig.arming.rearm(kClient));
+}
+
+TEST(Arming, HeatMustPassBeforeARearm)
+{
+    ArmingRig rig;
+    rig.makeReady();
+    rig.azimuth.temperature = 76.0;
+    rig.fail(rig.azimuth, 38);
+    rig.run(Seconds(0.1));
+    const Result<> hot = rig.arming.rearm(kOperator);
+    ASSERT_FALSE(hot);
+    EXPECT_NE(hot.error().text.find("azimuth drive: the drive board is still at 76 °C"), std::string::npos)
+        << hot.error().text;
+    rig.azimuth.temperature = 60.0;
+    rig.run(Seconds(0.1));
+    EXPECT_TRUE(rig.arming.rearm(kOperator));
+}
+
+// Story: the other board was at 78 °C meanwhile; re-armed, it let its axis go a second later.
+TEST(Arming, WhatWouldStopTheMountAgainOnTheOtherAxisRefusesTheRearmToo)
+{
+    ArmingRig rig;
+    rig.makeReady();
+    rig.fail(rig.azimuth, 35);
+    rig.elevation.temperature = 78.0;
+    rig.run(Seconds(0.1));
+    const Result<> hot = rig.arming.rearm(kOperator);
+    ASSERT_FALSE(hot);
+    EXPECT_EQ(hot.error().text, "elevation drive: the drive board is still at 78 °C; it must cool down to 70 °C");
+    EXPECT_TRUE(rig.arming.fault());
+    rig.elevation.temperature = 69.0;
+    rig.run(Seconds(0.1));
+    EXPECT_TRUE(rig.arming.rearm(kOperator));
+}
+
+TEST(Arming, ThePolicyRearmsWhenItsTimeHasComeButNeverBehindAStop)
+{
+    ArmingRig rig(retryingHeat());
+    rig.makeReady();
+    rig.fail(rig.azimuth, 38);
+    rig.run(Seconds(4.5));
+    EXPECT_EQ(rig.rearms, 0) << "the interval is 5 s";
+    rig.arming.latchStop();
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(rig.rearms, 0);
+    ASSERT_TRUE(rig.arming.resetStop());
+    rig.run(Seconds(0.3));
+    EXPECT_EQ(rig.rearms, 1);
+    EXPECT_TRUE(rig.logSays("re-arms by the profile's recovery policy"));
+    rig.fail(rig.azimuth, 38);
+    rig.run(Seconds(20.0));
+    EXPECT_EQ(rig.rearms, 1) << "once means once";
+}
+
+TEST(Arming, AProgramThatClosesStartsAndRearmsNothing)
+{
+    ArmingRig rig;
+    rig.makeReady();
+    rig.arming.close();
+    EXPECT_EQ(rig.refusal(), "Boresight is closing");
+    rig.fail(rig.azimuth, 35);
+    rig.run(Seconds(0.1));
+    EXPECT_EQ(rig.arming.rearm(kOperator).error().text, "Boresight is closing");
+}
+
+}  // namespace
+}  // namespace boresight

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the station publishes of each action is what it answers when the action is asked for.
+#include "tests/core/control/station_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <ostream>
+#include <string>
+
+namespace boresight {
+namespace {
+
+using Situation = void (*)(StationRig&);
+
+void nobodyAnswers(StationRig& rig)
+{
+    rig.azimuth.silent = rig.elevation.silent = true;
+    rig.run(Seconds(0.5));
+}
+
+void standing(StationRig& rig)
+{
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 30_deg}}));
+    rig.settle();
+}
+
+void wound(StationRig& rig)
+{
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{300_deg, 30_deg}}));
+    rig.settle();
+}
+
+void moving(StationRig& rig)
+{
+    standing(rig);
+    ASSERT_TRUE(rig.ask(request::PointAxes{{200_deg, 30_deg}}));
+    rig.run(Seconds(2.0));
+}
+
+void proving(StationRig& rig)
+{
+    standing(rig);
+    ASSERT_TRUE(rig.ask(request::ProveCrashStop{2_deg_s}));
+    rig.run(Seconds(0.2));
+}
+
+void stopped(StationRig& rig)
+{
+    standing(rig);
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    rig.run(Seconds(0.5));
+}
+
+void faulted(StationRig& rig)
+{
+    standing(rig);
+    rig.azimuth.mode = moteus::Mode::Fault;
+    rig.azimuth.fault = 38;
+    rig.run(Seconds(0.5));
+}
+
+void released(StationRig& rig)
+{
+    standing(rig);
+    ASSERT_TRUE(rig.ask(request::ReleaseBus{}));
+    rig.run(Seconds(0.5));
+}
+
+void switchedOff(StationRig& rig)
+{
+    standing(rig);
+    ASSERT_TRUE(rig.ask(request::SwitchOff{}));
+    rig.run(Seconds(0.5));
+}
+
+void unfit(StationRig& rig)
+{
+    standing(rig);
+    rig.mount.setFitness(failure(ErrorCode::Refused, "the drives are being read"));
+}
+
+void unconfirmed(StationRig& rig)
+{
+    standing(rig);
+    rig.profile.mount.directions = profile::Directions::Unconfirmed;
+    rig.setProfile(rig.profile);
+}
+
+void homeBelowTheHorizon(StationRig& rig)
+{
+    standing(rig);
+    pointing::Region region = rig.profile.limits;
+    region.horizon = {{0_deg, 10_deg}, {180_deg, 10_deg}};
+    rig.profile.park.elevation = 20_deg;  // else the profile makes no sense
+    rig.draw(region);
+}
+
+void turnUnknown(StationRig& rig)
+{
+    standing(rig);
+    rig.mount.driveRestarted(Axis::Azimuth);
+}
+
+AxisRates jogging(JogDirection direction, AngularRate rate)
+{
+    switch (direction) {
+        case JogDirection::Up:
+            return {.elevation = rate};
+        case JogDirection::Down:
+            return {.elevation = -rate};
+        case JogDirection::Left:
+            return {.azimuth = -rate};
+        case JogDirection::Right:
+            break;
+    }
+    return {.azimuth = rate};
+}
+
+// As the screen asks for it.
+Request requestOf(Action action, const StationRig& rig)
+{
+    const auto jog = [&](JogDirection direction) {
+        return request::Jog{
+            jogging(direction, std::min(rig.control.status().permissions.fastestJog, rig.profile.jog.slow))};
+    };
+    switch (action) {
+        case Action::Park:
+            return request::Park{};
+        case Action::Home:
+            return request::Home{};
+        case Action::Unwind:
+            return request::Unwind{};
+        case Action::JogUp:
+            return jog(JogDirection::Up);
+        case Action::JogDown:
+            return jog(JogDirection::Down);
+        case Action::JogLeft:
+            return jog(JogDirection::Left);
+        case Action::JogRight:
+            return jog(JogDirection::Right);
+        case Action::StepRight:
+            return request::Step{.azimuth = 1_deg, .elevation = {}};
+        case Action::ReadDrives:
+            return request::ReadDrives{};
+        case Action::FixDrives:
+            return request::FixDrives{};
+        case Action::SwitchOff:
+            return request::SwitchOff{};
+        case Action::ReleaseBus:
+            return request::ReleaseBus{};
+        case Action::ProveCrashStop:
+            return request::ProveCrashStop{2_deg_s};
+        case Action::Reconnect:
+            return request::Reconnect{rig.profile};
+        default:
+            return request::PointAxes{{110_deg, 40_deg}};
+    }
+}
+
+constexpr std::array kAsked{Action::Point,      Action::Park,       Action::Home,          Action::Unwind,
+                            Action::JogUp,      Action::JogDown,    Action::JogLeft,       Action::JogRight,
+                            Action::StepRight,  Action::ReadDrives, Action::FixDrives,     Action::SwitchOff,
+                            Action::ReleaseBus, Action::Reconnect,  Action::ProveCrashStop};
+
+struct Scene
+{
+    const char* name;
+    Situation situation;
+};
+
+void PrintTo(const Scene& one, std::ostream* out)
+{
+    *out << one.name;
+}
+
+class PermissionsIn : public ::testing::TestWithParam<Scene>
+{};
+
+// The answer may add where else the mount could go.
+TEST_P(PermissionsIn, AnActionIsAnsweredAsItWasPublished)
+{
+    for (const Action action : kAsked) {
+        StationRig rig;
+        GetParam().situation(rig);
+        const std::string published = rig.control.status().permissions.reason(action).toStdString();
+        const Result<> answer = rig.ask(requestOf(action, rig));
+        const std::string told = answer ? std::string() : answer.error().text;
+        EXPECT_EQ(published, told.substr(0, told.find("; permitted nearest"))) << static_cast<int>(action);
+    }
+}
+
+TEST_P(PermissionsIn, HoldIsNeverRefused)
+{
+    StationRig rig;
+    GetParam().situation(rig);
+    EXPECT_TRUE(rig.ask(request::Hold{}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Permissions, PermissionsIn,
+                         ::testing::Values(Scene{"nobodyAnswers", nobodyAnswers}, Scene{"standing", standing},
+                                           Scene{"wound", wound}, Scene{"moving", moving}, Scene{"proving", proving},
+                                           Scene{"stopped", stopped}, Scene{"faulted", faulted},
+                                           Scene{"released", released}, Scene{"switchedOff", switchedOff},
+                                           Scene{"unfit", unfit}, Scene{"unconfirmed", unconfirmed},
+                                           Scene{"homeBelowTheHorizon", homeBelowTheHorizon},
+                                           Scene{"turnUnknown", turnUnknown}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Permissions, OfAStationThatNobodyKnowsForbidEverything)
+{
+    const StationStatus status;
+    for (int action = 0; action < static_cast<int>(Action::Count); ++action) {
+        EXPECT_EQ(status.permissions.reason(static_cast<Action>(action)),
+                  QStringLiteral("nothing is known of the station yet"))
+            << action;
+    }
+}
+
+TEST(Permissions, ThereIsNoWayOnAtTheEndOfTheTravel)
+{
+    StationRig rig;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{450_deg, 90_deg}}));
+    rig.settle();
+    const Permissions may = rig.control.status().permissions;
+    EXPECT_EQ(may.reason(Action::JogRight), QStringLiteral("at the upper limit 450.0°"));
+    EXPECT_EQ(may.reason(Action::StepUp), QStringLiteral("at the upper limit 90.0°"));
+    EXPECT_TRUE(may.allows(Action::JogLeft));
+    EXPECT_TRUE(may.allows(Action::StepDown));
+}
+
+TEST(Permissions, AJogIsSlowWhereSomebodyMustWatch)
+{
+    StationRig rig;
+    standing(rig);
+    const profile::JogSettings jog = rig.profile.jog;
+    EXPECT_EQ(rig.control.status().permissions.fastestJog, jog.fast);
+    rig.profile.mount.directions = profile::Directions::Unconfirmed;
+    rig.setProfile(rig.profile);
+    EXPECT_EQ(rig.control.status().permissions.fastestJog, std::min(jog.fast, profile::kFastestUnconfirmed));
+    rig.mount.driveRestarted(Axis::Azimuth);
+    EXPECT_EQ(rig.control.status().permissions.fastestJog, std::min(jog.slow, jog.unwind));
+}
+
+TEST(Permissions, AnAngleIsSetOfAnAxisThatStandsAndIsSeen)
+{
+    StationRig rig;
+    standing(rig);
+    EXPECT_TRUE(rig.control.status().permissions.allows(Action::SetAzimuth));
+    rig.elevation.silent = true;
+    rig.run(Seconds(1.5));
+    EXPECT_TRUE(rig.control.status().permissions.allows(Action::SetAzimuth));
+    EXPECT_EQ(rig.control.status().permissions.reason(Action::SetElevation),
+              QStringLiteral("no fresh position from the elevation drive"));
+    rig.mount.driveRestarted(Axis::Azimuth);
+    EXPECT_FALSE(rig.control.status().permissions.allows(Action::SetAzimuth)) << "nobody knows where it stands";
+}
+
+// Story: the zero of an axis was offered while a hand turned it.
+TEST(Permissions, AnAngleIsNotSetOfAnAxisThatIsTurnedByHand)
+{
+    StationRig rig;
+    standing(rig);
+    rig.azimuth.velocity = 0.01;
+    rig.run(Seconds(0.1));
+    EXPECT_EQ(rig.control.status().permissions.reason(Action::SetAzimuth),
+              QStringLiteral("the mount moves: stop it first"));
+    rig.azimuth.velocity = 0.0;
+    rig.run(Seconds(0.1));
+    EXPECT_TRUE(rig.control.status().permissions.allows(Action::SetAzimuth));
+}
+
+// Story: Hold was grey while the crash-stop proof moved the mount.
+TEST(Permissions, HoldIsOfferedWhileSomethingMovesTheMountAndEndsIt)
+{
+    for (const Situation situation : {moving, proving}) {
+        StationRig rig;
+        situation(rig);
+        EXPECT_TRUE(rig.control.status().permissions.allows(Action::Hold));
+        ASSERT_TRUE(rig.ask(request::Hold{}));
+        rig.run(Seconds(3.0));
+        EXPECT_EQ(rig.state(), StationState::Hold);
+        EXPECT_FALSE(rig.control.status().drives->proofRunning);
+    }
+}
+
+TEST(Permissions, HoldIsNotOfferedWhereNothingIsLeftToHold)
+{
+    for (const Situation situation : {nobodyAnswers, stopped, faulted, released}) {
+        StationRig rig;
+        situation(rig);
+        const Permissions may = rig.control.status().permissions;
+        EXPECT_EQ(may.reason(Action::Hold), may.reason(Action::Move));
+        EXPECT_FALSE(may.allows(Action::Hold));
+    }
+}
+
+TEST(Permissions, AClientIsToldWhyControlCannotBeGivenToIt)
+{
+    StationRig rig;
+    rig.control.clientCame(kClient, "10.0.0.7");
+    rig.control.clientCame(kOtherClient, "10.0.0.8");
+    rig.run(Seconds(0.1));
+    const auto obstacle = [&rig](std::uint64_t id) {
+        ClientStatus client{.id = id};
+        rig.control.describe(client, std::nullopt);
+        return client.leadObstacle.toStdString();
+    };
+    EXPECT_EQ(obstacle(1), "");
+    ASSERT_TRUE(rig.ask(request::GiveLead{.clientId = 1}));
+    EXPECT_EQ(obstacle(1), "it has the control");
+    EXPECT_EQ(obstacle(2), "");
+    rig.profile.rotctld.lead = profile::Lead::Locked;
+    rig.profile.rotctld.lockedTo = "10.0.0.7";
+    rig.setProfile(rig.profile);
+    EXPECT_EQ(obstacle(2), rig.ask(request::GiveLead{.clientId = 2}).error().text);
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    EXPECT_EQ(obstacle(2), rig.ask(request::GiveLead{.clientId = 2}).error().text);
+}
+
+}  // namespace
+}  // namespace boresight

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is told when the azimuth cable ends while something is followed. Travel -90…450°.
+#include "tests/core/control/station_rig.h"
+
+#include <QDateTime>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace boresight {
+namespace {
+
+class StationCable : public ::testing::Test
+{
+protected:
+    void standAt(Angle azimuth)
+    {
+        rig.run(Seconds(0.1));
+        ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = azimuth, .elevation = 30_deg}}));
+        rig.settle();
+        ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+    }
+
+    // A client's points along 30° of elevation, one a second, counted beyond 360°; the last one's azimuth.
+    double stream(
+        double from, double perSecond, int seconds, const std::function<void()>& look = [] {})
+    {
+        for (int second = 0; second < seconds; ++second) {
+            EXPECT_TRUE(rig.point(std::fmod(from + second * perSecond, 360.0), 30.0));
+            rig.run(Seconds(1.0));
+            look();
+        }
+        return from + (seconds - 1) * perSecond;
+    }
+
+    [[nodiscard]] std::vector<LogEntry> lines(LogKind kind, const QString& words) const
+    {
+        auto found = rig.log.since(0, EventLog::kCapacity);
+        std::erase_if(found, [&](const LogEntry& line) { return line.kind != kind || !line.text.contains(words); });
+        return found;
+    }
+    [[nodiscard]] std::vector<LogEntry> turnBacks() const
+    {
+        return lines(LogKind::MotionStart, QStringLiteral("turns back"));
+    }
+    [[nodiscard]] std::string reason() const { return rig.control.status().stateReason.toStdString(); }
+    [[nodiscard]] std::string headline() const
+    {
+        const auto alarms = rig.control.status().alarms;
+        return alarms.empty() ? std::string() : alarms.front().what.toStdString();
+    }
+
+    // How far the time in the headline is from what the bar counts.
+    [[nodiscard]] double headlineOff() const
+    {
+        const StationStatus status = rig.control.status();
+        const QTime told =
+            QTime::fromString(status.alarms.front().what.section(QLatin1Char(' '), -1), QStringLiteral("HH:mm:ss'Z.'"));
+        const std::chrono::sys_days day = std::chrono::floor<std::chrono::days>(status.utc);
+        const double now = std::chrono::duration<double>(status.utc - day).count();
+        return told.isValid() ? told.msecsSinceStartOfDay() / 1000.0 - now - status.cableEnd->in.count() : NAN;
+    }
+
+    StationRig rig;
+};
+
+constexpr const char* kTurnsBack = "turns back by 360°: the cable ends at 450.0°; the target is lost for about 37 s";
+constexpr const char* kDetail = "cable ends: turns back by 360°";
+
+// Story: at the end of the cable the mount set off for a whole turn, and neither the log nor the screen said why.
+// REQ-CONTROL-31a: Unwrapping at the cable end is a motion of its own in the log, with source and reason, and stands
+// below the state for as long as it lasts. This holds for a go-to as well.
+TEST_F(StationCable, ATurnBackIsToldWithWhoAndWhyForAsLongAsItLasts)
+{
+    standAt(440_deg);
+    stream(440.0, 1.0, 11);
+    EXPECT_TRUE(turnBacks().empty());
+    EXPECT_EQ(reason(), "P 90.00° 30.00°");
+    EXPECT_TRUE(rig.point(91.0, 30.0));
+    ASSERT_EQ(turnBacks().size(), 1U);
+    EXPECT_EQ(turnBacks().front().text.toStdString(), kTurnsBack);
+    EXPECT_EQ(turnBacks().front().source, kClient.name);
+    rig.run(Seconds(1.0));
+
+    double turning = 0.0;
+    stream(452.0, 1.0, 45, [&] {
+        const StationStatus status = rig.control.status();
+        const bool there = std::abs(status.azimuth.commanded->degrees() - status.azimuth.target->degrees()) < 1.0;
+        EXPECT_EQ(status.stateReason.toStdString() == kDetail, !there) << status.azimuth.commanded->degrees();
+        turning += there ? 0.0 : 1.0;
+    });
+    EXPECT_GE(turning, 30.0);
+    EXPECT_EQ(rig.state(), StationState::Track);
+    EXPECT_EQ(turnBacks().size(), 1U) << "once, not with each point";
+}
+
+// Faster than a satellite: no path is forecast, so no alarm came before it either.
+// REQ-CONTROL-31a
+TEST_F(StationCable, ATurnBackAfterTargetsFasterThanASatelliteIsToldAlike)
+{
+    standAt(400_deg);
+    stream(400.0, 5.0, 12);
+    ASSERT_EQ(turnBacks().size(), 1U);
+    EXPECT_EQ(turnBacks().front().text.toStdString(), kTurnsBack);
+    EXPECT_EQ(rig.state(), StationState::Slew);
+    EXPECT_EQ(reason(), kDetail);
+}
+
+TEST_F(StationCable, TheOtherEndTurnsItBackTheOtherWay)
+{
+    standAt(-80_deg);
+    stream(280.0, -1.0, 15);
+    ASSERT_EQ(turnBacks().size(), 1U);
+    EXPECT_TRUE(turnBacks().front().text.startsWith(QStringLiteral("turns back by 360°: the cable ends at -90.0°")));
+    EXPECT_EQ(reason(), kDetail);
+    rig.run(Seconds(60.0));
+    EXPECT_NE(reason(), kDetail);
+    EXPECT_NEAR(rig.azimuthDegrees(), 266.0, 1.0);
+}
+
+// Story: from 90° to 270° was logged as "turns back by 180°: the cable ends at -90.0°".
+TEST_F(StationCable, HalfATurnIsNoTurnBack)
+{
+    standAt(90_deg);
+    ASSERT_TRUE(rig.point(270.0, 30.0, kOperator));
+    EXPECT_TRUE(turnBacks().empty());
+    rig.settle();
+    EXPECT_NEAR(std::abs(rig.azimuthDegrees() - 90.0), 180.0, 0.01);
+}
+
+// REQ-CONTROL-31a
+TEST_F(StationCable, WhatEndsTheTurnBackEndsItsWords)
+{
+    standAt(440_deg);
+    stream(440.0, 1.0, 15);
+    ASSERT_EQ(reason(), kDetail);
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    rig.tick();
+    EXPECT_EQ(reason(), "");
+    ASSERT_TRUE(rig.ask(request::Park{}));
+    rig.tick();
+    EXPECT_EQ(reason().substr(0, 4), "park");
+}
+
+// REQ-CONTROL-31a
+TEST_F(StationCable, AGoToTheOtherWayRoundSaysWhy)
+{
+    standAt(400_deg);
+    ASSERT_TRUE(rig.point(60.0, 30.0, kOperator));
+    EXPECT_TRUE(turnBacks().empty()) << "420° is inside";
+    rig.settle();
+    ASSERT_TRUE(rig.point(120.0, 30.0, kOperator));
+    ASSERT_EQ(turnBacks().size(), 1U);
+    EXPECT_EQ(turnBacks().front().source, kOperator.name);
+    EXPECT_EQ(turnBacks().front().text.toStdString(), "turns back by 300°: the cable ends at 450.0°");
+    EXPECT_EQ(reason(), "cable ends: turns back by 300°");
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 120.0, 0.1);
+    EXPECT_EQ(reason(), "go to 120.00° 30.00°");
+}
+
+TEST_F(StationCable, UnwindingIsNoTurnBackByTheCable)
+{
+    standAt(425_deg);
+    ASSERT_TRUE(rig.ask(request::Unwind{}));
+    rig.run(Seconds(2.0));
+    EXPECT_TRUE(turnBacks().empty());
+    EXPECT_TRUE(reason().starts_with("unwind the cable"));
+}
+
+// Story: "ends in 38 s" stood there until the end, and as over after it.
+// REQ-CONTROL-31
+TEST_F(StationCable, TheHeadlineTellsWhenAndStaysTrue)
+{
+    standAt(390_deg);
+    stream(390.0, 1.0, 8);
+    EXPECT_EQ(headline().substr(0, 40), "Azimuth cable ends at 450.0°, about 00:");
+    stream(398.0, 1.0, 50, [&] { EXPECT_LT(std::abs(headlineOff()), 12.0); });
+    EXPECT_LE(lines(LogKind::Alarm, QStringLiteral("Ends at 450.0°")).size(), 3U);
+}
+
+// REQ-CONTROL-31
+TEST_F(StationCable, AnEndThatComesLaterIsToldAnewButNotEachSecond)
+{
+    standAt(390_deg);
+    const double last = stream(390.0, 1.0, 30);
+    const auto before = lines(LogKind::Alarm, QStringLiteral("Ends at 450.0°"));
+    ASSERT_FALSE(before.empty());
+    stream(last + 0.5, 0.5, 40);
+    EXPECT_LT(std::abs(headlineOff()), 12.0);
+    const auto after = lines(LogKind::Alarm, QStringLiteral("Ends at 450.0°"));
+    EXPECT_GT(after.size(), before.size());
+    for (std::size_t i = before.size(); i < after.size(); ++i) {
+        EXPECT_GE(after[i].utc - after[i - 1].utc, std::chrono::seconds(10)) << after[i].text.toStdString();
+    }
+}
+
+}  // namespace
+}  // namespace boresight

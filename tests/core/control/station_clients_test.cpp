@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Several clients and an operator: who moves the mount, and what the others hear.
+#include "tests/core/control/station_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+class StationClients : public ::testing::Test
+{
+protected:
+    StationClients()
+    {
+        rig.control.clientCame(kClient, "10.0.0.7");
+        rig.control.clientCame(kOtherClient, "10.0.0.9");
+        rig.run(Seconds(0.1));
+    }
+    ClientStatus status(const Source& client, std::optional<SteadyTime> lastMotion = std::nullopt)
+    {
+        ClientStatus status{.id = client.clientId};
+        rig.control.describe(status, lastMotion);
+        return status;
+    }
+    static std::string text(const Result<>& result) { return result ? std::string() : result.error().text; }
+    double target() { return rig.control.status().azimuth.target->degrees(); }
+
+    StationRig rig;
+};
+
+// REQ-CONTROL-27 (StationClients.*)
+TEST_F(StationClients, OnlyTheFirstMovesTheMount)
+{
+    ASSERT_TRUE(rig.point(40.0, 30.0));
+    rig.run(Seconds(1.0));
+    const std::string why = "rotctld 1 has the lead: it sent its last command 1 s ago";
+    EXPECT_EQ(text(rig.point(300.0, 10.0, kOtherClient)), why);
+    EXPECT_EQ(text(rig.ask(request::PointAxes{{.azimuth = 10_deg, .elevation = 10_deg}}, kOtherClient)), why);
+    EXPECT_EQ(text(rig.ask(request::Move{{.azimuth = 3_deg_s}}, kOtherClient)), why);
+    EXPECT_EQ(text(rig.ask(request::Park{}, kOtherClient)), why);
+    EXPECT_EQ(text(rig.ask(request::Home{}, kOtherClient)), why);
+    EXPECT_NEAR(target(), 40.0, 1e-9);
+    EXPECT_TRUE(rig.point(50.0, 30.0));
+    EXPECT_TRUE(rig.control.measured()) << "reading is open to all";
+}
+
+TEST_F(StationClients, AnybodyStops)
+{
+    ASSERT_TRUE(rig.point(80.0, 30.0));
+    rig.run(Seconds(2.0));
+    EXPECT_TRUE(rig.ask(request::Hold{}, kOtherClient));
+    EXPECT_EQ(rig.state(), StationState::Hold);
+    EXPECT_FALSE(rig.point(300.0, 10.0, kOtherClient)) << "to stop is not to take the lead";
+    ASSERT_TRUE(rig.ask(request::SetReadOnly{.clientId = 2}));
+    ASSERT_TRUE(rig.point(80.0, 30.0));
+    EXPECT_TRUE(rig.ask(request::Hold{}, kOtherClient));
+    EXPECT_EQ(rig.state(), StationState::Hold);
+}
+
+// Story: "P 90 -5" was answered RPRT 0, and nobody could see why the mount stood at 0°.
+// REQ-CONTROL-33: A target that is reached only as far as the limits permit is never silently clipped. For as long as
+// it lasts the status, an advisory and the client's line give the reason. The log has it once.
+TEST_F(StationClients, ATargetOutsideIsToldForAsLongAsItLasts)
+{
+    const auto limitedLines = [this] {
+        const auto lines = rig.log.since(0, EventLog::kCapacity);
+        return std::ranges::count_if(
+            lines, [](const LogEntry& line) { return line.text.startsWith(QStringLiteral("LIMITED: ")); });
+    };
+    for (int second = 0; second < 30; ++second) {
+        ASSERT_TRUE(rig.point(90.0, -5.0));
+        rig.run(Seconds(1.0));
+    }
+    const StationStatus shown = rig.control.status();
+    EXPECT_NEAR(shown.elevation.actual->degrees(), 0.0, 0.05);
+    EXPECT_TRUE(shown.limited);
+    EXPECT_EQ(shown.limitedReason.toStdString(), "elevation -5.0° below limit 0.0°");
+    EXPECT_NEAR(shown.target->elevation.degrees(), -5.0, 1e-9) << "the target is shown as it was asked";
+    ASSERT_EQ(shown.alarms.size(), 1U);
+    EXPECT_EQ(shown.alarms.front().severity, Severity::Advisory);
+    EXPECT_EQ(shown.alarms.front().action.toStdString(),
+              "LIMITED, the nearest permitted point is driven: elevation -5.0° below limit 0.0°.");
+    EXPECT_EQ(status(kClient).advice.toStdString(),
+              "asks for a place outside the limits: elevation -5.0° below limit 0.0°; the nearest permitted one is "
+              "driven");
+    EXPECT_TRUE(status(kOtherClient).advice.isEmpty());
+    EXPECT_EQ(limitedLines(), 1) << "once, not with each of its points";
+
+    ASSERT_TRUE(rig.point(90.0, 5.0));
+    rig.run(Seconds(0.1));
+    EXPECT_FALSE(rig.control.status().limited);
+    EXPECT_TRUE(rig.control.status().limitedReason.isEmpty());
+    EXPECT_TRUE(rig.control.status().alarms.empty());
+    EXPECT_TRUE(status(kClient).advice.isEmpty());
+    ASSERT_TRUE(rig.point(90.0, -5.0));
+    EXPECT_EQ(limitedLines(), 2) << "outside again";
+}
+
+// REQ-CONTROL-33
+TEST_F(StationClients, ATrimThatLeadsOutsideIsTold)
+{
+    ASSERT_TRUE(rig.point(90.0, 1.0));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = 0_deg, .elevation = -4_deg}));
+    ASSERT_TRUE(rig.point(90.0, 1.0));
+    rig.run(Seconds(1.0));
+    EXPECT_TRUE(rig.control.status().limited);
+    EXPECT_FALSE(rig.control.status().limitedReason.isEmpty());
+}
+
+TEST_F(StationClients, ASilentDriverIsReleasedAndTheMountHolds)
+{
+    for (int i = 0; i < 10; ++i) {
+        ASSERT_TRUE(rig.point(40.0 + i, 30.0));
+        rig.run(Seconds(1.0));
+    }
+    rig.run(Seconds(8.9));
+    EXPECT_EQ(rig.state(), StationState::Hold);
+    EXPECT_FALSE(rig.point(300.0, 10.0, kOtherClient));
+    rig.run(Seconds(0.2));
+    EXPECT_TRUE(rig.point(300.0, 10.0, kOtherClient));
+}
+
+TEST_F(StationClients, LimitedOrRefusedTheLeadGoesByWhatIsAccepted)
+{
+    rig.profile.rotctld.outsideLimits = profile::OutsideLimits::Refuse;
+    StationRig strict(rig.profile);
+    strict.run(Seconds(0.1));
+    EXPECT_FALSE(strict.point(20.0, -20.0));
+    EXPECT_TRUE(strict.point(20.0, 20.0, kOtherClient)) << "who could not move the mount does not lead";
+}
+
+TEST_F(StationClients, TheOperatorGivesControlToOne)
+{
+    ASSERT_TRUE(rig.point(80.0, 30.0));
+    rig.run(Seconds(2.0));
+    ASSERT_TRUE(rig.ask(request::GiveLead{.clientId = 2}));
+    EXPECT_EQ(rig.lastLog(), "gives control to rotctld 2");
+    EXPECT_EQ(rig.state(), StationState::Hold) << "the other one's motion ends";
+    EXPECT_FALSE(rig.point(80.0, 30.0));
+    EXPECT_TRUE(rig.point(20.0, 30.0, kOtherClient));
+    EXPECT_TRUE(status(kOtherClient).leading);
+    EXPECT_TRUE(status(kOtherClient).driving);
+    EXPECT_FALSE(status(kClient).leading);
+}
+
+TEST_F(StationClients, GivingControlGivesTheAuthorityBack)
+{
+    ASSERT_TRUE(rig.point(80.0, 30.0));
+    ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = 1_deg_s}}));
+    EXPECT_FALSE(rig.point(80.0, 30.0));
+    ASSERT_TRUE(rig.ask(request::GiveLead{.clientId = 1}));
+    EXPECT_EQ(rig.control.status().authority, Authority::Clients);
+    EXPECT_TRUE(rig.point(80.0, 30.0));
+    ASSERT_TRUE(rig.ask(request::Stop{}));
+    EXPECT_EQ(text(rig.ask(request::GiveLead{.clientId = 1})), "STOP is latched: reset STOP first");
+    EXPECT_EQ(rig.control.status().authority, Authority::Operator);
+}
+
+TEST_F(StationClients, WhoLedBeforeAJogLeadsAfterIt)
+{
+    ASSERT_TRUE(rig.point(80.0, 30.0));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
+    rig.run(Seconds(30.0));
+    ASSERT_TRUE(rig.ask(request::GiveAuthority{}));
+    EXPECT_FALSE(rig.point(300.0, 30.0, kOtherClient));
+    EXPECT_TRUE(rig.point(80.0, 30.0));
+}
+
+TEST_F(StationClients, ReadOnlyEndsItsMotionAndRefusesTheNext)
+{
+    ASSERT_TRUE(rig.ask(request::Move{{.azimuth = 3_deg_s}}, kClient));
+    rig.run(Seconds(2.0));
+    ASSERT_TRUE(rig.ask(request::SetReadOnly{.clientId = 1}));
+    EXPECT_EQ(rig.state(), StationState::Hold);
+    EXPECT_EQ(text(rig.point(80.0, 30.0)), "the operator has made this client read-only");
+    EXPECT_EQ(text(rig.ask(request::Rearm{}, kClient)), "the operator has made this client read-only");
+    EXPECT_TRUE(status(kClient).readOnly);
+    ASSERT_TRUE(rig.ask(request::SetReadOnly{.clientId = 1, .readOnly = false}));
+    EXPECT_TRUE(rig.point(80.0, 30.0));
+}
+
+TEST_F(StationClients, OnlyTheOperatorDecidesAboutClients)
+{
+    EXPECT_FALSE(rig.ask(request::GiveLead{.clientId = 2}, kOtherClient));
+    EXPECT_FALSE(rig.ask(request::SetReadOnly{.clientId = 1}, kOtherClient));
+    EXPECT_FALSE(rig.ask(request::Disconnect{.clientId = 1}, kOtherClient));
+    EXPECT_TRUE(rig.point(80.0, 30.0));
+}
+
+TEST_F(StationClients, WhoGoesOnAskingInVainIsShown)
+{
+    ASSERT_TRUE(rig.point(80.0, 30.0));
+    const SteadyTime asked = rig.clock.now();
+    ASSERT_FALSE(rig.point(20.0, 30.0, kOtherClient));
+    EXPECT_TRUE(status(kOtherClient, asked).wanting);
+    EXPECT_FALSE(status(kClient, asked).wanting);
+    EXPECT_FALSE(status(kOtherClient).wanting) << "it has never asked";
+    rig.run(Seconds(5.1));
+    EXPECT_FALSE(status(kOtherClient, asked).wanting) << "that is over";
+    ASSERT_TRUE(rig.ask(request::TakeAuthority{}));
+    EXPECT_FALSE(status(kOtherClient, rig.clock.now()).wanting) << "all are refused, and are told why";
+}
+
+// A fault in mid-motion, while the clients go on sending for some seconds.
+void failInMidMotion(StationRig& rig, const Source& streaming, int seconds)
+{
+    ASSERT_TRUE(rig.point(80.0, 30.0, streaming));
+    rig.run(Seconds(2.0));
+    rig.elevation.mode = moteus::Mode::Fault;
+    rig.elevation.fault = 33;
+    for (int i = 0; i < seconds; ++i) {
+        rig.run(Seconds(1.0));
+        EXPECT_FALSE(rig.point(80.0, 30.0, streaming));
+    }
+}
+
+// Story: "R 1" of a client that the lock refused was accepted, and the locked client's stream moved the mount at once.
+// REQ-CONTROL-23a: A client re-arms only if it may move the mount. The other clients that kept sending through the
+// fault wait for an act of their own: `R 1`, a pause of 10 s, a new connection, or the operator's permission. A client
+// that may not move the mount does not set the speed either.
+TEST_F(StationClients, WhoMayNotMoveMayNotRearm)
+{
+    rig.profile.rotctld.lead = profile::Lead::Locked;
+    rig.profile.rotctld.lockedTo = "10.0.0.7";
+    rig.setProfile(rig.profile);
+    failInMidMotion(rig, kClient, 12);
+    EXPECT_EQ(text(rig.ask(request::Rearm{}, kOtherClient)), "the mount is locked to 10.0.0.7");
+    rig.run(Seconds(1.0));
+    EXPECT_FALSE(rig.point(80.0, 30.0));
+    EXPECT_EQ(rig.state(), StationState::Fault);
+    EXPECT_TRUE(rig.ask(request::Rearm{}, kClient));
+}
+
+// REQ-CONTROL-23a
+TEST_F(StationClients, WhileAnotherLeadsAClientMayNotRearm)
+{
+    failInMidMotion(rig, kClient, 3);
+    EXPECT_EQ(text(rig.ask(request::Rearm{}, kOtherClient)),
+              "rotctld 1 has the lead: it sent its last command 5 s ago");
+}
+
+// REQ-CONTROL-23a
+TEST_F(StationClients, AStreamThatWentOnThroughTheFaultWaitsForAnActOfItsOwn)
+{
+    failInMidMotion(rig, kClient, 12);
+    ASSERT_TRUE(rig.ask(request::Rearm{}, kOtherClient)) << "nobody leads any more";
+    const double place = rig.azimuthDegrees();
+    for (int i = 0; i < 30; ++i) {
+        rig.run(Seconds(1.0));
+        EXPECT_FALSE(rig.point(80.0, 30.0));
+    }
+    EXPECT_NEAR(rig.azimuthDegrees(), place, 0.05) << "it merely kept sending";
+    ASSERT_TRUE(rig.ask(request::Rearm{}, kClient)) << "there is no fault, but it acts";
+    EXPECT_TRUE(rig.point(80.0, 30.0));
+}
+
+// REQ-CONTROL-23a
+TEST_F(StationClients, WhoRearmsItselfGoesOnAtOnce)
+{
+    failInMidMotion(rig, kClient, 3);
+    ASSERT_TRUE(rig.ask(request::Rearm{}, kClient));
+    rig.run(Seconds(0.5));
+    EXPECT_TRUE(rig.point(80.0, 30.0));
+}
+
+}  // namespace
+}  // namespace boresight

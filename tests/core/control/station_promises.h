@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/pointing/permitted_region.h"
+#include "tests/core/control/station_rig.h"
+
+#include <array>
+#include <optional>
+#include <string>
+
+// What the station promises whatever happens, judged from outside: by what was asked and answered, what the test did to
+// drives, bus and survey, and the frames that leave. Call asked() after each request and ticked() after each tick; the
+// first broken promise stays in broken().
+namespace boresight {
+
+class StationPromises
+{
+public:
+    explicit StationPromises(const StationRig& rig) : m_rig(rig), m_before(rig.control.status()) {}
+
+    void fitness(bool fit) { m_fit = fit; }  // what the survey says now
+    void asked(const Request& request, const Source& source, bool accepted, const StationStatus& before);
+    void sourceGone(const Source& source);
+    // The test has put the axis, or what its drive counts, somewhere else: a drive under orders comes back at once.
+    void slipped(Axis axis) { m_traces[index(axis)].sinceSlip = 0; }
+    // `step`: since the last tick. The frames of the drives are those seen since then.
+    void ticked(Seconds step);
+
+    [[nodiscard]] const std::string& broken() const { return m_broken; }
+    [[nodiscard]] long motions() const { return m_motions; }  // times that an axis began to move
+    [[nodiscard]] long losses() const { return m_losses; }
+
+private:
+    // An accepted request that lets the axes move until something ends it.
+    struct Permit
+    {
+        Source source;
+        bool jog = false;   // ends with its keep-alive
+        bool run = false;   // ends with its source
+        bool slow = false;  // the operator's jog at the speed for an unknown turn
+        SteadyTime given{};
+    };
+    static constexpr std::size_t kManyClients = 3;
+    struct AxisTrace
+    {
+        std::optional<double> position;  // turns, of the last set-point, if the last frame had one
+        int still = 1000;                // ticks; a drive just taken over stands
+        int faultyTicks = 0;
+        int sinceSlip = 1000;    // ticks
+        int sinceHold = 1000;    // ticks since the drive was last told to hold where it is
+        int inside = 0;          // ticks that the axis has really been inside its travel
+        double travelled = 0.0;  // turns, at the end of the last tick
+    };
+
+    void fail(const std::string& what);
+    void watchLead(const Request& request, const Source& source);
+    void askedForMotion(const Request& request, const Source& source, const StationStatus& before);
+    void end() { m_permit.reset(); }
+    void watchLatches(const StationStatus& now);
+    void watchEnds(const StationStatus& now);
+    void watchFrames(const StationStatus& now);
+    void watchFrame(Axis axis, const fakes::IdealDrive::Seen& seen, const StationStatus& now);
+    void watchSetpoint(Axis axis, double position, const StationStatus& now);
+    void watchAxis(Axis axis, const StationStatus& now, Seconds step);
+    [[nodiscard]] bool takesOver(Axis axis, const StationStatus& now) const;
+    void watchBounds(Axis axis, const fakes::IdealDrive::Seen& seen, const StationStatus& now);
+    void watchRegion(const StationStatus& now);
+    void watchPath(Axis axis, const StationStatus& now, Seconds step);
+
+    const StationRig& m_rig;
+    pointing::PermittedRegion m_region{m_rig.profile.limits, m_rig.profile.azimuth.geometry.travel,
+                                       m_rig.profile.elevation.geometry.travel};
+    StationStatus m_before;
+    std::array<AxisTrace, 2> m_traces;
+    std::optional<Permit> m_permit;
+    std::optional<Permit> m_lead;  // of clients: whose motion was accepted last, or who was given control
+    std::array<bool, kManyClients> m_readOnly{};  // by client
+    int m_sinceEnd = 0;                           // ticks without a permit
+    int m_sinceUnknown = 0;                       // ticks since the turns were known
+    bool m_fit = true;
+    bool m_stopped = false;
+    bool m_faulty = false;
+    bool m_rearmed = false;  // asked for since the fault
+    long m_motions = 0;
+    long m_losses = 0;
+    std::string m_broken;
+};
+
+}  // namespace boresight

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whoever asks: what is forbidden is refused with its reason, or the nearest permitted place is driven, and shown.
+#include "tests/core/control/station_rig.h"
+
+#include <gtest/gtest.h>
+
+namespace boresight {
+namespace {
+
+pointing::KeepOut stationMast(Angle top = 40_deg)
+{
+    return {.name = "stationMast",
+            .azimuthFrom = 300_deg,
+            .azimuthTo = 330_deg,
+            .elevationMin = 0_deg,
+            .elevationMax = top};
+}
+
+// The case of scenario S15: 25° all round but for a valley, and a box in the north-west.
+pointing::Region roof()
+{
+    return {.horizon = {{210_deg, 25_deg}, {214_deg, 0_deg}, {262_deg, 0_deg}, {266_deg, 25_deg}},
+            .keepOuts = {stationMast()}};
+}
+
+profile::Profile profileWith(const pointing::Region& region)
+{
+    profile::Profile profile;
+    profile.limits = region;
+    return profile;
+}
+
+struct RegionRig : StationRig
+{
+    explicit RegionRig(const pointing::Region& region) : StationRig(profileWith(region)) { run(Seconds(0.1)); }
+
+    // Until nothing moves; once the set-points are permitted they stay so.
+    void settlePermitted()
+    {
+        const pointing::PermittedRegion permitted(profile.limits, profile.azimuth.geometry.travel,
+                                                  profile.elevation.geometry.travel);
+        bool inside = false;
+        for (int i = 0; i < 6000 && (i < 10 || moving()); ++i) {
+            tick();
+            const StationStatus status = control.status();
+            if (status.azimuth.commanded && status.elevation.commanded) {
+                const AxisPosition place{*status.azimuth.commanded, *status.elevation.commanded};
+                EXPECT_TRUE(!inside || permitted.permits(place)) << permitted.reason(place).toStdString();
+                inside = permitted.permits(place);
+            }
+        }
+    }
+    bool logged(const QString& text) const
+    {
+        for (const LogEntry& line : log.since(0, 100000)) {
+            if (line.text.contains(text)) {
+                return true;
+            }
+        }
+        return false;
+    }
+};
+
+// REQ-AXES-25 (StationRegion.*)
+// REQ-AXES-26 (StationRegion.*): A forbidden target is refused with the reason and the nearest permitted place, or the
+// mount goes there and shows LIMITED. A free target behind something forbidden is reached around it, on another wrap
+// if need be, or refused with the obstacle.
+TEST(StationRegion, TheOperatorIsRefusedAForbiddenPlaceAndToldTheNearest)
+{
+    RegionRig rig({.keepOuts = {stationMast()}});
+    const auto answer = rig.point(315, 35, kOperator);
+    ASSERT_FALSE(answer);
+    EXPECT_EQ(answer.error().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(answer.error().text,
+              "azimuth -45.0° elevation 35.0° is in the keep-out \"stationMast\"; permitted nearest to it: "
+              "-45.00° 40.00°");
+    EXPECT_EQ(rig.commands(), 0U);
+}
+
+TEST(StationRegion, ParkingInAKeepOutIsRefused)
+{
+    profile::Profile profile = profileWith({.keepOuts = {stationMast()}});
+    profile.park = {.azimuth = 315_deg, .elevation = 10_deg};
+    StationRig rig(profile);
+    rig.run(Seconds(0.1));
+    const auto answer = rig.ask(request::Park{});
+    ASSERT_FALSE(answer);
+    EXPECT_NE(answer.error().text.find("keep-out \"stationMast\""), std::string::npos);
+}
+
+TEST(StationRegion, AGoToIsDrivenAroundAndShowsItsRoute)
+{
+    RegionRig rig({.keepOuts = {stationMast()}});
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 290_deg, .elevation = 5_deg}}));
+    rig.settlePermitted();
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 340_deg, .elevation = 5_deg}}));
+    rig.tick();
+    EXPECT_EQ(rig.control.status().route.size(), 3U);
+    rig.settlePermitted();
+    EXPECT_EQ(rig.state(), StationState::Hold);
+    EXPECT_NEAR(rig.azimuthDegrees(), 340, 0.001);
+    EXPECT_TRUE(rig.control.status().route.empty());
+}
+
+TEST(StationRegion, ADirectionBehindAWallIsReachedByAnotherTurn)
+{
+    RegionRig rig({.keepOuts = {stationMast(90_deg)}});
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 290_deg, .elevation = 5_deg}}));
+    rig.settlePermitted();
+    ASSERT_TRUE(rig.point(340, 5, kOperator));
+    rig.settlePermitted();
+    EXPECT_NEAR(rig.azimuthDegrees(), -20, 0.001);
+    const auto answer = rig.ask(request::PointAxes{{.azimuth = 340_deg, .elevation = 5_deg}});
+    ASSERT_FALSE(answer);
+    EXPECT_NE(answer.error().text.find("the keep-out \"stationMast\" is in between"), std::string::npos);
+}
+
+TEST(StationRegion, AClientGetsTheNearestPermittedPlace)
+{
+    RegionRig rig(roof());
+    ASSERT_TRUE(rig.point(240, 5));
+    rig.settle();
+    ASSERT_TRUE(rig.point(290, 5));
+    rig.settlePermitted();
+    const StationStatus status = rig.control.status();
+    EXPECT_TRUE(status.limited);
+    EXPECT_EQ(status.elevation.state, AxisState::Limit);
+    EXPECT_EQ(status.elevation.stateText, QStringLiteral("at the horizon"));
+    EXPECT_NEAR(status.target->elevation.degrees(), 5, 1e-9);
+    EXPECT_TRUE(rig.logged(QStringLiteral("LIMITED: elevation 5.0° below the horizon 25.0° at azimuth 290.0°")));
+    ASSERT_TRUE(rig.point(240, 5));
+    rig.settlePermitted();
+    EXPECT_FALSE(rig.control.status().limited);
+    EXPECT_NEAR(rig.elevationDegrees(), 5, 0.001);
+}
+
+// REQ-CONTROL-10
+TEST(StationRegion, AClientIsRefusedWhereTheProfileSaysSo)
+{
+    profile::Profile profile = profileWith(roof());
+    profile.rotctld.outsideLimits = profile::OutsideLimits::Refuse;
+    StationRig rig(profile);
+    rig.run(Seconds(0.1));
+    EXPECT_FALSE(rig.point(315, 30));
+    EXPECT_TRUE(rig.point(315, 41));
+}
+
+TEST(StationRegion, AHeldJogStopsAtTheEdgeSaysSoAndIsLetBack)
+{
+    RegionRig rig({.keepOuts = {stationMast()}});
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 295_deg, .elevation = 5_deg}}));
+    rig.settlePermitted();
+    const auto jog = [&rig](AngularRate rate) {
+        for (int i = 0; i < 60; ++i) {
+            ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = rate}}));
+            rig.run(Seconds(0.1));
+        }
+    };
+    jog(6_deg_s);
+    EXPECT_NEAR(rig.azimuthDegrees(), 300, 0.001);
+    const StationStatus status = rig.control.status();
+    EXPECT_EQ(status.azimuth.state, AxisState::Limit);
+    EXPECT_EQ(status.azimuth.stateText, QStringLiteral("at the keep-out \"stationMast\""));
+    EXPECT_TRUE(rig.logged(QStringLiteral("held at the keep-out \"stationMast\"")));
+    jog(-1_deg_s);
+    EXPECT_LT(rig.azimuthDegrees(), 297);
+}
+
+TEST(StationRegion, TheHorizonIsAsLowAsItGoes)
+{
+    RegionRig rig(roof());
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 240_deg, .elevation = 50_deg}}));
+    rig.settlePermitted();
+    ASSERT_TRUE(rig.ask(request::Horizon{}));
+    rig.settlePermitted();
+    EXPECT_NEAR(rig.elevationDegrees(), 0, 0.001);
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 315_deg, .elevation = 50_deg}}));
+    rig.settlePermitted();
+    ASSERT_TRUE(rig.ask(request::Horizon{}));
+    rig.settlePermitted();
+    EXPECT_NEAR(rig.elevationDegrees(), 40, 0.001);
+}
+
+TEST(StationRegion, LimitsOfOperationChooseTheTurnAndEndTheJog)
+{
+    RegionRig rig({.azimuth = {-30_deg, 200_deg}, .elevation = {10_deg, 60_deg}});
+    ASSERT_TRUE(rig.ask(request::Home{}));
+    rig.settlePermitted();
+    EXPECT_NEAR(rig.elevationDegrees(), 10, 0.001);
+    EXPECT_FALSE(rig.point(100, 70, kOperator));
+    EXPECT_FALSE(rig.point(250, 20, kOperator));
+    ASSERT_TRUE(rig.point(190, 20, kOperator));
+    rig.settlePermitted();
+    EXPECT_NEAR(rig.azimuthDegrees(), 190, 0.001);
+}
+
+TEST(StationRegion, DrawnOntoTheMountItHoldsAndOnlyLetsOut)
+{
+    RegionRig rig({});
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 310_deg, .elevation = 38_deg}}));
+    rig.settle();
+    rig.draw({.keepOuts = {stationMast()}});
+    rig.run(Seconds(2.0));
+    EXPECT_NEAR(rig.elevationDegrees(), 38, 0.001) << "it does not move by itself";
+    for (int i = 0; i < 10; ++i) {
+        ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = 2_deg_s, .elevation = -2_deg_s}}));
+        rig.run(Seconds(0.1));
+    }
+    EXPECT_NEAR(rig.elevationDegrees(), 38, 0.001);
+    EXPECT_NEAR(rig.azimuthDegrees(), 310, 0.001);
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 340_deg, .elevation = 5_deg}}));
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 340, 0.001);
+}
+
+TEST(StationRegion, AnEdgeDrawnAcrossAGoToEndsItWithTheReason)
+{
+    RegionRig rig({});
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 290_deg, .elevation = 5_deg}}));
+    rig.settle();
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 400_deg, .elevation = 5_deg}}));
+    rig.tick();
+    rig.draw({.keepOuts = {stationMast(90_deg)}});
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(rig.state(), StationState::Hold);
+    EXPECT_LT(rig.azimuthDegrees(), 300.001);
+    EXPECT_TRUE(rig.logged(QStringLiteral("ends the motion: there is no way from")));
+}
+
+}  // namespace
+}  // namespace boresight

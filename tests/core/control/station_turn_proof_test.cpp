@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What proves the turn of an axis over a new start, a silence, other tools: only a position that nobody has set since.
+#include "tests/core/control/station_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace boresight {
+namespace {
+
+// A mount whose journal is dated an hour ahead, so that the operator is asked. It stands at 0°.
+memory::MountMemory journalOfTheFuture(const StationRig& rig)
+{
+    memory::MountMemory journal;
+    for (const Axis axis : kAxes) {
+        const bool azimuth = axis == Axis::Azimuth;
+        const auto& geometry = azimuth ? rig.profile.azimuth.geometry : rig.profile.elevation.geometry;
+        const auto& drive = azimuth ? rig.azimuth : rig.elevation;
+        const MotorTurns reported = MotorTurns::fromTurns(drive.position);
+        journal.turns[index(axis)] =
+            memory::recordOf({.drive = rig.factsOf(axis).uuid,
+                              .reported = reported,
+                              .homeState = drive.home,
+                              .uptime = Seconds(std::chrono::hours(1)),
+                              .origin = moteus::CountOrigin{.beginning = 1, .offset = drive.origin()}},
+                             geometry.toAxis(reported), geometry, false, rig.clock.utc() + std::chrono::hours(1),
+                             memory::hostTime(rig.clock));
+    }
+    return journal;
+}
+
+// The program starts again with what was saved; drives and their power stay, the clock is right meanwhile.
+void restartInto(StationRig& next, const StationRig& before)
+{
+    next.clock.advance(Seconds(before.clock.now() - next.clock.now()) + Seconds(1.0));
+    next.azimuth = before.azimuth;
+    next.elevation = before.elevation;
+    for (const Axis axis : kAxes) {
+        next.learn(axis, before.facts[index(axis)]);
+    }
+}
+
+memory::MountMemory withTheClockRight(memory::MountMemory journal)
+{
+    for (auto& turn : journal.turns) {
+        if (turn) {
+            turn->when -= std::chrono::hours(1);
+        }
+    }
+    return journal;
+}
+
+// Story: while the question stood, the drive had been set to the middle of its travel; the program was started anew,
+// the journal's date was right again, and the setting of the zero was counted as a motion: 180°, for certain.
+// REQ-AXES-15 (StationTurns.*): The wrap of an axis is shown or asked, never guessed. While it is unknown there is no
+// pointing and no position for clients, and only the operator jogs, slowly.
+TEST(StationTurns, CountingFromTheMiddleIsNeverTakenForAMotion)
+{
+    const StationRig standing;
+    StationRig asked(profile::Profile{}, {.memory = journalOfTheFuture(standing)});
+    asked.run(Seconds(0.5));
+    ASSERT_TRUE(asked.control.status().drives->azimuth.turnQuestion);
+    ASSERT_NEAR(asked.azimuthDegrees(), 180.0, 3.6) << "it counts from the middle";
+    StationRig again(profile::Profile{}, {.memory = withTheClockRight(asked.mount.memory())});
+    restartInto(again, asked);
+    again.run(Seconds(0.5));
+    EXPECT_FALSE(again.control.status().azimuth.turnKnown);
+    const auto question = again.control.status().drives->azimuth.turnQuestion;
+    ASSERT_TRUE(question);
+    EXPECT_FALSE(question->proposed) << "it could as well have been moved, and set by another tool";
+    EXPECT_TRUE(std::ranges::any_of(question->evidence, [](const QString& line) {
+        return line.contains(QStringLiteral("The journal says 0.0°"));
+    })) << "which still tells where it was";
+}
+
+// The same without a new start: what was in the way of the proof may pass while the drive is silent.
+TEST(StationTurns, CountingFromTheMiddleProvesNothingAfterASilenceEither)
+{
+    const StationRig standing;
+    StationRig rig(profile::Profile{}, {.memory = journalOfTheFuture(standing)});
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.control.status().drives->azimuth.turnQuestion);
+    rig.azimuth.silent = true;
+    rig.clock.stepUtc(Seconds(std::chrono::hours(1)) + Seconds(1.0));
+    rig.run(Seconds(0.5));
+    rig.azimuth.silent = false;
+    rig.run(Seconds(0.5));
+    EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
+}
+
+// Killed right after the answer was written into the drive, before the new place was saved.
+TEST(StationTurns, AnAnswerHalfWrittenIsNeverTakenForAMotion)
+{
+    const StationRig standing;
+    StationRig told(
+        profile::Profile{},
+        {.memory = journalOfTheFuture(standing), .standingAt = {100.8_deg, 43.2_deg}, .looked = standing.clock.utc()});
+    memory::MountMemory saved;
+    for (int i = 0; i < 25 && told.azimuth.position < 0.1; ++i) {
+        told.tick();
+        saved = told.mount.memory();
+    }
+    ASSERT_NEAR(told.azimuth.position, 0.28, 1e-6);
+    StationRig again(profile::Profile{}, {.memory = withTheClockRight(saved)});
+    restartInto(again, told);
+    again.run(Seconds(0.5));
+    EXPECT_FALSE(again.control.status().azimuth.turnKnown);
+}
+
+enum class OtherTool
+{
+    Looks,
+    Moves,         // the axis
+    Sets,          // what the drive calls its position
+    MovesAndSets,  // so that the drive reports the same place as before
+};
+
+// Story: moved by hand and set back to the old number by another tool, a mount was 216° from where it said, for
+// certain.
+TEST(StationTurns, OnlySettingTheDrivesPositionIsAskedAboutAfterOtherTools)
+{
+    for (const OtherTool tool : {OtherTool::Looks, OtherTool::Moves, OtherTool::Sets, OtherTool::MovesAndSets}) {
+        StationRig rig;
+        rig.run(Seconds(0.5));
+        ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
+        rig.settle();
+        ASSERT_TRUE(rig.ask(request::ReleaseBus{}));
+        rig.run(Seconds(1.0));
+        EXPECT_FALSE(rig.control.measured());
+        EXPECT_FALSE(rig.point(10.0, 10.0));
+        const double before = rig.azimuth.position;
+        if (tool == OtherTool::Moves || tool == OtherTool::MovesAndSets) {
+            rig.azimuth.position += 0.1;
+        }
+        if (tool == OtherTool::Sets || tool == OtherTool::MovesAndSets) {
+            rig.azimuth.setExact(tool == OtherTool::Sets ? before + 0.1 : before);
+        }
+        ASSERT_TRUE(rig.ask(request::TakeBus{}));
+        for (const Axis axis : kAxes) {
+            rig.learn(axis, rig.facts[index(axis)]);
+        }
+        rig.run(Seconds(1.5));
+        const bool set = tool == OtherTool::Sets || tool == OtherTool::MovesAndSets;
+        EXPECT_EQ(rig.control.status().azimuth.turnKnown, !set);
+        EXPECT_TRUE(rig.control.status().elevation.turnKnown);
+        if (!set) {
+            EXPECT_NEAR(rig.azimuthDegrees(), tool == OtherTool::Moves ? 136.0 : 100.0, 0.01);
+        }
+    }
+}
+
+// The same while the program is closed.
+TEST(StationTurns, APositionSetWhileTheProgramWasClosedIsAskedAbout)
+{
+    StationRig before;
+    before.run(Seconds(0.5));
+    ASSERT_TRUE(before.ask(request::PointAxes{{100_deg, 45_deg}}));
+    before.settle();
+    before.run(Seconds(1.0));
+    for (const bool set : {false, true}) {
+        StationRig again(profile::Profile{}, {.memory = before.mount.memory()});
+        restartInto(again, before);
+        const double reported = again.azimuth.position;
+        again.azimuth.position += 0.6;  // turned by hand
+        if (set) {
+            again.azimuth.setExact(reported);
+            again.learn(Axis::Azimuth, again.facts[0]);
+        }
+        again.run(Seconds(0.5));
+        EXPECT_EQ(again.control.status().azimuth.turnKnown, !set);
+        if (!set) {
+            EXPECT_NEAR(again.azimuthDegrees(), 316.0, 0.01) << "a drive with power counts on";
+        }
+    }
+}
+
+// By less than a jump of the encoder is suspected, or while this computer stood still, nothing else shows it.
+TEST(StationTurns, APositionSetWhileTheTurnIsKnownIsFoundOutBySeconds)
+{
+    for (const bool stalled : {false, true}) {
+        StationRig rig;
+        rig.run(Seconds(0.5));
+        ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
+        rig.settle();
+        if (stalled) {
+            rig.clock.advance(Seconds(20.0));
+        }
+        rig.azimuth.setExact(rig.azimuth.position + (stalled ? 0.6 : 0.001));
+        rig.run(Seconds(6.0));
+        EXPECT_FALSE(rig.control.status().azimuth.turnKnown) << stalled;
+        EXPECT_TRUE(rig.control.status().elevation.turnKnown) << stalled;
+        const auto question = rig.control.status().drives->azimuth.turnQuestion;
+        ASSERT_TRUE(question);
+        EXPECT_FALSE(question->proposed);
+    }
+}
+
+// Story: a piece of the console's answer came twice. What it said was taken for a setting by another tool.
+TEST(StationTurns, OneFalseReadingOfTheOriginIsNoSetting)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
+    rig.settle();
+    survey::DriveFacts read = rig.facts[0];
+    read.origin.origin->offset += MotorTurns::fromTurns(0.5);
+    read.origin.asked = rig.clock.now();
+    rig.mount.learn(Axis::Azimuth, read);
+    rig.run(Seconds(6.0));
+    EXPECT_TRUE(rig.control.status().azimuth.turnKnown);
+}
+
+// Story: the axis stood where the drive counted from while it was asked; the setting to there was taken for another
+// tool's, some seconds after the answer.
+TEST(StationTurns, AnAnswerThatNeedsNoSettingIsKept)
+{
+    const StationRig standing;
+    StationRig rig(profile::Profile{}, {.memory = journalOfTheFuture(standing)});
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.control.status().drives->azimuth.turnQuestion);
+    for (const Axis axis : kAxes) {
+        const Angle there = axis == Axis::Azimuth ? 180_deg : 45_deg;
+        ASSERT_TRUE(rig.ask(request::ChooseTurn{axis, there}));
+        rig.run(Seconds(0.2));
+    }
+    rig.run(Seconds(12.0));
+    EXPECT_TRUE(rig.control.status().azimuth.turnKnown);
+    EXPECT_TRUE(rig.control.status().elevation.turnKnown);
+}
+
+// Until it is known what the drive counts from, its record must not seem to prove anything.
+TEST(StationTurns, ARecordOfADriveThatDoesNotTellProvesNothing)
+{
+    StationRig before;
+    before.run(Seconds(0.5));
+    ASSERT_TRUE(before.mount.memory().turns[0]->origin);
+    memory::MountMemory old = before.mount.memory();
+    old.turns[0]->origin.reset();
+    StationRig again(profile::Profile{}, {.memory = old});
+    restartInto(again, before);
+    again.run(Seconds(0.5));
+    EXPECT_FALSE(again.control.status().azimuth.turnKnown);
+    EXPECT_TRUE(again.control.status().elevation.turnKnown);
+}
+
+}  // namespace
+}  // namespace boresight

@@ -1,0 +1,487 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which turn an axis is on: asked where it cannot be shown, written into the drive, journalled. What proves it, and
+// what does not any more: station_turn_proof_test.cpp.
+#include "tests/core/control/station_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace boresight {
+namespace {
+
+using moteus::HomeState;
+using moteus::Register;
+
+// At the beginning of a test.
+UtcTime now()
+{
+    return fakes::ManualClock().utc();
+}
+
+// The azimuth drive has been without power: it knows its direction within 3.6° only.
+struct RestartedRig : StationRig
+{
+    RestartedRig()
+    {
+        run(Seconds(0.5));
+        EXPECT_TRUE(ask(request::PointAxes{{100_deg, 45_deg}}));
+        settle();
+        azimuth.silent = elevation.silent = true;
+        run(Seconds(0.5));
+        azimuth.home = HomeState::Rotor;
+        azimuth.position = std::remainder(azimuth.position, 0.01);
+        azimuth.mode = elevation.mode = moteus::Mode::Stopped;
+        azimuth.silent = elevation.silent = false;
+        auto restarted = factsOf(Axis::Azimuth);
+        restarted.bootedAt = clock.now();
+        learn(Axis::Azimuth, restarted);
+        run(Seconds(1.5));
+        EXPECT_TRUE(ask(request::Rearm{}));
+        run(Seconds(0.5));
+    }
+
+    [[nodiscard]] std::optional<TurnQuestion> question() const { return control.status().drives->azimuth.turnQuestion; }
+};
+
+TEST(StationTurns, AfterAPowerCutTheOperatorIsAsked)
+{
+    RestartedRig rig;
+    ASSERT_TRUE(rig.question());
+    EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
+    EXPECT_TRUE(rig.control.status().elevation.turnKnown) << "the other drive never lost power";
+    EXPECT_NEAR(rig.question()->period.degrees(), 3.6, 1e-9);
+    EXPECT_FALSE(rig.control.measured()) << "clients get no position";
+    EXPECT_FALSE(rig.control.status().actual);
+    EXPECT_EQ(rig.point(10.0, 10.0, kOperator).error().code, ErrorCode::Refused);
+    EXPECT_EQ(rig.ask(request::Park{}).error().code, ErrorCode::Refused);
+    EXPECT_EQ(rig.ask(request::ProveCrashStop{2_deg_s}).error().code, ErrorCode::Refused);
+}
+
+// REQ-WITNESS-40
+TEST(StationTurns, ASensorOnTheAntennaSpeaksInTheQuestion)
+{
+    RestartedRig rig;
+    ASSERT_TRUE(rig.question());
+    EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("There is no sensor to compare with"));
+    rig.control.setSensor(98_deg, std::nullopt);
+    EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("The sensor says 98.0°"));
+    rig.control.setSensor(-1.5_deg, std::nullopt);
+    EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("The sensor says 358.5°"));
+    EXPECT_FALSE(rig.control.status().azimuth.turnKnown) << "it decides nothing";
+
+    rig.profile.pointing.azimuthOffset = 37.5_deg;
+    rig.setProfile(rig.profile);
+    rig.control.setSensor(98_deg, std::nullopt);
+    EXPECT_EQ(rig.question()->evidence.back(), QStringLiteral("The sensor says 60.5°")) << "as the axis counts";
+}
+
+TEST(StationTurns, OnlyTheOperatorJogsMeanwhileAndSlowly)
+{
+    RestartedRig rig;
+    EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 2_deg_s}}, kClient));
+    EXPECT_FALSE(rig.ask(request::Move{{.azimuth = 1_deg_s}}, kClient));
+    EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 3_deg_s}}));
+    for (int i = 0; i < 25; ++i) {
+        ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = -1_deg_s}}));
+        rig.run(Seconds(0.1));
+    }
+    EXPECT_NEAR(rig.question()->movedSince.degrees(), -2.5, 0.3);
+    // Its own bounds stay in force, and it counts from where they leave room.
+    EXPECT_EQ(rig.azimuth.seen.back().fields.count(Register::CommandIgnorePositionBounds), 0U);
+    EXPECT_NEAR(rig.azimuthDegrees(), 180.0, 5.0) << "the middle of the travel";
+    EXPECT_FALSE(rig.mount.memory().turns[0]) << "jogged, the axis is not where the journal says";
+}
+
+TEST(StationTurns, TheAnswerIsWrittenIntoTheDriveAndThePlaceIsKept)
+{
+    RestartedRig rig;
+    EXPECT_FALSE(rig.ask(request::ChooseTurn{Axis::Azimuth, 100_deg}, kClient));
+    EXPECT_FALSE(rig.ask(request::ChooseTurn{Axis::Elevation, 45_deg})) << "nobody has asked";
+    ASSERT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 100.5_deg}));
+    rig.run(Seconds(0.3));
+    EXPECT_EQ(rig.azimuth.home, HomeState::Output);
+    EXPECT_NEAR(rig.azimuthDegrees(), 100.0, 1e-4) << "the phase of the encoder is kept";
+    EXPECT_FALSE(rig.question());
+    EXPECT_TRUE(rig.control.measured());
+    ASSERT_TRUE(rig.point(110.0, 45.0, kOperator));
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 110.0, 0.001);
+    EXPECT_EQ(rig.azimuth.seen.back().fields.count(Register::CommandIgnorePositionBounds), 0U);
+}
+
+TEST(StationTurns, AHeldAxisIsHeldWhileItTakesItsPlace)
+{
+    RestartedRig rig;
+    ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = 1_deg_s}}));
+    rig.run(Seconds(2.0));  // the keep-alive ends it; both axes are held
+    ASSERT_EQ(rig.azimuth.mode, moteus::Mode::Position);
+    rig.azimuth.seen.clear();
+    const double before = rig.azimuth.position;
+    ASSERT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 100_deg}));
+    rig.run(Seconds(1.0));
+    EXPECT_NEAR(std::remainder(rig.azimuth.position - before, 0.01), 0.0, 1e-6) << "the axis has not moved";
+    EXPECT_GT(rig.azimuth.seen.size(), 40U) << "fed throughout";
+    EXPECT_EQ(rig.azimuth.mode, moteus::Mode::Position);
+    EXPECT_TRUE(rig.control.status().azimuth.turnKnown);
+}
+
+TEST(StationTurns, WhatTheDriveContradictsIsNotTaken)
+{
+    profile::Profile profile;
+    StationRig rig(profile);
+    rig.azimuth.home = HomeState::Rotor;
+    auto facts = rig.factsOf(Axis::Azimuth);
+    facts.outputEncoder = true;  // knows the direction: one turn is 360°
+    facts.bootedAt = rig.clock.now();
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{360_deg, 45_deg}}));
+    rig.settle();
+    rig.azimuth.silent = true;
+    rig.run(Seconds(0.5));
+    facts.bootedAt = rig.clock.now();
+    rig.learn(Axis::Azimuth, facts);
+    rig.azimuth.position = 0.0;
+    rig.azimuth.silent = false;
+    rig.run(Seconds(1.5));
+    const auto question = rig.control.status().drives->azimuth.turnQuestion;
+    ASSERT_TRUE(question);
+    EXPECT_EQ(question->candidates.size(), 2U) << "0° and 360°";
+    const auto refused = rig.ask(request::ChooseTurn{Axis::Azimuth, 100_deg});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().text.find("contradicts"), std::string::npos) << refused.error().text;
+}
+
+// The elevation coasted beyond its travel (0…90°) without power, and nobody has a journal.
+struct CoastedRig : StationRig
+{
+    explicit CoastedRig(double place, std::optional<Angle> told = std::nullopt)
+        : StationRig(
+              profile::Profile{},
+              {.problem = QStringLiteral("The journal file is missing."), .standingAt = {0_deg, told}, .looked = now()})
+    {
+        elevation.home = HomeState::Rotor;
+        elevation.position = profile.elevation.geometry.toMotor(Angle::fromDegrees(place)).turns();
+        run(Seconds(0.5));
+    }
+
+    [[nodiscard]] std::optional<TurnQuestion> question() const
+    {
+        return control.status().drives->elevation.turnQuestion;
+    }
+
+    [[nodiscard]] bool mayBeAt(double place) const
+    {
+        return std::ranges::any_of(question().value().candidates,
+                                   [&](Angle one) { return std::abs(one.degrees() - place) < 0.01; });
+    }
+};
+
+// Story: "26 places from 0.2° to 90.2° are possible", and the true one, -7°, was said to contradict the drive.
+TEST(StationTurns, BeyondTheTravelTheTruePlaceCanBeTold)
+{
+    CoastedRig asked(-7.0);
+    ASSERT_TRUE(asked.question());
+    EXPECT_TRUE(asked.mayBeAt(-7.0));
+    const CoastedRig told(-7.0, -7_deg);
+    EXPECT_TRUE(told.control.status().elevation.turnKnown);
+    EXPECT_NEAR(told.elevationDegrees(), -7.0, 1e-4);
+}
+
+// Story: the places were found once and only shifted along, so that none of them was true after jogging back.
+TEST(StationTurns, JoggedBackThePlacesAreThoseOfNow)
+{
+    CoastedRig rig(-20.0);
+    ASSERT_TRUE(rig.question());
+    EXPECT_FALSE(rig.mayBeAt(-20.0)) << "no stop lets it go so far";
+    for (int i = 0; i < 100; ++i) {
+        ASSERT_TRUE(rig.ask(request::Jog{{.elevation = 1_deg_s}}));
+        rig.run(Seconds(0.1));
+    }
+    const double moved = rig.question()->movedSince.degrees();
+    EXPECT_NEAR(moved, 10.0, 0.5);
+    EXPECT_TRUE(rig.mayBeAt(-20.0 + moved));
+    EXPECT_LE(rig.question()->candidates.back(), 105_deg);
+    EXPECT_GE(rig.question()->candidates.front(), -15_deg);
+}
+
+// Story: told a place beyond its own bounds, a drive that held clamped to the bound without a ramp: it yanked the axis.
+TEST(StationTurns, BeyondItsBoundsADriveIsToldItsPlaceOnlyWhenItIsOff)
+{
+    CoastedRig rig(-7.0);
+    ASSERT_TRUE(rig.ask(request::Jog{{.elevation = 0.1_deg_s}}));
+    rig.run(Seconds(2.0));
+    ASSERT_EQ(rig.elevation.mode, moteus::Mode::Position);
+    const request::ChooseTurn answer{Axis::Elevation, -7_deg};
+    const Result<> held = rig.ask(answer);
+    ASSERT_FALSE(held);
+    EXPECT_NE(held.error().text.find("switch the drives off first"), std::string::npos) << held.error().text;
+    ASSERT_TRUE(rig.ask(request::SwitchOff{}));
+    rig.run(Seconds(0.3));
+    rig.elevation.mode = moteus::Mode::PositionTimeout;
+    rig.run(Seconds(0.1));
+    EXPECT_FALSE(rig.ask(answer)) << "no frame could tell it to ignore its bounds";
+    rig.elevation.mode = moteus::Mode::Stopped;
+    rig.run(Seconds(0.1));
+    ASSERT_TRUE(rig.ask(answer));
+    rig.run(Seconds(0.5));
+    EXPECT_TRUE(rig.control.status().elevation.turnKnown);
+    ASSERT_TRUE(rig.ask(request::Jog{{.elevation = 0.1_deg_s}}));
+    rig.run(Seconds(0.3));
+    EXPECT_EQ(rig.elevation.seen.back().fields.count(Register::CommandIgnorePositionBounds), 1U) << "let back inside";
+}
+
+// A drive that knows nothing of its direction: any angle may be entered.
+struct LostRig : StationRig
+{
+    explicit LostRig(std::optional<Angle> told = std::nullopt)
+        : StationRig(profile::Profile{}, {.problem = QStringLiteral("The journal file is missing."),
+                                          .standingAt = {told, 10_deg},
+                                          .looked = now()})
+    {
+        azimuth.home = HomeState::Relative;
+        run(Seconds(0.5));
+    }
+    [[nodiscard]] std::optional<TurnQuestion> question() const { return control.status().drives->azimuth.turnQuestion; }
+};
+
+// Story: "--standing-at 4050,10" for 405, and the next target ran through the end of the cable into the stop.
+// REQ-AXES-15a: A place that is entered, in the window or by `--standing-at`, is refused farther than 15° outside the
+// travel (an axis that was let go coasts less far). The wrap stays asked, and a refused place of the command line is
+// an alarm. A place of the command line counts once, for ten minutes after somebody looked, also over a restart: the
+// journal keeps the time of the last one that was used.
+TEST(StationTurns, APlaceFarOutsideTheTravelIsRefused)
+{
+    LostRig rig;
+    ASSERT_TRUE(rig.question());
+    ASSERT_TRUE(rig.question()->candidates.empty());
+    for (const Angle far : {4050_deg, 466_deg, -106_deg}) {
+        const Result<> refused = rig.ask(request::ChooseTurn{Axis::Azimuth, far});
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().code, ErrorCode::OutOfRange);
+        EXPECT_NE(refused.error().text.find("outside the travel (-90.0° to 450.0°) by more than 15.0°"),
+                  std::string::npos)
+            << refused.error().text;
+    }
+    EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
+    EXPECT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 405_deg}));
+}
+
+// REQ-AXES-15a
+TEST(StationTurns, APlaceOfTheCommandLineFarOutsideTheTravelIsAnAlarmAndTheWrapStaysAsked)
+{
+    LostRig rig(4050_deg);
+    ASSERT_TRUE(rig.question());
+    const auto alarms = rig.control.status().alarms;
+    const auto told = std::ranges::find_if(alarms, [](const Alarm& alarm) {
+        return alarm.what.contains(QStringLiteral("4050.0° is outside the travel"));
+    });
+    ASSERT_NE(told, alarms.end());
+    EXPECT_EQ(told->severity, Severity::Warning);
+    ASSERT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 403.2_deg}));
+    rig.run(Seconds(0.5));
+    const auto after = rig.control.status().alarms;
+    EXPECT_TRUE(std::ranges::none_of(after, [](const Alarm& alarm) { return alarm.active; }));
+}
+
+// An axis that was pushed, or entered, beyond the travel by more than the drives' own bounds allow.
+struct OutsideRig : StationRig
+{
+    OutsideRig() : StationRig(profile::Profile{})
+    {
+        run(Seconds(0.5));
+        azimuth.silent = true;
+        run(Seconds(0.5));
+        azimuth.position = 460.0 / 360.0;
+        azimuth.silent = false;
+        run(Seconds(1.5));
+    }
+};
+
+// REQ-CONTROL-15b: While an axis stands farther outside its travel than its drive's bounds
+// (`control.drive_limit_margin_deg`) only the operator jogs, inwards, at `jog.unwind_deg_s` at most.
+TEST(StationTurns, FarOutsideTheTravelOnlyTheOperatorJogsSlowlyAndInwards)
+{
+    OutsideRig rig;
+    ASSERT_TRUE(rig.control.status().azimuth.turnKnown);
+    const std::string why =
+        "The azimuth drive stands at 460.00°, outside its travel (-90.00° to 450.00°). Jog it back "
+        "slowly.";
+    EXPECT_EQ(rig.point(100.0, 30.0).error().text, why);
+    EXPECT_EQ(rig.point(100.0, 30.0, kOperator).error().text, why);
+    EXPECT_EQ(rig.ask(request::Park{}).error().text, why);
+    EXPECT_EQ(rig.ask(request::Move{{.azimuth = -1_deg_s}}, kClient).error().text, why);
+    EXPECT_EQ(rig.ask(request::ProveCrashStop{2_deg_s}).error().text, why);
+    EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = -1_deg_s}}, kClient));
+    EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = 0.5_deg_s}})) << "outwards";
+    EXPECT_FALSE(rig.ask(request::Jog{{.azimuth = -3_deg_s}})) << "faster than jog.unwind";
+    rig.run(Seconds(1.0));
+    EXPECT_NEAR(rig.azimuthDegrees(), 460.0, 0.01);
+    for (int i = 0; i < 100 && rig.azimuthDegrees() > 452.0; ++i) {
+        ASSERT_TRUE(rig.ask(request::Jog{{.azimuth = -2_deg_s}}));
+        rig.run(Seconds(0.1));
+    }
+    rig.run(Seconds(1.0));
+    EXPECT_TRUE(rig.point(100.0, 30.0, kOperator));
+    rig.settle();
+    EXPECT_NEAR(rig.azimuthDegrees(), 100.0, 0.1);
+}
+
+// Story: a brown-out shorter than a silence left the turn known, and the place after it overwrote the journal.
+TEST(StationTurns, ARestartThatNobodyNoticedIsSeenByTheHomeState)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
+    rig.settle();
+    const auto before = rig.mount.memory().turns[0]->angle;
+    rig.azimuth.mode = moteus::Mode::Stopped;
+    rig.azimuth.home = HomeState::Rotor;
+    rig.azimuth.position = std::remainder(rig.azimuth.position, 0.01);
+    rig.run(Seconds(0.1));
+    EXPECT_FALSE(rig.control.status().azimuth.turnKnown);
+    ASSERT_TRUE(rig.mount.memory().turns[0]);
+    EXPECT_NEAR(rig.mount.memory().turns[0]->angle.degrees(), before.degrees(), 0.2);
+    EXPECT_FALSE(rig.point(10.0, 10.0));
+}
+
+TEST(StationTurns, AMotionEndsWhenTheTurnIsNotKnownAnyMore)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{200_deg, 45_deg}}));
+    rig.run(Seconds(3.0));
+    rig.mount.driveRestarted(Axis::Azimuth);
+    rig.run(Seconds(3.0));
+    EXPECT_EQ(rig.state(), StationState::Standby);
+    EXPECT_FALSE(rig.control.status().azimuth.target);
+}
+
+TEST(StationTurns, AJogRightAfterTheAnswerLeavesNothingHalfDone)
+{
+    RestartedRig rig;
+    ASSERT_TRUE(rig.ask(request::ChooseTurn{Axis::Azimuth, 100_deg}));
+    (void)rig.ask(request::Jog{{.elevation = 1_deg_s}});
+    rig.run(Seconds(1.0));
+    EXPECT_TRUE(rig.control.status().azimuth.turnKnown);
+    EXPECT_NEAR(rig.azimuthDegrees(), 100.0, 1e-4);
+}
+
+// Story: the operator held the dish and switched the drives off; the next target of a client switched them on again.
+TEST(StationTurns, SwitchingOffIsNotUndoneByAClient)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.point(100.0, 45.0));
+    rig.settle();
+    ASSERT_TRUE(rig.ask(request::SwitchOff{}));
+    rig.run(Seconds(0.2));
+    EXPECT_EQ(rig.azimuth.mode, moteus::Mode::Stopped);
+    EXPECT_FALSE(rig.point(110.0, 45.0));
+    rig.run(Seconds(1.0));
+    EXPECT_EQ(rig.azimuth.mode, moteus::Mode::Stopped);
+}
+
+// Story: an adapter was pulled in mid-motion; when it came back, the place that the command line had told at the start
+// of the program answered the new question, and the mount was wrong by many turns of the rotor.
+TEST(StationTurns, TheCommandLineAnswersOnlyTheFirstQuestion)
+{
+    StationRig rig(
+        profile::Profile{},
+        {.problem = QStringLiteral("The journal file is missing."), .standingAt = {0_deg, 0_deg}, .looked = now()});
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.control.status().azimuth.turnKnown);
+    ASSERT_TRUE(rig.ask(request::PointAxes{{100_deg, 45_deg}}));
+    rig.settle();
+    rig.azimuth.silent = true;
+    rig.run(Seconds(1.0));
+    auto facts = rig.factsOf(Axis::Azimuth);
+    facts.bootedAt = rig.clock.now();
+    rig.learn(Axis::Azimuth, facts);
+    rig.azimuth.home = HomeState::Rotor;
+    rig.azimuth.silent = false;
+    rig.run(Seconds(1.0));
+    const auto question = rig.control.status().drives->azimuth.turnQuestion;
+    ASSERT_TRUE(question);
+    for (const QString& line : question->evidence) {
+        EXPECT_FALSE(line.contains(QStringLiteral("missing"))) << "there is a record by now";
+    }
+}
+
+// Story: "--standing-at 0,0" was left in the unit file, and after a power cut it was believed anew.
+// REQ-AXES-15a
+TEST(StationTurns, APlaceOfTheCommandLineIsForgottenAfterTenMinutes)
+{
+    using std::chrono::minutes;
+    for (const auto& [age, counts] :
+         {std::pair{minutes(9), true}, std::pair{minutes(10), false}, std::pair{minutes(-2), false}}) {
+        StationRig rig(profile::Profile{}, {.standingAt = {100_deg, 10_deg}, .looked = now() - age});
+        rig.azimuth.home = rig.elevation.home = HomeState::Rotor;
+        rig.run(Seconds(0.5));
+        EXPECT_EQ(rig.control.status().azimuth.turnKnown, counts) << age.count();
+        const auto alarms = rig.control.status().alarms;
+        EXPECT_EQ(std::ranges::any_of(alarms,
+                                      [](const Alarm& alarm) {
+                                          return alarm.what.startsWith(
+                                              QStringLiteral("--standing-at was not used for the azimuth drive: It"));
+                                      }),
+                  !counts);
+    }
+}
+
+// REQ-AXES-15a
+TEST(StationTurns, APlaceOfTheCommandLineCountsAtOneStartOnly)
+{
+    const TurnKeeper::Start told{.standingAt = {100_deg, 10_deg}, .looked = now()};
+    StationRig first(profile::Profile{}, told);
+    first.azimuth.home = first.elevation.home = HomeState::Rotor;
+    first.run(Seconds(0.5));
+    ASSERT_TRUE(first.control.status().azimuth.turnKnown);
+    ASSERT_TRUE(first.control.status().elevation.turnKnown);
+    memory::MountMemory kept;
+    kept.placeUsed = first.mount.memory().placeUsed;  // also where the journal was lost since
+    for (const Seconds later : {Seconds(0.0), Seconds(60.0)}) {
+        TurnKeeper::Start again = told;
+        again.memory = kept;
+        again.looked += std::chrono::round<std::chrono::milliseconds>(later);
+        StationRig rig(profile::Profile{}, again);
+        rig.azimuth.home = rig.elevation.home = HomeState::Rotor;
+        rig.run(Seconds(0.5));
+        EXPECT_EQ(rig.control.status().azimuth.turnKnown, later > Seconds(0.0)) << "with a later time it counts";
+    }
+}
+
+// The mount moved since, and only then lost its power.
+// REQ-AXES-15a
+TEST(StationTurns, APlaceThatWasNotNeededIsUsedUpToo)
+{
+    StationRig rig(profile::Profile{}, {.trustFirstContact = true, .standingAt = {100_deg, 10_deg}, .looked = now()});
+    rig.run(Seconds(0.5));
+    ASSERT_TRUE(rig.control.status().azimuth.turnKnown);
+    EXPECT_NEAR(rig.azimuthDegrees(), 0.0, 0.01) << "the drive knew better";
+    EXPECT_EQ(rig.mount.memory().placeUsed, now());
+}
+
+TEST(StationTurns, MotionIsJournalledAsMotionAndRestAsRest)
+{
+    StationRig rig;
+    rig.run(Seconds(0.5));
+    EXPECT_TRUE(rig.mount.takeMemoryChange());
+    ASSERT_TRUE(rig.point(100.0, 45.0));
+    rig.run(Seconds(1.0));
+    ASSERT_TRUE(rig.mount.takeMemoryChange());
+    EXPECT_TRUE(rig.mount.memory().turns[0]->moving);
+    rig.settle();
+    rig.run(Seconds(1.0));
+    const auto& record = *rig.mount.memory().turns[0];
+    EXPECT_FALSE(record.moving);
+    EXPECT_NEAR(record.angle.degrees(), 100.0, 0.01);
+    EXPECT_EQ(record.drive, rig.factsOf(Axis::Azimuth).uuid);
+    (void)rig.mount.takeMemoryChange();
+    rig.run(Seconds(10.0));
+    EXPECT_FALSE(rig.mount.takeMemoryChange()) << "a mount that stands writes nothing";
+}
+
+}  // namespace
+}  // namespace boresight

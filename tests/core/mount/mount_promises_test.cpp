@@ -1,0 +1,456 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every rotator promises behind the port of the mount, tried with the control above it. A new driver costs one
+// bench here.
+#include "core/control/station_control.h"
+#include "core/mount/paired_mount.h"
+#include "core/simple_mount/simple_mount.h"
+#include "core/sources/motion_sources.h"
+#include "tests/core/control/station_rig.h"
+#include "tests/fakes/manual_clock.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <string>
+#include <tuple>
+
+namespace boresight {
+namespace {
+
+constexpr Seconds kOneTick{0.02};
+
+// Slow enough for every rotator here.
+profile::Profile slowProfile()
+{
+    profile::Profile profile;
+    for (const Axis axis : kAxes) {
+        profile::AxisSettings& settings = axis == Axis::Azimuth ? profile.azimuth : profile.elevation;
+        settings.limits.speed = AngularRate::fromDegrees(5.0);
+    }
+    return profile;
+}
+
+Angle of(Axis axis, const AxisPosition& place)
+{
+    return axis == Axis::Azimuth ? place.azimuth : place.elevation;
+}
+
+// A rotator, a control above it and a clock that is turned by hand.
+class Bench
+{
+public:
+    virtual ~Bench() = default;
+
+    virtual StationControl& control() = 0;
+    virtual void tick() = 0;
+    [[nodiscard]] virtual AxisPosition truth() = 0;  // where the axes really are
+    [[nodiscard]] virtual bool ordered() = 0;        // anything but questions was heard so far
+    virtual void setLine(bool connected) = 0;
+
+    [[nodiscard]] Capabilities can() { return control().mount().capabilities(); }
+    [[nodiscard]] bool has(Axis axis) { return can().has(axis); }
+    // The last that there is.
+    [[nodiscard]] Axis someAxis() { return has(Axis::Elevation) ? Axis::Elevation : Axis::Azimuth; }
+    [[nodiscard]] Seconds silence() { return can().axes[index(someAxis())]->silence; }  // within this it is reported
+    // Of the simulation, at least.
+    [[nodiscard]] Angle resolution() { return std::max(can().axes[index(someAxis())]->step, Angle::fromDegrees(0.01)); }
+    // A missing axis has not moved at all.
+    void expectAt(const AxisPosition& place, const AxisPosition& before, Angle tolerance)
+    {
+        for (const Axis axis : kAxes) {
+            const Angle expected = has(axis) ? of(axis, place) : of(axis, before);
+            EXPECT_LE(abs(of(axis, truth()) - expected), has(axis) ? tolerance : Angle{}) << index(axis);
+        }
+    }
+    [[nodiscard]] bool warns(const char* alarm)
+    {
+        return std::ranges::any_of(control().status().alarms,
+                                   [alarm](const Alarm& one) { return one.name == QLatin1String(alarm); });
+    }
+
+    void run(Seconds time)
+    {
+        for (Seconds left = time; left > Seconds(0.0); left -= kOneTick) {
+            tick();
+        }
+    }
+    Result<> ask(const Request& request) { return control().request(request, kOperator); }
+    Result<> goTo(double azimuth, double elevation)
+    {
+        return ask(request::PointAxes{{Angle::fromDegrees(azimuth), Angle::fromDegrees(elevation)}});
+    }
+    // Whether the axes stand where they did `time` ago.
+    [[nodiscard]] bool stands(Seconds time)
+    {
+        const AxisPosition before = truth();
+        run(time);
+        return truth() == before;
+    }
+};
+
+class MoteusBench final : public Bench
+{
+public:
+    StationControl& control() override { return m_rig.control; }
+    void tick() override { m_rig.tick(); }
+    AxisPosition truth() override
+    {
+        return {.azimuth = m_rig.profile.azimuth.geometry.toAxis(MotorTurns::fromTurns(m_rig.azimuth.position)),
+                .elevation = m_rig.profile.elevation.geometry.toAxis(MotorTurns::fromTurns(m_rig.elevation.position))};
+    }
+    bool ordered() override { return m_rig.commands() > 0; }
+    void setLine(bool connected) override { m_rig.azimuth.silent = m_rig.elevation.silent = !connected; }
+
+private:
+    StationRig m_rig{slowProfile()};
+};
+
+const AxisPosition kBetweenDegrees{.azimuth = Angle::fromDegrees(10.4), .elevation = Angle::fromDegrees(20.6)};
+
+class SimpleBench final : public Bench
+{
+public:
+    explicit SimpleBench(const SimpleMount::Axes& axes = {}, const profile::Profile& profile = slowProfile())
+        : m_profile(profile), m_mount(m_box, axes)
+    {}
+    StationControl& control() override { return m_control; }
+    void tick() override
+    {
+        m_clock.advance(kOneTick);
+        m_control.tick();
+        m_mount.send();
+    }
+    AxisPosition truth() override { return m_box.truth(); }
+    bool ordered() override { return m_box.orders() > 0; }
+    void setLine(bool connected) override { m_box.setPower(connected, m_clock.now()); }
+
+private:
+    const profile::InForce m_profile;
+    fakes::ManualClock m_clock;
+    EventLog m_log{m_clock};
+    AlarmBoard m_alarms{m_log, m_clock};
+    SimpleBox m_box{kBetweenDegrees};
+    SimpleMount m_mount;
+    StationControl m_control{m_profile, m_clock, m_log, m_alarms, m_mount, motionSources};
+};
+
+// Two rotators, each with a box, a line and an axis of its own.
+class PairBench final : public Bench
+{
+public:
+    StationControl& control() override { return m_control; }
+    void tick() override
+    {
+        m_clock.advance(kOneTick);
+        m_control.tick();
+        m_azimuth.send();
+        m_elevation.send();
+    }
+    AxisPosition truth() override
+    {
+        return {.azimuth = m_azimuthBox.truth().azimuth, .elevation = m_elevationBox.truth().elevation};
+    }
+    bool ordered() override { return m_azimuthBox.orders() + m_elevationBox.orders() > 0; }
+    void setLine(bool connected) override
+    {
+        m_azimuthBox.setPower(connected, m_clock.now());
+        m_elevationBox.setPower(connected, m_clock.now());
+    }
+    void setElevationLine(bool connected) { m_elevationBox.setPower(connected, m_clock.now()); }
+    // What one of them has turned of the axis that is the other's.
+    [[nodiscard]] bool turnedForeignAxes() const
+    {
+        return m_azimuthBox.truth().elevation != kBetweenDegrees.elevation ||
+               m_elevationBox.truth().azimuth != kBetweenDegrees.azimuth;
+    }
+
+private:
+    const profile::InForce m_profile{slowProfile()};
+    fakes::ManualClock m_clock;
+    EventLog m_log{m_clock};
+    AlarmBoard m_alarms{m_log, m_clock};
+    SimpleBox m_azimuthBox{kBetweenDegrees};
+    SimpleBox m_elevationBox{kBetweenDegrees};
+    SimpleMount m_azimuth{m_azimuthBox, {.azimuth = true, .elevation = false}};
+    SimpleMount m_elevation{m_elevationBox, {.azimuth = false, .elevation = true}};
+    PairedMount m_mount{m_azimuth, m_elevation};
+    StationControl m_control{m_profile, m_clock, m_log, m_alarms, m_mount, motionSources};
+};
+
+struct Kind
+{
+    const char* name;
+    std::function<std::unique_ptr<Bench>()> make;
+};
+
+// REQ-MOUNT-01 (MountPromises.*): Every driver behind the port of the mount keeps the same promises. Opening it
+// moves nothing. The first command holds what was measured. Limits hold. STOP works and latches. Silence is reported in
+// the time that its capabilities state. Nothing moves after a fault without a re-arm. A place counts as reached as
+// nearly as the rotator can reach it. A rotator without a watchdog is shown once, and that can be acknowledged.
+class MountPromises : public testing::TestWithParam<Kind>
+{
+protected:
+    std::unique_ptr<Bench> bench = GetParam().make();
+};
+
+TEST_P(MountPromises, OpeningMovesNothing)
+{
+    const AxisPosition before = bench->truth();
+    bench->run(Seconds(3.0));
+    EXPECT_FALSE(bench->ordered());
+    EXPECT_EQ(bench->truth(), before);
+    EXPECT_EQ(bench->control().state(), StationState::Standby);
+}
+
+// What can be read and set of its drives is reported by a mount that has a service for it, and by no other.
+TEST_P(MountPromises, OnlyAMountWithAServiceReportsItsDrives)
+{
+    bench->run(Seconds(1.0));
+    const StationStatus status = bench->control().status();
+    EXPECT_EQ(status.drives.has_value(), bench->control().mount().service() != nullptr);
+    EXPECT_TRUE(status.azimuth.turnKnown);
+    EXPECT_TRUE(status.elevation.turnKnown);
+}
+
+TEST_P(MountPromises, TheFirstCommandHoldsWhatWasMeasured)
+{
+    bench->run(Seconds(1.0));
+    const AxisPosition before = bench->truth();
+    const AxisPosition measured = *bench->control().mount().measured();
+    ASSERT_TRUE(bench->ask(request::PointAxes{measured}));
+    bench->run(Seconds(2.0));
+    bench->expectAt(before, before, bench->resolution() / 2.0);
+}
+
+TEST_P(MountPromises, GoesWhereItIsSent)
+{
+    bench->run(Seconds(1.0));
+    const AxisPosition before = bench->truth();
+    ASSERT_TRUE(bench->goTo(60.0, 45.0));
+    bench->run(Seconds(25.0));
+    bench->expectAt({60_deg, 45_deg}, before, bench->resolution());
+}
+
+// Story: a rotator of whole degrees was slewing for ever to a place between two of them.
+TEST_P(MountPromises, APlaceBetweenItsStepsCountsAsReached)
+{
+    bench->run(Seconds(1.0));
+    ASSERT_TRUE(bench->goTo(60.5, 45.4));
+    bench->run(Seconds(3.0));
+    EXPECT_EQ(bench->control().state(), StationState::Slew);
+    bench->run(Seconds(22.0));
+    EXPECT_EQ(bench->control().state(), StationState::Hold);
+}
+
+TEST_P(MountPromises, LimitsHold)
+{
+    bench->run(Seconds(1.0));
+    const Axis axis = bench->someAxis();
+    const StationStatus status = bench->control().status();
+    const Angle end = axis == Axis::Azimuth ? status.azimuth.travel.min : status.elevation.travel.min;
+    const double outside = end.degrees() - 5.0;
+    EXPECT_FALSE(axis == Axis::Azimuth ? bench->goTo(outside, 45.0) : bench->goTo(60.0, outside))
+        << "a place outside is refused";
+    const AngularRate down = AngularRate::fromDegrees(-5.0);
+    ASSERT_TRUE(
+        bench->ask(request::Move{axis == Axis::Azimuth ? AxisRates{.azimuth = down} : AxisRates{.elevation = down}}));
+    for (int i = 0; i < 1500; ++i) {
+        bench->tick();
+        ASSERT_GE(of(axis, bench->truth()), end - bench->resolution() / 2.0);
+    }
+    EXPECT_LE(of(axis, bench->truth()), end + bench->resolution()) << "it went that far";
+}
+
+TEST_P(MountPromises, StopWorksAndLatches)
+{
+    bench->run(Seconds(1.0));
+    ASSERT_TRUE(bench->goTo(90.0, 60.0));
+    bench->run(Seconds(3.0));
+    ASSERT_TRUE(bench->ask(request::Stop{}));
+    bench->run(Seconds(2.0));
+    EXPECT_TRUE(bench->stands(Seconds(3.0)));
+    EXPECT_LT(bench->truth().azimuth, 60_deg) << "far from where it was sent";
+    EXPECT_LT(bench->truth().elevation, 55_deg);
+    EXPECT_FALSE(bench->goTo(90.0, 60.0));
+    ASSERT_TRUE(bench->ask(request::ResetStop{}));
+    EXPECT_TRUE(bench->stands(Seconds(3.0)));
+}
+
+TEST_P(MountPromises, SilenceIsReportedInItsOwnTime)
+{
+    bench->run(Seconds(1.0));
+    ASSERT_TRUE(bench->goTo(90.0, 60.0));
+    bench->run(Seconds(3.0));
+    bench->setLine(false);
+    bench->run(bench->silence() + Seconds(0.1));
+    EXPECT_EQ(bench->control().state(), StationState::Disconnected);
+    EXPECT_TRUE(bench->control().faultLatched());
+    EXPECT_FALSE(bench->goTo(90.0, 60.0));
+}
+
+TEST_P(MountPromises, NothingMovesAfterAFaultWithoutARearm)
+{
+    bench->run(Seconds(1.0));
+    ASSERT_TRUE(bench->goTo(90.0, 60.0));
+    bench->run(Seconds(3.0));
+    bench->setLine(false);
+    bench->run(Seconds(2.0));
+    bench->setLine(true);
+    bench->run(Seconds(1.0));
+    EXPECT_TRUE(bench->stands(Seconds(5.0)));
+    EXPECT_EQ(bench->control().state(), StationState::Fault);
+    EXPECT_FALSE(bench->goTo(90.0, 60.0));
+    ASSERT_TRUE(bench->ask(request::Rearm{}));
+    bench->run(Seconds(1.0));
+    EXPECT_TRUE(bench->stands(Seconds(3.0))) << "a re-arm moves nothing either";
+}
+
+TEST_P(MountPromises, TheEndOfTheProgramLeavesItStanding)
+{
+    bench->run(Seconds(1.0));
+    ASSERT_TRUE(bench->goTo(90.0, 60.0));
+    bench->run(Seconds(3.0));
+    bench->control().shutDown();
+    for (int i = 0; i < 500 && !bench->control().shutDownDone(); ++i) {
+        bench->tick();
+    }
+    ASSERT_TRUE(bench->control().shutDownDone());
+    EXPECT_TRUE(bench->stands(Seconds(3.0)));
+}
+
+TEST_P(MountPromises, AMissingWatchdogIsShownOnceAndCanBeAcknowledged)
+{
+    bench->run(Seconds(1.0));
+    const bool watchdog = bench->can().axes[index(bench->someAxis())]->watchdog;
+    EXPECT_EQ(bench->warns("mount.no-watchdog"), !watchdog);
+    ASSERT_TRUE(bench->ask(request::AcknowledgeAlarms{}));
+    bench->run(Seconds(5.0));
+    for (const Alarm& alarm : bench->control().status().alarms) {
+        EXPECT_TRUE(alarm.acknowledged) << alarm.name.toStdString();
+    }
+}
+
+std::unique_ptr<Bench> simpleBench(bool azimuth, bool elevation)
+{
+    return std::make_unique<SimpleBench>(SimpleMount::Axes{.azimuth = azimuth, .elevation = elevation});
+}
+
+INSTANTIATE_TEST_SUITE_P(Drivers, MountPromises,
+                         testing::Values(Kind{"TwoMoteus", [] { return std::make_unique<MoteusBench>(); }},
+                                         Kind{"Simple", [] { return simpleBench(true, true); }},
+                                         Kind{"SimpleAzimuthOnly", [] { return simpleBench(true, false); }},
+                                         Kind{"SimpleElevationOnly", [] { return simpleBench(false, true); }},
+                                         Kind{"Pair", [] { return std::make_unique<PairBench>(); }}),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+// REQ-MOUNT-07: Two axes on two drivers are one mount. A trouble of one driver stops both axes, and neither driver
+// turns the axis of the other.
+TEST(MountPort, ATroubleOfOneOfTwoDriversStopsBothAxes)
+{
+    PairBench bench;
+    bench.run(Seconds(1.0));
+    ASSERT_TRUE(bench.goTo(90.0, 60.0));
+    bench.run(Seconds(3.0));
+    bench.setElevationLine(false);
+    bench.run(Seconds(4.0));
+    EXPECT_TRUE(bench.control().faultLatched());
+    EXPECT_TRUE(bench.stands(Seconds(3.0)));
+    bench.setElevationLine(true);
+    bench.run(Seconds(1.0));
+    EXPECT_TRUE(bench.stands(Seconds(3.0)));
+    ASSERT_TRUE(bench.ask(request::Rearm{}));
+    bench.run(Seconds(1.0));
+    EXPECT_TRUE(bench.stands(Seconds(3.0)));
+    ASSERT_TRUE(bench.goTo(90.0, 60.0));
+    bench.run(Seconds(25.0));
+    EXPECT_EQ(bench.control().state(), StationState::Hold);
+    EXPECT_FALSE(bench.turnedForeignAxes());
+}
+
+// REQ-MOUNT-02: The set-points are never faster than the rotator, whatever the profile permits.
+TEST(MountPort, SetPointsAreNoFasterThanTheRotator)
+{
+    profile::Profile fast;
+    fast.azimuth.limits.speed = AngularRate::fromDegrees(20.0);
+    fast.elevation.limits.speed = AngularRate::fromDegrees(20.0);
+    SimpleBench bench({}, fast);
+    bench.run(Seconds(1.0));
+    ASSERT_TRUE(bench.goTo(150.0, 80.0));
+    for (int i = 0; i < 500; ++i) {
+        bench.tick();
+        const AxisStatus azimuth = bench.control().status().azimuth;
+        ASSERT_LE(azimuth.commandedRate.value_or(AngularRate{}), SimpleBox::kSpeed);
+        ASSERT_LT(abs(azimuth.commanded.value_or(bench.truth().azimuth) - bench.truth().azimuth), 2_deg) << i;
+    }
+}
+
+// REQ-MOUNT-03: A mount with one axis needs no answer, no wrap and no arming of the other one. That one is shown as
+// missing, and can not be jogged. What is asked of it is ignored, and 0 is reported for it.
+TEST(OneAxis, WhatIsAskedOfTheMissingAxisIsIgnored)
+{
+    for (const Axis missing : kAxes) {
+        SimpleBench bench({.azimuth = missing != Axis::Azimuth, .elevation = missing != Axis::Elevation});
+        bench.run(Seconds(1.0));
+        const AxisPosition before = bench.truth();
+        ASSERT_TRUE(bench.ask(request::PointAxes{{120_deg, 40_deg}}));
+        bench.run(Seconds(30.0));
+        bench.expectAt({120_deg, 40_deg}, before, bench.resolution() / 2.0);
+        EXPECT_EQ(bench.control().state(), StationState::Hold);
+        const SkyPointing direction = bench.control().direction().value_or(SkyPointing{-1_deg, -1_deg});
+        EXPECT_EQ(missing == Axis::Azimuth ? direction.azimuth : direction.elevation, 0_deg);
+        EXPECT_NEAR(missing == Axis::Azimuth ? direction.elevation.degrees() : direction.azimuth.degrees(),
+                    missing == Axis::Azimuth ? 40.0 : 120.0, 1e-6);
+    }
+}
+
+// REQ-MOUNT-03
+TEST(OneAxis, TheMissingAxisIsShownAsMissingAndCanNotBeJogged)
+{
+    SimpleBench bench({.azimuth = true, .elevation = false});
+    bench.run(Seconds(1.0));
+    const StationStatus status = bench.control().status();
+    EXPECT_EQ(status.elevation.state, AxisState::Missing);
+    EXPECT_NE(status.azimuth.state, AxisState::Missing);
+    EXPECT_FALSE(status.capabilities.has(Axis::Elevation));
+    EXPECT_EQ(status.permissions.reason(Action::JogUp), QStringLiteral("This mount has no elevation axis."));
+    EXPECT_EQ(status.permissions.reason(Action::StepDown), QStringLiteral("This mount has no elevation axis."));
+    EXPECT_TRUE(status.permissions.allows(Action::JogLeft)) << status.permissions.reason(Action::JogLeft).toStdString();
+}
+
+// REQ-MOUNT-04: Nobody knows where the beam of a mount with one axis is in the other angle: a keep-out holds for all of
+// it, and no horizon holds an azimuth back.
+TEST(OneAxis, AKeepOutHoldsForTheWholeOfTheMissingAngle)
+{
+    profile::Profile profile = slowProfile();
+    profile.limits.horizon = {{.azimuth = 0_deg, .elevation = 15_deg}};
+    profile.limits.keepOuts = {
+        {.name = "mast", .azimuthFrom = 80_deg, .azimuthTo = 100_deg, .elevationMin = 20_deg, .elevationMax = 40_deg}};
+    SimpleBench bench({.azimuth = true, .elevation = false}, profile);
+    bench.run(Seconds(1.0));
+    EXPECT_FALSE(bench.goTo(90.0, 0.0));
+    ASSERT_TRUE(bench.goTo(60.0, 0.0));
+    bench.run(Seconds(20.0));
+    EXPECT_NEAR(bench.truth().azimuth.degrees(), 60.0, 0.5);
+    ASSERT_TRUE(bench.ask(request::Move{{.azimuth = AngularRate::fromDegrees(5.0)}}));
+    bench.run(Seconds(10.0));
+    EXPECT_LE(bench.truth().azimuth, 80.5_deg);
+    EXPECT_GE(bench.truth().azimuth, 79_deg) << "it went that far";
+}
+
+// REQ-MOUNT-04
+TEST(OneAxis, AKeepOutHoldsAtAllAzimuthsWithoutOne)
+{
+    profile::Profile profile = slowProfile();
+    profile.limits.keepOuts = {
+        {.name = "wire", .azimuthFrom = 80_deg, .azimuthTo = 100_deg, .elevationMin = 50_deg, .elevationMax = 55_deg}};
+    SimpleBench bench({.azimuth = false, .elevation = true}, profile);
+    bench.run(Seconds(1.0));
+    EXPECT_FALSE(bench.goTo(0.0, 52.0));
+    EXPECT_FALSE(bench.goTo(0.0, 80.0)) << "there is no way around it";
+    EXPECT_TRUE(bench.goTo(0.0, 45.0));
+}
+
+}  // namespace
+}  // namespace boresight

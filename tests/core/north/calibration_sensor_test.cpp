@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The average of the still sensor, on a mount whose north is hidden.
+#include "tests/core/north/calibration_sun.h"
+#include "tests/core/north/calibration_swing.h"
+
+namespace boresight {
+namespace {
+
+// REQ-NORTH-35b (CalibrationSensor.*)
+TEST(CalibrationSensor, TheStillMountTellsNorthAsWellAsOneHeadingCan)
+{
+    CalibrationRig rig;
+    ASSERT_TRUE(rig.ask(request::MeasureSensorOffset{}));
+    rig.runOut(Seconds(60.0));
+    ASSERT_TRUE(rig.status().sensorOffset) << rig.status().progress.outcome.toStdString();
+    ASSERT_TRUE(rig.apply());
+    EXPECT_LT(std::abs(northError(rig)), 12.0);
+    EXPECT_GT(rig.status().sensorOffset->offset.sigma.degrees(), 3.0);
+}
+
+// Story: measured with a mounting of 0°, 90° typed, and the north of before was still proposed, under a new number.
+// REQ-NORTH-38g: A result of the sensor is not proposed any more when the sensor's settings or the declination have
+// changed.
+TEST(CalibrationSensor, WhatWasFoundWithOtherSettingsIsNotProposedAnyMore)
+{
+    CalibrationRig rig;
+    const auto measured = [&rig] {
+        EXPECT_TRUE(rig.ask(request::MeasureSensorOffset{}));
+        rig.runOut(Seconds(60.0));
+        rig.run(Seconds(0.5));
+        return rig.status().proposal.has_value();
+    };
+    ASSERT_TRUE(measured());
+    profile::Profile other = rig.profile;
+    other.jog.slow = 0.3_deg_s;
+    rig.setProfile(other);
+    rig.run(Seconds(0.5));
+    EXPECT_TRUE(rig.status().proposal);
+    other.sensor.stillCurrent = 2.0;  // changes nothing in what a reading means
+    rig.setProfile(other);
+    rig.run(Seconds(0.5));
+    EXPECT_TRUE(rig.status().proposal);
+    other.sensor.mounting.azimuthOffset = 90_deg;
+    rig.setProfile(other);
+    rig.run(Seconds(0.5));
+    EXPECT_FALSE(rig.status().proposal);
+    EXPECT_FALSE(rig.status().sensorOffset);
+    ASSERT_TRUE(measured());
+    rig.truth.declination += 1.0;  // another model was read
+    rig.run(Seconds(3.0));
+    EXPECT_FALSE(rig.status().proposal);
+}
+
+// REQ-NORTH-36a
+TEST(CalibrationSensor, TheProfileSaysHowMuchCurrentIsTooMuch)
+{
+    for (const auto& [limit, accepted] : {std::pair(1.5, false), std::pair(2.5, true)}) {
+        profile::Profile profile = calibratedProfile();
+        profile.sensor.stillCurrent = limit;
+        CalibrationRig rig({}, profile);
+        rig.elevation.current = -2.0;
+        rig.run(Seconds(2.0));
+        ASSERT_TRUE(rig.ask(request::MeasureSensorOffset{}));
+        rig.runOut(Seconds(60.0));
+        const std::string outcome = rig.status().progress.outcome.toStdString();
+        EXPECT_EQ(accepted, rig.status().sensorOffset.has_value()) << outcome;
+        EXPECT_EQ(!accepted, outcome.find("draws 2.0 A, and above 1.5 A (sensor.still_current_a)") != std::string::npos)
+            << outcome;
+    }
+}
+
+TEST(CalibrationSensor, AMountThatMovesTellsNothing)
+{
+    CalibrationRig rig;
+    ASSERT_TRUE(rig.ask(request::MeasureSensorOffset{}));
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 180_deg, .elevation = 30_deg}}));
+    rig.runOut(Seconds(60.0));
+    EXPECT_TRUE(rig.status().progress.failed);
+    EXPECT_FALSE(rig.status().proposal);
+}
+
+// Story: with the Sun followed it ran for its 20 s and was refused then.
+TEST(CalibrationSensor, IsNotAveragedWhileABodyIsFollowed)
+{
+    SwungRig rig;
+    setHour(rig, 8.0);
+    follow(rig);
+    const auto refused = rig.ask(request::MeasureSensorOffset{});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ("the mount follows the Sun: hold it first", refused.error().text);
+    ASSERT_TRUE(rig.ask(request::Hold{}));
+    rig.run(Seconds(3.0));
+    EXPECT_TRUE(rig.ask(request::MeasureSensorOffset{}));
+}
+
+TEST(CalibrationSensor, IsNotAveragedWhileTheMountMoves)
+{
+    CalibrationRig rig;
+    ASSERT_TRUE(rig.ask(request::PointAxes{{.azimuth = 180_deg, .elevation = 30_deg}}));
+    rig.run(Seconds(2.0));
+    const auto refused = rig.ask(request::MeasureSensorOffset{});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(std::string::npos, refused.error().text.find("still moves"));
+}
+
+// Both come from one busy moment: the follower has not seen yet that the mount was sent elsewhere.
+TEST(CalibrationSensor, AnAverageRightAfterTheBodyWasLeftIsNoFault)
+{
+    SwungRig rig;
+    setHour(rig, 8.0);
+    follow(rig);
+    ASSERT_TRUE(rig.control.request(request::PointAxes{{.azimuth = 200_deg, .elevation = 30_deg}}, kOperator));
+    const auto measures = rig.desk.carryOut(request::MeasureSensorOffset{});
+    EXPECT_TRUE(measures || measures.error().text.find("follows the") == std::string::npos);
+    rig.run(Seconds(1.0));
+    EXPECT_FALSE(rig.status().following);
+}
+
+}  // namespace
+}  // namespace boresight

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/core/north/calibration_rig.h"
+
+// What an operator does with the Sun of a summer's day over the mast of calibration_rig.h.
+namespace boresight {
+
+// A summer's day, at this hour of UTC.
+inline void setHour(CalibrationRig& rig, double hour)
+{
+    const UtcTime midnight = std::chrono::sys_days{std::chrono::year{2026} / 6 / 21};
+    rig.clock.stepUtc(Seconds(midnight - rig.clock.utc()) + Seconds(hour * 3600.0));
+}
+
+// After a swing that has found north to a degree or two.
+struct SwungRig : CalibrationRig
+{
+    SwungRig()
+    {
+        profile::Profile swung = profile;
+        swung.pointing.azimuthOffset = Angle::fromDegrees(36.0);
+        setProfile(swung);
+    }
+};
+
+// The boom goes past the zenith.
+inline profile::Profile profileOverTheTop()
+{
+    profile::Profile profile = calibratedProfile();
+    profile.elevation.geometry.travel.max = 180_deg;
+    return profile;
+}
+
+inline void follow(CalibrationRig& rig, ephemeris::Body body = ephemeris::Body::Sun, bool overTheTop = false)
+{
+    const auto followed = rig.ask(request::FollowBody{.body = body, .overTheTop = overTheTop});
+    ASSERT_TRUE(followed) << followed.error().text;
+    rig.run(Seconds(70.0));
+    ASSERT_EQ(StationState::Track, rig.state());
+}
+
+inline double apart(const SkyPointing& a, const SkyPointing& b)
+{
+    const double across = (a.azimuth - b.azimuth).wrapped180().degrees() * std::cos(a.elevation.radians());
+    return std::hypot(across, (a.elevation - b.elevation).degrees());
+}
+
+// By the arrow keys, as well as an eye does it.
+inline void centre(CalibrationRig& rig, double noise = 0.01)
+{
+    std::normal_distribution<double> eye(0.0, noise);
+    const SkyPointing sun = rig.status().bodies.at(0).direction;
+    const SkyPointing behind{.azimuth = sun.azimuth + 180_deg, .elevation = 180_deg - sun.elevation};
+    for (int i = 0; i < 3; ++i) {
+        const AxisPosition wanted = rig.model.toAxes(rig.status().overTheTop ? behind : sun).axes;
+        const AxisPosition here = rig.axes();
+        ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = (wanted.azimuth - here.azimuth).wrapped180(),
+                                           .elevation = wanted.elevation - here.elevation}));
+        rig.run(Seconds(3.0));
+    }
+    ASSERT_TRUE(rig.ask(request::Nudge{.azimuth = Angle::fromDegrees(eye(rig.random)),
+                                       .elevation = Angle::fromDegrees(eye(rig.random))}));
+    rig.run(Seconds(3.0));
+    EXPECT_LT(apart(rig.beam(), rig.status().bodies.at(0).direction), 0.1);
+}
+
+inline void takeSun(CalibrationRig& rig, double hour, bool overTheTop = false)
+{
+    setHour(rig, hour);
+    follow(rig, ephemeris::Body::Sun, overTheTop);
+    centre(rig);
+    const auto taken = rig.ask(request::TakePoint{});
+    ASSERT_TRUE(taken) << taken.error().text;
+}
+
+}  // namespace boresight

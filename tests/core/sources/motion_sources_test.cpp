@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every source of motion promises. The tests go through the list of sources and through all requests, so a new
+// source is judged without a line here. It needs a sample below if its default request does not move the mount.
+#include "core/sources/motion_sources.h"
+
+#include "tests/core/control/station_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <set>
+#include <string>
+#include <typeinfo>
+#include <utility>
+#include <vector>
+
+namespace boresight {
+namespace {
+
+constexpr AxisRates kSlowly{.azimuth = AngularRate::fromDegrees(1.0), .elevation = AngularRate::fromDegrees(1.0)};
+constexpr SkyPointing kUp{.azimuth = Angle::fromDegrees(20.0), .elevation = Angle::fromDegrees(30.0)};
+
+// One that moves the mount, where the default value does not.
+template <class Wanted>
+Request sampleOf()
+{
+    return Wanted{};
+}
+template <>
+Request sampleOf<request::PointSky>()
+{
+    return request::PointSky{kUp};
+}
+template <>
+Request sampleOf<request::PointAxes>()
+{
+    return request::PointAxes{{.azimuth = kUp.azimuth, .elevation = kUp.elevation}};
+}
+template <>
+Request sampleOf<request::Follow>()
+{
+    return request::Follow{.direction = kUp, .what = QStringLiteral("Sun")};
+}
+template <>
+Request sampleOf<request::Jog>()
+{
+    return request::Jog{kSlowly};
+}
+template <>
+Request sampleOf<request::Move>()
+{
+    return request::Move{kSlowly};
+}
+template <>
+Request sampleOf<request::Step>()
+{
+    return request::Step{.azimuth = kUp.azimuth};
+}
+
+template <std::size_t... index>
+std::vector<Request> samples(std::index_sequence<index...>)
+{
+    return {sampleOf<std::variant_alternative_t<index, Request>>()...};
+}
+
+const std::vector<Request>& allRequests()
+{
+    static const std::vector<Request> all = samples(std::make_index_sequence<std::variant_size_v<Request>>());
+    return all;
+}
+
+// A mount that stands beside home and its park position, and its sources.
+struct SourcesRig
+{
+    SourcesRig()
+    {
+        rig.azimuth.position = 0.05;
+        rig.run(Seconds(0.5));
+    }
+
+    static profile::Profile parkedElsewhere()
+    {
+        profile::Profile profile;
+        profile.park = {.azimuth = kUp.azimuth, .elevation = kUp.elevation};
+        return profile;
+    }
+
+    MotionSources listed(Helm& helm)
+    {
+        MotionSources list = motionSources(helm);
+        for (const auto& one : list) {
+            sources.push_back(one.get());
+        }
+        return list;
+    }
+
+    [[nodiscard]] bool movesWithin(Seconds time)
+    {
+        for (Seconds left = time; left > Seconds(0.0); left -= StationRig::kTick) {
+            rig.tick();
+            if (rig.moving()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    std::vector<MotionSource*> sources;
+    StationRig rig{parkedElsewhere(), {.trustFirstContact = true}, [this](Helm& helm) { return listed(helm); }};
+};
+
+std::string nameOf(const MotionSource& source)
+{
+    return typeid(source).name();
+}
+
+struct Taken
+{
+    std::size_t source;  // its place in the list
+    const Request& request;
+    const Source& by;
+};
+
+// Which source takes which request of whom.
+std::vector<Taken> findTaken()
+{
+    std::vector<Taken> taken;
+    SourcesRig mount;
+    for (std::size_t i = 0; i < mount.sources.size(); ++i) {
+        for (const Request& request : allRequests()) {
+            for (const Source* const by : {&kOperator, &kClient}) {
+                if (mount.sources[i]->take(request, *by)) {
+                    taken.push_back({.source = i, .request = request, .by = *by});
+                }
+            }
+        }
+    }
+    return taken;
+}
+
+const std::vector<Taken>& allTaken()
+{
+    static const std::vector<Taken> taken = findTaken();
+    return taken;
+}
+
+// Each of them meets an obstacle on a mount of its own, and nothing moves.
+void expectRefusals(const std::function<bool(StationRig&)>& putInTheWay, const Source& by)
+{
+    int judged = 0;
+    for (const Taken& one : allTaken()) {
+        if (one.by != by) {
+            continue;
+        }
+        SourcesRig mount;
+        ASSERT_TRUE(putInTheWay(mount.rig));
+        MotionSource& source = *mount.sources[one.source];
+        const auto answer = source.take(one.request, by);
+        EXPECT_TRUE(answer && !*answer) << nameOf(source) << " takes request " << one.request.index();
+        EXPECT_FALSE(mount.movesWithin(Seconds(0.5))) << nameOf(source);
+        ++judged;
+    }
+    EXPECT_GT(judged, 3);
+}
+
+TEST(MotionSources, EveryRequestHasATaker)
+{
+    StationRig without({}, {.trustFirstContact = true}, [](Helm&) { return MotionSources(); });
+    const Result<> noTaker = without.point(20.0, 30.0);
+    ASSERT_FALSE(noTaker);
+    for (const Request& request : allRequests()) {
+        SourcesRig mount;
+        const Result<> answer = mount.rig.ask(request);
+        EXPECT_TRUE(answer || answer.error() != noTaker.error()) << "request " << request.index();
+    }
+}
+
+TEST(MotionSources, WithoutThemNothingMoves)
+{
+    StationRig rig({}, {.trustFirstContact = true}, [](Helm&) { return MotionSources(); });
+    rig.run(Seconds(0.5));
+    const Result<> answer = rig.point(20.0, 30.0);
+    ASSERT_FALSE(answer);
+    EXPECT_EQ(answer.error().code, ErrorCode::NotAvailable);
+    rig.run(Seconds(1.0));
+    EXPECT_FALSE(rig.moving());
+}
+
+// Else the refusals below would mean nothing.
+TEST(MotionSources, EachMovesTheMount)
+{
+    std::set<std::size_t> moved;
+    for (const Taken& one : allTaken()) {
+        SourcesRig mount;
+        const auto answer = mount.sources[one.source]->take(one.request, one.by);
+        if (answer && *answer && mount.movesWithin(Seconds(0.5))) {
+            moved.insert(one.source);
+        }
+    }
+    const SourcesRig mount;
+    for (std::size_t i = 0; i < mount.sources.size(); ++i) {
+        EXPECT_TRUE(moved.contains(i)) << nameOf(*mount.sources[i]);
+    }
+}
+
+TEST(MotionSources, EachRefusesBehindALatchedStop)
+{
+    const auto stop = [](StationRig& rig) { return rig.ask(request::Stop{}).has_value(); };
+    expectRefusals(stop, kOperator);
+    expectRefusals(stop, kClient);
+}
+
+TEST(MotionSources, EachRefusesClientsWithoutTheAuthority)
+{
+    expectRefusals([](StationRig& rig) { return rig.ask(request::TakeAuthority{}).has_value(); }, kClient);
+}
+
+TEST(MotionSources, EachRefusesWithDrivesThatAreNotFit)
+{
+    const auto unfit = [](StationRig& rig) {
+        rig.mount.setFitness(failure(ErrorCode::Refused, std::string("not fit")));
+        return true;
+    };
+    expectRefusals(unfit, kOperator);
+    expectRefusals(unfit, kClient);
+}
+
+TEST(MotionSources, EachRefusesBehindALatchedFault)
+{
+    const auto lose = [](StationRig& rig) {
+        rig.azimuth.fault = 38;
+        rig.azimuth.mode = moteus::Mode::Fault;
+        rig.run(Seconds(0.5));
+        return rig.state() == StationState::Fault;
+    };
+    expectRefusals(lose, kOperator);
+    expectRefusals(lose, kClient);
+}
+
+}  // namespace
+}  // namespace boresight
