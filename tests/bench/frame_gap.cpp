@@ -67,7 +67,11 @@ class Desk
 public:
     Desk()
         : m_station(build(m_profile), [this](const profile::Profile& next) { return build(next); }),
-          m_saver(m_folder.path(), m_folder.filePath(QStringLiteral("mount.toml")), m_profile),
+          m_saver({.profile = m_profile,
+                   .profilePath = m_folder.filePath(QStringLiteral("mount.toml")),
+                   .configDir = m_folder.path(),
+                   .stateDir = m_folder.path(),
+                   .simulation = Simulation::Reference}),
           m_window(m_clock, {.stateDir = m_folder.path(), .configDir = m_folder.path()})
     {
         QObject::connect(&m_window, &ui::MainWindow::requested, &m_station, &app::StationThread::requested);
