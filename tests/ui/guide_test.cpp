@@ -148,6 +148,16 @@ TEST_F(GuideTest, NothingIsSetForAMountThatWaitsForItsReconnect)
         << swap.toolTip().toStdString();
 }
 
+TEST_F(GuideTest, OfAMountWithoutDrivesOfThatKindNoneIsListed)
+{
+    open<GuideConnect>(GuideStep::Connect);
+    Q_EMIT window.host().adaptersFound(adaptersOf({}, {{QStringLiteral("can0"), true}}));
+    StationStatus status = samples::idle();
+    status.drives.reset();
+    give(samples::update(status));
+    EXPECT_EQ(inGuide<QPlainTextEdit>("Who answers").toPlainText(), QStringLiteral("In use."));
+}
+
 TEST_F(GuideTest, AdaptersAreListedByTheirNamesAndScannedWithoutMovingAnything)
 {
     QSignalSpy scans(&window.host(), &HostDesk::scanWanted);

@@ -46,6 +46,21 @@ QString line(const StationStatus& status, Axis axis)
         .arg(quantity(one.busVoltage, QStringLiteral("V")), quantity(one.boardTemperature, QStringLiteral("°C")));
 }
 
+// Empty where the mount has no drives that answer by themselves.
+QStringList linesOfDrives(const StationStatus& status)
+{
+    QStringList lines;
+    if (status.drives) {
+        for (const Axis axis : kAxes) {
+            lines << line(status, axis);
+        }
+        for (const Stranger& one : status.drives->strangers) {
+            lines << GuideConnect::tr("id %1: not in the profile").arg(one.id);
+        }
+    }
+    return lines;
+}
+
 }  // namespace
 
 GuideConnect::GuideConnect(ProfileChange& change, RequestDesk& desk, HostDesk& host, QWidget* parent)
@@ -196,12 +211,7 @@ void GuideConnect::showFound()
     QStringList lines;
     if (selectedBus() == busInUse()) {
         lines << (m_status.drives ? tr("In use. %1.").arg(surveySentence(*m_status.drives).text) : tr("In use."));
-        for (const Axis axis : kAxes) {
-            lines << line(m_status, axis);
-        }
-        for (const Stranger& one : drivesOf(m_status).strangers) {
-            lines << tr("id %1: not in the profile").arg(one.id);
-        }
+        lines << linesOfDrives(m_status);
     } else if (selectedBus() == m_scanning) {
         lines << tr("Asking who is there …");
     } else if (m_result && m_result->bus == selectedBus()) {
