@@ -27,7 +27,7 @@ Arming::Arming(const profile::InForce& profile, MountDriver& mount, EventLog& lo
 
 Result<> Arming::admits(const Source& source) const
 {
-    if (const Result<> available = m_mount.available(); !available) {
+    if (Result<> available = m_mount.available(); !available) {
         return available;
     }
     if (!m_connected) {

@@ -51,10 +51,10 @@ std::optional<AxisPosition> CableGuard::leastWound(const AxisPosition& place, co
 {
     std::optional<AxisPosition> best;
     Angle least = abs(place.azimuth);
-    for (double turns = std::ceil((range.min - place.azimuth).turns()); turns <= (range.max - place.azimuth).turns();
-         turns += 1.0) {
+    const int most = static_cast<int>(std::floor((range.max - place.azimuth).turns()));
+    for (int turns = static_cast<int>(std::ceil((range.min - place.azimuth).turns())); turns <= most; ++turns) {
         const AxisPosition other{.azimuth = place.azimuth + Angle::fromTurns(turns), .elevation = place.elevation};
-        if (turns != 0.0 && abs(other.azimuth) < least) {
+        if (turns != 0 && abs(other.azimuth) < least) {
             least = abs(other.azimuth);
             best = other;
         }

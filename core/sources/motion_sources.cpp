@@ -14,6 +14,7 @@ namespace boresight {
 namespace {
 
 template <class Wanted, class... Each>
+// NOLINTNEXTLINE(misc-redundant-expression): each operand asks another source
 constexpr bool isTaken = (Each::Taken::template has<Wanted> || ...);
 
 template <class... Each, class... Wanted>
