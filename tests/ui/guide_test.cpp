@@ -152,7 +152,6 @@ TEST_F(GuideTest, OfAMountWithoutDrivesOfThatKindNoneIsListed)
 {
     open<GuideConnect>(GuideStep::Connect);
     Q_EMIT window.host().adaptersFound(adaptersOf({}, {{QStringLiteral("can0"), true}}));
-    StationStatus status = samples::idle();
     status.drives.reset();
     give(samples::update(status));
     EXPECT_EQ(inGuide<QPlainTextEdit>("Who answers").toPlainText(), QStringLiteral("In use."));
