@@ -148,10 +148,9 @@ Result<> fitsItsMount(const Options& options)
     if (options.simulationFor(options.profile) != Simulation::Off) {
         return {};
     }
-    const auto problems = profile::problemsOfReal(options.profile);
-    return problems.empty() ? Result<>{}
-                            : failure(ErrorCode::InvalidInput, options.profilePath.toStdString() + ": " +
-                                                                   problems.front().key + ": " + problems.front().text);
+    return profile::fitsRealMount(options.profile).map_error([&](Error error) {
+        return Error{error.code, options.profilePath.toStdString() + ": " + error.text};
+    });
 }
 
 Result<> applyListen(Options& options, const QCommandLineParser& parser)

@@ -336,9 +336,7 @@ Result<> Station::fits(const profile::Profile& wanted) const
                        Text::tr("bus.name changes between the simulated mount and a real one: press Reconnect, or "
                                 "start Boresight again"));
     }
-    const auto problems = m_mount->simulated() ? std::vector<profile::Problem>() : profile::problemsOfReal(wanted);
-    return problems.empty() ? Result<>{}
-                            : failure(ErrorCode::InvalidInput, problems.front().key + ": " + problems.front().text);
+    return m_mount->simulated() ? Result<>{} : profile::fitsRealMount(wanted);
 }
 
 void Station::apply(const profile::Profile& wanted)
