@@ -31,6 +31,7 @@ public:
     // What the next station begins with, when a reconnect with `wanted` was asked for: the profile of another mount,
     // the one that was applied last, or a simulated one with a real bus. The latter leaves the simulation: the real
     // mount gets its own profile with what was changed together with the bus. Its directions are to be confirmed.
+    // Where that cannot be, failed() says why, and it is the mount of before.
     [[nodiscard]] profile::Profile next(const profile::Profile& wanted);
 
 public Q_SLOTS:
@@ -41,7 +42,9 @@ Q_SIGNALS:
 
 private:
     [[nodiscard]] profile::Profile simulate(const profile::Profile& own, const profile::Profile& fresh);
-    [[nodiscard]] profile::Profile leaveSimulation(const profile::Profile& wanted);
+    [[nodiscard]] bool isListed(const profile::Profile& wanted) const;
+    [[nodiscard]] Result<> switchTo(const profile::Profile& wanted);
+    [[nodiscard]] Result<> leaveSimulation(const profile::Profile& wanted);
     [[nodiscard]] bool simulates(const profile::Profile& of) const;
     void report(const Result<>& done);
 

@@ -56,6 +56,13 @@ void changeAndFindEverything(profile::Profile& profile)
     profile.rotctld.maxClients = 7;
 }
 
+// Why it was not saved.
+void note(const ProfileSaver& saver, QString& reason)
+{
+    QObject::connect(
+        &saver, &ProfileSaver::failed, &saver, [&reason](const QString& text) { reason = text; }, Qt::DirectConnection);
+}
+
 // As a file says them: it has fewer digits.
 void expectAlike(const profile::Profile& a, const profile::Profile& b)
 {
@@ -92,9 +99,7 @@ struct Rig
         QString reason;
         {
             ProfileSaver saver(options);
-            QObject::connect(
-                &saver, &ProfileSaver::failed, &saver, [&](const QString& text) { reason = text; },
-                Qt::DirectConnection);
+            note(saver, reason);
             saver.save(wanted);
         }
         return reason;
@@ -279,6 +284,84 @@ TEST(ProfileSaver, AFileThatNamesNoRealBusIsSimulatedAndGetsTheBus)
         EXPECT_EQ(saver.next(wanted), real);
         EXPECT_EQ(rig.loaded(), real);
     }
+}
+
+// Story: a file with a slip of the pen was overwritten with the built-in reference mount.
+// REQ-PROFILE-17a
+TEST(ProfileSaver, AFileThatCannotBeReadIsNotTakenForARealMounts)
+{
+    Rig rig;
+    rig.keep(profile::Profile{});
+    QString reason;
+    ProfileSaver saver(rig.options);
+    note(saver, reason);
+    QFile file(rig.options.profilePath);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("[jog\n");
+    file.close();
+    const auto before = rig.realFiles();
+    const profile::Profile simulated = saver.first();
+    profile::Profile wanted = simulated;
+    wanted.bus = "socketcan:can0";
+    EXPECT_EQ(saver.next(wanted), simulated);
+    EXPECT_TRUE(reason.contains(rig.options.profilePath)) << reason.toStdString();
+    EXPECT_EQ(rig.realFiles(), before);
+}
+
+// Story: the name typed together with the bus was another mount's, and then two files had it.
+TEST(ProfileSaver, WithTheNameOfAnotherMountTheSimulationIsNotLeft)
+{
+    Rig rig;
+    rig.keep(realMount("Field"));
+    rig.keep(profile::Profile{});
+    const auto before = rig.realFiles();
+    QString reason;
+    ProfileSaver saver(rig.options);
+    note(saver, reason);
+    const profile::Profile simulated = saver.first();
+    profile::Profile wanted = simulated;
+    wanted.bus = "socketcan:can0";
+    wanted.mount.name = "Field";
+    EXPECT_EQ(saver.next(wanted), simulated);
+    EXPECT_TRUE(reason.contains(QStringLiteral("there is a mount \"Field\" already"))) << reason.toStdString();
+    EXPECT_EQ(rig.realFiles(), before);
+}
+
+// Story: what was typed together with the bus was dropped without a word, because it went with the simulation's ends
+// only.
+TEST(ProfileSaver, WhatDoesNotGoWithTheMountsOwnProfileIsReported)
+{
+    Rig rig;
+    rig.keep(profile::Profile{});
+    const auto before = rig.realFiles();
+    QString reason;
+    ProfileSaver saver(rig.options);
+    note(saver, reason);
+    profile::Profile simulated = saver.first();
+    profile::setTravel(simulated, Axis::Azimuth, {.min = -90_deg, .max = 700_deg});
+    saver.save(simulated);
+    profile::Profile wanted = simulated;
+    wanted.bus = "socketcan:can0";
+    wanted.park.azimuth = 600_deg;
+    EXPECT_EQ(saver.next(wanted), simulated);
+    EXPECT_TRUE(reason.startsWith(QStringLiteral("park."))) << reason.toStdString();
+    EXPECT_EQ(rig.realFiles(), before);
+}
+
+// Story: switched to, such a mount was the current one, with which the program does not start.
+TEST(ProfileSaver, AMountOfTheListThatCannotBeARealOneIsNotConnected)
+{
+    Rig rig;
+    profile::Profile field = realMount("Field");
+    field.sensor.source = profile::SensorSource::Simulated;
+    rig.keep(field);
+    rig.keep(realMount());
+    QString reason;
+    ProfileSaver saver(rig.options);
+    note(saver, reason);
+    EXPECT_EQ(saver.next(field), realMount());
+    EXPECT_TRUE(reason.startsWith(QStringLiteral("sensor.source: "))) << reason.toStdString();
+    EXPECT_EQ(*rig.store().findCurrent(), rig.options.profilePath);
 }
 
 // The list is that of the real mounts, and one of them may be switched to.
