@@ -77,6 +77,7 @@ ProfileSaver::ProfileSaver(const Options& options, QObject* parent)
       m_configDir(options.configDir),
       m_simulated(options.stateDir + QStringLiteral("/simulated")),
       m_asked(options.simulation),
+      m_overridden(options.overridden),
       m_ownPath(options.profilePath),
       m_path(std::make_shared<QString>(options.profilePath)),
       m_last(options.profile)
@@ -85,8 +86,10 @@ ProfileSaver::ProfileSaver(const Options& options, QObject* parent)
     m_writer.setExpiryTimeout(-1);
     if (simulates(options.profile)) {
         const profile::Profile own = loaded(m_ownPath).value_or(profile::Profile{});
-        m_last = simulate(own, options.isFirstStart() ? options.profile : own);
-        profile::takeOver(m_last, options.profile, options.overridden);
+        profile::Profile fresh = options.isFirstStart() ? options.profile : own;
+        profile::takeOver(fresh, own, m_overridden);
+        m_last = simulate(own, fresh);
+        profile::takeOver(m_last, options.profile, m_overridden);
     }
 }
 
@@ -181,6 +184,7 @@ Result<> ProfileSaver::leaveSimulation(const profile::Profile& wanted)
                                                        : saveOver(m_configDir, m_ownPath, real, kept.mount.name);
             if (saved || saved.error().code != ErrorCode::Refused) {
                 m_last = real;
+                profile::takeOver(m_last, wanted, m_overridden);
                 *m_path = m_ownPath;
             }
             return saved;

@@ -10,6 +10,8 @@
 #include <QThreadPool>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 // Which profile each station begins with, and where the changes that the operator applies are kept: in the file that
 // the program was started with, else as a new mount of the store. While a mount is simulated they are kept in the
@@ -50,9 +52,10 @@ private:
 
     QString m_configDir;
     SimulatedProfiles m_simulated;
-    Simulation m_asked;               // by the command line
-    QString m_ownPath;                // of the mount's own profile; empty: no file yet
-    std::shared_ptr<QString> m_path;  // of the file that is written; the worker's while it works
+    Simulation m_asked;                     // by the command line
+    std::vector<std::string> m_overridden;  // by the command line: never written
+    QString m_ownPath;                      // of the mount's own profile; empty: no file yet
+    std::shared_ptr<QString> m_path;        // of the file that is written; the worker's while it works
     profile::Profile m_last;
     QThreadPool m_writer;
 };

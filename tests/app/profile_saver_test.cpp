@@ -212,6 +212,34 @@ TEST(ProfileSaver, WhatTheCommandLineSaysIsSimulatedAndNotKept)
     EXPECT_EQ(rig.first().jog.slow, 0.7_deg_s);
 }
 
+// Story: the port of one first start was that of all the following ones.
+TEST(ProfileSaver, WhatTheCommandLineSaysAtAFirstStartIsNotKept)
+{
+    Rig rig;
+    rig.options.profile.sensor.source = profile::SensorSource::Simulated;
+    rig.options.profile.rotctld.listen.port = 0;
+    rig.options.overridden = {"rotctld.listen"};
+    EXPECT_EQ(rig.first(), rig.options.profile);
+    rig.options.profile.rotctld.listen = profile::Profile{}.rotctld.listen;
+    rig.options.overridden.clear();
+    EXPECT_EQ(rig.first(), rig.options.profile);
+}
+
+// Story: with the adapter chosen in the guide, the server went to another port than --listen says.
+TEST(ProfileSaver, WhatTheCommandLineSaysHoldsAlsoWhenTheSimulationIsLeft)
+{
+    Rig rig;
+    rig.options.profile.rotctld.listen.port = 0;
+    rig.options.overridden = {"rotctld.listen"};
+    ProfileSaver saver(rig.options);
+    profile::Profile wanted = saver.first();
+    wanted.bus = "socketcan:can0";
+    EXPECT_EQ(saver.next(wanted).rotctld.listen.port, 0);
+    const auto current = rig.store().findCurrent();
+    ASSERT_TRUE(current && *current);
+    EXPECT_EQ(profile::loadProfile(**current)->rotctld.listen, profile::Profile{}.rotctld.listen);
+}
+
 TEST(ProfileSaver, AFirstStartIsSimulatedAndComesBackAsItWasLeft)
 {
     Rig rig;
