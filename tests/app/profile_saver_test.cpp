@@ -177,6 +177,12 @@ TEST(ProfileSaver, AChangedProfileIsSimulatedAnew)
     changed.jog.slow = 0.7_deg_s;
     ASSERT_TRUE(profile::saveProfile(changed, rig.options.profilePath));
     EXPECT_EQ(rig.first(), changed);
+    // Story: the first change of the new copy overwrote the old one.
+    changed.jog.fast = 4_deg_s;
+    EXPECT_EQ(rig.save(changed), QString());
+    const auto old = profile::loadProfile(rig.state() + QStringLiteral("/simulated/Roof.toml.old"));
+    ASSERT_TRUE(old) << old.error().text;
+    EXPECT_EQ(old->pointing, wanted.pointing);
 }
 
 // Two files may have the same mount's name, and so the same file of the simulation.
