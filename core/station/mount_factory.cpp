@@ -28,4 +28,9 @@ MountMaker MountFactory::make(const profile::Profile& profile, const MoteusConne
     return twoMoteus(m_links.make(profile, start.simulation), start);
 }
 
+SensorMaker MountFactory::sensors(const profile::Profile& profile, Simulation simulation) const
+{
+    return m_links.sensors(simulation != Simulation::Off && !isSimple(profile, simulation));
+}
+
 }  // namespace boresight
