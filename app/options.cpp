@@ -218,12 +218,9 @@ Result<QString> makeStateDir(const QCommandLineParser& parser)
 profile::Profile Options::startingProfile() const
 {
     profile::Profile starting = profile;
-    if (isFirstStart() && simulation == Simulation::Simple) {
-        return starting;  // it has no sensor on it
-    }
-    if (isFirstStart() && simulation != Simulation::Off) {
+    if (isFirstStart() && simulation == Simulation::Reference) {  // the simple rotator has no sensor on it
         starting.sensor.source = profile::SensorSource::Simulated;
-    } else if (isFirstStart()) {
+    } else if (isFirstStart() && simulation == Simulation::Off) {
         starting.mount.directions = profile::Directions::Unconfirmed;
     }
     return starting;
