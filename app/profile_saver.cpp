@@ -113,10 +113,13 @@ void ProfileSaver::report(const Result<>& done)
 void ProfileSaver::save(const profile::Profile& wanted)
 {
     const profile::Profile before = std::exchange(m_last, wanted);
-    m_writer.start([this, wanted, before, simulated = simulates(wanted), configDir = m_configDir, path = m_path] {
-        report(path->isEmpty()
-                   ? saveNew(configDir, wanted, *path)
-                   : saveChanges(configDir, *path, wanted, profile::changedKeys(before, wanted), simulated));
+    const auto keys = profile::changedKeys(before, wanted);
+    profile::Profile made = wanted;
+    profile::takeOver(made, profile::Profile{}, m_overridden);
+    profile::takeOver(made, wanted, keys);
+    m_writer.start([this, wanted, made, keys, simulated = simulates(wanted), configDir = m_configDir, path = m_path] {
+        report(path->isEmpty() ? saveNew(configDir, made, *path)
+                               : saveChanges(configDir, *path, wanted, keys, simulated));
     });
 }
 
