@@ -148,10 +148,9 @@ Result<> fitsItsMount(const Options& options)
     if (options.simulationFor(options.profile) != Simulation::Off) {
         return {};
     }
-    const auto problems = profile::problemsOfReal(options.profile);
-    return problems.empty() ? Result<>{}
-                            : failure(ErrorCode::InvalidInput, options.profilePath.toStdString() + ": " +
-                                                                   problems.front().key + ": " + problems.front().text);
+    return profile::fitsRealMount(options.profile).map_error([&](Error error) {
+        return Error{error.code, options.profilePath.toStdString() + ": " + error.text};
+    });
 }
 
 Result<> applyListen(Options& options, const QCommandLineParser& parser)
@@ -219,12 +218,9 @@ Result<QString> makeStateDir(const QCommandLineParser& parser)
 profile::Profile Options::startingProfile() const
 {
     profile::Profile starting = profile;
-    if (isFirstStart() && simulation == Simulation::Simple) {
-        return starting;  // it has no sensor on it
-    }
-    if (isFirstStart() && simulation != Simulation::Off) {
+    if (isFirstStart() && simulation == Simulation::Reference) {  // the simple rotator has no sensor on it
         starting.sensor.source = profile::SensorSource::Simulated;
-    } else if (isFirstStart()) {
+    } else if (isFirstStart() && simulation == Simulation::Off) {
         starting.mount.directions = profile::Directions::Unconfirmed;
     }
     return starting;

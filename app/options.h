@@ -23,7 +23,7 @@ struct Options
     QString configDir;                        // of the profile store
     QString stateDir;                         // created if absent
     Simulation simulation = Simulation::Off;  // what the command line asks for, over every profile
-    std::vector<std::string> overridden;      // the keys that hold for the simulation of the profile, too
+    std::vector<std::string> overridden;      // the keys that hold in the simulation, too, and are never written
     std::optional<memory::EnteredPlace> standingAt;
 
     // What runs with the profile of another mount.

@@ -33,18 +33,24 @@ void becomeReal(profile::Profile& kept, std::vector<std::string>& keys)
     }
 }
 
+// A new name must not be another mount's.
+Result<> saveOver(const QString& configDir, const QString& path, const profile::Profile& profile,
+                  const std::string& nameBefore)
+{
+    return profile.mount.name == nameBefore ? profile::saveKeepingPrevious(profile, path)
+                                            : profile::ProfileStore(configDir).save(profile, path);
+}
+
 Result<> saveChanges(const QString& configDir, const QString& path, const profile::Profile& wanted,
                      std::vector<std::string> keys, bool simulated)
 {
     return profile::loadProfile(path).and_then([&](profile::Profile kept) {
         const std::string nameBefore = kept.mount.name;
-        if (!simulated && profile::namesNoBus(kept) && !profile::namesNoBus(wanted)) {
+        if (!simulated && profile::namesNoBus(kept)) {
             becomeReal(kept, keys);
         }
         profile::takeOver(kept, wanted, keys);
-        // A new name must not be another mount's.
-        return kept.mount.name == nameBefore ? profile::saveKeepingPrevious(kept, path)
-                                             : profile::ProfileStore(configDir).save(kept, path);
+        return saveOver(configDir, path, kept, nameBefore);
     });
 }
 
@@ -71,6 +77,7 @@ ProfileSaver::ProfileSaver(const Options& options, QObject* parent)
       m_configDir(options.configDir),
       m_simulated(options.stateDir + QStringLiteral("/simulated")),
       m_asked(options.simulation),
+      m_overridden(options.overridden),
       m_ownPath(options.profilePath),
       m_path(std::make_shared<QString>(options.profilePath)),
       m_last(options.profile)
@@ -79,8 +86,10 @@ ProfileSaver::ProfileSaver(const Options& options, QObject* parent)
     m_writer.setExpiryTimeout(-1);
     if (simulates(options.profile)) {
         const profile::Profile own = loaded(m_ownPath).value_or(profile::Profile{});
-        m_last = simulate(own, options.isFirstStart() ? options.profile : own);
-        profile::takeOver(m_last, options.profile, options.overridden);
+        profile::Profile fresh = options.isFirstStart() ? options.profile : own;
+        profile::takeOver(fresh, own, m_overridden);
+        m_last = simulate(own, fresh);
+        profile::takeOver(m_last, options.profile, m_overridden);
     }
 }
 
@@ -104,10 +113,13 @@ void ProfileSaver::report(const Result<>& done)
 void ProfileSaver::save(const profile::Profile& wanted)
 {
     const profile::Profile before = std::exchange(m_last, wanted);
-    m_writer.start([this, wanted, before, simulated = simulates(wanted), configDir = m_configDir, path = m_path] {
-        report(path->isEmpty()
-                   ? saveNew(configDir, wanted, *path)
-                   : saveChanges(configDir, *path, wanted, profile::changedKeys(before, wanted), simulated));
+    const auto keys = profile::changedKeys(before, wanted);
+    profile::Profile made = wanted;
+    profile::takeOver(made, profile::Profile{}, m_overridden);
+    profile::takeOver(made, wanted, keys);
+    m_writer.start([this, wanted, made, keys, simulated = simulates(wanted), configDir = m_configDir, path = m_path] {
+        report(path->isEmpty() ? saveNew(configDir, made, *path)
+                               : saveChanges(configDir, *path, wanted, keys, simulated));
     });
 }
 
@@ -121,22 +133,35 @@ profile::Profile ProfileSaver::next(const profile::Profile& wanted)
     const bool sameMount = wanted.mount.name == m_last.mount.name;
     if (wanted == m_last || (sameMount && simulated && simulates(wanted))) {
         m_last = wanted;
-        return wanted;
+    } else if (simulated && !simulates(wanted) && !isListed(wanted)) {
+        report(leaveSimulation(wanted));
+    } else {
+        report(switchTo(wanted));
     }
-    if (simulated && !simulates(wanted)) {
-        m_last = leaveSimulation(wanted);
-        *m_path = m_ownPath;
-        return m_last;
+    return m_last;
+}
+
+bool ProfileSaver::isListed(const profile::Profile& wanted) const
+{
+    const auto listed = loaded(fileOf(m_configDir, wanted));
+    return listed && profile::changedKeys(*listed, wanted).empty();
+}
+
+Result<> ProfileSaver::switchTo(const profile::Profile& wanted)
+{
+    if (const Result<> fits = simulates(wanted) ? Result<>{} : profile::fitsRealMount(wanted); !fits) {
+        return fits;
     }
+    Result<> chosen;
     if (const auto own = loaded(m_ownPath); !own || own->mount.name != wanted.mount.name) {
         m_ownPath = fileOf(m_configDir, wanted);  // empty: of a mount that is not kept yet
         if (!m_ownPath.isEmpty() && m_asked == Simulation::Off) {
-            report(profile::ProfileStore(m_configDir).setCurrent(m_ownPath));
+            chosen = profile::ProfileStore(m_configDir).setCurrent(m_ownPath);
         }
     }
     *m_path = m_ownPath;
     m_last = simulates(wanted) ? simulate(wanted, wanted) : wanted;
-    return m_last;
+    return chosen;
 }
 
 // The simulation works without its file too: then each change reports that it is not kept.
@@ -148,25 +173,26 @@ profile::Profile ProfileSaver::simulate(const profile::Profile& own, const profi
     return opened.value_or(fresh);
 }
 
-profile::Profile ProfileSaver::leaveSimulation(const profile::Profile& wanted)
+// Where the file cannot be written the real mount is connected all the same. A file that cannot be read, or that the
+// edits do not go with, is left alone, and the simulation goes on.
+Result<> ProfileSaver::leaveSimulation(const profile::Profile& wanted)
 {
-    const profile::ProfileStore store(m_configDir);
-    const QString listed = fileOf(m_configDir, wanted);
-    if (const auto other = loaded(listed); other && profile::changedKeys(*other, wanted).empty()) {
-        m_ownPath = listed;
-        report(store.setCurrent(listed));
-        return wanted;
-    }
-    const profile::Profile own = profile::forRealMount(loaded(m_ownPath).value_or(profile::Profile{}));
-    profile::Profile real = own;
-    profile::takeOver(real, wanted, profile::changedKeys(m_last, wanted));
-    if (!profile::problemsOfReal(real).empty()) {
-        real = own;
-        real.bus = wanted.bus;
-    }
-    real.mount.directions = profile::Directions::Unconfirmed;
-    report(m_ownPath.isEmpty() ? saveNew(m_configDir, real, m_ownPath) : profile::saveKeepingPrevious(real, m_ownPath));
-    return real;
+    const Result<profile::Profile> own = m_ownPath.isEmpty() ? profile::Profile{} : profile::loadProfile(m_ownPath);
+    return own.and_then([&](const profile::Profile& kept) {
+        profile::Profile real = profile::forRealMount(kept);
+        profile::takeOver(real, wanted, profile::changedKeys(m_last, wanted));
+        real.mount.directions = profile::Directions::Unconfirmed;
+        return profile::fitsRealMount(real).and_then([&] {
+            const Result<> saved = m_ownPath.isEmpty() ? saveNew(m_configDir, real, m_ownPath)
+                                                       : saveOver(m_configDir, m_ownPath, real, kept.mount.name);
+            if (saved || saved.error().code != ErrorCode::Refused) {
+                m_last = real;
+                profile::takeOver(m_last, wanted, m_overridden);
+                *m_path = m_ownPath;
+            }
+            return saved;
+        });
+    });
 }
 
 }  // namespace boresight::app

@@ -10,6 +10,8 @@
 #include <QThreadPool>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 // Which profile each station begins with, and where the changes that the operator applies are kept: in the file that
 // the program was started with, else as a new mount of the store. While a mount is simulated they are kept in the
@@ -31,6 +33,7 @@ public:
     // What the next station begins with, when a reconnect with `wanted` was asked for: the profile of another mount,
     // the one that was applied last, or a simulated one with a real bus. The latter leaves the simulation: the real
     // mount gets its own profile with what was changed together with the bus. Its directions are to be confirmed.
+    // Where that cannot be, failed() says why, and it is the mount of before.
     [[nodiscard]] profile::Profile next(const profile::Profile& wanted);
 
 public Q_SLOTS:
@@ -41,15 +44,18 @@ Q_SIGNALS:
 
 private:
     [[nodiscard]] profile::Profile simulate(const profile::Profile& own, const profile::Profile& fresh);
-    [[nodiscard]] profile::Profile leaveSimulation(const profile::Profile& wanted);
+    [[nodiscard]] bool isListed(const profile::Profile& wanted) const;
+    [[nodiscard]] Result<> switchTo(const profile::Profile& wanted);
+    [[nodiscard]] Result<> leaveSimulation(const profile::Profile& wanted);
     [[nodiscard]] bool simulates(const profile::Profile& of) const;
     void report(const Result<>& done);
 
     QString m_configDir;
     SimulatedProfiles m_simulated;
-    Simulation m_asked;               // by the command line
-    QString m_ownPath;                // of the mount's own profile; empty: no file yet
-    std::shared_ptr<QString> m_path;  // of the file that is written; the worker's while it works
+    Simulation m_asked;                     // by the command line
+    std::vector<std::string> m_overridden;  // by the command line: never written
+    QString m_ownPath;                      // of the mount's own profile; empty: no file yet
+    std::shared_ptr<QString> m_path;        // of the file that is written; the worker's while it works
     profile::Profile m_last;
     QThreadPool m_writer;
 };

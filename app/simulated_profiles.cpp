@@ -6,9 +6,9 @@
 #include "core/profile/commissioning.h"
 #include "core/profile/profile_diff.h"
 #include "core/profile/profile_file.h"
-#include "core/profile/profile_history.h"
 
 #include <QDir>
+#include <QFile>
 
 namespace boresight::app {
 
@@ -28,8 +28,13 @@ Result<profile::Profile> SimulatedProfiles::open(const profile::Profile& own, co
         return kept;
     }
     QDir().mkpath(m_folder);
+    if (QFile::exists(file)) {  // not as MOUNT.toml~, which the next change would overwrite
+        const QString old = file + QStringLiteral(".old");
+        QFile::remove(old);
+        QFile::rename(file, old);
+    }
     // The origin comes last: without it the copy is made again.
-    return profile::saveKeepingPrevious(profile::withoutBus(fresh), file)
+    return profile::saveProfile(profile::withoutBus(fresh), file)
         .and_then([&] { return profile::saveProfile(own, originFile); })
         .map([&] { return fresh; });
 }

@@ -73,11 +73,8 @@ void StationThread::beginNext(const profile::Profile& profile)
         Q_EMIT finished();
         return;
     }
-    auto next = m_build(profile);
-    const auto inForce = next->status().profile;
-    take(std::move(next));
+    take(m_build(profile));
     start();
-    Q_EMIT reconnected(*inForce);
 }
 
 void StationThread::start()

@@ -41,7 +41,6 @@ Q_SIGNALS:
     void updated(const boresight::StationUpdate& update);
     void finished();
     void profileApplied(const boresight::profile::Profile& profile);
-    void reconnected(const boresight::profile::Profile& inForce);  // the next station was built and started
 
 private:
     struct Running

@@ -156,7 +156,7 @@ int run(QApplication& application, const app::Options& options, const QElapsedTi
         const Simulation simulation = options.simulationFor(profile);
         const MountMaker mount = mounts.make(profile, {options.stateDir, simulation, standingAt});
         auto station = std::make_unique<Station>(profile, mount, options.stateDir, clock);
-        station->setSensorMaker(mounts.sensors(simulation));
+        station->setSensorMaker(mounts.sensors(profile, simulation));
         station->wantRealTime();
         return station;
     };

@@ -24,8 +24,8 @@ ExitStatus run(Arguments arguments)
     if (const QString warning = profile::exposedSecret(*profile, QString::fromStdString(path)); !warning.isEmpty()) {
         std::fputs(("warning: " + warning.toStdString() + '\n').c_str(), stderr);
     }
-    if (const auto problems = profile::problemsOfReal(*profile); !profile::namesNoBus(*profile) && !problems.empty()) {
-        std::fputs((path + ": " + problems.front().key + ": " + problems.front().text + '\n').c_str(), stderr);
+    if (const auto fits = profile::fitsRealMount(*profile); !profile::namesNoBus(*profile) && !fits) {
+        std::fputs((path + ": " + fits.error().text + '\n').c_str(), stderr);
         return kFoundWrong;
     }
     print(path + ": in order: \"" + profile->mount.name + "\", bus " + profile->bus + ", azimuth id " +

@@ -57,7 +57,7 @@ int run(QCoreApplication& application, const app::Options& options)
     const Simulation simulation = options.simulationFor(options.profile);
     Station station(options.profile, mounts.make(options.profile, {options.stateDir, simulation, options.standingAt}),
                     options.stateDir, clock);
-    station.setSensorMaker(mounts.sensors(simulation));
+    station.setSensorMaker(mounts.sensors(options.profile, simulation));
     station.wantRealTime();
     QThreadPool reader;
     app::ServiceWatchdog watchdog;

@@ -163,6 +163,13 @@ std::vector<Problem> problemsOfReal(const Profile& profile)
     return problems;
 }
 
+Result<> fitsRealMount(const Profile& profile)
+{
+    const std::vector<Problem> problems = problemsOfReal(profile);
+    return problems.empty() ? Result<>{}
+                            : failure(ErrorCode::InvalidInput, problems.front().key + ": " + problems.front().text);
+}
+
 Result<ListenAddress> parseListenAddress(std::string_view text)
 {
     const auto colon = text.rfind(':');

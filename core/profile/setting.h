@@ -95,6 +95,8 @@ struct Problem
 [[nodiscard]] std::vector<Problem> problemsOf(const Profile& profile);
 // The same for a mount that is not simulated: its sensor is not simulated either.
 [[nodiscard]] std::vector<Problem> problemsOfReal(const Profile& profile);
+// The first of them.
+[[nodiscard]] Result<> fitsRealMount(const Profile& profile);
 
 // The text of rotctld.listen, also for the command line that overrides it.
 [[nodiscard]] Result<ListenAddress> parseListenAddress(std::string_view text);  // "127.0.0.1:4533", "[::1]:4533"

@@ -6,8 +6,6 @@
 #include "core/profile/setting.h"
 #include "core/simple_mount/simple_connection.h"
 
-#include <vector>
-
 namespace boresight {
 
 namespace {
@@ -36,13 +34,16 @@ MountMaker MountFactory::make(const profile::Profile& profile, const MoteusConne
 // The bus of a real mount is not opened with a profile that is not fit for one: what it says of the axes is not so.
 std::unique_ptr<CanLink> MountFactory::linkTo(const profile::Profile& profile, Simulation simulation) const
 {
-    const auto problems =
-        simulation == Simulation::Off ? profile::problemsOfReal(profile) : std::vector<profile::Problem>();
-    if (problems.empty()) {
+    const Result<> fits = simulation == Simulation::Off ? profile::fitsRealMount(profile) : Result<>{};
+    if (fits) {
         return m_links.make(profile, simulation);
     }
-    return std::make_unique<UnusableLink>(
-        toQString(profile.bus), Error{ErrorCode::InvalidInput, problems.front().key + ": " + problems.front().text});
+    return std::make_unique<UnusableLink>(toQString(profile.bus), fits.error());
+}
+
+SensorMaker MountFactory::sensors(const profile::Profile& profile, Simulation simulation) const
+{
+    return m_links.sensors(simulation != Simulation::Off && !isSimple(profile, simulation));
 }
 
 }  // namespace boresight

@@ -22,11 +22,8 @@ public:
     MountFactory(const profile::Profile& profile, const Clock& clock);
 
     [[nodiscard]] MountMaker make(const profile::Profile& profile, const MoteusConnection::Start& start) const;
-    // Also of the sensor on the simulated mount, while that one is connected.
-    [[nodiscard]] SensorMaker sensors(Simulation simulation) const
-    {
-        return m_links.sensors(simulation != Simulation::Off);
-    }
+    // Also of the sensor on the two simulated moteus, while they are connected: the simple rotator has none.
+    [[nodiscard]] SensorMaker sensors(const profile::Profile& profile, Simulation simulation) const;
 
 private:
     [[nodiscard]] std::unique_ptr<CanLink> linkTo(const profile::Profile& profile, Simulation simulation) const;

@@ -47,13 +47,6 @@ QString advice(const rotctld::ClientInfo& client)
         .arg(client.leap->degrees(), 0, 'f', 0);
 }
 
-Result<> suitsRealMount(const profile::Profile& profile)
-{
-    const auto problems = profile::problemsOfReal(profile);
-    return problems.empty() ? Result<>{}
-                            : failure(ErrorCode::InvalidInput, problems.front().key + ": " + problems.front().text);
-}
-
 // Where the beam points by these terms.
 SkyPointing beamBy(const pointing::PointingTerms& terms, const AxisPosition& place)
 {
@@ -338,13 +331,13 @@ Result<> Station::fits(const profile::Profile& wanted) const
                        Text::tr("bus.name changes between the simulated mount and a real one: press Reconnect, or "
                                 "start Boresight again"));
     }
-    return m_mount->simulated() ? Result<>{} : suitsRealMount(wanted);
+    return m_mount->simulated() ? Result<>{} : profile::fitsRealMount(wanted);
 }
 
 // Whoever leaves the simulation is given a profile for the real mount by the program.
 Result<> Station::mayConnect(const profile::Profile& next) const
 {
-    return m_mount->simulated() || profile::namesNoBus(next) ? Result<>{} : suitsRealMount(next);
+    return m_mount->simulated() || profile::namesNoBus(next) ? Result<>{} : profile::fitsRealMount(next);
 }
 
 void Station::reconnect(const profile::Profile& next)

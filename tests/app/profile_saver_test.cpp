@@ -56,6 +56,13 @@ void changeAndFindEverything(profile::Profile& profile)
     profile.rotctld.maxClients = 7;
 }
 
+// Why it was not saved.
+void note(const ProfileSaver& saver, QString& reason)
+{
+    QObject::connect(
+        &saver, &ProfileSaver::failed, &saver, [&reason](const QString& text) { reason = text; }, Qt::DirectConnection);
+}
+
 // As a file says them: it has fewer digits.
 void expectAlike(const profile::Profile& a, const profile::Profile& b)
 {
@@ -92,9 +99,7 @@ struct Rig
         QString reason;
         {
             ProfileSaver saver(options);
-            QObject::connect(
-                &saver, &ProfileSaver::failed, &saver, [&](const QString& text) { reason = text; },
-                Qt::DirectConnection);
+            note(saver, reason);
             saver.save(wanted);
         }
         return reason;
@@ -172,6 +177,12 @@ TEST(ProfileSaver, AChangedProfileIsSimulatedAnew)
     changed.jog.slow = 0.7_deg_s;
     ASSERT_TRUE(profile::saveProfile(changed, rig.options.profilePath));
     EXPECT_EQ(rig.first(), changed);
+    // Story: the first change of the new copy overwrote the old one.
+    changed.jog.fast = 4_deg_s;
+    EXPECT_EQ(rig.save(changed), QString());
+    const auto old = profile::loadProfile(rig.state() + QStringLiteral("/simulated/Roof.toml.old"));
+    ASSERT_TRUE(old) << old.error().text;
+    EXPECT_EQ(old->pointing, wanted.pointing);
 }
 
 // Two files may have the same mount's name, and so the same file of the simulation.
@@ -205,6 +216,34 @@ TEST(ProfileSaver, WhatTheCommandLineSaysIsSimulatedAndNotKept)
     rig.options.overridden.clear();
     EXPECT_EQ(rig.first().rotctld.listen.port, realMount().rotctld.listen.port);
     EXPECT_EQ(rig.first().jog.slow, 0.7_deg_s);
+}
+
+// Story: the port of one first start was that of all the following ones.
+TEST(ProfileSaver, WhatTheCommandLineSaysAtAFirstStartIsNotKept)
+{
+    Rig rig;
+    rig.options.profile.sensor.source = profile::SensorSource::Simulated;
+    rig.options.profile.rotctld.listen.port = 0;
+    rig.options.overridden = {"rotctld.listen"};
+    EXPECT_EQ(rig.first(), rig.options.profile);
+    rig.options.profile.rotctld.listen = profile::Profile{}.rotctld.listen;
+    rig.options.overridden.clear();
+    EXPECT_EQ(rig.first(), rig.options.profile);
+}
+
+// Story: with the adapter chosen in the guide, the server went to another port than --listen says.
+TEST(ProfileSaver, WhatTheCommandLineSaysHoldsAlsoWhenTheSimulationIsLeft)
+{
+    Rig rig;
+    rig.options.profile.rotctld.listen.port = 0;
+    rig.options.overridden = {"rotctld.listen"};
+    ProfileSaver saver(rig.options);
+    profile::Profile wanted = saver.first();
+    wanted.bus = "socketcan:can0";
+    EXPECT_EQ(saver.next(wanted).rotctld.listen.port, 0);
+    const auto current = rig.store().findCurrent();
+    ASSERT_TRUE(current && *current);
+    EXPECT_EQ(profile::loadProfile(**current)->rotctld.listen, profile::Profile{}.rotctld.listen);
 }
 
 TEST(ProfileSaver, AFirstStartIsSimulatedAndComesBackAsItWasLeft)
@@ -279,6 +318,84 @@ TEST(ProfileSaver, AFileThatNamesNoRealBusIsSimulatedAndGetsTheBus)
         EXPECT_EQ(saver.next(wanted), real);
         EXPECT_EQ(rig.loaded(), real);
     }
+}
+
+// Story: a file with a slip of the pen was overwritten with the built-in reference mount.
+// REQ-PROFILE-17a
+TEST(ProfileSaver, AFileThatCannotBeReadIsNotTakenForARealMounts)
+{
+    Rig rig;
+    rig.keep(profile::Profile{});
+    QString reason;
+    ProfileSaver saver(rig.options);
+    note(saver, reason);
+    QFile file(rig.options.profilePath);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("[jog\n");
+    file.close();
+    const auto before = rig.realFiles();
+    const profile::Profile simulated = saver.first();
+    profile::Profile wanted = simulated;
+    wanted.bus = "socketcan:can0";
+    EXPECT_EQ(saver.next(wanted), simulated);
+    EXPECT_TRUE(reason.contains(rig.options.profilePath)) << reason.toStdString();
+    EXPECT_EQ(rig.realFiles(), before);
+}
+
+// Story: the name typed together with the bus was another mount's, and then two files had it.
+TEST(ProfileSaver, WithTheNameOfAnotherMountTheSimulationIsNotLeft)
+{
+    Rig rig;
+    rig.keep(realMount("Field"));
+    rig.keep(profile::Profile{});
+    const auto before = rig.realFiles();
+    QString reason;
+    ProfileSaver saver(rig.options);
+    note(saver, reason);
+    const profile::Profile simulated = saver.first();
+    profile::Profile wanted = simulated;
+    wanted.bus = "socketcan:can0";
+    wanted.mount.name = "Field";
+    EXPECT_EQ(saver.next(wanted), simulated);
+    EXPECT_TRUE(reason.contains(QStringLiteral("there is a mount \"Field\" already"))) << reason.toStdString();
+    EXPECT_EQ(rig.realFiles(), before);
+}
+
+// Story: what was typed together with the bus was dropped without a word, because it went with the simulation's ends
+// only.
+TEST(ProfileSaver, WhatDoesNotGoWithTheMountsOwnProfileIsReported)
+{
+    Rig rig;
+    rig.keep(profile::Profile{});
+    const auto before = rig.realFiles();
+    QString reason;
+    ProfileSaver saver(rig.options);
+    note(saver, reason);
+    profile::Profile simulated = saver.first();
+    profile::setTravel(simulated, Axis::Azimuth, {.min = -90_deg, .max = 700_deg});
+    saver.save(simulated);
+    profile::Profile wanted = simulated;
+    wanted.bus = "socketcan:can0";
+    wanted.park.azimuth = 600_deg;
+    EXPECT_EQ(saver.next(wanted), simulated);
+    EXPECT_TRUE(reason.startsWith(QStringLiteral("park."))) << reason.toStdString();
+    EXPECT_EQ(rig.realFiles(), before);
+}
+
+// Story: switched to, such a mount was the current one, with which the program does not start.
+TEST(ProfileSaver, AMountOfTheListThatCannotBeARealOneIsNotConnected)
+{
+    Rig rig;
+    profile::Profile field = realMount("Field");
+    field.sensor.source = profile::SensorSource::Simulated;
+    rig.keep(field);
+    rig.keep(realMount());
+    QString reason;
+    ProfileSaver saver(rig.options);
+    note(saver, reason);
+    EXPECT_EQ(saver.next(field), realMount());
+    EXPECT_TRUE(reason.startsWith(QStringLiteral("sensor.source: "))) << reason.toStdString();
+    EXPECT_EQ(*rig.store().findCurrent(), rig.options.profilePath);
 }
 
 // The list is that of the real mounts, and one of them may be switched to.
@@ -359,12 +476,15 @@ TEST(ProfileSaver, TheFirstChangeWithoutAFileMakesTheFirstMount)
 {
     Rig rig;
     rig.options.profile = realMount();  // by --bus
-    profile::Profile wanted = realMount();
+    rig.options.profile.rotctld.listen.port = 0;
+    rig.options.overridden = {"rotctld.listen"};
+    profile::Profile wanted = rig.options.profile;
     wanted.jog.slow = 0.7_deg_s;
     EXPECT_EQ(rig.save(wanted), QString());
     const auto current = rig.store().findCurrent();
     ASSERT_TRUE(current && *current);
-    EXPECT_EQ(profile::loadProfile(**current), wanted);
+    wanted.rotctld.listen = profile::Profile{}.rotctld.listen;
+    EXPECT_EQ(profile::loadProfile(**current), wanted) << "and what the command line overrides is not in it";
 }
 
 TEST(ProfileSaver, AfterAnotherMountWasConnectedItsFileIsWritten)
