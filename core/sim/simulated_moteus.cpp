@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Power, physics and frames of SimulatedMoteus; its registers are in moteus_registers.cpp.
+// Power, physics and frames of SimulatedMoteus; its registers are in state_registers.cpp.
 #include "core/sim/simulated_moteus.h"
 
 #include "core/sim/command_registers.h"
