@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The mode state machine of Servo: commands, enabling, watchdog, faults.
-#include "core/moteus/faults.h"
 #include "core/sim/servo.h"
+
+#include "core/moteus/faults.h"
 
 #include <cmath>
 
@@ -58,11 +58,6 @@ bool Servo::isActive() const
     return m_mode != Mode::Stopped && m_mode != Mode::Fault;
 }
 
-bool Servo::controlsPosition() const
-{
-    return isPositionMode(m_mode) || m_mode == Mode::PositionTimeout || m_mode == Mode::ZeroVelocity;
-}
-
 // The device judges position and velocity error wherever its position control runs, so after a time-out too.
 bool Servo::followsSetpoint() const
 {
@@ -87,12 +82,6 @@ void Servo::raiseFault(int code)
     enter(Mode::Fault);
 }
 
-void Servo::recapture(const ServoInputs& inputs)
-{
-    const bool moving = std::abs(inputs.velocity) > m_config.servo.velocityZeroCaptureThreshold;
-    m_planner.capture(inputs.position, moving ? inputs.velocity : 0.0);
-}
-
 const ServoOutput& Servo::step(double dt, const ServoInputs& inputs)
 {
     m_timeInMode += dt;
@@ -104,9 +93,9 @@ const ServoOutput& Servo::step(double dt, const ServoInputs& inputs)
     if (const int fault = isActive() ? supervisionFault(inputs) : 0; fault != 0) {
         raiseFault(fault);
     }
-    control(dt, inputs);
+    m_control.step(dt, m_mode, inputs, m_command);
     m_commandAge += dt;
-    return m_output;
+    return output();
 }
 
 void Servo::enter(Mode mode)
@@ -128,7 +117,7 @@ void Servo::takeCommand(const ServoInputs& inputs)
     if (m_mode == Mode::Fault || m_mode == Mode::PositionTimeout) {
         return;
     }
-    const TrajectoryLimits limit = limits(command, inputs.busVoltage);
+    const TrajectoryLimits limit = m_control.limits(command, inputs.busVoltage);
     if (std::isfinite(command.stopPosition) && (std::isfinite(limit.velocity) || std::isfinite(limit.acceleration))) {
         raiseFault(kStopPositionWithLimits);
         return;
@@ -167,13 +156,13 @@ void Servo::engage(const ServoInputs& inputs)
         enter(m_command.mode);
         if (before != Mode::Position) {
             recapture(inputs);
-            m_terms = {};
+            m_control.forgetTerms();
         }
     }
     if (m_mode == Mode::Position) {
-        m_planner.setTarget(targetOf(m_command), m_commandAge);
+        m_control.setTarget(m_command, m_commandAge);
     } else if (m_mode == Mode::PositionTimeout) {
-        m_planner.setTarget({}, 0.0);
+        m_control.stop();
     }
 }
 
@@ -186,7 +175,7 @@ void Servo::checkWatchdog()
     const double timeout = asked == 0.0 ? m_config.servo.defaultTimeout : asked;
     if (m_commandAge >= timeout - kTimeTolerance) {  // never true for NaN
         enter(Mode::PositionTimeout);
-        m_planner.setTarget({}, 0.0);
+        m_control.stop();
     }
 }
 
@@ -238,7 +227,7 @@ int Servo::entryFault(const ServoInputs& inputs) const
     if (tooLarge(m_config.positionMin) || tooLarge(m_config.positionMax)) {
         return kBoundsTooLarge;
     }
-    const PositionBounds allowed = bounds(m_command);
+    const PositionBounds allowed = m_control.bounds(m_command);
     return inputs.position < allowed.min || inputs.position > allowed.max ? kOutsideBounds : 0;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The control part of Servo: set-points to torque, within all limits.
-#include "core/sim/servo.h"
+#include "core/sim/servo_control.h"
 
 #include "core/moteus/faults.h"
 
@@ -28,9 +27,7 @@ double limitOr(double commanded, double configured)
     return std::isnan(limit) || limit < 0.0 ? std::numeric_limits<double>::infinity() : limit;
 }
 
-}  // namespace
-
-TrajectoryTarget Servo::targetOf(const ServoCommand& command)
+TrajectoryTarget targetOf(const ServoCommand& command)
 {
     TrajectoryTarget target;
     if (std::isfinite(command.position)) {
@@ -42,7 +39,26 @@ TrajectoryTarget Servo::targetOf(const ServoCommand& command)
     return target;
 }
 
-TrajectoryLimits Servo::limits(const ServoCommand& command, double busVoltage) const
+}  // namespace
+
+bool controlsPosition(Mode mode)
+{
+    return mode == Mode::Position || mode == Mode::PositionTimeout || mode == Mode::ZeroVelocity ||
+           mode == Mode::StayWithin;
+}
+
+void ServoControl::capture(const ServoInputs& inputs)
+{
+    const bool moving = std::abs(inputs.velocity) > m_config.servo.velocityZeroCaptureThreshold;
+    m_planner.capture(inputs.position, moving ? inputs.velocity : 0.0);
+}
+
+void ServoControl::setTarget(const ServoCommand& command, double age)
+{
+    m_planner.setTarget(targetOf(command), age);
+}
+
+TrajectoryLimits ServoControl::limits(const ServoCommand& command, double busVoltage) const
 {
     const ServoConfig& servo = m_config.servo;
     TrajectoryLimits result{.velocity = limitOr(command.velocityLimit, servo.defaultVelocityLimit),
@@ -56,7 +72,7 @@ TrajectoryLimits Servo::limits(const ServoCommand& command, double busVoltage) c
     return result;
 }
 
-PositionBounds Servo::bounds(const ServoCommand& command) const
+PositionBounds ServoControl::bounds(const ServoCommand& command) const
 {
     PositionBounds result;
     if (command.ignorePositionBounds) {
@@ -71,31 +87,31 @@ PositionBounds Servo::bounds(const ServoCommand& command) const
     return result;
 }
 
-void Servo::control(double dt, const ServoInputs& inputs)
+void ServoControl::step(double dt, Mode mode, const ServoInputs& inputs, const ServoCommand& command)
 {
     m_output = {.loss = kIdlePower};
     m_limit = ActiveLimit::None;
-    m_controlTorque = kNone;
-    switch (m_mode) {
+    m_torque = kNone;
+    switch (mode) {
         case Mode::Position:
-            controlPosition(dt, inputs, m_command);
+            controlPosition(dt, inputs, command);
             break;
         case Mode::PositionTimeout:
-            controlTimeout(dt, inputs);
+            controlTimeout(dt, inputs, command);
             break;
         case Mode::ZeroVelocity:
-            controlZeroVelocity(dt, inputs);
+            controlZeroVelocity(dt, inputs, command);
             break;
         case Mode::StayWithin:
-            controlStayWithin(dt, inputs);
+            controlStayWithin(dt, inputs, command);
             break;
         case Mode::Current:
-            driveCurrent(m_command.qCurrent, inputs, false);
+            driveCurrent(command.qCurrent, inputs, false);
             break;
         case Mode::VoltageDq:
             driveCurrent(
-                (m_command.qVoltage - voltagePerVelocity(m_config) * inputs.velocity) / m_config.motor.resistance,
-                inputs, false);
+                (command.qVoltage - voltagePerVelocity(m_config) * inputs.velocity) / m_config.motor.resistance, inputs,
+                false);
             break;
         case Mode::Brake:
             brake();
@@ -104,19 +120,19 @@ void Servo::control(double dt, const ServoInputs& inputs)
             m_terms = {};
             break;
     }
-    if (moteus::isLimit(inputs.persistentFault) && controlsPosition()) {
+    if (moteus::isLimit(inputs.persistentFault) && controlsPosition(mode)) {
         m_limit = static_cast<ActiveLimit>(inputs.persistentFault);
     }
 }
 
-void Servo::controlTimeout(double dt, const ServoInputs& inputs)
+void ServoControl::controlTimeout(double dt, const ServoInputs& inputs, const ServoCommand& command)
 {
     switch (static_cast<Mode>(m_config.servo.timeoutMode)) {
         case Mode::Position:
             controlPosition(dt, inputs, ServoCommand{.mode = Mode::Position, .position = kNone});
             break;
         case Mode::ZeroVelocity:
-            controlZeroVelocity(dt, inputs);
+            controlZeroVelocity(dt, inputs, command);
             break;
         case Mode::Brake:
             brake();
@@ -127,7 +143,7 @@ void Servo::controlTimeout(double dt, const ServoInputs& inputs)
     }
 }
 
-void Servo::controlPosition(double dt, const ServoInputs& inputs, const ServoCommand& command)
+void ServoControl::controlPosition(double dt, const ServoInputs& inputs, const ServoCommand& command)
 {
     m_planner.step(dt, limits(command, inputs.busVoltage), bounds(command));
     m_trajectoryComplete = m_planner.state().complete;
@@ -139,36 +155,36 @@ void Servo::controlPosition(double dt, const ServoInputs& inputs, const ServoCom
 }
 
 // Damping only, with the torque that the configuration allows after a time-out.
-void Servo::controlZeroVelocity(double dt, const ServoInputs& inputs)
+void ServoControl::controlZeroVelocity(double dt, const ServoInputs& inputs, const ServoCommand& command)
 {
     m_planner.capture(inputs.position, 0.0);
     ServoCommand damping{.mode = Mode::ZeroVelocity,
                          .kpScale = 0.0,
-                         .kdScale = m_command.kdScale,
+                         .kdScale = command.kdScale,
                          .maximumTorque = m_config.servo.timeoutMaxTorque,
                          .integralLimitScale = 0.0};
     applyGains(dt, inputs, damping);
     driveTorque(inputs, damping);
 }
 
-void Servo::controlStayWithin(double dt, const ServoInputs& inputs)
+void ServoControl::controlStayWithin(double dt, const ServoInputs& inputs, const ServoCommand& command)
 {
     double nearest = inputs.position;
-    if (m_command.stayWithinLower > nearest) {
-        nearest = m_command.stayWithinLower;
-    } else if (m_command.stayWithinUpper < nearest) {
-        nearest = m_command.stayWithinUpper;
+    if (command.stayWithinLower > nearest) {
+        nearest = command.stayWithinLower;
+    } else if (command.stayWithinUpper < nearest) {
+        nearest = command.stayWithinUpper;
     }
     m_planner.capture(nearest, 0.0);
     if (nearest == inputs.position) {
-        m_terms = {.feedforward = m_command.feedforwardTorque, .total = m_command.feedforwardTorque};
+        m_terms = {.feedforward = command.feedforwardTorque, .total = command.feedforwardTorque};
     } else {
-        applyGains(dt, inputs, m_command);
+        applyGains(dt, inputs, command);
     }
-    driveTorque(inputs, m_command);
+    driveTorque(inputs, command);
 }
 
-void Servo::applyGains(double dt, const ServoInputs& inputs, const ServoCommand& command)
+void ServoControl::applyGains(double dt, const ServoInputs& inputs, const ServoCommand& command)
 {
     const ServoGains& gains = m_config.servo.gains;
     const double error = inputs.position - m_planner.state().position;
@@ -185,19 +201,19 @@ void Servo::applyGains(double dt, const ServoInputs& inputs, const ServoCommand&
     m_terms.total = m_terms.proportional + m_terms.integral + m_terms.derivative + m_terms.feedforward + accelerating;
 }
 
-void Servo::driveTorque(const ServoInputs& inputs, const ServoCommand& command)
+void ServoControl::driveTorque(const ServoInputs& inputs, const ServoCommand& command)
 {
     double torque = m_terms.total;
     if (std::abs(torque) > command.maximumTorque) {  // never true for NaN
         torque = std::copysign(command.maximumTorque, torque);
         m_limit = ActiveLimit::CommandedTorque;
     }
-    m_controlTorque = torque;
+    m_torque = torque;
     const bool boundsApply = !command.ignorePositionBounds && command.mode != Mode::ZeroVelocity;
     driveCurrent(torque / torquePerAmpere(m_config), inputs, boundsApply);
 }
 
-void Servo::driveCurrent(double amperes, const ServoInputs& inputs, bool boundsApply)
+void ServoControl::driveCurrent(double amperes, const ServoInputs& inputs, bool boundsApply)
 {
     const LimitedCurrent limited = limitedCurrent(amperes, m_config,
                                                   {.position = inputs.position,
@@ -220,7 +236,7 @@ void Servo::driveCurrent(double amperes, const ServoInputs& inputs, bool boundsA
     m_output.loss += kServoPowerFactor * kBoardResistance * squared;
 }
 
-void Servo::brake()
+void ServoControl::brake()
 {
     m_terms = {};
     m_output.braking = true;
