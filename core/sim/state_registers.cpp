@@ -1,32 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The registers and telemetry channels of SimulatedMoteus.
-#include "core/moteus/count_origin.h"
-#include "core/sim/command_registers.h"
-#include "core/sim/encoder_report.h"
-#include "core/sim/simulated_moteus.h"
+#include "core/sim/state_registers.h"
 
-#include <array>
 #include <bit>
 #include <cmath>
 
 namespace boresight::sim {
 namespace {
 
-using moteus::Mode;
 using moteus::Register;
 
-constexpr std::uint32_t kUnknown = 1;  // error code: this value or register does not exist
-constexpr int kFirmwareVersion = 0x010100;
+constexpr double kPositionCount = 1.0 / 65536.0;
 constexpr double kVoltageStep = 0.018;                       // V, of the converter on the board
 constexpr std::int64_t kCounterStart = 0x80000000 - 300000;  // overflows after five minutes, on purpose
-constexpr std::uint8_t kFamily = 0;                          // r4.x
-constexpr std::uint8_t kHardwareRevision = 8;                // r4.11
-
-constexpr std::array<std::string_view, 16> kModeNames{
-    "kStopped",  "kFault",           "kEnabling",     "kCalibrating",      "kCalibrationComplete",
-    "kPwm",      "kVoltage",         "kVoltageFoc",   "kVoltageDq",        "kCurrent",
-    "kPosition", "kPositionTimeout", "kZeroVelocity", "kStayWithinBounds", "kMeasureInductance",
-    "kBrake"};
 
 std::uint32_t index(Register reg, Register first)
 {
@@ -47,41 +32,16 @@ std::uint32_t word(const std::array<std::uint8_t, 16>& bytes, std::uint32_t numb
     return value;
 }
 
-float single(double value)
+std::optional<double> readMeasured(const DriveState& drive, Register reg)
 {
-    return static_cast<float>(value);
-}
-
-}  // namespace
-
-double SimulatedMoteus::readRegister(Register reg)
-{
-    if (const auto commanded = readCommand(m_writes.command, reg)) {
-        return *commanded;
-    }
-    if (const auto measured = readMeasured(reg)) {
-        return *measured;
-    }
-    if (const auto control = readControl(reg)) {
-        return *control;
-    }
-    if (const auto identity = readIdentity(reg)) {
-        return *identity;
-    }
-    const auto found = m_writes.unused.find(reg);
-    return found != m_writes.unused.end() ? found->second : readSensor(reg);
-}
-
-std::optional<double> SimulatedMoteus::readMeasured(Register reg) const
-{
-    const ServoOutput& output = m_servo->output();
+    const ServoOutput& output = drive.servo.output();
     switch (reg) {
         case Register::Mode:
-            return static_cast<double>(m_servo->mode());
+            return static_cast<double>(drive.servo.mode());
         case Register::Position:
-            return reportedPosition();
+            return std::floor(drive.encoder.position() / kPositionCount) * kPositionCount;
         case Register::Velocity:
-            return m_encoder->velocity();
+            return drive.encoder.velocity();
         case Register::Torque:
             return output.torque;
         case Register::QCurrent:
@@ -89,31 +49,31 @@ std::optional<double> SimulatedMoteus::readMeasured(Register reg) const
         case Register::DCurrent:
             return output.dCurrent;
         case Register::AbsolutePosition:
-            return m_config.motorPosition.referenceSource == 1 ? m_encoder->outputFractionOfTurn() : 0.0;
+            return drive.config.motorPosition.referenceSource == 1 ? drive.encoder.outputFractionOfTurn() : 0.0;
         case Register::Power:
             return output.power;
         case Register::MotorTemperature:
-            return m_inputs.motorTemperature;
+            return drive.inputs.motorTemperature;
         case Register::TrajectoryComplete:
-            return m_servo->trajectoryComplete() ? 1.0 : 0.0;
+            return drive.servo.trajectoryComplete() ? 1.0 : 0.0;
         case Register::HomeState:
-            return static_cast<double>(m_encoder->homeState());
+            return static_cast<double>(drive.encoder.homeState());
         case Register::Voltage:
-            return std::floor(m_inputs.busVoltage / kVoltageStep) * kVoltageStep;
+            return std::floor(drive.inputs.busVoltage / kVoltageStep) * kVoltageStep;
         case Register::Temperature:
-            return m_board.celsius();
+            return drive.board.celsius();
         case Register::Fault:
-            return m_servo->faultCode();
+            return drive.servo.faultCode();
         default:
             return std::nullopt;
     }
 }
 
-std::optional<double> SimulatedMoteus::readControl(Register reg) const
+std::optional<double> readControl(const DriveState& drive, Register reg)
 {
-    const PidTerms& terms = m_servo->terms();
-    const ControlState& control = m_servo->control();
-    const bool exists = m_servo->controlsPosition();
+    const PidTerms& terms = drive.servo.terms();
+    const ControlState& control = drive.servo.control();
+    const bool exists = drive.servo.controlsPosition();
     const auto whenControlled = [exists](double value) { return exists ? value : kNone; };
     switch (reg) {
         case Register::ProportionalTorque:
@@ -131,25 +91,25 @@ std::optional<double> SimulatedMoteus::readControl(Register reg) const
         case Register::ControlVelocity:
             return whenControlled(control.velocity);
         case Register::ControlTorque:
-            return m_servo->controlTorque();
+            return drive.servo.controlTorque();
         case Register::PositionError:
-            return whenControlled(m_inputs.position - control.position);
+            return whenControlled(drive.inputs.position - control.position);
         case Register::VelocityError:
-            return whenControlled(m_inputs.velocity - control.velocity);
+            return whenControlled(drive.inputs.velocity - control.velocity);
         case Register::TorqueError:
-            return m_servo->output().torque - m_servo->controlTorque();
+            return drive.servo.output().torque - drive.servo.controlTorque();
         default:
             return std::nullopt;
     }
 }
 
-std::optional<double> SimulatedMoteus::readIdentity(Register reg) const
+std::optional<double> readIdentity(const DriveState& drive, Register reg)
 {
     if (const std::uint32_t number = index(reg, Register::Uuid); number < 4) {
-        return identity(word(m_config.uuid, number));
+        return identity(word(drive.config.uuid, number));
     }
     if (const std::uint32_t number = index(reg, Register::SerialNumber); number < 3) {
-        return identity(word(m_config.uuid, number + 1));
+        return identity(word(drive.config.uuid, number + 1));
     }
     switch (reg) {
         case Register::ModelNumber:
@@ -157,7 +117,7 @@ std::optional<double> SimulatedMoteus::readIdentity(Register reg) const
         case Register::FirmwareVersion:
             return kFirmwareVersion;
         case Register::RegisterMapVersion:
-            return m_registerMapVersion;
+            return drive.registerMapVersion;
         case Register::UuidMaskCapable:
             return 1.0;
         default:
@@ -165,24 +125,34 @@ std::optional<double> SimulatedMoteus::readIdentity(Register reg) const
     }
 }
 
-// Encoders and the clock; what this board does not have (other encoders, analog pins, driver faults) reads 0.
-double SimulatedMoteus::readSensor(Register reg) const
+}  // namespace
+
+std::optional<double> readState(const DriveState& drive, Register reg)
 {
-    const bool second = m_config.motorPosition.referenceSource == 1;
+    if (const auto measured = readMeasured(drive, reg)) {
+        return measured;
+    }
+    const auto control = readControl(drive, reg);
+    return control ? control : readIdentity(drive, reg);
+}
+
+double readSensor(const DriveState& drive, Register reg)
+{
+    const bool second = drive.config.motorPosition.referenceSource == 1;
     switch (reg) {
         case Register::Encoder0Position:
-            return m_encoder->fractionOfTurn();
+            return drive.encoder.fractionOfTurn();
         case Register::Encoder0Velocity:
-            return m_encoder->velocity() /
-                   (m_config.motorPosition.rotorToOutputRatio * m_config.motorPosition.outputSign);
+            return drive.encoder.velocity() /
+                   (drive.config.motorPosition.rotorToOutputRatio * drive.config.motorPosition.outputSign);
         case Register::Encoder1Position:
-            return second ? m_encoder->outputFractionOfTurn() : 0.0;
+            return second ? drive.encoder.outputFractionOfTurn() : 0.0;
         case Register::Encoder1Velocity:
-            return second ? m_plant.velocity() : 0.0;
+            return second ? drive.plant.velocity() : 0.0;
         case Register::EncoderValidity:
             return second ? 0b1111 : 0b0011;
         case Register::MillisecondCounter: {
-            const auto count = static_cast<std::uint32_t>(kCounterStart + std::llround(m_uptime * 1000.0));
+            const auto count = static_cast<std::uint32_t>(kCounterStart + std::llround(drive.uptime * 1000.0));
             return static_cast<double>(std::bit_cast<std::int32_t>(count));
         }
         default:
@@ -190,72 +160,9 @@ double SimulatedMoteus::readSensor(Register reg) const
     }
 }
 
-std::uint32_t SimulatedMoteus::writeRegister(Register reg, double value)
+std::array<std::uint32_t, 3> serialNumber(const DriveConfig& config)
 {
-    if (reg == Register::Mode) {
-        if (!(value >= 0.0 && value < moteus::kModeCount)) {
-            return kUnknown;
-        }
-        m_writes.command = {.mode = static_cast<Mode>(static_cast<int>(value))};
-        m_writes.hasMode = true;
-        return 0;
-    }
-    if (writeCommand(m_writes.command, reg, value)) {
-        return 0;
-    }
-    if (reg >= Register::SetOutputNearest && reg <= Register::RecapturePositionVelocity) {
-        m_writes.actions.push_back({.reg = reg, .value = value});
-        return 0;
-    }
-    m_writes.unused[reg] = value;
-    return 0;
-}
-
-std::vector<std::string> SimulatedMoteus::telemetryChannels() const
-{
-    return {"firmware", "git", "servo_stats", moteus::kMotorPositionChannel};
-}
-
-std::vector<ArchiveField> SimulatedMoteus::telemetry(std::string_view channel)
-{
-    if (channel == "firmware") {
-        return {{"version", ArchiveUnsigned{kFirmwareVersion, 4}},
-                {"serial_number",
-                 ArchiveArray{{word(m_config.uuid, 1), word(m_config.uuid, 2), word(m_config.uuid, 3)}, 4}},
-                {"model", ArchiveUnsigned{0, 4}},
-                {"family", ArchiveUnsigned{kFamily, 1}},
-                {"hwrev", ArchiveUnsigned{kHardwareRevision, 1}}};
-    }
-    if (channel == "git") {
-        return {{"hash", ArchiveArray{std::vector<std::uint32_t>(20, 0), 1}},
-                {"dirty", false},
-                {"timestamp", ArchiveUnsigned{0, 8}}};
-    }
-    if (channel == moteus::kMotorPositionChannel) {
-        return encoderReport(*m_encoder);
-    }
-    return channel == "servo_stats" ? servoStats() : std::vector<ArchiveField>{};
-}
-
-std::vector<ArchiveField> SimulatedMoteus::servoStats() const
-{
-    const ServoOutput& output = m_servo->output();
-    const ControlState& control = m_servo->control();
-    return {{"mode", ArchiveEnum{static_cast<std::uint32_t>(m_servo->mode()), kModeNames}},
-            {"fault", ArchiveEnum{static_cast<std::uint32_t>(m_servo->faultCode()), {}}},
-            {"bus_V", single(m_inputs.busVoltage)},
-            {"filt_bus_V", single(m_inputs.busVoltage)},
-            {"fet_temp_C", single(m_board.celsius())},
-            {"motor_temp_C", single(m_inputs.motorTemperature)},
-            {"d_A", single(output.dCurrent)},
-            {"q_A", single(output.qCurrent)},
-            {"position", single(m_encoder->position())},
-            {"velocity", single(m_encoder->velocity())},
-            {"torque_Nm", single(output.torque)},
-            {"power_W", single(output.power)},
-            {"control_position", single(control.position)},
-            {"control_velocity", single(control.velocity)},
-            {"trajectory_done", m_servo->trajectoryComplete()}};
+    return {word(config.uuid, 1), word(config.uuid, 2), word(config.uuid, 3)};
 }
 
 }  // namespace boresight::sim
