@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/host_search.h"
 
-#include "app/bus_scan.h"
+#include "app/link_scan.h"
 #include "app/scan_report.h"
 #include "core/base/text.h"
 #include "core/moteus/describe.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/boresightctl/subcommand.h"
-#include "app/bus_scan.h"
+#include "app/link_scan.h"
 #include "app/scan_report.h"
 #include "app/unix_signals.h"
 #include "core/station/adapters.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/paced_outlet.h"
-#include "core/mqtt/client.h"
+#include "core/mqtt/broker_client.h"
 #include "core/mqtt/newest_messages.h"
 #include "core/mqtt/threaded_client.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mqtt/client.h"
+#include "core/mqtt/broker_client.h"
 #include "core/sim_sensor/sensor_box.h"
 
 #include <QObject>

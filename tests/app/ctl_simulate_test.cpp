@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The simulated pair as a device of its own, found by `scan` and driven by boresightd. What the axes really do is
 // judged by the device's own --print-truth, not by what the drives report.
-#include "core/mqtt/client.h"
+#include "core/mqtt/broker_client.h"
 #include "core/orientation_stream/mqtt_source.h"
 #include "core/orientation_stream/serial_source.h"
 #include "tests/fakes/mqtt_broker.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/messages/calibration_status.h"
-#include "core/mqtt/client.h"
+#include "core/mqtt/broker_client.h"
 #include "core/sim/simulated_sensor.h"
 #include "tests/fakes/mqtt_test.h"
 #include "tests/fakes/wait_until.h"

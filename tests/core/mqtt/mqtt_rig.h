@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mqtt/client.h"
+#include "core/mqtt/broker_client.h"
 #include "tests/fakes/manual_clock.h"
 #include "tests/fakes/wait_until.h"
 

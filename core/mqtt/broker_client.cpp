@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mqtt/client.h"
+#include "core/mqtt/broker_client.h"
 
 #include "core/base/text.h"
 #include "core/mqtt/broker_session.h"

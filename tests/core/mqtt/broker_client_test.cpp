@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The client with a real broker that lets it in, sooner or later.
-#include "core/mqtt/client.h"
+#include "core/mqtt/broker_client.h"
 
 #include "tests/core/mqtt/mqtt_rig.h"
 #include "tests/fakes/mqtt_test.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/bus_scan.h"
+#include "app/link_scan.h"
 
 #include <chrono>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The scan against the simulated pair, in real time: a second or two each.
-#include "app/bus_scan.h"
+#include "app/link_scan.h"
 
 #include "app/scan_report.h"
 #include "core/sim_bus/simulated_link.h"
