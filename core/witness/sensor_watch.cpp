@@ -123,7 +123,7 @@ QString SensorWatch::doubtOfDeclination() const
 // What was compared before is compared anew: the difference was perhaps that of a wrong setting.
 void SensorWatch::correct()
 {
-    m_truth = SensorTruth(settings(), declination());
+    m_truth = SensorToSky(settings(), declination());
     correctProposed();
     m_check.forget();
     m_currentLink.forget();
@@ -144,7 +144,7 @@ void SensorWatch::correctProposed()
     if (m_proposed) {
         setMounting(proposed, *m_proposed);
     }
-    m_proposedTruth = SensorTruth(proposed, declination());
+    m_proposedTruth = SensorToSky(proposed, declination());
     m_proposedCheck.forget();
 }
 
@@ -166,12 +166,12 @@ void SensorWatch::begin(const QString& source)
 
 void SensorWatch::take(const orientation::Orientation& value)
 {
-    const orientation::Verdict verdict = m_judge.take(value);
-    if (verdict == orientation::Verdict::Dead) {
+    const orientation::ValueFate fate = m_judge.take(value);
+    if (fate == orientation::ValueFate::Dead) {
         return;
     }
     compare(value);
-    if (verdict == orientation::Verdict::Used) {
+    if (fate == orientation::ValueFate::Used) {
         const bool followed =
             doubtOfCalibration(value).isEmpty() && m_truth.directionOf(value).elevation < kHighestCourse;
         m_breaks += followed ? 0 : 1;
@@ -192,7 +192,7 @@ void SensorWatch::compare(const orientation::Orientation& value)
     }
 }
 
-SensorReading SensorWatch::readingOf(const orientation::Orientation& value, const SensorTruth& truth)
+SensorDirection SensorWatch::readingOf(const orientation::Orientation& value, const SensorToSky& truth)
 {
     const SkyPointing direction = truth.directionOf(value);
     const bool tied = !value.calibration || isTiedToNorth(*value.calibration);

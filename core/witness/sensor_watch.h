@@ -65,7 +65,7 @@ private:
     [[nodiscard]] bool isYoung() const;
     [[nodiscard]] std::optional<SensorCourse> course(const orientation::Orientation& last) const;
     void compare(const orientation::Orientation& value);
-    [[nodiscard]] static SensorReading readingOf(const orientation::Orientation& value, const SensorTruth& truth);
+    [[nodiscard]] static SensorDirection readingOf(const orientation::Orientation& value, const SensorToSky& truth);
     void correct();
     void correctProposed();
     void note(const orientation::Orientation& value);
@@ -87,13 +87,13 @@ private:
     EventLog& m_log;
     AlarmBoard& m_alarms;
     orientation::Judge m_judge;
-    SensorTruth m_truth;
+    SensorToSky m_truth;
     std::optional<Result<Angle>> m_siteDeclination;  // by the model
     QString m_model;
     QString m_modelExpiry;
     SensorCheck m_check;
     std::optional<calibration::SensorMounting> m_proposed;
-    SensorTruth m_proposedTruth;
+    SensorToSky m_proposedTruth;
     SensorCheck m_proposedCheck;  // what m_check would say after Apply
     QString m_name;
     orientation::SourceStatus m_source;

@@ -141,7 +141,7 @@ TEST_F(SimulateTest, ItsSensorPublishesAtABrokerAsWell)
     fakes::MqttBroker broker;
     ASSERT_TRUE(broker.start());
     const SystemClock clock;
-    mqtt::Client client(clock);
+    mqtt::BrokerClient client(clock);
     orientation::MqttSource source(client, {.orientation = QStringLiteral("roof/orientation")}, clock);
     std::vector<orientation::Orientation> heard;
     QObject::connect(&source, &orientation::Source::received, &source,

@@ -88,7 +88,7 @@ private:
     SimulatedStation& m_rig;
     const fakes::MqttBroker& m_broker;
     sim::SimulatedSensor m_sensor;
-    mqtt::Client m_client{m_rig.clock};
+    mqtt::BrokerClient m_client{m_rig.clock};
     int m_ticks = 0;
 };
 
