@@ -48,9 +48,9 @@ void BrokerClient::close()
 
 void BrokerClient::subscribe(const QString& filter)
 {
-    if (!m_filters.contains(filter)) {
-        m_filters.append(filter);
-        if (m_connected) {
+    if (!m_subscriptions.wanted.contains(filter)) {
+        m_subscriptions.wanted.append(filter);
+        if (isConnected()) {
             m_session->subscribe(filter);
         }
     }
@@ -58,15 +58,15 @@ void BrokerClient::subscribe(const QString& filter)
 
 void BrokerClient::unsubscribe(const QString& filter)
 {
-    m_refused.removeOne(filter);
-    if (m_filters.removeOne(filter) && m_connected) {
+    m_subscriptions.refused.removeOne(filter);
+    if (m_subscriptions.wanted.removeOne(filter) && isConnected()) {
         m_session->unsubscribe(filter);
     }
 }
 
 bool BrokerClient::publish(const Message& message)
 {
-    return m_connected && m_session->publish(message);
+    return isConnected() && m_session->publish(message);
 }
 
 void BrokerClient::service()
@@ -138,9 +138,8 @@ void BrokerClient::tryNextAddress()
 
 void BrokerClient::accepted()
 {
-    m_connected = true;
     m_connectedAt = m_clock.now();
-    for (const QString& filter : std::as_const(m_filters)) {
+    for (const QString& filter : std::as_const(m_subscriptions.wanted)) {
         m_session->subscribe(filter);
     }
     setProblem({});
@@ -150,21 +149,21 @@ void BrokerClient::accepted()
 void BrokerClient::takeAnswer(const QString& filter, bool granted)
 {
     if (granted) {
-        if (m_refused.removeOne(filter)) {
+        if (m_subscriptions.refused.removeOne(filter)) {
             Q_EMIT subscriptionGranted(filter);
         }
-    } else if (m_filters.contains(filter) && !m_refused.contains(filter)) {
-        m_refused.append(filter);
-        m_askAgainAt = m_clock.now() + kAskAgain;
+    } else if (m_subscriptions.wanted.contains(filter) && !m_subscriptions.refused.contains(filter)) {
+        m_subscriptions.refused.append(filter);
+        m_subscriptions.askAgainAt = m_clock.now() + kAskAgain;
         Q_EMIT subscriptionRefused(filter);
     }
 }
 
 void BrokerClient::askAgain()
 {
-    if (m_connected && !m_refused.isEmpty() && m_clock.now() >= m_askAgainAt) {
-        m_askAgainAt = m_clock.now() + kAskAgain;
-        for (const QString& filter : std::as_const(m_refused)) {
+    if (isConnected() && !m_subscriptions.refused.isEmpty() && m_clock.now() >= m_subscriptions.askAgainAt) {
+        m_subscriptions.askAgainAt = m_clock.now() + kAskAgain;
+        for (const QString& filter : std::as_const(m_subscriptions.refused)) {
             m_session->subscribe(filter);
         }
     }
@@ -174,7 +173,7 @@ void BrokerClient::ended(const Ending& ending)
 {
     const bool tryOthers = isOfTheAddress(ending.kind) && !m_addresses.isEmpty();
     const auto others = std::exchange(m_addresses, {});
-    const bool wasGood = m_connected && m_clock.now() - m_connectedAt >= kStable;
+    const bool wasGood = m_connectedAt && m_clock.now() - *m_connectedAt >= kStable;
     if (wasGood) {
         m_delay.reset();
     }
@@ -205,8 +204,8 @@ void BrokerClient::dropAttempt()
         QHostInfo::abortHostLookup(std::exchange(m_lookup, -1));
     }
     m_addresses.clear();
-    m_refused.clear();
-    m_connected = false;
+    m_subscriptions.refused.clear();
+    m_connectedAt.reset();
     if (BrokerSession* const session = std::exchange(m_session, nullptr)) {
         session->drop();
         session->disconnect(this);

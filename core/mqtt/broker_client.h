@@ -49,7 +49,7 @@ public:
     bool publish(const Message& message) override;
 
     [[nodiscard]] const Broker& broker() const override { return m_broker; }
-    [[nodiscard]] bool isConnected() const override { return m_connected; }
+    [[nodiscard]] bool isConnected() const override { return m_connectedAt.has_value(); }
     [[nodiscard]] const QString& problem() const override { return m_problem; }
 
     // Empty while there is a connection or an attempt at one.
@@ -66,6 +66,13 @@ private Q_SLOTS:
     void takeLookup(const QHostInfo& found);
 
 private:
+    struct Subscriptions
+    {
+        QStringList wanted;
+        QStringList refused;  // of them, by this connection
+        SteadyTime askAgainAt{};
+    };
+
     void attempt();
     [[nodiscard]] Result<> prepareTls();
     void lookUp();
@@ -82,7 +89,7 @@ private:
     bool m_wanted = false;
     Broker m_broker;
     std::optional<Message> m_will;
-    QStringList m_filters;
+    Subscriptions m_subscriptions;
     QTimer m_timer;
     RetryDelay m_delay;
     std::optional<SteadyTime> m_nextAttempt;
@@ -90,10 +97,7 @@ private:
     QList<QHostAddress> m_addresses;  // of the attempt, still untried
     std::shared_ptr<TlsContext> m_tls;
     BrokerSession* m_session = nullptr;  // a child; replaced at each attempt
-    bool m_connected = false;
-    SteadyTime m_connectedAt{};
-    QStringList m_refused;  // of m_filters, by this connection
-    SteadyTime m_askAgainAt{};
+    std::optional<SteadyTime> m_connectedAt;
     QString m_problem;
 };
 

@@ -73,15 +73,15 @@ struct BrokerSession::Callbacks
 {
     static void answered(mosquitto* /*handle*/, void* session, int code)
     {
-        static_cast<BrokerSession*>(session)->m_answer = code;
+        static_cast<BrokerSession*>(session)->m_told.answer = code;
     }
 
     static void received(mosquitto* /*handle*/, void* session, const mosquitto_message* message)
     {
         if (message->payloadlen > kLargestMessage) {
-            static_cast<BrokerSession*>(session)->m_dropped = message->payloadlen;
+            static_cast<BrokerSession*>(session)->m_told.dropped = message->payloadlen;
         } else {
-            static_cast<BrokerSession*>(session)->m_inbox.push_back(
+            static_cast<BrokerSession*>(session)->m_told.inbox.push_back(
                 {.topic = QString::fromUtf8(message->topic),
                  .payload = QByteArray(static_cast<const char*>(message->payload), message->payloadlen),
                  .retain = message->retain ? Retain::Yes : Retain::No});
@@ -91,7 +91,7 @@ struct BrokerSession::Callbacks
     // MQTT 3.1.1, 3.9.3: below 0x80 it is the quality of service that is granted.
     static void subscribed(mosquitto* /*handle*/, void* session, int number, int count, const int* granted)
     {
-        static_cast<BrokerSession*>(session)->m_granted.emplace_back(number, count == 1 && granted[0] < kRefused);
+        static_cast<BrokerSession*>(session)->m_told.granted.emplace_back(number, count == 1 && granted[0] < kRefused);
     }
 
     // "OpenSSL Error[0]: error:0A00010B:SSL routines::wrong version number"
@@ -99,7 +99,7 @@ struct BrokerSession::Callbacks
     {
         const QString line = QString::fromUtf8(text);
         if (level == MOSQ_LOG_ERR && line.startsWith(QLatin1String("OpenSSL"))) {
-            static_cast<BrokerSession*>(session)->m_tlsError = line.section(QStringLiteral("::"), -1);
+            static_cast<BrokerSession*>(session)->m_told.tlsError = line.section(QStringLiteral("::"), -1);
         }
     }
 };
@@ -265,7 +265,7 @@ void BrokerSession::pump()
 void BrokerSession::settle(int result)
 {
     const Ending ending = endingOf(result);  // before anything else changes errno
-    if (const auto answer = std::exchange(m_answer, std::nullopt)) {
+    if (const auto answer = std::exchange(m_told.answer, std::nullopt)) {
         if (*answer != 0) {
             end({.kind = kindOfRefusal(*answer)});
             return;
@@ -288,12 +288,12 @@ void BrokerSession::settle(int result)
 
 void BrokerSession::deliver()
 {
-    for (const Message& message : std::exchange(m_inbox, {})) {
+    for (const Message& message : std::exchange(m_told.inbox, {})) {
         if (m_phase == Phase::Accepted) {
             Q_EMIT received(message.topic, message.payload, message.retain);
         }
     }
-    for (const auto& [number, granted] : std::exchange(m_granted, {})) {
+    for (const auto& [number, granted] : std::exchange(m_told.granted, {})) {
         const auto asked = m_asked.extract(number);
         if (m_phase == Phase::Accepted && asked) {
             Q_EMIT subscriptionAnswered(asked.mapped(), granted);
@@ -305,7 +305,7 @@ void BrokerSession::deliver()
 void BrokerSession::tellDropped()
 {
     const auto packet = m_inlet.takeDropped();
-    const auto message = std::exchange(m_dropped, std::nullopt);
+    const auto message = std::exchange(m_told.dropped, std::nullopt);
     if (const auto bytes = packet ? packet : message; bytes && m_phase == Phase::Accepted) {
         Q_EMIT dropped(*bytes);
     }
@@ -336,7 +336,7 @@ Ending BrokerSession::endingOf(int result) const
             if (m_tls && !m_tls->refusal().isEmpty()) {
                 return {.kind = EndKind::CertificateWrong, .detail = m_tls->refusal()};
             }
-            return {.kind = EndKind::TlsRefused, .detail = m_tlsError};
+            return {.kind = EndKind::TlsRefused, .detail = m_told.tlsError};
         case MOSQ_ERR_KEEPALIVE:
             return {.kind = EndKind::NoPulse};
         case MOSQ_ERR_PROTOCOL:

@@ -74,6 +74,15 @@ private:
         Accepted,
         Ended
     };
+    // What libmosquitto told while it ran: acted upon when it has returned, for it must not be destroyed before.
+    struct Told
+    {
+        std::optional<int> answer;
+        std::vector<Message> inbox;
+        std::optional<qint64> dropped;  // the size of a message that was too large; with encryption
+        std::vector<std::pair<int, bool>> granted;
+        QString tlsError;
+    };
     struct Callbacks;
     struct Destroy
     {
@@ -101,13 +110,8 @@ private:
     Inlet m_inlet;  // without encryption
     Phase m_phase = Phase::Connecting;
     SteadyTime m_opened{};
-    // What libmosquitto told while it ran: acted upon when it has returned, for it must not be destroyed before.
-    std::optional<int> m_answer;
-    std::vector<Message> m_inbox;
-    std::optional<qint64> m_dropped;  // the size of a message that was too large; with encryption
-    std::map<int, QString> m_asked;   // filters that no answer has come to yet, by the number of their packet
-    std::vector<std::pair<int, bool>> m_granted;
-    QString m_tlsError;
+    Told m_told;
+    std::map<int, QString> m_asked;  // filters that no answer has come to yet, by the number of their packet
 };
 
 }  // namespace boresight::mqtt
