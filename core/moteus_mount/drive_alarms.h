@@ -4,7 +4,7 @@
 #include "core/alarms/alarm_entry.h"
 #include "core/base/text.h"
 #include "core/moteus_mount/drive.h"
-#include "core/supervision/finding.h"
+#include "core/supervision/symptom.h"
 
 #include <QString>
 

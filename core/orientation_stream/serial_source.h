@@ -4,7 +4,7 @@
 #include "core/base/result.h"
 #include "core/can/stable_port.h"
 #include "core/orientation/sentence_stream.h"
-#include "core/orientation_stream/source.h"
+#include "core/orientation_stream/sensor_source.h"
 
 #include <QFutureWatcher>
 #include <QSerialPort>

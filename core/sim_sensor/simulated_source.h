@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/orientation/sentence_stream.h"
-#include "core/orientation_stream/source.h"
+#include "core/orientation_stream/sensor_source.h"
 #include "core/sim_bus/simulated_link.h"
 
 #include <QTimer>

@@ -4,7 +4,7 @@
 #include "core/base/clock.h"
 #include "core/profile/in_force.h"
 #include "core/supervision/axis_observation.h"
-#include "core/supervision/finding.h"
+#include "core/supervision/symptom.h"
 #include "core/supervision/motion_memory.h"
 #include "core/supervision/trend.h"
 #include "core/supervision/watch.h"

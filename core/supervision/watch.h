@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/supervision/finding.h"
+#include "core/supervision/symptom.h"
 
 #include <functional>
 #include <limits>

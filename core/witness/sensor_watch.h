@@ -6,7 +6,7 @@
 #include "core/messages/sensor_status.h"
 #include "core/mount/sensor_course.h"
 #include "core/orientation/judge.h"
-#include "core/orientation_stream/source.h"
+#include "core/orientation_stream/sensor_source.h"
 #include "core/profile/in_force.h"
 #include "core/witness/current_link.h"
 #include "core/witness/sensor_comparison.h"
