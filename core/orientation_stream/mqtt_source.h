@@ -23,7 +23,7 @@ struct MqttTopics
     std::chrono::milliseconds silence{5000};
 };
 
-class MqttSource final : public Source
+class MqttSource final : public SensorSource
 {
     Q_OBJECT
 

@@ -35,7 +35,7 @@ Result<> checkPort(const QString& device)
 }  // namespace
 
 SerialSource::SerialSource(const SerialSettings& settings, const Clock& clock, QObject* parent)
-    : Source(parent), m_settings(settings), m_clock(clock), m_path(settings.port), m_delay(settings.firstRetry)
+    : SensorSource(parent), m_settings(settings), m_clock(clock), m_path(settings.port), m_delay(settings.firstRetry)
 {
     m_port.setReadBufferSize(kBytesAtOnce);
     m_retry.setSingleShot(true);

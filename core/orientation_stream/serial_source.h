@@ -29,7 +29,7 @@ struct SerialSettings
     std::chrono::milliseconds silence{5000};
 };
 
-class SerialSource final : public Source
+class SerialSource final : public SensorSource
 {
     Q_OBJECT
 

@@ -13,7 +13,7 @@
 // the bytes of a serial port. Lives on the station thread.
 namespace boresight {
 
-class SimulatedSource final : public orientation::Source
+class SimulatedSource final : public orientation::SensorSource
 {
     Q_OBJECT
 

@@ -119,7 +119,7 @@ TEST_F(SimulateTest, IsItsOrientationSensorToo)
     const SystemClock clock;
     orientation::SerialSource source({.port = port}, clock);
     std::optional<orientation::Orientation> heard;
-    QObject::connect(&source, &orientation::Source::received, &source,
+    QObject::connect(&source, &orientation::SensorSource::received, &source,
                      [&](const orientation::Orientation& value) { heard = value; });
     source.open();
     ASSERT_TRUE(fakes::waitUntil([&] { return heard.has_value(); })) << source.status().problem.toStdString();
@@ -144,7 +144,7 @@ TEST_F(SimulateTest, ItsSensorPublishesAtABrokerAsWell)
     mqtt::BrokerClient client(clock);
     orientation::MqttSource source(client, {.orientation = QStringLiteral("roof/orientation")}, clock);
     std::vector<orientation::Orientation> heard;
-    QObject::connect(&source, &orientation::Source::received, &source,
+    QObject::connect(&source, &orientation::SensorSource::received, &source,
                      [&](const orientation::Orientation& value) { heard.push_back(value); });
     source.open();
     client.open({.host = QStringLiteral("127.0.0.1"), .port = broker.port()});
